@@ -1,6 +1,6 @@
-# The rules of style that can be checked: a sentence of a page has at most 30 words, and no identifier begins with most_,
-# least_ or fewest_. Code, tables, headings and formulas are not counted; inline code or a formula counts as one word.
-# The first word of a doc comment is checked by check_comments.cmake. Given: SOURCE_DIR.
+# The rules of style that can be checked: a sentence of a page has at most 30 words, a doc comment of a public header
+# begins with a verb or a noun, and no identifier begins with most_, least_ or fewest_. Code, tables, headings and formulas are not counted; inline code or a formula counts as one word.
+# check_comments.cmake checks the first words of all other doc comments. Given: SOURCE_DIR.
 cmake_policy(VERSION 3.25)
 set(max_words 30)
 # Pages whose long sentences are not rewritten yet, and identifiers of entries and keys. Both lists may only shrink.
@@ -85,6 +85,23 @@ foreach(page IN LISTS pages)
   if(DEFINED LIST_PENDING AND long)
     message("${page}")
   endif()
+endforeach()
+
+# Doc comments of the public headers begin with a verb or a noun.
+set(pointing "(Of|How|What|Where|Whether|Which|Whose|Between|Under|In|On|By|With|From|Into|To|For|At|It|Its|That|This|Those|These|As|When|If|Without)")
+file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/ring_model/*.h ${SOURCE_DIR}/fem/contact/*.h
+     ${SOURCE_DIR}/fem/revolution/*.h ${SOURCE_DIR}/fem/solid/*.h ${SOURCE_DIR}/fem/geometry/*.h
+     ${SOURCE_DIR}/fem/elasticity/*.h ${SOURCE_DIR}/fem/matrix_free/*.h)
+foreach(file IN LISTS files)
+  file(READ ${SOURCE_DIR}/${file} text)
+  string(REGEX REPLACE "[][;\\]" "," text "${text}")
+  string(REGEX REPLACE "\n *///<[^\n]*" "\n" text "${text}")
+  string(REGEX REPLACE "(\n *///[^\n]*)(\n *///[^\n]*)+" "\\1" text "${text}")
+  string(REGEX MATCHALL "\n *(///|/[*][*]\n? *[*]?) ${pointing} [^\n]*" found "${text}")
+  foreach(comment IN LISTS found)
+    string(STRIP "${comment}" comment)
+    string(APPEND troubles "  ${file}: ${comment}\n")
+  endforeach()
 endforeach()
 
 file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/ring_model/*.h ${SOURCE_DIR}/fem/*.h)

@@ -27,8 +27,8 @@ struct ContactDemand : Resultants
   {
   }
 
-  /// Radii of the rings on which the load is gathered, ascending [m]; empty: the one ring that has the load's
-  /// moment and first harmonic.
+  /// Radii of the rings that represent the load, ascending [m]. Empty: one ring with the load's moment and
+  /// first harmonic.
   std::vector<double> ring_radii;
   unsigned int n_harmonics = 0; ///< of the load; 0: as many as the contact resolves
   /// Moment of the load's friction [N m] as functions of the load on `ring_radii`; empty: none.
@@ -38,17 +38,17 @@ struct ContactDemand : Resultants
 
   bool has_friction() const { return !friction_x.a.empty(); }
 
-  /// This demand in axes turned counter-clockwise by @p angle [rad]: the load's azimuths count from there.
+  /// Returns this demand in axes turned counter-clockwise by @p angle [rad].
   ContactDemand in_axes_turned_by(double angle) const;
 };
 
-/// Value of @p function under a unit force on each contact node of @p surface, gathered on rings of radii @p
-/// ring_radii [m]. Shape [n_nodes].
+/// Returns the value of @p function under a unit force on each contact node of @p surface, projected onto
+/// rings of @p ring_radii [m]; shape [n_nodes].
 Eigen::VectorXd node_values(const ContactSurface &surface, const std::vector<double> &ring_radii,
                             const ring::LoadFunctional &function);
 
-/// The demand as linear conditions on the nodal forces of @p surface and the table motions. Throws
-/// std::invalid_argument unless N > 0 and all is finite.
+/// Returns the demand as linear conditions on the nodal forces of @p surface and the table motions. Throws
+/// std::invalid_argument unless N > 0 and all numbers are finite.
 LinearConditions conditions_of(const ContactSurface &surface, const ContactDemand &demand);
 
 } // namespace stemware::fem

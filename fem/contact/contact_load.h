@@ -10,14 +10,14 @@
 namespace stemware::fem
 {
 
-/// The load lambda(theta) that a contact puts on the table: on concentric rings, theta in the slip frame, and
-/// what their series do not say.
+/// Load lambda(theta) of a contact on the table: harmonics on concentric rings, theta in the slip frame,
+/// with extent and pointwise load.
 ///
-/// One ring alone has the radius and the direction of the load's moment M_N: |M_N| / (pi sqrt(a_1^2 +
-/// b_1^2)), and sum f r^2 / sum f r where there is none. Several carry M_N by their radii.
+/// One ring has the radius and the direction of the load's moment M_N: |M_N| / (pi sqrt(a_1^2 + b_1^2)), or
+/// sum f r^2 / sum f r without a moment. Several rings represent M_N by their radii.
 struct ContactLoad : ring::RingStack
 {
-  /// A newton per radian on a ring of a metre, to be replaced.
+  /// Placeholder: one newton per radian on a ring of one metre.
   ContactLoad()
       : RingStack({ 1. }, { 0. }, 1.)
   {
@@ -36,19 +36,19 @@ struct ContactLoad : ring::RingStack
   double least = 0;                            ///< least_load() [N/rad]
   std::vector<AzimuthLoad> pointwise; ///< lambda itself by azimuth, sorted; what the series stand for
 
-  /// The load turned counter-clockwise by @p angle [rad].
+  /// Returns the load turned counter-clockwise by @p angle [rad].
   ContactLoad turned(double angle) const;
 };
 
-/// How rings share a force by its radius: the values there of the Lagrange polynomials of their radii, so
-/// that radial moments up to one less than the number of rings are kept. One ring gets all.
+/// Distribution of a force over rings by its radius: values of the Lagrange polynomials of the rings'
+/// radii. Radial moments of orders below the number of rings are exact. One ring gets the whole force.
 class RingShares
 {
 public:
   /// Throws std::invalid_argument unless the radii are positive and ascending.
   explicit RingShares(std::vector<double> radii);
 
-  /// Shares of a force at @p radius, one for each ring; valid until the next call.
+  /// Returns the shares of a force at @p radius, one for each ring. Valid until the next call.
   const Eigen::VectorXd &at(double radius) const;
 
 private:
@@ -58,31 +58,31 @@ private:
   mutable Eigen::VectorXd shares;
 };
 
-/// Gathers a contact solution on rings of @p ring_radii, on one ring where these are empty, from the law's
-/// own quadrature points: harmonics_of() with extent, least and pointwise. Throws
-/// std::invalid_argument when there is no load.
+/// Projects a contact solution onto rings of @p ring_radii (empty: one ring), from the law's own quadrature
+/// points: harmonics_of() with extent, minimum and pointwise load. Throws std::invalid_argument without a
+/// load.
 ContactLoad extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics,
                          const std::vector<double> &ring_radii = {});
 
-/// Least of a load that is known at azimuths, in their order round the rim: between the lowest value and its
-/// neighbours by the parabola through the three; 0 where the lowest is [N/rad].
+/// Returns the minimum of a load given at azimuths, in their order round the rim [N/rad]: the minimum of
+/// the parabola through the lowest value and its neighbours; 0 if the lowest value is 0.
 double least_load(const std::vector<AzimuthLoad> &pointwise);
 
-/// Into how many parts a contact line is to be cut for its quadrature points to know the radial moments that
-/// @p n_rings rings take over (TableLaw::load()).
+/// Returns the number of parts of a contact line whose quadrature points resolve the radial moments of @p
+/// n_rings rings (TableLaw::load()).
 unsigned int parts_of_lines(std::size_t n_rings);
 
-/// Least and largest radius [m] of those points of @p load that are more than rounding of the largest.
+/// Returns the smallest and largest radius [m] of the points of @p load above rounding of the largest.
 std::pair<double, double> loaded_band(const TableLoad &load);
 
-/// Harmonics 0 ... @p n_harmonics of @p forces: a_n = sum f_i cos(n theta_i) / pi (a_0 half of that), b_n
-/// likewise. Of rings with the given @p radii [m] ring j gets f_i l_j(r_i), l_j the Lagrange polynomials of
-/// the radii: with J rings sum_j r_j^k lambda_j equals the load's radial moment of order k at every azimuth,
-/// k < J; forces outside the radii are extrapolated. Without radii one ring gets all. @p forces may be those
-/// of one of the @p parts of a surface.
+/// Returns the harmonics 0 ... @p n_harmonics of @p forces: a_n = sum f_i cos(n theta_i) / pi (half of that
+/// for a_0), b_n likewise. On rings with @p radii [m], ring j gets f_i l_j(r_i), with the Lagrange
+/// polynomials l_j of the radii. With J rings sum_j r_j^k lambda_j equals the load's radial moment of order
+/// k at every azimuth, k < J; forces outside the radii are extrapolated. Without radii one ring gets the
+/// whole force. @p forces may belong to one of the @p parts of a surface.
 ///
-/// Leaves the extent, least and pointwise empty. Throws std::invalid_argument when there is no load or
-/// the radii are not positive and ascending.
+/// Leaves extent, minimum and pointwise load empty. Throws std::invalid_argument without a load, or if the
+/// radii are not positive and ascending.
 ContactLoad harmonics_of(const std::vector<PointForce> &forces, unsigned int n_harmonics,
                          const std::vector<double> &radii = {}, const SurfaceParts &parts = {});
 

@@ -8,7 +8,7 @@
 namespace stemware::fem
 {
 
-/// How a contact solve ended, in the order of to_string(); everything but `converged` and `narrow_contact` is
+/// Outcome of a contact solve, in the order of to_string(). All but `converged` and `narrow_contact` are
 /// thrown as a ContactFailure.
 enum class ContactOutcome
 {
@@ -25,7 +25,7 @@ enum class ContactOutcome
   overflow              ///< forces or displacements left the range of floating-point numbers
 };
 
-/// The outcome's name as used in messages and in summary.json.
+/// Returns the outcome's name as used in messages and in summary.json.
 inline std::string to_string(ContactOutcome outcome)
 {
   static constexpr const char *names[] = { "converged",
@@ -41,7 +41,7 @@ inline std::string to_string(ContactOutcome outcome)
   return names[static_cast<std::size_t>(outcome)];
 }
 
-/// Thrown when a contact solve ends without a solution; what() is a sentence with figures and advice.
+/// Exception of a contact solve without a solution; what() is one sentence with numbers and advice.
 class ContactFailure : public std::runtime_error
 {
 public:
@@ -53,7 +53,7 @@ public:
   const ContactOutcome outcome;
 };
 
-/// A foot at rest on the table.
+/// Equilibrium of a foot on the table.
 struct ContactSolution
 {
   ContactOutcome outcome = ContactOutcome::converged; ///< converged or narrow_contact

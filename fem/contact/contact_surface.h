@@ -9,12 +9,12 @@
 namespace stemware::fem
 {
 
-/// One line of contact along which the penetration is a quadratic polynomial: the place where a table law is
-/// integrated.
+/// Contact line along which the penetration is a quadratic polynomial and a table law is integrated.
 ///
-/// The local coordinate runs over [-1, 1]; everything is given at the three samples -1, 0, 1 and is quadratic
-/// in between. In a solid body a contact face carries several such lines, roughly radial, at Gauss points of
-/// the other direction; in a body of revolution each azimuth line crosses one line per meridional element.
+/// The local coordinate runs over [-1, 1]. All data are given at the three samples -1, 0, 1 and are
+/// quadratic in between. A contact face of a solid body has several lines, roughly radial, at Gauss points
+/// of the other direction. In a body of revolution each azimuth line crosses one line per meridional
+/// element.
 struct ContactLine
 {
   std::vector<unsigned int> nodes; ///< contact nodes whose displacement acts on this line
@@ -22,21 +22,19 @@ struct ContactLine
   Eigen::Matrix<double, 3, Eigen::Dynamic> shape;
   bool samples_are_nodes = false;       ///< three nodes, and shape is the identity: no product is needed
   Eigen::Matrix<double, 3, 2> position; ///< (x, y) of the samples [m]
-  /// Vector across the line at the samples, quadrature weight included [m].
+  /// Transverse vector at the samples, quadrature weight included [m].
   Eigen::Matrix<double, 3, 2> transverse_tangent;
   Eigen::Vector3d gap;      ///< distance of the undeformed surface from the plane z = 0 [m]
   double azimuth = 0;       ///< theta of the middle sample [rad]
   double azimuth_width = 0; ///< breadth of the line as an angle [rad]
 };
 
-/// The contact zone of a body, as the table and the contact driver see it, or a rank's part of it: the lines
-/// of its own cells and the nodes that act on these. Nodes that belong to other parts come last; every node
-/// belongs to one.
+/// Contact zone of a body, or one rank's part of it: the lines of its own cells, and the nodes of these
+/// lines. Nodes of other parts come last; every node belongs to one part.
 ///
-/// Of numbers at the nodes there are two kinds. Displacements, gaps and whatever is given as a function of
-/// the place are known to every part that has the node. Forces, tangents and whatever is integrated are what
-/// the part's own lines give, and the sum over the parts is the whole; so is the product of one kind with the
-/// other.
+/// Nodal values come in two layouts. Functions of the position (displacements, gaps) are known on every
+/// part that has the node. Integrals (forces, tangents) are the contributions of the part's own lines;
+/// their sum over the parts is the total, and so is the product of the two layouts.
 struct ContactSurface
 {
   Eigen::MatrixX2d node_position; ///< (x, y) of the contact nodes [m]
@@ -45,12 +43,12 @@ struct ContactSurface
   std::vector<ContactLine> lines;
   std::vector<std::size_t> mirrored_lines; ///< of every line the one that is its mirror image at y = 0 to the
                                            ///< last bit, gap aside; empty where there are none
-  /// Every line has one azimuth: lines of equal azimuth form a cut at theta = const.
+  /// True if every line has one azimuth; lines of equal azimuth form a cut at theta = const.
   bool lines_are_radial = false;
   unsigned int n_sectors = 0; ///< number of cells round the rim (mean, where the mesh is not regular)
-  /// The land is rounded across the rim: its contact is a band whose width follows from the load.
+  /// True if the land is rounded across the rim: the contact is a band whose width follows from the load.
   bool is_crowned = false;
-  /// The land goes round the axis and leaves a hole there, as a rim does and a plate does not.
+  /// True if the land is a ring with a hole at the axis.
   bool is_ring = true;
 
   unsigned int n_foreign_nodes = 0; ///< those at the end that belong to other parts
@@ -62,15 +60,14 @@ struct ContactSurface
   unsigned int n_nodes_of_whole() const { return parts.sum(std::size_t(n_own_nodes())); }
   /// Projected area of the whole contact zone [m^2].
   double area() const { return parts.sum(node_area.head(n_own_nodes()).sum()); }
-  /// Columns (1, x, y) at the nodes: what the table motions q0, q1, q2 do to the gap. Shape [n_nodes, 3].
+  /// Columns (1, x, y) at the nodes: effect of the table motions q0, q1, q2 on the gap. Shape [n_nodes, 3].
   Eigen::MatrixX3d motion_modes() const;
-  /// How many nodes under pressure lie side by side across the rim of the whole zone, where they are most;
-  /// nodes within an eighth of a sector count as side by side. @p pressure of shape [n_nodes].
+  /// Returns the largest number of nodes under pressure side by side across the rim, over the whole zone.
+  /// Nodes within an eighth of a sector count as side by side. @p pressure has the shape [n_nodes].
   unsigned int n_nodes_across(const Eigen::VectorXd &pressure) const;
 };
 
-/// A vertical force on the foot at a point of the table: what is left of a contact solution once the body is
-/// forgotten.
+/// Vertical force on the foot at a point of the table, independent of the body's discretisation.
 struct PointForce
 {
   double x = 0;     ///< [m]
@@ -78,7 +75,7 @@ struct PointForce
   double force = 0; ///< upward on the foot [N], >= 0
 };
 
-/// @p forces turned counter-clockwise by @p angle [rad].
+/// Returns @p forces turned counter-clockwise by @p angle [rad].
 std::vector<PointForce> turned_by(std::vector<PointForce> forces, double angle);
 
 } // namespace stemware::fem

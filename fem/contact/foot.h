@@ -19,8 +19,7 @@
 namespace stemware::fem
 {
 
-/// One solved contact: all that its load, fields and estimates need, and that the next contact may start
-/// from.
+/// Solved contact with all data of its load, fields and estimates; initial guess of the next contact.
 struct ContactState
 {
   ContactLoad load;                      ///< in the slip frame
@@ -28,7 +27,7 @@ struct ContactState
   std::vector<ContactIteration> history; ///< Newton steps
   ContactDemand demand;                  ///< that it was solved for
   ring::Slip slip;                       ///< that it was solved for
-  /// Radii between which the load lies but for rounding [m].
+  /// Radii that enclose the load, up to rounding [m].
   double inner_radius = 0;
   double outer_radius = 0;
 
@@ -38,15 +37,15 @@ struct ContactState
   std::shared_ptr<const std::string> body = {}; ///< of a solid body, this rank's part of its state
 };
 
-/// Places from which a foot looks for a contact.
+/// Initial guesses of a contact solve.
 struct ContactGuess
 {
   const ContactState *before = nullptr; ///< a contact of the same foot that is near; nothing: none is known
-  /// Contact that is expected, in the slip frame, at the nodes of `before`'s zone, or of the first zone.
+  /// Predicted contact in the slip frame, at the nodes of `before`'s zone or of the first zone.
   std::optional<ContactStart> expected = {};
 };
 
-/// Description of a foot for people and for summary.json.
+/// Description of a foot for messages and summary.json.
 struct FootDescription
 {
   std::string body;                    ///< "revolution", "solid"
@@ -57,28 +56,32 @@ struct FootDescription
   double contact_cell_size = 0; ///< of a three-dimensional mesh: smallest extent of a contact cell [m]
 };
 
-/// Abilities of a foot, to be asked instead of its kind.
+/// Abilities of a foot, queried instead of its type.
 struct FootCapabilities
 {
-  /// Friction tractions act back on the pressure: the load depends on the spin.
+  /// True if friction tractions change the pressure, so that the load depends on the spin.
   bool friction_deforms = false;
-  /// The angle by which the glass can be turned (Slip::orientation) without changing the load, beyond what is
-  /// out of flat by the study's entries [rad]; 0: any angle.
+  /// Angle of rotation of the glass (Slip::orientation) that leaves the load unchanged, apart from the
+  /// study's waviness [rad]. 0: any angle.
   double period_of_glass = 0;
-  /// Solving takes all MPI ranks together, so two feet cannot be solved side by side.
+  /// True if all MPI ranks have to solve together, so that two feet cannot be solved side by side.
   bool is_collective = false;
 };
 
-/// A file of a result, still in memory.
+/// File of a result, in memory.
 struct FieldFile
 {
   std::string name; ///< "contact.vtu"; on several ranks "contact_0.vtu" ... and "contact.pvtu"
   std::string text;
 };
 
-/// An elastic foot on its table: mesh, stiffness and table law, set up once for any number of loads.
+/// Elastic foot on its table: mesh, stiffness and table law, set up once for any number of loads.
 ///
-/// Answers depend on the arguments alone. Where capabilities().is_collective, MPI must have been started and
+///     MeshedRevolutionFoot foot(setup.resolved_for(weight));            // or SolidFoot(mesh, setup)
+///     const ContactLoad load = foot.solve({ weight, 0, -moment }).load; // N, M_Nx, M_Ny
+///     load.a(2);                                                        // harmonic of the load [N/rad]
+///
+/// Results depend on the arguments only. If capabilities().is_collective, MPI must have been started and
 /// all ranks call every function together. A foot works on one call at a time; different feet may be solved
 /// by different threads unless they are collective.
 class Foot
@@ -89,55 +92,56 @@ public:
   Foot &operator=(const Foot &) = delete;
   virtual ~Foot() = default;
 
-  /// The same foot for another thread, with the same answers; nothing where it is collective.
+  /// Returns a copy of the foot for another thread, with the same results; nullptr if the foot is
+  /// collective.
   virtual std::shared_ptr<const Foot> twin() const { return nullptr; }
 
   virtual FootDescription description() const = 0;
   virtual FootCapabilities capabilities() const = 0;
 
-  /// Solves the contact under @p demand at @p slip, from @p guess.
-  /// @p progress is called after each Newton step, which the state's history keeps too, where a solve takes
-  /// long (a solid foot; not a body of revolution); may be empty. Throws ContactFailure.
+  /// Solves the contact under @p demand at @p slip, starting from @p guess. @p progress is called after
+  /// each Newton step of a long solve (a solid foot), and the state's history keeps these steps; may be
+  /// empty. Throws ContactFailure.
   virtual ContactState solve(const ContactDemand &demand, const ring::Slip &slip = {},
                              const ContactGuess &guess = {},
                              const std::function<void(const ContactIteration &)> &progress = {}) const = 0;
 
-  /// Contact that is expected of this foot after @p start, a contact in zone @p zone of @p similar, a foot
-  /// that differs little; nothing where @p start does not tell.
+  /// Predicts the contact after @p start, a contact in zone @p zone of the slightly different foot @p
+  /// similar. Returns nothing if @p start is not informative.
   virtual std::optional<ContactStart> expected_from(const ContactStart & /*start*/, unsigned int /*zone*/,
                                                     const Foot & /*similar*/) const
   {
     return std::nullopt;
   }
 
-  /// Highest harmonic that the contact resolves.
+  /// Returns the highest harmonic that the contact resolves.
   virtual unsigned int n_resolved_harmonics() const = 0;
 
-  /// The load of any state of this foot, rings and harmonics as ContactDemand has them.
+  /// Returns the load of a state of this foot, with rings and harmonics as in ContactDemand.
   virtual ContactLoad gather(const ContactState &state, const std::vector<double> &ring_radii,
                              unsigned int n_harmonics) const = 0;
 
-  /// The pressure of any state of this foot as forces where they lie, slip frame; of a collective foot on the
-  /// first rank, nothing on the others.
+  /// Returns the pressure of a state as point forces in the slip frame. A collective foot returns them on
+  /// the first rank only.
   virtual std::vector<PointForce> point_forces(const ContactState &state) const = 0;
 
-  /// The pressure p(r, theta) of any state of this foot, slip frame; of a collective foot on the first rank,
-  /// empty on the others.
+  /// Returns the pressure p(r, theta) of a state in the slip frame. A collective foot returns it on the
+  /// first rank, and an empty map elsewhere.
   virtual PressureMap pressure_map(const ContactState &state) const = 0;
 
-  /// Displacement, stress and contact pressure of any state of this foot as VTU files: what this rank has to
-  /// write. Nothing of a foot without a mesh.
+  /// Returns displacement, stress and contact pressure of a state as VTU files of this rank. Empty for a
+  /// foot without a mesh.
   virtual std::vector<FieldFile> fields(const ContactState & /*state*/) const { return {}; }
 
-  /// The section of any state of this foot through its axis, at azimuth @p theta [rad] of the slip frame
-  /// where x > 0, relative to the stem's cut; empty where this foot cannot tell.
+  /// Returns the section of a state through the axis at azimuth @p theta [rad] of the slip frame (x > 0),
+  /// relative to the stem's cut. Empty if this foot has no section.
   virtual std::vector<StressedPatch> section(const ContactState & /*state*/, double /*theta*/) const
   {
     return {};
   }
 
-  /// Error of @p goal in @p state, a contact of this foot, that is due to the mesh alone; nothing where this
-  /// foot cannot tell. @p with_cells: with the cells' shares.
+  /// Estimates the error of @p goal in @p state due to the mesh. Returns nothing if this foot cannot
+  /// estimate it. @p with_cells: with the shares of the cells.
   virtual std::optional<MeshError> mesh_error(const ContactState & /*state*/, const ContactGoal & /*goal*/,
                                               bool /*with_cells*/) const
   {
@@ -145,7 +149,7 @@ public:
   }
 
 protected:
-  /// ContactDemand::n_harmonics as far as they are resolved.
+  /// Returns ContactDemand::n_harmonics, limited to the resolved harmonics.
   unsigned int kept_harmonics(unsigned int asked) const
   {
     return asked == 0 ? n_resolved_harmonics() : std::min(asked, n_resolved_harmonics());

@@ -4,26 +4,26 @@
 
 #include <vector>
 
-/// Measures of a pressure map for pictures and captions. The map has cuts, each with a point at least.
+/// Measures of a pressure map for plots and captions. The map has at least one point in every cut.
 namespace stemware::fem
 {
 
-/// Whether a footprint is a grid with several points across the contact.
+/// Returns whether a footprint is a grid with several points across the contact.
 bool has_cells(const PressureMap &footprint);
 
-/// The largest pressure [Pa].
+/// Returns the largest pressure [Pa].
 double largest_pressure(const PressureMap &footprint);
 
-/// Least and largest radius in contact at any azimuth, by contact_width(); of points that are no grid, of
-/// those under pressure. The footprint must have a point under pressure.
+/// Returns the smallest and largest radius in contact at any azimuth, by contact_width(); without a grid,
+/// those of the points under pressure. The footprint must have a point under pressure.
 ContactWidth loaded_band(const PressureMap &footprint);
 
-/// The cuts between the edges of their pressure. Of a footprint with cells: every so many, the first one
+/// Cuts between the edges of their pressure. Of a footprint with cells: every so many, the first one
 /// again after a whole turn, each at equally many places from edge to edge, which lie between the points of
 /// the grid; the pressure is not a number where a cut has no load. Of others: the points under pressure.
 std::vector<std::vector<PressurePoint>> loaded_cuts(const PressureMap &footprint);
 
-/// How hard and how wide a footprint with cells is in contact.
+/// Largest pressure and width of a footprint with cells.
 struct FootprintMeasures
 {
   PressurePoint largest; ///< of all points

@@ -25,7 +25,8 @@ struct LineSegment
   double end = 0;
 };
 
-/// The at most two segments of [-1, 1] where the quadratic through @p samples (at -1, 0, 1) is positive.
+/// Returns the segments (two at most) of [-1, 1] where the quadratic through @p samples (at -1, 0, 1) is
+/// positive.
 struct PositiveSegments
 {
   explicit PositiveSegments(const Eigen::Vector3d &samples);
@@ -33,19 +34,19 @@ struct PositiveSegments
   unsigned int n_segments = 0;
 };
 
-/// A quadratic along a line by its coefficients: c(0) + c(1) xi + c(2) xi^2.
+/// Quadratic along a line by its coefficients: c(0) + c(1) xi + c(2) xi^2.
 inline Eigen::Vector3d quadratic_through(const Eigen::Vector3d &samples)
 {
   return { samples(1), (samples(2) - samples(0)) / 2, (samples(0) + samples(2)) / 2 - samples(1) };
 }
 
-/// Its value at @p xi.
+/// Returns the value at @p xi.
 inline double value_at(const Eigen::Vector3d &coefficients, double xi)
 {
   return coefficients(0) + xi * (coefficients(1) + xi * coefficients(2));
 }
 
-/// A quadrature point on a loaded segment.
+/// Quadrature point on a loaded segment.
 struct LinePoint
 {
   double xi = 0;   ///< local coordinate
@@ -80,7 +81,7 @@ private:
   Eigen::Vector4d cubic = Eigen::Vector4d::Zero();
 };
 
-/// The part of @p line and of the @p depth at its samples between two of its local coordinates: positions,
+/// Part of @p line and of the @p depth at its samples between two of its local coordinates: positions,
 /// transverse tangents, gap and depth, all of which are quadratic along the line. The part has no nodes.
 inline std::pair<ContactLine, Eigen::Vector3d> part_of(const ContactLine &line, const Eigen::Vector3d &depth,
                                                        const LineSegment &range)
@@ -137,7 +138,7 @@ inline Eigen::Vector3d penetration(const ContactLine &line, const Eigen::VectorX
   return depth;
 }
 
-/// Adds what @p line contributes to int N_i dA of its nodes, ContactSurface::node_area [m^2].
+/// Adds the contribution of @p line to int N_i dA of its nodes, ContactSurface::node_area [m^2].
 inline void add_node_areas(const ContactLine &line, Eigen::VectorXd &node_area)
 {
   for_each_point(AreaElement(line), LineSegment{ -1, 1 },

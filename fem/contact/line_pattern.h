@@ -9,12 +9,12 @@
 namespace stemware::fem
 {
 
-/// Where the 3 x 3 tangents of contact lines go in the sparse tangent of a surface: looked up once, since
-/// laws assemble at every Newton step.
+/// Positions of the 3 x 3 tangents of contact lines in the sparse tangent of a surface, computed once
+/// because laws assemble at every Newton step.
 class LinePattern
 {
 public:
-  /// Takes the lines of @p surface, which keep their nodes and shapes; a reference to it is kept.
+  /// Takes the lines of @p surface, whose nodes and shapes do not change; keeps a reference to it.
   explicit LinePattern(const ContactSurface &surface);
 
   /// Gives @p tangent all couplings of nodes on common lines, all zero. It is empty or was filled by this
@@ -35,7 +35,7 @@ private:
 
   const ContactSurface &surface;
   Eigen::SparseMatrix<double> empty;
-  /// Places of each line's node pairs (row-major) among the values of the sparse matrix.
+  /// Positions of each line's node pairs (row-major) among the values of the sparse matrix.
   std::vector<std::vector<int>> places;
 };
 

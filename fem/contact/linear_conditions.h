@@ -15,9 +15,8 @@ struct Resultants
 
 /// Three linear conditions L'f + H q = t on the nodal forces f of a contact and the table motions q. The
 /// first column of L is 1, so that t_0 is the normal force N; the other two are lengths. L = Q = (1, x, y)
-/// and H = 0 prescribe the resultants; a moment balance adds to x and y the arm of the friction that the
-/// normal forces bring along, and with H the moment of the weight of a glass that leans
-/// (docs/theory/closures.md).
+/// and H = 0 prescribe the resultants. A moment balance adds to x and y the arm of the friction of the
+/// normal forces; H is the moment of the weight of a leaning glass (docs/theory/closures.md).
 class LinearConditions
 {
 public:
@@ -32,22 +31,23 @@ public:
   const Eigen::Matrix3d &motion_weights() const { return H; }
   double normal_force() const { return t(0); }
 
-  /// Whether L = Q to the last bit and H = 0: equilibrium then minimises an energy and Newton's matrix is
-  /// symmetric.
+  /// Returns true if L = Q to the last bit and H = 0. Equilibrium then minimises an energy, and Newton's
+  /// matrix is symmetric.
   bool are_resultants() const { return symmetric; }
 
-  /// These conditions with moments, friction's arm and leaning weight all multiplied by @p share: at 0 an
-  /// even press, on a path to the whole of them. @p surface is theirs.
+  /// Returns these conditions with moments, friction's arm and leaning weight multiplied by @p share (0: an
+  /// even press), for continuation. @p surface belongs to the conditions.
   LinearConditions with_share_of_moment(const ContactSurface &surface, double share) const;
 
-  /// L'f + H q - t for nodal @p forces [N] and table motions @p motion [m, rad, rad]: in N, N m, N m. Of
-  /// the whole surface.
+  /// Returns L'f + H q - t for nodal @p forces [N] and table motions @p motion [m, rad, rad], over the
+  /// whole surface [N, N m, N m].
   Eigen::Vector3d residual(const Eigen::VectorXd &forces, const Eigen::Vector3d &motion) const
   {
     return parts.sum(L.transpose() * forces) + H * motion - t;
   }
 
-  /// How far the second and third weights of a node of the whole surface reach in @p direction [m].
+  /// Returns the largest component of the second and third weights of a node in @p direction, over the
+  /// whole surface [m].
   double reach(const Eigen::Vector2d &direction) const
   {
     return parts.greatest(L.rightCols<2>() * direction);
@@ -61,8 +61,8 @@ private:
   SurfaceParts parts;
 };
 
-/// The conditions (1, x, y)'f = (N, -M_Ny, M_Nx). Throws std::invalid_argument unless N > 0 and all is
-/// finite.
+/// Returns the conditions (1, x, y)'f = (N, -M_Ny, M_Nx). Throws std::invalid_argument unless N > 0 and all
+/// numbers are finite.
 LinearConditions prescribed_resultants(const ContactSurface &surface, const Resultants &load);
 
 } // namespace stemware::fem

@@ -14,7 +14,7 @@
 namespace stemware::fem
 {
 
-/// A table whose pressure depends on the local penetration alone, integrated along the contact lines.
+/// Table whose pressure depends on the local penetration alone, integrated along the contact lines.
 ///
 /// @p Pressure offers, for a penetration d [m], `pressure(d)` [Pa], not decreasing, and `stiffness(d)` =
 /// dp/dd [Pa/m]; `has_edge()` as InterfaceLaw; `integrate(area, depth, visit)`, which calls visit(const
@@ -139,8 +139,8 @@ private:
     return law.least_depth(surface.parts.max(deepest));
   }
 
-  /// The line that has the geometry, gap and normal displacement of line @p l mirrored at y = 0, to the last
-  /// bit; @p l itself if there is none.
+  /// Returns the mirror image of line @p l at y = 0, with equal geometry, gap and normal displacement to
+  /// the last bit; @p l itself without such a line.
   std::size_t mirror_image(std::size_t l, const Eigen::VectorXd &normal_displacement) const
   {
     if (surface.mirrored_lines.empty())
@@ -154,8 +154,8 @@ private:
     return alike ? image : l;
   }
 
-  /// Adds the forces and the tangent of line @p l, which is pressed in by @p depth, to its nodes, and to
-  /// those of its @p image if that is another one.
+  /// Adds the forces and the tangent of line @p l under @p depth to its nodes, and to the nodes of another
+  /// @p image.
   void add_line(std::size_t l, std::size_t image, const Eigen::Vector3d &depth, ContactForces &contact) const
   {
     const Eigen::Vector3d along = quadratic_through(depth);
@@ -200,9 +200,9 @@ private:
   const Pressure law;
 };
 
-/// An interface whose pressure depends on the local penetration alone. @p Law derives from
-/// PressureInterface<Law> and offers what PressureLaw asks of a pressure, and `validate()`, which throws
-/// std::invalid_argument for parameters that are not allowed.
+/// Interface whose pressure depends on the local penetration only. @p Law derives from
+/// PressureInterface<Law> and has the members that PressureLaw requires of a pressure, and `validate()`,
+/// which throws std::invalid_argument for inadmissible parameters.
 template <typename Law>
 class PressureInterface : public InterfaceLaw
 {
@@ -214,7 +214,7 @@ public:
     return std::make_unique<PressureLaw<Law>>(surface, law);
   }
 
-  /// p [Pa] and dp/dd [Pa/m] at a penetration; for laws that find both at once to do so.
+  /// p [Pa] and dp/dd [Pa/m] at a penetration, for laws that compute both together.
   std::pair<double, double> pressure_and_stiffness(double depth) const
   {
     const Law &law = static_cast<const Law &>(*this);

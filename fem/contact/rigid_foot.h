@@ -5,14 +5,13 @@
 namespace stemware::fem
 {
 
-/// How fast the conditions L'f on the forces of a table with the given @p tangent T change with its motions Q
-/// under a foot that does not deform: L'TQ, of a part of the surface its share; @p modes Q as
-/// ContactSurface::motion_modes(). With L = Q the stiffness of the table against the three motions.
+/// Returns L'TQ, the derivative of the conditions L'f with respect to the motions of a table with @p
+/// tangent T under a rigid foot; for a part of the surface, its share. @p modes Q as
+/// ContactSurface::motion_modes(). With L = Q, the stiffness of the table against its three motions.
 Eigen::Matrix3d support_of(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &weights,
                            const Eigen::MatrixX3d &modes);
 
-/// The limit of a very stiff foot: a body that does not deform, so that only the table moves. Start of every
-/// elastic solve, and an oracle.
+/// Rigid body: only the table moves. Initial guess of every cold elastic solve, and an oracle.
 class RigidFoot : public ElasticBody
 {
 public:

@@ -64,7 +64,7 @@ struct RoughInterface : PressureInterface<RoughInterface>
     return { reference_pressure * (factor + std::max(ratio, 0.)),
              reference_pressure / decay_length * factor };
   }
-  /// Where the pressure is 1e-20 of the greatest.
+  /// Depth at which the pressure is 1e-20 of the greatest.
   double least_depth(double deepest) const { return std::min(deepest, 0.) - 46 * decay_length; }
 
   /// Along a line the exponent d / s is a quadratic. Gauss quadrature on panels so short that it changes

@@ -7,8 +7,8 @@
 namespace stemware::fem
 {
 
-/// Coulomb friction of size @p limit against the relative velocity @p slip, of any length and in any two
-/// orthogonal components; zero where nothing slips.
+/// Returns the Coulomb friction of size @p limit against the relative velocity @p slip, of any length and
+/// in any two orthogonal components; zero without slip.
 Eigen::Vector2d coulomb_friction(const Eigen::Vector2d &slip, double limit);
 
 /// Coulomb friction on a foot that slides along x and yaws: a tangential traction mu times the pressure,
@@ -19,14 +19,14 @@ struct SlidingTraction
   /// omega / v [1/m], counter-clockwise > 0; 0: at rest in yaw. eps = spin_per_speed * R.
   double spin_per_speed = 0;
   double axes_turned_by = 0; ///< azimuths count from this direction, counter-clockwise from that of travel
-  /// mu at |v_rel| / v where it depends on the slip; empty: friction_coefficient everywhere.
+  /// mu as a function of |v_rel| / v. Empty: friction_coefficient everywhere.
   std::function<double(double relative_slip)> coefficient_by_slip = {};
 
-  /// Radial and azimuthal traction on the foot per unit of pressure at (r, theta): at omega = 0 (-mu cos
-  /// theta, mu sin theta). Zero where nothing slips.
+  /// Returns the radial and azimuthal traction on the foot per unit of pressure at (r, theta): (-mu cos
+  /// theta, mu sin theta) at omega = 0, zero without slip.
   Eigen::Vector2d direction(double radius, double azimuth) const;
 
-  /// Throws std::invalid_argument when mu is negative or not finite, or the spin not finite.
+  /// Throws std::invalid_argument if mu is negative or not finite, or the spin is not finite.
   void validate() const;
 };
 

@@ -10,22 +10,21 @@
 namespace stemware::fem
 {
 
-/// How the ranks that share a contact surface bring numbers together. All of them call a function at once.
+/// Communication between the ranks that share a contact surface. All ranks call a function together.
 class PartsExchange
 {
 public:
   virtual ~PartsExchange() = default;
 
-  /// Replaces each of @p n @p values by its sum over the parts, the same on all of them to the last bit.
+  /// Replaces each of @p n @p values by its sum over the parts, identical on all ranks to the last bit.
   virtual void sum(double *values, std::size_t n) const = 0;
   virtual double max(double value) const = 0;
-  /// The @p values of all parts one after the other: on all of them if @p everywhere, else on the first, and
-  /// nothing on the others.
+  /// Concatenates the @p values of all parts: on all ranks if @p everywhere, else on the first rank only.
   virtual std::vector<double> gather(const std::vector<double> &values, bool everywhere) const = 0;
 };
 
-/// Sums, extremes and lists of numbers on a whole contact surface of which each rank may have a part. By
-/// default the surface is in one piece, and all functions give back what they are given.
+/// Sums, extremes and lists over a whole contact surface that may be distributed over ranks. The default is
+/// one part, and all functions return their arguments.
 class SurfaceParts
 {
 public:
@@ -56,7 +55,7 @@ public:
   double max(double value) const { return exchange ? exchange->max(value) : value; }
   double min(double value) const { return -max(-value); }
   bool any(bool condition) const { return max(condition ? 1 : 0) > 0; }
-  /// The greatest of the entries; minus infinity where no part has one.
+  /// Returns the largest entry of all parts; minus infinity without entries.
   template <typename Derived>
   double greatest(const Eigen::DenseBase<Derived> &part) const
   {

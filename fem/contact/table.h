@@ -10,14 +10,14 @@
 namespace stemware::fem
 {
 
-/// An elastic table: a thick disc under the interface.
+/// Elastic table: a thick disc under the interface.
 struct Substrate
 {
   TableDisc disc;
   ElasticMaterial material = { 10e9, 0.3 }; ///< hardwood
 };
 
-/// Table that a foot stands on: an interface on a substrate.
+/// Table of a foot: an interface on a substrate.
 struct Table
 {
   std::shared_ptr<const InterfaceLaw> interface;

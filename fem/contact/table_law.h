@@ -13,12 +13,11 @@
 namespace stemware::fem
 {
 
-/// Which places of the contact surface carry load; two equal sets mean that the law has stayed on the same
-/// linear branch.
+/// Active set of the contact surface. Two equal sets mean that the law stayed on the same linear branch.
 using ActiveSet = std::vector<bool>;
 
-/// Nodal forces of a table law, their derivative, and the active set: those of the lines and nodes of a part
-/// of the surface, where it is in parts (ContactSurface).
+/// Nodal forces of a table law, their derivative, and the active set; for a distributed surface, those of
+/// this rank's lines and nodes (ContactSurface).
 struct ContactForces
 {
   Eigen::VectorXd forces; ///< consistent upward forces on the foot at the contact nodes [N]
@@ -39,10 +38,10 @@ struct ContactForces
 struct TableLoad
 {
   SurfaceParts parts; ///< of the surface
-  /// Fine enough for harmonics: quadrature points of the pressure, and what the body's forces have beyond it
-  /// at the nodes; or nodal forces where there is no pressure.
+  /// Point forces that resolve the harmonics: quadrature points of the pressure, or nodal forces without a
+  /// pressure.
   std::vector<PointForce> points;
-  /// Load per radian at the azimuth of each line, sorted by azimuth; sectors' means where the lines are not
+  /// Load per radian at the azimuth of each line, sorted by azimuth; means of sectors if the lines are not
   /// radial.
   std::vector<AzimuthLoad> density;
 };
@@ -61,42 +60,41 @@ struct ContactExtent
 /// Contact forces as a function of the normal displacement of the contact surface (docs/method.md, "The
 /// table").
 ///
-/// `normal_displacement` is that relative to the table, u_z + q0 + q1 x + q2 y at the contact nodes [m]; its
-/// sum with the gap is the distance left, minus that sum the penetration. Forces are derivatives of a convex
-/// potential, so that equilibrium minimises an energy and a damped Newton method finds it from anywhere.
+/// `normal_displacement` is relative to the table, u_z + q0 + q1 x + q2 y at the contact nodes [m]. Its sum
+/// with the gap is the remaining distance; minus the sum is the penetration. Forces are derivatives of a
+/// convex potential: equilibrium minimises an energy, and a damped Newton method converges from any start.
 class TableLaw
 {
 public:
   virtual ~TableLaw() = default;
 
-  /// Forces, tangent and active set at a normal displacement of shape [n_nodes]. @p contact is empty or was
-  /// filled by this law before: its memory is used again.
+  /// Evaluates forces, tangent and active set at a normal displacement of shape [n_nodes]. @p contact is
+  /// empty or was filled by this law before; its memory is reused.
   virtual void evaluate(const Eigen::VectorXd &normal_displacement, ContactForces &contact) const = 0;
 
-  /// Load on the table in any solution on this surface: forces and normal displacement decide it. @p n_parts
-  /// >= 1: parts of a line, each with quadrature points of its own, where the law has such.
+  /// Returns the load on the table of a solution on this surface, from forces and normal displacement. @p
+  /// n_parts >= 1: parts of a line with quadrature points of their own, if the law has them.
   virtual TableLoad load(const ContactSolution &solution, unsigned int n_parts) const = 0;
 
-  /// Extent of the contact in a solution, on the whole surface.
+  /// Returns the extent of the contact of a solution, on the whole surface.
   virtual ContactExtent extent(const ContactSolution &solution) const = 0;
 
-  /// Where the foot presses in a solution, for plots: on the whole surface, on the rank of the first part;
+  /// Returns the pressure map of a solution on the whole surface, for plots: on the rank of the first part,
   /// empty elsewhere.
   virtual PressureMap pressure_map(const ContactSolution &solution) const = 0;
 
-  /// Pressure at the contact nodes in a solution [Pa], for plots; at those of other parts it need not be
-  /// known. Shape [n_nodes].
+  /// Returns the pressure at the contact nodes of a solution [Pa], for plots. Nodes of other parts may lack
+  /// it. Shape [n_nodes].
   virtual Eigen::VectorXd nodal_pressure(const ContactSolution &solution) const = 0;
 
-  /// Pressure [Pa] at a penetration [m], for laws by which it depends on that alone; nothing for the others.
+  /// Returns the pressure [Pa] at a penetration [m] for local laws; empty for others.
   virtual std::optional<double> pressure_at(double /*penetration*/) const { return std::nullopt; }
 
-  /// Tells a law with multipliers (rigid table) the nodal @p forces of a contact nearby; empty: none is
-  /// known.
+  /// Sets the multipliers of a hard law to the nodal @p forces of a contact nearby. Empty: unknown.
   virtual void start_from(const Eigen::VectorXd & /*forces*/) {}
 
-  /// Tells a law with multipliers that Newton's method has converged; returns the largest
-  /// violation of the contact conditions that it has left [m]. Laws without multipliers have none: 0.
+  /// Updates the multipliers of a hard law after convergence of Newton's method; returns the largest
+  /// violation of the contact conditions [m]. Returns 0 for laws without multipliers.
   virtual double augmented_lagrangian_update(const Eigen::VectorXd & /*normal_displacement*/) { return 0; }
 };
 

@@ -8,18 +8,18 @@
 namespace stemware::fem
 {
 
-/// The active sets that a Newton iteration has come through, each with the residual of the last visit.
+/// Active sets of a Newton iteration, each with the residual of the last visit.
 class VisitedSets
 {
 public:
-  /// @p parts: whose sets together are one of the whole surface.
+  /// @p parts: communication of the surface whose active set is distributed.
   explicit VisitedSets(const SurfaceParts &parts)
       : parts(parts)
   {
   }
 
-  /// Whether the iteration is new to @p set, this part's, or comes back with less than half of the @p
-  /// residual of the visit before. Collective over the parts.
+  /// Returns true if @p set (this rank's part) is new, or recurs with less than half of the last @p
+  /// residual. Collective over the parts.
   bool gains_at(const ActiveSet &set, double residual);
 
 private:

@@ -7,8 +7,8 @@
 namespace stemware::fem
 {
 
-/// Winkler's interface: pressure p = k d where the penetration d is positive, never tension. Integrated along
-/// each contact line in closed form, split at the roots of the penetration.
+/// Winkler's interface: pressure p = k d for a penetration d > 0, no tension. Integrated along each contact
+/// line in closed form, split at the roots of the penetration.
 struct WinklerInterface : PressureInterface<WinklerInterface>
 {
   explicit WinklerInterface(double modulus = 1e10)

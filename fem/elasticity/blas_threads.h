@@ -3,12 +3,12 @@
 namespace stemware::fem
 {
 
-/// Holds the system's BLAS to the thread that calls it, in the whole program: threads of the program share
-/// out the work, and a sum does not depend on how many there are. May be called as often as one likes.
+/// Restricts the system's BLAS to the calling thread, in the whole program: the program's own threads share
+/// the work, and sums do not depend on the number of threads. May be called repeatedly.
 void hold_blas_to_one_thread();
 
-/// Whether several threads may be in the system's BLAS together: not in OpenBLAS built for one thread, which
-/// gives wrong numbers then.
+/// Returns whether several threads may use the system's BLAS together. False for OpenBLAS built for one
+/// thread, which then gives wrong numbers.
 bool blas_takes_threads();
 
 } // namespace stemware::fem

@@ -17,7 +17,7 @@ struct ElasticMaterial
   /// Shear modulus E / (2 (1 + nu)) [Pa].
   double shear_modulus() const { return young_modulus / (2 * (1 + poisson_ratio)); }
 
-  /// Throws std::invalid_argument when E or nu is outside its range or not finite.
+  /// Throws std::invalid_argument if E or nu is outside its range or not finite.
   void validate() const;
 };
 

@@ -21,9 +21,9 @@ public:
 
   explicit HarmonicStiffness(const ElasticMaterial &material);
 
-  /// K_0, K_1 and K_2 in K_n = K_0 + n K_1 + n^2 K_2, for m shape functions: row 3 i + c is component c (r,
-  /// theta, z) of function i. @p products: integrals of field p of function i times field q of function j in
-  /// row p m + i, column q m + j, shape [3 m, 3 m].
+  /// Returns K_0, K_1 and K_2 of K_n = K_0 + n K_1 + n^2 K_2 for m shape functions: row 3 i + c is
+  /// component c (r, theta, z) of function i. @p products: integrals of field p of function i times field q
+  /// of function j in row p m + i, column q m + j, shape [3 m, 3 m].
   std::array<Eigen::MatrixXd, 3> parts(const Eigen::MatrixXd &products) const;
 
 private:

@@ -3,8 +3,8 @@
 namespace stemware::fem
 {
 
-/// How the linear systems of a three-dimensional body are preconditioned. The outer method is always
-/// conjugate gradients.
+/// Preconditioner of the linear systems of a three-dimensional body; the outer method is always conjugate
+/// gradients.
 enum class LinearSolver
 {
   automatic, ///< multigrid on refined meshes and above largest_direct_system unknowns, else direct
@@ -13,7 +13,7 @@ enum class LinearSolver
              ///< (MeshHierarchy)
 };
 
-/// Number of unknowns above which a factorisation costs more time and memory than multigrid does
+/// Number of unknowns above which multigrid needs less time and memory than a factorisation
 /// (docs/method/solid_measurements.md, "Small feet").
 constexpr unsigned int largest_direct_system = 5000;
 

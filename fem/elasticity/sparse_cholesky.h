@@ -61,10 +61,10 @@ private:
   std::unique_ptr<Factors> factors;
 };
 
-/// The parts of the inverses of symmetric positive definite matrices that share their pattern, in a few rows
-/// and columns each: the order of elimination is found once, the kept rows are eliminated last, and the end
-/// of the triangular factor alone has the answer. May be asked by several threads at once; large matrices are
-/// factorised by blocks, with BLAS, one after the other.
+/// Parts of the inverses of symmetric positive definite matrices of equal pattern, in a few rows and
+/// columns. The order of elimination is computed once, with the kept rows last, so that the end of the
+/// triangular factor suffices. Several threads may call it together; large matrices are factorised by
+/// blocks, with BLAS, one after the other.
 class BlockInverse
 {
 public:
@@ -72,9 +72,9 @@ public:
   BlockInverse(const LowerTriangle &pattern, const std::vector<unsigned int> &kept);
   ~BlockInverse();
 
-  /// The inverse in the rows kept and in the columns of the first @p n_columns of them, shape [kept.size(),
-  /// n_columns], of the matrix with @p entries, in the order of the pattern's. Throws std::runtime_error
-  /// unless it is positive definite.
+  /// Returns the inverse in the kept rows and the first @p n_columns kept columns, shape [kept.size(),
+  /// n_columns], of the matrix with @p entries in the order of the pattern. Throws std::runtime_error
+  /// unless the matrix is positive definite.
   Eigen::MatrixXd operator()(const Eigen::VectorXd &entries, unsigned int n_columns) const;
 
 private:

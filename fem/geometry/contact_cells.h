@@ -8,8 +8,8 @@
 namespace stemware::fem
 {
 
-/// How fine a meridional mesh is. The contact cells depend on the glass alone, so that a foot and a disc of
-/// equal resolution share them.
+/// Resolution of a meridional mesh. The contact cells depend on the glass only, so that a foot and a disc
+/// of equal resolution share them.
 struct MeridianResolution
 {
   unsigned int land_cells = 4; ///< across the land, even; before any refinement
@@ -28,11 +28,11 @@ struct MeridianResolution
   /// Largest cell at @p distance from the focus [m].
   double size_at(double distance) const { return std::max(focus_size, (focus_growth - 1) * distance); }
 
-  /// Throws std::invalid_argument for counts, ratios and lengths that no mesh has.
+  /// Throws std::invalid_argument for inadmissible counts, ratios and lengths.
   void validate() const;
 };
 
-/// The division of the land into contact cells, that of every body that touches it.
+/// Division of the land into contact cells, common to all bodies that touch it.
 struct ContactCells
 {
   std::vector<double> coarse;           ///< borders of the cells that a mesh begins with, ascending [m]

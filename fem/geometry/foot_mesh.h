@@ -12,7 +12,7 @@ class Triangulation;
 namespace stemware::fem
 {
 
-/// How fine a generated foot mesh is. Counts are of cells.
+/// Resolution of a generated foot mesh; counts are of cells.
 struct FootResolution
 {
   unsigned int azimuthal_cells = 48; ///< round the rim; a multiple of 4, at least 8
@@ -20,11 +20,11 @@ struct FootResolution
   unsigned int foot_layers = 2;      ///< through the thickness of the foot
   unsigned int refinements = 0;      ///< halvings of every cell of the mesh with these counts
   unsigned int land_refinements = 0; ///< further ones of the cells that touch the land, with hanging nodes
-  /// Further ones of the cells at the land's inner side, where a flat land on a hard table has most pressure;
-  /// of a step that side, up to its re-entrant corner, else each time what lies within a cell's width of it.
+  /// Additional halvings of the cells at the land's inner side, where a flat land on a hard table has most
+  /// pressure. In a step they reach up to the re-entrant corner, otherwise one cell's width.
   unsigned int edge_halvings = 0;
 
-  /// Throws std::invalid_argument for counts that no mesh has.
+  /// Throws std::invalid_argument for inadmissible counts.
   void validate() const;
 };
 
@@ -36,8 +36,8 @@ struct FootResolution
 void make_foot_mesh(const GlassProfile &profile, const FootResolution &resolution,
                     dealii::Triangulation<3, 3> &triangulation);
 
-/// FootResolution::edge_halvings that a foot of @p profile needs: on a hard table the pressure of a flat land
-/// gathers at its inner side. 0 elsewhere.
+/// Returns the FootResolution::edge_halvings for a foot of @p profile: more than 0 for a flat land on a
+/// hard table, whose pressure concentrates at the inner side.
 unsigned int edge_halvings_for(const GlassProfile &profile, bool table_is_hard);
 
 } // namespace stemware::fem

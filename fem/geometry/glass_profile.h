@@ -27,7 +27,7 @@ struct Fillet
   double end_radius = 0; ///< where the arc meets the top of the foot
 };
 
-/// The foot of the glass as a profile of revolution, SI units (m); formulas in docs/method/profile.md.
+/// Foot of the glass as a profile of revolution, SI units (m); formulas in docs/method/profile.md.
 ///
 /// Land, in every shape: r within contact_radius -/+ land_width/2, its lower face at z = 0. It carries the
 /// crown only as a gap (see gap()), not as geometry: a crown of 3 mm rises 0.7 mm at the border of a 4 mm
@@ -74,7 +74,7 @@ struct GlassProfile
   double height() const;
   /// Radius of the foot's edge [m].
   double outer_radius() const;
-  /// Thickness of the foot near the stem [m], which cells are measured by.
+  /// Thickness of the foot near the stem [m], the length scale of its cells.
   double thickness() const;
 
   /// Height of the lower surface at @p radius <= outer_radius() [m]. A step jumps at the borders of the land,
@@ -83,8 +83,9 @@ struct GlassProfile
   /// Height of the upper surface at @p radius <= outer_radius() [m]; above the stem (r < stem_radius) the
   /// stem cut's.
   double topside(double radius) const;
-  /// Where a foot is rounded into the stem; a point (the corner) where fillet_radius is 0 and in a step. In a
-  /// profile the parts near 45 degrees of what joins foot and stem, which need not be an arc (radius 0).
+  /// Returns the rounding between foot and stem; a point (the corner) if fillet_radius is 0 and in a step.
+  /// In a profile it is the part near 45 degrees between foot and stem, which need not be an arc (radius
+  /// 0).
   Fillet fillet() const;
   /// Radius of the stem at @p height [m], from the middle of the fillet up to the cut.
   double stem_surface(double height) const;

@@ -18,8 +18,8 @@ struct TableDisc
   double radius = 0.150;    ///< [m], larger than the land's outer radius
   double thickness = 0.050; ///< [m]
 
-  /// Throws std::invalid_argument when a length is not positive and finite or the glass does not stand on the
-  /// disc.
+  /// Throws std::invalid_argument if a length is not positive and finite, or the glass does not stand on
+  /// the disc.
   void validate(const GlassProfile &profile) const;
 };
 

@@ -5,7 +5,7 @@
 namespace stemware::fem
 {
 
-/// A point of a drawn meridian [m].
+/// Point of a drawn meridian [m].
 struct SectionVertex
 {
   double radius = 0;
@@ -25,7 +25,7 @@ struct PiecewiseLinear
   double operator()(double at) const;
 };
 
-/// The section of a foot between its axis and a polyline, as three curves: the underside over r, the top of
+/// Section of a foot between its axis and a polyline, as three curves: the underside over r, the top of
 /// the foot over r, the stem's surface over z. Heights count from the lowest point of the polyline.
 ///
 /// The polyline begins on the axis under the foot, runs outwards along the underside, round the edge, back
@@ -54,7 +54,7 @@ public:
   double height() const { return stem.x.back(); }
   /// Thickness where the top of the foot begins to turn into the stem [m].
   double thickness() const { return upper(fillet_end) - lower(fillet_end); }
-  /// The point where foot and stem meet [m].
+  /// Point between foot and stem [m].
   double middle_radius() const { return upper.x.front(); }
   double middle_height() const { return upper.y.front(); }
   /// Radius where the top of the foot begins to turn into the stem, and height where the stem begins to be

@@ -19,14 +19,14 @@ class Triangulation;
 namespace stemware::fem
 {
 
-/// Reason why a mesh file is unreadable: the end of a sentence that begins with the file.
+/// Exception for an unreadable mesh file; what() is the end of a sentence that begins with the file.
 class UnreadableMesh : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// Command lines that convert a mesh file to one that is read; the first keeps physical groups.
+/// Command lines that convert a mesh file to a readable one; the first keeps physical groups.
 inline constexpr char gmsh_line[] = "`gmsh FILE -save -format msh22 -o x.msh`";
 inline constexpr char meshio_line[] =
   "`meshio convert --ascii -o gmsh22 FILE x.msh` (Debian: python3-meshio)";
@@ -42,14 +42,14 @@ struct ElementType
   unsigned int n_corners = 0; ///< 8: hexahedron, 4: quadrilateral, 0: of no use
 };
 
-/// A face of the surface that the file marks.
+/// Face of the surface that the file marks.
 struct MarkedFace
 {
   std::array<unsigned int, 4> corners = {}; ///< indices of points, one after the other round the face
   unsigned int id = 0;                      ///< greater than 0
 };
 
-/// The id of a face, once it is known to be one: from 1 to 1000000000. Throws UnreadableMesh.
+/// Returns the id of a face if it is valid: 1 to 1000000000. Throws UnreadableMesh.
 unsigned int marked_id(long id);
 
 /// Names that a file gives to faces of the surface, for messages.
@@ -60,7 +60,7 @@ struct FaceNames
   std::string way_to_ids = {};               ///< how somebody gives ids to faces in this format
 };
 
-/// The hexahedra of a mesh file by their corners.
+/// Hexahedra of a mesh file by their corners.
 struct MeshContent
 {
   std::vector<std::array<double, 3>> points;
@@ -89,7 +89,7 @@ struct MeshContent
   }
 };
 
-/// The parts of a text between blanks and line ends, one after the other.
+/// Tokens of a text, separated by blanks and line ends.
 class Words
 {
 public:
@@ -98,12 +98,12 @@ public:
   {
   }
 
-  /// The next word; empty after the last.
+  /// Next word; empty after the last.
   std::string_view next();
 
-  /// Throws UnreadableMesh where the next word is missing or no number.
+  /// Reads a number. Throws UnreadableMesh if the next word is missing or no number.
   double number();
-  /// Throws UnreadableMesh where the next word is missing or no whole number.
+  /// Reads an integer. Throws UnreadableMesh if the next word is missing or no integer.
   long whole_number();
 
 private:
@@ -114,7 +114,7 @@ private:
 /// ASCII.
 std::string printable(std::string_view text, std::size_t max_length = 30);
 
-/// The number that makes up the whole of @p word.
+/// Returns the number that @p word spells.
 std::optional<double> number_in(std::string_view word);
 std::optional<long> whole_number_in(std::string_view word);
 
@@ -122,10 +122,10 @@ std::optional<long> whole_number_in(std::string_view word);
 class NumberedPoints
 {
 public:
-  /// Throws UnreadableMesh where the number was given before.
+  /// Adds a point. Throws UnreadableMesh if the number was used before.
   void add(long number, const std::array<double, 3> &point);
 
-  /// Index of a point; throws UnreadableMesh where no point has that number.
+  /// Returns the index of a point. Throws UnreadableMesh if no point has that number.
   unsigned int at(long number) const;
 
   std::vector<std::array<double, 3>> points;
@@ -139,7 +139,7 @@ private:
 MeshContent read_gmsh(const std::string &text);
 MeshContent read_abaqus(const std::string &text);
 
-/// Facts of a mesh file beside its cells.
+/// Facts of a mesh file apart from its cells.
 struct MeshFileFacts
 {
   bool is_second_order = false; ///< only the corners of its hexahedra were kept

@@ -28,13 +28,13 @@ struct MeshReport
   double land_area_deficit = 0;
 };
 
-/// How a mesh file is to be read: its unit, and the marks that tell its faces apart.
+/// Options of reading a mesh file: its unit, and the marks of its faces.
 struct MeshMarks
 {
   unsigned int contact_id = 2; ///< of the faces that may touch the table
   unsigned int stem_id = 1;    ///< of the faces where the stem was cut
-  /// The contact zone is what looks down at most this high above the mesh's lowest point [m], whatever the
-  /// ids; the stem cut then is its top where no face has stem_id. 0: ids.
+  /// Height above the mesh's lowest point [m] up to which downward faces are the contact zone, whatever the
+  /// ids; without faces of stem_id, the top is the stem cut. 0: the ids decide.
   double contact_height = 0;
   double unit = 1; ///< of the coordinates [m]
 };

@@ -13,7 +13,7 @@ class Triangulation;
 namespace stemware::fem
 {
 
-/// Size, contact zone and quality of a foot mesh, to be looked at before it is used. Lengths in m.
+/// Size, contact zone and quality of a foot mesh. Lengths in m.
 struct MeshCheck
 {
   unsigned int n_cells = 0;
@@ -43,18 +43,18 @@ struct MeshCheck
   unsigned int n_inverted = 0;            ///< cells with a scaled Jacobian of 0 or less
 };
 
-/// Looks at a mesh with at least one cell and one face of contact zone.
+/// Evaluates a mesh with at least one cell and one face of the contact zone.
 MeshCheck check_mesh(const dealii::Triangulation<3, 3> &triangulation);
 
-/// For each active cell the least of its eight corners' triple products of edges, divided by the edges'
-/// lengths (Knupp, SIAM J. Sci. Comput. 23 (2001) 193): 1 for a brick, 0 or less where a corner is flat or
-/// inside out. Edges are taken as straight.
+/// Returns the scaled Jacobian of each active cell: the minimum over its eight corners of the triple
+/// product of edges over their lengths (Knupp, SIAM J. Sci. Comput. 23 (2001) 193). 1 for a brick, 0 or
+/// less for flat or inverted corners. Edges are straight.
 std::vector<double> scaled_jacobians(const dealii::Triangulation<3, 3> &triangulation);
 
-/// Into how many equal parts round the z axis the mesh falls from the inner radius of its contact zone
-/// outwards: the largest n of those that divide the number of contact faces for which a turn by 2 pi / n
-/// takes every vertex there to a vertex, to 1e-7 of the mesh's radius; 1 where there is no such turn. How the
-/// middle is meshed does not matter.
+/// Returns the number of equal parts of the mesh round the z axis, from the inner radius of its contact
+/// zone outwards. It is the largest divisor n of the number of contact faces for which a rotation by 2 pi /
+/// n maps vertices to vertices, to 1e-7 of the mesh's radius; 1 without symmetry. The mesh inside that
+/// radius does not matter.
 unsigned int n_repetitions(const dealii::Triangulation<3, 3> &triangulation);
 
 /// Closed polyline in (x, y) [m].
@@ -66,7 +66,7 @@ std::vector<Outline> contact_outlines(const dealii::Triangulation<3, 3> &triangu
 /// Corners of a face as seen from above [m], in the order of its edge line.
 using Quadrilateral = std::array<std::array<double, 2>, 4>;
 
-/// The faces of the contact zone.
+/// Faces of the contact zone.
 std::vector<Quadrilateral> contact_faces(const dealii::Triangulation<3, 3> &triangulation);
 
 } // namespace stemware::fem

@@ -13,14 +13,14 @@ class ChartManifold;
 namespace stemware::fem
 {
 
-/// A point of the meridional section of a glass [m].
+/// Point of the meridional section of a glass [m].
 struct SectionPoint
 {
   double radius = 0;
   double height = 0; ///< above the land
 };
 
-/// A point of the straightened section: radius [m] and level. The foot is the rectangle radius <=
+/// Point of the straightened section: radius [m] and level. The foot is the rectangle radius <=
 /// foot_radius, 0 <= level <= 1, the stem above it the rectangle radius <= Fillet::middle_radius, 1 <= level
 /// <= 2.
 struct StraightPoint

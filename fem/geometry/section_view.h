@@ -24,10 +24,10 @@ struct SectionLengths
   double thickness = 0;   ///< of the glass above some radius
 };
 
-/// The lengths of a section of one cell or more, its thickness above @p radius [m].
+/// Lengths of a section of one cell or more, its thickness above @p radius [m].
 SectionLengths lengths_of(const std::vector<SectionPolygon> &cells, double radius);
 
-/// A place of a loaded section: its coordinate across the axis and height, how far it goes [m], and the
+/// Place of a loaded section: its coordinate across the axis and height, how far it goes [m], and the
 /// stress of von Mises [Pa].
 struct StressedPoint
 {
@@ -36,10 +36,10 @@ struct StressedPoint
   double von_mises = 0;
 };
 
-/// A grid of places over a cell of a loaded section, row by row.
+/// Grid of places over a cell of a loaded section, row by row.
 using StressedPatch = std::vector<std::vector<StressedPoint>>;
 
-/// The cells of a meridional mesh, edges straight.
+/// Cells of a meridional mesh, edges straight.
 std::vector<SectionPolygon> section_cells(const dealii::Triangulation<2, 2> &triangulation);
 
 /// Section of the cells of a foot, edges straight, with the half-plane at @p azimuth [rad] through the axis.

@@ -7,7 +7,7 @@
 namespace stemware::fem
 {
 
-/// A VTU file of one piece: points, hexahedra with 8 or 27 nodes, and fields at the points, in single
+/// VTU file of one piece: points, hexahedra with 8 or 27 nodes, and fields at the points, in single
 /// precision, as base64. (Raw bytes at the end are a quarter shorter, but Debian 12's ParaView cannot
 /// read them: its parser of XML goes on into them.)
 class VtuWriter
@@ -16,13 +16,13 @@ public:
   /// Cells of @p n_nodes nodes each: 8 (VTK_HEXAHEDRON) or 27 (VTK_TRIQUADRATIC_HEXAHEDRON).
   explicit VtuWriter(unsigned int n_nodes);
 
-  /// Where the node (i, j, k) of a cell, each from 0 to 1 (8 nodes) or 2 (27), stands in a cell's list.
+  /// Returns the position in a cell's list of its node (i, j, k), each from 0 to 1 (8 nodes) or 2 (27).
   unsigned int place(unsigned int i, unsigned int j, unsigned int k) const;
 
-  /// The file: @p points, x y z of each [m], and @p cells, the points of each in the order of place().
+  /// File: @p points, x y z of each [m], and @p cells, the points of each in the order of place().
   std::string text(const std::vector<float> &points, const std::vector<std::int32_t> &cells) const;
 
-  /// A field for the file: @p values has @p n_components numbers a point.
+  /// Field for the file: @p values has @p n_components numbers a point.
   void add_field(const std::string &name, unsigned int n_components, std::vector<float> values);
 
 private:

@@ -25,8 +25,9 @@ struct RimImperfection
   std::vector<WavinessHarmonic> table; ///< fixed to the ground, positive where the table is lower
 
   bool empty() const { return glass.empty() && table.empty(); }
-  /// Additional distance at r = @p radius_ratio times the contact radius and the azimuth @p theta of the slip
-  /// frame [m], where the marks chi = 0 of the glass and of the ground stand at @p of_glass and @p of_table.
+  /// Returns the additional distance at r = @p radius_ratio times the contact radius and the azimuth @p
+  /// theta of the slip frame [m]. The marks chi = 0 of the glass and of the ground are at @p of_glass and
+  /// @p of_table.
   double gap(double radius_ratio, double theta, double of_glass, double of_table) const;
   /// Bound of gap() at the contact radius [m].
   double largest_amplitude() const;

@@ -19,8 +19,8 @@ class AffineConstraints;
 namespace stemware::fem
 {
 
-/// The stiffness K of assemble_stiffness() without a matrix: cell by cell, several cells at a time in the
-/// lanes of a SIMD unit. @p Number is double or float.
+/// Matrix-free stiffness K of assemble_stiffness(), several cells at a time in SIMD lanes. @p Number is
+/// double or float.
 template <typename Number>
 class ElasticOperator
 {
@@ -36,7 +36,7 @@ public:
   /// The diagonal of K [N/m], 1 for constrained unknowns.
   virtual void compute_diagonal(Vector &diagonal) const = 0;
 
-  /// Gives @p vector the partition, ghosts included, that vmult() works on, and zeros.
+  /// Initialises @p vector with the partition of vmult(), ghosts included, and zeros.
   virtual void initialize_dof_vector(Vector &vector) const = 0;
 };
 
@@ -47,7 +47,7 @@ std::unique_ptr<ElasticOperator<Number>>
 make_elastic_operator(const dealii::Mapping<3, 3> &mapping, const dealii::DoFHandler<3, 3> &dof_handler,
                       const dealii::AffineConstraints<double> &constraints, const ElasticMaterial &material);
 
-/// How many double-precision numbers the operators of this build work on at a time.
+/// Returns the number of double-precision SIMD lanes of this build.
 unsigned int n_simd_lanes();
 
 } // namespace stemware::fem

@@ -13,9 +13,9 @@ namespace stemware::fem
 
 /// Elastic foot that is a body of revolution, and the table under it (docs/method/revolution.md).
 ///
-/// Contact nodes are the crossings of its contact circles with n_lines azimuth lines, node j * n_radii + i on
-/// circle i and line j. Its state are the nodal forces whose elastic response its displacement is. Copies
-/// have a state of their own and share the contact surface.
+/// Contact nodes are the crossings of its contact circles with n_lines azimuth lines, node j * n_radii + i
+/// on circle i and line j. The state is the vector of nodal forces whose elastic response is the
+/// displacement. Copies have their own state and share the contact surface.
 class BodyOfRevolution : public ElasticBody
 {
 public:
@@ -28,12 +28,12 @@ public:
   /// the harmonics.
   BodyOfRevolution(ContactCompliance compliance, const Gap &gap, unsigned int n_lines = 256);
 
-  /// Another gap over the same circles, for copies too: imperfections that turn with the glass or with the
+  /// Sets another gap over the same circles, also on copies: waviness that turns with the glass or with the
   /// ground. Keeps the state.
   void set_gap(const Gap &gap);
 
-  /// Friction that deforms the foot, or none. Keeps the state as a start for the next contact solution.
-  /// Throws as SlidingTraction::validate.
+  /// Sets the friction that deforms the foot, or none. Keeps the state as initial guess of the next
+  /// contact. Throws as SlidingTraction::validate.
   void set_sliding(const std::optional<SlidingTraction> &traction);
 
   const ContactSurface &contact_surface() const override { return *surface; }
@@ -51,16 +51,16 @@ public:
   const FourierBasis &fourier_basis() const { return response.basis(); }
   const ContactCompliance &contact_compliance() const { return response.compliance(); }
 
-  /// Takes the displacement under nodal @p forces [N] as the state.
+  /// Sets the state to the displacement under nodal @p forces [N].
   void set_forces(const Eigen::VectorXd &forces);
-  /// The displacement under the forces on circle @p i as a table motion: its mean and its tilts.
+  /// Returns mean and tilts of the displacement under the forces on circle @p i, as a table motion.
   Eigen::Vector3d motion_of_circle(Eigen::Index i) const;
 
-  /// The nodal forces whose elastic response the displacement is [N], shape [n_radii, n_lines].
+  /// Returns the nodal forces of the state [N], shape [n_radii, n_lines].
   const Eigen::MatrixXd &forces() const { return state; }
 
 private:
-  /// The surface without its gaps.
+  /// Surface without its gaps.
   std::shared_ptr<ContactSurface> lines() const;
 
   ElasticResponse response;

@@ -12,31 +12,29 @@
 namespace stemware::fem
 {
 
-/// Compliances of bodies of revolution, each computed once for everybody who asks for equal meshes, materials
-/// and options.
+/// Cache of the compliances of bodies of revolution by mesh, material and options.
 ///
-/// Several threads may ask at a time; whoever asks for a compliance that another thread computes waits for
-/// it. Compliances that somebody holds stay alive whatever the cache does.
+/// Several threads may ask together; a thread waits for a compliance that another one computes. Compliances
+/// in use stay alive whatever the cache does.
 class ComplianceCache
 {
 public:
-  /// Holds at most @p max_entries compliances, about a megabyte each: a full cache is emptied.
+  /// Creates a cache of at most @p max_entries compliances, about a megabyte each; a full cache is emptied.
   explicit ComplianceCache(std::size_t max_entries = 128)
       : max_entries(max_entries)
   {
   }
 
-  /// The compliance by compute_compliance(), kept for equal arguments; throws like that function.
+  /// Returns the compliance by compute_compliance(), cached for equal arguments. Throws like that function.
   std::shared_ptr<const ContactCompliance> get(const dealii::Triangulation<2, 2> &triangulation,
                                                const ElasticMaterial &material,
                                                const MeridianOptions &options);
 
-  /// How often compute_compliance() has been called.
+  /// Returns the number of calls of compute_compliance().
   unsigned int n_computed() const;
 
 private:
-  /// The part of a compliance that is known with @p factor times as many harmonics; nothing where there is
-  /// none.
+  /// Returns the part of a compliance that is known with @p factor times as many harmonics, if any.
   std::shared_ptr<const ContactCompliance>
   with_more_harmonics(std::vector<double> key, const MeridianOptions &options, unsigned int factor);
 

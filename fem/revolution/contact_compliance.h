@@ -20,8 +20,8 @@ namespace stemware::fem
 /// Lagrange polynomials of @p nodes at @p x. Shape [nodes.size()].
 Eigen::VectorXd lagrange_values(const Eigen::VectorXd &nodes, double x);
 
-/// First and number of those nodes, at @p radii, that belong to elements of degree @p degree which are not
-/// wholly inside @p inner or outside @p outer; one element at least.
+/// Returns first index and number of the nodes at @p radii of elements of degree @p degree that are not
+/// wholly inside @p inner or outside @p outer; at least one element.
 std::pair<Eigen::Index, Eigen::Index> nodes_between(const Eigen::VectorXd &radii, Eigen::Index degree,
                                                     double inner, double outer);
 
@@ -45,8 +45,7 @@ struct HarmonicCompliance
   }
 };
 
-/// A body of revolution as the contact sees it: what its contact circles do under forces on them, harmonic by
-/// harmonic.
+/// Response of the contact circles of a body of revolution to forces on them, harmonic by harmonic.
 struct ContactCompliance
 {
   Eigen::VectorXd radii;                     ///< of the contact nodes, ascending [m]
@@ -60,30 +59,30 @@ struct ContactCompliance
   unsigned int n_nodes() const { return static_cast<unsigned int>(radii.size()); }
   unsigned int n_harmonics() const { return static_cast<unsigned int>(harmonics.size()) - 1; }
 
-  /// Values at @p radius of the contact nodes' shape functions: those of the element that it lies in. Outside
-  /// the contact zone the nearest element's polynomials go on. Shape [n_nodes].
+  /// Returns the values of the contact nodes' shape functions at @p radius, in the element that contains
+  /// it. Outside the contact zone the nearest element's polynomials are extrapolated. Shape [n_nodes].
   Eigen::VectorXd shape_at(double radius) const;
 
-  /// @p values at the nodes, one row for each, with zeros at the other nodes of the land; nothing stays
-  /// nothing.
+  /// Returns @p values at the nodes (one row each) with zeros at the other nodes of the land; empty for
+  /// empty @p values.
   Eigen::MatrixXd on_land(const Eigen::MatrixXd &values) const;
 
-  /// The part of the contact nodes @p first ... @p first + @p size - 1, which begin and end an element:
-  /// forces elsewhere are none, displacements elsewhere not asked for.
+  /// Returns the part of the contact nodes @p first ... @p first + @p size - 1, which begin and end an
+  /// element. There are no forces elsewhere, and no displacements are needed there.
   ContactCompliance part(Eigen::Index first, Eigen::Index size) const;
 
-  /// The compliance without what friction tractions do.
+  /// Returns the compliance without the response to friction tractions.
   ContactCompliance without_friction() const { return times(1, 0); }
 
-  /// All compliances times @p factor: those of a body with 1 / @p factor of the Young modulus.
+  /// Returns all compliances times @p factor: a body with 1 / @p factor of the Young modulus.
   ContactCompliance scaled(double factor) const { return times(factor, factor); }
 
-  /// Two bodies pressed together yield the sum of both: @p other is the body below, with z upward in both.
-  /// Throws std::invalid_argument unless nodes, degree and number of harmonics agree.
+  /// Adds the compliances of the body pressed against this one; @p other is the body below, with z
+  /// upward in both. Throws std::invalid_argument unless nodes, degree and number of harmonics agree.
   ContactCompliance &operator+=(const ContactCompliance &other);
 
 private:
-  /// Compliances under normal forces times one factor, those under tractions times another.
+  /// Returns the compliances scaled by one factor for normal forces and by another for tractions.
   ContactCompliance times(double of_normal, double of_friction) const;
 };
 
@@ -92,11 +91,11 @@ struct MeridianOptions
 {
   unsigned int degree = 2;       ///< of the elements, 1 to 4
   unsigned int n_harmonics = 16; ///< highest harmonic of the elastic response
-  /// Between which the land's elements are wanted, whole elements [m]: forces elsewhere are none.
+  /// Radii between which the land's elements are kept, whole elements [m]; there are no forces elsewhere.
   double inner_radius = 0;
   double outer_radius = std::numeric_limits<double>::infinity();
 
-  /// The harmonic whose compliance stands for all above n_harmonics: half an octave up.
+  /// Harmonic whose compliance represents all above n_harmonics: half an octave up.
   unsigned int beyond() const { return n_harmonics + (n_harmonics + 1) / 2; }
 };
 

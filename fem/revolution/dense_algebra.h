@@ -10,12 +10,11 @@ namespace stemware::fem
 // Loops that are compiled for several kinds of processors: 1.1 to 1.75 times as fast as Eigen compiled for
 // all of them (n = 20 ... 300), and safe between threads, which Debian's serial OpenBLAS is not.
 
-/// Solves the dense systems A X = B by Gauss's elimination with row pivots. @p system is [A, B], shape [n, n
-/// + @p n_columns]; X takes the place of B, what A becomes is of no use. A singular A leaves numbers that are
-/// not finite.
+/// Solves the dense systems A X = B by Gaussian elimination with row pivots. @p system is [A, B], shape [n,
+/// n + @p n_columns]. X overwrites B, and A is overwritten. A singular A gives non-finite numbers.
 void solve_dense(RowMatrix &system, Eigen::Index n_columns);
 
-/// Adds @p a times @p b to @p sum, which none of them overlaps.
+/// Adds @p a times @p b to @p sum. The arguments must not alias.
 void add_product(const Eigen::Ref<const Eigen::MatrixXd> &a, const Eigen::Ref<const Eigen::MatrixXd> &b,
                  Eigen::Ref<Eigen::MatrixXd> sum);
 

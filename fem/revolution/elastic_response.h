@@ -42,7 +42,7 @@ public:
   /// harmonics.
   ElasticResponse(ContactCompliance compliance, unsigned int n_lines);
 
-  /// Friction that deforms, or none. Throws as SlidingTraction::validate.
+  /// Sets the friction that deforms the bodies, or none. Throws as SlidingTraction::validate.
   void set_sliding(const std::optional<SlidingTraction> &traction);
   bool has_sliding() const { return slide_radial.size() > 0; }
 
@@ -51,14 +51,14 @@ public:
   unsigned int n_radii() const { return circles.n_nodes(); }
   unsigned int n_lines() const { return modes.n_lines(); }
 
-  /// Radial and azimuthal force per normal force; empty without friction.
+  /// Radial and azimuthal force per normal force. Empty without friction.
   const Eigen::MatrixXd &radial_traction() const { return slide_radial; }
   const Eigen::MatrixXd &azimuthal_traction() const { return slide_azimuthal; }
 
-  /// u_z under the normal @p forces [N] and the friction that they bring along [m].
+  /// Returns u_z under the normal @p forces [N] and their friction [m].
   Eigen::MatrixXd displacement(const Eigen::MatrixXd &forces) const;
 
-  /// The forces' harmonics up to n_max.
+  /// Returns the harmonics of the forces up to n_max.
   ForceModes force_modes(const Eigen::MatrixXd &forces) const;
 
   /// D on the circles @p first ... @p first + @p size - 1: displacement there under forces on the same line

@@ -73,7 +73,7 @@ public:
   /// @p samples: one function a row, shape [n_functions, n_lines].
   FourierProducts(const FourierBasis &basis, const Eigen::Ref<const Eigen::MatrixXd> &samples);
 
-  /// The sums for one pair of modes: a value for each function. Valid as long as the products are.
+  /// Sums for one pair of modes: a value for each function. Valid as long as the products are.
   class OfPair
   {
   public:
@@ -94,7 +94,7 @@ public:
   {
     return pair(FourierBasis::harmonic(row_mode), FourierBasis::is_sine(row_mode), column_mode);
   }
-  /// The sums for a pair of modes with the conjugate of the row's mode in its place.
+  /// Sums for a pair of modes with the conjugate of the row's mode in its place.
   OfPair with_conjugate(unsigned int row_mode, unsigned int column_mode) const;
 
 private:

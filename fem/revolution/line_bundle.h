@@ -8,7 +8,7 @@
 namespace stemware::fem
 {
 
-/// A number for each line of a bundle: what the registers of today's processors hold at once, or twice that.
+/// One number for each line of a bundle: one or two SIMD registers.
 struct alignas(64) Lanes
 {
   static constexpr int n = 8;
@@ -20,10 +20,10 @@ class LaneTable
 {
 public:
   LaneTable() = default;
-  /// Zeros.
+  /// Sets all entries to zero.
   LaneTable(Eigen::Index n_rows, Eigen::Index n_columns) { set_zero(n_rows, n_columns); }
 
-  /// Zeros of another shape; memory is kept.
+  /// Sets shape and zeros; keeps the memory.
   void set_zero(Eigen::Index n_rows, Eigen::Index n_columns)
   {
     rows = n_rows;
@@ -43,10 +43,10 @@ private:
   Eigen::Index rows = 0, columns = 0;
 };
 
-/// Row-major matrix of what all lines of a bundle share.
+/// Row-major matrix common to all lines of a bundle.
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The systems (1 + T D) x = b on Lanes::n lines at a time, each with several right-hand sides: D the
+/// Systems (1 + T D) x = b on Lanes::n lines at a time, each with several right-hand sides: D the
 /// compliance of a line's circles, T the banded tangent of the table law on it. Rows of circles that a line
 /// leaves out are those of the identity.
 ///
@@ -61,14 +61,14 @@ public:
 
   /// T(i, k), |i - k| <= band.
   double &tangent(Eigen::Index i, Eigen::Index k, int lane) { return bands(i, k - i + n_band, lane); }
-  /// The factor of the second part of D at column @p i.
+  /// Factor of the second part of D at column @p i.
   double &slide(Eigen::Index i, int lane) { return slides(i, 0, lane); }
   /// All right-hand sides but the last one, before T is applied to them.
   double &shape(Eigen::Index i, Eigen::Index column, int lane) { return shapes(i, column, lane); }
-  /// The last right-hand side.
+  /// Last right-hand side.
   double &unbalanced(Eigen::Index i, int lane) { return system(i, n_unknowns + n_rhs - 1, lane); }
 
-  /// The solutions with D = @p normal + @p radial diag(slide), shape [n_circles, n_columns]; @p normal and @p
+  /// Solutions with D = @p normal + @p radial diag(slide), shape [n_circles, n_columns]; @p normal and @p
   /// radial have the shape [n_circles, n_circles], the latter may be empty. To be called once after reset().
   LaneTable solve(const RowMatrix &normal, const RowMatrix &radial);
 

@@ -11,24 +11,24 @@
 namespace stemware::fem
 {
 
-/// One Newton step of a body of revolution on its azimuth lines.
+/// Newton step of a body of revolution on its azimuth lines.
 ///
-/// The elastic forces change by df with (1 + T C) df = r - T Q dq: T the tangent of the table law, block
-/// diagonal in the lines, C the elastic response, r what the law's forces differ from the elastic ones. C is
-/// local to the lines but for few smooth functions of r times the modes up to n_max (ElasticResponse); the
-/// lines are eliminated one by one, and a small dense system for the amplitudes of these functions and the
-/// table motions is left. Polynomials in r stand for the smooth functions: the step is that of a Newton
-/// method to 1e-4 or better, while what it solves for is exact.
+/// The elastic forces change by df with (1 + T C) df = r - T Q dq: T is the tangent of the table law, block
+/// diagonal in the lines, C the elastic response, r the law's forces less the elastic ones. C is local to
+/// the lines but for few smooth functions of r times the modes up to n_max (ElasticResponse). The lines are
+/// eliminated one by one; a small dense system remains for the amplitudes of these functions and the table
+/// motions. Polynomials in r approximate the smooth functions: the step is accurate to 1e-4 or better, the
+/// converged solution is exact.
 class LineNewton
 {
 public:
-  /// The smooth functions of r on neighbouring circles, and the response of their amplitudes.
+  /// Smooth functions of r on neighbouring circles, and the response of their amplitudes.
   struct Functions
   {
     Eigen::Index first = 0, size = 0; ///< of the circles
     bool has_sliding = false;
     Eigen::MatrixXd values; ///< orthonormal polynomials in r, shape [size, n_functions]
-    /// By harmonic, shapes [n_functions, n_functions].
+    /// Responses by harmonic, shapes [n_functions, n_functions].
     std::vector<HarmonicCompliance> reduced;
   };
 
@@ -42,17 +42,17 @@ public:
   {
     Eigen::MatrixXd forces; ///< df [N], shape [n_radii, n_lines]
     Eigen::Vector3d motion; ///< dq
-    /// Resistance of body and table to motions of the table: the residuals of the conditions by motion, as
-    /// columns, without the weight that LinearConditions::motion_weights() adds.
+    /// Resistance of body and table to motions of the table: the residuals of the conditions by
+    /// motion, as columns, without LinearConditions::motion_weights().
     Eigen::Matrix3d resistance;
   };
 
-  /// The step to forces that fulfil @p conditions, of which @p residual is what the law's forces miss. Throws
-  /// std::runtime_error when the system is singular.
+  /// Returns the step to forces that fulfil @p conditions with the residual @p residual of the law's
+  /// forces. Throws std::runtime_error if the system is singular.
   Increment solve(const LinearConditions &conditions, const Eigen::Vector3d &residual) const;
 
 private:
-  /// Circles that carry force or are about to.
+  /// Circles with force, present or expected.
   struct Range
   {
     Eigen::Index first = 0;
@@ -78,7 +78,7 @@ private:
   /// functions, to the table's motions and to what is unbalanced, shapes [p * (p + 4), n_lines]; at last
   /// those of the conditions, shape [3 * (p + 4), n_lines].
   std::vector<Eigen::MatrixXd> sums_on_lines(const LinearConditions &conditions) const;
-  /// The system of the amplitudes with the table held, and beside it the columns of the motions and of what
+  /// System of the amplitudes with the table held, and beside it the columns of the motions and of what
   /// is unbalanced: shape [n_modes * p, n_modes * p + 4].
   RowMatrix system_of_amplitudes(const std::vector<Eigen::MatrixXd> &on_lines) const;
   /// df under @p amplitudes, shape [p, n_modes], and a @p motion of the table.

@@ -10,12 +10,12 @@
 namespace stemware::fem
 {
 
-/// Displacement and stress everywhere in a body of revolution under forces on its contact circles: the
+/// Displacement and stress everywhere in a body of revolution under forces on its contact circles, from the
 /// displacement harmonics of the whole meridian (docs/method/revolution.md, "Fields").
 class MeridianField
 {
 public:
-  /// Solves one meridional problem per mode that carries force. Keeps a reference to @p space.
+  /// Solves one meridional problem for each mode with force. Keeps a reference to @p space.
   MeridianField(const MeridianSpace &space, const ElasticMaterial &material, const ForceModes &forces);
 
   /// Amplitudes of all modes at points of one cell, cylindrical components. A field at azimuth theta is the

@@ -11,18 +11,17 @@
 namespace stemware::fem
 {
 
-/// Meridional meshes of a foot and of the disc under it, which has no cells where there is none. Both have
-/// the same contact cells. Includes deal.II; not for headers of the library's users.
+/// Meridional meshes of a foot and of the disc under it (without cells if there is no disc). Both have the
+/// same contact cells. Includes deal.II; not for headers of the library's users.
 struct MeridianMeshes
 {
-  /// Makes the meshes that @p setup asks for.
+  /// Makes the meshes for @p setup.
   explicit MeridianMeshes(const RevolutionSetup &setup);
 
-  /// Refines the cells that carry refine flags, and in either body the contact cells that are cut in the
-  /// other.
+  /// Refines the flagged cells, and keeps the contact cells of both bodies equal.
   void refine();
 
-  /// Halves the cells farther from the contact circle than RevolutionSetup::zone_reach(), but those contact
+  /// Halves the cells farther from the contact circle than RevolutionSetup::zone_reach(), except contact
   /// cells that lie in the focus of @p setup or are as small.
   void refine_beyond_zone(const RevolutionSetup &setup);
 
@@ -30,8 +29,8 @@ struct MeridianMeshes
   dealii::Triangulation<2> disc;
 };
 
-/// Compliance of the foot and substrate of @p setup together on @p meshes, with elements and harmonics of @p
-/// options, without what the setup switches off. Throws as ComplianceCache::get().
+/// Returns the compliance of the foot and substrate of @p setup on @p meshes, with elements and harmonics
+/// of @p options, without the parts that the setup switches off. Throws as ComplianceCache::get().
 std::shared_ptr<const ContactCompliance> compliance_of(const RevolutionSetup &setup,
                                                        const MeridianMeshes &meshes,
                                                        const MeridianOptions &options,

@@ -21,7 +21,7 @@
 namespace stemware::fem
 {
 
-/// The finite-element space on one meridian: displacement amplitudes u_r, u_theta, u_z of any harmonic, with
+/// Finite-element space on one meridian: displacement amplitudes u_r, u_theta, u_z of any harmonic, with
 /// the nodes on the contact zone and on the axis. Includes deal.II; not for headers of the library's users.
 class MeridianSpace
 {
@@ -48,8 +48,8 @@ public:
   {
   public:
     Factors(const MeridianSpace &space, unsigned int harmonic);
-    /// Puts displacements times int (mode)^2 dtheta [m rad] in the place of the @p forces per radian on the
-    /// free dofs [N/rad] that make them.
+    /// Overwrites the @p forces per radian on the free dofs [N/rad] with their displacements times int
+    /// (mode)^2 dtheta [m rad].
     void solve(dealii::Vector<double> &forces) const;
 
   private:
@@ -57,7 +57,7 @@ public:
     const SparseCholesky factors;
   };
 
-  /// The factors of a harmonic, made once. May be asked for different harmonics by several threads at once.
+  /// Factors of a harmonic, made once. May be asked for different harmonics by several threads at once.
   const Factors &factors(unsigned int harmonic) const;
 
   /// Contact compliances of the harmonics that have their conditions on the axis, and with them the order of
@@ -83,12 +83,12 @@ public:
 
 private:
   void find_contact_nodes();
-  /// Nodes at r = 0; an annular section has none of them.
+  /// Nodes at r = 0; none for an annular section.
   void find_axis();
   /// Clamp, hanging nodes, and what keeps the displacement single-valued on the axis: n = 0 moves along it,
   /// n = 1 across it (u_theta = -u_r), higher harmonics not at all.
   dealii::AffineConstraints<double> make_constraints(unsigned int harmonic) const;
-  /// The entries of K_n with @p constraints eliminated.
+  /// Entries of K_n with @p constraints eliminated.
   void make_pattern(const dealii::AffineConstraints<double> &constraints,
                     dealii::SparsityPattern &pattern) const;
   SparseCholesky factorise(unsigned int harmonic, const dealii::AffineConstraints<double> &constraints) const;

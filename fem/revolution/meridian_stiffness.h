@@ -29,7 +29,7 @@ public:
   /// Factors of K_0, K_1 and K_2 in K_n: 1, n and n^2.
   static std::array<double, 3> factors_of(unsigned int harmonic);
 
-  /// The sum of K_0, K_1 and K_2 times @p factors with @p constraints eliminated symmetrically. @p matrix
+  /// Sum of K_0, K_1 and K_2 times @p factors with @p constraints eliminated symmetrically. @p matrix
   /// comes with its sparsity and is overwritten.
   void assemble(const std::array<double, 3> &factors, const dealii::AffineConstraints<double> &constraints,
                 dealii::SparseMatrix<double> &matrix) const;

@@ -12,7 +12,7 @@ namespace stemware::fem
 
 class MeridianField;
 
-/// A foot of revolution with the meridional meshes that its compliance comes from: it knows its fields.
+/// Foot of revolution with the meridional meshes of its compliance, and therefore with fields.
 class MeshedRevolutionFoot : public RevolutionFoot
 {
 public:
@@ -22,7 +22,7 @@ public:
   /// Takes the compliances from @p cache, which other feet share.
   MeshedRevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache);
 
-  /// The same foot with a state of its own.
+  /// Returns the same foot with its own state.
   MeshedRevolutionFoot(const MeshedRevolutionFoot &other);
 
   std::shared_ptr<const Foot> twin() const override;
@@ -30,7 +30,7 @@ public:
   std::vector<StressedPatch> section(const ContactState &state, double theta) const override;
 
 private:
-  /// The compliance of the whole land, once for a foot and its twins.
+  /// Compliance of the whole land, once for a foot and its twins.
   struct WholeLand
   {
     std::once_flag once;
@@ -41,10 +41,10 @@ private:
 
   std::shared_ptr<WholeLand> whole_land = std::make_shared<WholeLand>();
 
-  /// The meshes, and the meridional problems on that of the foot.
+  /// Meshes, and the meridional problems on that of the foot.
   struct Meridian;
   const Meridian &meridian() const;
-  /// The displacement of the foot in @p state.
+  /// Displacement of the foot in @p state.
   MeridianField field(const ContactState &state) const;
 
   mutable std::shared_ptr<const Meridian> made_meridian; ///< of meridian(), when it was asked for

@@ -6,11 +6,11 @@
 namespace stemware::fem
 {
 
-/// The contact of @p body and @p law under @p conditions, found on a path of growing moments that begins with
-/// @p even, the contact without any: for conditions from which Newton's method does not converge at once. A
-/// step that fails is halved. Where the path ends, throws ContactFailure: tipping, if the glass has leant
-/// over faster and faster before, under a moment that grows with its lean or with the friction of the load;
-/// else what the last step has thrown.
+/// Returns the contact of @p body and @p law under @p conditions by continuation in the moment, from the
+/// moment-free contact @p even: for conditions from which Newton's method does not converge at once. A
+/// failed step is halved. If the path ends, throws ContactFailure: tipping, if the glass leant over faster
+/// and faster under a moment that grows with its lean or with the friction of the load; else the failure of
+/// the last step.
 ContactSolution solve_along_moment(BodyOfRevolution &body, TableLaw &law, const LinearConditions &conditions,
                                    double radius, const ContactControl &control, const ContactSolution &even);
 

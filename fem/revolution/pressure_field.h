@@ -6,13 +6,13 @@
 namespace stemware::fem
 {
 
-/// Contact pressure of a pressed body of revolution, anywhere on its contact zone: on the azimuth lines the
-/// table law gives it, between them it is interpolated linearly.
+/// Contact pressure of a pressed body of revolution, anywhere on its contact zone: by the table law on the
+/// azimuth lines, interpolated linearly between them.
 class PressureField
 {
 public:
-  /// Takes what it needs of @p body and @p solution; keeps a reference to @p law, whose pressure depends on
-  /// the penetration alone. @p gap as the body's.
+  /// Evaluates @p body and @p solution; keeps a reference to @p law, whose pressure depends on the
+  /// penetration only. @p gap is the body's.
   PressureField(const BodyOfRevolution &body, const TableLaw &law, const ContactSolution &solution,
                 BodyOfRevolution::Gap gap);
 

@@ -11,7 +11,7 @@
 namespace stemware::fem
 {
 
-/// The foot as a VTU file: the meridional cells swept round the axis in sectors, with what
+/// Foot as a VTU file: the meridional cells swept round the axis in sectors, with what
 /// SolidBody::write_fields gives: `displacement` [m] in the slip frame with the table at rest, its motions
 /// @p motion (q0, q1, q2) put back on the glass, where the field's azimuths count from @p axis, `stress`
 /// [Pa], `strain`, `von_mises_stress` [Pa], `contact_pressure` [Pa] on the contact zone. In the nodes that
@@ -22,7 +22,7 @@ namespace stemware::fem
 std::string revolution_fields(const MeridianField &field, const PressureField &pressure,
                               const Eigen::Vector3d &motion, double axis);
 
-/// The section through the axis at @p azimuth, which counts as the field's do, and opposite to it.
+/// Section through the axis at @p azimuth, which counts as the field's do, and opposite to it.
 std::vector<StressedPatch> revolution_section(const MeridianField &field, double azimuth);
 
 } // namespace stemware::fem

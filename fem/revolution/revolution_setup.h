@@ -15,7 +15,7 @@
 namespace stemware::fem
 {
 
-/// A foot of revolution, its table, and how finely both are resolved.
+/// Foot of revolution, its table, and the resolution of both.
 struct RevolutionSetup
 {
   GlassProfile profile;
@@ -23,35 +23,35 @@ struct RevolutionSetup
   Table table = { std::make_shared<WinklerInterface>(), {} };
   RimImperfection imperfection;
   bool foot_is_rigid = false; ///< the foot has no compliance
-  /// mu of the friction that deforms foot and substrate; 0: friction does not act back on the pressure.
+  /// mu of the friction that deforms foot and substrate; 0: friction does not change the pressure.
   double friction_coefficient = 0;
-  /// mu at |v_rel| / v where it depends on the slip; empty: friction_coefficient everywhere.
+  /// mu as a function of |v_rel| / v. Empty: friction_coefficient everywhere.
   std::function<double(double relative_slip)> friction_by_slip;
   bool friction_in_foot = true; ///< whether friction tractions deform the foot
   bool friction_in_substrate = true;
 
   MeridianOptions meridian;      ///< order and highest elastic harmonic
   MeridianResolution resolution; ///< see resolved_for()
-  /// Numbers of the active cells of the foot that are halved, mesh after mesh.
+  /// Indices of the active cells of the foot to be halved, mesh after mesh.
   std::vector<std::vector<unsigned int>> halved;
-  /// How often the cells at re-entrant corners are halved.
+  /// Number of halvings of the cells at re-entrant corners.
   unsigned int corner_halvings = 0;
   unsigned int n_lines = 256; ///< azimuth lines
-  /// How stiff the spring is that stands for a hard interface, over the stiffness of the contact itself.
+  /// Stiffness of the spring that represents a hard interface, over the stiffness of the contact.
   double hardness = 1000;
   double fineness = 1;                   ///< of the cells in the contact, over the usual
   unsigned int halvings_beyond_zone = 0; ///< of the cells beyond zone_reach()
   double normal_force = 1;               ///< N that the contact is resolved for [N], see resolved_for()
   double contact_half_width = 0;         ///< of a crowned rim under it, expected_half_width() [m]
 
-  /// This setup with a meridional mesh that resolves the contact under @p normal_force [N]. Where the bodies'
-  /// own elasticity shapes the pressure, cells of a sixth of the contact's half-width, and of a third of a
-  /// thin layer; where the interface yields a thousand times more, all cells halved once, on a
-  /// flat land equal ones; towards the inner edge of a flat land under a hard interface.
+  /// Returns this setup with a meridional mesh that resolves the contact under @p normal_force [N]. If the
+  /// bodies' own elasticity shapes the pressure, cells are a sixth of the contact's half-width, and a third
+  /// of a thin layer. If the interface is a thousand times more compliant, all cells are halved once, equal
+  /// ones on a flat land. Under a hard interface, cells are halved towards the inner edge of a flat land.
   RevolutionSetup resolved_for(double normal_force) const;
 
-  /// The table's interface, a hard one as a spring whose penetration is 1 / hardness of what the contact
-  /// itself yields. Throws std::invalid_argument where nothing yields.
+  /// Returns the table's interface; a hard one as a spring whose penetration is 1 / hardness of the
+  /// contact's own. Throws std::invalid_argument if no part is compliant.
   std::shared_ptr<const InterfaceLaw> interface() const;
 
   /// Compliance of foot and substrate together, without what is switched off; @p disc: nothing without a
@@ -62,14 +62,14 @@ struct RevolutionSetup
   /// contact, room for a load that gathers on a part of the rim; 0 for a flat land.
   double zone_reach() const { return 10 * contact_half_width; }
 
-  /// The meridional problems with forces on the elements within zone_reach() alone; on the whole land where
+  /// Meridional problems with forces on the elements within zone_reach() alone; on the whole land where
   /// that is 0.
   MeridianOptions meridian_of_zone() const;
 
-  /// Load per length of the rim under @p normal_force [N/m].
+  /// Returns the load per length of the rim under @p normal_force [N/m].
   double line_load(double normal_force) const;
 
-  /// (1 - nu^2) / E of the bodies that yield, 1 / E* [1/Pa].
+  /// Returns (1 - nu^2) / E of the compliant bodies, 1 / E* [1/Pa].
   double plane_strain_compliance() const;
 };
 
@@ -82,9 +82,9 @@ double hertz_half_width(const RevolutionSetup &setup, double normal_force);
 /// curvature along the rim is the root of the sum of the squares of all harmonics'.
 double crest_half_width(const RevolutionSetup &setup, double normal_force);
 
-/// Half-width that the contact of a crowned rim pressed evenly will have: that of its bodies or of its
-/// interface, whichever is larger [m]; 0 for a flat land. On hard crests, which the foot's bending flattens
-/// nobody knows how far, the geometric mean of crest_half_width() and that of an even rim, if it is larger.
+/// Returns the half-width of the contact of a crowned rim pressed evenly: the larger one of bodies and
+/// interface [m]; 0 for a flat land. On hard crests, flattened by an unknown bending of the foot, the
+/// geometric mean of crest_half_width() and that of an even rim, if it is larger.
 double expected_half_width(const RevolutionSetup &setup, double normal_force);
 
 } // namespace stemware::fem

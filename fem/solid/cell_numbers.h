@@ -8,8 +8,8 @@
 namespace stemware::fem
 {
 
-/// Numbers of the active cells of a distributed mesh that do not depend on its ranks: their places among the
-/// sorted identities of all of them.
+/// Numbers of the active cells of a distributed mesh, independent of its ranks: positions in the sorted
+/// list of all identities.
 class CellNumbers
 {
 public:
@@ -17,11 +17,11 @@ public:
   explicit CellNumbers(const dealii::Triangulation<3> &mesh);
 
   std::size_t size() const { return cells.size(); }
-  /// Number of the cell @p id, or of that of its ancestors which is one of the cells. Throws std::logic_error
-  /// where there is none.
+  /// Returns the number of the cell @p id, or of its ancestor among the cells. Throws std::logic_error if
+  /// there is none.
   std::size_t operator()(const dealii::CellId &id) const;
 
-  /// The cells in groups that lie at the same radius and height round the z axis: rings of cells on a foot of
+  /// Cells in groups that lie at the same radius and height round the z axis: rings of cells on a foot of
   /// revolution, single cells on a mesh without symmetry. Collective.
   std::vector<std::vector<std::size_t>> rings() const;
 

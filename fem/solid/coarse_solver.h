@@ -5,7 +5,7 @@
 namespace stemware::fem
 {
 
-/// An approximate inverse of K + B' T B on the coarsest level.
+/// Approximate inverse of K + B' T B on the coarsest level.
 class CoarseSolver : public dealii::MGCoarseGridBase<FloatVector>
 {
 public:
@@ -14,7 +14,7 @@ public:
   virtual void set_contact(const Eigen::SparseMatrix<double> &tangent) = 0;
 };
 
-/// The inverse, factorised on every rank, where the level is small; else a two-grid cycle: Chebyshev
+/// Inverse, factorised on every rank, where the level is small; else a two-grid cycle: Chebyshev
 /// smoothing before and after a correction by the body of revolution that the mesh is on average
 /// (RevolvedBody). Both are symmetric.
 ///

@@ -7,7 +7,7 @@
 namespace stemware::fem
 {
 
-/// The geometry of @p mesh in polynomials of @p degree, which has no gaps where cells meet halved ones: there
+/// Geometry of @p mesh in polynomials of @p degree, which has no gaps where cells meet halved ones: there
 /// the finer faces lie on the polynomials of the coarser one, not on the surface that both approximate.
 ///
 /// deal.II's own mapping leaves gaps of a few 1e-8 m on a foot of 48 sectors. Displacements are continuous in

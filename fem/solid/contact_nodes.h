@@ -17,16 +17,16 @@ namespace stemware::fem
 /// SurfaceParts, one on each rank of @p communicator.
 SurfaceParts parts_on_ranks(const MPI_Comm &communicator);
 
-/// The contact nodes that a rank knows, among the dofs of a mesh: those that it owns, then those of other
-/// ranks; both in the order of their dofs. All ranks call every function together.
+/// Contact nodes known to a rank, among the dofs of a mesh: its own nodes, then nodes of other ranks, both
+/// in the order of their dofs. All ranks call every function together.
 ///
-/// Of values at the nodes there are the two kinds of ContactSurface.
+/// Nodal values come in the two layouts of ContactSurface: own nodes, and own plus ghost nodes.
 class ContactNodes
 {
 public:
   using Dof = dealii::types::global_dof_index;
 
-  /// The nodes of this rank's part of the surface, @p dofs of any order, and of those with dofs in @p owned
+  /// Nodes of this rank's part of the surface, @p dofs of any order, and of those with dofs in @p owned
   /// the ones that other ranks ask for.
   ContactNodes(const dealii::IndexSet &owned, std::vector<Dof> dofs, const MPI_Comm &communicator);
 
@@ -34,15 +34,15 @@ public:
   unsigned int n_own_nodes() const { return static_cast<unsigned int>(places.size()); }
   /// Vertical displacement of the nodes, shape [n_nodes].
   const std::vector<Dof> &dofs() const { return all_dofs; }
-  /// Where the own nodes are among this rank's dofs, shape [n_own_nodes].
+  /// Positions of the own nodes among this rank's dofs, shape [n_own_nodes].
   const std::vector<unsigned int> &own_places() const { return places; }
-  /// The number of the node with @p dof; n_nodes() where this rank knows none.
+  /// Returns the number of the node with @p dof; n_nodes() if this rank does not know it.
   unsigned int find(Dof dof) const;
   const SurfaceParts &parts() const { return all_parts; }
   /// Ranks of the nodes from n_own_nodes() on.
   const std::vector<unsigned int> &ranks_of_others() const { return other_ranks; }
 
-  /// Values at the nodes, of @p vector over the dofs.
+  /// Returns the nodal values of @p vector over the dofs.
   template <typename Number>
   Eigen::VectorXd gather(const dealii::LinearAlgebra::distributed::Vector<Number> &vector) const;
 
@@ -64,7 +64,7 @@ public:
     Dof row, column;
     double value;
   };
-  /// The rows of own nodes of the matrix that is the sum of all parts' @p parts, shape [n_nodes, n_nodes];
+  /// Rows of own nodes of the matrix that is the sum of all parts' @p parts, shape [n_nodes, n_nodes];
   /// places may occur several times.
   std::vector<Entry> own_rows(const Eigen::SparseMatrix<double> &parts) const;
 

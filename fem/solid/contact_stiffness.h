@@ -13,7 +13,7 @@
 namespace stemware::fem
 {
 
-/// The table's share B' T B of the tangent stiffness of a mesh.
+/// Contribution B' T B of the table to the tangent stiffness of a mesh.
 class ContactStiffness
 {
 public:
@@ -25,7 +25,7 @@ public:
 
   /// T of ContactForces [N/m], this rank's part of it, shape [n_nodes, n_nodes].
   void set(const Eigen::SparseMatrix<double> &tangent);
-  /// The part of T without the entries that are 0.
+  /// Part of T without the entries that are 0.
   const RowMatrix &matrix() const { return stiffness; }
 
   /// Adds B' T B @p src to @p dst.
@@ -42,14 +42,14 @@ private:
   RowMatrix stiffness;
 };
 
-/// A mesh's finite elements, as far as its contact nodes are concerned.
+/// Finite elements of a mesh, restricted to its contact nodes.
 struct ContactElements
 {
   const dealii::DoFHandler<3> &dof_handler;
   const dealii::AffineConstraints<double> &constraints;
 };
 
-/// Contact nodes of a coarse mesh, and how those of a finer one follow from them.
+/// Contact nodes of a coarse mesh, and the interpolation from them to those of a finer one.
 struct ContactInterpolation
 {
   std::shared_ptr<const ContactNodes> coarse_nodes; ///< those of contact_dofs(), and what the rows need

@@ -8,7 +8,7 @@
 namespace stemware::fem
 {
 
-/// The stiffness as a sparse matrix, with factors of a recent K + B' T B by MUMPS: for any mesh that is not
+/// Stiffness as a sparse matrix, with factors of a recent K + B' T B by MUMPS: for any mesh that is not
 /// too large.
 class FactorizedStiffness : public BodyStiffness
 {
@@ -22,10 +22,10 @@ public:
   std::shared_ptr<const ContactNodes> contact_nodes() const override { return nodes; }
   void initialize(Vector &vector) const override;
   void vmult(Vector &dst, const Vector &src) const override { stiffness.vmult(dst, src); }
-  /// Factorises where there are no factors. Throws ContactFailure where that cannot be done.
+  /// Factorises if there are no factors. Throws ContactFailure if the factorisation fails.
   void set_contact(const Eigen::SparseMatrix<double> &tangent) override;
   void precondition(Vector &dst, const Vector &src) const override;
-  /// Forgets factors of so different a T that they cost more than new ones.
+  /// Discards factors of a T so different that they cost more than new ones.
   void learn(unsigned int n_iterations) override;
 
 private:

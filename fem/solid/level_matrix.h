@@ -11,7 +11,7 @@ namespace stemware::fem
 
 using FloatVector = dealii::LinearAlgebra::distributed::Vector<float>;
 
-/// K + B' T B on one level, in single precision, with what deal.II's smoothers ask of a matrix.
+/// K + B' T B on one level in single precision, with the interface of deal.II's smoothers.
 class LevelMatrix : public dealii::Subscriptor
 {
 public:
@@ -28,11 +28,11 @@ public:
   void Tvmult(FloatVector &dst, const FloatVector &src) const { vmult(dst, src); }
   size_type m() const { return n_rows; }
   size_type n() const { return n_rows; }
-  /// Not to be called: there are no entries.
+  /// Not available: the matrix has no stored entries.
   float el(size_type, size_type) const;
 
   void initialize_dof_vector(FloatVector &vector) const { elastic->initialize_dof_vector(vector); }
-  /// The inverse of a diagonal for Jacobi's method; set_contact() changes it.
+  /// Inverse diagonal of Jacobi's method, updated by set_contact().
   const std::shared_ptr<dealii::DiagonalMatrix<FloatVector>> &jacobi() const { return inverse_diagonal; }
 
 private:
@@ -61,7 +61,7 @@ struct MultigridNumbers
 };
 inline constexpr MultigridNumbers multigrid_numbers = {};
 
-/// How every level is smoothed.
+/// Options of the smoother of every level.
 LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix);
 
 } // namespace stemware::fem

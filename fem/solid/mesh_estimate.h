@@ -8,7 +8,7 @@
 namespace stemware::fem
 {
 
-/// A contact of a solid foot that has been solved, in the axes of its mesh.
+/// Solved contact of a solid foot, in the axes of its mesh.
 struct SolvedSolidContact
 {
   const SolidBody &body; ///< whose displacement is that of the contact

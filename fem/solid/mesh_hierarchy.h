@@ -18,7 +18,7 @@ namespace stemware::fem
 /// stem cut.
 dealii::AffineConstraints<double> clamp_stem_cut(const dealii::DoFHandler<3> &dof_handler);
 
-/// A mesh with finite elements on it.
+/// Mesh with finite elements on it.
 struct SolidLevel
 {
   SolidLevel(std::shared_ptr<const dealii::Triangulation<3>> triangulation, unsigned int degree,
@@ -32,14 +32,14 @@ struct SolidLevel
   dealii::AffineConstraints<double> constraints;
 };
 
-/// A mesh, and the degree of the elements that stand on it.
+/// Mesh and degree of its elements.
 struct LevelElements
 {
   std::shared_ptr<const dealii::Triangulation<3>> mesh;
   unsigned int degree;
 };
 
-/// The levels of elements of @p degree on @p triangulation, which has to outlive them, and on the meshes that
+/// Levels of elements of @p degree on @p triangulation, which has to outlive them, and on the meshes that
 /// it was refined from: the coarsest of them with linear elements, then all of them with those of @p degree.
 std::vector<LevelElements> levels_of(const dealii::Triangulation<3> &triangulation, unsigned int degree);
 
@@ -61,7 +61,7 @@ public:
   using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
   unsigned int n_levels() const;
-  /// The lowest level whose elements are those of the finest.
+  /// Returns the lowest level with the elements of the finest.
   unsigned int coarsest_mesh() const;
   const SolidLevel &level(unsigned int l) const;
   /// Contact nodes of level @p l: those of this rank's cells, and what those of the level above follow from.

@@ -6,7 +6,7 @@
 namespace stemware::fem
 {
 
-/// The stiffness on one level of a MeshHierarchy, without a matrix, with V-cycles in single precision.
+/// Stiffness on one level of a MeshHierarchy, without a matrix, with V-cycles in single precision.
 class MultigridStiffness : public BodyStiffness
 {
 public:
@@ -32,7 +32,7 @@ public:
     hierarchy->set_contact(level, tangent);
   }
   void precondition(Vector &dst, const Vector &src) const override { hierarchy->v_cycle(level, dst, src); }
-  /// Every system sets its T before it asks.
+  /// Every system sets its T before it is solved.
   std::unique_ptr<BodyStiffness> shared() const override
   {
     return std::make_unique<MultigridStiffness>(*this);

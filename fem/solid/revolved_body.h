@@ -13,7 +13,7 @@
 namespace stemware::fem
 {
 
-/// The body of revolution that a mesh is on average round its axis: a coarse space for the mesh's equations.
+/// Body of revolution that a mesh is on average round its axis: a coarse space for the mesh's equations.
 ///
 /// Its functions are u_r cos(n theta), u_theta sin(n theta), u_z cos(n theta) and the same turned by a
 /// quarter of a wave, n = 0 ... n_max, u of a SectionGrid. K_n is integrated over the mesh itself,
@@ -40,7 +40,7 @@ private:
   template <typename Number>
   using Amplitudes = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  /// A node of the mesh that this rank owns.
+  /// Node of the mesh that this rank owns.
   struct Node
   {
     std::array<unsigned int, 3> dofs; ///< x, y, z among the rank's
@@ -65,9 +65,9 @@ private:
 
   /// Cosine and, but for n = 0, sine.
   static unsigned int n_turns(unsigned int harmonic) { return harmonic == 0 ? 1 : 2; }
-  /// Where a harmonic's amplitudes at the contact begin.
+  /// Offset of a harmonic's amplitudes at the contact.
   Eigen::Index contact_block(unsigned int harmonic, unsigned int turn) const;
-  /// The vertical amplitudes at the grid's contact nodes.
+  /// Vertical amplitudes at the grid's contact nodes.
   Eigen::MatrixXd at_contact(const Eigen::MatrixXd &amplitudes) const;
 
   const MPI_Comm communicator;

@@ -13,7 +13,7 @@
 namespace stemware::fem
 {
 
-/// A place in the half plane of cylindrical coordinates [m].
+/// Point in the half plane of cylindrical coordinates [m].
 struct MeridianPlace
 {
   double radius = 0;
@@ -24,7 +24,7 @@ struct MeridianPlace
 /// lobed and oval ones (docs/method/solid_measurements.md).
 struct RevolvedNumbers
 {
-  /// A wave has at least four cells round the rim; shorter ones are left to the smoother.
+  /// Wave has at least four cells round the rim; shorter ones are left to the smoother.
   unsigned int cells_per_wave = 4;
   unsigned int most_harmonics = 32; ///< so that the dense matrix of the table has some hundred rows
   /// Size of a square over that of the cells there, at most: smaller ones take no iterations away.
@@ -34,7 +34,7 @@ struct RevolvedNumbers
 };
 inline constexpr RevolvedNumbers revolved_numbers = {};
 
-/// Radius and height of @p point, whatever its azimuth.
+/// Returns radius and height of @p point.
 MeridianPlace place_of(const dealii::Point<3> &point);
 
 /// Squares of the half plane (r, z) over all that a mesh sweeps round its axis, halved until they are about
@@ -46,10 +46,10 @@ public:
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(points.size()); }
   const MeridianPlace &node(unsigned int i) const { return points[i]; }
-  /// A hanging node is no function of its own.
+  /// Hanging node is no function of its own.
   bool is_hanging(unsigned int i) const { return hanging.is_constrained(i); }
 
-  /// The functions that are not zero at @p place, with their values.
+  /// Functions that are not zero at @p place, with their values.
   std::vector<std::pair<unsigned int, double>> functions_at(const MeridianPlace &place) const;
 
   /// K_0, K_1, K_2 of K_n = K_0 + n K_1 + n^2 K_2, shape [3 n_nodes, 3 n_nodes], unknown 3 i + component (r,
@@ -67,7 +67,7 @@ private:
   void make_squares(const SolidLevel &level);
   unsigned int root_index(const MeridianPlace &place) const;
   Square square_at(const MeridianPlace &place) const;
-  /// In the coordinates of @p square, from 0 to 1.
+  /// Coordinates in @p square, from 0 to 1.
   static dealii::Point<2> place_in(const Square &square, const MeridianPlace &place);
   static void add_point(const Square &square, const MeridianPlace &place, double weight, Products &products);
   std::vector<Products> integrate(const SolidLevel &level) const;

@@ -37,7 +37,7 @@ public:
   /// share the elements of a multigrid method.
   SolidBody(const dealii::Triangulation<3> &triangulation, const ElasticMaterial &material,
             const SolidGap &gap, const SolidOptions &options = {}, const SolidBody *similar = nullptr);
-  /// A body of such stiffness; @p linear_tolerance is SolidOptions::linear_tolerance.
+  /// Creates a body of the given stiffness; @p linear_tolerance is SolidOptions::linear_tolerance.
   SolidBody(std::unique_ptr<BodyStiffness> stiffness, const ElasticMaterial &material, const SolidGap &gap,
             double linear_tolerance);
 
@@ -55,36 +55,34 @@ public:
   /// Smallest extent of a contact cell [m]: E over it is the natural penalty of a rigid table.
   double contact_cell_size() const { return zone.smallest_cell; }
 
-  /// Friction of the contact forces along @p traction, in the axes of the mesh, deforms the body from now on.
-  /// Throws as SlidingTraction::validate().
+  /// Sets the friction of the contact forces along @p traction, in the axes of the mesh, which deforms the
+  /// body. Throws as SlidingTraction::validate().
   void set_sliding(const SlidingTraction &traction);
-  /// SolidOptions::linear_tolerance from now on.
+  /// Sets SolidOptions::linear_tolerance.
   void set_linear_tolerance(double tolerance) { linear_tolerance = tolerance; }
 
-  /// Whether there are coarser ones of the meshes that its own was refined from, on which its multigrid
-  /// works.
+  /// Returns whether the mesh has coarser ones for its multigrid.
   bool has_coarser() const { return stiffness->has_coarser(); }
-  /// This foot on the next coarser of them: where a contact is cheap to find. Nothing where there is none.
+  /// Returns this foot on the next coarser mesh, for cheap initial guesses; nullptr if there is none.
   std::unique_ptr<SolidBody> coarser() const;
-  /// Takes over the displacement of coarser().
+  /// Takes the displacement of coarser() as its own.
   void start_from(const SolidBody &coarse);
 
-  /// All that the next solve depends on, of this rank, in binary; read by a body on the same mesh and as many
-  /// ranks.
+  /// Binary state of this rank for the next solve; readable by a body on the same mesh and number of ranks.
   void write_state(std::ostream &stream) const;
   void read_state(std::istream &stream);
 
   void set_displacement(const Vector &vector);
-  /// The displacement with the values of all cells that this rank owns or sees.
+  /// Displacement with the values of all cells that this rank owns or sees.
   Vector displacement_for_output() const;
-  /// The load of nodal @p forces, with the friction that they bring along, less K u.
+  /// Load of nodal @p forces, with the friction that they bring along, less K u.
   Vector residual(const Eigen::VectorXd &forces) const;
   /// x of [K + B'TB, B'TQ; Q'TB, Q'TQ] [x; q] = [B' @p nodal; @p on_motions], T the @p tangent, to @p
   /// reduction of the residual. The increment of the last solve() is gone then. Throws as solve().
   Vector solve_symmetric(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &nodal,
                          const Eigen::Vector3d &on_motions, double reduction);
 
-  /// The fields in files that this rank has to write: displacement [m] in the slip frame with the table at
+  /// Fields in files that this rank has to write: displacement [m] in the slip frame with the table at
   /// rest (the rigid motion @p motion is put back on the glass), stress [Pa], contact pressure [Pa] of
   /// @p nodal_pressure. On one rank contact.vtu; on several contact_<rank>.vtu with the cells of that rank,
   /// of each that has some, and on the first contact.pvtu, which names them.
@@ -103,9 +101,9 @@ private:
   Vector contact_load(const Eigen::VectorXd &forces) const;
   /// Takes over @p tangent; @p closed: conditions other than resultants.
   SymmetricStep begin_step(const Eigen::SparseMatrix<double> &tangent, const LinearConditions *closed);
-  /// The border of the present contact stiffness; W solves its equations to @p tolerance.
+  /// Border of the present contact stiffness; W solves its equations to @p tolerance.
   Border make_border(const Eigen::MatrixX3d &modes, double tolerance);
-  /// The residual [N] down to which a system that starts from @p residual is worth solving under contact
+  /// Residual [N] down to which a system that starts from @p residual is worth solving under contact
   /// forces of norm @p force.
   double target_residual(double residual, double force);
   /// Changes a solution under prescribed resultants into one under @p conditions.

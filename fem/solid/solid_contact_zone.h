@@ -16,7 +16,7 @@ namespace stemware::fem
 /// [m].
 using SolidGap = std::function<double(double x, double y)>;
 
-/// This rank's part of the contact zone of a hexahedral mesh, and which dofs its nodes are.
+/// Part of the contact zone of a hexahedral mesh on this rank, with the dofs of its nodes.
 struct SolidContactZone
 {
   ContactSurface surface;
@@ -24,7 +24,7 @@ struct SolidContactZone
   double smallest_cell = 0; ///< shortest edge of a contact face of all ranks [m]
 };
 
-/// Where the horizontal displacement of an own contact node is among this rank's dofs.
+/// Positions of the horizontal displacements of the own contact nodes among this rank's dofs.
 struct HorizontalPlaces
 {
   unsigned int node;

@@ -24,7 +24,7 @@ namespace stemware::fem
 
 class SolidBody;
 
-/// The mesh of a solid foot, distributed over all MPI ranks.
+/// Mesh of a solid foot, distributed over all MPI ranks.
 struct SolidMesh
 {
   std::shared_ptr<dealii::Triangulation<3, 3>> triangulation;
@@ -35,10 +35,10 @@ struct SolidMesh
 /// them.
 void halve(SolidMesh &mesh, const std::vector<unsigned int> &marked);
 
-/// The mesh that make_foot_mesh() generates: a flat land, whose crown is a gap.
+/// Returns the mesh of make_foot_mesh(): a flat land, whose crown is a gap.
 SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution &resolution);
 
-/// The mesh of a file, which says all about its rim itself, with all cells halved @p refinements times.
+/// Mesh of a file, which says all about its rim itself, with all cells halved @p refinements times.
 /// Throws as read_foot_mesh().
 SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements = 0, const MeshMarks &marks = {});
 
@@ -48,17 +48,17 @@ struct SolidSetup
   GlassProfile profile;
   ElasticMaterial material;
   Table table;
-  /// mu of the friction that deforms the foot; 0: friction does not act back on the pressure.
+  /// mu of the friction that deforms the foot; 0: friction does not change the pressure.
   double friction_coefficient = 0;
-  /// mu at |v_rel| / v where it depends on the slip; empty: friction_coefficient everywhere.
+  /// mu as a function of |v_rel| / v. Empty: friction_coefficient everywhere.
   std::function<double(double relative_slip)> friction_by_slip;
   SolidOptions options; ///< its straight_edges follow from the mesh
   double hardness = 1; ///< of a hard interface's spring over the usual; below 1 of any interface over its own
 };
 
-/// The foot as three-dimensional finite elements on all MPI ranks. A mesh file's x axis is the azimuth 0 of
-/// the glass: the foot turns with ring::Slip::orientation. A generated mesh is one of a body of revolution
-/// and does not turn.
+/// Foot as three-dimensional finite elements on all MPI ranks. A mesh file's x axis is the azimuth 0 of the
+/// glass: the foot turns with ring::Slip::orientation. A generated mesh is a body of revolution and does
+/// not turn.
 class SolidFoot : public Foot
 {
 public:
@@ -90,15 +90,15 @@ public:
 
 private:
   SlidingTraction sliding_at(const ring::Slip &slip) const;
-  /// Gives the body the displacement of @p state.
+  /// Sets the body to the displacement of @p state.
   void restore(const ContactState &state) const;
-  /// The contact of @p state in the axes of the mesh.
+  /// Contact of @p state in the axes of the mesh.
   ContactSolution in_mesh_axes(const ContactState &state) const;
   /// Azimuth of the mesh's x axis in the slip frame [rad].
   double axis_of(const ring::Slip &slip) const { return mesh.report ? slip.orientation.glass : 0; }
-  /// Whether a hard table acts by multipliers at the nodes, since there is no coarser mesh.
+  /// Returns whether a hard table acts by nodal multipliers, because the mesh has no coarser one.
   bool has_multipliers() const { return setup.table.interface->is_hard() && softening_of_coarser == 1; }
-  /// solve_contact() on this body; multipliers are found to one tolerance after the other.
+  /// Calls solve_contact() on this body; multipliers are found to one tolerance after the other.
   ContactSolution find_contact(const LinearConditions &conditions, ContactControl control,
                                std::optional<ContactStart> start) const;
   ContactSolution press(const ContactDemand &demand, const ring::Slip &slip, const ContactState *before,
