@@ -55,10 +55,15 @@ double slope_step(double omega, double spin_scale)
   return std::clamp(to_bend / 32., spin_scale / 4096., spin_scale / 64.);
 }
 
+double slope_of_differences(double change, double change_of_two_steps, double step)
+{
+  return (8. * change - change_of_two_steps) / (12. * step);
+}
+
 double torque_slope(const TorqueFunction &torque, double omega, double step)
 {
   const auto change = [&](double reach) { return torque(omega + reach) - torque(omega - reach); };
-  return (8. * change(step) - change(2. * step)) / (12. * step);
+  return slope_of_differences(change(step), change(2. * step), step);
 }
 
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, const SpinSearch &search)

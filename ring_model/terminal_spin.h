@@ -23,6 +23,10 @@ struct TerminalSpin
 /// several azimuth lines while the edges of a contact with lift-off move across them.
 double slope_step(double omega, double spin_scale);
 
+/// Slope of fourth order [N m s] from the change of the torque between -@p step and @p step and the change
+/// between -2 @p step and 2 @p step.
+double slope_of_differences(double change, double change_of_two_steps, double step);
+
 /// d tau_z / d omega [N m s] at @p omega by differences of fourth order: four torques within 2 @p step.
 double torque_slope(const TorqueFunction &torque, double omega, double step);
 

@@ -25,8 +25,8 @@ namespace
 /// Where a study is looked at.
 struct Probe
 {
-  /// Rest, half, once and one and a half times the terminal spin; two close to it where these do not tell its
-  /// slope.
+  /// Rest, half, once and one and a half times the terminal spin; four close to it if these do not tell the
+  /// slope there.
   std::vector<double> spins;
   std::optional<double> first; ///< terminal spin of the first harmonic alone
   std::vector<ring::Orientation> phases;
@@ -127,13 +127,18 @@ std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &
 std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Probe &probe,
                                                 const Findings &own, const SpinRow &row, const Study &study)
 {
-  // Round the terminal spin; from the side of rest where the glass tips on the other.
+  // From the side of rest where the glass tips on the other.
   const auto is_known = [&](std::size_t i)
   { return std::isfinite(own.torques[i].all) && std::isfinite(found.torques[i].all); };
-  const bool is_close = probe.spins.size() > 4 && is_known(4) && is_known(5);
-  const std::size_t begin = is_close ? 4 : 1, end = is_close ? 5 : is_known(3) ? 3 : 2;
+  const std::size_t end = is_known(3) ? 3 : 2;
+  const bool is_close = probe.spins.size() == 8 && is_known(4) && is_known(5) && is_known(6) && is_known(7);
   const auto slope_of = [&](const Findings &at)
-  { return (at.torques[end].all - at.torques[begin].all) / (probe.spins[end] - probe.spins[begin]); };
+  {
+    const auto change = [&](std::size_t from, std::size_t to)
+    { return at.torques[to].all - at.torques[from].all; };
+    return is_close ? ring::slope_of_differences(change(5, 6), change(4, 7), probe.spins[6] - probe.spins[2])
+                    : change(1, end) / (probe.spins[end] - probe.spins[1]);
+  };
   const double slope = std::isfinite(row.terminal->torque_slope) ? row.terminal->torque_slope : slope_of(own);
   const double moved = -(found.torques[2].all - own.torques[2].all) / slope;
   constexpr double noise_of_differences = 1e3;
@@ -175,9 +180,9 @@ Probe probe_of(const Study &study, const ElasticFoot &foot, double omega, const 
   return probe;
 }
 
-/// Adds two spins next to the terminal spin if those farther away do not tell the slope there: near |omega| =
-/// v / R, where the rim rolls on one side and the torque bends sharply, and with lift-off, where the edges of
-/// the contact move across the azimuth lines.
+/// Adds the spins of torque_slope() if those farther away do not tell the slope at the terminal spin: near
+/// |omega| = v / R, where the rim rolls on one side and the torque bends sharply, and with lift-off, where
+/// the edges of the contact move across the azimuth lines.
 void look_closely(const Study &study, bool is_full, Probe &probe)
 {
   const double scale = study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
@@ -185,7 +190,7 @@ void look_closely(const Study &study, bool is_full, Probe &probe)
   if (is_full && omega != 0 && 1.5 * std::abs(omega) <= scale)
     return;
   const double step = ring::slope_step(omega, scale);
-  probe.spins.insert(probe.spins.end(), { omega - step, omega + step });
+  probe.spins.insert(probe.spins.end(), { omega - 2 * step, omega - step, omega + step, omega + 2 * step });
 }
 
 /// The quantities in the contacts of @p foot, that of a change, on the rings of @p own, the study's own,

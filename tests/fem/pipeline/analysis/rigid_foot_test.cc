@@ -78,6 +78,52 @@ TEST(RigidFoot, WithGivenMomentsWithinTheBand)
   }
 }
 
+/// A state with lift-off on the default mat: a given moment, or a balance at a height of the centre of mass.
+struct LiftedState
+{
+  double moment_ratio, height; ///< [m]; one of them is 0
+  double omega, time_constant; ///< [rad/s], [s]
+};
+
+// Reference: other code, quadrature of pressure and friction over the land, balance with tilt at every spin,
+// differences of the torque with steps from 0.003 to 0.03 rad/s that agree to 6e-10. Numbers with nine
+// digits.
+TEST(RigidFoot, SpinAndTimeConstantWithLiftOffWithinTheBand)
+{
+  const double unknown = std::nan("");
+  const std::vector<LiftedState> states = {
+    { 1.285, 0, unknown, 0.0934089505 },   { 1.5, 0, -10.423213684, unknown },
+    { 1.7021, 0, unknown, 0.0450137278 },  { 1.8, 0, -11.263738051, 0.0330908520 },
+    { 1.95, 0, -11.568192889, unknown },   { 0, 0.11, -5.9843844449, unknown },
+    { 0, 0.12, -7.310549722, 0.24380939 }, { 0, 0.13, -8.881379880, unknown },
+    { 0, 0.134, -9.566092846, unknown }
+  };
+  for (const LiftedState &state : states)
+  {
+    Study study;
+    study.glass.material.young_modulus = 7e16;
+    study.contact.friction_coupling = FrictionCoupling::none;
+    if (state.moment_ratio > 0)
+      study = with_moment(study, state.moment_ratio);
+    else
+      study.motion.orbit.centre_of_mass_height = state.height;
+    SolvedStudy solved(study);
+    const ErrorBands bands = estimate_bands(study, solved.foot, solved.row, std::nullopt, solved.cache);
+    const auto expect_within = [&](const std::string &key, double expected)
+    {
+      const auto found = find_quantity(bands, key);
+      ASSERT_NE(found, bands.end()) << key;
+      EXPECT_NEAR(found->quantity.value, expected, found->band)
+        << key << ", m = " << state.moment_ratio << ", height " << state.height;
+      EXPECT_LT(found->band, 1e-3 * std::abs(expected)) << key << " " << state.moment_ratio;
+    };
+    if (std::isfinite(state.omega))
+      expect_within("omega_terminal", state.omega);
+    if (std::isfinite(state.time_constant))
+      expect_within("time_constant", state.time_constant);
+  }
+}
+
 TEST(RigidFoot, TendsToTheRingOfZeroWidthLikeItsWidthSquared)
 {
   // Closed form of a torus on a mat, docs/theory/load_models.md. The half-width of the contact is
