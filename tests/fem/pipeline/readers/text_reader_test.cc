@@ -2,8 +2,8 @@
 // that no glass has. Each is read, or refused with one sentence that names the place.
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
-#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/json_text.h"
+#include "tests/fem/pipeline/refusal.h"
 #include "tests/fem/temporary_file.h"
 
 #include <gmock/gmock.h>
@@ -19,16 +19,8 @@ using fem_tests::TemporaryFile;
 template <typename Read>
 void expect_sentence_of(const Read &read, const std::string &part)
 {
-  std::string sentence;
-  try
-  {
-    read();
-  }
-  catch (const BadInput &error)
-  {
-    sentence = error.what();
-  }
-  EXPECT_THAT(sentence, testing::HasSubstr(part)) << "\"" << sentence << "\" lacks \"" << part << "\"";
+  const std::string sentence = test::sentence_of(read);
+  EXPECT_THAT(sentence, testing::HasSubstr(part));
   EXPECT_LT(sentence.size(), 400u);
 }
 

@@ -1,7 +1,7 @@
 // Files of numbers in columns: what may be written, and the files that are refused with one sentence.
 #include "fem/pipeline/study/data_files.h"
-#include "fem/pipeline/support/failures.h"
 #include "tests/fem/pipeline/program_runner.h"
+#include "tests/fem/pipeline/refusal.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,15 +25,7 @@ std::vector<FileRow> rows_of(const std::string &file)
 /// The sentence with which a file is refused.
 std::string column_refusal(const std::string &file)
 {
-  try
-  {
-    rows_of(file);
-  }
-  catch (const BadInput &error)
-  {
-    return error.what();
-  }
-  return "";
+  return test::sentence_of([&] { rows_of(file); });
 }
 
 TEST(ColumnFile, MayBeWrittenInManyWays)

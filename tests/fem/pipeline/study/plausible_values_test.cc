@@ -4,8 +4,8 @@
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/study/study_size.h"
-#include "fem/pipeline/support/failures.h"
 #include "tests/fem/pipeline/program_runner.h"
+#include "tests/fem/pipeline/refusal.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,15 +25,7 @@ Texts notes_with(const Settings &settings)
 
 std::string why_refused(const Settings &settings)
 {
-  try
-  {
-    with_values(Study(), "the test", settings);
-    return "";
-  }
-  catch (const BadInput &error)
-  {
-    return error.what();
-  }
+  return test::sentence_of([&] { with_values(Study(), "the test", settings); });
 }
 
 TEST(PlausibleValues, GramsTakenForKilogramsAreNamed)

@@ -4,6 +4,7 @@
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/pipeline/program_runner.h"
+#include "tests/fem/pipeline/refusal.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,15 +42,7 @@ Study study_of(const std::string &points,
 std::string profile_refusal(const std::string &points,
                             const std::vector<std::string> &more = { "Glass/Crown radius=0.003" })
 {
-  try
-  {
-    study_of(points, more);
-  }
-  catch (const BadInput &error)
-  {
-    return error.what();
-  }
-  return "";
+  return test::sentence_of([&] { study_of(points, more); });
 }
 
 TEST(ProfileFile, RimFollowsFromItsPointsUnlessItIsGiven)

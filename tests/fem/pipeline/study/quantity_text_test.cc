@@ -1,7 +1,7 @@
 // Values as people write them. The oracle is the definition of each unit, written out in powers of ten.
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_file.h"
-#include "fem/pipeline/support/failures.h"
+#include "tests/fem/pipeline/refusal.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -97,17 +97,8 @@ TEST(QuantityText, EveryEntryRefusesAnotherDimension)
 
 TEST(QuantityText, AWrongUnitIsNamedInOneSentence)
 {
-  const auto refusal = [](const std::string &path, const std::string &value) -> std::string
-  {
-    try
-    {
-      with_values(Study(), "--set", { { path, value } });
-      return "";
-    }
-    catch (const BadInput &error)
-    {
-      return error.what();
-    }
+  const auto refusal = [](const std::string &path, const std::string &value) -> std::string {
+    return test::sentence_of([&] { with_values(Study(), "--set", { { path, value } }); });
   };
   for (const auto &[entry, value, words] :
        { std::tuple("Motion/Mass", "30 mm", "a length, but a mass is needed"),

@@ -1,5 +1,6 @@
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/support/failures.h"
+#include "tests/fem/pipeline/refusal.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,15 +52,7 @@ TEST(RequiredResultants, ARatioJustAboveTwoIsNoTwo)
   Study study;
   study.motion.closure = ring::Closure::paper;
   study.motion.orbit.force_offset *= 2 * (1 + 1e-9) / moment_ratio(study.required_resultants(), 0.03);
-  try
-  {
-    study.required_resultants();
-    FAIL();
-  }
-  catch (const BadInput &refusal)
-  {
-    EXPECT_THAT(std::string(refusal.what()), testing::HasSubstr("2.000000002")) << refusal.what();
-  }
+  EXPECT_THAT(test::sentence_of([&] { study.required_resultants(); }), testing::HasSubstr("2.000000002"));
 }
 
 TEST(RequiredResultants, TippingIsRefused)

@@ -1,6 +1,6 @@
 // Values that do not go together, that no glass has, and choices that one entry makes for another.
 #include "fem/pipeline/study/study_file.h"
-#include "fem/pipeline/support/failures.h"
+#include "tests/fem/pipeline/refusal.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,15 +14,7 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 
 std::string refusal_of(const Settings &settings)
 {
-  try
-  {
-    with_values(Study(), "the test", settings);
-    return "";
-  }
-  catch (const BadInput &error)
-  {
-    return error.what();
-  }
+  return test::sentence_of([&] { with_values(Study(), "the test", settings); });
 }
 
 TEST(StudyChecks, WithoutAContactThereIsNoFootToCheck)

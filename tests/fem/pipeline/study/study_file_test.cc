@@ -2,6 +2,7 @@
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/pipeline/program_runner.h"
+#include "tests/fem/pipeline/refusal.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,15 +17,7 @@ using test::ScratchFolder;
 /// Sentence with which a study is refused; empty when it is not.
 std::string refusal(const std::string &file, const std::vector<std::string> &overrides = {})
 {
-  try
-  {
-    read_study(file, overrides);
-    return "";
-  }
-  catch (const BadInput &error)
-  {
-    return error.what();
-  }
+  return test::sentence_of([&] { read_study(file, overrides); });
 }
 
 TEST(StudyFile, EveryDefaultIsAnAllowedValue)
@@ -93,7 +86,7 @@ TEST(StudyFile, PathsStartAtTheStudyFile)
   // Each entry of a file is a path.
   Study any;
   for (const StudyEntry &entry : study_entries(any))
-    EXPECT_EQ(entry.name.find("ile") + 3 == entry.name.size(), entry.path_value != nullptr) << entry.path();
+    EXPECT_EQ(entry.name.rfind("ile") + 3 == entry.name.size(), entry.path_value != nullptr) << entry.path();
 }
 
 TEST(StudyFile, GuessesTheSymbolsOfTheField)

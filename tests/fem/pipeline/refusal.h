@@ -1,0 +1,25 @@
+#pragma once
+
+#include "fem/pipeline/support/failures.h"
+
+#include <string>
+
+namespace stemware::test
+{
+
+/// Sentence with which @p action refuses its input; empty if it does not.
+template <typename Action>
+std::string sentence_of(const Action &action)
+{
+  try
+  {
+    action();
+  }
+  catch (const pipeline::BadInput &refused)
+  {
+    return refused.what();
+  }
+  return "";
+}
+
+} // namespace stemware::test
