@@ -2,8 +2,8 @@
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
+#include "tests/fem/pipeline/matchers.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // Whatever is wrong with the input ends in one clear sentence, a meaningful exit code, and nothing on the
 // disk.
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

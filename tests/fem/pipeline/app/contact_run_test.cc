@@ -1,7 +1,7 @@
 // The whole pipeline on a coarse mesh: contact, load, ring, results.
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // `stemware converge` as a program.
 #include "tests/fem/pipeline/csv_table.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

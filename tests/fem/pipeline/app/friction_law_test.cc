@@ -1,7 +1,7 @@
 // Friction that depends on the slip speed, in every verb that asks for a spin.
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

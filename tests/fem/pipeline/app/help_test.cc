@@ -1,6 +1,6 @@
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace stemware::test

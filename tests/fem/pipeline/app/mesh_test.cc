@@ -1,7 +1,7 @@
 // `stemware mesh`: what it writes can be read, and what cannot be used is refused.
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // Options that every verb working on a study has: --quiet, --json, --output, --set.
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sstream>

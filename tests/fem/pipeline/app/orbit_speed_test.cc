@@ -1,7 +1,7 @@
 // A hand whose speed changes: the spin-up with Motion/Orbit speed file.
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // `run --quick`: the answer and its curves are those of a full run; budget and bands are null.
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Verbs and options that version 0.4 removed: each is refused with the new way.
 #include "fem/pipeline/app/removed_words.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

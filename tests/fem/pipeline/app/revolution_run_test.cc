@@ -1,7 +1,7 @@
 // The body of revolution, and contact in balance with friction at every spin, through the program.
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,9 +1,9 @@
 // The verb `sweep` as the real program: the digits of single runs, one file for any number of threads, kills
 // and parts, and refusals.
 #include "tests/fem/pipeline/csv_table.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

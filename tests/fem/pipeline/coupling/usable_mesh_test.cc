@@ -2,13 +2,13 @@
 #include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "tests/fem/geometry/mesh_writers.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 #include "tests/fem/temporary_file.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -4,12 +4,12 @@
 #include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/geometry/mesh_writers.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 #include "tests/fem/temporary_file.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/replace.hpp>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>

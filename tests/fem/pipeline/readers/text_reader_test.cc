@@ -3,10 +3,10 @@
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/json_text.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 #include "tests/fem/temporary_file.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace stemware::pipeline

@@ -1,9 +1,9 @@
 // Files of numbers in columns: what may be written, and the files that are refused with one sentence.
 #include "fem/pipeline/study/data_files.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/fem/pipeline/refusal.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>

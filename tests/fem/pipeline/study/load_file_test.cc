@@ -1,9 +1,9 @@
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/study/data_files.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/fem/pipeline/refusal.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace stemware::pipeline

@@ -4,10 +4,10 @@
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/study/study_size.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/fem/pipeline/refusal.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace stemware::pipeline

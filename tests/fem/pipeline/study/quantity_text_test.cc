@@ -1,9 +1,9 @@
 // Values as people write them. The oracle is the definition of each unit, written out in powers of ten.
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_file.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace stemware::pipeline

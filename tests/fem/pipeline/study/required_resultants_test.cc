@@ -1,8 +1,8 @@
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/support/failures.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

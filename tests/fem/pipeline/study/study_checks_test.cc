@@ -1,8 +1,8 @@
 // Values that do not go together, that no glass has, and choices that one entry makes for another.
 #include "fem/pipeline/study/study_file.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace stemware::pipeline

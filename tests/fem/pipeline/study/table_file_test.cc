@@ -1,8 +1,8 @@
 // Text tables as spreadsheets, phones and instruments write them.
 #include "fem/pipeline/study/table_file.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace stemware::pipeline

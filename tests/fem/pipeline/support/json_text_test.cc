@@ -1,6 +1,6 @@
 #include "fem/pipeline/support/json_text.h"
+#include "tests/fem/pipeline/matchers.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace stemware::pipeline

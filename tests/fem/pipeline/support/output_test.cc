@@ -1,8 +1,8 @@
 #include "fem/pipeline/support/output.h"
 #include "fem/pipeline/support/text_file.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>

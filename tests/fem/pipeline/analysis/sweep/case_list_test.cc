@@ -1,10 +1,10 @@
 // The cases of a sweep: grids, tables, and refusals.
 #include "fem/pipeline/analysis/sweep/case_list.h"
 #include "fem/pipeline/support/failures.h"
+#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/fem/pipeline/refusal.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
