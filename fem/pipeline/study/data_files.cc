@@ -5,6 +5,7 @@
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text_file.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
@@ -22,11 +23,12 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The unit behind the column's name, "r (mm)", "r [mm]" or "r mm", in units of SI.
+/// The unit behind the column's name in any case, "r (mm)", "R [mm]" or "r mm", in units of SI.
 std::optional<double> unit_in(const std::string &cell, const FileColumn &column)
 {
   const auto end = std::min(cell.find_first_of(" (["), cell.size());
-  if (std::find(column.names.begin(), column.names.end(), cell.substr(0, end)) == column.names.end())
+  if (std::find(column.names.begin(), column.names.end(), boost::to_lower_copy(cell.substr(0, end))) ==
+      column.names.end())
     return std::nullopt;
   return parse_quantity("1 " + boost::trim_copy_if(cell.substr(end), boost::is_any_of(" ()[]")), column.unit);
 }

@@ -2,6 +2,8 @@
 
 #include "fem/pipeline/support/failures.h"
 
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
@@ -29,6 +31,15 @@ char separator_of(const std::string &text, std::size_t begin, bool blanks_separa
   return blanks_separate ? ' ' : '\n';
 }
 
+/// Returns the separator that a first line "sep=;" names, as Excel writes and reads it; nothing for others.
+std::optional<char> named_separator(const std::string &text)
+{
+  const std::string line = boost::trim_right_copy_if(text.substr(0, text.find('\n')), boost::is_any_of("\r"));
+  const bool names_one = line.size() == 5 && boost::istarts_with(line, "sep=") &&
+                         std::string(";,\t").find(line.back()) != std::string::npos;
+  return names_one ? std::optional(line.back()) : std::nullopt;
+}
+
 /// Reader of one row after the other.
 class TableReader
 {
@@ -42,11 +53,14 @@ public:
 
   TextTable read()
   {
+    const std::optional<char> named = named_separator(text);
+    if (named)
+      skip_line();
     while (skip_to_row())
     {
       if (table.rows.empty())
       {
-        separator = separator_of(text, place, blanks_separate);
+        separator = named ? *named : separator_of(text, place, blanks_separate);
         table.has_decimal_commas = separator != ',';
       }
       read_row();
@@ -75,10 +89,15 @@ private:
         text.begin());
       if (first < text.size() && text[first] != '\n' && text[first] != '#')
         return true;
-      while (!at_end() && next() != '\n')
-        ;
+      skip_line();
     }
     return false;
+  }
+
+  void skip_line()
+  {
+    while (!at_end() && next() != '\n')
+      ;
   }
 
   void read_row()

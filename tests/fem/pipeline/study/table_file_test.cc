@@ -28,6 +28,22 @@ TEST(TableFile, SeparatorsAreThoseOfTheFirstRow)
   EXPECT_EQ(parse_table("", "Motion/Force offset\n-0,05\n").rows[0].cells, Cells{ "Motion/Force offset" });
 }
 
+TEST(TableFile, ASpreadsheetsFirstLineNamesTheSeparator)
+{
+  for (const std::string text :
+       { "sep=;\nt (s), of video;v\n1;2,5\n", "SEP=;\r\nt (s), of video;v\r\n1;2,5" })
+  {
+    const TextTable table = parse_table("", text);
+    ASSERT_EQ(table.rows.size(), 2u);
+    EXPECT_EQ(table.rows[0].cells, (Cells{ "t (s), of video", "v" }));
+    EXPECT_EQ(table.rows[1].line, 3u);
+    EXPECT_EQ(table.with_point(table.rows[1].cells[1]), "2.5");
+  }
+  EXPECT_EQ(parse_table("", "sep=,\na;b,c\n").rows[0].cells, (Cells{ "a;b", "c" }));
+  EXPECT_TRUE(parse_table("", "sep=;").rows.empty());
+  EXPECT_EQ(parse_table("", "sep=x\n").rows[0].cells, Cells{ "sep=x" });
+}
+
 TEST(TableFile, QuotesFollowRfc4180)
 {
   const TextTable table =
