@@ -36,7 +36,7 @@ void publish(const fs::path &target, const std::string &mark)
 }
 
 /// Sentence with which a place is refused for results, before any work; empty if it is not refused.
-std::string refusal(const fs::path &target)
+std::string refusal_of_folder(const fs::path &target)
 {
   try
   {
@@ -143,7 +143,7 @@ TEST_P(ChangedResults, AreRefusedBeforeTheWorkAndAfterIt)
   write_results(folder.working_folder(), "new");
   GetParam().make(scratch);
   const auto before = test::all_files(scratch / "paper");
-  expect_sentence(refusal(scratch / "paper"), GetParam().reason);
+  expect_sentence(refusal_of_folder(scratch / "paper"), GetParam().reason);
   try
   {
     folder.publish();
@@ -210,12 +210,12 @@ TEST(ResultsFolder, RefusesPlacesThatAreNone)
          std::pair("to_nothing", "is a link"), std::pair("loop", "is a link"),
          std::pair("to_folder/", "is a link"), std::pair("file/results", "cannot be written"),
          std::pair("loop/results", "cannot be written") })
-    expect_sentence(refusal(scratch / place), reason);
-  expect_sentence(refusal("/proc/stemware"), "cannot be written");
-  expect_sentence(refusal("/dev"), "Stemware never writes");
-  expect_sentence(refusal("/"), "is around the folder where the program was started");
-  expect_sentence(refusal("."), "is the folder where the program was started");
-  expect_sentence(refusal(scratch / "\xff"), "not in UTF-8");
+    expect_sentence(refusal_of_folder(scratch / place), reason);
+  expect_sentence(refusal_of_folder("/proc/stemware"), "cannot be written");
+  expect_sentence(refusal_of_folder("/dev"), "Stemware never writes");
+  expect_sentence(refusal_of_folder("/"), "is around the folder where the program was started");
+  expect_sentence(refusal_of_folder("."), "is the folder where the program was started");
+  expect_sentence(refusal_of_folder(scratch / "\xff"), "not in UTF-8");
   EXPECT_EQ(names_in(scratch.path()), before);
   // Folders above the last one may be links.
   publish(scratch / "to_folder/it's \"odd\"\n$(x)", "new");
