@@ -21,7 +21,7 @@ namespace stemware::pipeline
 ///   degree          elements of one degree more (on hard tables both on cells twice as large); of a solid
 ///                   foot where they are linear
 ///   harmonics       half the elastic harmonics; not of a solid foot
-///   lines           four times the azimuth lines; nothing where the whole rim carries; not of a solid foot
+///   lines           four and three times the azimuth lines; nothing in full contact; not of a solid foot
 ///   interface       a ten times stiffer spring in the place of a hard interface
 ///   load_harmonics  twice the harmonics of the load, half where the lines or cells resolve no more
 ///   rings           twice the rings that the foot has, half of more than twelve; under a solid foot one
