@@ -58,7 +58,9 @@ TEST(Balance, WhereBendingUnloadsThePlaceTheEffectIsPrintedAndAgreesUnderRefinem
   {
     study.contact.refinements = refinements;
     const SolvedStudy solved(study);
-    EXPECT_EQ(solved.load.report().contact_fraction, 1);
+    // Every azimuth carries load, but most of the land's area is in the air.
+    EXPECT_EQ(solved.load.report().azimuth_fraction, 1);
+    EXPECT_LT(solved.load.report().contact_fraction, 0.5);
     EXPECT_FALSE(is_loaded_everywhere(solved));
     fem::ComplianceCache cache;
     const LoadedRow first = solve_rows({ { "", "", study, 1, true } }, solved.foot, {}, cache).front();
