@@ -1,6 +1,7 @@
 #include "fem/contact/contact_extent.h"
 
 #include "fem/contact/azimuthal_density.h"
+#include "fem/contact/contact_load.h"
 #include "fem/contact/line_integral.h"
 
 #include <boost/math/constants/constants.hpp>
