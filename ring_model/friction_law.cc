@@ -16,7 +16,7 @@ StribeckLaw::StribeckLaw(const Parameters &parameters)
 {
   for (const double coefficient :
        { parameters.static_coefficient, parameters.kinetic_coefficient, parameters.viscous })
-    require(std::isfinite(coefficient) && coefficient >= 0., "a coefficient of Stribeck's law is ",
+    require(std::isfinite(coefficient) && coefficient >= 0., "a coefficient of the friction law is ",
             coefficient, ", but must be finite and not negative");
   require_positive(parameters.decay_speed, "the decay speed of Stribeck's law", "m/s");
   require_positive(parameters.decay_exponent, "the decay exponent of Stribeck's law", "");

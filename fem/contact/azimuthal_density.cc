@@ -15,36 +15,20 @@ namespace
 /// Azimuths closer than this belong to one cut; the lines of one cut differ by rounding only.
 constexpr double azimuth_tolerance = 1e-7;
 
-/// Adds up densities of places of one azimuth.
-std::vector<AzimuthLoad> sum_of_cuts(std::vector<AzimuthLoad> places)
+/// Combines the values of places of one azimuth.
+std::vector<CutValue> combined(std::vector<CutValue> places, double (*combine)(double, double))
 {
-  const auto comes_before = [](const AzimuthLoad &one, const AzimuthLoad &other)
+  const auto comes_before = [](const CutValue &one, const CutValue &other)
   { return one.azimuth < other.azimuth; };
   if (!std::is_sorted(places.begin(), places.end(), comes_before)) // as the lines of a body of revolution are
     std::stable_sort(places.begin(), places.end(), comes_before);
-  std::vector<AzimuthLoad> density;
-  for (const AzimuthLoad &place : places)
-    if (density.empty() || place.azimuth - density.back().azimuth > azimuth_tolerance)
-      density.push_back(place);
+  std::vector<CutValue> cuts;
+  for (const CutValue &place : places)
+    if (cuts.empty() || place.azimuth - cuts.back().azimuth > azimuth_tolerance)
+      cuts.push_back(place);
     else
-      density.back().density += place.density;
-  return density;
-}
-
-std::vector<AzimuthLoad> density_of_cuts(const ContactSurface &surface,
-                                         const std::vector<double> &line_forces)
-{
-  std::vector<AzimuthLoad> places;
-  for (std::size_t i = 0; i < line_forces.size(); ++i)
-    places.push_back({ surface.lines[i].azimuth, line_forces[i] / surface.lines[i].azimuth_width });
-  std::vector<double> packed;
-  for (const AzimuthLoad &place : sum_of_cuts(std::move(places)))
-    packed.insert(packed.end(), { place.azimuth, place.density });
-  packed = surface.parts.gather_everywhere(std::move(packed));
-  places.clear();
-  for (std::size_t i = 0; i < packed.size(); i += 2)
-    places.push_back({ packed[i], packed[i + 1] });
-  return sum_of_cuts(std::move(places));
+      cuts.back().value = combine(cuts.back().value, place.value);
+  return cuts;
 }
 } // namespace
 
@@ -55,11 +39,36 @@ unsigned int sector_of(double azimuth, double begin, unsigned int n_sectors)
   return std::min(index, n_sectors - 1);
 }
 
+std::vector<CutValue> values_of_cuts(const ContactSurface &surface, const std::vector<double> &line_values,
+                                     double (*combine)(double, double))
+{
+  std::vector<CutValue> places;
+  for (std::size_t i = 0; i < line_values.size(); ++i)
+    places.push_back({ surface.lines[i].azimuth, line_values[i] });
+  std::vector<double> packed;
+  for (const CutValue &cut : combined(std::move(places), combine))
+    packed.insert(packed.end(), { cut.azimuth, cut.value });
+  packed = surface.parts.gather_everywhere(std::move(packed));
+  places.clear();
+  for (std::size_t i = 0; i < packed.size(); i += 2)
+    places.push_back({ packed[i], packed[i + 1] });
+  return combined(std::move(places), combine);
+}
+
 std::vector<AzimuthLoad> density_of_lines(const ContactSurface &surface,
                                           const std::vector<double> &line_forces)
 {
   if (surface.lines_are_radial)
-    return density_of_cuts(surface, line_forces);
+  {
+    std::vector<double> densities;
+    for (std::size_t i = 0; i < line_forces.size(); ++i)
+      densities.push_back(line_forces[i] / surface.lines[i].azimuth_width);
+    std::vector<AzimuthLoad> density;
+    for (const CutValue &cut :
+         values_of_cuts(surface, densities, [](double one, double other) { return one + other; }))
+      density.push_back({ cut.azimuth, cut.value });
+    return density;
+  }
   std::vector<double> densities(surface.n_sectors, 0);
   for (unsigned int i = 0; i < line_forces.size(); ++i)
     densities[sector_of(surface.lines[i].azimuth, 0, surface.n_sectors)] +=

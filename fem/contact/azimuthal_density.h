@@ -20,6 +20,18 @@ struct AzimuthLoad
 /// begins at @p begin.
 unsigned int sector_of(double azimuth, double begin, unsigned int n_sectors);
 
+/// Value of a cut of the whole surface at one azimuth.
+struct CutValue
+{
+  double azimuth = 0; ///< theta [rad]
+  double value = 0;
+};
+
+/// Returns a value for each cut of the whole @p surface, sorted by azimuth, from a value for each of its own
+/// lines, which are radial: @p combine gives one value for two lines of one cut. Collective over all ranks.
+std::vector<CutValue> values_of_cuts(const ContactSurface &surface, const std::vector<double> &line_values,
+                                     double (*combine)(double, double));
+
 /// Returns the load per radian by azimuth from the force on each line of @p surface. Radial lines are
 /// summed by azimuth, others over ContactSurface::n_sectors equal sectors (given at their middle).
 std::vector<AzimuthLoad> density_of_lines(const ContactSurface &surface,

@@ -52,44 +52,6 @@ LineAreas areas_of(const ContactLine &line, const Eigen::Vector3d &excess)
   return areas;
 }
 
-/// A value for each cut of the whole surface.
-struct CutValue
-{
-  double azimuth = 0; ///< [rad]
-  double value = 0;   ///< the largest of the cut's lines
-};
-
-/// Merges places of one azimuth, which differ by rounding only.
-std::vector<CutValue> merged(std::vector<CutValue> places)
-{
-  constexpr double tolerance = 1e-7; // of azimuths [rad]
-  std::stable_sort(places.begin(), places.end(),
-                   [](const CutValue &one, const CutValue &other) { return one.azimuth < other.azimuth; });
-  std::vector<CutValue> cuts;
-  for (const CutValue &place : places)
-    if (cuts.empty() || place.azimuth - cuts.back().azimuth > tolerance)
-      cuts.push_back(place);
-    else
-      cuts.back().value = std::max(cuts.back().value, place.value);
-  return cuts;
-}
-
-/// Largest of @p values, one for each line, on every cut of a surface with radial lines.
-std::vector<CutValue> cuts_of(const ContactSurface &surface, const std::vector<double> &values)
-{
-  std::vector<CutValue> places;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    places.push_back({ surface.lines[i].azimuth, values[i] });
-  std::vector<double> packed;
-  for (const CutValue &cut : merged(std::move(places)))
-    packed.insert(packed.end(), { cut.azimuth, cut.value });
-  packed = surface.parts.gather_everywhere(std::move(packed));
-  places.clear();
-  for (std::size_t i = 0; i < packed.size(); i += 2)
-    places.push_back({ packed[i], packed[i + 1] });
-  return merged(std::move(places));
-}
-
 /// Calls visit(begin, end, length [rad]) for each pair of neighbouring cuts.
 template <typename Visitor>
 void for_each_interval(const std::vector<CutValue> &cuts, const Visitor &visit)
@@ -156,7 +118,7 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
   std::vector<CutValue> cuts;
   if (surface.lines_are_radial)
   {
-    cuts = cuts_of(surface, peaks);
+    cuts = values_of_cuts(surface, peaks, [](double one, double other) { return std::max(one, other); });
     std::vector<CutValue> pressures = cuts;
     for (CutValue &cut : pressures)
       cut.value = pressure(cut.value);

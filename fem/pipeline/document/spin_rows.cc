@@ -129,21 +129,17 @@ Json shown_chain(const Study &study, std::vector<BudgetRow> rows)
     return row.name == "harmonics" && row.harmonics && row.difference &&
            std::abs(*row.difference) < std::max(band, rounding_of_spins(study));
   };
-  // Each difference is that to the row above among the shown rows.
+  // A difference is that to the row above among the shown rows.
   std::vector<BudgetRow> kept;
-  bool is_above_hidden = false;
   for (BudgetRow &row : rows)
   {
-    const bool is_hidden = changes_nothing(row);
-    if (!is_hidden)
-    {
-      if (is_above_hidden)
-        row.difference = row.omega_terminal && !kept.empty() && kept.back().omega_terminal
-                           ? std::optional(*row.omega_terminal - *kept.back().omega_terminal)
-                           : std::nullopt;
-      kept.push_back(row);
-    }
-    is_above_hidden = is_hidden;
+    if (changes_nothing(row))
+      continue;
+    if (row.omega_terminal && !kept.empty() && kept.back().omega_terminal)
+      row.difference = *row.omega_terminal - *kept.back().omega_terminal + 0.; // no -0
+    else
+      row.difference = std::nullopt;
+    kept.push_back(row);
   }
   Json shown = chain_rows(study, kept);
   leave_out_rounding(shown, "omega_terminal difference", rounding_of_spins(study));

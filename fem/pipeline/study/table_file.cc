@@ -31,13 +31,17 @@ char separator_of(const std::string &text, std::size_t begin, bool blanks_separa
   return blanks_separate ? ' ' : '\n';
 }
 
-/// Returns the separator that a first line "sep=;" names, as Excel writes and reads it; nothing for others.
-std::optional<char> named_separator(const std::string &text)
+/// Returns the separator that a first line "sep=;" names, as Excel writes and reads it; std::nullopt without
+/// such a line. Throws BadInput, which begins with @p origin, for another separator.
+std::optional<char> named_separator(const std::string &origin, const std::string &text)
 {
   const std::string line = boost::trim_right_copy_if(text.substr(0, text.find('\n')), boost::is_any_of("\r"));
-  const bool names_one = line.size() == 5 && boost::istarts_with(line, "sep=") &&
-                         std::string(";,\t").find(line.back()) != std::string::npos;
-  return names_one ? std::optional(line.back()) : std::nullopt;
+  if (!boost::istarts_with(line, "sep="))
+    return std::nullopt;
+  if (line.size() != 5 || std::string(";,\t").find(line.back()) == std::string::npos)
+    throw BadInput(origin + ", line 1: the separator \"" + line.substr(4, 20) +
+                   "\" is not known; separate the cells by semicolons, commas or tabs.");
+  return line.back();
 }
 
 /// Reader of one row after the other.
@@ -53,7 +57,7 @@ public:
 
   TextTable read()
   {
-    const std::optional<char> named = named_separator(text);
+    const std::optional<char> named = named_separator(origin, text);
     if (named)
       skip_line();
     while (skip_to_row())

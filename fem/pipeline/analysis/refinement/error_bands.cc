@@ -301,7 +301,7 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
 
 void take_reported_numbers(const LoadReport &at_rest, const Budget &budget, ErrorBands &bands)
 {
-  std::vector<QuantityOfInterest> reported = load_quantities(at_rest, 1);
+  std::vector<QuantityOfInterest> reported = load_quantities(at_rest);
   if (const std::optional<double> &at_half = budget.rows.back().torques[1])
     reported.push_back({ "tau_at_spin_1", "", "N m", *at_half });
   for (BandedQuantity &banded : bands)

@@ -11,7 +11,7 @@
 namespace stemware::pipeline
 {
 
-std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, unsigned int n_azimuths)
+std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double share_noise)
 {
   std::vector<QuantityOfInterest> quantities;
   const ring::RingStack &at_rest = load.rings;
@@ -24,10 +24,9 @@ std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, unsigned
   }
   quantities.push_back(
     { "ring_radius", "ring radius", "m", at_rest.radius(), relative_noise * at_rest.radius() });
-  // A place where the contact ends is known to one azimuth only.
   const bool ends_somewhere = load.contact_fraction > 0 && load.contact_fraction < 1;
   quantities.push_back({ "contact_fraction", "share of the land in contact", "1", load.contact_fraction,
-                         ends_somewhere ? 1. / n_azimuths : 0. });
+                         ends_somewhere ? share_noise : 0. });
   quantities.push_back({ "minimum", "least load at rest", "N/rad", load.minimum, relative_noise * mean });
   return quantities;
 }
@@ -36,9 +35,10 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
                                                        const SpinNumbers &spin)
 {
   const ContactSection &contact = study.contact;
-  std::vector<QuantityOfInterest> quantities =
-    load_quantities(at_rest, abilities(contact.body).is_of_revolution ? contact.azimuth_lines
-                                                                      : contact.resolution.azimuthal_cells);
+  // A solid foot counts sectors; a body of revolution finds the edges between its lines.
+  std::vector<QuantityOfInterest> quantities = load_quantities(
+    at_rest,
+    abilities(contact.body).is_of_revolution ? relative_noise : 1. / contact.resolution.azimuthal_cells);
   const double torque_noise =
     relative_noise * study.motion.orbit.friction_at_rest() * at_rest.normal_force * spin.radius;
   quantities.push_back({ "tau_at_rest", "torque at rest", "N m", spin.torque_at_rest, torque_noise });

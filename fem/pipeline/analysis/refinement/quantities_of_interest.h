@@ -54,9 +54,9 @@ struct SpinNumbers
   double slope_noise = 1; ///< of the time constant, over that of the torque whose slope it is
 };
 
-/// Quantities of a load: a_n/a_0 and b_n/a_0 (n = 1 ... 8), ring radius, contact fraction, least load. The
-/// contact can tell loaded from free at @p n_azimuths.
-std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, unsigned int n_azimuths);
+/// Quantities of a load: a_n/a_0 and b_n/a_0 (n = 1 ... 8), ring radius, contact fraction, least load. With
+/// lift-off the contact fraction is known to @p share_noise.
+std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double share_noise = relative_noise);
 
 /// The quantities that are followed: load_quantities() @p at_rest, torque at rest and at SpinNumbers::spins,
 /// terminal spin, time constant. Always the same ones in the same order for equally many spins.

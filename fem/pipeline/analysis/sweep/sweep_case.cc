@@ -84,8 +84,8 @@ std::vector<CaseNumber> make_numbers()
     { "mean_load", [](const Case &found) { return found.load.rings.a(0); } }
   };
   for (unsigned int i = 0; i < 2 * n_harmonics_of_interest; ++i) // a_1/a_0, b_1/a_0, a_2/a_0, ...
-    numbers.push_back({ load_quantities(LoadReport(), 1)[i].key,
-                        [i](const Case &found) { return load_quantities(found.load, 1)[i].value; } });
+    numbers.push_back({ load_quantities(LoadReport())[i].key,
+                        [i](const Case &found) { return load_quantities(found.load)[i].value; } });
   return numbers;
 }
 

@@ -42,14 +42,14 @@ class Study:
     0.25
     """
 
-    def __init__(self, file="", *, text="", glass="", table="", entries=None):
-        if bool(file) + bool(text) + bool(glass or table) > 1:
+    def __init__(self, file="", *, text=None, glass="", table="", entries=None):
+        if bool(file) + (text is not None) + bool(glass or table) > 1:
             raise ring.BadInput("a study comes from a file, a text or a preset; give one of them")
         if glass or table:
             text = _study.preset_study(*(given or next(one["name"] for one in _study.presets() if one["kind"] == kind)
                                          for kind, given in (("glass", glass), ("table", table))))
         self._source = os.path.abspath(file) if file else "", text
-        self._study = _study.Study.of_text("the text", text) if text else _study.Study(os.fspath(file))
+        self._study = _study.Study(os.fspath(file)) if text is None else _study.Study.of_text("the text", text)
         self.changes = {}
         if file:
             self._study.name = os.path.splitext(os.path.basename(file))[0]

@@ -196,7 +196,7 @@ void add_sweep_plots(const CaseList &list, const FinishedCases &finished, Docume
          Drawing{ "harmonic_effect",
                   "Effect of the higher harmonics of the load on the terminal spin" + legend,
                   values("harmonic_effect") },
-         Drawing{ "contact_fraction", "Share of the rim that carries load at rest" + legend,
+         Drawing{ "contact_fraction", "Share of the land's area under pressure at rest" + legend,
                   values("contact_fraction") },
          Drawing{ "tau_at_rest", "Torque of friction at rest" + legend, values("tau_at_rest") } })
   {

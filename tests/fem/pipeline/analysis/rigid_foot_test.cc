@@ -83,6 +83,7 @@ struct LiftedState
 {
   double moment_ratio, height; ///< [m]; one of them is 0
   double omega, time_constant; ///< [rad/s], [s]
+  double contact_share = std::nan("");
 };
 
 // Reference: other code, quadrature of pressure and friction over the land, balance with tilt at every spin,
@@ -92,7 +93,7 @@ TEST(RigidFoot, SpinAndTimeConstantWithLiftOffWithinTheBand)
 {
   const double unknown = std::nan("");
   const std::vector<LiftedState> states = {
-    { 1.285, 0, unknown, 0.0934089505 },   { 1.5, 0, -10.423213684, unknown },
+    { 1.285, 0, unknown, 0.0934089505 },   { 1.5, 0, -10.423213684, unknown, 0.618907 },
     { 1.7021, 0, unknown, 0.0450137278 },  { 1.8, 0, -11.263738051, 0.0330908520 },
     { 1.95, 0, -11.568192889, unknown },   { 0, 0.11, -5.9843844449, unknown },
     { 0, 0.12, -7.310549722, 0.24380939 }, { 0, 0.13, -8.881379880, unknown },
@@ -121,6 +122,8 @@ TEST(RigidFoot, SpinAndTimeConstantWithLiftOffWithinTheBand)
       expect_within("omega_terminal", state.omega);
     if (std::isfinite(state.time_constant))
       expect_within("time_constant", state.time_constant);
+    if (std::isfinite(state.contact_share))
+      expect_within("contact_fraction", state.contact_share);
   }
 }
 

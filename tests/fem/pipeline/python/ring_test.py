@@ -2,11 +2,9 @@
 import doctest
 import os
 import pickle
-import signal
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 import numpy as np
@@ -14,6 +12,8 @@ from scipy.integrate import quad, solve_ivp
 from scipy.special import ellipe, ellipkm1
 
 from stemware import ring
+
+from interruption import seconds_until_stopped
 
 N, mu, R, v = 3.0, 0.3, 0.03, 0.35
 
@@ -297,18 +297,11 @@ class Manners(unittest.TestCase):
         self.assertEqual(doctest.testmod(ring).failed, 0)
 
     def test_interruption(self):
-        code = ("import numpy as np, sys, time\nfrom stemware import ring\n"
-                "load = ring.RingStack.first_harmonic(normal_force=1, moment=(0.01, 0), radius=0.03)\nprint('ready', flush=True)\n"
-                "try:\n    for i in range(100): ring.wrench(load, 0.35, np.linspace(-1, 1, 2_000_000), mu=0.3)\n"
-                "except KeyboardInterrupt:\n    print('stopped', flush=True)\n")
-        child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
-        child.stdout.readline()
-        time.sleep(1.5)
-        begin = time.monotonic()
-        child.send_signal(signal.SIGINT)
-        self.assertEqual("stopped\n", child.stdout.readline())
-        print(f"Ctrl-C took {time.monotonic() - begin:.2f} s")
-        child.communicate(timeout=60)
+        seconds = seconds_until_stopped(
+            "import numpy as np\nfrom stemware import ring\n"
+            "load = ring.RingStack.first_harmonic(normal_force=1, moment=(0.01, 0), radius=0.03)",
+            "while True: ring.wrench(load, 0.35, np.linspace(-1, 1, 2_000_000), mu=0.3)", 1.5)
+        print(f"Ctrl-C took {seconds:.2f} s")
 
     def test_import(self):
         code = ("import numpy, time\nb = time.perf_counter()\nimport stemware\nprint(time.perf_counter() - b)\n"

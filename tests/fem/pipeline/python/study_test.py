@@ -5,17 +5,17 @@ import json
 import os
 import pickle
 import resource
-import signal
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 import numpy as np
 
 import stemware
 from stemware import ring
+
+from interruption import seconds_until_stopped
 
 program, source = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 cookbook = os.path.join(source, "docs/cookbooks/{}.prm").format
@@ -147,6 +147,8 @@ class SameSentences(unittest.TestCase):
             study.check()
         with self.assertRaises(stemware.BadInput):
             stemware.Study("a.prm", text="# b")
+        with self.assertRaisesRegex(ring.BadInput, "is empty"):
+            stemware.Study(text="")
 
     def test_a_failure_is_a_row(self):
         found = stemware.solve([{"Motion/Mass": "30 cm"}, {}])
@@ -227,16 +229,8 @@ class Manners(unittest.TestCase):
         self.assertLess(resident(), begin + 10)
 
     def test_interruption(self):
-        code = ("import stemware\nstudy = stemware.Study()\nstudy.answer()\nprint('ready', flush=True)\n"
-                "try:\n    while True:\n        study.run()\nexcept KeyboardInterrupt:\n    print('stopped', flush=True)\n")
-        child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
-        child.stdout.readline()
-        time.sleep(1)
-        begin = time.monotonic()
-        child.send_signal(signal.SIGINT)
-        self.assertEqual("stopped\n", child.stdout.readline())
-        print(f"Ctrl-C in run() took {time.monotonic() - begin:.2f} s")
-        child.communicate(timeout=60)
+        seconds = seconds_until_stopped("import stemware\nstudy = stemware.Study()\nstudy.answer()", "while True: study.run()", 1)
+        print(f"Ctrl-C in run() took {seconds:.2f} s")
 
     def test_nothing_is_printed_and_no_mpi(self):
         code = ("import stemware\nstemware.Study().run(quick=True)\nassert 'libdeal' in open('/proc/self/maps').read()\n"

@@ -41,7 +41,8 @@ TEST(TableFile, ASpreadsheetsFirstLineNamesTheSeparator)
   }
   EXPECT_EQ(parse_table("", "sep=,\na;b,c\n").rows[0].cells, (Cells{ "a;b", "c" }));
   EXPECT_TRUE(parse_table("", "sep=;").rows.empty());
-  EXPECT_EQ(parse_table("", "sep=x\n").rows[0].cells, Cells{ "sep=x" });
+  for (const std::string text : { "sep=|\na|b\n", "sep=\na,b\n", "sep=;;\n" })
+    EXPECT_THROW(parse_table("a table", text), BadInput) << text;
 }
 
 TEST(TableFile, QuotesFollowRfc4180)
