@@ -76,20 +76,13 @@ py::tuple wrenches(const WrenchAt &wrench_at, const Array &first, const Arrays &
   const Shape shape(first.shape(), first.shape() + first.ndim());
   Array x(shape), y(shape), torque(shape);
   double *to[] = { x.mutable_data(), y.mutable_data(), torque.mutable_data() };
-  const double *const from[] = { first.data(), others.data()... };
   {
     const WithoutGil released;
     Interruption interruption;
     for (std::size_t i = 0; i < n; ++i)
     {
       interruption.check();
-      Wrench one;
-      if constexpr (sizeof...(others) == 0)
-        one = wrench_at(from[0][i]);
-      else if constexpr (sizeof...(others) == 1)
-        one = wrench_at(from[0][i], from[1][i]);
-      else
-        one = wrench_at(from[0][i], from[1][i], from[2][i]);
+      const Wrench one = wrench_at(first.data()[i], others.data()[i]...);
       to[0][i] = one.force_x;
       to[1][i] = one.force_y;
       to[2][i] = one.torque;
