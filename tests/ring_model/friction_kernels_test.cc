@@ -1,5 +1,6 @@
 #include "ring_model/friction_kernels.h"
 #include "tests/ring_model/reference.h"
+#include "tests/taylor_remainder.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
@@ -203,6 +204,24 @@ TEST(FrictionKernels, SatisfyParityDualityAndRecurrenceAtRandomSlip)
       }
     }
   }
+}
+
+TEST(FrictionKernels, KIsMinusTheDerivativeOfP)
+{
+  const auto values = [](double eps, auto kernel)
+  {
+    const auto kernels = FrictionKernels::at_slip_ratio(eps, 12);
+    Eigen::VectorXd all(13);
+    for (unsigned int n = 0; n <= 12; ++n)
+      all(n) = kernel(kernels, n);
+    return all;
+  };
+  const auto P = [](const FrictionKernels &kernels, unsigned int n) { return kernels.P(n); };
+  const auto minus_K = [](const FrictionKernels &kernels, unsigned int n) { return -kernels.K(n); };
+  for (const double eps : { -3., -0.6, 0., 0.05, 0.27, 0.5, 0.9, 1.1, 2., 8. })
+    EXPECT_TRUE(
+      taylor::is_derivative([&](double h) { return values(eps + h, P); }, values(eps, minus_K), 0.05))
+      << eps;
 }
 
 TEST(FrictionKernels, DoNotDependOnHowManyAreAsked)

@@ -2,6 +2,7 @@
 #include "ring_model/terminal_spin.h"
 #include "tests/ring_model/adaptive_friction.h"
 #include "tests/ring_model/reference.h"
+#include "tests/taylor_remainder.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -169,6 +170,55 @@ TEST(FrictionLaw, StribeckAgreesWithATrapezoidalSum)
     EXPECT_NEAR(found.force_x, sum.force_x, 5e-13) << omega;
     EXPECT_NEAR(found.force_y, sum.force_y, 5e-13) << omega;
   }
+}
+
+/// int_0^s mu ds' of a law whose exponent is 1 or 2, in closed form [m/s].
+double potential_of(const StribeckLaw::Parameters &law, double slip_speed)
+{
+  const double x = slip_speed / law.decay_speed, pi = boost::math::constants::pi<double>();
+  const double decayed = law.decay_exponent == 1. ? 1. - std::exp(-x) : std::sqrt(pi) / 2. * std::erf(x);
+  return law.kinetic_coefficient * slip_speed +
+         (law.static_coefficient - law.kinetic_coefficient) * law.decay_speed * decayed +
+         law.viscous * slip_speed * slip_speed / 2.;
+}
+
+// Reference: closed form of the dissipation potential at a point, summed over the ring by the trapezoidal
+// rule. Friction is minus its gradient by the velocity of the ring, under every law.
+TEST(FrictionLaw, FrictionIsMinusTheDerivativeOfAPotential)
+{
+  const RingStack load = some_load();
+  const double R = load.radius(), pi = boost::math::constants::pi<double>();
+  const StribeckLaw::Parameters laws[] = {
+    { 0.3, 0.3, 0.1, 0., 2. }, { 0.5, 0.3, 0.1, 0., 2. }, { 0.5, 0.2, 0.3, 0.4, 1. }, { 0., 0., 0.1, 0.4, 2. }
+  };
+  test::Numbers numbers(48);
+  for (const StribeckLaw::Parameters &law : laws)
+    for (const double eps : { 0., 0.3, -0.8, 1.6, -4. })
+    {
+      const double speed = 0.35, omega = eps * speed / R;
+      const Wrench friction =
+        friction_functionals(StribeckLaw(law), load.radii(), load.n_harmonics(), omega, speed)(load);
+      // Steps in the two components of the velocity and in the rim speed.
+      const double along = numbers.between(-1., 1.), across = numbers.between(-1., 1.),
+                   turning = numbers.between(-1., 1.) / R;
+      const auto potential = [&](double h)
+      {
+        const unsigned int n_points = 2000;
+        double sum = 0.;
+        for (unsigned int i = 0; i < n_points; ++i)
+        {
+          const double theta = 2. * pi * i / n_points, spin = omega + h * turning;
+          sum += load(theta) * 2. * pi / n_points *
+                 potential_of(law, std::hypot(speed + h * along - spin * R * std::sin(theta),
+                                              h * across + spin * R * std::cos(theta)));
+        }
+        return sum;
+      };
+      const double derivative =
+        -(friction.force_x * along + friction.force_y * across + friction.torque * turning);
+      EXPECT_TRUE(taylor::is_derivative(potential, derivative, 0.02, 1e-14))
+        << law.static_coefficient << ", exponent " << law.decay_exponent << ", eps " << eps;
+    }
 }
 
 TEST(FrictionLaw, StribeckShiftsTheTerminalSpin)
