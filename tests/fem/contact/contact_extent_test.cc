@@ -1,9 +1,10 @@
-// Share of the land under pressure and largest pressure of rigid feet on a mat, against closed forms of
-// chords through the land, and against the quadrature of a rigid ring by other code.
+// Share of the land under pressure, largest pressure and motions of rigid feet on a mat, against closed forms
+// of chords through the land and of plates, and against the quadrature of a rigid ring by other code.
 #include "fem/contact/line_integral.h"
 #include "fem/contact/rigid_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -95,25 +96,130 @@ struct LiftedAnnulus
       const double area = beyond(c, [](const Segment &s) { return s.area; }),
                    first = beyond(c, [](const Segment &s) { return s.first; }),
                    second = beyond(c, [](const Segment &s) { return s.second; });
-      return (second - c * first) / (first - c * area);
+      per_slope = first - c * area;
+      return (second - c * first) / per_slope;
     };
     double low = -outer, high = outer * (1 - 1e-9);
     for (unsigned int i = 0; i < 200; ++i)
       (centre((low + high) / 2) < eccentricity ? low : high) = (low + high) / 2;
     zero = low;
+    centre(zero);
     share = beyond(zero, [](const Segment &s) { return s.area; }) / (pi * (outer * outer - inner * inner));
   }
   double zero, share;
+  double per_slope; ///< force per slope of the pressure [m^3]
 };
 
-/// Extent of the contact of a rigid foot on a mat of 1e9 Pa/m under 10 N at @p eccentricity in x.
-ContactExtent pressed(const ContactSurface &surface, double eccentricity)
+/// A rigid foot on a mat: how its land is in contact, and the table motions.
+struct Pressed
+{
+  ContactExtent extent;
+  Eigen::Vector3d motion;
+};
+
+/// The force @p normal_force [N] stands at (x, y) [m]; the mat has @p modulus [Pa/m].
+Pressed pressed_at(const ContactSurface &surface, double normal_force, double x, double y, double modulus)
 {
   RigidFoot foot(surface);
-  const auto mat = make_law(WinklerInterface(1e9), surface);
-  const ContactSolution solution = solve_contact(foot, *mat, Resultants{ 10, 0, -10 * eccentricity }, 0.03);
-  return mat->extent(solution);
+  const auto mat = make_law(WinklerInterface(modulus), surface);
+  const ContactSolution solution =
+    solve_contact(foot, *mat, Resultants{ normal_force, normal_force * y, -normal_force * x }, 0.03);
+  return { mat->extent(solution), solution.motion };
 }
+
+/// 10 N at @p eccentricity in x on 1e9 Pa/m.
+ContactExtent pressed(const ContactSurface &surface, double eccentricity)
+{
+  return pressed_at(surface, 10, eccentricity, 0, 1e9).extent;
+}
+
+/// A plate of @p length along x and @p breadth along y, on lines along y.
+const ContactSurface &plate(PlaneLand &land, double length, double breadth, unsigned int n_lines)
+{
+  for (unsigned int j = 0; j < n_lines; ++j)
+  {
+    const double x = length * ((j + 0.5) / n_lines - 0.5);
+    const Eigen::RowVector2d across(length / n_lines, 0);
+    for (const double side : { -1., 0. })
+      land.add_line({ x, side * breadth / 2 }, { x, (side + 1) * breadth / 2 }, across, across, 0.1);
+  }
+  land.surface.n_sectors = 32;
+  land.surface.is_ring = false;
+  return land.finished();
+}
+
+/// Pressure (c + g_x x + g_y y)_+ under a plate, with a force and its place: the loaded part is a polygon,
+/// over whose triangles polynomials of second degree are integrated by the middles of the sides, which is
+/// exact.
+class PlatePressure
+{
+public:
+  PlatePressure(double length, double breadth, double force, double x, double y)
+      : length(length)
+      , breadth(breadth)
+      , plane(force / (length * breadth), 0, 0)
+  {
+    const Eigen::Vector3d target = force * Eigen::Vector3d(1, x, y);
+    for (unsigned int step = 1; step <= 200; ++step) // Newton's method, the eccentricity in parts
+    {
+      const Eigen::Vector3d part = target.cwiseProduct(Eigen::Vector3d(1, 1, 1) * std::min(1., step / 100.));
+      Eigen::Vector3d sum;
+      const Eigen::Matrix3d slope = moments(sum);
+      plane -= slope.partialPivLu().solve(sum - Eigen::Vector3d(force, part(1), part(2)));
+    }
+    Eigen::Vector3d sum;
+    moments(sum);
+    EXPECT_LT((sum - target).norm(), 1e-12 * force);
+  }
+
+  double at(double x, double y) const { return plane.dot(Eigen::Vector3d(1, x, y)); }
+  double share() const { return area / (length * breadth); }
+  double peak() const
+  {
+    return plane(0) + std::abs(plane(1)) * length / 2 + std::abs(plane(2)) * breadth / 2;
+  }
+  const Eigen::Vector3d &coefficients() const { return plane; }
+
+private:
+  /// Sets @p sum to int p (1, x, y) dA and returns its derivative by the plane.
+  Eigen::Matrix3d moments(Eigen::Vector3d &sum)
+  {
+    const std::vector<Eigen::Vector2d> corners = { { -length / 2, -breadth / 2 },
+                                                   { length / 2, -breadth / 2 },
+                                                   { length / 2, breadth / 2 },
+                                                   { -length / 2, breadth / 2 } };
+    std::vector<Eigen::Vector2d> loaded;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const Eigen::Vector2d &here = corners[i], &next = corners[(i + 1) % 4];
+      const double p = at(here.x(), here.y()), q = at(next.x(), next.y());
+      if (p > 0)
+        loaded.push_back(here);
+      if ((p > 0) != (q > 0))
+        loaded.push_back(here + p / (p - q) * (next - here));
+    }
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+    area = 0;
+    for (std::size_t i = 1; i + 1 < loaded.size(); ++i)
+    {
+      const Eigen::Vector2d &a = loaded[0], &b = loaded[i], &c = loaded[i + 1];
+      const double triangle = ((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x()) / 2;
+      area += triangle;
+      for (const Eigen::Vector2d &middle :
+           { Eigen::Vector2d((a + b) / 2), Eigen::Vector2d((b + c) / 2), Eigen::Vector2d((c + a) / 2) })
+      {
+        const Eigen::Vector3d modes(1, middle.x(), middle.y());
+        second += triangle / 3 * modes * modes.transpose();
+      }
+    }
+    sum = second * plane;
+    return second;
+  }
+
+  double length, breadth;
+  Eigen::Vector3d plane; ///< c, g_x, g_y
+  double area = 0;
+};
 
 } // namespace
 
@@ -138,8 +244,15 @@ TEST(ContactExtent, OfWideLandsIsAShareOfTheArea)
     for (const unsigned int n_lines : { 128u, 512u })
     {
       PlaneLand land;
-      const ContactExtent extent = pressed(annulus(land, row.inner, row.outer, n_lines), row.eccentricity);
+      const Pressed found =
+        pressed_at(annulus(land, row.inner, row.outer, n_lines), 10, row.eccentricity, 0, 1e9);
+      const ContactExtent &extent = found.extent;
       const double allowed = 12 / std::pow(n_lines, 2); // a kink between lines costs the square of a line
+      // p = slope (x - zero): closed forms of the largest pressure and of the table's motions.
+      const double slope = 10 / exact.per_slope;
+      EXPECT_NEAR(extent.peak_pressure / (slope * (row.outer - exact.zero)), 1, allowed) << row.eccentricity;
+      EXPECT_NEAR(found.motion(0) / (slope * exact.zero / 1e9), 1, allowed * 0.04 / std::abs(exact.zero));
+      EXPECT_NEAR(found.motion(1) / (-slope / 1e9), 1, allowed);
       EXPECT_NEAR(extent.area_share, exact.share, allowed) << row.inner << ' ' << row.eccentricity;
       EXPECT_EQ(extent.azimuth_share.has_value(), row.inner > 0);
       if (row.inner > 0)
@@ -171,25 +284,65 @@ TEST(ContactExtent, OfAPlateBeyondItsKernIsThatOfATriangularPressure)
 {
   // 80 x 40 mm, the load 10 mm off in y: p = 2 N / (3 L (B/2 - e)) at the edge, over 3 (B/2 - e) of B.
   PlaneLand land;
-  constexpr unsigned int n = 50;
   const double length = 0.08, breadth = 0.04, eccentricity = 0.01;
-  for (unsigned int j = 0; j < n; ++j)
-  {
-    const double x = length * ((j + 0.5) / n - 0.5);
-    const Eigen::RowVector2d across(length / n, 0);
-    for (const double side : { -1., 0. })
-      land.add_line({ x, side * breadth / 2 }, { x, (side + 1) * breadth / 2 }, across, across, 0.1);
-  }
-  land.surface.n_sectors = 32;
-  land.surface.is_ring = false;
-  const ContactSurface &surface = land.finished();
-  RigidFoot foot(surface);
-  const auto mat = make_law(WinklerInterface(1e9), surface);
-  const ContactExtent extent =
-    mat->extent(solve_contact(foot, *mat, Resultants{ 10, 10 * eccentricity, 0 }, 0.03));
+  const ContactExtent extent = pressed_at(plate(land, length, breadth, 50), 10, 0, eccentricity, 1e9).extent;
   EXPECT_NEAR(extent.area_share, 0.75, 1e-9);
   EXPECT_FALSE(extent.azimuth_share);
   EXPECT_NEAR(extent.peak_pressure, 2 * 10 / (3 * length * (breadth / 2 - eccentricity)), 1e-4);
+}
+
+// Code_Aster V6.02.130: a square of 2 m with 80/3 N half a metre off its middle, on 5000 Pa/m. The deepest
+// edge sinks in by 4/1125 m, the other is 4/3375 m above the mat.
+TEST(ContactExtent, OfARigidPlateOnAMatIsThatOfCodeAster)
+{
+  PlaneLand land;
+  const Pressed found = pressed_at(plate(land, 2, 2, 8), 80. / 3, 0, 0.5, 5000);
+  EXPECT_NEAR(found.motion(0) + found.motion(2), -4. / 1125, 1e-13);
+  EXPECT_NEAR(found.motion(0) - found.motion(2), 4. / 3375, 1e-13);
+  EXPECT_NEAR(found.motion(1), 0, 1e-15);
+  EXPECT_NEAR(found.extent.area_share, 0.75, 1e-9);
+  EXPECT_NEAR(found.extent.peak_pressure, 5000 * 4. / 1125, 1e-9);
+}
+
+// Closed form where a triangle is loaded: p = 6 N / (a b) at the corner, its legs a and b four times the
+// distance of the load from the edges. Else own plain quadrature.
+TEST(ContactExtent, OfAPlateWithBiaxialEccentricity)
+{
+  struct Row
+  {
+    double x, y; ///< place of the load [m]
+  };
+  const double length = 0.08, breadth = 0.04, force = 10, modulus = 1e9;
+  for (const Row &row : { Row{ 0.006, 0.002 }, Row{ 0.01, 0.005 }, Row{ 0.018, 0.004 }, Row{ -0.012, 0.0095 },
+                          Row{ 0.025, 0.012 } })
+  {
+    const PlatePressure exact(length, breadth, force, row.x, row.y);
+    if (row.x == 0.025)
+    {
+      const double a = 4 * (length / 2 - row.x), b = 4 * (breadth / 2 - row.y);
+      EXPECT_NEAR(exact.peak(), 6 * force / (a * b), 1e-9 * exact.peak());
+      EXPECT_NEAR(exact.share(), a * b / 2 / (length * breadth), 1e-12);
+    }
+    if (row.x == 0.006) // in the kern, |x|/L + |y|/B < 1/6: p = N/A (1 + 6 x/L + 6 y/B)
+    {
+      EXPECT_NEAR(exact.peak(), force / (length * breadth) * (1 + 6 * (row.x / length + row.y / breadth)),
+                  1e-9 * exact.peak());
+    }
+    for (const unsigned int n_lines : { 100u, 400u })
+    {
+      PlaneLand land;
+      const Pressed found = pressed_at(plate(land, length, breadth, n_lines), force, row.x, row.y, modulus);
+      const double allowed = 8 / std::pow(n_lines, 2); // lines stand for strips
+      EXPECT_NEAR(found.extent.area_share, exact.share(), allowed) << row.x;
+      EXPECT_NEAR(found.extent.peak_pressure / exact.peak(), 1, 1. / n_lines)
+        << row.x; // of the outermost line
+      const Eigen::Vector3d motion = -exact.coefficients() / modulus;
+      for (unsigned int i = 0; i < 3; ++i)
+        EXPECT_NEAR(found.motion(i) * (i > 0 ? 0.04 : 1), motion(i) * (i > 0 ? 0.04 : 1),
+                    allowed * exact.peak() / modulus)
+          << row.x << ' ' << i;
+    }
+  }
 }
 
 TEST(ContactExtent, OfACrownedRimIsThatOfItsAzimuths)
