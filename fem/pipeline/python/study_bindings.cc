@@ -21,11 +21,11 @@
 #include "fem/revolution/compliance_cache.h"
 #include "ring_model/no_balance.h"
 
-#include <chrono>
-#include <dlfcn.h>
+#include <map>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <typeindex>
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -35,8 +35,7 @@ using namespace stemware::pipeline;
 namespace
 {
 
-/// The work has ended because Python raised: no std::exception, which a model without an answer would
-/// swallow.
+/// Python has raised. No std::exception, which a model without an answer would swallow.
 struct Interrupted
 {
 };
@@ -55,23 +54,23 @@ public:
   {
     tell(what, n_done, n_all);
   }
-  void iteration(const fem::ContactIteration &) override { check(); }
-  void note(const std::string &, const std::string &) override { check(); }
+  void iteration(const fem::ContactIteration &) override { tell(); }
+  void note(const std::string &, const std::string &) override { tell(); }
 
   /// Raises in Python what has ended the work.
   [[noreturn]] void raise() { throw py::error_already_set(*raised); }
 
 private:
-  template <typename Work>
-  void with_python(const Work &work)
+  template <typename... What>
+  void tell(const What &...what)
   {
     const py::gil_scoped_acquire gil;
     try
     {
       if (!raised && PyErr_CheckSignals() != 0)
         throw py::error_already_set();
-      if (!raised)
-        work();
+      if (sizeof...(what) > 0 && !raised && !listener.is_none())
+        listener(what...);
     }
     catch (py::error_already_set &error)
     {
@@ -80,27 +79,9 @@ private:
     if (raised)
       throw Interrupted();
   }
-  void check()
-  {
-    const auto now = std::chrono::steady_clock::now();
-    if (now < next)
-      return;
-    next = now + std::chrono::milliseconds(50);
-    with_python([] {});
-  }
-  void tell(const std::string &what, std::size_t n_done, std::size_t n_all)
-  {
-    with_python(
-      [&]
-      {
-        if (!listener.is_none())
-          listener(what, n_done, n_all);
-      });
-  }
 
   py::object listener;
   std::unique_ptr<py::error_already_set> raised;
-  std::chrono::steady_clock::time_point next = std::chrono::steady_clock::now();
 };
 
 /// Calls @p work(progress, executor) without Python's lock.
@@ -153,40 +134,29 @@ Study checked(const Study &given)
   return study;
 }
 
-Found run_study(const Study &given, bool quick, unsigned int n_threads, const py::object &listener)
+Found results_of(const std::string &verb, const Study &given, bool quick, unsigned int n_levels,
+                 unsigned int n_threads, const py::object &listener)
 {
-  return solved(listener, n_threads,
-                [&](Progress &progress, const Executor &executor)
-                {
-                  auto answer = std::make_shared<StudyAnswer>(answer_study(
-                    checked(given), quick ? Depth::answer : Depth::full, executor, progress, false));
-                  Results results =
-                    tabulate(answer->study, answer->contact, answer->spin, answer->bands, answer->goal);
-                  return Found{ "run", answer->study, std::move(results), answer };
-                });
-}
-
-Found truncated(const Study &given, unsigned int n_threads, const py::object &listener)
-{
-  return solved(
-    listener, n_threads,
-    [&](Progress &progress, const Executor &executor)
+  const auto work = [&](Progress &progress, const Executor &executor) -> Found
+  {
+    const Study study = checked(given);
+    if (verb == "truncate")
     {
-      const TruncatedStudy answer = truncate_study(checked(given), executor, progress);
-      return Found{ "truncate", answer.study, tabulate_truncations(answer.study, answer.load, answer.rows) };
-    });
-}
-
-Found converged(const Study &given, unsigned int n_levels, unsigned int n_threads, const py::object &listener)
-{
-  return solved(listener, n_threads,
-                [&](Progress &progress, const Executor &executor)
-                {
-                  const Study study = checked(given);
-                  std::vector<RefinementAxis> axes = refinement_axes(study, n_levels);
-                  const ErrorBands bands = converge_study(study, axes, executor, progress);
-                  return Found{ "converge", study, tabulate(study, axes, bands) };
-                });
+      const TruncatedStudy answer = truncate_study(study, executor, progress);
+      return { verb, answer.study, tabulate_truncations(answer.study, answer.load, answer.rows) };
+    }
+    if (verb == "converge")
+    {
+      std::vector<RefinementAxis> axes = refinement_axes(study, n_levels);
+      const ErrorBands bands = converge_study(study, axes, executor, progress);
+      return { verb, study, tabulate(study, axes, bands) };
+    }
+    const auto answer = std::make_shared<StudyAnswer>(
+      answer_study(study, quick ? Depth::answer : Depth::full, executor, progress, false));
+    return { verb, answer->study,
+             tabulate(answer->study, answer->contact, answer->spin, answer->bands, answer->goal), answer };
+  };
+  return solved(listener, n_threads, work);
 }
 
 py::dict case_of(const Study &given, const py::object &listener)
@@ -199,117 +169,77 @@ py::dict case_of(const Study &given, const py::object &listener)
   return all;
 }
 
-template <typename Rows, typename Value>
-py::array_t<double> column(const Rows &rows, Value value)
+/// Numbers, or plain structs as a structured array.
+template <typename Value>
+py::array_t<Value> numpy_of(const std::vector<Value> &values)
 {
-  py::array_t<double> values(static_cast<py::ssize_t>(rows.size()));
-  double *to = values.mutable_data();
-  for (const auto &row : rows)
-    *to++ = std::invoke(value, row);
-  return values;
+  return py::array_t<Value>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-/// The curves of run by the names of their members: torque, spin_up, load, pressure.
+/// The curves of run.
 py::dict curves_of(const StudyAnswer &answer)
 {
-  const auto same = [](double value) { return value; };
   const TorqueCurve &torque = answer.spin.torque;
   const SpinUpCurves &up = answer.spin.spin_up;
-  py::dict curves;
-  curves["torque"] = py::dict(
-    "omega"_a = column(torque.omega, same), "slip_ratio"_a = column(torque.slip_ratio, same),
-    "sum"_a = column(torque.sum, same), "friction"_a = column(torque.friction, &ring::Wrench::torque),
-    "force_x"_a = column(torque.friction, &ring::Wrench::force_x),
-    "force_y"_a = column(torque.friction, &ring::Wrench::force_y),
-    "lean"_a = column(torque.lean_torque, same), "grip"_a = column(torque.grip_torque, same));
-  curves["spin_up"] =
-    py::dict("time"_a = column(up.time, same), "omega"_a = column(up.adaptive, same),
-             "yaw_angle"_a = column(up.yaw_angle, same), "first_harmonic"_a = column(up.first_harmonic, same),
-             "paper"_a = column(up.paper, same));
-  const std::vector<fem::AzimuthLoad> &load = answer.contact.load.pointwise;
-  curves["load"] = py::dict("theta"_a = column(load, &fem::AzimuthLoad::azimuth),
-                            "density"_a = column(load, &fem::AzimuthLoad::density));
+  const auto friction = numpy_of(torque.friction);
   std::vector<fem::PressurePoint> points;
   if (answer.contact.foot)
     for (const auto &cut : answer.contact.foot->footprint.cuts)
       points.insert(points.end(), cut.begin(), cut.end());
-  curves["pressure"] = py::dict("r"_a = column(points, &fem::PressurePoint::radius),
-                                "theta"_a = column(points, &fem::PressurePoint::azimuth),
-                                "p"_a = column(points, &fem::PressurePoint::pressure));
-  return curves;
-}
-
-/// Row of an entry in a table of all.
-py::dict facts_of(const StudyEntry &entry)
-{
-  return py::dict("path"_a = entry.path(), "value"_a = entry.value(), "unit"_a = entry.unit,
-                  "allowed"_a = entry.allowed, "help"_a = entry.help, "given"_a = entry.is_given);
+  const auto load = numpy_of(answer.contact.load.pointwise);
+  const auto pressure = numpy_of(points);
+  return py::dict(
+    "torque"_a = py::dict("omega"_a = numpy_of(torque.omega), "slip_ratio"_a = numpy_of(torque.slip_ratio),
+                          "sum"_a = numpy_of(torque.sum), "friction"_a = friction["torque"],
+                          "force_x"_a = friction["force_x"], "force_y"_a = friction["force_y"],
+                          "lean"_a = numpy_of(torque.lean_torque), "grip"_a = numpy_of(torque.grip_torque)),
+    "spin_up"_a = py::dict("time"_a = numpy_of(up.time), "omega"_a = numpy_of(up.adaptive),
+                           "yaw_angle"_a = numpy_of(up.yaw_angle), "paper"_a = numpy_of(up.paper),
+                           "first_harmonic"_a = numpy_of(up.first_harmonic)),
+    "load"_a = py::dict("theta"_a = load["azimuth"], "density"_a = load["density"]),
+    "pressure"_a =
+      py::dict("r"_a = pressure["radius"], "theta"_a = pressure["azimuth"], "p"_a = pressure["pressure"]));
 }
 
 /// The program's classes of failure as those of stemware.ring, with the program's sentences. Exceptions of
 /// other modules are told from ours by their names alone.
 void bind_failures(py::module_ &m)
 {
-  static const py::handle ring = py::module_::import("stemware._ring").release(); // outlives the interpreter
-  static const py::handle no_contact =
-    py::exception<fem::ContactFailure>(m, "ContactFailure", py::object(ring.attr("NoBalance"))).release();
-  static const py::handle output = py::exception<OutputFailure>(m, "OutputFailure", PyExc_OSError).release();
+  const py::module_ ring = py::module_::import("stemware._ring");
+  const py::exception<fem::ContactFailure> no_contact(m, "ContactFailure", ring.attr("NoBalance"));
+  const py::exception<OutputFailure> output(m, "OutputFailure", PyExc_OSError);
+  static const auto *const kinds =
+    new std::map<std::type_index, py::object>{ // outlives Python
+                                               { typeid(BadInput), ring.attr("BadInput") },
+                                               { typeid(OutputFailure), output },
+                                               { typeid(fem::ContactFailure), no_contact },
+                                               { typeid(ring::Tipping), ring.attr("Tipping") },
+                                               { typeid(ring::NoTerminalSpin), ring.attr("NoTerminalSpin") },
+                                               { typeid(ring::BalanceLost), ring.attr("BalanceLost") },
+                                               { typeid(ring::NoBalance), ring.attr("NoBalance") }
+    };
   py::register_exception_translator(
     [](std::exception_ptr failure)
     {
-      const auto raise = [](py::handle kind) { PyErr_SetString(kind.ptr(), failure_sentence().c_str()); };
       try
       {
         std::rethrow_exception(failure);
       }
-      catch (const BadInput &)
+      catch (const std::exception &one)
       {
-        raise(ring.attr("BadInput"));
-      }
-      catch (const OutputFailure &)
-      {
-        raise(output);
-      }
-      catch (const fem::ContactFailure &)
-      {
-        raise(no_contact);
-      }
-      catch (const ring::Tipping &)
-      {
-        raise(ring.attr("Tipping"));
-      }
-      catch (const ring::NoTerminalSpin &)
-      {
-        raise(ring.attr("NoTerminalSpin"));
-      }
-      catch (const ring::BalanceLost &)
-      {
-        raise(ring.attr("BalanceLost"));
-      }
-      catch (const ring::NoBalance &)
-      {
-        raise(ring.attr("NoBalance"));
+        const auto kind = kinds->find(typeid(one));
+        if (kind == kinds->end())
+          throw;
+        PyErr_SetString(kind->second.ptr(), failure_sentence().c_str());
       }
     });
-}
-
-/// Python loads a module for itself alone; the program's own modules look for their symbols in it.
-void show_symbols()
-{
-  Dl_info self;
-  if (::dladdr(reinterpret_cast<const void *>(&show_symbols), &self) != 0)
-    ::dlopen(self.dli_fname, RTLD_NOW | RTLD_NOLOAD | RTLD_GLOBAL);
 }
 
 } // namespace
 
 PYBIND11_MODULE(_study, m)
 {
-  show_symbols();
   bind_failures(m);
-  static auto *const mpi = new std::optional<MpiSession>; // ends before the interpreter
-  py::module_::import("atexit").attr("register")(py::cpp_function([] { mpi->reset(); }));
-
   py::class_<Study>(m, "Study")
     .def(py::init([](const std::string &file) { return read_study(file); }), "file"_a)
     .def_static("of_text", &read_study_text, "origin"_a, "text"_a)
@@ -325,60 +255,39 @@ PYBIND11_MODULE(_study, m)
          [](const Study &study)
          {
            py::list all;
-           for (const StudyEntry &entry : entries_of(study))
-             all.append(facts_of(entry));
+           for (const StudyEntry &one : entries_of(study))
+             all.append(py::dict("path"_a = one.path(), "value"_a = one.value(), "unit"_a = one.unit,
+                                 "allowed"_a = one.allowed, "help"_a = one.help, "given"_a = one.is_given));
            return all;
          })
     .def("check", [](const Study &study) { checked(study); })
     .def("notes", &implausible_notes)
     .def_readwrite("name", &Study::name)
-    .def_property_readonly("needs_mpi",
-                           [](const Study &study) { return study.contact.body == BodyKind::solid; })
     .def("prm", &study_as_prm)
-    .def("run", &run_study, py::kw_only(), "quick"_a, "n_threads"_a, "progress"_a)
-    .def("truncate", &truncated, py::kw_only(), "n_threads"_a, "progress"_a)
-    .def("converge", &converged, py::kw_only(), "n_levels"_a, "n_threads"_a, "progress"_a)
-    .def("answer", &case_of, py::kw_only(), "progress"_a);
+    .def("answer", &case_of);
 
+  PYBIND11_NUMPY_DTYPE(ring::Wrench, torque, force_x, force_y);
+  PYBIND11_NUMPY_DTYPE(fem::AzimuthLoad, azimuth, density);
+  PYBIND11_NUMPY_DTYPE(fem::PressurePoint, radius, azimuth, pressure);
   py::class_<Found>(m, "Found")
+    .def(py::init(&results_of), "verb"_a, "study"_a, py::kw_only(), "quick"_a = false, "n_levels"_a = 3,
+         "n_threads"_a, "progress"_a)
     .def("document", &Found::document)
     .def("curves", [](const Found &found) { return found.answer ? curves_of(*found.answer) : py::dict(); })
-    .def("tilt",
-         [](const Found &found, bool at_rest)
-         {
-           const Eigen::Vector2d tilt = !found.answer ? Eigen::Vector2d(0, 0)
-                                        : at_rest     ? found.answer->contact.load.tilt
-                                                      : found.answer->contact.load_at_end.tilt;
-           return std::pair(tilt.x(), tilt.y());
-         })
     .def("save", &Found::save, "folder"_a, py::call_guard<py::gil_scoped_release>());
 
-  m.def("start_session",
-        []
-        {
-          if (!*mpi)
-            mpi->emplace();
-        });
+  py::class_<MpiSession>(m, "MpiSession").def(py::init<>());
   m.def("unit",
         [](const std::string &key, const std::string &section) { return quantity_named(key, section).unit; });
   m.def("unit_of_entry", &unit_of);
   m.def("case_keys", &sweep_keys);
-  m.def("presets",
-        []
-        {
-          py::list all;
-          for (const auto &[kind, presets] :
-               { std::pair("glass", &glass_presets()), std::pair("table", &table_presets()) })
-            for (const Preset &one : *presets)
-              all.append(py::dict("kind"_a = kind, "name"_a = one.name, "words"_a = one.words,
-                                  "entries"_a = one.text));
-          return all;
-        });
-  m.def("preset_study",
-        [](const std::string &glass, const std::string &table)
-        {
-          return new_study_text(preset_of(glass_presets(), "glass", glass),
-                                preset_of(table_presets(), "table", table), "study.prm");
-        });
+  py::class_<Preset>(m, "Preset")
+    .def_readonly("name", &Preset::name)
+    .def_readonly("words", &Preset::words)
+    .def_readonly("entries", &Preset::text);
+  m.def("glass_presets", &glass_presets);
+  m.def("table_presets", &table_presets);
+  m.def("preset_of", &preset_of);
+  m.def("new_study_text", &new_study_text);
   m.attr("version") = program_version();
 }

@@ -13,10 +13,27 @@ import numpy as np
 
 from . import _ring
 from ._ring import (BadInput, BalanceLost, FrictionLaw, Motion, NoBalance, NoTerminalSpin, Pressure,  # noqa: F401
-                    RingStack, SelfConsistentRing, Stribeck, Tipping, coulomb, yaw_motion)
+                    RingStack, SelfConsistentRing, Stribeck, Tipping)
 
 Wrench = namedtuple("Wrench", "force_x force_y torque")
 Answer = namedtuple("Answer", "omega stable held torque_slope time_constant torque_at_rest spin_scale all")
+
+
+RingStack.__reduce__ = lambda self: (_stack, (self.radii, self.a, self.b, self.tilt))
+Pressure.hertz = staticmethod(lambda radius: Pressure(lambda r: np.sqrt(np.maximum(0, (radius - r) * (radius + r))), 0, radius))
+
+
+def _stack(radii, a, b, tilt):
+    return RingStack(radii=radii, a=a, b=b, tilt=tilt)
+
+
+def coulomb(mu):
+    """Law with the same coefficient at every slip speed."""
+    return Stribeck(static=mu, kinetic=mu, decay_speed=1.0)
+
+
+def _columns(rows):
+    return {name: np.ascontiguousarray(rows[name]) for name in rows.dtype.names}
 
 
 def _broadcast(*arrays):
@@ -30,7 +47,8 @@ def kernels(rim_speed, speed, n_max):
     >>> [round(float(u / (2 * np.pi)), 12) + 0.0 for u in U]
     [1.0, 0.0, 0.0]
     """
-    return np.moveaxis(_ring.kernels(*_broadcast(rim_speed, speed), n_max), -1, 0)
+    rim_speed, speed = _broadcast(rim_speed, speed)
+    return np.moveaxis(_ring.kernels(rim_speed, speed, n_max).reshape(*speed.shape, n_max + 1, 3), -1, 0)
 
 
 def stack_from_pressure(r, theta, p, n_max=16, weights=None):
@@ -68,6 +86,10 @@ def stack_from_csv(file, n_max=16):
     return stack_from_pressure(r, theta, p, n_max)
 
 
+def _friction(friction, *slip):
+    return Wrench(*np.moveaxis(friction.wrench(*_broadcast(*slip)), -1, 0))
+
+
 def wrench(load, speed, omega, mu=None, law=None, normal_force=1.0, direction=0.0):
     """Friction (T_x, T_y, tau_z) [N, N, N m] of the table about the load's centre, arrays that broadcast.
 
@@ -75,16 +97,15 @@ def wrench(load, speed, omega, mu=None, law=None, normal_force=1.0, direction=0.
     [N]) or SelfConsistentRing (which has its own motion: of the arguments only omega counts). speed >= 0 [m/s], omega [rad/s].
     """
     if isinstance(load, SelfConsistentRing):
-        return Wrench(*load.wrench(np.asarray(omega, float)))
+        return Wrench(*np.moveaxis(load.wrench(np.asarray(omega, float)), -1, 0))
     if mu is None and law is None:
         raise BadInput("the friction is not given; give mu or, for a RingStack, a law")
     if isinstance(load, Pressure):
         if law is not None:
             raise BadInput("a Pressure takes mu; give a RingStack for a law")
-        return Wrench(*_ring.pressure_wrench(load, mu, normal_force, *_broadcast(speed, omega)))
-    speed, direction, omega = np.broadcast_arrays(speed, direction, omega)
-    x, y = speed * np.cos(direction), speed * np.sin(direction)
-    return Wrench(*_ring.stack_wrench(load, coulomb(mu) if law is None else law, *_broadcast(x, y, omega)))
+        return _friction(_ring.Friction(load, mu, normal_force, 1.0, 1.0, 0.0), speed, 0.0, omega)
+    friction = _ring.Friction(load, coulomb(mu) if law is None else law)
+    return _friction(friction, speed * np.cos(direction), speed * np.sin(direction), omega)
 
 
 class LimitSurface:
@@ -162,7 +183,7 @@ def limit_surface(load, n=361, about="axis", direction=0.0):
 
     def at(v, omega):  # the centre moves with the point's velocity and omega times the way from the point to it
         v_x, v_y = c * v + omega * y, s * v - omega * x
-        T = Wrench(*_ring.stack_wrench(load, coulomb(1.0), *_broadcast(v_x, v_y, omega)))
+        T = _friction(_ring.Friction(load, coulomb(1.0)), v_x, v_y, omega)
         torque = T.torque - (x * T.force_y - y * T.force_x)
         return -(c * T.force_x + s * T.force_y) / N, -(c * T.force_y - s * T.force_x) / N, -torque / N
 
@@ -171,7 +192,27 @@ def limit_surface(load, n=361, about="axis", direction=0.0):
     return LimitSurface(angle, force, across, torque / arm, arm, radius, None)
 
 
-def answer(load, motion=None, **options):
+def _torque(load, motion, radius):
+    """Torque, motion and radius of a load whose spin is asked for."""
+    if not isinstance(load, (RingStack, SelfConsistentRing)) and not callable(load):
+        raise BadInput(f"the load is {load!r}; give a RingStack, a SelfConsistentRing or a function of omega")
+    if radius is None and not hasattr(load, "radius"):
+        raise BadInput("a torque that is a function has no radius; give one")
+    torque = _ring.Torque(load, motion) if isinstance(load, RingStack) else _ring.Torque(load)
+    return torque, motion or load.motion, load.radius if radius is None else radius
+
+
+def _reach(torque, end):
+    """Last of 48 equal steps from rest to end at which the load is in balance."""
+    for i in range(48):
+        try:
+            torque(end * (i + 1) / 48)
+        except NoBalance:
+            return end * i / 48
+    return end
+
+
+def answer(load, motion=None, grip_torque=0.0, all=True, radius=None):
     """The spin reached from rest, Answer(omega, ...), and in its field all every balance within 1.5 v/R of rest (dicts).
 
     load: RingStack (frozen: it does not react to the spin; its lean torque counts), SelfConsistentRing (has its motion) or a
@@ -182,13 +223,34 @@ def answer(load, motion=None, **options):
     >>> round(answer(paper).omega, 9)
     -3.120558702
     """
-    return Answer(**_ring.answer(load, motion=motion or load.motion, **options))
+    torque, motion, radius = _torque(load, motion, radius)
+    scale, at_rest, spins = motion.orbit_speed / radius, torque(0.0), []
+    [spin] = _ring.spin_from_rest(torque, motion, radius, grip_torque)
+    for sense in (-1, 1) if all else ():
+        ends = sorted((sense * 1e-12 * scale, _reach(torque, sense * 1.5 * scale)))
+        if ends[0] < ends[1] and 0 not in ends:
+            spins.extend(_ring.balances(torque, motion, -sense * grip_torque, *ends))
+        if sense < 0 and spin["held"]:
+            spins.append(spin)
+    spin, *spins = (dict(zip(one.dtype.names, one.tolist())) for one in (spin, *spins))
+    return Answer(**spin, torque_at_rest=at_rest, spin_scale=scale, all=spins)
 
 
-def spin_up(load, times, motion=None, **options):
+def spin_up(load, times, motion=None, grip_torque=0.0, initial_spin=0.0, accuracy=1e-9, radius=None):
     """omega(t) from rest at times [s] under what answer() takes: dict of arrays time, yaw_angle, omega. Options: grip_torque,
     initial_spin, accuracy, radius."""
-    return _ring.spin_up(load, motion=motion or load.motion, times=np.asarray(times, float), **options)
+    torque, motion, radius = _torque(load, motion, radius)
+
+    def at(time, yaw_angle, omega):
+        table = torque(omega)
+        return table - (np.copysign(grip_torque, omega) if omega else np.clip(table, -grip_torque, grip_torque))
+    return yaw_motion(at, yaw_inertia=motion.yaw_inertia, times=times, initial_spin=initial_spin, accuracy=accuracy,
+                      spin_scale=motion.orbit_speed / radius)
+
+
+def yaw_motion(torque, *, yaw_inertia, times, initial_spin=0.0, accuracy=1e-9, spin_scale):
+    """time, yaw_angle, omega: dict of arrays at the times [s] from I d omega/dt = torque(time, yaw_angle, omega)."""
+    return _columns(_ring.yaw_motion(torque, yaw_inertia, times, initial_spin, accuracy, spin_scale))
 
 
 def slide(body, *, mu, mass, speed, omega, yaw_inertia=None, gravity=9.81, centre_of_mass_height=0.0, accuracy=1e-12):
@@ -203,7 +265,9 @@ def slide(body, *, mu, mass, speed, omega, yaw_inertia=None, gravity=9.81, centr
     is_pressure = isinstance(body, Pressure)
     inertia = yaw_inertia or mass * (body.mean_power(2) if is_pressure else body.radius**2)
     if is_pressure:
-        return _ring.slide_pressure(body, mu, mass, inertia, speed, omega, gravity, centre_of_mass_height, accuracy)
-    scale = mass * gravity / body.normal_force
-    weighted = RingStack(radii=body.radii, a=body.a * scale, b=body.b * scale)
-    return _ring.slide_stack(weighted, mu, mass, inertia, speed, omega, accuracy)
+        friction = _ring.Friction(body, mu, mass, inertia, gravity, centre_of_mass_height)
+    else:
+        scale = mass * gravity / body.normal_force
+        friction = _ring.Friction(RingStack(radii=body.radii, a=body.a * scale, b=body.b * scale), coulomb(mu))
+    states, final_slip_ratio = friction.slide(mass, inertia, body.radius, speed, omega, accuracy)
+    return {**_columns(states), "final_slip_ratio": final_slip_ratio}

@@ -1,20 +1,34 @@
 """A study as the program solves it: entries in, a Result out. Loads the program's libraries; deal.II when a foot is made."""
+import atexit
+import functools
 import html
 import json
 import os
 import shutil
+import sys
 import tempfile
 
 import numpy as np
 
 from . import ring
 
+_flags = sys.getdlopenflags()
 try:
+    sys.setdlopenflags(_flags | os.RTLD_GLOBAL)  # the program's modules look for their symbols in _study
     from . import _study
 except ImportError as failure:
     raise ImportError("this stemware has the ring alone; build the study with `cmake --build` or install the package "
                       f"python3-stemware ({failure})") from failure
+finally:
+    sys.setdlopenflags(_flags)
 from ._study import ContactFailure, OutputFailure  # noqa: F401
+
+
+@functools.lru_cache(None)
+def _mpi():
+    """MPI, from the first solid foot to the end of Python."""
+    atexit.register(_mpi.cache_clear)
+    return _study.MpiSession()
 
 
 def _text(value):
@@ -24,10 +38,15 @@ def _text(value):
     return value if isinstance(value, str) else repr(int(value) if isinstance(value, (int, np.integer)) else float(value))
 
 
+def _presets():
+    return {"glass": _study.glass_presets(), "table": _study.table_presets()}
+
+
 def presets():
     """Glasses and tables with names: a DataFrame with kind, name, words and entries (lines of a study file)."""
     import pandas
-    return pandas.DataFrame(_study.presets())
+    return pandas.DataFrame([{"kind": kind, "name": one.name, "words": one.words, "entries": one.entries}
+                             for kind, all in _presets().items() for one in all])
 
 
 class Study:
@@ -46,8 +65,9 @@ class Study:
         if bool(file) + (text is not None) + bool(glass or table) > 1:
             raise ring.BadInput("a study comes from a file, a text or a preset; give one of them")
         if glass or table:
-            text = _study.preset_study(*(given or next(one["name"] for one in _study.presets() if one["kind"] == kind)
-                                         for kind, given in (("glass", glass), ("table", table))))
+            given = {"glass": glass, "table": table}
+            text = _study.new_study_text(*(_study.preset_of(all, kind, given[kind] or all[0].name)
+                                           for kind, all in _presets().items()), "study.prm")
         self._source = os.path.abspath(file) if file else "", text
         self._study = _study.Study(os.fspath(file)) if text is None else _study.Study.of_text("the text", text)
         self.changes = {}
@@ -87,28 +107,28 @@ class Study:
         return self._study.notes()
 
     def _ready(self):
-        if self._study.needs_mpi:
+        if self["Contact/Body"] == "solid":
             if int(os.environ.get("OMPI_COMM_WORLD_SIZE", os.environ.get("PMI_SIZE", 1))) > 1:
                 raise ring.BadInput("a solid foot is solved by one process in Python; use `mpirun stemware run` for several")
-            _study.start_session()
+            _mpi()
         return self._study
 
     def answer(self):
         """The numbers that a case of `sweep` has: a dict by key; None where there is none. The quickest way to a spin."""
-        return self._ready().answer(progress=None)
+        return self._ready().answer(None)
 
     def run(self, quick=False, threads=1, progress=None):
         """Result of `stemware run`, without files and fields; quick: without budget and bands. Raises BadInput, NoBalance
         (and classes derived from it), ContactFailure; Ctrl-C ends it."""
-        return Result._of(self._ready().run(quick=quick, n_threads=threads, progress=progress))
+        return Result._of(_study.Found("run", self._ready(), quick=quick, n_threads=threads, progress=progress))
 
     def truncate(self, threads=1, progress=None):
         """Result of `stemware truncate`: how many harmonics matter, result.table("truncation")."""
-        return Result._of(self._ready().truncate(n_threads=threads, progress=progress))
+        return Result._of(_study.Found("truncate", self._ready(), n_threads=threads, progress=progress))
 
     def converge(self, levels=3, threads=1, progress=None):
         """Result of `stemware converge`: observed orders, limits, bands (the grid convergence index)."""
-        return Result._of(self._ready().converge(n_levels=levels, n_threads=threads, progress=progress))
+        return Result._of(_study.Found("converge", self._ready(), n_levels=levels, n_threads=threads, progress=progress))
 
 
 def _restored(file, text, changes):
@@ -159,12 +179,12 @@ class Result:
         return pandas.DataFrame.from_dict(rows, orient="index")
 
     def load(self, at="rest"):
-        """The load as stemware.ring takes it, with the lean of the glass: frozen, it does not react to the spin as the
-        study's does. at: rest or terminal."""
-        part = self["load" if at == "rest" else "load_at_terminal"]
-        rings = part["rings"]
-        tilt = self._found.tilt(at == "rest") if self._found else (0.0, 0.0)
-        return ring.RingStack(radii=part["radii"], a=[one["a"] for one in rings], b=[one["b"] for one in rings], tilt=tilt)
+        """The load as stemware.ring takes it: frozen, it does not react to the spin as the study's does. at: rest or terminal.
+        Its tilt is the least one with the lean torque that the glass has there."""
+        part, lean = self["load" if at == "rest" else "load_at_terminal"], self["ring/lean_torque_at_" + at] or 0.0
+        load = {"radii": part["radii"], **{key: [one[key] for one in part["rings"]] for key in "ab"}}
+        moment = ring.RingStack(**load).moment
+        return ring.RingStack(**load, tilt=-lean * moment / (moment @ moment) if lean else (0.0, 0.0))
 
     def save(self, folder):
         """Writes the folder of results that the program writes, without fields; also over an earlier one."""
