@@ -190,7 +190,10 @@ class Results(unittest.TestCase):
     def test_folder_and_page(self):
         with tempfile.TemporaryDirectory() as folder:
             self.result.save(folder + "/results")
-            self.assertEqual(without_folder(stemware.read(folder + "/results").document), without_folder(self.result.document))
+            found = stemware.read(folder + "/results")
+            self.assertEqual(without_folder(found.document), without_folder(self.result.document))
+            for at in ("rest", "terminal"):
+                self.assertAlmostEqual(found.load(at).lean_torque / self.result["ring/lean_torque_at_" + at], 1, delta=1e-12)
             self.result.page(folder + "/page.html")
             with open(folder + "/page.html", encoding="utf-8") as file:
                 self.assertIn("</html>", file.read())
