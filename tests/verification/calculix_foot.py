@@ -214,6 +214,7 @@ class Foot:
         else:
             raise RuntimeError("no contact")
         p = residual(u, q)[2] * self.weights
+        self.forces = p  # at the Gauss points
         a0 = p.sum() / (2 * np.pi)
         a, b = ([round(float((p * f(i * self.theta)).sum() / np.pi / a0), 6) + 0.0 for i in range(n_harmonics + 1)]
                 for f in (np.cos, np.sin))
