@@ -33,7 +33,6 @@ endif()
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME stemware)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS gnuplot-nox)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "openmpi-bin, libopenblas0-serial") # several ranks; a fast BLAS
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
     "From a glass, a table and a moving hand to the spin of the glass: contact of

@@ -20,6 +20,7 @@ set(order
     fem/pipeline/variants
     fem/pipeline/analysis
     fem/pipeline/document
+    fem/pipeline/page
     fem/pipeline/explore
     fem/pipeline/report
     fem/pipeline/python

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What is installed with the program: cookbooks, meshes, templates of pictures, licence.
+# What is installed with the program: cookbooks, meshes, licence.
 #
 #   check_installed.sh PREFIX
 set -euo pipefail
@@ -13,7 +13,7 @@ expect() { # what, then a command that must succeed
   troubles=$((troubles + 1))
 }
 
-for file in doc/stemware/LICENSE stemware/cookbooks/lift_off.prm stemware/cookbooks/own_profile.csv stemware/meshes/oval_foot.msh stemware/verification/claims.json stemware/plots/load.gp stemware/plots/style.gnuplot stemware/summary.schema.json; do
+for file in doc/stemware/LICENSE stemware/cookbooks/lift_off.prm stemware/cookbooks/own_profile.csv stemware/meshes/oval_foot.msh stemware/verification/claims.json stemware/summary.schema.json; do
   expect "$file is installed" test -s "$share/$file"
 done
 expect "a cookbook runs where it lies" stemware mesh "$share/stemware/cookbooks/oval_foot.prm" --quiet

@@ -54,7 +54,7 @@ fi
 # in --help (after three blanks) taken off.
 commands_of() {
   sed -E -e ':join' -e '/\\$/{N;s/ *\\\n[^\t]*\t */ /;b join' -e '}' -e 's/\t +/\t/' -e 's/ {3,}[^-" ].*$//' |
-    grep -E $'\t'"(stemware|build/release/stemware|mpirun|\./quickstart|cd|cat|gnuplot|xdg-open) " || true
+    grep -E $'\t'"(stemware|build/release/stemware|mpirun|\./quickstart|cd|cat|xdg-open) " || true
 }
 
 # The code blocks of a page, indented or fenced, and its inline commands that can be run as they stand.

@@ -1,7 +1,7 @@
 // The numbers in README.md and docs/: computes the studies that they come from, and rewrites or checks the
 // pages.
 //
-//   docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER          rewrites the pages and copies the pictures
+//   docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER          rewrites the pages and draws the pictures
 //   docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER --check  exit code 1 if a number has drifted
 //   docs_numbers --keys SOURCE_FOLDER                        rewrites what is declared elsewhere:
 //   docs/summary.md and the plausible ranges of docs/values.md; computes nothing
@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 
 struct Picture
 {
-  std::string study, file, page_file;
+  std::string study, name, page_file;
 };
 
 /// What docs/numbers/studies.txt says.
@@ -58,7 +58,7 @@ StudyList read_list(const fs::path &file)
   std::istringstream lines(read_file(file));
   for (std::string line; std::getline(lines, line);)
   {
-    static const std::regex study(R"((\w+):\s*stemware (.+))"), picture(R"(copy (\w+) (\S+) (\S+))");
+    static const std::regex study(R"((\w+):\s*stemware (.+))"), picture(R"(draw (\w+) (\w+) (\S+))");
     std::smatch part;
     if (line.empty() || line[0] == '#')
       continue;
@@ -386,6 +386,23 @@ void work_on_keys(const fs::path &source, bool only_check)
                                " is not what the program declares; the target docs_keys makes it again.");
 }
 
+/// The SVG file of a picture of a report, as Chromium draws it.
+std::string drawn(const fs::path &report, const std::string &name, const fs::path &work)
+{
+  const fs::path page = work / "picture.html";
+  const std::string address = "file://" + fs::absolute(report).string() + "#svg=" + name,
+                    command = "chromium --headless --no-sandbox --disable-gpu --dump-dom --user-data-dir=" +
+                              quoted((work / "chromium").string()) + " " + quoted(address) + " > " +
+                              quoted(page.string()) + " 2>/dev/null";
+  const int status = std::system(command.c_str());
+  const std::string text = read_file(page), begin = "<svg ", end = "</svg>";
+  const auto first = text.find(begin), last = text.find(end);
+  if (status != 0 || first == std::string::npos || last == std::string::npos)
+    throw std::runtime_error("Chromium did not draw the picture " + name + " of " + report.string() +
+                             "; install it (packages.txt), and see that the report has the picture.");
+  return text.substr(first, last + end.size() - first) + "\n";
+}
+
 int work_on(const std::vector<std::string> &arguments, bool only_check)
 {
   const fs::path source = arguments[1], work = arguments[2];
@@ -405,8 +422,8 @@ int work_on(const std::vector<std::string> &arguments, bool only_check)
     for (const Picture &picture : list.pictures)
     {
       fs::create_directories((source / picture.page_file).parent_path());
-      fs::copy_file(results.folder(picture.study) / picture.file, source / picture.page_file,
-                    fs::copy_options::overwrite_existing);
+      std::ofstream(source / picture.page_file, std::ios::binary)
+        << drawn(results.folder(picture.study) / "report.html", picture.name, work);
     }
   std::cout << n_numbers << " numbers, " << n_drifted << (only_check ? " drifted" : " rewritten")
             << std::endl;

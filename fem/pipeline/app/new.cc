@@ -1,5 +1,4 @@
 #include "fem/pipeline/app/verbs.h"
-#include "fem/pipeline/report/filled_text.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
@@ -115,10 +114,7 @@ void add_new_verb(CLI::App &program, Verb &chosen)
     []
     {
       return filled(help_of("new"),
-                    { { "glasses", list_of(glass_presets()) },
-                      { "tables", list_of(table_presets()) },
-                      { "cookbooks", list_of_cookbooks() } },
-                    nullptr, "new");
+                    { list_of(glass_presets()), list_of(table_presets()), list_of_cookbooks() });
     });
   verb->callback(
     [&chosen, options, file, cookbook]

@@ -1,7 +1,6 @@
 #include "fem/pipeline/app/options.h"
 
 #include "fem/pipeline/coupling/make_foot.h"
-#include "fem/pipeline/report/plot.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_checks.h"
@@ -18,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <iostream>
 #include <thread>
 
 namespace stemware::pipeline
@@ -129,8 +127,6 @@ Study begin_study(const StudyOptions &options)
   say_note("Profile   ", profile_note(study));
   if (options.verb != "sweep") // its cases have studies of their own
     say_note("Unused    ", idle_note(idle_entries(study)));
-  if (const std::string trouble = missing_plotter(); !trouble.empty() && is_first_rank())
-    std::cerr << "stemware: " << trouble << std::endl;
   load_modules_of(study);
   return study;
 }

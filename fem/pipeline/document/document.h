@@ -1,11 +1,8 @@
 #pragma once
 
-#include "fem/contact/foot.h"
 #include "fem/pipeline/document/table.h"
 
-#include <map>
 #include <string>
-#include <vector>
 
 namespace stemware::pipeline
 {
@@ -19,17 +16,32 @@ struct Findings
   nlohmann::ordered_json key_figures = nlohmann::ordered_json::object();
 };
 
-/// Findings of a verb, and all that a template may show of them. SI units, or those of the study.
+/// Findings of a verb, and everything that its page shows of them beside the summary.
 struct Document
 {
   Findings findings; ///< for summary.json and --json
-  /// Words, flags and derived numbers for sentences, and rows of tables; both see the findings too.
-  nlohmann::ordered_json facts = nlohmann::ordered_json::object();
-  std::map<std::string, Table> tables = {};                 ///< data files made of columns
-  std::map<std::string, std::string> texts = {};            ///< files that are no table
-  std::map<std::string, nlohmann::ordered_json> plots = {}; ///< values of a picture's own, by its name
-  /// Quantities whose names depend on the study, as quantity_named() takes them.
-  nlohmann::ordered_json quantities = nullptr;
+  /// Sentences by name, among them "title", "inputs" and "answer"; numbers and names beside pictures.
+  nlohmann::ordered_json words = nlohmann::ordered_json::object();
+  /// Columns of tables and pictures: {"keys": [...], "values": [[...] ...]} by name.
+  nlohmann::ordered_json tables = nlohmann::ordered_json::object();
+  /// Heading, unit and digits of the columns, by table and key.
+  nlohmann::ordered_json quantities = nlohmann::ordered_json::object();
+  nlohmann::ordered_json entries = nlohmann::ordered_json::array(); ///< all_entries() of the study
+
+  /// Adds the table @p name of table_of(@p rows, @p keys, @p section) with its quantities; @p section is by
+  /// default the name.
+  void add_rows(const std::string &name, const nlohmann::ordered_json &rows, const std::string &keys = "",
+                const std::string &section = "");
+
+  /// Adds columns of numbers for a picture, with six digits.
+  void add_columns(const std::string &name,
+                   const std::vector<std::pair<std::string, std::vector<double>>> &columns);
+
+  /// Adds the listed numbers of the part @p name of the findings as the table @p name, one row each.
+  void add_list(const std::string &name);
 };
+
+/// A number with @p n_digits; null if it is not finite.
+nlohmann::ordered_json shortened(double value, int n_digits = 6);
 
 } // namespace stemware::pipeline

@@ -6,6 +6,7 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/explore/explorer.h"
 #include "fem/pipeline/explore/live_bodies.h"
+#include "fem/pipeline/page/page.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/json_text.h"
@@ -15,8 +16,6 @@
 #include "fem/pipeline/variants/executor.h"
 
 #include <boost/algorithm/string/replace.hpp>
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -226,22 +225,6 @@ nlohmann::ordered_json buttons(const std::vector<Preset> &presets, const std::st
   return list;
 }
 
-/// Returns a template with each of its marks /*NAME*/ replaced by the text of that name, in one pass: marks
-/// within the texts stay as they are.
-std::string with_marks_replaced(const std::string &text, const std::map<std::string, std::string> &texts)
-{
-  const std::string begin = "/*", end = "*/";
-  std::string result;
-  std::size_t written = 0;
-  for (std::size_t mark = text.find(begin); mark < text.size(); mark = text.find(begin, written))
-  {
-    const std::size_t name = mark + begin.size(), name_end = text.find(end, name);
-    result += text.substr(written, mark - written) + texts.at(text.substr(name, name_end - name));
-    written = name_end + end.size();
-  }
-  return result + text.substr(written);
-}
-
 /// Sentence for a browser that runs no script of the page, as HTML.
 std::string answer_without_scripts(const std::vector<PagePair> &pairs)
 {
@@ -255,18 +238,6 @@ std::string answer_without_scripts(const std::vector<PagePair> &pairs)
   return "Terminal spins by stemware run: " + text +
          ". If nothing moves here, this site or browser runs no scripts; save the file and open it in a "
          "browser.";
-}
-
-/// The base64 form of a number in hexadecimal digits.
-std::string base64_of_digits(const std::string &digits)
-{
-  std::string bytes;
-  for (std::size_t i = 0; i < digits.size(); i += 2)
-    bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
-  using namespace boost::archive::iterators;
-  using Letters = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
-  return std::string(Letters(bytes.cbegin()), Letters(bytes.cend())) +
-         std::string((3 - bytes.size() % 3) % 3, '=');
 }
 
 /// The presets, or nothing alone for the glass or table of the study.

@@ -1,8 +1,7 @@
 #include "fem/pipeline/report/common_sections.h"
 
-#include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/document/spin_rows.h"
-#include "fem/pipeline/report/plots/plots.h"
+#include "fem/pipeline/report/picture_columns.h"
 
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/math/constants/constants.hpp>
@@ -46,27 +45,8 @@ Json part_rows(const std::vector<BandedQuantity> &bands)
   return rows;
 }
 
-/// The load where it was solved, to be drawn instead of a series that overshoots; nothing without lift-off.
-std::vector<fem::AzimuthLoad> drawn_pointwise(const LoadReport &load)
-{
-  return load.contact_fraction < 1 ? load.pointwise : std::vector<fem::AzimuthLoad>();
-}
-
-/// Bands of the amplitudes sqrt(a_n^2 + b_n^2) / a_0, n = 0 ... @p n_harmonics, as harmonic_rows() and
-/// add_load_plots() take them: 0 beyond the harmonics that are followed; empty without bands.
-std::vector<double> spectrum_band(const ErrorBands &bands, unsigned int n_harmonics)
-{
-  if (bands.empty())
-    return {};
-  std::vector<double> widths(n_harmonics + 1, 0);
-  for (unsigned int n = 1; n <= std::min(n_harmonics, n_harmonics_of_interest); ++n)
-    widths[n] = std::hypot(band_of(bands, "a" + std::to_string(n)).value(),
-                           band_of(bands, "b" + std::to_string(n)).value());
-  return widths;
-}
-
 /// The first harmonics of a load over its mean, for people; those that are smaller than their error band
-/// @p band, by n as in add_load_plots(), are left out.
+/// @p band, by n as in spectrum_band(), are left out.
 Json harmonic_rows(const ring::RingStack &load, const std::vector<double> &band)
 {
   constexpr double rounding = 1e-12;
@@ -132,113 +112,59 @@ Json waterfall_rows(std::vector<BudgetRow> steps)
 
 } // namespace
 
-bool is_one_way(const Study &study)
-{
-  return study.load.source == LoadSource::file || study.load.is_static() ||
-         (study.load.is_from_contact() && study.load.coupling == LoadCoupling::one_way);
-}
-
-Json study_facts(const Study &study)
-{
-  return { { "one_way", is_one_way(study) },
-           { "given_load", study.load.source == LoadSource::file },
-           { "given_moment", study.load.is_static() } };
-}
-
-Json spin_facts(const Study &study, double omega)
-{
-  constexpr double turn = boost::math::double_constants::two_pi;
-  const bool is_with_orbit = omega * study.motion.orbit.sense_sign() > 0;
-  return { { "omega", omega },
-           { "size", std::abs(omega) },
-           { "sense", std::string(omega < 0 ? "clockwise, " : "counter-clockwise, ") +
-                        (is_with_orbit ? "with" : "against") + " its orbit" },
-           { "seconds_a_turn", turn / std::abs(omega) },
-           { "turns_a_second", std::abs(omega) / turn } };
-}
-
-Json effect_facts(const Study &study, const HarmonicEffect &effect)
-{
-  if (!effect.absolute)
-    return nullptr;
-  return { { "absolute", *effect.absolute },
-           { "relative", effect.relative ? faster_or_slower(*effect.relative) : "" },
-           { "is_small", !is_spin(study, *effect.absolute) },
-           { "rounding", rounding_of_spins(study) } };
-}
-
-Json lift_off_facts(const std::vector<std::pair<std::string, const LoadReport *>> &states)
-{
-  Json facts = Json::array();
-  for (const auto &[state, load] : states)
-    if (load->minimum < 0 || load->contact_fraction < 1)
-      facts.push_back({ { "state", state },
-                        { "least", load->minimum },
-                        { "share", load->contact_fraction },
-                        { "moment_ratio", load->moment_ratio },
-                        { "pulls", load->minimum < 0 },
-                        { "above_one", load->moment_ratio > 1 } });
-  return facts;
-}
-
-std::string faster_or_slower(double change)
-{
-  return format::number(std::abs(change), ".3g%") + (change > 0 ? " faster" : " slower");
-}
-
 void add_chain(const Study &study, const Budget &budget, Document &document)
 {
   const std::vector<BudgetRow> steps = named_steps(budget.rows);
-  const double rounding = rounding_of_spins(study);
-  document.facts["chain"] = { { "rows", chain_rows(study, budget.rows) },
-                              { "shown", shown_chain(study, budget.rows) },
-                              { "steps", shown_chain(study, steps) } };
-  document.facts["effects"] = effect_rows(steps, budget.without);
-  document.facts["waterfall"] = waterfall_rows(steps);
-  document.tables["harmonic_torque"] = { "Torque of friction against the spin",
-                                         { numbers("omega", "rad/s", budget.omega),
-                                           numbers("tau_z, all harmonics", "N m", budget.torque_all),
-                                           numbers("tau_z, first harmonic", "N m", budget.torque_first) } };
-  document.plots["waterfall"] = { { "rounding", rounding } };
-  const double band = budget.rows.empty() ? 0 : budget.rows.back().band.value_or(0);
-  document.plots["effects"] = { { "rounding", rounding }, { "band", band } };
+  const char *keys = "step title omega_terminal difference relative_difference band remark";
+  const Json chain = shown_chain(study, budget.rows);
+  document.add_rows("chain", chain, keys);
+  document.add_rows("chain_torques", chain, "step title torques[]", "chain");
+  document.add_rows("waterfall", waterfall_rows(steps));
+  document.add_rows("effects", effect_rows(steps, budget.without));
+  document.words["rounding"] = rounding_of_spins(study);
+  document.words["band"] = budget.rows.empty() ? std::nullopt : budget.rows.back().band;
+  add_harmonic_torque_columns(budget, document);
 }
 
-void add_load(const Study &study, const LoadReport &load, const std::vector<BandedQuantity> &bands,
-              Document &document)
+void add_load(const Study &study, const LoadReport &load, const ErrorBands &bands, Document &document)
 {
   const std::vector<double> band = spectrum_band(bands, load.rings.n_harmonics());
-  add_load_plots(load.rings, drawn_pointwise(load), band, study.motion.orbit.orbit_sense, document);
-  document.facts["load_harmonics"] = harmonic_rows(load.rings, band);
-  document.facts["mean_load"] = load.rings.a(0);
-  document.tables["load"] = load_table(load.rings);
-  document.tables["rings"] = ring_table(load.rings);
-  document.tables["load_lines"] = pointwise_table(load.pointwise);
-  document.texts["harmonics"] = load_file_text(load.rings);
+  add_load_columns(load, band, study.motion.orbit.sense_sign(), document);
+  document.add_rows("load_harmonics", harmonic_rows(load.rings, band));
 }
 
-void add_truncations(const std::vector<SpinRow> &rows, const std::optional<SpinRow> &one_ring,
-                     Document &document)
+Json shown_truncations(const std::vector<SpinRow> &rows, const std::optional<SpinRow> &one_ring)
 {
-  const auto changes_by = [](double change)
-  {
-    return [=](const SpinRow &row) { return row.relative_change && std::abs(*row.relative_change) > change; };
-  };
   std::vector<SpinRow> shown;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(shown),
-               [&](const SpinRow &row) {
+               [&](const SpinRow &row)
+               {
                  return row.harmonics == rows.back().harmonics || !row.relative_change ||
-                        changes_by(1e-9)(row);
+                        std::abs(*row.relative_change) > 1e-9;
                });
   if (one_ring)
     shown.push_back(*one_ring);
   Json table = shown_spin_rows(shown);
   if (one_ring)
     table.back()["harmonics"] = std::to_string(one_ring->harmonics) + ", on one ring";
+  return table;
+}
+
+void add_truncations(const std::vector<SpinRow> &rows, const std::optional<SpinRow> &one_ring,
+                     Document &document)
+{
   document.findings.summary["truncation"] = declared(spin_rows(rows), "truncation");
-  document.facts["shown_truncations"] = table;
-  document.facts["has_truncation_curve"] = std::count_if(rows.begin(), rows.end(), changes_by(1e-12)) > 2;
-  document.plots["truncation"] = { { "rounding", 1e-12 } };
+  document.add_rows("truncations", shown_truncations(rows, one_ring),
+                    "harmonics tau_at_rest omega_terminal relative_change bound load_minimum",
+                    "shown_truncations");
+  std::vector<double> harmonics, changes;
+  for (const SpinRow &row : rows)
+    if (row.relative_change && std::abs(*row.relative_change) > 1e-12) // smaller ones say nothing
+    {
+      harmonics.push_back(row.harmonics);
+      changes.push_back(std::abs(*row.relative_change));
+    }
+  document.add_columns("truncation_change", { { "harmonics", harmonics }, { "change", changes } });
 }
 
 void add_bands(const std::vector<BandedQuantity> &bands, Document &document)
@@ -247,9 +173,9 @@ void add_bands(const std::vector<BandedQuantity> &bands, Document &document)
   std::copy_if(bands.begin(), bands.end(), std::back_inserter(listed),
                [](const BandedQuantity &each) { return !each.is_zero(); });
   const Json parts = part_rows(listed);
-  document.facts["bands"] = band_rows(listed);
-  document.facts["band_parts"] = parts;
-  document.facts["has_band_parts"] = !parts.empty() && parts[0].size() > 1;
+  document.add_rows("bands", band_rows(listed), "quantity shown_value band shown_richardson shown_unit");
+  if (!parts.empty() && parts[0].size() > 1)
+    document.add_rows("band_parts", parts);
 }
 
 Json load_summary(const LoadReport &load)

@@ -4,7 +4,7 @@
 #include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/coupling/contact_report.h"
-#include "fem/pipeline/report/document.h"
+#include "fem/pipeline/document/document.h"
 #include "fem/pipeline/study/study.h"
 
 #include <nlohmann/json.hpp>
@@ -14,49 +14,31 @@
 #include <utility>
 #include <vector>
 
-/// Facts, tables, sections and data files of `run` and other verbs. Facts are flags, words and derived
-/// numbers for sentences beside the findings, by the names that the templates give them.
+/// Tables and data files of `run` and other verbs.
 namespace stemware::pipeline
 {
 
-/// Whether the load of rest is kept at every spin: that of Load/Coupling = one-way, of a given moment, or of
-/// a file.
-bool is_one_way(const Study &study);
+// ---- tables of the page
 
-/// one_way, given_load, given_moment.
-nlohmann::ordered_json study_facts(const Study &study);
-
-/// omega, its size, sense ("clockwise, against its orbit", seen from above), seconds_a_turn and
-/// turns_a_second.
-nlohmann::ordered_json spin_facts(const Study &study, double omega);
-
-/// absolute, relative ("2.5 % faster"), is_small and the rounding below which it is; null without an effect.
-nlohmann::ordered_json effect_facts(const Study &study, const HarmonicEffect &effect);
-
-/// state, least, share, moment_ratio, pulls, above_one of each of @p states, a load by the words for its
-/// state, that has left part of the rim or, where it is given, would have to pull.
-nlohmann::ordered_json lift_off_facts(const std::vector<std::pair<std::string, const LoadReport *>> &states);
-
-/// "2.5 % faster", "0.81 % slower".
-std::string faster_or_slower(double change);
-
-// ---- sections
-
-/// The load at rest: its plots, its tables and its files.
+/// The load at rest: the columns of its pictures, and "load_harmonics".
 void add_load(const Study &study, const LoadReport &load, const ErrorBands &bands, Document &document);
 
-/// Adds the chain of models for the templates "chain" and "chain_on_console": row by row and with its rows of
-/// harmonics as one, and "waterfall", "effects" and "harmonic_torque".
+/// The chain of models, row by row: "chain", "chain_torques"; with its harmonics as one row: "waterfall",
+/// "effects"; "harmonic_torque".
 void add_chain(const Study &study, const Budget &budget, Document &document);
 
-/// Adds the answer by the number of harmonics for the template "truncations": "truncation" of summary.json,
-/// its picture, and as "shown_truncations" the rows that change something, below them all harmonics on @p
-/// one_ring.
+/// Rows that change the spin by more than 1e-9, and below them all harmonics on @p one_ring.
+nlohmann::ordered_json shown_truncations(const std::vector<SpinRow> &rows,
+                                         const std::optional<SpinRow> &one_ring);
+
+/// "truncation" of summary.json, "truncations" of shown_truncations(), and "truncation_change".
 void add_truncations(const std::vector<SpinRow> &rows, const std::optional<SpinRow> &one_ring,
                      Document &document);
 
-/// Adds the tables for the template "error_bands".
+/// "bands" and "band_parts".
 void add_bands(const std::vector<BandedQuantity> &bands, Document &document);
+
+// ---- parts of summary.json
 
 /// "load" and "load_at_terminal" of summary.json: a_n and b_n of each ring beside its radius and of their
 /// sum.
@@ -100,6 +82,9 @@ Table driven_spin_table(const DrivenSpinUp &driven);
 
 /// The torque over the phase: where the marks of glass and table stand in the slip frame.
 Table phase_table(const PhaseStudy &phases);
+
+/// The answer by the number of harmonics, from "truncation" of summary.json.
+Table truncation_table(const nlohmann::ordered_json &truncation);
 
 /// Newton steps of the contact at rest.
 Table history_table(const std::vector<fem::ContactIteration> &history);

@@ -1,30 +1,28 @@
 #include "fem/pipeline/report/convergence_results.h"
 
-#include "fem/pipeline/document/table.h"
+#include "fem/pipeline/document/answers.h"
+#include "fem/pipeline/document/study_words.h"
 #include "fem/pipeline/report/common_sections.h"
-#include "fem/pipeline/report/head.h"
 #include "fem/pipeline/study/study_size.h"
+
+#include <cmath>
 
 namespace stemware::pipeline
 {
 
 using Json = nlohmann::ordered_json;
 
-Results tabulate(const Study &study, const std::vector<RefinementAxis> &axes, const ErrorBands &bands)
+namespace
 {
-  const std::size_t index = index_of(bands, "omega_terminal");
-  const auto &[spin, band, richardson, parts] = bands[index];
-  Document document;
-  Json &summary = document.findings.summary, &plot = document.plots["convergence"], rows = Json::array();
+
+/// Values on every level of each axis, as converge.csv has them.
+Json level_rows(const std::vector<RefinementAxis> &axes, const ErrorBands &bands)
+{
+  Json rows = Json::array();
   for (const RefinementAxis &axis : axes)
-  {
-    Json &json = summary["refinement"][axis.key] = STEMWARE_JSON(axis, name, size);
-    json.update({ { "levels", axis.sizes }, { "own_level", axis.own } });
-    for (std::size_t i = 0; i < bands.size(); ++i)
-      json["figures"][bands[i].quantity.key] = STEMWARE_JSON(axis.quantities[i], values, order, limit, bands);
     for (std::size_t l = 0; l < axis.levels.size(); ++l)
     {
-      Json &row = document.facts["levels"].emplace_back();
+      Json &row = rows.emplace_back();
       row = { { "axis", axis.key },
               { "level (1)", static_cast<double>(l) - static_cast<double>(axis.own) },
               { "size (1)", axis.sizes[l] },
@@ -32,29 +30,76 @@ Results tabulate(const Study &study, const std::vector<RefinementAxis> &axes, co
       for (std::size_t i = 0; i < bands.size(); ++i)
         row[with_unit(bands[i].quantity.name, bands[i].quantity.unit)] = axis.quantities[i].values[l];
     }
+  return rows;
+}
+
+/// Relative distance of a quantity from its limit by level; levels that agree with the limit to @p rounding
+/// are left out.
+Json error_curve(const RefinementAxis &axis, const RefinementSequence &sequence, double rounding)
+{
+  Json levels = Json::array(), errors = Json::array();
+  for (std::size_t l = 0; l < sequence.values.size(); ++l)
+    if (const double distance = std::abs(sequence.values[l] - sequence.limit); distance > rounding)
+    {
+      levels.push_back(static_cast<long>(l) - static_cast<long>(axis.own));
+      errors.push_back(shortened(distance / std::abs(sequence.limit)));
+    }
+  return { { "name", axis.name }, { "level", levels }, { "error", errors } };
+}
+
+Json refinement_summary(const RefinementAxis &axis, const ErrorBands &bands)
+{
+  Json json = STEMWARE_JSON(axis, name, size);
+  json.update({ { "levels", axis.sizes }, { "own_level", axis.own } });
+  for (std::size_t i = 0; i < bands.size(); ++i)
+    json["figures"][bands[i].quantity.key] = STEMWARE_JSON(axis.quantities[i], values, order, limit, bands);
+  return json;
+}
+
+} // namespace
+
+Results tabulate(const Study &study, const std::vector<RefinementAxis> &axes, const ErrorBands &bands)
+{
+  const std::size_t index = index_of(bands, "omega_terminal");
+  const BandedQuantity &spin = bands[index];
+  Results results;
+  Json &summary = results.findings.summary, &curves = results.tables["convergence"], rows = Json::array();
+  for (const RefinementAxis &axis : axes)
+  {
+    summary["refinement"][axis.key] = refinement_summary(axis, bands);
     const RefinementSequence &judged = axis.quantities[index];
     rows.push_back({ { "axis", axis.name },
                      { "own", axis.size + ": " + std::to_string(axis.sizes[axis.own]) },
                      { "band", judged.bands[axis.own] },
                      { "order", judged.order } });
-    plot["axis"].push_back(axis.key);
-    plot["curve"].push_back(axis.name);
-    plot["limit"].push_back(judged.limit);
+    curves.push_back(error_curve(axis, judged, spin.quantity.rounding));
   }
-  rows.push_back({ { "axis", "all together" }, { "own", "" }, { "band", band } });
-  plot.update({ { "rounding", spin.rounding }, { "spin_column", index + 5 } });
+  rows.push_back({ { "axis", "all together" }, { "own", "" }, { "band", spin.band } });
   summary["error_bands"] = band_summary(bands);
   for (const BandedQuantity &each : bands)
     summary["error_bands"][each.quantity.key]["richardson"] = each.richardson;
-  document.findings.key_figures = { { "omega_terminal", spin.value }, { "omega_terminal_band", band } };
-  document.facts.update({ { "with_band", format::with_band(spin.value, band) },
-                          { "order", axes.front().quantities[index].order },
-                          { "first_axis", axes.front().name },
-                          { "richardson", format::to_spread(richardson, band) },
-                          { "spin_bands", rows } });
-  add_study(study, { { "this glass", spin.value } }, document);
-  add_bands(bands, document);
-  return shown(document, "converge");
+  results.findings.key_figures = { { "omega_terminal", spin.quantity.value },
+                                   { "omega_terminal_band", spin.band } };
+  const auto order = axes.front().quantities[index].order;
+  results.words = { { "title", "Refinement study of " + study.name },
+                    { "inputs", inputs_of(study) },
+                    { "answer", convergence_answer(spin, axes.front().name, order) },
+                    { "has_order", order.has_value() },
+                    { "spin", format::with_band(spin.quantity.value, spin.band) },
+                    { "sketch", sketch_words(study) },
+                    { "glasses", { { { "title", "this glass" }, { "omega", spin.quantity.value } } } } };
+  results.entries = all_entries(study);
+  results.add_rows("study_differences", changed_entries(study));
+  results.add_rows("spin_bands", rows);
+  add_bands(bands, results);
+  results.files = { { "summary.json", "everything, for programs" },
+                    { "converge.csv", "the values on every level of each axis",
+                      table_of(level_rows(axes, bands), "", "levels") },
+                    { "parameters.prm", "the study as it was refined" } };
+  results.console = { { results.words["answer"] },
+                      { "",
+                        table_of(rows, "", "spin_bands", "Error band of the terminal spin, axis by axis") } };
+  return results;
 }
 
 } // namespace stemware::pipeline

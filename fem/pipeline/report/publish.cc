@@ -1,6 +1,7 @@
 #include "fem/pipeline/report/publish.h"
 
-#include "fem/pipeline/report/render/table_renderers.h"
+#include "fem/pipeline/page/page.h"
+#include "fem/pipeline/report/table_renderers.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
@@ -55,6 +56,21 @@ std::string text_of(const ResultFile &file)
   return fs::path(file.name).extension() == ".csv" ? csv_table(table) : data_table(table);
 }
 
+/// The document of the page: of the summary without what the page does not show.
+Json page_document(const Results &results, Json summary)
+{
+  summary.erase("files");
+  for (const char *load : { "load", "load_at_terminal", "load_at_fall" })
+    if (summary.contains(load) && summary[load].is_object())
+      summary[load].erase("rings");
+  Json files = Json::array();
+  for (const ResultFile &file : results.files)
+    if (!file.description.empty())
+      files.push_back({ file.name, file.description });
+  return { { "summary", summary },         { "tables", results.tables },         { "words", results.words },
+           { "entries", results.entries }, { "quantities", results.quantities }, { "files", files } };
+}
+
 /// Writes all files but the fields into @p place, a folder that will be @p final_place.
 void write_results(const StudyOptions &options, const std::optional<Study> &study, const Results &results,
                    Stopwatch &stopwatch, const fs::path &place, const fs::path &final_place)
@@ -63,8 +79,6 @@ void write_results(const StudyOptions &options, const std::optional<Study> &stud
     if (!std::holds_alternative<std::monostate>(file.content))
       write_text_file(place / file.name, text_of(file));
   stopwatch.finish("tables");
-  write_report(results.report, place);
-  stopwatch.finish("report");
   std::optional<Study> echo;
   if (study)
   {
@@ -72,6 +86,9 @@ void write_results(const StudyOptions &options, const std::optional<Study> &stud
     write_text_file(place / "parameters.prm", study_as_prm(*echo));
   }
   Json summary = summary_of(options.verb, echo, results.findings);
+  write_text_file(place / "report.html", report_page(page_document(results, summary), results.words["title"],
+                                                     results.words["answer"]));
+  stopwatch.finish("report");
   std::set<std::string> files = { "summary.json", "timings.json" };
   for (const auto &item : fs::directory_iterator(place))
     files.insert(item.path().filename().string());

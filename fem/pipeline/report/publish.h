@@ -17,7 +17,7 @@ nlohmann::ordered_json summary_of(const std::string &verb, const std::optional<S
                                   const Findings &findings);
 
 /// The end of every verb, collective over all ranks: each writes its fields of @p results into the working
-/// folder, the first all else: the files with content, report.html and its pictures. When all have, that one
+/// folder, the first all else: the files with content and report.html. When all have, that one
 /// writes parameters.prm, summary.json ("schema", "program", "verb", "parameters", the findings, "files"),
 /// timings.json, gives the folder its final name, and prints the console's text and where
 /// the results are. With --json the last line of standard output is {"verb", "results", "summary", "report",

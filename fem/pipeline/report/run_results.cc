@@ -1,9 +1,11 @@
 #include "fem/pipeline/report/run_results.h"
 
+#include "fem/pipeline/document/run_answer.h"
+#include "fem/pipeline/document/sentences.h"
 #include "fem/pipeline/document/spin_rows.h"
+#include "fem/pipeline/document/study_words.h"
 #include "fem/pipeline/report/common_sections.h"
-#include "fem/pipeline/report/head.h"
-#include "fem/pipeline/report/plots/plots.h"
+#include "fem/pipeline/report/picture_columns.h"
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
 
@@ -240,71 +242,201 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
   return findings;
 }
 
-void add_foot(const Study &study, const FootReport &foot, Document &document)
-{
-  document.tables["contact_history"] = history_table(foot.at_rest.history);
-  document.tables["footprint"] = footprint_table(foot.footprint);
-  if (foot.footprint_at_end)
-    document.tables["footprint_at_end"] = footprint_table(*foot.footprint_at_end);
-  add_foot_plots(study, foot, document);
-}
+constexpr char without_keys[] = "name omega_terminal difference relative_difference remark";
 
-/// omega(t) as the report draws it.
-void add_spin_up(const Study &study, const SpinStudy &spin, Document &document)
+/// without_rows() for people.
+Json shown_without(const Study &study, const Budget &budget)
 {
-  const SpinUpCurves &curves = spin.spin_up;
-  std::vector<SpinCurve> spin_ups = { { "all harmonics", curves.adaptive, 1 } };
-  if (!curves.first_harmonic.empty())
-    spin_ups.push_back({ "first harmonic", curves.first_harmonic, 2 });
-  spin_ups.push_back({ "the paper's model", curves.paper, static_cast<unsigned int>(spin_ups.size()) + 1 });
-  add_spin_up_plot(curves.time, spin_ups, spin.all(), measured_spins(study),
-                   "Spin-up of the glass from rest.", document);
+  Json without = without_rows(study, budget);
+  leave_out_rounding(without, "difference", rounding_of_spins(study));
+  leave_out_rounding(without, "relative_difference", 1e-9);
+  return without;
 }
 
 void add_spin(const Study &study, const ContactReport &report, const SpinStudy &spin, Document &document)
 {
-  std::vector<SlidingState> states = { { "at rest", report.load.rings, 0 } };
+  const ring::Motion &motion = study.motion.orbit;
+  const double radius = study.glass.profile.contact_radius;
+  add_slip_columns("slip_at_rest", motion, radius, report.load.rings, 0, document);
   if (const auto omega = spin.all().omega_terminal(); omega && is_spin(study, *omega))
-    states.push_back({ "at the terminal spin", report.load_at_end.rings, *omega });
-  add_slip_plot(study.motion.orbit, study.glass.profile.contact_radius, states, document);
-  add_torque_plot(spin.torque, spin.rows, document);
-  add_spin_up(study, spin, document);
-  document.plots["phases"] = { { "marked",
-                                 spin.phases && spin.phases->n_glass_phases > 1 ? "glass" : "table" } };
-  auto &tables = document.tables;
-  tables["torque"] = torque_table(spin.torque);
-  tables["spin_up"] = spin_up_table(spin.spin_up);
-  if (spin.spin_up.driven)
-    tables["driven"] = driven_spin_table(*spin.spin_up.driven);
+    add_slip_columns("slip_at_end", motion, radius, report.load_at_end.rings, *omega, document);
+  add_torque_columns(spin.torque, spin.rows, document);
+  add_spin_up_columns(spin.spin_up, measured_spins(study), document);
   if (spin.phases)
-    tables["phases"] = phase_table(*spin.phases);
-  document.facts["friction"] = friction_rows(study, spin.all());
-  document.facts["terminal_spins"] = shown_terminal_spins(spin);
+    add_phase_columns(*spin.phases, document);
+  document.add_rows("friction", friction_rows(study, spin.all()),
+                    "name torque lean_torque grip_torque torque_sum force[]");
+  if (spin.terminal_spins.size() > 1)
+    document.add_rows("terminal_spins", shown_terminal_spins(spin), "omega stability time_constant reached");
   add_truncations(spin.rows, spin.one_ring, document);
 }
 
 void add_budget(const Study &study, const SpinStudy &spin, Document &document)
 {
   add_chain(study, spin.budget, document);
-  Json without = without_rows(study, spin.budget);
-  document.facts["without"] = { { "rows", without } };
-  leave_out_rounding(without, "difference", rounding_of_spins(study));
-  leave_out_rounding(without, "relative_difference", 1e-9);
-  document.facts["without"]["shown"] = without;
+  if (!spin.budget.without.empty())
+    document.add_rows("without", shown_without(study, spin.budget), without_keys);
 }
 
 /// The study's glass on its orbit, and the paper's rigid ring beside it.
-std::vector<TurningGlass> turning_glasses(const ContactReport &report, const SpinStudy &spin)
+Json turning_glasses(const ContactReport &report, const SpinStudy &spin)
 {
-  const SpinRow &all = spin.all();
-  std::vector<TurningGlass> glasses = { { "this glass", all.omega_terminal(), report.load_at_end.rings } };
+  constexpr unsigned int n_places = 72;
+  const std::optional<double> omega = spin.all().omega_terminal();
+  Json load = Json::array();
+  for (unsigned int i = 0; i < n_places; ++i)
+    load.push_back(shortened(
+      std::max(0., report.load_at_end.rings(2 * M_PI * i / n_places) / report.load_at_end.rings.a(0)), 4));
+  Json glasses = { { { "title", "this glass" }, { "omega", omega }, { "load", load } } };
   const std::vector<double> &paper = spin.spin_up.paper;
   if (!spin.is_quick() && spin.budget.rows.front().omega_terminal)
-    glasses.push_back({ "the paper's rigid ring", spin.budget.rows.front().omega_terminal, {}, true });
+    glasses.push_back(
+      { { "title", "the paper's rigid ring" }, { "omega", spin.budget.rows.front().omega_terminal } });
   else if (paper.size() > 10 &&
            std::abs(paper.back() - paper[paper.size() * 9 / 10]) <= 1e-2 * std::abs(paper.back()))
-    glasses.push_back({ "the paper's rigid ring", paper.back(), {}, true }); // its spin-up has ended
+    glasses.push_back(
+      { { "title", "the paper's rigid ring" }, { "omega", paper.back() } }); // its spin-up has ended
   return glasses;
+}
+
+/// Numbers in the sentences of the page that no summary has without its rounding errors.
+Json numbers_of_sentences(const Study &study, const ContactReport &report, const SpinStudy &spin)
+{
+  const LoadReport &load = report.load;
+  const SpinRow &all = spin.all();
+  const double friction = study.motion.orbit.friction_at_rest(),
+               moment = load.normal_force * load.rings.radius();
+  const bool leans = study.tilts(), grips = study.motion.grip_torque > 0;
+  Json numbers = Json::array({ { { "moment_x", load.moment.x() },
+                                 { "moment_y", load.moment.y() },
+                                 { "torque_at_rest", all.at_rest.value().friction.torque },
+                                 { "closed_form", friction * load.moment.x() } } });
+  leave_out_rounding(numbers, "moment_x moment_y", 1e-12 * moment);
+  leave_out_rounding(numbers, "torque_at_rest closed_form", 1e-9 * friction * moment);
+  const std::optional<double> omega = all.omega_terminal();
+  numbers[0].update({ { "moves", is_spin(study, all.last_spin().value()) },
+                      { "spins", omega && is_spin(study, *omega) },
+                      { "falls", all.fall.has_value() },
+                      { "omega_end", all.last_spin().value_or(0) },
+                      { "contact_width", 2 * load.half_width() },
+                      { "rings", load.rings.rings().size() },
+                      { "others", leans && grips ? ", the lean torque and that of the fingers"
+                                  : leans        ? " and the lean torque"
+                                  : grips        ? " and that of the fingers"
+                                                 : "" } });
+  return numbers[0];
+}
+
+Json words_of(const Study &study, const ContactReport &report, const SpinStudy &spin, const ErrorBands &bands,
+              const std::optional<GoalOutcome> &goal)
+{
+  std::string answer = run_answer(study, spin, bands);
+  append(answer, profile_remark(study));
+  Json words = { { "title", title_of(study) + ": how fast it spins" },
+                 { "inputs", inputs_of(study) },
+                 { "answer", answer },
+                 { "lift_off", lift_off_remark(study, report, spin) },
+                 { "pressed", pressed_remark(report, spin) },
+                 { "narrow_contact", narrow_contact_remark(study, report) },
+                 { "thin_layer", thin_layer_remark(study, report.load.half_width()) },
+                 { "out_of_flat", out_of_flat_remark(study, spin) },
+                 { "several_spins", several_spins_remark(spin) },
+                 { "driven", driven_remark(spin, bands) },
+                 { "one_way", is_one_way(study) },
+                 { "sketch", sketch_words(study) },
+                 { "glasses", turning_glasses(report, spin) },
+                 { "numbers", numbers_of_sentences(study, report, spin) } };
+  if (goal && band_of_mesh(study, bands))
+    words["mesh_for_goal"] =
+      "The mesh was made for the " + study_as_json(study)["Contact"]["Goal"].get<std::string>() + ": " +
+      format::number(goal->estimated_error, ".1e") +
+      " is estimated to be missing to its value, and the band has " +
+      format::number(*band_of_mesh(study, bands), ".1e") + " for the mesh, from what another mesh changes.";
+  return words;
+}
+
+void add_foot_files(const FootReport &foot, bool has_terminal_spin, std::vector<ResultFile> &files)
+{
+  files.push_back({ "footprint.csv", "pressure p(r, θ) of the foot on the table at rest",
+                    footprint_table(foot.footprint) });
+  if (foot.footprint_at_end && has_terminal_spin)
+    files.push_back(
+      { "footprint_at_end.csv", "the same at the terminal spin", footprint_table(*foot.footprint_at_end) });
+  files.push_back(
+    { "contact_history.csv", "Newton steps of the contact", history_table(foot.at_rest.history) });
+  const auto add = [&](const std::string &name, const char *state)
+  {
+    files.push_back({ "fields/" + name, "displacement, strain, stress and contact pressure " +
+                                          std::string(state) + ", for ParaView" });
+  };
+  for (const fem::FieldFile &file : foot.fields)
+  {
+    if (file.name == "contact.vtu" || file.name == "contact.pvtu") // and not a piece of the latter
+      add(file.name, "at rest");
+    if (file.name.find("_at_terminal_spin") != std::string::npos)
+      add(file.name, "at the terminal spin");
+  }
+}
+
+std::vector<ResultFile> files_of(const Study &study, const ContactReport &report, const SpinStudy &spin,
+                                 const Findings &findings)
+{
+  const ring::RingStack &rings = report.load.rings;
+  std::vector<ResultFile> files = { { "summary.json", "all numbers, for programs" },
+                                    { "parameters.prm", "the study, to be run again" },
+                                    { "load.csv", "λ(θ) at rest", load_table(rings) },
+                                    { "harmonics.dat", "its Fourier coefficients; Load/File reads them",
+                                      load_file_text(rings) },
+                                    { "rings.csv", "the same ring by ring", ring_table(rings) } };
+  const auto add = [&](const char *name, const char *words, const Table &table) {
+    files.push_back({ name, words, table });
+  };
+  if (!spin.is_quick())
+  {
+    add("budget.csv", "the terminal spin from the paper's model to this study's",
+        table_of(chain_rows(study, spin.budget.rows),
+                 "step title harmonics_kept omega_terminal difference band formal torques[]", "chain"));
+    add("without.csv", "the complete model without one thing at a time",
+        table_of(without_rows(study, spin.budget), "name omega_terminal difference reason", "without"));
+  }
+  add("torque.csv", "τ_z, T_x, T_y against the spin", torque_table(spin.torque));
+  add("spin_up.csv", "the spin against time", spin_up_table(spin.spin_up));
+  add("truncation.csv", "the answer after 1, 2, 3, 4, 6, 8 ... harmonics",
+      truncation_table(findings.summary["truncation"]));
+  if (spin.spin_up.driven)
+    add("driven_spin_up.csv", "the spin against time with the hand's own speeds",
+        driven_spin_table(*spin.spin_up.driven));
+  if (spin.phases)
+    add("phases.csv", "τ_z by the orientation of glass and table", phase_table(*spin.phases));
+  if (study.load.is_from_contact())
+  {
+    add("load_lines.csv", "λ(θ) at rest where the contact was solved",
+        pointwise_table(report.load.pointwise));
+    if (report.foot)
+      add_foot_files(*report.foot, spin.all().terminal.has_value(), files);
+  }
+  files.push_back({ "timings.json", "how long it took" });
+  return files;
+}
+
+std::vector<ConsoleBlock> console_of(const Study &study, const SpinStudy &spin, const Document &document)
+{
+  std::string text;
+  for (const char *part :
+       { "answer", "lift_off", "pressed", "narrow_contact", "thin_layer", "out_of_flat", "several_spins" })
+    append(text, document.words[part]);
+  std::vector<ConsoleBlock> blocks = { { text } };
+  if (!spin.is_quick())
+  {
+    blocks.push_back(
+      { "From the paper's model to this study's:",
+        table_of(shown_chain(study, named_steps(spin.budget.rows)),
+                 "console_title omega_terminal difference relative_difference band remark", "chain") });
+    if (!spin.budget.without.empty())
+      blocks.push_back({ "The complete model without one thing at a time:",
+                         table_of(shown_without(study, spin.budget), without_keys, "without") });
+  }
+  return blocks;
 }
 
 } // namespace
@@ -312,17 +444,32 @@ std::vector<TurningGlass> turning_glasses(const ContactReport &report, const Spi
 Results tabulate(const Study &study, const ContactReport &report, const SpinStudy &spin,
                  const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)
 {
-  Document document = { findings_of(study, report, spin, bands, goal),
-                        run_facts(study, report, spin, bands, goal) };
-  add_study(study, turning_glasses(report, spin), document, report.load.rings);
-  add_spin(study, report, spin, document);
+  Results results;
+  results.findings = findings_of(study, report, spin, bands, goal);
+  results.words = words_of(study, report, spin, bands, goal);
+  results.entries = all_entries(study);
+  results.add_rows("study_differences", changed_entries(study));
+  add_spin(study, report, spin, results);
   if (!spin.is_quick())
-    add_budget(study, spin, document);
-  add_load(study, report.load, bands, document);
+    add_budget(study, spin, results);
+  add_load(study, report.load, bands, results);
   if (report.foot)
-    add_foot(study, *report.foot, document);
-  add_bands(bands, document);
-  return shown(document, "run");
+    add_foot_pictures(study, *report.foot, results);
+  if (report.foot)
+    results.add_list("contact");
+  if (!bands.empty())
+    add_bands(bands, results);
+  results.files = files_of(study, report, spin, results.findings);
+  results.console = console_of(study, spin, results);
+  return results;
+}
+
+std::optional<double> band_of_mesh(const Study &study, const ErrorBands &bands)
+{
+  const auto banded = find_quantity(bands, key_of(study.contact.goal));
+  if (banded == bands.end() || banded->parts.count("mesh") == 0)
+    return std::nullopt;
+  return banded->parts.at("mesh");
 }
 
 } // namespace stemware::pipeline

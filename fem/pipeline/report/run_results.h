@@ -6,8 +6,6 @@
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/report/results.h"
 
-#include <nlohmann/json.hpp>
-
 #include <optional>
 #include <vector>
 
@@ -19,12 +17,6 @@ namespace stemware::pipeline
 /// left to the caller, who need not copy them.
 Results tabulate(const Study &study, const ContactReport &report, const SpinStudy &spin,
                  const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal = {});
-
-/// Facts of the template "run" beside what summary.json has: how the glass ends, what the sentences of answer
-/// and remarks need, which parts of the report there are. The arguments are those of tabulate().
-nlohmann::ordered_json run_facts(const Study &study, const ContactReport &report, const SpinStudy &spin,
-                                 const std::vector<BandedQuantity> &bands,
-                                 const std::optional<GoalOutcome> &goal);
 
 /// The part of the band of the study's goal that is the mesh's; nothing where there is none.
 std::optional<double> band_of_mesh(const Study &study, const ErrorBands &bands);

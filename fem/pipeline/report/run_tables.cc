@@ -1,5 +1,5 @@
 #include "fem/pipeline/report/common_sections.h"
-#include "fem/pipeline/report/render/table_renderers.h"
+#include "fem/pipeline/report/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -131,6 +131,12 @@ Table phase_table(const PhaseStudy &phases)
              numbers("mark of the table", "rad", phases.phases, &ring::Orientation::table),
              numbers("tau_z at rest", "N m", phases.torque_at_rest),
              numbers("tau_z at the mean spin in the long run", "N m", phases.torque_at_terminal) } };
+}
+
+Table truncation_table(const nlohmann::ordered_json &truncation)
+{
+  return table_of(truncation, "harmonics tau_at_rest omega_terminal relative_change bound load_minimum",
+                  "truncation");
 }
 
 Table history_table(const std::vector<fem::ContactIteration> &history)

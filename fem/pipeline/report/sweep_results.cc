@@ -1,9 +1,9 @@
 #include "fem/pipeline/report/sweep_results.h"
 
-#include "fem/pipeline/document/sweep_file.h"
-#include "fem/pipeline/report/common_sections.h"
-#include "fem/pipeline/report/head.h"
-#include "fem/pipeline/report/plots/plots.h"
+#include "fem/pipeline/document/answers.h"
+#include "fem/pipeline/document/sentences.h"
+#include "fem/pipeline/document/study_words.h"
+#include "fem/pipeline/report/picture_columns.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
@@ -18,43 +18,18 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// Smallest and largest value of a quantity and the cases that have them; null if no case has a value.
-Json range_facts(const CaseList &list, const FinishedCases &finished, const std::string &key)
-{
-  const std::pair<const std::size_t, CaseResult> *min = nullptr, *max = nullptr;
-  std::size_t n = 0;
-  for (const auto &one : finished)
-    if (const auto value = one.second.value(key))
-    {
-      ++n;
-      min = min == nullptr || *value < *min->second.value(key) ? &one : min;
-      max = max == nullptr || *value > *max->second.value(key) ? &one : max;
-    }
-  if (n == 0)
-    return nullptr;
-  return { { "n", n },
-           { "one", n == 1 },
-           { "min", *min->second.value(key) },
-           { "min_case", list.values_of(min->first) },
-           { "max", *max->second.value(key) },
-           { "max_case", list.values_of(max->first) } };
-}
-
 /// Ranges of the quantities of the table in the report and on the console.
 Json range_rows(const CaseList &list, const FinishedCases &finished)
 {
   Json rows = Json::array();
   for (const char *key : { "omega_terminal", "omega_first_harmonic", "omega_on_ring", "harmonic_effect",
                            "tau_at_rest", "moment_ratio", "contact_fraction" })
-    if (const Json range = range_facts(list, finished, key); !range.is_null())
-    {
-      const Quantity quantity = quantity_named(key, "sweep.csv");
-      rows.push_back({ { "quantity", heading_with_unit(quantity) },
-                       { "least", range["min"] },
-                       { "at_least", range["min_case"] },
-                       { "most", range["max"] },
-                       { "at_most", range["max_case"] } });
-    }
+    if (const auto range = range_of(list, finished, key))
+      rows.push_back({ { "quantity", heading_with_unit(quantity_named(key, "sweep.csv")) },
+                       { "least", range->min },
+                       { "at_least", range->min_case },
+                       { "most", range->max },
+                       { "at_most", range->max_case } });
   return rows;
 }
 
@@ -104,9 +79,9 @@ Json failure_rows(const CaseList &list, const FinishedCases &finished)
 }
 
 /// Ends of a range for --json; null if there is none.
-Json ends_of(const Json &range)
+Json ends_of(const std::optional<CaseRange> &range)
 {
-  return range.is_null() ? range : Json{ range["min"], range["max"] };
+  return range ? Json{ range->min, range->max } : Json(nullptr);
 }
 
 } // namespace
@@ -115,35 +90,40 @@ Results sweep_results(const CaseList &list, const FinishedCases &finished)
 {
   const auto n_failed =
     std::count_if(finished.begin(), finished.end(), [](const auto &one) { return !one.second.is_solved(); });
-  const Json spin = range_facts(list, finished, "omega_terminal"),
-             effect = range_facts(list, finished, "harmonic_effect");
+  const Json ranges = range_rows(list, finished);
   Json entries = Json::array();
   for (const VariedEntry &entry : list.entries)
     entries.push_back({ { "entry", entry.path }, { "unit", entry.unit } });
-  Document document;
-  document.findings.summary["sweep"] = { { "cases", list.cases.size() },
-                                         { "finished", finished.size() },
-                                         { "failed", n_failed },
-                                         { "entries", entries } };
-  document.findings.key_figures = { { "cases", list.cases.size() },
-                                    { "finished", finished.size() },
-                                    { "failed", n_failed },
-                                    { "omega_terminal", ends_of(spin) },
-                                    { "harmonic_effect", ends_of(effect) } };
-  document.facts = study_facts(list.base);
-  document.facts.update({ { "n_cases", list.cases.size() },
-                          { "n_finished", finished.size() },
-                          { "is_part", finished.size() < list.cases.size() },
-                          { "n_failed", n_failed > 0 ? Json(n_failed) : Json(nullptr) },
-                          { "spin", spin },
-                          { "effect", effect },
-                          { "falls", range_facts(list, finished, "omega_fall") },
-                          { "varied", varied_rows(list) },
-                          { "ranges", range_rows(list, finished) },
-                          { "failures", failure_rows(list, finished) } });
-  add_study(list.base, {}, document);
-  add_sweep_plots(list, finished, document);
-  return shown(document, "sweep");
+  Results results;
+  results.findings.summary["sweep"] = { { "cases", list.cases.size() },
+                                        { "finished", finished.size() },
+                                        { "failed", n_failed },
+                                        { "entries", entries } };
+  results.findings.key_figures = { { "cases", list.cases.size() },
+                                   { "finished", finished.size() },
+                                   { "failed", n_failed },
+                                   { "omega_terminal", ends_of(range_of(list, finished, "omega_terminal")) },
+                                   { "harmonic_effect",
+                                     ends_of(range_of(list, finished, "harmonic_effect")) } };
+  results.words = { { "title",
+                      title_of(list.base) + ": its spin in " + std::to_string(list.cases.size()) + " cases" },
+                    { "inputs", "" },
+                    { "answer", sweep_answer(list, finished) },
+                    { "one_way", is_one_way(list.base) } };
+  results.entries = all_entries(list.base);
+  results.add_rows("study_differences", changed_entries(list.base));
+  results.add_rows("varied", varied_rows(list));
+  results.add_rows("ranges", ranges, "quantity least at_least most at_most");
+  if (n_failed > 0)
+    results.add_rows("failures", failure_rows(list, finished));
+  add_sweep_pictures(list, finished, results);
+  results.files = { { "sweep.csv", "a row for each case: entries, numbers, status, message" },
+                    { "study.json", "study, columns with units and labels, version" },
+                    { "summary.json", "numbers of cases" },
+                    { "parameters.prm", "the study whose entries the cases change" },
+                    { "timings.json", "how long it took" } };
+  results.console = { { results.words["answer"], table_of(ranges, "quantity least most", "ranges") } };
+  return results;
 }
 
 } // namespace stemware::pipeline

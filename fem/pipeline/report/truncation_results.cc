@@ -1,9 +1,10 @@
 #include "fem/pipeline/report/truncation_results.h"
 
 #include "fem/pipeline/analysis/study_rows.h"
-#include "fem/pipeline/document/spin_rows.h"
+#include "fem/pipeline/document/answers.h"
+#include "fem/pipeline/document/sentences.h"
+#include "fem/pipeline/document/study_words.h"
 #include "fem/pipeline/report/common_sections.h"
-#include "fem/pipeline/report/head.h"
 
 #include <cmath>
 
@@ -33,39 +34,46 @@ unsigned int harmonics_enough(const std::vector<SpinRow> &rows, double share)
 
 Results tabulate_truncations(const Study &study, const LoadReport &load, const std::vector<SpinRow> &rows)
 {
-  const SpinRow &first = rows.front(), &all = rows.back();
-  const double omega = all.omega_terminal().value();
-  const HarmonicEffect effect = harmonic_effect(first.omega_terminal(), omega, spin_scale(study));
+  const std::optional<double> first = rows.front().omega_terminal();
+  const double omega = rows.back().omega_terminal().value();
+  const HarmonicEffect effect = harmonic_effect(first, omega, spin_scale(study));
   const unsigned int n_enough = harmonics_enough(rows, 1e-4);
-  const bool is_spinning = is_spin(study, omega);
-  const std::string held = is_spinning ? "" : held_by_the_grip(study, all);
-  Json reasons = Json::array();
+  const bool one_way = is_one_way(study);
+  Results results;
+  results.findings.summary = { { "load", load_summary(load) },
+                               { "harmonic_effect", harmonic_effect_summary(effect) } };
+  results.findings.key_figures = { { "omega_terminal", omega },
+                                   { "harmonic_effect", effect.absolute },
+                                   { "harmonic_effect_relative", effect.relative },
+                                   { "harmonics_for_1e-4", n_enough } };
+  results.words = { { "title", title_of(study) + ": how many harmonics of the load matter" },
+                    { "inputs", inputs_of(study) },
+                    { "answer", truncation_answer(study, rows, effect, n_enough) },
+                    { "one_way", one_way },
+                    { "reasons", Json::array() },
+                    { "sketch", sketch_words(study) },
+                    { "glasses",
+                      { { { "title", "all harmonics" }, { "omega", omega } },
+                        { { "title", "the first alone" }, { "omega", first } } } } };
   for (const SpinRow &row : rows)
     if (!row.reason.empty())
-      reasons.push_back({ { "harmonics", row.harmonics }, { "reason", row.reason } });
-
-  Document document;
-  document.findings.summary = { { "load", load_summary(load) },
-                                { "harmonic_effect", harmonic_effect_summary(effect) } };
-  document.findings.key_figures = { { "omega_terminal", omega },
-                                    { "harmonic_effect", effect.absolute },
-                                    { "harmonic_effect_relative", effect.relative },
-                                    { "harmonics_for_1e-4", n_enough } };
-  document.facts = study_facts(study);
-  document.facts.update({ { "held", held },
-                          { "stays", !is_spinning && held.empty() },
-                          { "one_harmonic", is_spinning && all.harmonics == 1 },
-                          { "several_harmonics", is_spinning && all.harmonics > 1 },
-                          { "omega", omega },
-                          { "n_harmonics", all.harmonics },
-                          { "first", first.omega_terminal() },
-                          { "effect", effect_facts(study, effect) },
-                          { "n_enough", n_enough },
-                          { "reasons", reasons } });
-  add_study(study, { { "all harmonics", omega }, { "the first alone", first.omega_terminal() } }, document,
-            load.rings);
-  add_truncations(rows, std::nullopt, document);
-  return shown(document, "truncate");
+      results.words["reasons"].push_back("With " + std::to_string(row.harmonics) +
+                                         " harmonics: " + row.reason + ".");
+  results.entries = all_entries(study);
+  results.add_rows("study_differences", changed_entries(study));
+  add_load(study, load, {}, results);
+  add_truncations(rows, std::nullopt, results);
+  results.files = { { "summary.json", "all numbers, for programs" },
+                    { "parameters.prm", "the study, to be run again" },
+                    { "truncation.csv", "the answer after 1, 2, 3, 4, 6, 8 ... harmonics",
+                      truncation_table(results.findings.summary["truncation"]) },
+                    { "timings.json", "how long it took" } };
+  results.console = { { results.words["answer"] },
+                      { one_way ? "One-way, the load of rest cut off:" : "In balance at every spin:",
+                        table_of(shown_truncations(rows, std::nullopt),
+                                 "harmonics omega_terminal relative_change bound load_minimum",
+                                 "shown_truncations") } };
+  return results;
 }
 
 } // namespace stemware::pipeline

@@ -29,14 +29,14 @@ namespace fs = std::filesystem;
 namespace
 {
 
-// The names of all results: a report's templates name the same files and figures (a test compares), and
-// publish() refuses others.
+// The names of all results: publish() refuses others.
 constexpr char result_files[] =
   "summary.json timings.json parameters.prm report.html harmonics.dat study.json manifest.json "
   "load.csv rings.csv budget.csv without.csv torque.csv spin_up.csv truncation.csv "
   "driven_spin_up.csv phases.csv load_lines.csv footprint.csv footprint_at_end.csv "
   "contact_history.csv converge.csv sweep.csv sweep.csv.sorted figures/style.gnuplot "
   "fields/contact.vtu fields/contact.pvtu fields/contact_at_terminal_spin.vtu";
+// Pictures of earlier versions: their folders of results can be replaced.
 constexpr char figures[] =
   "glass orbits waterfall effects load slip spectrum line_load higher_harmonics spin_up "
   "harmonic_torque torque phases driven_spin_up orbit_speed section_stress foot_from_above section "
@@ -292,26 +292,34 @@ void ResultsFolder::publish()
   whole.swap(partial); // from here on it is removed by nobody
   created_parents.clear();
   const std::string place = " The results are in " + whole.string() + ".";
-  try
-  {
-    require_replaceable(target);
-    const bool replaces = fs::exists(target) && !fs::is_empty(target);
-    const fs::path older = whole.string() + ".replaced";
-    if (replaces)
-      fs::rename(target, older);
-    fs::rename(whole, target);
-    if (replaces)
-      remove_results(older);
-  }
-  catch (const OutputFailure &failure)
-  {
-    throw OutputFailure(failure.what() + place);
-  }
-  catch (const fs::filesystem_error &error)
-  {
-    throw OutputFailure(fmt::format(FMT_STRING("{} cannot be replaced ({}).{}"),
-                                    shortened_path(target.string()), error.code().message(), place));
-  }
+  const fs::path older = whole.string() + ".replaced";
+  // Another run may replace the folder between two of these calls: its results are then the older ones.
+  constexpr unsigned int max_attempts = 10;
+  for (unsigned int n_attempts = 1;; ++n_attempts)
+    try
+    {
+      require_replaceable(target);
+      if (fs::exists(target) && !fs::is_empty(target))
+        fs::rename(target, older);
+      fs::rename(whole, target);
+      if (fs::exists(older))
+        remove_results(older);
+      return;
+    }
+    catch (const OutputFailure &failure)
+    {
+      if (n_attempts == max_attempts)
+        throw OutputFailure(failure.what() + place);
+    }
+    catch (const fs::filesystem_error &error)
+    {
+      std::error_code no_error;
+      if (fs::exists(older, no_error) && fs::exists(target, no_error))
+        remove_results(older);
+      if (n_attempts == max_attempts)
+        throw OutputFailure(fmt::format(FMT_STRING("{} cannot be replaced ({}).{}"),
+                                        shortened_path(target.string()), error.code().message(), place));
+    }
 }
 
 void require_writable(const fs::path &file)

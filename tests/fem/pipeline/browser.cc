@@ -100,6 +100,58 @@ nlohmann::json opened_in_browser(const ScratchFolder &scratch, const std::vector
   return found;)");
 }
 
+nlohmann::json reports_in_browser(const ScratchFolder &scratch, const std::vector<std::string> &addresses)
+{
+  return found_in_browser(scratch,
+                          "const addresses = " + script_string(nlohmann::json(addresses).dump()) + R"(;
+  const found = {}, no_number = /NaN|undefined|Infinity|\[object/;
+  const parsed = csv => csv.trim().split("\r\n").map(row => row.match(/("([^"]|"")*"|[^,]*)(,|$)/g)
+    .map(cell => cell.replace(/,$/, "").replace(/^"|"$/g, "").replaceAll('""', '"')));
+  for (const address of JSON.parse(addresses)) {
+    const frame = document.createElement("iframe"), flaws = [], figures = {}, tables = {}, blobs = [];
+    frame.style = "border:0;height:900px;width:1100px";
+    frame.src = address;
+    const loaded = new Promise(done => frame.onload = done);
+    document.body.append(frame);
+    await loaded;
+    const page = frame.contentDocument, { contentWindow } = frame;
+    contentWindow.URL.createObjectURL = blob => (blobs.push(blob), "data:,");
+    contentWindow.HTMLAnchorElement.prototype.click = () => {};
+    if (!page.body.dataset.complete)
+      flaws.push("the script has not ended");
+    page.querySelectorAll("details").forEach(fold => fold.open = true);
+    await new Promise(done => setTimeout(done, 100)); // pictures in folds are drawn again
+    if (no_number.test(page.body.innerText))
+      flaws.push("the text has " + page.body.innerText.match(/.{0,60}(NaN|undefined|Infinity|\[object).{0,60}/)[0]);
+    const content = async button => {
+      button.click();
+      return blobs.pop().text();
+    };
+    for (const figure of page.querySelectorAll("figure")) {
+      if (no_number.test(figure.querySelector("svg").outerHTML))
+        flaws.push("no number is in the picture " + figure.id);
+      figures[figure.id] = [];
+      const [svg, , csv] = figure.querySelectorAll("figcaption button.file");
+      if (!svg)
+        continue;
+      const text = await content(svg), file = new DOMParser().parseFromString(text, "image/svg+xml");
+      if (file.querySelector("parsererror") || text.includes("var(--"))
+        flaws.push("no SVG: " + text.slice(0, 200));
+      figures[figure.id] = parsed(await content(csv));
+    }
+    for (const table of page.querySelectorAll("table")) {
+      const title = table.caption.firstChild ? table.caption.innerText.replace(/ CSV$/, "") : "";
+      tables[title] = [...table.rows].map(row => [...row.cells].map(cell => cell.innerText));
+    }
+    for (const link of page.querySelectorAll("dl a"))
+      if (!(await fetch(link.href)).ok)
+        flaws.push("no file " + link.href);
+    found[address] = { answer: page.querySelector("p.answer").textContent, flaws, figures, tables };
+    frame.remove();
+  }
+  return found;)");
+}
+
 std::string without_policy(const std::string &page)
 {
   const std::size_t begin = page.find("<meta http-equiv=\"Content-Security-Policy\"");

@@ -30,6 +30,12 @@ nlohmann::json found_in_browser(const ScratchFolder &scratch, const std::string 
 /// hostile_text() "ran".
 nlohmann::json opened_in_browser(const ScratchFolder &scratch, const std::vector<std::string> &addresses);
 
+/// Opens reports, addresses relative to @p scratch, with all folds open. Returns by address: "answer";
+/// "flaws", a sentence for each thing that no page may have (a script that has not ended, a number that is
+/// none, a file of a picture that is no SVG); "figures", by id the rows of its CSV file; "tables", by title
+/// its rows of texts.
+nlohmann::json reports_in_browser(const ScratchFolder &scratch, const std::vector<std::string> &addresses);
+
 /// The page without its Content-Security-Policy: what it runs then has to be harmless by itself.
 std::string without_policy(const std::string &page);
 

@@ -321,12 +321,7 @@ std::map<std::string, std::string> all_files(const fs::path &folder)
   std::map<std::string, std::string> files;
   for (const auto &item : fs::recursive_directory_iterator(folder))
     if (item.is_regular_file() && item.path().filename() != "timings.json")
-    {
-      std::string &text = files[fs::relative(item.path(), folder).string()] = read_text(item.path());
-      if (const auto hour = text.rfind("/Type /ObjStm");
-          item.path().extension() == ".pdf" && hour != text.npos)
-        text.resize(hour);
-    }
+      files[fs::relative(item.path(), folder).string()] = read_text(item.path());
   return files;
 }
 

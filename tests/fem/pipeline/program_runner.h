@@ -89,8 +89,8 @@ nlohmann::json read_summary(const std::filesystem::path &results);
 /// Columns of a table of results by position, as numbers: of CSV or of columns parted by blanks.
 std::vector<std::vector<double>> read_columns(const std::filesystem::path &table);
 
-/// Contents of all files below a folder by relative path, without timings.json, and without what tells the
-/// hour at which Debian 13's cairo made a PDF: its compressed last part.
+/// Contents of all files below a folder by relative path, without timings.json, which differs from run to
+/// run.
 std::map<std::string, std::string> all_files(const std::filesystem::path &folder);
 
 /// Names of everything in a folder, hidden files too, without the runner's own .out and .err.

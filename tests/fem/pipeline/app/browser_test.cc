@@ -1,10 +1,12 @@
 // The report of every verb in a real browser, on a phone and on a desk, and on paper.
 #include "tests/fem/pipeline/browser.h"
+#include "tests/fem/pipeline/matchers.h"
 
 #include <boost/algorithm/string/replace.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -82,11 +84,12 @@ const finish = found => {
   document.body.textContent = "MEASURED" + JSON.stringify(measured) + "MEASURED";
   console.log("the browser has measured");
 };
-const measure = (frame, width) => {
+const measure = async (frame, width) => {
   const page = frame.contentDocument;
   const height = page.documentElement.scrollHeight;
   const answer_at = page.querySelector("p.answer").getBoundingClientRect().top;
   page.querySelectorAll("details").forEach(fold => fold.open = true);
+  await new Promise(done => setTimeout(done, 200)); // pictures in folds are drawn again
   const figures = Array.from(page.querySelectorAll("figure")).map(figure => {
     const svg = figure.querySelector("svg");
     if (!svg)
@@ -165,11 +168,6 @@ TEST_P(Browser, ShowsEveryPictureAndTheAnswerAtEachWidthAndPrints)
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const fs::path report = scratch / "results/report.html";
 
-  std::set<std::string> drawn;
-  for (const auto &file : fs::directory_iterator(scratch / "results/figures"))
-    if (file.path().extension() == ".svg")
-      drawn.insert(file.path().stem());
-  EXPECT_GE(drawn.size(), 2u);
   const nlohmann::json measured = measure(scratch, report);
   for (const unsigned int width : widths)
   {
@@ -182,12 +180,11 @@ TEST_P(Browser, ShowsEveryPictureAndTheAnswerAtEachWidthAndPrints)
       shown.insert(figure["name"].get<std::string>());
       EXPECT_GT(figure["width"].get<double>(), 0.85 * std::min(width, 430u)) << figure;
       EXPECT_LE(figure["width"].get<double>(), width) << figure;
-      const bool is_flat = figure["name"] == "legend" || figure["name"] == "sliding";
-      EXPECT_TRUE(is_flat || figure["height"].get<double>() > 0.3 * figure["width"].get<double>()) << figure;
+      EXPECT_GT(figure["height"].get<double>(), 0.3 * figure["width"].get<double>()) << figure;
       EXPECT_GE(figure["texts"].get<unsigned int>(), 2u) << figure; // labels and keys
     }
-    EXPECT_EQ(shown, drawn);
-    EXPECT_EQ(page["figures"].size(), drawn.size());
+    EXPECT_GE(shown.size(), 1u);
+    EXPECT_EQ(page["figures"].size(), shown.size());
     EXPECT_EQ(page["troubles"], nlohmann::json::array()) << page["troubles"].dump(1);
     const std::string answer = in_one_line(page["answer"]);
     EXPECT_GT(answer.size(), 60u);
@@ -200,7 +197,7 @@ TEST_P(Browser, ShowsEveryPictureAndTheAnswerAtEachWidthAndPrints)
   {
     const nlohmann::json &desk = measured[std::to_string(widths.front())];
     EXPECT_LT(desk["answer_at"].get<double>(), 900);
-    EXPECT_LT(desk["height"].get<double>(), 4500);
+    EXPECT_LT(desk["height"].get<double>(), 6000);
   }
 
   const fs::path pdf = scratch / "report.pdf";
@@ -214,6 +211,200 @@ TEST_P(Browser, ShowsEveryPictureAndTheAnswerAtEachWidthAndPrints)
 
 INSTANTIATE_TEST_SUITE_P(Report, Browser, testing::ValuesIn(opened()),
                          [](const auto &info) { return info.param.name; });
+
+/// Studies that end in other states than that of opened(), each with a picture or a sentence of its own.
+struct State : Opened
+{
+  std::string answer;                                  ///< words in it
+  std::vector<std::string> figures = {}, missing = {}; ///< names
+};
+
+const std::vector<State> &states()
+{
+  const auto plain = [](const std::vector<std::string> &settings)
+  {
+    std::vector<std::string> arguments = { "run", "study.prm" };
+    for (const std::string &setting : settings)
+      arguments.insert(arguments.end(), { "--set", setting });
+    return arguments;
+  };
+  const auto quick = [](const std::vector<std::string> &settings)
+  {
+    std::vector<std::string> arguments = { "run", "--quick" };
+    for (const std::string &setting : settings)
+      arguments.insert(arguments.end(), { "--set", setting });
+    return arguments;
+  };
+  static const std::vector<State> all = {
+    { { "balanced", quick({}) }, "quick run", { "spin_up", "slip_at_end" }, { "waterfall" } },
+    { { "falling", quick({ "Motion/Centre of mass height=0.138" }) },
+      "falls over on the way",
+      { "footprint_at_end" },
+      { "slip_at_end", "truncation" } },
+    { { "wavy", plain({ "Glass/Rim waviness=3: 1e-6" }) }, "turns once", { "phases", "waterfall" } },
+    { { "tensile", plain({ "Load/Source=first harmonic", "Load/Moment ratio=1.3" }) },
+      "Under the given moment",
+      { "load", "spin_up" },
+      { "footprint" } },
+    { { "lifted", plain({ "Load/Moment ratio=1.3" }) }, "turns once", { "waterfall", "foot_from_above" } },
+    { { "at_rest", plain({ "Load/Source=first harmonic", "Load/Moment ratio=0" }) },
+      "does not spin up",
+      { "torque", "load" },
+      { "spin_up", "waterfall", "effects", "truncation" } },
+    { { "driven", quick({ "Motion/Orbit speed file=speeds.csv", "Motion/Measured spin file=spins.csv" }) },
+      "turns once",
+      { "driven_spin_up", "orbit_speed" } },
+    { { "load_file", plain({ "Load/Source=file", "Load/File=load.dat" }) },
+      "Under the given load",
+      { "load", "waterfall" },
+      { "footprint" } },
+    { { "mesh", plain({ "Contact/Body=solid", "Contact/Mesh file=flat_foot.msh" }) },
+      "turns once",
+      { "footprint", "waterfall" },
+      { "section_stress" } },
+    { { "gripped", plain({ "Motion/Grip torque=1" }) }, "hold", { "torque" }, { "waterfall" } },
+    { { "clockwise", quick({ "Motion/Orbit sense=clockwise", "Load/Coupling=one-way" }) },
+      "counter-clockwise, against its orbit",
+      { "orbits", "glass" } },
+    { { "several_spins",
+        quick({ "Load/Source=first harmonic", "Motion/Friction law=Stribeck",
+                "Motion/Static friction coefficient=1", "Motion/Friction coefficient=0.2",
+                "Motion/Friction decay speed=0.3", "Motion/Force offset=-0.01", "Motion/Closure=paper" }) },
+      "turns once",
+      { "torque" } },
+    { { "truncate_one_harmonic", { "truncate", "--set", "Load/Source=first harmonic" } },
+      "one harmonic",
+      { "load" } },
+    { { "sweep_that_fails",
+        { "sweep", "study.prm", "--set", "Glass/Shape=profile", "--set", "Glass/Land width=0.0017", "--set",
+          "Glass/Profile file=own_profile.csv", "--vary", "Glass/Profile file=own_profile.csv,broken.csv",
+          "--vary", "Motion/Mass=0.2,0.3" } },
+      "2 of 4 cases failed" },
+    { { "sweep_of_a_list", { "sweep", "--set", "Load/Source=first harmonic", "--cases", "cases.csv" } },
+      "In 2 cases",
+      {},
+      { "omega_terminal" } },
+  };
+  return all;
+}
+
+/// Opens a state in the browser.
+nlohmann::json opened_state(const ScratchFolder &scratch, const State &state)
+{
+  std::vector<std::string> arguments = state.arguments;
+  arguments.insert(arguments.end(), { "--output", "results" });
+  const Ended run = stemware(scratch, arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return reports_in_browser(scratch, { "results/report.html" })["results/report.html"];
+}
+
+class BrowserStates : public testing::TestWithParam<State>
+{
+};
+
+TEST_P(BrowserStates, HaveTheirPicturesAndNoFlaw)
+{
+  const ScratchFolder scratch;
+  scratch.write("study.prm", plain_study());
+  scratch.write("speeds.csv", "t (s), v (m/s)\n0, 0.3\n100, 0.35\n");
+  scratch.write("spins.csv", "t (s), omega (rad/s)\n0, 0\n1, -2\n");
+  scratch.write("load.dat", "# ring radius: 0.03 (m)\n0 0.4684 0\n1 0 -0.1\n2 0.01 0\n");
+  scratch.write("broken.csv", "r (m), z (m)\n0, 0\n");
+  scratch.write("own_profile.csv", read_text(fs::path(STEMWARE_COOKBOOKS) / "own_profile.csv"));
+  scratch.write("cases.csv", "Motion/Mass\n0.2\n0.3\n");
+  scratch.write("flat_foot.msh", read_text(fs::path(STEMWARE_DOCS) / "../meshes/flat_foot.msh"));
+  const nlohmann::json page = opened_state(scratch, GetParam());
+  EXPECT_EQ(page["flaws"], nlohmann::json::array()) << page["flaws"].dump(1);
+  EXPECT_THAT(page["answer"].get<std::string>(), testing::HasSubstr(GetParam().answer));
+  for (const std::string &figure : GetParam().figures)
+    EXPECT_TRUE(page["figures"].contains(figure)) << figure;
+  for (const std::string &figure : GetParam().missing)
+    EXPECT_FALSE(page["figures"].contains(figure)) << figure;
+}
+
+INSTANTIATE_TEST_SUITE_P(Report, BrowserStates, testing::ValuesIn(states()),
+                         [](const auto &info) { return info.param.name; });
+
+/// Points of the curve @p name in the CSV file of a picture, whose rows stand together.
+std::vector<std::pair<double, double>> points_of(const nlohmann::json &rows, const std::string &name)
+{
+  std::vector<std::pair<double, double>> points;
+  for (const auto &row : rows)
+    if (row[0] == name)
+      points.emplace_back(std::stod(row.at(1).get<std::string>()), std::stod(row.at(2).get<std::string>()));
+    else if (!points.empty())
+      break;
+  return points;
+}
+
+/// Whether each point is a row of the columns, values times @p factor, to the six digits of a picture.
+void expect_rows(const std::vector<std::pair<double, double>> &points, const std::vector<double> &x,
+                 const std::vector<double> &y, double factor)
+{
+  EXPECT_GE(points.size(), 2u);
+  const double scale =
+    *std::max_element(y.begin(), y.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  for (const auto &[at, value] : points)
+  {
+    const auto next = std::min_element(
+      x.begin(), x.end(), [at = at](double a, double b) { return std::abs(a - at) < std::abs(b - at); });
+    EXPECT_NEAR(*next, at, 1e-5 * std::abs(x.back()));
+    EXPECT_NEAR(y[static_cast<std::size_t>(next - x.begin())] * factor, value,
+                1e-5 * std::abs(factor * scale))
+      << at;
+  }
+}
+
+TEST(Reports, PicturesAndTablesShowTheNumbersOfTheFiles)
+{
+  const ScratchFolder scratch;
+  scratch.write("study.prm", plain_study());
+  const nlohmann::json page = opened_state(scratch, { { "run", { "run", "study.prm" } }, "" });
+  const nlohmann::json &figures = page["figures"];
+  const auto torque = read_columns(scratch / "results/torque.csv"),
+             spin_up = read_columns(scratch / "results/spin_up.csv"),
+             load = read_columns(scratch / "results/load.csv");
+  expect_rows(points_of(figures["torque"], "all harmonics"), torque[0], torque[2], 1e3); // mN m
+  expect_rows(points_of(figures["spin_up"], "all harmonics"), spin_up[0], spin_up[1], 1);
+  std::vector<double> degrees = load[0];
+  for (double &angle : degrees)
+    angle *= 180 / M_PI;
+  const auto summary = read_summary(scratch / "results");
+  expect_rows(points_of(figures["line_load"], "first harmonic"), degrees, load[2],
+              1 / summary["load"]["ring_radius"].get<double>());
+  // Steps of the budget: the picture's bars end at the rows' spins.
+  const nlohmann::json &budget = summary["budget"];
+  const nlohmann::json &bars = figures["waterfall"];
+  const auto ends_at = [&](double omega)
+  {
+    return std::any_of(bars.begin() + 1, bars.end(),
+                       [&](const nlohmann::json &row) {
+                         return row.size() > 3 &&
+                                std::abs(std::stod(row[3].get<std::string>()) - omega) < 1e-8;
+                       });
+  };
+  for (std::size_t i = 1; i < budget.size(); ++i)
+    if (budget[i]["name"] != "harmonics" && !budget[i]["difference"].is_null())
+    {
+      EXPECT_TRUE(ends_at(budget[i]["omega_terminal"])) << budget[i];
+    }
+  // What a reader sees of the table without one thing at a time, digit by digit.
+  const nlohmann::json &rows = page["tables"]["The complete model without one thing at a time"];
+  const nlohmann::json &without = summary["without"];
+  ASSERT_EQ(rows.size(), without.size() + 1);
+  for (std::size_t i = 0; i < without.size(); ++i)
+  {
+    EXPECT_EQ(rows[i + 1][0], without[i]["name"]);
+    if (without[i]["omega_terminal"].is_number())
+    {
+      EXPECT_NEAR(std::stod(in_one_line(rows[i + 1][1])), without[i]["omega_terminal"].get<double>(), 5e-7);
+    }
+    else
+    {
+      EXPECT_EQ(rows[i + 1][1], "\u2013");
+    }
+  }
+}
 
 /// Reports with hostile text in every place that takes any: those of all verbs, of a study and measured spins
 /// of that name, and one for each other file that a study reads; a sweep has a case that fails, too.

@@ -1,5 +1,6 @@
 // The whole pipeline on a coarse mesh: contact, load, ring, results.
 #include "tests/fem/pipeline/matchers.h"
+#include "tests/fem/pipeline/page_document.h"
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
 #include <thread>
 
 namespace stemware::test
@@ -279,14 +281,21 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
     EXPECT_GT(n_cells("together/fields/" + piece), 0);
   EXPECT_EQ(n_cells("together/fields/" + pieces[0]) + n_cells("together/fields/" + pieces[1]),
             n_cells("alone/fields/contact.vtu"));
-  const std::string report = read_text(scratch / "together/report.html");
-  EXPECT_THAT(report, testing::HasSubstr("fields/contact.pvtu"));
-  EXPECT_THAT(report, testing::Not(testing::HasSubstr("fields/contact.vtu")));
-  // Every picture, once.
-  const std::string report_of_one = read_text(scratch / "alone/report.html");
-  const auto pictures = all_between(report_of_one, "<figure id=\"", "\"");
-  EXPECT_GT(pictures.size(), 4u);
-  EXPECT_EQ(all_between(report, "<figure id=\"", "\""), pictures);
+  const nlohmann::json page = page_document(scratch / "together"),
+                       page_of_one = page_document(scratch / "alone");
+  EXPECT_THAT(page["files"].dump(), testing::HasSubstr("fields/contact.pvtu"));
+  EXPECT_THAT(page["files"].dump(), testing::Not(testing::HasSubstr("fields/contact.vtu")));
+  // The pictures of one process.
+  const auto tables_of = [](const nlohmann::json &document)
+  {
+    std::set<std::string> names;
+    for (const auto &[name, table] : document["tables"].items())
+      names.insert(name);
+    for (const auto &[name, part] : document["tables"]["foot"].items())
+      names.insert("foot/" + name + (part.is_null() ? ": none" : ""));
+    return names;
+  };
+  EXPECT_EQ(tables_of(page), tables_of(page_of_one));
 }
 
 TEST(ContactRun, ARankThatCannotWriteEndsAllOfThem)

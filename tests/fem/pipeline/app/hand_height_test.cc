@@ -1,51 +1,31 @@
 // The cookbook's sweep of the hand's height on through the centre of mass, where the spin changes its sign: a
 // first harmonic alone jumps there (it pulls on the table), all harmonics pass zero.
 #include "tests/fem/pipeline/csv_table.h"
+#include "tests/fem/pipeline/page_document.h"
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace stemware::test
 {
 namespace
 {
 
-/// The longest line that a block of a plot's data draws up or down: between two finite values in a row. The
-/// number of finite values goes to @p n_finite.
-double longest_line(const std::vector<double> &y, std::size_t &n_finite)
+/// The longest line that a curve of the page draws up or down: between two values in a row. The number of
+/// values goes to @p n_values.
+double longest_line(const nlohmann::json &y, std::size_t &n_values)
 {
   double longest = 0;
   for (std::size_t i = 0; i < y.size(); ++i)
   {
-    n_finite += std::isfinite(y[i]);
-    if (i > 0 && std::isfinite(y[i]) && std::isfinite(y[i - 1]))
-      longest = std::max(longest, std::abs(y[i] - y[i - 1]));
+    n_values += y[i].is_number();
+    if (i > 0 && y[i].is_number() && y[i - 1].is_number())
+      longest = std::max(longest, std::abs(y[i].get<double>() - y[i - 1].get<double>()));
   }
   return longest;
-}
-
-/// The second column of a block of data, the first block being 0.
-std::vector<double> block_of(const std::string &data, std::size_t wanted)
-{
-  std::istringstream lines(data);
-  std::vector<double> values;
-  std::size_t block = 0;
-  for (std::string line; std::getline(lines, line);)
-  {
-    if (line.empty() && std::getline(lines, line) && line.empty())
-      ++block;
-    if (line.empty() || line.front() == '#' || block != wanted)
-      continue;
-    std::istringstream words(line);
-    std::string x, y;
-    words >> x >> y;
-    values.push_back(std::stod(y));
-  }
-  return values;
 }
 
 TEST(HandHeight, ThroughZeroHasNoHugePercentageAndNoFalseLine)
@@ -73,7 +53,8 @@ TEST(HandHeight, ThroughZeroHasNoHugePercentageAndNoFalseLine)
 
   // All harmonics are one line to where the foot tips; the others are broken on both sides of zero, where
   // they differ by 5 rad/s and more.
-  const std::string spins = read_text(scratch / "results/figures/omega_terminal.dat");
+  const nlohmann::json picture = page_document(scratch / "results")["tables"]["pictures"][0];
+  ASSERT_EQ(picture["id"], "omega_terminal");
   std::size_t n_solved = 0, n_falls = 0;
   for (std::size_t i = 0; i < table.n_rows(); ++i)
   {
@@ -88,11 +69,12 @@ TEST(HandHeight, ThroughZeroHasNoHugePercentageAndNoFalseLine)
   // or to a jump between the two, are no smooth continuation (0.7 and more instead of 0.12).
   const auto spin = [&](std::size_t i) { return table.number(i, "omega_terminal (rad/s)"); };
   EXPECT_LT(std::abs(spin(37) - 3 * spin(36) + 3 * spin(35) - spin(34)), 0.3);
-  for (const std::size_t block : { 0, 1, 2 })
+  ASSERT_EQ(picture["curves"].size(), 3u);
+  for (const std::size_t curve : { 0, 1, 2 })
   {
-    std::size_t n_finite = 0;
-    EXPECT_LT(longest_line(block_of(spins, block), n_finite), 2.6) << block;
-    EXPECT_EQ(n_finite, block < 2 ? n_solved : n_solved + n_falls); // a formal load never falls
+    std::size_t n_values = 0;
+    EXPECT_LT(longest_line(picture["curves"][curve]["y"], n_values), 2.6) << curve;
+    EXPECT_EQ(n_values, curve < 2 ? n_solved : n_solved + n_falls); // a formal load never falls
   }
 }
 

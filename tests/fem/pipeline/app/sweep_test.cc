@@ -304,7 +304,7 @@ TEST(Sweep, AHostileValueRunsNothing)
     stemware(scratch, sweep({ "--vary", cases, "--vary", "Motion/Friction coefficient=0.2,0.3,0.4" }));
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(ended.err, "");
-  EXPECT_TRUE(std::filesystem::exists(scratch / "results/figures/tau_at_rest.svg"));
+  EXPECT_TRUE(std::filesystem::exists(scratch / "results/report.html"));
   for (const auto &entry : std::filesystem::recursive_directory_iterator(scratch.path()))
     EXPECT_NE(entry.path().filename(), "PWN") << entry.path();
 }

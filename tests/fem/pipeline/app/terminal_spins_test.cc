@@ -1,5 +1,6 @@
 // All terminal spins of a study, with their stability.
 #include "tests/fem/pipeline/matchers.h"
+#include "tests/fem/pipeline/page_document.h"
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +68,7 @@ nlohmann::json run_of(const std::vector<std::string> &settings, std::string &pag
   command.insert(command.end(), settings.begin(), settings.end());
   const Ended ended = stemware(scratch, command);
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  page = read_text(scratch / "out/report.html");
+  page = page_document(scratch / "out")["words"]["several_spins"];
   return read_summary(scratch / "out")["ring"];
 }
 
@@ -90,7 +91,7 @@ TEST(TerminalSpins, AreAllFoundWithTheirStability)
     EXPECT_EQ(found["from_rest"].get<bool>(), i == 0);
   }
   EXPECT_EQ(ring["terminal_spins"][0]["omega"], ring["omega_terminal"]);
-  EXPECT_THAT(page, testing::HasSubstr("All terminal spins"));
+  EXPECT_THAT(page, testing::HasSubstr("3 spins, 2 of them stable"));
 }
 
 TEST(TerminalSpins, OfAnElasticFootAreNearThoseOfTheRing)

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 namespace stemware::pipeline
 {
 namespace
@@ -30,11 +28,9 @@ TEST(RunByHand, GoalOfTheMesh)
   EXPECT_EQ(summary["value"], -3.5);
   EXPECT_EQ(summary["estimated_error"], 3e-5);
   EXPECT_EQ(summary["band_of_mesh"], 6e-5);
-  const auto bands = std::find_if(results.report.sections.begin(), results.report.sections.end(),
-                                  [](const auto &section) { return section.heading == "Error bands"; });
-  ASSERT_NE(bands, results.report.sections.end());
-  EXPECT_NE(bands->text.find("made for the terminal spin: 3.0e-05 is estimated to be missing to its value, "
-                             "and the band has 6.0e-05 for the mesh"),
+  EXPECT_NE(results.words["mesh_for_goal"].get<std::string>().find(
+              "made for the terminal spin: 3.0e-05 is estimated to be missing to its value, "
+              "and the band has 6.0e-05 for the mesh"),
             std::string::npos);
   EXPECT_EQ(summary["tolerance"], 2e-5);
   EXPECT_EQ(summary["meshes"], 4);

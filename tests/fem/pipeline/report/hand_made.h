@@ -2,16 +2,13 @@
 
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/coupling/contact_report.h"
-#include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/report/results.h"
+#include "fem/pipeline/report/table_renderers.h"
 #include "tests/fem/pipeline/csv_table.h"
-
-#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -148,68 +145,6 @@ inline std::string csv_lines(const std::string &text)
   return as_lines(columns);
 }
 
-/// Columns as lines of their rows, "cell | cell | cell", the heading first.
-inline std::string as_rows(const std::vector<std::vector<std::string>> &columns)
-{
-  std::string lines;
-  for (std::size_t row = 0; row < columns.at(0).size(); ++row)
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      lines += columns[c].at(row) + (c + 1 < columns.size() ? " | " : "\n");
-  return lines;
-}
-
-/// A page of HTML with numbers as the console has them: -3.4e-06 for a true minus and a power of ten.
-inline std::string with_plain_numbers(std::string html)
-{
-  boost::replace_all(html, "\u2212", "-");
-  static const std::regex power("([0-9.]+ · )?10<sup>(-?)([0-9]+)</sup>");
-  std::string plain;
-  for (std::smatch match; std::regex_search(html, match, power); html = match.suffix())
-  {
-    const std::string mantissa = match[1].str().substr(0, match[1].str().find(' '));
-    plain += match.prefix().str() + (mantissa.empty() ? "1" : mantissa) + 'e' +
-             (match[2] == "-" ? '-' : '+') + (match[3].length() < 2 ? "0" : "") + match[3].str();
-  }
-  return plain + html;
-}
-
-/// HTML tables, the caption first, then a line for each column, or @p by_rows for each row, without markup.
-inline std::string html_lines(const std::string &page, bool by_rows = false)
-{
-  const std::string html = with_plain_numbers(page);
-  std::string text, content;
-  std::vector<std::vector<std::string>> columns;
-  std::size_t c = 0;
-  for (std::size_t i = 0; i < html.size(); ++i)
-  {
-    if (html[i] != '<')
-    {
-      content += html[i];
-      continue;
-    }
-    const std::string tag = html.substr(i + 1, html.find('>', i) - i - 1);
-    i += tag.size() + 1;
-    if (tag == "caption" || tag.substr(0, 3) == "th " || tag.substr(0, 2) == "td")
-      content.clear();
-    else if (tag == "/caption")
-      text += content + '\n';
-    else if (tag == "tr")
-      c = 0;
-    else if (tag == "/th" || tag == "/td")
-    {
-      if (c == columns.size())
-        columns.emplace_back();
-      columns[c++].push_back(content);
-    }
-    else if (tag == "/table")
-    {
-      text += by_rows ? as_rows(columns) : as_lines(columns);
-      columns.clear();
-    }
-  }
-  return text;
-}
-
 /// A list of JSON objects, a line for each key.
 inline std::string json_lines(const nlohmann::ordered_json &rows)
 {
@@ -253,19 +188,20 @@ inline std::string file_lines(const pipeline::Results &results, const std::strin
   throw std::out_of_range("no file " + name);
 }
 
-/// The tables under a heading of the report, by lines.
-inline std::string report_lines(const pipeline::Results &results, const std::string &heading,
-                                bool by_rows = false)
+/// A table of the page, a line for each column, with its heading and unit as the page shows them.
+inline std::string page_lines(const pipeline::Document &document, const std::string &name)
 {
-  for (const pipeline::ReportSection &section : results.report.sections)
-    if (section.heading == heading)
-    {
-      std::string html;
-      for (const pipeline::Table &table : section.tables)
-        html += html_table(table);
-      return html_lines(html, by_rows);
-    }
-  throw std::out_of_range("no section " + heading);
+  const auto &table = document.tables.at(name);
+  std::vector<std::vector<std::string>> columns;
+  for (std::size_t c = 0; c < table["keys"].size(); ++c)
+  {
+    const auto &quantity = document.quantities.at(name).at(table["keys"][c].get<std::string>());
+    const std::string unit = quantity["unit"];
+    columns.push_back({ pipeline::with_unit(quantity["heading"], unit == "1" ? "" : unit) });
+    for (const auto &cell : table["values"][c])
+      columns.back().push_back(cell.is_string() ? cell.get<std::string>() : cell.dump());
+  }
+  return as_lines(columns);
 }
 
 /// The tables on the console.
@@ -285,26 +221,6 @@ inline std::string file_names(const pipeline::Results &results)
   for (const pipeline::ResultFile &file : results.files)
     text += file.name + ": " + file.description + '\n';
   return text;
-}
-
-/// The report's plot of that name.
-inline const pipeline::Plot &plot_of(const pipeline::Results &results, const std::string &name)
-{
-  for (const pipeline::ReportSection &section : results.report.sections)
-    for (const pipeline::Plot &plot : section.plots)
-      if (plot.name == name)
-        return plot;
-  throw std::out_of_range("no plot " + name);
-}
-
-inline std::string plot_data(const pipeline::Results &results, const std::string &name)
-{
-  return plot_of(results, name).data;
-}
-
-inline std::string plot_script(const pipeline::Results &results, const std::string &name)
-{
-  return plot_of(results, name).script;
 }
 
 } // namespace stemware::test

@@ -1,8 +1,8 @@
 // The sentences of `run`: its answer and its remarks.
 #include "fem/pipeline/analysis/sweep/sweep_case.h"
+#include "fem/pipeline/document/run_answer.h"
+#include "fem/pipeline/document/sentences.h"
 #include "fem/pipeline/document/spin_rows.h"
-#include "fem/pipeline/report/common_sections.h"
-#include "fem/pipeline/report/document.h"
 #include "fem/pipeline/support/text.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
@@ -16,12 +16,6 @@ namespace
 {
 
 using namespace test;
-
-/// The text of a template.
-std::string said(const std::string &name, const nlohmann::ordered_json &facts)
-{
-  return shown({ {}, facts }, name).report.answer;
-}
 
 /// A study of two rows with a budget and bands.
 struct SpunStudy : RunByHand
@@ -44,7 +38,7 @@ struct SpunStudy : RunByHand
     bands.back() = { { "omega_terminal", "terminal spin", "rad/s", -3.25, 1e-9 }, 0.00123, -3.25 };
   }
 
-  std::string answer() const { return tabulate(study, report, spin, bands).report.answer; }
+  std::string answer() const { return run_answer(study, spin, bands); }
 };
 
 TEST(RunAnswer, SpinHarmonicsLargestStepAndWhatTheBandDoesNotContain)
@@ -74,16 +68,14 @@ TEST(RunAnswer, SentenceAndTableSayTheSameAtEverySpeed)
     const HarmonicEffect effect = { value("harmonic_effect"), value("harmonic_effect_relative") };
     EXPECT_NEAR(*effect.relative, usual.value_or(*effect.relative), 1e-5 * std::abs(*effect.relative));
     usual = effect.relative;
-    const std::string sentence =
-      said("harmonic_effect", { { "effect", effect_facts(study, effect) }, { "one_way", false } });
+    const std::string sentence = harmonic_effect_sentence(study, effect);
     EXPECT_NE(sentence.find("% slower ("), std::string::npos) << sentence;
     EXPECT_TRUE(is_spin(study, *effect.absolute)); // the table shows it too
     EXPECT_TRUE(is_spin(study, value("omega_terminal")));
   }
   // Below rounding there is no per cent, and the sentence says how little.
   const HarmonicEffect none = harmonic_effect(-1e-11, -1e-11 - 1e-19, spin_scale(study));
-  const std::string nothing =
-    said("harmonic_effect", { { "effect", effect_facts(study, none) }, { "one_way", false } });
+  const std::string nothing = harmonic_effect_sentence(study, none);
   EXPECT_NE(nothing.find("change its spin by less than 3.3e-18 rad/s."), std::string::npos) << nothing;
 }
 
@@ -238,7 +230,7 @@ take an elastic disc instead (Table/Substrate = elastic).)");
 TEST(Remarks, ScatterOfAProfileIsInNoBand)
 {
   RunByHand run;
-  const auto answer = [&] { return tabulate(run.study, run.report, run.spin, run.bands).report.answer; };
+  const auto answer = [&] { return profile_remark(run.study); };
   const std::string page = "docs/cookbooks/own_profile.md";
   EXPECT_EQ(answer().find(page), std::string::npos);
   run.study.glass.rim_circle = fem::RimCircle{ 0.03, 0.003, 19e-6, 10 };
@@ -254,14 +246,14 @@ TEST(Remarks, LiftOffAndLoadsThatPull)
   load.contact_fraction = 1;
   load.minimum = 0.1;
   load.moment_ratio = 0.9;
-  EXPECT_EQ(said("lift_off", { { "lift_off", lift_off_facts({ { "At rest", &load } }) } }), "");
+  EXPECT_EQ(lift_off_sentences({ { "At rest", &load } }), "");
   load.contact_fraction = 0.75;
   load.minimum = 0;
-  EXPECT_EQ(said("lift_off", { { "lift_off", lift_off_facts({ { "At rest", &load } }) } }),
+  EXPECT_EQ(lift_off_sentences({ { "At rest", &load } }),
             "At rest the foot has left the table in part: 75.0 % of the land is under pressure, at a "
             "moment ratio of 0.9.");
   load.minimum = -999999;
-  EXPECT_EQ(said("lift_off", { { "lift_off", lift_off_facts({ { "At the terminal spin", &load } }) } }),
+  EXPECT_EQ(lift_off_sentences({ { "At the terminal spin", &load } }),
             "At the terminal spin the load is negative somewhere, down to -1e+06 N/rad: the table would have "
             "to pull. 75.0 % of the land is under pressure.");
 }

@@ -1,5 +1,5 @@
 // One table in its forms: every kind of cell, what does not exist, and who sees which digits.
-#include "fem/pipeline/report/render/table_renderers.h"
+#include "fem/pipeline/report/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
@@ -117,28 +117,6 @@ TEST(Table, TooWideForTheConsoleGoesOnBelow)
               std::string(40, 'b') + "\n\n  n  " + blanks + "c\n  1  " + std::string(40, 'c') + "\n");
 }
 
-TEST(Table, AsHtml)
-{
-  Json rows = rows_of_everything();
-  leave_out_rounding(rows, "spin", 1e-12);
-  Table table = table_of_everything(rows);
-  table.title = "ω_∞ & more";
-  table.columns.erase(table.columns.begin() + 5, table.columns.end());
-  table.columns.erase(table.columns.begin() + 1);
-  EXPECT_EQ(html_table(table),
-            R"(<div class="wide" tabindex="0" role="group" aria-label="ω_∞ &amp; more"><table>
-<caption>ω_∞ &amp; more</caption>
-<thead><tr><th scope="col">who</th><th scope="col" class="number">ω_∞ (rad/s)</th><th scope="col" class="number">half (rad/s)</th><th scope="col"></th></tr>
-</thead>
-<tbody>
-<tr><td>a, &quot;b&quot;</td><td class="number">−1.23</td><td class="number">0.25</td><td>yes</td></tr>
-<tr><td>c &lt; d</td><td class="number">0</td><td class="number">–</td><td>no</td></tr>
-</tbody>
-</table>
-</div>
-)");
-}
-
 TEST(Table, PartsOfItsRowsInJson)
 {
   EXPECT_EQ(picked(rows_of_everything(), "spin who").dump(),
@@ -157,7 +135,6 @@ TEST(Table, ANumberThatIsNotFiniteIsNoneForPeopleAndIsLeftToPublishInJson)
 {
   const Table table = table_of({ { { "x (1)", nothing } } });
   EXPECT_EQ(console_table(table), "  x\n  -\n");
-  EXPECT_NE(html_table(table).find("–"), std::string::npos);
   EXPECT_EQ(Json(std::optional<double>()), nullptr);
   EXPECT_EQ(Json(std::optional(1.5)), 1.5);
 }

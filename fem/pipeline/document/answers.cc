@@ -1,0 +1,103 @@
+#include "fem/pipeline/document/answers.h"
+
+#include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/document/number_format.h"
+#include "fem/pipeline/document/sentences.h"
+#include "fem/pipeline/document/spin_rows.h"
+
+#include <algorithm>
+
+namespace stemware::pipeline
+{
+
+using format::number;
+
+std::string truncation_answer(const Study &study, const std::vector<SpinRow> &rows,
+                              const HarmonicEffect &effect, unsigned int n_enough)
+{
+  const SpinRow &all = rows.back();
+  const double omega = all.omega_terminal().value();
+  if (!is_spin(study, omega))
+  {
+    const std::string held = held_by_the_grip(study, all);
+    return held.empty() ? "The glass does not spin up, whatever harmonics its load has." : held;
+  }
+  if (all.harmonics == 1)
+    return "The " + one_way_word(study) + "load has one harmonic; the terminal spin is " +
+           number(omega, ".6g") + " rad/s.";
+  const std::optional<double> first = rows.front().omega_terminal();
+  std::string text =
+    under_its_load(study, "The glass spins up to " + number(omega, ".6g") + " rad/s with all " +
+                            std::to_string(all.harmonics) + " harmonics of its load, " +
+                            (first ? "to " + number(*first, ".6g") + " rad/s with the first alone."
+                                   : "and has no terminal spin with the first alone."));
+  append(text, harmonic_effect_sentence(study, effect));
+  append(text, "From " + std::to_string(n_enough) + " harmonics on the spin is right to 1e-4.");
+  return text;
+}
+
+std::string convergence_answer(const BandedQuantity &spin, const std::string &first_axis,
+                               const std::optional<double> &order)
+{
+  return "Terminal spin " + format::with_band(spin.quantity.value, spin.band) +
+         " rad/s (discretisation only)" +
+         (order ? "; it converges with order " + number(*order, ".2f") + " in the " + first_axis : "") +
+         ", Richardson value " + format::to_spread(spin.richardson, spin.band) + " rad/s.";
+}
+
+std::optional<CaseRange> range_of(const CaseList &list, const FinishedCases &finished, const std::string &key)
+{
+  const std::pair<const std::size_t, CaseResult> *min = nullptr, *max = nullptr;
+  CaseRange range;
+  for (const auto &one : finished)
+    if (const auto value = one.second.value(key))
+    {
+      ++range.n;
+      min = min == nullptr || *value < *min->second.value(key) ? &one : min;
+      max = max == nullptr || *value > *max->second.value(key) ? &one : max;
+    }
+  if (range.n == 0)
+    return std::nullopt;
+  range.min = *min->second.value(key);
+  range.max = *max->second.value(key);
+  range.min_case = list.values_of(min->first);
+  range.max_case = list.values_of(max->first);
+  return range;
+}
+
+std::string sweep_answer(const CaseList &list, const FinishedCases &finished)
+{
+  const std::size_t n_cases = list.cases.size();
+  const auto n_failed =
+    std::count_if(finished.begin(), finished.end(), [](const auto &one) { return !one.second.is_solved(); });
+  const std::string of_cases = " of " + std::to_string(n_cases) + " cases ";
+  std::string text;
+  if (finished.size() < n_cases)
+    append(text, std::to_string(finished.size()) + of_cases +
+                   "are finished; run the sweep without --rows for the others.");
+  if (const auto falls = range_of(list, finished, "omega_fall"))
+    append(text, "In " + std::to_string(falls->n) + of_cases +
+                   "the glass stands at rest and falls over on the way" +
+                   (falls->n == 1 ? " (" + falls->min_case + "); it has"
+                                  : ", one of them " + falls->min_case + "; they have") +
+                   " no terminal spin.");
+  if (const auto spin = range_of(list, finished, "omega_terminal"))
+    append(text,
+           under_its_load(list.base, "In " + std::to_string(spin->n) + (spin->n == 1 ? " case" : " cases") +
+                                       " the terminal spin is ") +
+             (spin->n == 1 ? number(spin->min, ".6g") + " rad/s (" + spin->min_case + ")."
+                           : "between " + number(spin->min, ".6g") + " rad/s (" + spin->min_case + ") and " +
+                               number(spin->max, ".6g") + " rad/s (" + spin->max_case + ")."));
+  if (const auto effect = range_of(list, finished, "harmonic_effect"))
+    append(text, "The higher harmonics of the " + one_way_word(list.base) + "load change the spin by " +
+                   number(effect->min, "+.3g") + " rad/s" +
+                   (effect->n == 1 ? "."
+                                   : " (" + effect->min_case + ") to " + number(effect->max, "+.3g") +
+                                       " rad/s (" + effect->max_case + ")."));
+  if (n_failed > 0)
+    append(text, std::to_string(n_failed) + " of " + std::to_string(finished.size()) +
+                   " cases failed; the column message of sweep.csv says why.");
+  return text;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/refinement/refinement_study.h"
+#include "fem/pipeline/analysis/spin_row.h"
+#include "fem/pipeline/analysis/sweep/case_list.h"
+#include "fem/pipeline/analysis/sweep/sweep_case.h"
+#include "fem/pipeline/document/json.h"
+#include "fem/pipeline/study/study.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Answers of the verbs beside `run`.
+namespace stemware::pipeline
+{
+
+/// Effect of the harmonics on the terminal spin of @p rows, the last of which has all. @p n_enough harmonics
+/// give the spin to 1e-4.
+std::string truncation_answer(const Study &study, const std::vector<SpinRow> &rows,
+                              const HarmonicEffect &effect, unsigned int n_enough);
+
+/// Terminal spin with its band, the observed order on the first axis, and the Richardson value.
+std::string convergence_answer(const BandedQuantity &spin, const std::string &first_axis,
+                               const std::optional<double> &order);
+
+/// Smallest and largest value of a quantity of a sweep, and the cases that have them.
+struct CaseRange
+{
+  std::size_t n = 0; ///< cases with a value
+  double min = 0, max = 0;
+  std::string min_case = {}, max_case = {};
+};
+
+/// Range of the quantity @p key; nothing if no case has a value.
+std::optional<CaseRange> range_of(const CaseList &list, const FinishedCases &finished,
+                                  const std::string &key);
+
+/// Ranges of the terminal spin and of the harmonics' effect; numbers of cases that fall over or failed.
+std::string sweep_answer(const CaseList &list, const FinishedCases &finished);
+
+} // namespace stemware::pipeline

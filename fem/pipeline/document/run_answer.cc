@@ -1,0 +1,255 @@
+#include "fem/pipeline/document/run_answer.h"
+
+#include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/document/number_format.h"
+#include "fem/pipeline/document/sentences.h"
+#include "fem/pipeline/document/spin_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+using format::number;
+
+namespace
+{
+
+/// The row of the budget whose step is the largest, harmonics left out; null if no step is a spin.
+const BudgetRow *largest_other_step(const Study &study, const Budget &budget)
+{
+  const BudgetRow *largest = nullptr;
+  for (const BudgetRow &row : budget.rows)
+    if (row.name != "harmonics" && row.difference && is_spin(study, *row.difference) &&
+        (!largest || std::abs(*row.difference) > std::abs(*largest->difference)))
+      largest = &row;
+  return largest;
+}
+
+/// Terminal spin of the paper's model, unless the study is that model.
+std::optional<double> paper_spin(const Budget &budget)
+{
+  return budget.rows.size() < 2 ? std::nullopt : budget.rows.front().omega_terminal;
+}
+
+std::string paper_sentence(const Study &study, const SpinStudy &spin)
+{
+  const std::optional<double> omega = paper_spin(spin.budget);
+  if (!omega)
+    return "";
+  if (!is_spin(study, *omega))
+    return "In the paper's model it does not spin up.";
+  return std::string("The paper's rigid ring would ") + (spin.all().fall ? "turn once in " : "take ") +
+         number(seconds_a_turn(*omega), "#.3g") + " s.";
+}
+
+std::string falling_answer(const Study &study, const SpinStudy &spin)
+{
+  const SpinRow &all = spin.all();
+  std::string text =
+    "The glass stands at rest and falls over on the way: turning " + sense_of(study, all.fall->omega) +
+    " at " + number(std::abs(all.fall->omega), ".3g") + " rad/s it has reached a moment ratio of " +
+    number(all.fall->state.moment_ratio, ".3g") +
+    ", and beyond that no load that only pushes keeps it in balance. It has no terminal spin. At rest its "
+    "moment ratio is " +
+    number(all.at_rest.value().moment_ratio, ".4g") + " and friction turns it with a torque of " +
+    number(all.at_rest.value().friction.torque, ".4g") + " N m.";
+  append(text, paper_sentence(study, spin));
+  return text;
+}
+
+/// Answer for a glass without a spin that is more than rounding.
+std::string resting_answer(const Study &study, const SpinRow &all)
+{
+  if (const std::string held = held_by_the_grip(study, all); !held.empty())
+    return held;
+  std::string text = "The glass does not spin up.";
+  if (all.terminal && !all.terminal->stable)
+    append(text, "Its rest is an unstable balance: after the least disturbance the glass goes to another of "
+                 "its terminal spins.");
+  return text;
+}
+
+std::string largest_step_sentence(const Study &study, const Budget &budget)
+{
+  const BudgetRow *row = largest_other_step(study, budget);
+  if (!row)
+    return "";
+  const std::optional<double> relative =
+    relative_to(*row->omega_terminal - *row->difference, row->difference, spin_scale(study));
+  return "The largest other step from the paper's model to this " + one_way_word(study) + "one is \"" +
+         row->name + "\": " + number(*row->difference, "+.3g") + " rad/s" +
+         (relative ? " (" + faster_or_slower(*relative) + ")" : "") +
+         (row->standing == Standing::formal ? ", formally: such a load would have to pull on the table."
+                                            : ".");
+}
+
+std::string missing_band_sentence(const Study &study)
+{
+  const bool may_be_narrow = study.table.is_hard() && !abilities(study.contact.body).is_of_revolution;
+  return std::string("It has no band: one of the contacts that would tell, coarser, finer or stiffer, could "
+                     "not be had") +
+         (may_be_narrow ? ", or the contact is narrower than the mesh's cells." : ".");
+}
+
+std::string spinning_answer(const Study &study, const SpinStudy &spin, const ErrorBands &bands, double omega)
+{
+  const std::optional<double> band = band_of(bands, "omega_terminal"), paper = paper_spin(spin.budget);
+  std::string text =
+    under_its_load(study, "The glass turns once in " + number(seconds_a_turn(omega), "#.3g") + " s, " +
+                            sense_of(study, omega) + ".");
+  append(text, paper_sentence(study, spin));
+  append(text,
+         "The terminal spin is " + format::with_band(omega, band) + " rad/s" +
+           (paper && is_spin(study, *paper) ? ", the paper's " + number(*paper, "#.6g") + " rad/s." : "."));
+  if (!band && !spin.is_quick() && study.load.is_from_contact())
+    append(text, missing_band_sentence(study));
+  if (spin.rows.size() > 1)
+    append(text, harmonic_effect_sentence(study, spin.budget.harmonics));
+  append(text, largest_step_sentence(study, spin.budget));
+  if (band)
+    append(text, "The band is that of the discretisation. It contains neither uncertain inputs (friction, "
+                 "heights, grip) nor effects that the " +
+                   one_way_word(study) + "model does not have; docs/limits.md lists both with their sizes.");
+  return text;
+}
+
+/// Largest pressure and contact width of a load. Empty without a contact.
+std::string pressed_sentence(const std::string &state, const LoadReport &load)
+{
+  if (!load.peak_pressure)
+    return "";
+  return state + " the largest pressure is " + number(*load.peak_pressure, ".4g") + " Pa" +
+         (load.contact_width ? ", the contact at most " + number(*load.contact_width, ".4g") + " m wide."
+                             : ".");
+}
+
+} // namespace
+
+std::string run_answer(const Study &study, const SpinStudy &spin, const ErrorBands &bands)
+{
+  const SpinRow &all = spin.all();
+  std::string text;
+  if (spin.is_quick())
+    text = "This was a quick run, without the budget of effects and without error bands.";
+  if (all.fall)
+    append(text, falling_answer(study, spin));
+  else if (const double omega = all.omega_terminal().value(); is_spin(study, omega))
+    append(text, spinning_answer(study, spin, bands, omega));
+  else
+    append(text, resting_answer(study, all));
+  return text;
+}
+
+std::string profile_remark(const Study &study)
+{
+  constexpr double rounding = 1e-9; // m, of numbers in a file
+  const auto &circle = study.glass.rim_circle;
+  if (!circle || circle->rms_distance <= rounding)
+    return "";
+  return "The points of the profile are " + number(circle->rms_distance, "1e6*.2g") +
+         " µm rms from the circle of its rim; no band contains this scatter, and the Python lines in "
+         "docs/cookbooks/own_profile.md carry it into the spin.";
+}
+
+std::string lift_off_remark(const Study &study, const ContactReport &report, const SpinStudy &spin)
+{
+  if (spin.all().fall)
+    return lift_off_sentences(
+      { { "At rest", &report.load }, { "Where it falls over", &report.load_at_end } });
+  if (is_spin(study, *spin.all().omega_terminal()))
+  {
+    if (is_one_way(study))
+      return lift_off_sentences({ { "At every spin", &report.load } });
+    const char *at_end =
+      spin.phases ? "At the terminal spin, with the marks where they are at t = 0," : "At the terminal spin";
+    if (const std::string text = lift_off_sentences({ { at_end, &report.load_at_end } }); !text.empty())
+      return text;
+  }
+  return lift_off_sentences({ { "At rest", &report.load } });
+}
+
+std::string pressed_remark(const ContactReport &report, const SpinStudy &spin)
+{
+  std::string text = pressed_sentence("At rest", report.load);
+  if (spin.all().terminal)
+    append(text, pressed_sentence("At the terminal spin", report.load_at_end));
+  return text;
+}
+
+std::string narrow_contact_remark(const Study &study, const ContactReport &report)
+{
+  if (!report.foot || report.foot->at_rest.solution.outcome != fem::ContactOutcome::narrow_contact)
+    return "";
+  return "Note: the contact is at most " + std::to_string(report.foot->at_rest.solution.n_nodes_across) +
+         " nodes wide: " +
+         (study.table.is_hard()
+            ? "on a hard table the load then depends on the mesh; give more Radial cells "
+              "on a narrower land."
+            : "the pressure is integrated exactly across it, but the mesh does not resolve "
+              "how the foot yields just above it.");
+}
+
+std::string thin_layer_remark(const Study &study, double half_width)
+{
+  const double layer = study.table.layer_thickness;
+  if (study.table.interface != TableInterface::winkler || !(layer > 0) || !(half_width > 0) ||
+      half_width >= layer)
+    return "";
+  return "Note: the contact is " + number(2 * half_width, "1e3*.2g") +
+         " mm wide, its half-width less than the " + number(layer, "1e3*.3g") +
+         " mm of the layer (Table/Layer thickness). A Winkler interface stands for a layer only where the "
+         "contact is much wider than it; take an elastic disc instead (Table/Substrate = elastic).";
+}
+
+std::string out_of_flat_remark(const Study &study, const SpinStudy &spin)
+{
+  if (!spin.phases)
+    return "";
+  const bool rim = !study.glass.waviness.empty(), table = !study.table.waviness.empty();
+  return std::string(rim && table ? "Rim and table are out of flat"
+                     : table      ? "The table is out of flat"
+                     : rim        ? "The rim is out of flat"
+                                  : "The foot is not round") +
+         ": the terminal spin is the mean in the long run, about which the spin swings by " +
+         number(spin.phases->spin_ripple, ".3g") + " rad/s, and the torque by " +
+         number(spin.phases->torque_ripple, ".3g") + " N m.";
+}
+
+std::string several_spins_remark(const SpinStudy &spin)
+{
+  const auto &spins = spin.terminal_spins;
+  if (spins.size() < 2)
+    return "";
+  const auto n_stable =
+    std::count_if(spins.begin(), spins.end(), [](const ring::TerminalSpin &one) { return one.stable; });
+  return "The torques add up to zero at " + std::to_string(spins.size()) + " spins, " +
+         std::to_string(n_stable) + " of them stable: which one the glass ends at depends on how it starts.";
+}
+
+std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
+{
+  const auto &driven = spin.spin_up.driven;
+  if (!driven)
+    return "";
+  const auto [slowest, fastest] = std::minmax_element(driven->speed.begin(), driven->speed.end());
+  std::string text =
+    "Led with the speeds of Motion/Orbit speed file, between " + number(*slowest, ".4g") + " and " +
+    number(*fastest, ".4g") + " m/s, the glass spins at " + number(driven->omega.back(), ".6g") +
+    " rad/s in the end; at the constant Motion/Orbit speed, to which all other numbers "
+    "belong, at " +
+    number(spin.spin_up.adaptive.back(), ".6g") +
+    " rad/s. Contact, friction and moments are in balance at every instant, with the force "
+    "that accelerates the glass along its orbit. Straight lines between the rows of the file "
+    "instead of the monotone cubic would change the spin by up to " +
+    number(driven->interpolation_change, ".1e") + " rad/s on the way and " +
+    number(driven->interpolation_change_at_end, ".1e") + " in the end";
+  if (const auto band = band_of(bands, "omega_terminal"))
+    text += (driven->interpolation_change > *band ? "; this matters more than the discretisation, about "
+                                                  : "; the discretisation about ") +
+            number(*band, "band") + ", the band of the terminal spin at constant speed";
+  return text + ".";
+}
+
+} // namespace stemware::pipeline

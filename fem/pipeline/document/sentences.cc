@@ -1,0 +1,91 @@
+#include "fem/pipeline/document/sentences.h"
+
+#include "fem/pipeline/document/number_format.h"
+#include "fem/pipeline/document/spin_rows.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <cctype>
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+using format::number;
+
+void append(std::string &text, const std::string &sentence)
+{
+  text += (text.empty() || sentence.empty() ? "" : " ") + sentence;
+}
+
+bool is_one_way(const Study &study)
+{
+  return study.load.source == LoadSource::file || study.load.is_static() ||
+         (study.load.is_from_contact() && study.load.coupling == LoadCoupling::one_way);
+}
+
+std::string one_way_word(const Study &study)
+{
+  return is_one_way(study) ? "one-way " : "";
+}
+
+std::string under_its_load(const Study &study, std::string sentence)
+{
+  if (!is_one_way(study))
+    return sentence;
+  sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));
+  if (study.load.source == LoadSource::file)
+    return "Under the given load (one-way: it is the same at every spin) " + sentence;
+  return std::string(study.load.is_static() ? "Under the given moment, with" : "With") +
+         " the load of rest kept at every spin (one-way), " + sentence;
+}
+
+std::string sense_of(const Study &study, double omega)
+{
+  const bool is_with_orbit = omega * study.motion.orbit.sense_sign() > 0;
+  return std::string(omega < 0 ? "clockwise, " : "counter-clockwise, ") +
+         (is_with_orbit ? "with" : "against") + " its orbit";
+}
+
+double seconds_a_turn(double omega)
+{
+  return boost::math::double_constants::two_pi / std::abs(omega);
+}
+
+std::string faster_or_slower(double change)
+{
+  return number(std::abs(change), ".3g%") + (change > 0 ? " faster" : " slower");
+}
+
+std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect)
+{
+  if (!effect.absolute)
+    return "";
+  const std::string opening = "The harmonics of the " + one_way_word(study) + "load beyond the first ",
+                    change = number(*effect.absolute, "+.3g") + " rad/s";
+  if (!is_spin(study, *effect.absolute))
+    return opening + "change its spin by less than " + number(rounding_of_spins(study), ".2g") + " rad/s.";
+  if (effect.relative)
+    return opening + "make the glass " + faster_or_slower(*effect.relative) + " (" + change + ").";
+  return opening + "change its spin by " + change + ".";
+}
+
+std::string lift_off_sentences(const std::vector<std::pair<std::string, const LoadReport *>> &states)
+{
+  std::string text;
+  for (const auto &[state, load] : states)
+  {
+    const std::string share = number(load->contact_fraction, ".1f%") + " of the land is under pressure";
+    if (load->minimum < 0)
+      append(text, state + " the load is negative somewhere, down to " + number(load->minimum, ".4g") +
+                     " N/rad: the table would have to pull. " + share + ".");
+    else if (load->contact_fraction < 1)
+      append(text,
+             state + " the foot has left the table in part: " + share + ", at a moment ratio of " +
+               number(load->moment_ratio, ".4g") +
+               (load->moment_ratio > 1 ? ", above 1, where a first-harmonic load would have to pull." : "."));
+  }
+  return text;
+}
+
+} // namespace stemware::pipeline

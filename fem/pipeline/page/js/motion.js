@@ -1,0 +1,133 @@
+// Glasses on their orbits, seen from above in real time.
+import { h, rich, s } from './dom.js';
+import { shown } from './words.js';
+import { svg_text } from './files.js';
+
+const turn = 2 * Math.PI;
+const reach = 130; // of an orbit with its glass, on the page
+const panel = 270;
+
+/** Sizes on the page: to scale, but for a glass that would be too small to see. */
+function sizes({ Motion: motion, Glass: glass }) {
+  const R = glass['Contact radius'];
+  const rho = motion['Orbit radius'];
+  const true_rim = (reach * R) / (rho + 1.9 * R);
+  const rim = Math.max(true_rim, 15);
+  const foot = Math.min(1.4 * R, Math.max(R, glass['Foot radius'] || R));
+  return {
+    rim,
+    foot: (rim * foot) / R,
+    orbit: Math.min(reach - 1.9 * rim, (true_rim / R) * rho),
+    larger: rim > 1.05 * true_rim ? rim / true_rim : 0,
+    sense: motion['Orbit sense'] === 'clockwise' ? -1 : 1,
+    rate: motion['Orbit speed'] / rho
+  };
+}
+
+const turning = (seconds, clockwise, ...children) =>
+  s(
+    'g',
+    {
+      class: 'round',
+      style: `animation-duration:${seconds.toFixed(4)}s${clockwise ? ';animation-direction:reverse' : ''}`
+    },
+    ...children
+  );
+
+/** A band round the rim that shows how hard it presses. */
+function band_of(load, size, sense) {
+  const points = load.map((value, i) => {
+    const angle = (sense * turn) / 4 + (turn * i) / load.length;
+    const r = size.foot * (1 + 0.35 * value);
+    return `${(r * Math.cos(angle)).toFixed(1)},${(-r * Math.sin(angle)).toFixed(1)}`;
+  });
+  return s('path', { d: `M${points.join('L')}Z`, fill: 'var(--c1)', 'fill-opacity': 0.35 });
+}
+
+function glass_nodes({ title, omega, load }, x, size) {
+  const { rim, foot, orbit, sense, rate } = size;
+  const spins = omega !== null && Math.abs(omega) > 1e-6 * rate;
+  const against = (omega || 0) - sense * rate; // turns in the frame that goes round
+  const line = (d, more) => s('path', { d, stroke: 'var(--ink)', 'stroke-width': 1.6, fill: 'none', ...more });
+  const circle = (r, more) => s('circle', { r: r.toFixed(1), fill: 'none', stroke: 'var(--ink)', ...more });
+  const [tip, base] = [-sense * 2.1 * rim, -sense * 1.65 * rim];
+  const body = load
+    ? [
+        circle(foot, { fill: 'var(--glass)', 'fill-opacity': 0.3, 'stroke-width': 1.6 }),
+        circle(rim, { stroke: 'var(--soft)', 'stroke-width': 0.8 })
+      ]
+    : circle(rim, { 'stroke-width': 3 });
+  const says = spins
+    ? `one turn in ${shown(turn / Math.abs(omega), '#.3g')} s`
+    : omega === null
+      ? 'no terminal spin'
+      : 'does not spin';
+  const words = (y, content, more) => s('text', { x, y, 'text-anchor': 'middle', ...more }, content);
+  return [
+    words(22, title, { 'font-weight': 600 }),
+    s(
+      'g',
+      { transform: `translate(${x},160)` },
+      circle(orbit, { stroke: 'var(--soft)', 'stroke-dasharray': '6 5' }),
+      s('circle', { r: 3, fill: 'var(--ink)' }),
+      turning(
+        turn / rate,
+        sense < 0,
+        line(`M0,0H${orbit.toFixed(1)}`, { stroke: 'var(--soft)', 'stroke-width': 0.8 }),
+        s(
+          'g',
+          { transform: `translate(${orbit.toFixed(1)},0)` },
+          load ? band_of(load, size, sense) : null,
+          line(`M0,0V${base.toFixed(1)}`, { stroke: 'var(--c3)', 'stroke-width': 2.5 }),
+          s('path', { d: `M-5,${base.toFixed(1)}H5L0,${tip.toFixed(1)}Z`, fill: 'var(--c3)' }),
+          turning(
+            Math.min(turn / Math.abs(against), 1e4),
+            against < 0,
+            body,
+            line(`M0,0H${rim.toFixed(1)}`),
+            s('circle', { cx: rim.toFixed(1), r: Math.max(3, 0.16 * rim).toFixed(1), fill: 'var(--c2)' })
+          )
+        )
+      )
+    ),
+    words(302, says),
+    spins ? words(321, `${shown(omega, '.3f')} rad/s`, { class: 'soft' }) : null
+  ];
+}
+
+/** The drawing of a document; nothing for one without glasses. */
+export function orbits({ words, summary }) {
+  const { glasses } = words;
+  if (!glasses || !summary.parameters) return null;
+  const size = sizes(summary.parameters);
+  const width = panel * Math.max(2, glasses.length);
+  const nodes = () => glasses.map((glass, i) => glass_nodes(glass, ((i + 0.5) * width) / glasses.length, size));
+  const seconds = shown(turn / size.rate, '#.3g');
+  const title = glasses
+    .map(
+      ({ title, omega }) => `${title}: ${omega ? `one turn in ${shown(turn / Math.abs(omega), '#.3g')} s` : 'no spin'}`
+    )
+    .join('. ');
+  const caption =
+    `Seen from above, in real time, once round in ${seconds} s. The dot is a mark on the glass` +
+    (glasses.some(glass => glass.load) ? '; the shaded band shows how hard the rim presses' : '') +
+    `. To scale${size.larger ? `, but for the glass, which is drawn ${shown(size.larger, '.2g')} times larger` : ''}.`;
+  const node = h(
+    'figure',
+    { id: 'orbits', class: 'drawing' },
+    s('svg', { viewBox: `0 0 ${width} 330`, role: 'img', 'aria-label': title }, nodes()),
+    h('figcaption', {}, h('b', {}, 'How it turns. '), rich(caption))
+  );
+  const motion =
+    '@keyframes round{to{transform:rotate(-360deg)}}.round{animation:round linear infinite}' +
+    '@media(prefers-reduced-motion:reduce){.round{animation:none}}';
+  const alone = () => ({
+    text: svg_text(title, caption, [s('style', {}, motion), nodes()], width, 330).replace(
+      /<g style/g,
+      '<g class="round" style'
+    ),
+    width,
+    height: 330
+  });
+  return { id: 'orbits', node, alone };
+}

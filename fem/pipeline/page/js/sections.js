@@ -1,0 +1,80 @@
+// A page from a view: { title, inputs, answer, head: [pictures], sections: [{ title, folded, text, pictures, tables, files }] }.
+import { Figure } from './figure.js';
+import { h, rich } from './dom.js';
+import { table } from './tables.js';
+
+const figures = new Map(); // by id
+const fit = ({ target, contentRect }) => {
+  const figure = figures.get(target.id);
+  const width = Math.round(contentRect.width);
+  if (figure && width > 0 && width !== figure.width) figure.redraw(width);
+};
+// In the next frame: a picture that changes its height while sizes are observed is reported as an error.
+const resized = new ResizeObserver(entries => requestAnimationFrame(() => entries.forEach(fit)));
+
+function figure_of(picture) {
+  if (picture.node) {
+    figures.set(picture.id, picture); // a drawing that draws itself
+    return picture.node;
+  }
+  const figure = new Figure(picture);
+  figures.set(picture.id, figure);
+  resized.observe(figure.node);
+  return figure.node;
+}
+
+const there = list => (list || []).flat(3).filter(Boolean);
+const paragraphs = text => there([text]).map(words => h('p', {}, rich(words)));
+const files_of = files =>
+  files &&
+  h(
+    'dl',
+    {},
+    files.map(([name, words]) => [h('dt', {}, h('a', { href: encodeURI(name) }, name)), h('dd', {}, rich(words))])
+  );
+
+function section_of(doc, { title, folded, text, pictures, tables, files }) {
+  const content = [
+    paragraphs(text),
+    there(pictures).length ? h('div', { class: 'figures' }, there(pictures).map(figure_of)) : [],
+    there(tables)
+      .filter(t => doc.tables[t.name])
+      .map(t => table(doc, t)),
+    files_of(files)
+  ];
+  const heading = h('h2', {}, rich(title));
+  return h('section', {}, folded ? h('details', {}, h('summary', {}, heading), content) : [heading, content]);
+}
+
+/** Puts a view on the page. */
+export function show(doc, view, main) {
+  const head = there(view.head).map(figure_of);
+  const sections = there(view.sections).map(section => section_of(doc, section));
+  const { version, revision } = doc.summary.program;
+  document.title = view.title;
+  main.replaceChildren(
+    h('h1', {}, rich(view.title)),
+    view.inputs ? h('p', { class: 'inputs' }, rich(view.inputs)) : '',
+    head.length ? h('div', { class: 'figures head' }, head) : '',
+    h('p', { class: 'answer' }, rich(view.answer)),
+    ...sections,
+    h('footer', {}, `Stemware ${version} (${revision})`)
+  );
+}
+
+/** Shows one picture in the place of the page, for files that are made without a hand: report.html#svg=torque. */
+export function show_alone(id, width) {
+  const { text, height } = figures.get(id).alone(width);
+  const parsed = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
+  document.head.append(
+    h(
+      'style',
+      {},
+      `@page { size: ${width}px ${height}px; margin: 0 } body { margin: 0; padding: 0; max-width: none } svg { display: block }`
+    )
+  );
+  document.body.replaceChildren(parsed);
+}
+
+addEventListener('beforeprint', () => figures.forEach(figure => figure.redraw?.(360)));
+addEventListener('afterprint', () => figures.forEach(figure => figure.redraw?.(figure.node.clientWidth || 480)));

@@ -1,0 +1,63 @@
+// Tables of the document: headings, units and digits are those of summary.schema.json.
+import { csv, heading_of, is_number, shown } from './words.js';
+import { download, h, rich } from './dom.js';
+
+/** The columns of a table by key, as objects of lists. */
+export const columns = ({ keys, values }) => Object.fromEntries(keys.map((key, i) => [key, values[i]]));
+
+/** The keys of a table that stand in `wanted`, parted by blanks; "torques[]" stands for all places of a list. */
+function chosen(keys, wanted) {
+  if (!wanted) return keys;
+  return wanted
+    .split(' ')
+    .flatMap(key => keys.filter(k => k === key || (key.endsWith('[]') && k.startsWith(key.slice(0, -1)))));
+}
+
+/** The table `name` of the document, with these keys and this title. */
+export function table(doc, { name, keys, title }) {
+  const { [name]: given } = doc.tables;
+  const quantities = doc.quantities[name] || {};
+  const shown_columns = chosen(given.keys, keys).map(key => {
+    const quantity = { heading: key, unit: '', digits: '.6g', ...quantities[key] };
+    const cells = given.values[given.keys.indexOf(key)];
+    const texts = cells.map(value => shown(value, quantity.digits));
+    return { quantity, cells, texts, is_number: texts.every(is_number) };
+  });
+  const n_rows = shown_columns[0]?.cells.length || 0;
+  const rows = Array.from({ length: n_rows }, (_, i) => i);
+  const headings = shown_columns.map(c => heading_of(c.quantity));
+  const save = () =>
+    download(`${name}.csv`, csv([headings, ...rows.map(i => shown_columns.map(c => c.cells[i]))]), 'text/csv');
+  const named = title || name.replace(/_/g, ' ');
+  const button = h('button', { class: 'file', onclick: save, 'aria-label': `${named} as CSV` }, 'CSV');
+  return h(
+    'div',
+    { class: 'wide', tabindex: 0, role: 'group', 'aria-label': named },
+    h(
+      'table',
+      {},
+      h('caption', {}, rich(title || ''), ' ', button),
+      headings.some(Boolean) &&
+        h(
+          'thead',
+          {},
+          h(
+            'tr',
+            {},
+            shown_columns.map((c, i) => h('th', { scope: 'col', class: c.is_number && 'number' }, rich(headings[i])))
+          )
+        ),
+      h(
+        'tbody',
+        {},
+        rows.map(i =>
+          h(
+            'tr',
+            {},
+            shown_columns.map(c => h('td', { class: c.is_number && 'number' }, rich(c.texts[i])))
+          )
+        )
+      )
+    )
+  );
+}

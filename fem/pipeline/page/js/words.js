@@ -1,0 +1,55 @@
+// Numbers and texts as people read them. Digits are written as in summary.schema.json: ".6g", "+.3g%", "1e3*.4g", "band".
+export const missing = '–';
+
+const raised = n => String(n).replace(/[-\d]/g, c => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(c)]);
+const pretty = text => text.replace(/e([+-]?\d+)$/, (_, n) => ' · 10' + raised(Number(n))).replace(/^1 · 10/, '10');
+const true_minus = text => text.replace(/(^|[\s([<>=±≤,])-(?=\d)/g, '$1−');
+
+/** printf's %g; `whole` keeps zeros at the end. */
+function general(x, n, whole) {
+  const power = x === 0 ? 0 : Math.floor(Math.log10(Math.abs(Number(x.toPrecision(n)))));
+  const text = power < -4 || power >= Math.max(n, 6) ? x.toExponential(n - 1) : x.toFixed(Math.max(0, n - 1 - power));
+  return whole || !text.includes('.') ? text : text.replace(/\.?0+(?=e|$)/, '');
+}
+
+/** Rounds the half-width of an error band up to two digits. */
+function rounded_up(x) {
+  const unit = 10 ** (Math.floor(Math.log10(x)) - 1);
+  return Math.ceil((x / unit) * (1 - 1e-9)) * unit;
+}
+
+/** A value of a table or a sentence. */
+export function shown(value, digits = '.6g') {
+  if (value === null || value === undefined || (typeof value === 'number' && !Number.isFinite(value))) return missing;
+  if (typeof value === 'boolean') return value ? 'yes' : 'no';
+  if (typeof value === 'string') return cell(value);
+  if (Number.isInteger(value) && digits === '.6g' && Math.abs(value) < 1e6) return true_minus(String(value));
+  if (digits === 'band') return value > 0 ? shown(rounded_up(value), '.1e') : '0';
+  if (digits === 'about') return 'about ' + general(Number(value.toPrecision(2)), 12);
+  if (digits === 'short') return true_minus(general(Number(value.toPrecision(3)), 12));
+  const [, factor, sign, whole, n, kind, percent] = /^(?:([\d.e]+)\*)?(\+?)(#?)\.?(\d*)([gef])(%?)$/.exec(digits);
+  const x = value * Number(factor || 1) * (percent ? 100 : 1);
+  const places = Number(n || 6);
+  if (x === 0 && !whole) return percent ? '0 %' : '0';
+  const text = kind === 'g' ? general(x, places, whole) : kind === 'e' ? x.toExponential(places) : x.toFixed(places);
+  return (sign && x > 0 ? '+' : '') + true_minus(pretty(text)) + (percent ? ' %' : '');
+}
+
+/** The text of a cell: a number has a true minus and powers of ten as print has them. */
+function cell(text) {
+  const number = /^[-+]?\d/.test(text) && /^\S+$/.test(text);
+  return number ? true_minus(pretty(text)) : true_minus(text);
+}
+export const is_number = text => /^[-−+]?\d/.test(text) || text === missing || text === '';
+
+export const heading_of = q => q.heading + (q.unit && q.unit !== '1' ? ` (${q.unit.replace(/ /g, '\u00a0')})` : '');
+
+/** A plain text in pieces: words, and subscripts { sub } behind symbols of one letter (τ_z, a_10, z_CM). */
+export function pieces(text) {
+  const whole = true_minus(String(text)).replace(/ (%|rad\/s)/g, '\u00a0$1');
+  const parts = whole.split(/(?<=(?:^|[^A-Za-z0-9_])[A-Za-z\u0370-\u03ff])_([A-Za-z0-9]+)/);
+  return parts.map((part, i) => (i % 2 ? { sub: part } : part));
+}
+
+const field = x => (/[",\r\n]/.test(String(x)) ? `"${String(x).replace(/"/g, '""')}"` : String(x ?? ''));
+export const csv = rows => rows.map(row => row.map(field).join(',') + '\r\n').join('');

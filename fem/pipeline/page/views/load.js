@@ -1,0 +1,228 @@
+// Pictures of the load on the table and of the friction that it makes.
+import { arrows, outline, strokes } from '../js/shapes.js';
+import { columns } from '../js/tables.js';
+import { dots, line, note, rule } from '../js/marks.js';
+import { shown } from '../js/words.js';
+
+const turn = Array.from({ length: 121 }, (_, i) => (2 * Math.PI * i) / 120);
+const radians = degrees => (degrees * Math.PI) / 180;
+export const circle = (radius, more) =>
+  outline({ x: turn.map(t => radius * Math.cos(t)), y: turn.map(t => radius * Math.sin(t)), ...more });
+export const degrees = {
+  label: 'θ from the direction of travel',
+  symbol: 'θ =',
+  unit: '°',
+  digits: '.4g',
+  ticks: [0, 90, 180, 270, 360],
+  range: [0, 360]
+};
+const sense_of = ({ words }) => (words.sketch.clockwise ? -1 : 1);
+
+/** Curves of the load over its mean: [name, colour, dash, table, key], all harmonics last. */
+function curves_of(doc, keys) {
+  const n = doc.words.load.harmonics;
+  const curves = columns(doc.tables.load_curves);
+  const lines = doc.tables.load_lines && columns(doc.tables.load_lines);
+  const looks = {
+    up_to_1: ['first harmonic', 'c2', '8 4'],
+    up_to_2: ['n ≤ 2', 'c3', '9 3 2 3'],
+    up_to_3: ['n ≤ 3', 'c4', '3 3']
+  };
+  const some = keys.filter(key => curves[key]).map(key => [...looks[key], curves, key]);
+  const all = n === 1 ? 'first harmonic' : lines ? 'all harmonics' : `all, n ≤ ${n}`;
+  return [...some, [all, 'c1', undefined, lines || curves, 'all']];
+}
+
+/** Load round the rim, seen from above and drawn outwards from it. */
+export function load_polar(doc) {
+  const { load } = doc.words;
+  const { summary } = doc;
+  const sense = sense_of(doc);
+  const at = (size, t) => [(1 + size / 2) * Math.cos(radians(t)), (1 + size / 2) * Math.sin(radians(t))];
+  const parts = curves_of(doc, ['up_to_1', 'up_to_2', 'up_to_3']);
+  const most = 1 + Math.max(2, ...parts.flatMap(([, , , t, key]) => t[key])) / 2 + 0.1;
+  const curve = ([name, colour, dash, t, key]) => {
+    const places = t.theta.map((theta, i) => at(t[key][i], theta));
+    const words = i => [name, `θ = ${shown(t.theta[i], '.4g')}°`, `λ/a_0 = ${shown(t[key][i], '.4g')}`];
+    return line({ x: places.map(p => p[0]), y: places.map(p => p[1]), name, colour, dash, words });
+  };
+  const loaded = parts[parts.length - 1][3];
+  const lifted = loaded.all.some(v => v <= 0);
+  const pressed = loaded.theta.map((theta, i) => (loaded.all[i] > 0 ? at(0, theta) : [NaN, NaN]));
+  const arc = Array.from({ length: 13 }, (_, k) => radians(load.turn > 0 ? 200 + 4 * k : 250 - 4 * k));
+  const sense_arrow = load.turn
+    ? [
+        line({ x: arc.map(a => 0.6 * Math.cos(a)), y: arc.map(a => 0.6 * Math.sin(a)), colour: 'c4' }),
+        arrows({
+          x: [0.6 * Math.cos(arc[11])],
+          y: [0.6 * Math.sin(arc[11])],
+          u: [0.6 * (Math.cos(arc[12]) - Math.cos(arc[11]))],
+          v: [0.6 * (Math.sin(arc[12]) - Math.sin(arc[11]))],
+          colour: 'c4',
+          width: 2
+        }),
+        note({ x: 0.42 * Math.cos(radians(225)), y: 0.42 * Math.sin(radians(225)), text: 'ω' })
+      ].map(mark => ({ ...mark, near: () => null, value: undefined, count: 0, rows: () => [] }))
+    : [];
+  return {
+    id: 'load',
+    title: 'Load round the rim',
+    equal: true,
+    aspect: 0.85,
+    words: `mean ${shown(load.line_load, '.3g')} N/m, least ${shown(summary.load.minimum, '.3g')} N/rad, moment ratio ${shown(summary.load.moment_ratio, '.3g')}`,
+    x: { range: [-most, most] },
+    y: { range: [-most, most] },
+    caption: `Seen from above and drawn outwards from the rim, the mean, ${shown(load.line_load, '.3g')} N/m, as half a radius; v is the direction of travel, n the harmonics kept. A curve inside the rim would pull on the table.`,
+    marks: [
+      circle(1, { colour: 'c8', width: 1 }),
+      line({
+        x: pressed.map(p => p[0]),
+        y: pressed.map(p => p[1]),
+        colour: 'ink',
+        width: 4,
+        name: lifted ? 'under load' : '',
+        words: i => [`θ = ${shown(loaded.theta[i], '.4g')}°`, 'under load']
+      }),
+      { ...circle(1.5, { colour: 'c8', width: 1 }), name: 'mean', dash: '2 3' },
+      ...parts.map(curve),
+      arrows({ x: [0], y: [0], u: [0.4], v: [0], colour: 'ink' }),
+      note({ x: 0.47, y: 0, text: 'v' }),
+      strokes({ lines: [[0, 0, 0, 0.3 * sense]], colour: 'ink', dash: '6 4', heads: 1 }),
+      note({ x: 0, y: 0.44 * sense, text: 'orbit’s centre' }),
+      ...sense_arrow
+    ]
+  };
+}
+
+/** Load per length over the azimuth. */
+export function line_load(doc) {
+  const mean = doc.words.load.line_load;
+  const [left, right] = sense_of(doc) > 0 ? ['orbit’s centre', 'outside'] : ['outside', 'orbit’s centre'];
+  const curve = ([name, colour, dash, t, key]) =>
+    line({ name, colour, dash, x: t.theta, y: t[key].map(v => v * mean) });
+  return {
+    id: 'line_load',
+    title: 'Load per length of the rim',
+    words: `${shown(mean, '.3g')} N/m in the mean`,
+    caption: `λ(θ)/R: what a strip of the table feels before the glass spins. At 90° lies ${left === 'outside' ? 'the outside' : 'the orbit’s centre'}, at 270° ${right === 'outside' ? 'the outside' : 'the orbit’s centre'}.`,
+    x: degrees,
+    y: { label: 'λ / R', unit: 'N/m', zero: true, digits: '.4g' },
+    marks: [...curves_of(doc, ['up_to_1']).map(curve), rule({ y: mean, name: 'mean', dash: '2 3' })]
+  };
+}
+
+/** What the harmonics beyond the first add to the load. */
+export function higher_harmonics(doc) {
+  const { up_to_1: first, theta } = columns(doc.tables.load_curves);
+  if (!first) return null;
+  const curve = ([name, colour, dash, t, key]) => {
+    const base = i => {
+      const at = (t.theta[i] / 360) * (theta.length - 1);
+      const k = Math.min(theta.length - 2, Math.floor(at));
+      return first[k] + (at - k) * (first[k + 1] - first[k]);
+    };
+    return line({ name, colour, dash, x: t.theta, y: t[key].map((v, i) => v - base(i)) });
+  };
+  return {
+    id: 'higher_harmonics',
+    title: 'What the harmonics beyond the first add to the load',
+    caption: 'Relative to its mean a_0; n harmonics kept.',
+    x: degrees,
+    y: { label: '(λ − λ_1) / a_0', zero: true, digits: '.3g' },
+    marks: curves_of(doc, ['up_to_2', 'up_to_3']).map(curve)
+  };
+}
+
+export function spectrum(doc) {
+  const t = columns(doc.tables.spectrum);
+  const part = (name, more, wanted) => {
+    const picked = t.n.map((_, i) => i).filter(i => t.resolved[i] === wanted);
+    const values = key => picked.map(i => t[key][i]);
+    return dots({
+      name: picked.length ? name : '',
+      x: values('n'),
+      y: values('amplitude'),
+      band: values('band'),
+      ...more
+    });
+  };
+  const has_hollow = t.resolved.includes(0);
+  const second = t.amplitude[t.n.indexOf(2)];
+  return {
+    id: 'spectrum',
+    title: 'Harmonics of the load',
+    words: second ? `the second is ${shown(second, '.2g')} of the mean` : '',
+    caption:
+      'Relative to its mean a_0. What is below 10⁻¹² is rounding and not shown.' +
+      (has_hollow ? ' Hollow: smaller than the error band, or than the last band that is known; not resolved.' : ''),
+    x: {
+      label: 'harmonic n',
+      symbol: 'n =',
+      range: [0.5, Math.max(1, ...t.n) + 0.5],
+      ticks: t.n.length > 10 ? undefined : t.n
+    },
+    y: { label: '√(a_n² + b_n²) / a_0', log: true, digits: '.3g' },
+    marks: [part('resolved', {}, 1), part('not resolved', { hollow: true, colour: 'c8' }, 0)]
+  };
+}
+
+/** Slip and friction round the rim in one state. */
+export function slip(doc, name, state) {
+  if (!doc.tables[name]) return null;
+  const t = columns(doc.tables[name]);
+  const all = t.theta.map((_, i) => i);
+  const said = i => [
+    `θ = ${shown(t.theta[i], '.4g')}°`,
+    `friction ${shown(Math.hypot(t.friction_x[i], t.friction_y[i]), '.3g')} of the mean load’s`,
+    `slip ${shown(Math.hypot(t.slip_x[i], t.slip_y[i]), '.3g')} v`
+  ];
+  const part = (label, colour, scale, keys, picked, more) =>
+    arrows({
+      name: label,
+      colour,
+      x: picked.map(i => Math.cos(radians(t.theta[i]))),
+      y: picked.map(i => Math.sin(radians(t.theta[i]))),
+      u: picked.map(i => scale * t[keys[0]][i]),
+      v: picked.map(i => scale * t[keys[1]][i]),
+      words: picked.map(said),
+      ...more
+    });
+  const friction = ['friction_x', 'friction_y'];
+  return {
+    id: name,
+    title: `Slip and friction round the rim ${state}`,
+    equal: true,
+    aspect: 0.82,
+    x: { range: [-1.75, 1.75] },
+    y: { range: [-1.6, 1.75] },
+    words:
+      name === 'slip_at_rest'
+        ? `friction turns the glass with ${shown(doc.words.numbers.torque_at_rest, '.3g')} N m`
+        : '',
+    caption:
+      'Seen from above. Grey: how fast each place slips over the table. Coloured: the friction on it, by the sense in which it turns the glass. ' +
+      'What is longer on one side than on the other turns the glass; at the terminal spin both sides are in balance.',
+    marks: [
+      circle(1, { colour: 'c8', width: 1.4 }),
+      part('slip', 'c8', 0.42, ['slip_x', 'slip_y'], all, { width: 1, head: 4 }),
+      part(
+        'turns clockwise',
+        'c1',
+        0.5,
+        friction,
+        all.filter(i => t.torque[i] < 0),
+        { width: 2 }
+      ),
+      part(
+        'turns counter-clockwise',
+        'c2',
+        0.5,
+        friction,
+        all.filter(i => t.torque[i] >= 0),
+        { width: 2 }
+      ),
+      arrows({ x: [-0.25], y: [1.62], u: [0.45], v: [0], colour: 'ink' }),
+      note({ x: 0.3, y: 1.62, text: 'v' })
+    ]
+  };
+}

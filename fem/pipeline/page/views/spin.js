@@ -1,0 +1,150 @@
+// Pictures of torque, spin-up and harmonics.
+import { columns } from '../js/tables.js';
+import { dots, line, rule } from '../js/marks.js';
+import { shown } from '../js/words.js';
+
+const looks = {
+  all: ['all harmonics', 'c1'],
+  up_to_1: ['first harmonic', 'c2', '8 4'],
+  up_to_2: ['n ≤ 2', 'c3', '9 3 2 3'],
+  up_to_3: ['n ≤ 3', 'c4', '3 3'],
+  paper: ['the paper’s model', 'c5', '9 3 2 3 2 3']
+};
+const one_way = ({ words }) => (words.one_way ? ' One-way: the load of rest acts at every spin.' : '');
+const in_millinewton = list => list.map(v => (v === null ? NaN : 1e3 * v));
+
+export function torque(doc) {
+  const t = columns(doc.tables.torque);
+  const points = columns(doc.tables.terminal_points);
+  const { spin_unit, numbers } = doc.words;
+  const only_one = Object.keys(t).length === 2;
+  const curves = ['up_to_1', 'up_to_2', 'up_to_3', 'all'].filter(key => t[key]);
+  const look = key => (only_one ? ['', 'c1'] : looks[key]);
+  const key_of = harmonics => (harmonics ? `up_to_${harmonics}` : 'all');
+  return {
+    id: 'torque',
+    title: 'Torque of friction against the spin by the number of harmonics',
+    words: numbers ? `${shown(numbers.torque_at_rest, '.3g')} N m at rest` : '',
+    caption:
+      'n harmonics kept; points: the terminal spins, where friction’s, the lean and the fingers’ torque add up to zero.' +
+      (spin_unit ? ` Beyond ω = ±v/R = ±${shown(spin_unit, '.3g')} rad/s part of the rim slides backwards.` : '') +
+      one_way(doc),
+    x: { label: 'spin ω', symbol: 'ω =', unit: 'rad/s', room: 0, range: [t.omega[0], t.omega[t.omega.length - 1]] },
+    y: { label: 'torque τ_z', unit: 'mN m', zero: true, digits: '.4g' },
+    marks: [
+      ...curves.map(key => {
+        const [name, colour, dash] = look(key);
+        return line({ x: t.omega, y: in_millinewton(t[key]), name, colour, dash });
+      }),
+      ...points.omega.map((omega, i) => {
+        const [name, colour] = look(key_of(points.harmonics[i])) || looks.all;
+        const words = [[name || 'all harmonics', `terminal spin ${shown(omega, '.6g')} rad/s`]];
+        return dots({ x: [omega], y: [0], colour, name, words });
+      }),
+      ...(spin_unit ? [-1, 1].map(side => inside_rule(side * spin_unit, t, side > 0 ? 'v/R' : '−v/R')) : [])
+    ]
+  };
+}
+const inside_rule = (x, { omega }, text) => {
+  const [low, high] = [omega[0], omega[omega.length - 1]].sort((a, b) => a - b);
+  return x >= low && x <= high ? rule({ x, text, dash: '2 3' }) : rule({});
+};
+
+export function spin_up(doc) {
+  const t = columns(doc.tables.spin_up);
+  const { ring } = doc.summary;
+  const measured = doc.tables.measured && columns(doc.tables.measured);
+  const known = Number.isFinite(ring.omega_terminal);
+  const last = t.time[t.time.length - 1];
+  const settles = known && ring.time_constant > 0 && ring.time_constant < last;
+  return {
+    id: 'spin_up',
+    title: 'Spin-up from rest',
+    words: `to ${shown(doc.words.numbers.omega_end, '.4g')} rad/s`,
+    caption:
+      `${known ? `The terminal spin is ${shown(ring.omega_terminal, '.5g')} rad/s, ${shown(Math.abs(ring.omega_terminal) / (2 * Math.PI), '.3g')} turns per second.` : ''}` +
+      (measured ? ' Points: measured, Motion/Measured spin file.' : '') +
+      (settles ? ' Dotted: the time constant with which the terminal spin is approached.' : '') +
+      one_way(doc),
+    x: { label: 'time', symbol: 't =', unit: 's', room: 0 },
+    y: { label: 'spin ω', unit: 'rad/s', zero: true },
+    marks: [
+      ...['paper', 'up_to_1', 'all']
+        .filter(key => t[key])
+        .map(key => line({ x: t.time, y: t[key], name: looks[key][0], colour: looks[key][1], dash: looks[key][2] })),
+      ...(measured
+        ? [dots({ x: measured.time, y: measured.omega, name: 'measured', colour: 'ink', hollow: true })]
+        : []),
+      ...(known ? [rule({ y: ring.omega_terminal, colour: 'c8', dash: '1 3' })] : []),
+      ...(settles
+        ? [
+            rule({
+              x: ring.time_constant,
+              text: `${shown(ring.time_constant, '.3g')} s`,
+              dash: '2 3',
+              low: ring.omega_terminal > 0
+            })
+          ]
+        : [])
+    ]
+  };
+}
+
+/** Spin under the hand's own speed beside that at constant speed, and the speed. */
+export function driven(doc) {
+  if (!doc.tables.driven) return [];
+  const t = columns(doc.tables.driven);
+  const constant = columns(doc.tables.spin_up);
+  const x = { label: 'time', symbol: 't =', unit: 's', room: 0 };
+  return [
+    {
+      id: 'driven_spin_up',
+      title: 'The spin under the hand’s own speed',
+      words: `${shown(doc.summary.ring.driven.omega_at_end, '.4g')} rad/s in the end`,
+      caption: 'Beside that at constant speed.',
+      x,
+      y: { label: 'spin ω', unit: 'rad/s', zero: true },
+      marks: [
+        line({ x: constant.time, y: constant.all, name: 'constant v', colour: 'c2', dash: '8 4' }),
+        line({ x: t.time, y: t.omega, name: 'v(t)' })
+      ]
+    },
+    {
+      id: 'orbit_speed',
+      title: 'The speed of the hand',
+      words: `${shown(Math.min(...t.speed), '.3g')} to ${shown(Math.max(...t.speed), '.3g')} m/s`,
+      x,
+      y: { label: 'v', unit: 'm/s', zero: true },
+      marks: [line({ x: t.time, y: t.speed })]
+    }
+  ];
+}
+
+export function phases(doc) {
+  const t = columns(doc.tables.phases);
+  const words = (key, i) => [`θ = ${shown(t.theta[i], '.4g')}°`, `τ_z = ${shown(1e3 * t[key][i], '.5g')} mN m`];
+  const part = (key, name, colour) =>
+    dots({ x: t.theta, y: in_millinewton(t[key]), name, colour, words: t.theta.map((_, i) => words(key, i)) });
+  return {
+    id: 'phases',
+    title: 'Torque by the place of the mark',
+    words: `it swings by ${shown(doc.summary.waviness.torque_ripple, '.2g')} N m`,
+    caption: `Torque of friction by the place of the mark of the ${doc.words.marked}, at rest and at the mean spin in the long run; over a whole turn this repeats.`,
+    x: { label: 'θ from the direction of travel', symbol: 'θ =', unit: '°' },
+    y: { label: 'torque τ_z', unit: 'mN m' },
+    marks: [part('at_rest', 'at rest', 'c1'), part('at_terminal', 'at the mean spin', 'c2')]
+  };
+}
+
+export function truncation(doc) {
+  const t = columns(doc.tables.truncation_change);
+  if (t.harmonics.length < 3) return null;
+  return {
+    id: 'truncation',
+    title: 'Change of the terminal spin by the number of harmonics',
+    caption: 'Leaving out the harmonics beyond some number, relative to all of them.' + one_way(doc),
+    x: { label: 'harmonics kept', symbol: 'n =', ticks: Math.max(...t.harmonics) <= 8 ? t.harmonics : undefined },
+    y: { label: '|Δω / ω|', log: true, digits: '.3g' },
+    marks: [line({ x: t.harmonics, y: t.change }), dots({ x: t.harmonics, y: t.change })]
+  };
+}

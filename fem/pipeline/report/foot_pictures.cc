@@ -1,0 +1,172 @@
+#include "fem/contact/footprint.h"
+#include "fem/geometry/section_view.h"
+#include "fem/pipeline/report/picture_columns.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+constexpr double millimetres = 1e3, micrometres = 1e6; ///< of a metre
+
+/// The largest number of two easy digits that is not above @p factor: 1, 1.5, 2, ... 9.5, 10, 15 ...
+double round_down(double factor)
+{
+  const double power = std::pow(10, std::floor(std::log10(factor)));
+  return std::floor(2 * factor / power) / 2 * power;
+}
+
+Json short_list(const std::vector<double> &values, int n_digits = 5)
+{
+  Json list = Json::array();
+  for (const double value : values)
+    list.push_back(shortened(value, n_digits));
+  return list;
+}
+
+/// Largest and mean pressure, and the width of the contact.
+Json measures_of(const fem::PressureMap &footprint, double pascals)
+{
+  if (!fem::has_cells(footprint))
+    return nullptr;
+  const fem::FootprintMeasures measures = fem::measures_of(footprint);
+  const bool is_even = measures.widest - measures.narrowest < 0.005 * measures.widest;
+  return { { "largest", measures.largest.pressure / pascals },
+           { "azimuth", measures.largest.azimuth / boost::math::double_constants::degree },
+           { "mean", measures.mean / pascals },
+           { "narrowest", is_even ? Json(nullptr) : Json(measures.narrowest * micrometres) },
+           { "widest", measures.widest * micrometres },
+           { "has_edge", footprint.has_edge } };
+}
+
+/// p(r, theta) cut by cut: azimuths [degrees], distances from the rim [µm] and pressures, on a scale that
+/// ends at @p largest [Pa].
+Json pressure_map(const fem::PressureMap &footprint, double contact_radius, double largest)
+{
+  const bool is_low = fem::largest_pressure(footprint) < 1e6;
+  const double pascals = is_low ? 1e3 : 1e6;
+  Json theta = Json::array(), distance = Json::array(), pressure = Json::array();
+  for (const auto &cut : fem::loaded_cuts(footprint))
+  {
+    std::vector<double> places, pressures;
+    for (const fem::PressurePoint &point : cut)
+    {
+      places.push_back((point.radius - contact_radius) * micrometres);
+      pressures.push_back(point.pressure / pascals);
+    }
+    theta.push_back(cut.empty() ? Json(nullptr)
+                                : shortened(cut.front().azimuth / boost::math::double_constants::degree, 6));
+    distance.push_back(short_list(places));
+    pressure.push_back(short_list(pressures, 4));
+  }
+  return { { "theta", theta },
+           { "distance", distance },
+           { "pressure", pressure },
+           { "unit", is_low ? "kPa" : "MPa" },
+           { "largest", shortened(largest / pascals) },
+           { "is_grid", fem::has_cells(footprint) },
+           { "measures", measures_of(footprint, pascals) } };
+}
+
+/// Quadrilaterals of a loaded section with displacements drawn larger, and their stresses of von Mises [MPa].
+Json stresses(const std::vector<fem::StressedPatch> &section)
+{
+  constexpr double share_of_radius = 0.04;
+  double edge = 0, move = 0, stress = 0;
+  for (const fem::StressedPatch &patch : section)
+    for (const auto &row : patch)
+      for (const fem::StressedPoint &point : row)
+      {
+        edge = std::max(edge, std::abs(point.x));
+        move = std::max(move, std::hypot(point.move_x, point.move_z));
+        stress = std::max(stress, point.von_mises);
+      }
+  const double magnification =
+    move > 0 ? std::pow(10, std::round(std::log10(share_of_radius * edge / move))) : 1;
+  Json x = Json::array(), z = Json::array(), values = Json::array();
+  for (const fem::StressedPatch &patch : section)
+    for (std::size_t i = 0; i + 1 < patch.size(); ++i)
+      for (std::size_t j = 0; j + 1 < patch[i].size(); ++j)
+      {
+        const fem::StressedPoint *corners[] = { &patch[i][j], &patch[i][j + 1], &patch[i + 1][j + 1],
+                                                &patch[i + 1][j] };
+        double mean = 0;
+        for (const fem::StressedPoint *corner : corners)
+        {
+          x.push_back(shortened((corner->x + magnification * corner->move_x) * millimetres, 4));
+          z.push_back(shortened((corner->z + magnification * corner->move_z) * millimetres, 4));
+          mean += corner->von_mises / 4;
+        }
+        values.push_back(shortened(mean * 1e-6, 3));
+      }
+  return { { "x", x },
+           { "z", z },
+           { "stress", values },
+           { "largest", shortened(stress * 1e-6) },
+           { "magnification", magnification },
+           { "move", move * micrometres } };
+}
+
+/// Cells of a section [mm] with its lengths; @p crown_radius [m] 0: flat, or not known.
+Json section_of(const std::vector<fem::SectionPolygon> &cells, double contact_radius, double crown_radius,
+                const fem::ContactWidth &band)
+{
+  const fem::SectionLengths lengths = fem::lengths_of(cells, contact_radius);
+  Json x = Json::array(), z = Json::array();
+  for (const fem::SectionPolygon &cell : cells)
+  {
+    std::vector<double> radii, heights;
+    for (const auto &corner : cell)
+    {
+      radii.push_back(corner[0] * millimetres);
+      heights.push_back(corner[1] * millimetres);
+    }
+    x.push_back(short_list(radii, 6));
+    z.push_back(short_list(heights, 5));
+  }
+  return { { "x", x },
+           { "z", z },
+           { "radius", contact_radius * millimetres },
+           { "edge", lengths.outer_radius * millimetres },
+           { "top", lengths.height * millimetres },
+           { "stem", lengths.stem_radius * millimetres },
+           { "thickness", lengths.thickness * millimetres },
+           { "crown", crown_radius * millimetres },
+           { "inner", band.inner * millimetres },
+           { "outer", band.outer * millimetres } };
+}
+
+} // namespace
+
+void add_foot_pictures(const Study &study, const FootReport &foot, Document &document)
+{
+  constexpr double share_of_radius = 0.12;
+  const double radius = study.glass.profile.contact_radius;
+  Json &pictures = document.tables["foot"];
+  double largest = fem::largest_pressure(foot.footprint);
+  if (foot.footprint_at_end)
+    largest = std::max(largest, fem::largest_pressure(*foot.footprint_at_end)); // one scale for both
+  pictures["footprint"] = pressure_map(foot.footprint, radius, largest);
+  if (foot.footprint_at_end)
+    pictures["footprint_at_end"] = pressure_map(*foot.footprint_at_end, radius, largest);
+  if (!foot.stressed_section.empty())
+    pictures["stresses"] = stresses(foot.stressed_section);
+  if (foot.section.empty())
+    return;
+  const double crown = study.contact.mesh_file.empty() ? study.glass.profile.crown_radius : 0;
+  const fem::ContactWidth band = fem::loaded_band(foot.footprint);
+  pictures["section"] = section_of(foot.section, radius, crown, band);
+  // The pressure seen from above, its distance from the rim drawn larger.
+  const double extent = std::max({ radius - band.inner, band.outer - radius, 1e-4 * radius });
+  pictures["magnification"] = std::max(1., round_down(share_of_radius * radius / extent));
+}
+
+} // namespace stemware::pipeline
