@@ -11,6 +11,9 @@ class NoBalance : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
+
+  /// Returns whether the glass tips: no load that only pushes carries the moment.
+  virtual bool tips() const { return false; }
 };
 
 /// Moment beyond the limit of the normal forces: the glass tips (moment ratio >= 2).
@@ -18,6 +21,7 @@ class Tipping : public NoBalance
 {
 public:
   using NoBalance::NoBalance;
+  bool tips() const override { return true; }
 };
 
 /// Torque without a zero in the searched range: the spin-up does not end.
@@ -31,11 +35,17 @@ public:
 class BalanceLost : public NoBalance
 {
 public:
-  BalanceLost(const std::string &message, double last_spin)
+  BalanceLost(const std::string &message, double last_spin, bool tips)
       : NoBalance(message)
       , last_spin(last_spin)
+      , is_tipping(tips)
   {
   }
+  bool tips() const override { return is_tipping; }
+
   const double last_spin; ///< the last one in balance [rad/s]
+
+private:
+  const bool is_tipping;
 };
 } // namespace stemware::ring

@@ -78,7 +78,7 @@ Estimate inverse_interpolation(std::vector<Sample> samples)
   {
     std::throw_with_nested(BalanceLost(
       sentence("the balance is lost at ", last, " rad/s, before a terminal spin is reached: ", cause.what()),
-      last));
+      last, cause.tips()));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "fem/revolution/contact_compliance.h"
 
+#include "ring_model/load/lagrange.h"
+
 #include <stdexcept>
 
 namespace stemware::fem
@@ -7,12 +9,7 @@ namespace stemware::fem
 
 Eigen::VectorXd lagrange_values(const Eigen::VectorXd &nodes, double x)
 {
-  Eigen::VectorXd values = Eigen::VectorXd::Ones(nodes.size());
-  for (Eigen::Index i = 0; i < nodes.size(); ++i)
-    for (Eigen::Index k = 0; k < nodes.size(); ++k)
-      if (k != i)
-        values(i) *= (x - nodes(k)) / (nodes(i) - nodes(k));
-  return values;
+  return ring::lagrange_values(nodes, x);
 }
 
 std::pair<Eigen::Index, Eigen::Index> nodes_between(const Eigen::VectorXd &radii, Eigen::Index degree,

@@ -13,11 +13,11 @@
 
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/ranks.h"
 #include "ring_model/friction_law.h"
+#include "ring_model/spin/answer.h"
 #include "tests/benchmark/random_study.h"
 
 #include <algorithm>
@@ -158,8 +158,10 @@ Solved solve(const Study &study, fem::ComplianceCache &cache, double expected = 
 {
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
   const SharedLoad load = find_load(study, foot);
-  const double omega =
-    terminal_spin(*load, study.motion.orbit, expected, false, study.motion.grip_torque).spin.omega;
+  const double omega = ring::answer(*load, { study.motion.orbit, study.motion.grip_torque, {}, expected })
+                         .value()
+                         .omega_terminal()
+                         .value();
   return { foot, load, omega };
 }
 
@@ -188,8 +190,8 @@ double change_by_points(const Study &study, const Solved &solved)
   const double difference = torque_of_points(solved.foot->body().point_forces(*state), motion, solved.omega) -
                             ring::wrench(motion, state->load, solved.omega).torque;
   const double step = solved.load->spin_scale(motion) / 512;
-  const double slope = (yaw_torque(*solved.load, motion, solved.omega + step) -
-                        yaw_torque(*solved.load, motion, solved.omega - step)) /
+  const double slope = (ring::yaw_torque(*solved.load, motion, solved.omega + step) -
+                        ring::yaw_torque(*solved.load, motion, solved.omega - step)) /
                        (2 * step);
   return -difference / slope;
 }
@@ -241,10 +243,10 @@ void compare(const Study &study, const std::string &truth, Tallies &tallies)
 {
   fem::ComplianceCache cache;
   const Solved own = solve(study, cache);
-  SpinQuestion question = { study.motion.orbit };
+  ring::Question question = { study.motion.orbit };
   question.grip_torque = study.motion.grip_torque;
   question.with_slope = true;
-  const SpinRow row = spin_row(*own.load, question);
+  const ring::Answer row = ring::answer(*own.load, question).value();
   const ErrorBands bands = estimate_bands(study, own.foot, row, std::nullopt, cache);
   const BandedQuantity &band = spin_of(bands);
 

@@ -16,10 +16,10 @@
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/pipeline/analysis/refinement/goal_mesh.h"
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
+#include "ring_model/spin/answer.h"
 #include "tests/benchmark/solid_benchmark.h"
 
 #include <deal.II/base/timer.h>
@@ -174,7 +174,7 @@ stemware::pipeline::GoalError terminal_spin_of(const stemware::pipeline::Study &
   ComplianceCache cache;
   const auto foot = study_foot(study, cache);
   const SharedLoad load = find_load(study, foot);
-  const double omega = terminal_spin(*load, study.motion.orbit, 0, false).spin.omega;
+  const double omega = ring::answer(*load, { study.motion.orbit }).value().omega_terminal().value();
   dealii::Timer timer;
   GoalError found;
   found.value = omega;

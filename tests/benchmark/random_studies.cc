@@ -6,11 +6,11 @@
 // Ends with 0 when at least 99.5 % of the studies that do not tip converge, all within 20 s, and at most 5 %
 // tip.
 
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/ranks.h"
+#include "ring_model/spin/answer.h"
 #include "tests/benchmark/leaning_rigid_ring.h"
 #include "tests/benchmark/random_study.h"
 
@@ -77,9 +77,11 @@ void find_spin(const Study &study, Ending &ending)
   const auto foot = study_foot(study, cache);
   ending.seconds_of_foot = deadline.clock.seconds();
   const SharedLoad load = find_load(study, foot, deadline);
-  const LongRunSpin found = terminal_spin(*load, study.motion.orbit, 0, false, study.motion.grip_torque);
-  ending.omega = found.spin.omega;
-  ending.uncertainty = found.uncertainty;
+  ring::Question question = { study.motion.orbit, study.motion.grip_torque };
+  question.with_minima = false;
+  const ring::Answer found = ring::answer(*load, question).value();
+  ending.omega = found.omega_terminal().value();
+  ending.uncertainty = found.spin_uncertainty;
   ending.n_contacts = foot ? foot->n_contacts() : 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/variants/model_variants.h"
 
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 
@@ -22,50 +23,29 @@ ChainStep step_of(const Variant &model)
   return { static_cast<unsigned int>(model.key.front() - '0'), model.key.size() > 1 };
 }
 
+/// Whether a variant is a model of the chain: its key begins with the number of a ChainStep.
+bool is_of_chain(const Variant &variant)
+{
+  return std::isdigit(static_cast<unsigned char>(variant.key.front())) != 0;
+}
+
 /// Puts the answer to a model under those in @p rows.
-void add_row(const ChainStep &step, const std::string &name, const Study &study, const SpinRow &row,
+void add_row(const ChainStep &step, const std::string &name, const Study &study, const ring::Answer &row,
              std::vector<BudgetRow> &rows)
 {
   BudgetRow added = { step, name, row.harmonics, row.omega_terminal() };
   if (!rows.empty() && added.omega_terminal && rows.back().omega_terminal)
     added.difference = *added.omega_terminal - *rows.back().omega_terminal + 0.; // no -0
   for (std::size_t i = 0; i < row.torques.size(); ++i)
-    added.torques.at(i) = unless_nan(row.torques[i]);
-  added.standing = row.terminal && row.pulls() ? Standing::formal : row.standing;
+    added.torques.at(i) = unless_nan(row.torques[i].friction.torque);
+  added.standing = row.terminal && row.pulls() ? ring::Standing::formal : row.standing;
   added.reason = row.reason.empty() ? held_by_the_grip(study, row) : row.reason;
   rows.push_back(added);
 }
 
-/// The chain from the rows of its @p models in front and those by harmonics, which are rows 3 or 3a, 4, 5,
-/// ... of a study whose load has harmonics to tell apart.
-std::vector<BudgetRow> judge_chain(const Study &study, const std::vector<Variant> &models,
-                                   const std::vector<SpinRow> &answers)
+WithoutRow judge_without(const LoadedRow &solved, const ring::Answer &complete)
 {
-  std::vector<BudgetRow> rows;
-  for (std::size_t i = 0; i < models.size(); ++i)
-    add_row(step_of(models[i]), models[i].name, models[i].study, answers[i], rows);
-  if (study.load.source == LoadSource::first_harmonic)
-    return rows;
-  const SpinRow &first = answers[models.size()];
-  add_row({ 3, study.tilts() }, study.tilts() ? "tilt" : "where the foot touches", study, first, rows);
-  ChainStep step = { 4 };
-  for (std::size_t i = models.size() + 1; i < answers.size(); ++i)
-  {
-    add_row(step, "harmonics", study, answers[i], rows);
-    ++step.number;
-  }
-  if (&first == &answers.back()) // a first harmonic from a file is all its harmonics
-    add_row(step, "harmonics", study, first, rows);
-  BudgetRow &all = rows.back();
-  all.harmonics.reset();
-  // The series of a pressure that ends somewhere dips below zero there; the pressure does not.
-  if (study.load.is_from_contact() && all.standing == Standing::formal)
-    all.standing = Standing::lift_off;
-  return rows;
-}
-
-WithoutRow judge_without(const Variant &variant, const SpinRow &answer, const SpinRow &complete)
-{
+  const auto &[variant, answer, load] = solved;
   WithoutRow row = { variant.name, answer.omega_terminal() };
   if (row.omega_terminal && complete.terminal)
     row.difference = *row.omega_terminal - complete.terminal->omega;
@@ -73,18 +53,28 @@ WithoutRow judge_without(const Variant &variant, const SpinRow &answer, const Sp
   return row;
 }
 
+/// Adds the torques at @p spins [rad/s] to @p solved.
+ring::Answer with_torques(const LoadedRow &solved, const Study &study, const std::vector<double> &spins)
+{
+  if (!solved.load)
+    return solved.row;
+  ring::Question question = spin_question(study);
+  question.known = &solved.row;
+  question.spins = spins;
+  return ring::answer(*solved.load, question);
+}
+
 /// Torques of all harmonics and of the first, from rest to a little beyond the terminal spin, or to the fall.
 void add_curves(const Study &study, const std::vector<LoadedRow> &by_harmonics, Budget &budget)
 {
   constexpr unsigned int n_intervals = 32;
-  const SpinRow &all = by_harmonics.back().row;
+  const ring::Answer &all = by_harmonics.back().row;
   const double last = all.fall ? all.fall->omega : 1.2 * shown_spin(study, all, *all.omega_terminal());
   for (unsigned int i = 0; i <= n_intervals; ++i)
     budget.omega.push_back(last * i / n_intervals);
-  const auto torques_of = [&](const LoadedRow &answer)
+  const auto torques_of = [&](const LoadedRow &solved)
   {
-    std::string reason; // the row says it
-    return answer.load ? friction_torques(*answer.load, study.motion.orbit, budget.omega, reason)
+    return solved.load ? ring::friction_torques(with_torques(solved, study, budget.omega))
                        : std::vector<double>(budget.omega.size(), std::nan(""));
   };
   budget.torque_all = torques_of(by_harmonics.back());
@@ -117,63 +107,76 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
   return effect;
 }
 
-std::vector<BudgetRow> budget_rows(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                   const std::vector<SpinRow> &by_harmonics, const Executor &executor)
-{
-  const std::vector<Variant> models = model_chain(study);
-  SpinQuestion question;
-  question.near = known_zero(by_harmonics.back()); // they differ little from the complete model
-  std::vector<SpinRow> answers;
-  for (const LoadedRow &answer : solve_rows(models, foot, question, executor))
-    answers.push_back(answer.row);
-  answers.insert(answers.end(), by_harmonics.begin(), by_harmonics.end());
-  for (SpinRow &row : answers)
-    row.torques.clear();
-  return judge_chain(study, models, answers);
-}
-
-std::vector<Variant> budget_variants(const Study &study, const SpinRow &all)
+std::vector<Variant> budget_variants(const Study &study, bool depends_on_phase)
 {
   std::vector<Variant> variants = model_chain(study);
-  for (const Variant &variant : variants_without(study, all.ripple > 0))
+  for (const Variant &variant : variants_without(study, depends_on_phase))
     variants.push_back(variant);
   return variants;
 }
 
-Budget find_budget(const Study &study, const std::vector<LoadedRow> &by_harmonics,
-                   const std::vector<LoadedRow> &answers, const Executor &executor)
+std::vector<BudgetRow> judge_chain(const Study &study, const StudyRows &solved)
 {
-  const SpinRow &all = by_harmonics.back().row;
+  std::vector<BudgetRow> rows;
+  for (const auto &[variant, answer, load] : solved.others)
+    if (is_of_chain(variant))
+      add_row(step_of(variant), variant.name, variant.study, answer, rows);
+  if (study.load.source == LoadSource::first_harmonic)
+    return rows;
+  // Rows 3 or 3a, 4, 5, ... of a study whose load has harmonics to tell apart.
+  const std::vector<LoadedRow> &by_harmonics = solved.by_harmonics;
+  const ring::Answer &first = by_harmonics.front().row;
+  add_row({ 3, study.tilts() }, study.tilts() ? "tilt" : "where the foot touches", study, first, rows);
+  ChainStep step = { 4 };
+  for (std::size_t i = 1; i < by_harmonics.size(); ++i)
+  {
+    add_row(step, "harmonics", study, by_harmonics[i].row, rows);
+    ++step.number;
+  }
+  if (by_harmonics.size() == 1) // a first harmonic from a file is all its harmonics
+    add_row(step, "harmonics", study, first, rows);
+  BudgetRow &all = rows.back();
+  all.harmonics.reset();
+  // The series of a pressure that ends somewhere dips below zero there; the pressure does not.
+  if (study.load.is_from_contact() && all.standing == ring::Standing::formal)
+    all.standing = ring::Standing::lift_off;
+  return rows;
+}
+
+Budget find_budget(const Study &study, StudyRows rows, const Executor &executor)
+{
+  const ring::Answer all = rows.by_harmonics.back().row;
   const std::optional<double> terminal = all.omega_terminal();
   Budget budget;
   budget.shown_spins = { 0 };
   if (terminal)
     budget.shown_spins = { 0, *terminal / 2, *terminal };
+  add_curves(study, rows.by_harmonics, budget);
 
-  const std::vector<Variant> models = model_chain(study), variants = budget_variants(study, all);
-  for (std::size_t i = models.size(); i < variants.size(); ++i)
-    budget.without.push_back(judge_without(variants[i], answers[i].row, all));
-
-  std::vector<LoadedRow> chain = answers;
-  chain.resize(models.size());
-  chain.insert(chain.end(), by_harmonics.begin(), by_harmonics.end());
-  std::vector<SpinRow> rows(chain.size());
+  std::vector<LoadedRow *> chain;
+  for (LoadedRow &solved : rows.others)
+    if (is_of_chain(solved.variant))
+      chain.push_back(&solved);
+    else if (solved.variant.key == "without")
+      budget.without.push_back(judge_without(solved, all));
+  const std::size_t n_models = chain.size();
+  for (LoadedRow &solved : rows.by_harmonics)
+    chain.push_back(&solved);
   const auto add_torques = [&](std::size_t i)
   {
-    rows[i] = chain[i].row;
-    const ring::Motion &motion = (i < models.size() ? models[i].study : study).motion.orbit;
-    if (chain[i].load)
-      rows[i].torques = friction_torques(*chain[i].load, motion, budget.shown_spins, rows[i].reason);
+    chain[i]->row =
+      with_torques(*chain[i], i < n_models ? chain[i]->variant.study : study, budget.shown_spins);
   };
   // Loads that were cut off share the phases of what they are cut from.
   executor.for_each(chain.size(), add_torques, !study.load.is_in_balance());
-  budget.rows = judge_chain(study, models, rows);
   // Of the last row, whose load is interpolated, the exact ones are known.
-  budget.rows.back().torques[0] = all.at_rest->friction.torque;
+  std::vector<ring::Torques> &torques = rows.by_harmonics.back().row.torques;
+  torques.front() = *all.at_rest;
   if (all.at_terminal)
-    budget.rows.back().torques[2] = all.at_terminal->friction.torque;
-  budget.harmonics = harmonic_effect(by_harmonics.front().row.omega_terminal(), terminal, spin_scale(study));
-  add_curves(study, by_harmonics, budget);
+    torques.back() = *all.at_terminal;
+  budget.rows = judge_chain(study, rows);
+  budget.harmonics =
+    harmonic_effect(rows.by_harmonics.front().row.omega_terminal(), terminal, spin_scale(study));
   return budget;
 }
 

@@ -36,9 +36,9 @@ struct BudgetRow
   std::optional<double> omega_terminal = {};  ///< [rad/s]
   std::optional<double> difference = {};      ///< of the terminal spin to that of the row above [rad/s]
   std::optional<double> band = {};            ///< half-width, of the terminal spin: add_bands() [rad/s]
-  std::array<std::optional<double>, 3> torques = {}; ///< friction's tau_z at Budget::shown_spins [N m]
-  Standing standing = Standing::no_balance;          ///< formal where lambda < 0 somewhere
-  std::string reason = {};                           ///< why something is missing; empty where nothing is
+  std::array<std::optional<double>, 3> torques = {};    ///< friction's tau_z at Budget::shown_spins [N m]
+  ring::Standing standing = ring::Standing::no_balance; ///< formal where lambda < 0 somewhere
+  std::string reason = {};                              ///< why something is missing; empty where nothing is
 };
 
 /// The complete model with one of its effects left out.
@@ -88,19 +88,16 @@ std::optional<double> relative_to(const std::optional<double> &reference,
 HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::optional<double> &all,
                                double spin_scale);
 
-/// The chain of models of a study, without torques: rows 1, 2, 2a and 3 are solved here, those of the
-/// harmonics are @p by_harmonics, the first alone in front and all of them last, with what they have. @p foot
-/// is study_foot(). Does not throw for a row that fails.
-std::vector<BudgetRow> budget_rows(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                   const std::vector<SpinRow> &by_harmonics, const Executor &executor);
-
 /// Variants whose answers find_budget() takes: the models of the chain in front of the study's own rows, and
-/// the study without one effect at a time; @p all is the answer of all harmonics.
-std::vector<Variant> budget_variants(const Study &study, const SpinRow &all);
+/// the study without one effect at a time, whose load @p depends_on_phase.
+std::vector<Variant> budget_variants(const Study &study, bool depends_on_phase);
 
-/// The budget from what is known: @p by_harmonics are rows_by_harmonics(), @p models the answers to
-/// budget_variants(). Torques are asked of their loads. A row that failed says why.
-Budget find_budget(const Study &study, const std::vector<LoadedRow> &by_harmonics,
-                   const std::vector<LoadedRow> &models, const Executor &executor);
+/// The chain of models: the rows of model_chain() among @p rows.others, then those by harmonics, with the
+/// torques that their answers have.
+std::vector<BudgetRow> judge_chain(const Study &study, const StudyRows &rows);
+
+/// The budget from what is known: @p rows are rows_by_harmonics() with the answers to budget_variants()
+/// beside them. Torques are asked of their loads. A row that failed says why.
+Budget find_budget(const Study &study, StudyRows rows, const Executor &executor);
 
 } // namespace stemware::pipeline

@@ -1,16 +1,14 @@
 #include "fem/pipeline/analysis/spin_study.h"
 
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/driven_load.h"
-#include "fem/pipeline/coupling/if_balanced.h"
-#include "fem/pipeline/coupling/phase_loads.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/friction_law.h"
+#include "ring_model/spin/phase_loads.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace stemware::pipeline
 {
@@ -24,7 +22,7 @@ double half_range(const std::vector<double> &values)
   return (*most - *least) / 2;
 }
 
-std::vector<double> torques_at(double omega, const PhaseLoads &loads, const ring::Motion &motion)
+std::vector<double> torques_at(double omega, const ring::PhaseLoads &loads, const ring::Motion &motion)
 {
   std::vector<double> torques;
   for (const ring::RingStack &load : loads.samples(omega))
@@ -32,7 +30,7 @@ std::vector<double> torques_at(double omega, const PhaseLoads &loads, const ring
   return torques;
 }
 
-PhaseStudy study_phases(const PhaseLoads &loads, const SpinRow &row, const ring::Motion &motion)
+PhaseStudy study_phases(const ring::PhaseLoads &loads, const ring::Answer &row, const ring::Motion &motion)
 {
   PhaseStudy study;
   study.spin_ripple = row.ripple;
@@ -52,104 +50,20 @@ PhaseStudy study_phases(const PhaseLoads &loads, const SpinRow &row, const ring:
   return study;
 }
 
-/// Equal steps of the forward Euler method in each of @p n_intervals equal intervals of the spin-up.
-unsigned int euler_steps(const MotionSection &motion, unsigned int n_intervals)
+/// The spin-ups of @p all and of the @p first harmonic alone.
+SpinUpCurves spin_up_curves(const ring::Answer &all, const ring::Answer &first, const ring::Answer &paper)
 {
-  const double n_steps = std::ceil(motion.end_time / n_intervals / motion.euler_step - 1e-9);
-  return std::max(static_cast<unsigned int>(n_steps), 1u);
-}
-
-std::vector<double> spins_of(const std::vector<ring::YawSample> &samples)
-{
-  std::vector<double> spins;
-  for (const ring::YawSample &sample : samples)
-    spins.push_back(sample.omega);
-  return spins;
-}
-
-/// omega(t) [rad/s] under @p load; nothing where it has no balance on the way.
-std::vector<double> spins_or_nothing(const BalancedLoad &load, const Study &study,
-                                     const std::vector<double> &times)
-{
-  return if_balanced([&]
-                     { return spins_of(spin_up(load, study.motion.orbit, times, study.motion.grip_torque)); })
-    .value_or(std::vector<double>());
-}
-
-/// @p torque between rest and @p fall, and the same from there on: steps of an integrator reach beyond.
-ring::PhasedTorqueFunction up_to_the_fall(const ring::PhasedTorqueFunction &torque,
-                                          const std::optional<Fall> &fall)
-{
-  if (!fall)
-    return torque;
-  const double lower = std::min(0., fall->omega), upper = std::max(0., fall->omega);
-  return [=](double time, double yaw_angle, double omega)
-  { return torque(time, yaw_angle, std::clamp(omega, lower, upper)); };
-}
-
-/// Leaves out what lies beyond @p fall.
-double unless_fallen(double omega, const std::optional<Fall> &fall)
-{
-  return fall && std::abs(omega) > std::abs(fall->omega) ? std::nan("") : omega;
-}
-
-/// @p first and @p all are loads for curves; @p row is the answer to the latter.
-SpinUpCurves spin_up_curves(const Study &study, const SharedLoad &first, const BalancedLoad &all,
-                            const SpinRow &row)
-{
-  const ring::Motion &orbit = study.motion.orbit;
-  const ring::PhasedTorqueFunction torque =
-    up_to_the_fall(torque_function(all, orbit, study.motion.grip_torque), row.fall);
   SpinUpCurves curves;
-  curves.time = output_times(study.motion.end_time);
-  for (const ring::YawSample &sample : spin_up(torque, orbit, curves.time, all.spin_scale(orbit)))
+  for (const ring::YawSample &sample : all.spin_up)
   {
-    curves.adaptive.push_back(unless_fallen(sample.omega, row.fall));
-    curves.yaw_angle.push_back(std::isnan(curves.adaptive.back()) ? std::nan("") : sample.yaw_angle);
+    curves.time.push_back(sample.time);
+    curves.adaptive.push_back(sample.omega);
+    curves.yaw_angle.push_back(sample.yaw_angle);
   }
-  if (first)
-    curves.first_harmonic = spins_or_nothing(*first, study, curves.time);
-
-  const auto n_intervals = static_cast<unsigned int>(curves.time.size()) - 1;
-  const unsigned int stride = euler_steps(study.motion, n_intervals);
-  const unsigned int n_steps = stride * n_intervals;
-  const auto samples =
-    ring::yaw_motion_euler(torque, orbit.yaw_inertia, 0, study.motion.end_time / n_steps, n_steps);
-  for (unsigned int i = 0; i <= n_intervals; ++i)
-    curves.euler.push_back(unless_fallen(samples[i * stride].omega, row.fall));
-  curves.paper = paper_spin_up(study, curves.time);
+  curves.euler = spins_of(all.euler);
+  curves.first_harmonic = spins_of(first.spin_up);
+  curves.paper = spins_of(paper.spin_up);
   return curves;
-}
-
-/// The torques on the ring at a spin; NaN where there is no balance: the row says what is missing.
-RingState torques_or_nan(const BalancedLoad &load, const Study &study, double omega)
-{
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  SpinQuestion question = spin_question(study);
-  question.with_minima = false;
-  return if_balanced([&] { return ring_state(load, question, omega); })
-    .value_or(RingState{ load.report().rings, { nan, nan, nan }, nan, nan });
-}
-
-/// All terminal spins, that which is reached from rest as @p all has it; nothing where the glass falls over.
-std::vector<ring::TerminalSpin> terminal_spins_of(const Study &study, const BalancedLoad &load,
-                                                  const SpinRow &all)
-{
-  if (!all.terminal || load.phases() ||
-      (study.load.is_in_balance() && abilities(study.contact.body).is_collective))
-    return {};
-  const double unit = load.spin_scale(study.motion.orbit);
-  const auto statistics = load.statistics();
-  const double error = statistics ? statistics->interpolation_error.value_or(0) : 0;
-  std::vector<ring::TerminalSpin> spins =
-    all_terminal_spins(load, study.motion.orbit, study.motion.grip_torque);
-  const auto is_reached = [&](const ring::TerminalSpin &spin)
-  { return std::abs(spin.omega - all.terminal->omega) < std::max(1e-4, 10 * error) * unit; };
-  spins.erase(std::remove_if(spins.begin(), spins.end(), is_reached), spins.end());
-  spins.push_back(*all.terminal);
-  std::sort(spins.begin(), spins.end(),
-            [](const ring::TerminalSpin &a, const ring::TerminalSpin &b) { return a.omega < b.omega; });
-  return spins;
 }
 
 /// The study on one ring of its foot; nothing where it has no other.
@@ -163,7 +77,7 @@ std::optional<Variant> variant_on_one_ring(const Study &study)
   return one_ring;
 }
 
-SpinRow related_to_all(SpinRow one_ring, const SpinRow &all)
+ring::Answer beside_all(ring::Answer one_ring, const ring::Answer &all)
 {
   one_ring.harmonics = all.harmonics;
   if (one_ring.terminal && all.relative_change)
@@ -184,7 +98,7 @@ std::optional<double> TorqueCurve::spin_unit() const
 std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow> &rows)
 {
   constexpr int n_intervals = 120;
-  const SpinRow &all = rows.back().row;
+  const ring::Answer &all = rows.back().row;
   double last = 0;
   if (all.fall)
     last = all.fall->omega;
@@ -205,36 +119,46 @@ std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow>
   return spins;
 }
 
-TorqueCurve torque_curve(const Study &study, const std::vector<LoadedRow> &rows, unsigned int n_most)
+ring::Answer curves_of(const Study &study, const LoadedRow &row, const std::vector<double> &spins,
+                       double euler_step, bool all_spins)
 {
-  const ring::Motion &motion = study.motion.orbit;
-  TorqueCurve curve;
-  curve.omega = shown_spins(study, rows);
-  for (const double omega : curve.omega)
-  {
-    curve.slip_ratio.push_back(omega / rows.back().load->spin_scale(motion));
-    const RingState state = torques_or_nan(*rows.back().load, study, omega);
-    curve.friction.push_back(state.friction);
-    curve.lean_torque.push_back(state.lean_torque);
-    curve.grip_torque.push_back(state.grip_torque);
-    curve.sum.push_back(state.torque());
-  }
-  for (std::size_t i = 0; i + 1 < rows.size() && rows[i].row.harmonics <= n_most; ++i)
-  {
-    if (!rows[i].load)
-      continue;
-    curve.harmonics.push_back(rows[i].row.harmonics);
-    std::vector<double> &torques = curve.truncations.emplace_back();
-    for (const double omega : curve.omega)
-      torques.push_back(torques_or_nan(*rows[i].load, study, omega).friction.torque);
-  }
-  return curve;
+  if (!row.load)
+    return row.row;
+  ring::Question question = spin_question(study);
+  question.known = &row.row;
+  question.spins = spins;
+  question.times = ring::output_times(study.motion.end_time);
+  question.euler_step = euler_step;
+  question.all_spins = all_spins;
+  return ring::answer(*row.load, question);
 }
 
-std::vector<double> paper_spin_up(const Study &study, const std::vector<double> &times)
+ring::Answer paper_curves(const Study &study, const std::vector<double> &spins)
 {
   const Study paper = paper_study(study);
-  return spins_of(spin_up(*find_load(paper, nullptr), paper.motion.orbit, times));
+  return curves_of(paper, { {}, {}, first_harmonic_load(paper, paper.motion.closure) }, spins);
+}
+
+TorqueCurve torque_curve(const std::vector<double> &spins, double spin_scale, const ring::Answer &all,
+                         const ring::Answer &first)
+{
+  TorqueCurve curve;
+  curve.omega = spins;
+  for (std::size_t i = 0; i < spins.size(); ++i)
+  {
+    const ring::Torques &torques = all.torques[i];
+    curve.slip_ratio.push_back(spins[i] / spin_scale);
+    curve.friction.push_back(torques.friction);
+    curve.lean_torque.push_back(torques.lean_torque);
+    curve.grip_torque.push_back(torques.grip_torque);
+    curve.sum.push_back(torques.torque());
+  }
+  if (!first.torques.empty())
+  {
+    curve.harmonics = { first.harmonics };
+    curve.truncations = { friction_torques(first) };
+  }
+  return curve;
 }
 
 /// omega(t) [rad/s] from rest at @p times while the hand leads the glass with @p speeds.
@@ -244,7 +168,10 @@ std::vector<double> driven_spins(const Study &study, const std::shared_ptr<Elast
 {
   const ring::PhasedTorqueFunction table_torque = driven_torque(study, foot, speeds);
   const auto torque = [&](double time, double yaw_angle, double omega)
-  { return against_grip(table_torque(time, yaw_angle, omega), omega, study.motion.grip_torque); };
+  {
+    const double of_table = table_torque(time, yaw_angle, omega);
+    return of_table + ring::grip_torque(of_table, omega, study.motion.grip_torque);
+  };
   return spins_of(
     ring::yaw_motion(torque, study.motion.orbit.yaw_inertia, 0, times, accuracy, spin_unit(study)));
 }
@@ -278,65 +205,62 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
   return driven;
 }
 
-SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
-                     const Executor &executor, Progress &progress, Depth depth)
+SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                     const ring::LoadAtSpin &load, const Executor &executor, Progress &progress, Depth depth)
 {
-  SpinStudy result;
-  const std::optional<Variant> one_ring = variant_on_one_ring(study);
-  RowsBeside models = { [&](const SpinRow &all)
-                        {
-                          std::vector<Variant> variants = budget_variants(study, all);
-                          if (one_ring)
-                            variants.push_back(*one_ring);
-                          return variants;
-                        } };
-  const auto solve = [&]
-  {
-    return rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth,
-                             depth == Depth::full ? &models : nullptr);
-  };
-  std::vector<LoadedRow> solved = solve();
-  std::vector<double> shown = shown_spins(study, solved);
-  const auto interpolate = [&](unsigned int n_most)
-  { interpolate_loads(shown.front(), shown.back(), n_most, executor, solved); };
-  interpolate(0); // the first harmonic's curve is told by how it differs from that of all
+  std::vector<Variant> others;
+  if (depth == Depth::full)
+    others = budget_variants(study, load.phases() != nullptr);
+  if (const std::optional<Variant> one_ring = variant_on_one_ring(study); one_ring && depth == Depth::full)
+    others.push_back(*one_ring);
   // The curve may meet a fall that the search has stepped over, and that of the next one another.
   constexpr unsigned int most_falls = 8;
-  for (unsigned int i = 0; i < most_falls && load.fall_before(solved.back().row.last_spin().value_or(0)); ++i)
+  StudyRows solved;
+  std::vector<double> shown;
+  LoadedRow all;
+  for (unsigned int i = 0; i <= most_falls; ++i)
   {
-    solved = solve();
-    shown = shown_spins(study, solved);
-    interpolate(0);
+    solved = rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth, others);
+    shown = shown_spins(study, solved.by_harmonics);
+    all = with_curve(solved.by_harmonics.back(), shown.front(), shown.back());
+    if (!load.fall_before(all.row.last_spin().value_or(0)))
+      break;
   }
-  for (const LoadedRow &row : solved)
+  solved.by_harmonics.back() = all;
+
+  SpinStudy result;
+  for (const LoadedRow &row : solved.by_harmonics)
     result.rows.push_back(row.row);
   if (load.phases())
-    result.phases = study_phases(*load.phases(), result.all(), study.motion.orbit);
-  if (one_ring && depth == Depth::full)
+    result.phases = study_phases(*load.phases(), all.row, study.motion.orbit);
+  for (const LoadedRow &other : solved.others)
+    if (other.variant.key == "one_ring")
+      result.one_ring = beside_all(other.row, all.row);
+  result.curve_error = all.load->interpolation_error();
+  ring::Answer of_all, of_first;
+  const bool is_slow = study.load.is_in_balance() && is_collective(study); // each torque takes minutes
+  // The curve of the first harmonic is told by how it differs from that of all.
+  const auto find_curves = [&](std::size_t i)
   {
-    result.one_ring = related_to_all(models.answers.back().row, result.all());
-    models.answers.pop_back();
-  }
-
-  const SharedLoad all = solved.back().load;
-  if (const auto statistics = all->statistics())
-    result.curve_error = statistics->interpolation_error;
-  const auto curves_and_scan = [&](std::size_t i)
-  {
+    LoadedRow &first = solved.by_harmonics.front();
     if (i == 0)
-      result.terminal_spins = terminal_spins_of(study, *all, result.all());
-    else
-      interpolate(1);
+      of_all = curves_of(study, all, shown, study.motion.euler_step, !is_slow);
+    else if (solved.by_harmonics.size() > 1)
+      of_first =
+        curves_of(study, first = with_curve(first, shown.front(), shown.back(), all.load.get()), shown);
   };
-  executor.for_each(2, curves_and_scan, is_collective(study));
+  executor.for_each(2, find_curves, is_collective(study));
+  of_all.value(); // a spin-up that is lost is no answer
+  result.terminal_spins = of_all.all_spins;
+  result.torque = torque_curve(shown, all.load->spin_scale(study.motion.orbit), of_all, of_first);
+  result.spin_up =
+    spin_up_curves(of_all, solved.by_harmonics.size() > 1 ? of_first : of_all, paper_curves(study, {}));
+  result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time);
   if (depth == Depth::full)
-    result.budget = find_budget(study, solved, models.answers, executor);
+    result.budget = find_budget(study, std::move(solved), executor);
   else
     result.budget.harmonics =
       harmonic_effect(result.rows.front().omega_terminal(), result.all().omega_terminal(), spin_scale(study));
-  result.torque = torque_curve(study, solved, 1);
-  result.spin_up = spin_up_curves(study, solved.front().load, *solved.back().load, result.all());
-  result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time);
   return result;
 }
 

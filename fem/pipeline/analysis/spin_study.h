@@ -18,8 +18,8 @@ struct TorqueCurve
   std::vector<double> omega;
   std::vector<double> slip_ratio;      ///< omega R / v
   std::vector<ring::Wrench> friction;  ///< of all harmonics
-  std::vector<double> lean_torque;     ///< RingState::lean_torque of all harmonics [N m]
-  std::vector<double> grip_torque;     ///< RingState::grip_torque of all harmonics [N m]
+  std::vector<double> lean_torque;     ///< Torques::lean_torque of all harmonics [N m]
+  std::vector<double> grip_torque;     ///< Torques::grip_torque of all harmonics [N m]
   std::vector<double> sum;             ///< tau_z, lean and grip torque: I d omega / dt of all harmonics [N m]
   std::vector<unsigned int> harmonics; ///< of the truncations
   std::vector<std::vector<double>> truncations; ///< tau_z [N m], [truncation][spin]
@@ -59,7 +59,7 @@ struct SpinUpCurves
 struct PhaseStudy
 {
   double spin_ripple = 0;         ///< half of largest minus smallest spin in the long run [rad/s]
-  double spin_uncertainty = 0;    ///< of the mean spin in the long run, LongRunSpin::uncertainty [rad/s]
+  double spin_uncertainty = 0;    ///< of the mean spin in the long run, Answer::spin_uncertainty [rad/s]
   double zero_of_mean_torque = 0; ///< spin at which the torque vanishes on average over the phases [rad/s]
   double torque_ripple = 0; ///< half of largest minus smallest torque over the phases, at the mean spin [N m]
   double least_load = 0;    ///< pointwise, at rest, of all sampled phases [N/rad]
@@ -78,19 +78,19 @@ struct PhaseStudy
 /// Spin that follows from a load, with all that is found out about it.
 struct SpinStudy
 {
-  std::vector<SpinRow> rows;       ///< by harmonics: rows_by_harmonics()
-  std::optional<SpinRow> one_ring; ///< all harmonics on one ring; nothing where the study has one
-  Budget budget;                   ///< without rows where the answer alone was asked
-  TorqueCurve torque;              ///< of the first harmonic and of all
+  std::vector<ring::Answer> rows;       ///< by harmonics: rows_by_harmonics()
+  std::optional<ring::Answer> one_ring; ///< all harmonics on one ring; nothing where the study has one
+  Budget budget;                        ///< without rows where the answer alone was asked
+  TorqueCurve torque;                   ///< of the first harmonic and of all
   SpinUpCurves spin_up;
-  /// all_terminal_spins(), that of the last row among them; nothing where rim or table are wavy, or a torque
-  /// takes minutes (a solid body in balance at every spin).
+  /// Answer::all_spins of the last row; empty where rim or table are wavy, or a torque takes minutes (a solid
+  /// body in balance at every spin).
   std::vector<ring::TerminalSpin> terminal_spins;
   std::optional<PhaseStudy> phases; ///< nothing where rim and table are flat
   /// Error of the curves' load, which is interpolated in the spin, over a_0; nothing where it is exact.
   std::optional<double> curve_error = {};
 
-  const SpinRow &all() const { return rows.back(); }
+  const ring::Answer &all() const { return rows.back(); }
   /// Whether the answer and its curves were all that was asked: Depth::answer.
   bool is_quick() const { return budget.rows.empty(); }
   /// Without a moment the glass does not spin up: its terminal spin is rounding, to which nothing can be
@@ -98,31 +98,36 @@ struct SpinStudy
   bool spins_up() const { return all().relative_change.has_value(); }
 };
 
-/// tau_z of the last one of @p rows, and of those in front of it with up to @p n_most harmonics, at spins
-/// from a little before rest to half as far again as the fastest terminal spin, or to where the glass falls
-/// over.
-TorqueCurve torque_curve(const Study &study, const std::vector<LoadedRow> &rows, unsigned int n_most);
-
-/// The spins of torque_curve(), lowest first [rad/s].
+/// The spins of torque_curve(), lowest first: from a little before rest to half as far again as the fastest
+/// terminal spin, or to where the glass falls over [rad/s].
 std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow> &rows);
+
+/// Curves of @p row at @p spins [rad/s] and over the time of the study, whose longest Euler step is @p
+/// euler_step [s], 0 for none; @p all_spins if Answer::all_spins is wanted.
+ring::Answer curves_of(const Study &study, const LoadedRow &row, const std::vector<double> &spins,
+                       double euler_step = 0, bool all_spins = false);
+
+/// The curves of the paper's own model for the glass of a study: its moment balance, its load.
+ring::Answer paper_curves(const Study &study, const std::vector<double> &spins);
+
+/// The torques of @p all at @p spins [rad/s], with those of @p first, an answer with fewer harmonics, if it
+/// has any.
+TorqueCurve torque_curve(const std::vector<double> &spins, double spin_scale, const ring::Answer &all,
+                         const ring::Answer &first);
 
 /// The spin-up with the speeds of Motion/Orbit speed file, contact in balance at every instant, at @p times;
 /// nothing without such a file. @p foot is study_foot() with its rings chosen. Throws what the torque throws.
 std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                            const std::vector<double> &times);
 
-/// omega(t) [rad/s] of the paper's own model for the glass of a study, at @p times: its moment balance, its
-/// load.
-std::vector<double> paper_spin_up(const Study &study, const std::vector<double> &times);
-
 /// Solves for everything, or with Depth::answer for the answer and its curves: neither a budget but the
 /// effect of the harmonics, nor one ring. @p foot is study_foot(), @p load find_load() of it; the
 /// other models of the budget are solved with @p executor. A glass that falls over on the way is an
-/// answer: its last row has no terminal spin but a SpinRow::fall. Throws ring::NoBalance where all harmonics
+/// answer: its last row has no terminal spin but a fall. Throws ring::NoBalance where all harmonics
 /// have no terminal spin otherwise, or the spin under a load that depends on the phase does not settle; what
 /// contact solutions and balances throw.
-SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
-                     const Executor &executor, Progress &progress = silent_progress(),
-                     Depth depth = Depth::full);
+SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                     const ring::LoadAtSpin &load, const Executor &executor,
+                     Progress &progress = silent_progress(), Depth depth = Depth::full);
 
 } // namespace stemware::pipeline

@@ -1,6 +1,5 @@
 #include "fem/pipeline/analysis/study_answer.h"
 
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_size.h"
 #include "ring_model/no_balance.h"
@@ -87,8 +86,6 @@ StudyAnswer answer_study(const Study &given, Depth depth, const Executor &execut
               answer.spin.budget.rows);
   }
   progress.stage_done("bands_and_fields");
-  if (answer.contact.coupling)
-    answer.contact.coupling->interpolation_error = answer.spin.curve_error;
   return answer;
 }
 
@@ -99,7 +96,7 @@ TruncatedStudy truncate_study(const Study &given, const Executor &executor, Prog
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
   const SharedLoad load = find_load(study, foot, progress);
   for (const LoadedRow &answer :
-       rows_by_harmonics(study, foot, *load, spin_question(study), executor, progress))
+       rows_by_harmonics(study, foot, *load, spin_question(study), executor, progress).by_harmonics)
     truncated.rows.push_back(answer.row);
   if (!truncated.rows.back().terminal)
     throw ring::NoBalance(truncated.rows.back().reason +
@@ -114,7 +111,9 @@ ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes,
 {
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
   const SharedLoad load = find_load(study, foot);
-  const double omega = terminal_spin(*load, study.motion.orbit).spin.omega;
+  ring::Question question = { study.motion.orbit };
+  question.with_slope = true;
+  const double omega = terminal_spin_of(ring::answer(*load, question));
   const std::vector<double> spins = spins_of_interest(omega);
   const std::vector<QuantityOfInterest> own = quantities_of_load(study, *load, spins, omega);
   progress.stage_done("study");

@@ -34,7 +34,7 @@ struct TruncatedStudy
 {
   Study study; ///< on the mesh for its goal
   LoadReport load = {};
-  std::vector<SpinRow> rows = {}; ///< rows_by_harmonics()
+  std::vector<ring::Answer> rows = {}; ///< rows_by_harmonics()
 };
 
 /// Solves @p given with fewer and fewer harmonics. Throws as answer_study(), and ring::NoBalance if all

@@ -1,15 +1,16 @@
 #include "fem/pipeline/analysis/study_rows.h"
 
-#include "fem/pipeline/coupling/if_balanced.h"
-#include "fem/pipeline/coupling/phase_loads.h"
+#include "fem/contact/contact_solution.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
-#include "ring_model/friction_law.h"
+#include "ring_model/spin/if_balanced.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <exception>
+#include <iterator>
 
 namespace stemware::pipeline
 {
@@ -27,74 +28,14 @@ std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Dep
   return truncation_orders(n_all);
 }
 
-/// Relates @p row to the row of all harmonics: change of the terminal spin, and the a-priori bound with the
-/// pressure @p whole behind the row at the terminal spin of all harmonics.
-void relate_to_all(const SpinRow &all, const ring::RingStack &whole, const SpinQuestion &question,
-                   SpinRow &row)
-{
-  const ring::Motion &motion = question.motion;
-  const double omega = all.terminal->omega;
-  // Without a moment the glass does not spin up; rounding makes that a tiny spin, to which nothing can be
-  // related.
-  const double scale = motion.orbit_speed / all.at_rest->load.radius();
-  if (row.terminal && std::abs(omega) > 1e-9 * scale)
-    row.relative_change = (row.terminal->omega - omega) / omega + 0.; // no -0
-  row.bound = ring::truncation_bound(motion, whole, row.harmonics, omega);
-}
-
-/// Bound and least load of the worst phase instead of those of the mean load. @p whole has all harmonics.
-void take_worst_phase(const BalancedLoad &whole, const ring::Motion &motion, double omega, SpinRow &row)
-{
-  for (const ring::RingStack &load : whole.phases()->samples(omega))
-    row.bound = std::max(*row.bound, ring::truncation_bound(motion, load, row.harmonics, omega));
-  for (const ring::RingStack &load : whole.phases()->samples(0))
-    row.at_rest->minimum = std::min(row.at_rest->minimum, load.truncated(row.harmonics).minimum());
-}
-
-/// Whether the harmonics of the load above @p n move neither torque nor balance at the terminal spin of @p
-/// whole: by a tenth of what the search for it leaves, as the bound of their torque tells.
-bool are_negligible_above(unsigned int n, const SpinRow &whole, const ring::Motion &motion)
-{
-  constexpr double negligible = 1e-12; // of the terminal spin
-  const std::optional<ring::KnownZero> zero = known_zero(whole);
-  return zero && ring::truncation_bound(motion, whole.at_terminal->load, n, zero->omega) <
-                   negligible * std::abs(zero->slope * zero->omega);
-}
-
 /// The load of @p variant on its @p foot, whose terminal spin is believed to be where @p asked has it.
 SharedLoad load_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
-                   const SpinQuestion &asked)
+                   const ring::Question &asked)
 {
   const std::optional<double> expected = asked.near            ? std::optional(asked.near->omega)
                                          : asked.expected != 0 ? std::optional(asked.expected)
                                                                : std::nullopt;
   return find_load(variant.study, foot, silent_progress(), variant.n_harmonics, expected);
-}
-
-/// The load of @p answer interpolated in the spin from @p lower to @p upper, or to where its glass falls
-/// over; where there is no balance all the way, from rest to its terminal spin; exact where that fails too.
-/// @p like is BalancedLoad::interpolated()'s.
-SharedLoad interpolated(const LoadedRow &answer, double lower, double upper,
-                        const BalancedLoad *like = nullptr)
-{
-  const auto between = [&](double one, double other, double enough = 2e-5)
-  {
-    return if_balanced(
-             [&]
-             { return answer.load->interpolated(std::min(one, other), std::max(one, other), enough, like); })
-      .value_or(nullptr);
-  };
-  SharedLoad curve;
-  if (const std::optional<Fall> &fall = answer.row.fall) // steep where the balance ends
-    curve = between(0, fall->omega, 1e-3);
-  else
-  {
-    const double terminal = answer.row.omega_terminal().value_or(0), margin = 0.02 * std::abs(terminal);
-    curve = between(lower, upper);
-    if (!curve)
-      curve = between(std::min(0., terminal - margin), std::max(0., terminal + margin));
-  }
-  return curve ? curve : answer.load;
 }
 
 } // namespace
@@ -121,7 +62,7 @@ double spin_scale(const Study &study)
   }
 }
 
-double shown_spin(const Study &study, const SpinRow &row, double fastest)
+double shown_spin(const Study &study, const ring::Answer &row, double fastest)
 {
   if (std::abs(fastest) >= 0.01 * spin_unit(study))
     return fastest;
@@ -129,7 +70,7 @@ double shown_spin(const Study &study, const SpinRow &row, double fastest)
   return std::copysign(0.1 * spin_unit(study), fastest != 0 ? fastest : torque);
 }
 
-std::string held_by_the_grip(const Study &study, const SpinRow &row)
+std::string held_by_the_grip(const Study &study, const ring::Answer &row)
 {
   if (!row.terminal || !row.terminal->held || !row.at_rest)
     return "";
@@ -149,7 +90,7 @@ std::vector<unsigned int> truncation_orders(unsigned int n_all)
   return orders;
 }
 
-SpinQuestion spin_question(const Study &study, SpinQuestion question)
+ring::Question spin_question(const Study &study, ring::Question question)
 {
   question.motion = study.motion.orbit;
   question.grip_torque = study.motion.grip_torque;
@@ -159,7 +100,7 @@ SpinQuestion spin_question(const Study &study, SpinQuestion question)
 }
 
 std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
-                                  const std::shared_ptr<ElasticFoot> &foot, const SpinQuestion &asked,
+                                  const std::shared_ptr<ElasticFoot> &foot, const ring::Question &asked,
                                   const Executor &executor, Progress &progress, const std::string &pieces)
 {
   const auto row_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &its_foot)
@@ -167,7 +108,7 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
     if (variant.on_other_rings)
       its_foot->forget_rings();
     const SharedLoad load = load_of(variant, its_foot, asked);
-    return LoadedRow{ attempt_spin_row(*load, spin_question(variant.study, asked)), load };
+    return LoadedRow{ variant, ring::answer(*load, spin_question(variant.study, asked)), load };
   };
   std::vector<LoadedRow> rows;
   for (const Solved<LoadedRow> &solved :
@@ -175,79 +116,105 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
   {
     const Variant &variant = variants[rows.size()];
     LoadedRow &added =
-      rows.emplace_back(solved.answer ? *solved.answer : LoadedRow{ failed_row(solved.failure) });
+      rows.emplace_back(solved.answer ? *solved.answer : LoadedRow{ variant, failed_row(solved.failure) });
     if (variant.n_harmonics != all_harmonics)
       added.row.harmonics = variant.n_harmonics;
   }
   return rows;
 }
 
-std::optional<ring::KnownZero> known_zero(const SpinRow &row)
+ring::Answer failed_row(const std::exception_ptr &failure)
 {
-  if (!row.terminal || row.terminal->held || !(row.terminal->torque_slope < 0) || row.terminal->omega == 0)
-    return std::nullopt;
-  return ring::KnownZero{ row.terminal->omega, row.terminal->torque_slope };
+  try
+  {
+    std::rethrow_exception(failure);
+  }
+  catch (const fem::ContactFailure &contact)
+  {
+    const bool tips = contact.outcome == fem::ContactOutcome::tipping;
+    return ring::failed_answer(tips ? std::make_exception_ptr(ring::Tipping(contact.what())) : failure);
+  }
+  catch (...)
+  {
+    return ring::failed_answer(failure);
+  }
 }
 
-std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                         const BalancedLoad &load, SpinQuestion question,
-                                         const Executor &executor, Progress &progress, Depth depth,
-                                         RowsBeside *beside)
+StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                            const ring::LoadAtSpin &load, ring::Question question, const Executor &executor,
+                            Progress &progress, Depth depth, const std::vector<Variant> &others)
 {
   const std::vector<unsigned int> orders = row_orders(study, load.n_harmonics(), depth);
+  const ring::Motion &motion = question.motion;
   question.with_slope = true;
-  const LoadedRow whole = { spin_row(load, question), load.shared_from_this() };
+  const LoadedRow whole = { {}, ring::answer(load, question).value(), load.shared_from_this() };
+  const std::optional<ring::TerminalSpin> &terminal = whole.row.terminal;
   question.with_slope = false;
-  question.near = known_zero(whole.row);
+  question.near = whole.row.known_zero();
   if (whole.row.fall) // as far as the models with fewer harmonics, or without an effect, are known to stand
     question.expected = whole.row.fall->omega;
-  std::vector<LoadedRow> rows, sharing;
-  std::vector<Variant> cut;
-  for (std::size_t i = 0; i + 1 < orders.size(); ++i)
-    if (study.load.is_in_balance() &&
-        (load.phases() || !are_negligible_above(orders[i], whole.row, question.motion)))
-      cut.push_back({ "harmonics", std::to_string(orders[i]), study, orders[i], true });
-    else if (const SharedLoad less = load.truncated(orders[i]))
-      sharing.push_back({ attempt_spin_row(*less, question), less });
+  StudyRows rows;
+  std::vector<LoadedRow> sharing;
+  std::vector<Variant> variants;
+  for (const unsigned int n : orders)
+    if (n == orders.back())
+      break;
+    else if (study.load.is_in_balance() &&
+             (load.phases() || !ring::are_negligible_above(n, whole.row, motion)))
+      variants.push_back({ "harmonics", std::to_string(n), study, n, true });
+    else
+    {
+      const ring::SharedLoad less = ring::truncated(whole.load, n);
+      sharing.push_back({ {}, ring::answer(*less, question), less });
+    }
   // Torques of rows that share the contacts of the whole load are asked for side by side, and that of the
   // whole is reported: half-way it is to be known.
-  if (whole.row.terminal && load.is_costly() && depth == Depth::full)
-    if_balanced([&] { return load.at(whole.row.terminal->omega / 2); });
-  const std::size_t n_cut = cut.size();
-  if (beside)
-    for (const Variant &variant : beside->variants(whole.row))
-      cut.push_back(variant);
-  if (!cut.empty())
-    rows = solve_rows(cut, foot, question, executor, progress, "models");
-  if (beside)
-    beside->answers.assign(rows.begin() + static_cast<std::ptrdiff_t>(n_cut), rows.end());
-  rows.resize(n_cut);
-  rows.insert(rows.end(), sharing.begin(), sharing.end());
-  rows.push_back(whole);
-  for (std::size_t i = 0; i < rows.size(); ++i)
+  if (terminal && load.is_costly() && depth == Depth::full)
+    ring::if_balanced([&] { return load.at(terminal->omega / 2); });
+  variants.insert(variants.end(), others.begin(), others.end());
+  if (!variants.empty())
+    rows.others = solve_rows(variants, foot, question, executor, progress, "models");
+  const auto cut =
+    std::stable_partition(rows.others.begin(), rows.others.end(),
+                          [](const LoadedRow &solved) { return solved.variant.key == "harmonics"; });
+  std::move(rows.others.begin(), cut, std::back_inserter(rows.by_harmonics));
+  rows.others.erase(rows.others.begin(), cut);
+  std::move(sharing.begin(), sharing.end(), std::back_inserter(rows.by_harmonics));
+  rows.by_harmonics.push_back(whole);
+  for (std::size_t i = 0; i < orders.size(); ++i)
   {
-    SpinRow &row = rows[i].row;
+    ring::Answer &row = rows.by_harmonics[i].row;
     row.harmonics = orders[i];
-    if (whole.row.terminal)
-      relate_to_all(whole.row, whole.row.at_terminal->load, question, row);
-    if (whole.row.terminal && load.phases() && row.at_rest)
-      take_worst_phase(load, question.motion, whole.row.terminal->omega, row);
+    row = ring::related_to_all(row, whole.row, load, motion);
   }
   return rows;
 }
 
-void interpolate_loads(double lower, double upper, unsigned int n_most, const Executor &executor,
-                       std::vector<LoadedRow> &rows)
+LoadedRow with_curve(LoadedRow row, double lower, double upper, const ring::LoadAtSpin *like)
 {
-  LoadedRow &all = rows.back();
-  if (all.load)
-    all.load = interpolated(all, lower, upper);
-  const auto interpolate = [&](std::size_t i)
+  if (!row.load)
+    return row;
+  const auto between = [&](double one, double other, double enough = 2e-5)
   {
-    if (rows[i].load && rows[i].row.harmonics <= n_most)
-      rows[i].load = interpolated(rows[i], lower, upper, all.load.get());
+    return ring::if_balanced(
+             [&] {
+               return ring::interpolated(row.load, std::min(one, other), std::max(one, other), enough, like);
+             })
+      .value_or(nullptr);
   };
-  executor.for_each(rows.size() - 1, interpolate);
+  ring::SharedLoad curve;
+  if (const std::optional<ring::Fall> &fall = row.row.fall) // steep where the balance ends
+    curve = between(0, fall->omega, 1e-3);
+  else
+  {
+    const double terminal = row.row.omega_terminal().value_or(0), margin = 0.02 * std::abs(terminal);
+    curve = between(lower, upper);
+    if (!curve)
+      curve = between(std::min(0., terminal - margin), std::max(0., terminal + margin));
+  }
+  if (curve)
+    row.load = curve;
+  return row;
 }
 
 } // namespace stemware::pipeline

@@ -74,11 +74,12 @@ fem::ContactState BalancedContact::contact(double omega, Progress &progress)
   return solve(demand_at(omega, foot->ring_radii(), 0), omega, progress);
 }
 
-LeaningLoad BalancedContact::load_of(const fem::ContactState &state) const
+ring::LeaningLoad BalancedContact::load_of(const fem::ContactState &state) const
 {
+  const ring::RingStack load = state.load.truncated(balance.n_harmonics);
   if (!balance.tilts)
-    return state.load;
-  return { state.load, state.solution.motion.tail<2>() };
+    return load;
+  return { load, state.solution.motion.tail<2>() };
 }
 
 } // namespace stemware::pipeline

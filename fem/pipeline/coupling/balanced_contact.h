@@ -34,8 +34,9 @@ public:
 
   /// The contact at the spin @p omega [rad/s]. Throws fem::ContactFailure.
   fem::ContactState contact(double omega, Progress &progress = silent_progress());
-  /// The load of a contact(), of all harmonics, with its tilt where that is part of the balance.
-  LeaningLoad load_of(const fem::ContactState &state) const;
+  /// The first ContactBalance::n_harmonics of the load of a contact(), with its tilt if that is part of the
+  /// balance.
+  ring::LeaningLoad load_of(const fem::ContactState &state) const;
 
   std::size_t n_contact_solutions() const { return n_solved; }
 

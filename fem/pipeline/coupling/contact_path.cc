@@ -1,6 +1,6 @@
 #include "fem/pipeline/coupling/contact_path.h"
 
-#include "fem/revolution/contact_compliance.h"
+#include "ring_model/load/lagrange.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +79,7 @@ std::optional<fem::ContactStart> ContactPath::between(std::vector<const Found *>
     Eigen::VectorXd spins(n);
     for (std::size_t i = 0; i < n; ++i)
       spins(i) = points[i]->slip.spin_per_speed;
-    const Eigen::VectorXd weights = fem::lagrange_values(spins, spin);
+    const Eigen::VectorXd weights = ring::lagrange_values(spins, spin);
     for (std::size_t i = 0; i < n; ++i)
     {
       start.motion += weights(i) * points[i]->start.motion;

@@ -63,7 +63,6 @@ struct CouplingStatistics
 {
   std::size_t n_balances = 0;          ///< spins at which contact, friction and moments are in balance
   std::size_t n_contact_solutions = 0; ///< that those took
-  std::optional<double> interpolation_error = {}; ///< of loads interpolated in the spin, over a_0
 };
 
 /// Everything about the contact that a study reports, at rest and at the end of the spin-up: the terminal

@@ -26,7 +26,7 @@ ring::PhasedTorqueFunction driven_torque(const Study &study, const std::shared_p
     try
     {
       BalancedContact contacts(foot, balance);
-      const LeaningLoad load = contacts.load_of(contacts.contact(omega));
+      const ring::LeaningLoad load = contacts.load_of(contacts.contact(omega));
       return ring::wrench(balance.motion, load, omega).torque + load.lean_torque();
     }
     catch (const fem::ContactFailure &failure)

@@ -1,9 +1,13 @@
 #include "fem/pipeline/coupling/revolution_setup.h"
 
-#include "fem/pipeline/coupling/phases.h"
-
 namespace stemware::pipeline
 {
+
+fem::RimImperfection imperfection_of(const Study &study)
+{
+  return study.model.waviness ? fem::RimImperfection{ study.glass.waviness, study.table.waviness }
+                              : fem::RimImperfection();
+}
 
 fem::RevolutionSetup revolution_setup(const Study &study)
 {

@@ -6,6 +6,9 @@
 namespace stemware::pipeline
 {
 
+/// Rim and table of a study as gaps.
+fem::RimImperfection imperfection_of(const Study &study);
+
 /// The foot of revolution and the table that @p study asks for, resolved for its weight.
 fem::RevolutionSetup revolution_setup(const Study &study);
 

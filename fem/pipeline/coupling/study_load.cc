@@ -1,11 +1,11 @@
 #include "fem/pipeline/coupling/study_load.h"
 
 #include "fem/pipeline/coupling/balanced_contact.h"
-#include "fem/pipeline/coupling/if_balanced.h"
-#include "fem/pipeline/coupling/phase_loads.h"
+#include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "ring_model/first_harmonic_ring.h"
+#include "ring_model/spin/phase_loads.h"
 #include "ring_model/terminal_spin.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -15,6 +15,7 @@
 #include <deque>
 #include <exception>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -57,7 +58,7 @@ public:
   /// @p at_rest is its contact at rest, @p report on that.
   ContactInBalance(const std::shared_ptr<ElasticFoot> &foot, const ContactBalance &balance,
                    const LoadReport &report, const fem::ContactState &at_rest, Progress &progress)
-      : GivenLoad(report, at_rest)
+      : GivenLoad(report, balance.n_harmonics, at_rest)
       , contacts(std::make_unique<BalancedContact>(foot, balance, at_rest))
       , clearance_at_rest(clearance_of(at_rest.load))
       , steadiness_at_rest(at_rest.solution.steadiness)
@@ -65,7 +66,7 @@ public:
   {
   }
 
-  LeaningLoad at(double omega, const std::optional<ring::Orientation> &marks) const override
+  ring::LeaningLoad at(double omega, const std::optional<ring::Orientation> &marks) const override
   {
     if (omega == 0)
       return GivenLoad::at(omega, marks);
@@ -128,7 +129,7 @@ public:
 private:
   struct Found
   {
-    LeaningLoad load;
+    ring::LeaningLoad load;
     double clearance, steadiness;
   };
 
@@ -187,39 +188,53 @@ SharedLoad load_at_one_phase(const Study &study, const std::shared_ptr<ElasticFo
 {
   const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
   if (!follows_spin(study))
-    return std::make_shared<GivenLoad>(report, at_rest)->truncated(n_harmonics);
+    return std::make_shared<GivenLoad>(report, n_harmonics, at_rest);
   ContactBalance balance = moment_balance(study);
   balance.orientation = orientation;
   balance.n_harmonics = n_harmonics;
-  return std::make_shared<ContactInBalance>(foot, balance, report, at_rest, progress)->truncated(n_harmonics);
+  return std::make_shared<ContactInBalance>(foot, balance, report, at_rest, progress);
 }
 
 /// A load that depends on the phase of glass and table, interpolated between phases and spins: that with the
 /// marks where they are at t = 0, but for the loads.
-class LoadByPhase : public ChangedLoad
+class LoadByPhase : public BalancedLoad
 {
 public:
-  LoadByPhase(SharedLoad at_start, std::shared_ptr<const PhaseLoads> loads)
-      : ChangedLoad(std::move(at_start))
+  LoadByPhase(SharedLoad at_start, std::shared_ptr<const ring::PhaseLoads> loads)
+      : at_start(std::move(at_start))
       , loads(std::move(loads))
   {
   }
 
-  LeaningLoad at(double omega, const std::optional<ring::Orientation> &marks) const override
+  ring::LeaningLoad at(double omega, const std::optional<ring::Orientation> &marks) const override
   {
     return marks ? loads->at(omega, *marks) : loads->mean(omega);
   }
-  bool is_costly() const override { return false; }
-  const PhaseLoads *phases() const override { return loads.get(); }
+  unsigned int n_harmonics() const override { return at_start->n_harmonics(); }
+  const ring::PhaseLoads *phases() const override { return loads.get(); }
+  const LoadReport &report() const override { return at_start->report(); }
+  std::optional<fem::ContactState> contact(double omega) const override { return at_start->contact(omega); }
+  std::optional<CouplingStatistics> statistics() const override { return at_start->statistics(); }
+  double steadiness(double omega) const override { return at_start->steadiness(omega); }
+  std::optional<double> fall_before(double omega) const override { return at_start->fall_before(omega); }
 
 private:
-  const std::shared_ptr<const PhaseLoads> loads;
+  const SharedLoad at_start;
+  const std::shared_ptr<const ring::PhaseLoads> loads;
 };
 
-/// With which turns the load of the study's foot repeats itself.
-PhasePeriods periods_of(const Study &study, const ElasticFoot &foot)
+double period_of(const std::vector<fem::WavinessHarmonic> &harmonics)
 {
-  PhasePeriods periods = phase_periods(imperfection_of(study));
+  unsigned int divisor = 0;
+  for (const fem::WavinessHarmonic &harmonic : harmonics)
+    divisor = std::gcd(divisor, harmonic.n);
+  return divisor > 0 ? boost::math::double_constants::two_pi / divisor : 0;
+}
+
+/// With which turns the load of the study's foot repeats itself.
+ring::PhasePeriods periods_of(const Study &study, const ElasticFoot &foot)
+{
+  ring::PhasePeriods periods = phase_periods(imperfection_of(study));
   if (const double of_mesh = foot.body().capabilities().period_of_glass; of_mesh > 0)
     periods.glass = of_mesh;
   return periods;
@@ -260,7 +275,7 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
 {
   // Each phase has its own balances, solved as they are asked for.
   const auto by_phase = std::make_shared<std::map<std::pair<double, double>, SharedLoad>>();
-  const LoadAtPhase exact = [=, &progress](double omega, const ring::Orientation &phase)
+  const ring::LoadAtPhase exact = [=, &progress](double omega, const ring::Orientation &phase)
   {
     SharedLoad &load = (*by_phase)[{ phase.glass, phase.table }];
     if (!load)
@@ -274,17 +289,17 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
   // Where each phase takes a curve over the spins, or ten times as long under a hard contact, fewer have to
   // do: so a study takes seconds.
   const bool follows = follows_spin(study), is_hard = study.table.is_hard();
-  const PhasePeriods periods = periods_of(study, *foot);
-  const PhaseSamples samples = find_phases(exact, periods, follows ? 32 : is_hard ? 64 : 256);
+  const ring::PhasePeriods periods = periods_of(study, *foot);
+  const ring::PhaseSamples samples = ring::find_phases(exact, periods, follows ? 32 : is_hard ? 64 : 256);
 
   const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
-  SpinSampling spins;
+  ring::SpinSampling spins;
   // Friction is not smooth where the rim is as fast as the glass: there intervals meet.
   if (follows)
     spins.unit = study.motion.orbit.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
   if (is_hard)
     spins.most_steps = 8;
-  PhaseExtremes worst = { report.minimum, report.contact_fraction };
+  ring::PhaseExtremes worst = { report.minimum, report.contact_fraction };
   for (const auto &[phase, load] : *by_phase)
   {
     worst.least_load = std::min(worst.least_load, load->report().minimum);
@@ -292,7 +307,7 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
   }
   return std::make_shared<LoadByPhase>(
     load_at_one_phase(study, foot, moment_balance(study).orientation, at_rest, n_harmonics, progress),
-    std::make_shared<const PhaseLoads>(exact, periods, samples, spins, worst));
+    std::make_shared<const ring::PhaseLoads>(exact, periods, samples, spins, worst));
 }
 
 /// Whole band of radii of two contacts.
@@ -353,24 +368,26 @@ void choose_rings(const Study &study, const std::shared_ptr<ElasticFoot> &shared
   };
   unsigned int n_rings = study.contact.rings, n_harmonics = foot.body().n_resolved_harmonics();
   place(n_rings, n_harmonics);
-  // Without a spin to expect, the rings of rest are as good as any.
-  if_balanced(
-    [&]
+  try
+  {
+    // The load of rest tells about where the terminal spin is, the contact there where it carries.
+    double omega = expected ? *expected : ring::terminal_spin(foot.gather(at_rest), motion).omega;
+    if (n_rings > 1 && follows_spin(study) && !foot.body().capabilities().is_collective)
     {
-      // The load of rest tells about where the terminal spin is, the contact there where it carries.
-      double omega = expected ? *expected : ring::terminal_spin(foot.gather(at_rest), motion).omega;
-      if (n_rings > 1 && follows_spin(study) && !foot.body().capabilities().is_collective)
-      {
-        const fem::ContactState spinning = BalancedContact(shared, moment_balance(study)).contact(omega);
-        band = together(band, spinning);
-        omega = ring::terminal_spin(spinning.load, motion).omega;
-      }
-      const double eps = omega * foot.radius() / motion.orbit_speed;
-      n_harmonics = harmonics_for(eps);
-      if (n_rings > 1)
-        n_rings = rings_for(band, eps, n_rings);
-      return true;
-    });
+      const fem::ContactState spinning = BalancedContact(shared, moment_balance(study)).contact(omega);
+      band = together(band, spinning);
+      omega = ring::terminal_spin(spinning.load, motion).omega;
+    }
+    const double eps = omega * foot.radius() / motion.orbit_speed;
+    n_harmonics = harmonics_for(eps);
+    if (n_rings > 1)
+      n_rings = rings_for(band, eps, n_rings);
+  }
+  catch (const std::runtime_error &failure)
+  {
+    if (!is_balance_failure(failure)) // without a spin to expect, the rings of rest are as good as any
+      throw;
+  }
   place(n_rings, study.contact.load_harmonics > 0 ? study.contact.load_harmonics : n_harmonics);
 }
 
@@ -406,7 +423,7 @@ SharedLoad given_first_harmonic(const Study &study)
     demand.normal_force, { demand.moment_x, demand.moment_y }, study.glass.profile.contact_radius)));
 }
 
-SharedLoad load_from_file(const LoadSection &section)
+SharedLoad load_from_file(const LoadSection &section, unsigned int n_harmonics)
 {
   const ring::RingStack &load = *section.from_file;
   const double ratio = load.moment_ratio(load.radius());
@@ -414,7 +431,7 @@ SharedLoad load_from_file(const LoadSection &section)
   require(ratio < 2, "The load of " + shortened_path(section.file) +
                        " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " + given + ", but a ring tips at " +
                        limit + "; give smaller a_1, b_1.");
-  return std::make_shared<GivenLoad>(report_of(load));
+  return std::make_shared<GivenLoad>(report_of(load), n_harmonics);
 }
 
 } // namespace
@@ -456,9 +473,20 @@ SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     return study.load.is_static() ? given_first_harmonic(study)
                                   : first_harmonic_load(study, study.motion.closure);
   case LoadSource::file:
-    return load_from_file(study.load)->truncated(n_harmonics);
+    return load_from_file(study.load, n_harmonics);
   }
   throw std::logic_error("a load source without a load");
+}
+
+bool is_balance_failure(const std::exception &failure)
+{
+  return dynamic_cast<const fem::ContactFailure *>(&failure) ||
+         dynamic_cast<const ring::NoBalance *>(&failure);
+}
+
+ring::PhasePeriods phase_periods(const fem::RimImperfection &imperfection)
+{
+  return { period_of(imperfection.glass), period_of(imperfection.table) };
 }
 
 SharedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
@@ -470,7 +498,7 @@ SharedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticF
 
 ContactBalance moment_balance(const Study &study)
 {
-  return { study.motion.orbit, study.motion.closure, orientation_of_marks(study.motion.orbit, 0, 0),
+  return { study.motion.orbit, study.motion.closure, ring::orientation_of_marks(study.motion.orbit, 0, 0),
            study.tilts() };
 }
 
@@ -485,7 +513,7 @@ SharedLoad first_harmonic_load(const Study &study, ring::Closure closure)
     return balance(std::make_shared<ring::FirstHarmonicModel>(radius), motion, closure, report_of(at_rest));
   }
   const ring::FirstHarmonicRing ring(closure, motion, radius);
-  return std::make_shared<GivenLoad>(report_of(ring.load(0)),
+  return std::make_shared<GivenLoad>(report_of(ring.load(0)), 1,
                                      [ring](double omega) { return ring.load(omega); });
 }
 

@@ -4,6 +4,7 @@
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/revolution/compliance_cache.h"
+#include "ring_model/spin/phases.h"
 
 #include <functional>
 #include <memory>
@@ -26,6 +27,9 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, const FootMaker &mak
 std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache &cache,
                                         Progress &progress = silent_progress(),
                                         const ElasticFoot *similar = nullptr);
+
+/// Whether @p failure is a contact or a balance that does not exist or was not found.
+bool is_balance_failure(const std::exception &failure);
 
 /// Throws ring::Tipping where the foot of a study tips at rest.
 void require_standing(const Study &study);
@@ -50,6 +54,9 @@ SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foo
 /// is out of flat has a load of its own there.
 SharedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                               const ring::Orientation &orientation, unsigned int n_harmonics = all_harmonics);
+
+/// Returns the periods of a load on these surfaces: 2 pi over the greatest common divisor of their harmonics.
+ring::PhasePeriods phase_periods(const fem::RimImperfection &imperfection);
 
 /// The moment balance of a study with the marks of glass and table where they are at t = 0.
 ContactBalance moment_balance(const Study &study);

@@ -12,10 +12,10 @@ namespace stemware::pipeline
 
 using format::number;
 
-std::string truncation_answer(const Study &study, const std::vector<SpinRow> &rows,
+std::string truncation_answer(const Study &study, const std::vector<ring::Answer> &rows,
                               const HarmonicEffect &effect, unsigned int n_enough)
 {
-  const SpinRow &all = rows.back();
+  const ring::Answer &all = rows.back();
   const double omega = all.omega_terminal().value();
   if (!is_spin(study, omega))
   {

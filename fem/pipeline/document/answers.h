@@ -2,11 +2,11 @@
 
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/analysis/spin_row.h"
 #include "fem/pipeline/analysis/sweep/case_list.h"
 #include "fem/pipeline/analysis/sweep/sweep_case.h"
 #include "fem/pipeline/document/json.h"
 #include "fem/pipeline/study/study.h"
+#include "ring_model/spin/answer.h"
 
 #include <optional>
 #include <string>
@@ -18,7 +18,7 @@ namespace stemware::pipeline
 
 /// Effect of the harmonics on the terminal spin of @p rows, the last of which has all. @p n_enough harmonics
 /// give the spin to 1e-4.
-std::string truncation_answer(const Study &study, const std::vector<SpinRow> &rows,
+std::string truncation_answer(const Study &study, const std::vector<ring::Answer> &rows,
                               const HarmonicEffect &effect, unsigned int n_enough);
 
 /// Terminal spin with its band, the observed order on the first axis, and the Richardson value.

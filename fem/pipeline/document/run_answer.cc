@@ -46,7 +46,7 @@ std::string paper_sentence(const Study &study, const SpinStudy &spin)
 
 std::string falling_answer(const Study &study, const SpinStudy &spin)
 {
-  const SpinRow &all = spin.all();
+  const ring::Answer &all = spin.all();
   std::string text =
     "The glass stands at rest and falls over on the way: turning " + sense_of(study, all.fall->omega) +
     " at " + number(std::abs(all.fall->omega), ".3g") + " rad/s it has reached a moment ratio of " +
@@ -60,7 +60,7 @@ std::string falling_answer(const Study &study, const SpinStudy &spin)
 }
 
 /// Answer for a glass without a spin that is more than rounding.
-std::string resting_answer(const Study &study, const SpinRow &all)
+std::string resting_answer(const Study &study, const ring::Answer &all)
 {
   if (const std::string held = held_by_the_grip(study, all); !held.empty())
     return held;
@@ -81,8 +81,8 @@ std::string largest_step_sentence(const Study &study, const Budget &budget)
   return "The largest other step from the paper's model to this " + one_way_word(study) + "one is \"" +
          row->name + "\": " + number(*row->difference, "+.3g") + " rad/s" +
          (relative ? " (" + faster_or_slower(*relative) + ")" : "") +
-         (row->standing == Standing::formal ? ", formally: such a load would have to pull on the table."
-                                            : ".");
+         (row->standing == ring::Standing::formal ? ", formally: such a load would have to pull on the table."
+                                                  : ".");
 }
 
 std::string missing_band_sentence(const Study &study)
@@ -129,7 +129,7 @@ std::string pressed_sentence(const std::string &state, const LoadReport &load)
 
 std::string run_answer(const Study &study, const SpinStudy &spin, const ErrorBands &bands)
 {
-  const SpinRow &all = spin.all();
+  const ring::Answer &all = spin.all();
   std::string text;
   if (spin.is_quick())
     text = "This was a quick run, without the budget of effects and without error bands.";

@@ -13,12 +13,12 @@ using Json = nlohmann::ordered_json;
 namespace
 {
 
-double torque_of(const RingState &state)
+double torque_of(const ring::RingState &state)
 {
   return state.friction.torque;
 }
 
-Json force_of(const RingState &state)
+Json force_of(const ring::RingState &state)
 {
   return { state.friction.force_x, state.friction.force_y };
 }
@@ -28,38 +28,38 @@ std::string state_of(const BudgetRow &row)
 {
   if (!row.reason.empty())
     return row.reason;
-  return row.omega_terminal && row.standing != Standing::formal ? "" : to_string(row.standing);
+  return row.omega_terminal && row.standing != ring::Standing::formal ? "" : to_string(row.standing);
 }
 
 } // namespace
 
-Json spin_rows(const std::vector<SpinRow> &rows)
+Json spin_rows(const std::vector<ring::Answer> &rows)
 {
   Json list = Json::array();
-  for (const SpinRow &row : rows)
+  for (const ring::Answer &row : rows)
   {
     const auto &rest = row.at_rest, &end = row.at_terminal;
     list.push_back({ { "harmonics", row.harmonics },
                      { "tau_at_rest", if_there(rest, torque_of) },
-                     { "lean_torque_at_rest", if_there(rest, &RingState::lean_torque) },
+                     { "lean_torque_at_rest", if_there(rest, &ring::RingState::lean_torque) },
                      { "omega_terminal", row.omega_terminal() },
                      { "omega_terminal_band", row.band },
                      { "tau_at_terminal", if_there(end, torque_of) },
-                     { "lean_torque_at_terminal", if_there(end, &RingState::lean_torque) },
-                     { "grip_torque_at_terminal", if_there(end, &RingState::grip_torque) },
+                     { "lean_torque_at_terminal", if_there(end, &ring::RingState::lean_torque) },
+                     { "grip_torque_at_terminal", if_there(end, &ring::RingState::grip_torque) },
                      { "force_at_terminal", if_there(end, force_of) },
                      { "time_constant", row.time_constant() },
                      { "relative_change", row.relative_change },
                      { "bound", row.bound },
-                     { "load_minimum", if_there(rest, &RingState::minimum) },
-                     { "pulling_share", if_there(rest, &RingState::pulling_share) },
-                     { "moment_ratio_at_terminal", if_there(end, &RingState::moment_ratio) },
+                     { "load_minimum", if_there(rest, &ring::RingState::minimum) },
+                     { "pulling_share", if_there(rest, &ring::RingState::pulling_share) },
+                     { "moment_ratio_at_terminal", if_there(end, &ring::RingState::moment_ratio) },
                      { "message", if_said(row.reason) } });
   }
   return list;
 }
 
-Json shown_spin_rows(const std::vector<SpinRow> &rows)
+Json shown_spin_rows(const std::vector<ring::Answer> &rows)
 {
   constexpr double small_change = 1e-11;
   Json shown = spin_rows(rows);
@@ -114,7 +114,7 @@ Json chain_rows(const Study &study, const std::vector<BudgetRow> &rows)
                      { "torques", row.torques },
                      { "remark", state_of(row) },
                      { "state", to_string(row.standing) },
-                     { "formal", row.standing == Standing::formal },
+                     { "formal", row.standing == ring::Standing::formal },
                      { "reason", if_said(row.reason) } });
   }
   return list;

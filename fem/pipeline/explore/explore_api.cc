@@ -100,7 +100,7 @@ struct Json
 };
 
 /// State of the rim: its load by harmonics, friction and torques.
-Json state_json(const RingState &state, double contact_radius)
+Json state_json(const ring::RingState &state, double contact_radius)
 {
   const ring::RingStack &load = state.load;
   std::vector<double> a, b;
@@ -122,7 +122,7 @@ Json state_json(const RingState &state, double contact_radius)
                { "pulling_share", state.pulling_share } };
 }
 
-Json row_json(const SpinRow &row, double contact_radius)
+Json row_json(const ring::Answer &row, double contact_radius)
 {
   Json object = { { "omega", row.omega_terminal() }, { "last_spin", row.last_spin() },
                   { "falls", row.fall.has_value() }, { "time_constant", row.time_constant() },

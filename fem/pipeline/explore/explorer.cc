@@ -1,14 +1,13 @@
 #include "fem/pipeline/explore/explorer.h"
 
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "fem/revolution/revolution_foot.h"
-#include "ring_model/friction_law.h"
 #include "ring_model/no_balance.h"
+#include "ring_model/spin/answer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,7 +120,7 @@ LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
     solve_anew(from_last ? last.get() : nullptr, n_harmonics, answer);
   answer.contact_radius = foot->radius();
   const Study paper = paper_study(present);
-  answer.paper = attempt_spin_row(*find_load(paper, nullptr), spin_question(paper));
+  answer.paper = ring::answer(*find_load(paper, nullptr), spin_question(paper));
   if (answer.first_n)
     shift_of_first_n = answer.first_n->last_spin().value_or(0) - answer.all.last_spin().value_or(0);
   return answer;
@@ -134,20 +133,16 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
     return false;
   foot = study_foot(present, executor().make_foot);
   foot->set_rings(last.ring_radii(), last.n_harmonics());
-  const auto row_of = [&](const LiveBalance &balance, const LeaningLoad &load)
+  const auto row_of = [&](const LiveBalance &balance, const ring::LeaningLoad &load)
   {
     const double omega = balance.spin.omega;
-    RingState state = { load };
-    state.friction = ring::wrench(present.motion.orbit, load, omega);
-    state.lean_torque = load.lean_torque();
-    state.grip_torque =
-      grip_torque(state.friction.torque + state.lean_torque, omega, present.motion.grip_torque);
-    state.moment_ratio = load.moment_ratio(foot->radius());
-    SpinRow row;
+    ring::Question question = spin_question(present);
+    question.with_minima = false;
+    ring::Answer row;
     row.harmonics = load.n_harmonics();
     row.terminal = ring::TerminalSpin{ omega, balance.spin.slope, std::nan(""), true };
-    row.at_terminal = state;
-    row.standing = Standing::full_contact;
+    row.at_terminal = ring::ring_state(load, question, omega);
+    row.standing = ring::Standing::full_contact;
     return row;
   };
   try
@@ -180,24 +175,24 @@ void Explorer::solve_anew(const ElasticFoot *last, unsigned int n_harmonics, Liv
   foot = study_foot(present, executor().make_foot, silent_progress(), last);
   if (last)
     foot->set_rings(last->ring_radii(), last->n_harmonics());
-  SpinQuestion question = spin_question(present);
+  ring::Question question = spin_question(present);
   question.with_slope = question.with_minima = !last; // a move is to be quick
   if (const std::optional<LiveBalance> near = path.expected(); near && last)
     question.near = near->spin;
   const SharedLoad load = find_load(present, foot);
-  answer.all = attempt_spin_row(*load, question);
-  std::optional<ring::KnownZero> zero = known_zero(answer.all);
+  answer.all = ring::answer(*load, question);
+  std::optional<ring::KnownZero> zero = answer.all.known_zero();
   if (!zero && question.near && answer.all.omega_terminal())
     zero = ring::KnownZero{ *answer.all.omega_terminal(), question.near->slope };
   if (n_harmonics < foot->n_harmonics())
   {
     question.near = zero;
     const SharedLoad cut = find_load(present, foot, silent_progress(), n_harmonics);
-    answer.first_n = attempt_spin_row(*cut, question);
+    answer.first_n = ring::answer(*cut, question);
     answer.first_n->harmonics = n_harmonics;
-    rows.push_back({ *answer.first_n, cut });
+    rows.push_back({ {}, *answer.first_n, cut });
   }
-  rows.push_back({ answer.all, load });
+  rows.push_back({ {}, answer.all, load });
   answer.contact = load->contact(answer.all.last_spin().value_or(0));
   path.append(zero && answer.contact ? std::optional(LiveBalance{ *zero, *answer.contact }) : std::nullopt);
 }
@@ -206,35 +201,26 @@ std::optional<LiveCurves> Explorer::curves()
 {
   if (rows.empty() || !rows.back().row.last_spin())
     return std::nullopt;
+  const std::vector<double> shown = shown_spins(present, rows);
+  const LoadedRow all = with_curve(rows.back(), shown.front(), shown.back());
+  const ring::Answer of_all = curves_of(present, all, shown), paper = paper_curves(present, shown);
+  ring::Answer of_first_n;
+  if (rows.size() > 1)
+    of_first_n =
+      curves_of(present, with_curve(rows.front(), shown.front(), shown.back(), all.load.get()), shown);
   LiveCurves curves;
-  std::vector<LoadedRow> loads = rows;
-  const std::vector<double> shown = shown_spins(present, loads);
-  interpolate_loads(shown.front(), shown.back(), all_harmonics, executor(), loads);
-  curves.torque = torque_curve(present, loads, all_harmonics);
-  const Study paper = paper_study(present);
-  std::string reason;
-  curves.of_paper =
-    friction_torques(*find_load(paper, nullptr), paper.motion.orbit, curves.torque.omega, reason);
-  curves.time = output_times(present.motion.end_time);
-  const auto spins = [&](const LoadedRow &row)
+  curves.torque = torque_curve(shown, all.load->spin_scale(present.motion.orbit), of_all, of_first_n);
+  curves.of_paper = ring::friction_torques(paper);
+  curves.time = ring::output_times(present.motion.end_time);
+  const auto spins = [&](const ring::Answer &answer)
   {
-    std::vector<double> spins;
-    try
-    {
-      for (const ring::YawSample &sample :
-           spin_up(*row.load, present.motion.orbit, curves.time, present.motion.grip_torque))
-        spins.push_back(sample.omega);
-    }
-    catch (const ring::NoBalance &) // the glass falls over on the way
-    {
-      spins.assign(curves.time.size(), std::nan(""));
-    }
-    return spins;
+    return answer.spin_up.empty() ? std::vector<double>(curves.time.size(), std::nan(""))
+                                  : ring::spins_of(answer.spin_up);
   };
-  curves.spin = spins(loads.back());
-  if (loads.size() > 1)
-    curves.spin_n = spins(loads.front());
-  curves.spin_paper = paper_spin_up(present, curves.time);
+  curves.spin = spins(of_all);
+  if (rows.size() > 1)
+    curves.spin_n = spins(of_first_n);
+  curves.spin_paper = spins(paper);
   return curves;
 }
 
@@ -242,11 +228,9 @@ std::vector<BudgetRow> Explorer::budget()
 {
   if (rows.empty())
     return {};
-  std::vector<SpinRow> by_harmonics;
-  for (const LoadedRow &row :
-       rows_by_harmonics(present, foot, *rows.back().load, spin_question(present), executor()))
-    by_harmonics.push_back(row.row);
-  return budget_rows(present, foot, by_harmonics, executor());
+  return judge_chain(present,
+                     rows_by_harmonics(present, foot, *rows.back().load, spin_question(present), executor(),
+                                       silent_progress(), Depth::full, model_chain(present)));
 }
 
 std::vector<double> packed(const fem::ContactCompliance &compliance)

@@ -29,9 +29,9 @@ constexpr double near_band = 2e-5;
 struct LiveAnswer
 {
   MeshFit fit = MeshFit::same;
-  SpinRow all;                    ///< all harmonics
-  std::optional<SpinRow> first_n; ///< the first n alone, where so few were asked
-  SpinRow paper;                  ///< the paper's rigid ring
+  ring::Answer all;                    ///< all harmonics
+  std::optional<ring::Answer> first_n; ///< the first n alone, where so few were asked
+  ring::Answer paper;                  ///< the paper's rigid ring
   /// The contact where the spin-up ends, or at rest where there is no spin; nothing without one.
   std::optional<fem::ContactState> contact;
   double contact_radius = 0; ///< [m]

@@ -49,9 +49,9 @@ std::optional<LiveBalance> LivePath::expected() const
   return next;
 }
 
-std::optional<std::pair<LiveBalance, LeaningLoad>> balance_near(const LiveBalance &near, const Study &study,
-                                                                const std::shared_ptr<ElasticFoot> &foot,
-                                                                unsigned int n_harmonics)
+std::optional<std::pair<LiveBalance, ring::LeaningLoad>>
+balance_near(const LiveBalance &near, const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+             unsigned int n_harmonics)
 {
   constexpr unsigned int most_contacts = 6;
   constexpr double accuracy = 1e-8; // of the spin [rad/s]
@@ -69,7 +69,7 @@ std::optional<std::pair<LiveBalance, LeaningLoad>> balance_near(const LiveBalanc
   for (unsigned int n = 0; n < most_contacts; ++n)
   {
     fem::ContactState contact = contacts.contact(spin);
-    LeaningLoad load = contacts.load_of(contact).truncated(std::min(n_harmonics, foot->n_harmonics()));
+    ring::LeaningLoad load = contacts.load_of(contact);
     const double torque = ring::wrench(motion, load, spin).torque + load.lean_torque() - grip;
     // Differences that rounding makes say nothing about the slope.
     if (std::abs(step) > 1e-6 * scale)

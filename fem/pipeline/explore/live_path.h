@@ -1,8 +1,8 @@
 #pragma once
 
 #include "fem/pipeline/coupling/elastic_foot.h"
-#include "fem/pipeline/coupling/leaning_load.h"
 #include "fem/pipeline/study/study.h"
+#include "ring_model/spin/leaning_load.h"
 #include "ring_model/spin_search.h"
 
 #include <optional>
@@ -49,8 +49,8 @@ private:
 /// of these: the zero of the torque by the secant method to 1e-8 rad/s, with two or three contacts of @p
 /// foot, whose rings are chosen. Nothing where it leaves the neighbourhood or the study is not in balance at
 /// every spin. Throws fem::ContactFailure.
-std::optional<std::pair<LiveBalance, LeaningLoad>> balance_near(const LiveBalance &near, const Study &study,
-                                                                const std::shared_ptr<ElasticFoot> &foot,
-                                                                unsigned int n_harmonics);
+std::optional<std::pair<LiveBalance, ring::LeaningLoad>>
+balance_near(const LiveBalance &near, const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+             unsigned int n_harmonics);
 
 } // namespace stemware::pipeline

@@ -166,7 +166,7 @@ std::vector<std::string> acting_entries(const Study &study)
 double spin_of(const Study &study, fem::ComplianceCache &cache)
 {
   const auto foot = study_foot(study, cache);
-  return spin_row(*find_load(study, foot), spin_question(study)).terminal.value().omega;
+  return ring::answer(*find_load(study, foot), spin_question(study)).value().terminal.value().omega;
 }
 
 /// The spin by an Explorer on the compliances as the page has them.

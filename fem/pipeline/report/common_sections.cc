@@ -93,14 +93,14 @@ Json waterfall_rows(std::vector<BudgetRow> steps)
   {
     steps.push_back(steps.back());
     steps.back().name = "this study";
-    steps.back().standing = Standing::no_balance; // whose row says whether it is formal
+    steps.back().standing = ring::Standing::no_balance; // whose row says whether it is formal
     steps.front().name = "the paper's model";
     steps.front().difference = steps.back().difference = std::nullopt;
   }
   Json rows = Json::array();
   for (const BudgetRow &row : steps)
   {
-    const bool is_formal = row.standing == Standing::formal;
+    const bool is_formal = row.standing == ring::Standing::formal;
     rows.push_back({ { "row", row.name + (is_formal ? " (formal)" : "") },
                      { "omega_terminal", row.omega_terminal },
                      { "difference", row.difference },
@@ -133,11 +133,11 @@ void add_load(const Study &study, const LoadReport &load, const ErrorBands &band
   document.add_rows("load_harmonics", harmonic_rows(load.rings, band));
 }
 
-Json shown_truncations(const std::vector<SpinRow> &rows, const std::optional<SpinRow> &one_ring)
+Json shown_truncations(const std::vector<ring::Answer> &rows, const std::optional<ring::Answer> &one_ring)
 {
-  std::vector<SpinRow> shown;
+  std::vector<ring::Answer> shown;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(shown),
-               [&](const SpinRow &row)
+               [&](const ring::Answer &row)
                {
                  return row.harmonics == rows.back().harmonics || !row.relative_change ||
                         std::abs(*row.relative_change) > 1e-9;
@@ -150,7 +150,7 @@ Json shown_truncations(const std::vector<SpinRow> &rows, const std::optional<Spi
   return table;
 }
 
-void add_truncations(const std::vector<SpinRow> &rows, const std::optional<SpinRow> &one_ring,
+void add_truncations(const std::vector<ring::Answer> &rows, const std::optional<ring::Answer> &one_ring,
                      Document &document)
 {
   document.findings.summary["truncation"] = declared(spin_rows(rows), "truncation");
@@ -158,7 +158,7 @@ void add_truncations(const std::vector<SpinRow> &rows, const std::optional<SpinR
                     "harmonics tau_at_rest omega_terminal relative_change bound load_minimum",
                     "shown_truncations");
   std::vector<double> harmonics, changes;
-  for (const SpinRow &row : rows)
+  for (const ring::Answer &row : rows)
     if (row.relative_change && std::abs(*row.relative_change) > 1e-12) // smaller ones say nothing
     {
       harmonics.push_back(row.harmonics);

@@ -28,11 +28,11 @@ void add_load(const Study &study, const LoadReport &load, const ErrorBands &band
 void add_chain(const Study &study, const Budget &budget, Document &document);
 
 /// Rows that change the spin by more than 1e-9, and below them all harmonics on @p one_ring.
-nlohmann::ordered_json shown_truncations(const std::vector<SpinRow> &rows,
-                                         const std::optional<SpinRow> &one_ring);
+nlohmann::ordered_json shown_truncations(const std::vector<ring::Answer> &rows,
+                                         const std::optional<ring::Answer> &one_ring);
 
 /// "truncation" of summary.json, "truncations" of shown_truncations(), and "truncation_change".
-void add_truncations(const std::vector<SpinRow> &rows, const std::optional<SpinRow> &one_ring,
+void add_truncations(const std::vector<ring::Answer> &rows, const std::optional<ring::Answer> &one_ring,
                      Document &document);
 
 /// "bands" and "band_parts".

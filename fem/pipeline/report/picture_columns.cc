@@ -1,6 +1,6 @@
 #include "fem/pipeline/report/picture_columns.h"
 
-#include "fem/pipeline/analysis/spin.h"
+#include "ring_model/rim_slip.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -113,19 +113,19 @@ void add_load_columns(const LoadReport &report, const std::vector<double> &band,
 void add_slip_columns(const std::string &name, const ring::Motion &motion, double radius,
                       const ring::RingStack &load, double omega, Document &document)
 {
-  const std::vector<RimSlip> places = rim_slip(motion, radius, load, omega);
-  const auto torque = [](const RimSlip &place)
+  const std::vector<ring::RimSlip> places = ring::rim_slip(motion, radius, load, omega);
+  const auto torque = [](const ring::RimSlip &place)
   { return place.friction_y * std::cos(place.azimuth) - place.friction_x * std::sin(place.azimuth); };
-  document.add_columns(name, { { "theta", column_of(places, [](const RimSlip &place)
+  document.add_columns(name, { { "theta", column_of(places, [](const ring::RimSlip &place)
                                                     { return place.azimuth / degree_of_picture; }) },
-                               { "slip_x", column_of(places, &RimSlip::slip_x) },
-                               { "slip_y", column_of(places, &RimSlip::slip_y) },
-                               { "friction_x", column_of(places, &RimSlip::friction_x) },
-                               { "friction_y", column_of(places, &RimSlip::friction_y) },
+                               { "slip_x", column_of(places, &ring::RimSlip::slip_x) },
+                               { "slip_y", column_of(places, &ring::RimSlip::slip_y) },
+                               { "friction_x", column_of(places, &ring::RimSlip::friction_x) },
+                               { "friction_y", column_of(places, &ring::RimSlip::friction_y) },
                                { "torque", column_of(places, torque) } });
 }
 
-void add_torque_columns(const TorqueCurve &curve, const std::vector<SpinRow> &rows, Document &document)
+void add_torque_columns(const TorqueCurve &curve, const std::vector<ring::Answer> &rows, Document &document)
 {
   Columns columns = { { "omega", thinned(curve.omega) },
                       { "all", thinned(column_of(curve.friction, &ring::Wrench::torque)) } };
@@ -134,7 +134,7 @@ void add_torque_columns(const TorqueCurve &curve, const std::vector<SpinRow> &ro
       columns.emplace_back("up_to_" + std::to_string(curve.harmonics[i]), thinned(curve.truncations[i]));
   document.add_columns("torque", columns);
   std::vector<double> harmonics, spins;
-  for (const SpinRow &row : rows)
+  for (const ring::Answer &row : rows)
     if (const bool all = &row == &rows.back(); row.omega_terminal() && (all || row.harmonics <= 3))
     {
       harmonics.push_back(all ? 0 : row.harmonics); // 0: all

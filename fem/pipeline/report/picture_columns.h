@@ -32,7 +32,7 @@ void add_slip_columns(const std::string &name, const ring::Motion &motion, doubl
 
 /// "torque" and "terminal_points": friction's torque of all harmonics and of up to 1, 2 and 3, and their
 /// terminal spins.
-void add_torque_columns(const TorqueCurve &curve, const std::vector<SpinRow> &rows, Document &document);
+void add_torque_columns(const TorqueCurve &curve, const std::vector<ring::Answer> &rows, Document &document);
 
 /// "harmonic_torque": torque of all harmonics and of the first, and their difference.
 void add_harmonic_torque_columns(const Budget &budget, Document &document);

@@ -25,13 +25,13 @@ using Json = nlohmann::ordered_json;
 
 /// The torques on the glass and the friction of the table at rest, then at the terminal spin or where the
 /// glass falls over, for people.
-Json friction_rows(const Study &study, const SpinRow &all)
+Json friction_rows(const Study &study, const ring::Answer &all)
 {
   const ring::RingStack &load = all.at_rest.value().load;
   const double force = study.motion.orbit.friction_at_rest() * load.normal_force();
   const double torque = force * load.radius();
   Json rows = Json::array();
-  const auto add = [&](const char *name, const RingState &state)
+  const auto add = [&](const char *name, const ring::RingState &state)
   {
     rows.push_back({ { "name", name },
                      { "torque", state.friction.torque },
@@ -61,13 +61,13 @@ bool has_no_lift_off(const ContactReport &report)
 }
 
 /// How the glass stands at the end of the spin-up.
-Standing standing_of(const ContactReport &report, const SpinStudy &spin)
+ring::Standing standing_of(const ContactReport &report, const SpinStudy &spin)
 {
-  const Standing standing = spin.all().standing;
-  if (standing == Standing::full_contact && report.load_at_end.contact_fraction < 1)
-    return Standing::lift_off;
+  const ring::Standing standing = spin.all().standing;
+  if (standing == ring::Standing::full_contact && report.load_at_end.contact_fraction < 1)
+    return ring::Standing::lift_off;
   // The series of a pressure that ends somewhere dips below zero there; the pressure does not.
-  return standing == Standing::formal && report.foot ? Standing::lift_off : standing;
+  return standing == ring::Standing::formal && report.foot ? ring::Standing::lift_off : standing;
 }
 
 /// All terminal spins with their stability, and which one is reached from rest.
@@ -143,13 +143,13 @@ Json goal_summary(const Study &study, const GoalOutcome &goal, const FootReport 
 }
 
 /// Where the glass falls over on its way to a terminal spin.
-Json fall_summary(const Fall &fall)
+Json fall_summary(const ring::Fall &fall)
 {
   return { { "omega", fall.omega }, { "moment_ratio", fall.state.moment_ratio } };
 }
 
-/// M_Nx of the load of which SpinRow::at_rest is: of a wavy rim or table the mean over the phases, as its
-/// torque.
+/// M_Nx of the load of which ring::Answer::at_rest is: of a wavy rim or table the mean over the phases, as
+/// its torque.
 double moment_at_rest(const ContactReport &report, const SpinStudy &spin)
 {
   return spin.phases ? spin.all().at_rest.value().load.moment().x() : report.load.moment.x();
@@ -164,7 +164,7 @@ std::vector<MeasuredSpin> measured_spins(const Study &study)
 
 Json ring_summary(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
-  const SpinRow &all = spin.all();
+  const ring::Answer &all = spin.all();
   const bool is_measured = !study.motion.measured_spin_file.empty();
   Json ring = spin_rows({ all })[0];
   ring.update(
@@ -200,12 +200,12 @@ Json profile_summary(const GlassSection &glass)
            { "rms_distance", circle ? Json(circle->rms_distance) : Json(nullptr) } };
 }
 
-Json coupling_summary(const CouplingStatistics &coupling)
+Json coupling_summary(const CouplingStatistics &coupling, const std::optional<double> &curve_error)
 {
   return { { "balanced_spins", coupling.n_balances },
            { "contact_solutions", coupling.n_contact_solutions },
            { "response_error", nullptr }, // none is interpolated in the moment ratio
-           { "interpolation_error", coupling.interpolation_error } };
+           { "interpolation_error", curve_error } };
 }
 
 Findings findings_of(const Study &study, const ContactReport &report, const SpinStudy &spin,
@@ -218,7 +218,8 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
     { "load_at_fall", spin.all().fall ? load_summary(report.load_at_end) : Json(nullptr) },
     { "contact", if_there(report.foot, contact_summary) },
     { "ring", ring_summary(study, report, spin) },
-    { "coupling", if_there(report.coupling, coupling_summary) },
+    { "coupling", if_there(report.coupling, [&](const CouplingStatistics &coupling)
+                           { return coupling_summary(coupling, spin.curve_error); }) },
     { "waviness", if_there(spin.phases, waviness_summary) },
     { "budget", spin.is_quick() ? Json(nullptr) : budget_summary(study, spin.budget.rows) },
     { "without", spin.is_quick() ? Json(nullptr) : declared(without_rows(study, spin.budget), "without") },
@@ -303,7 +304,7 @@ Json turning_glasses(const ContactReport &report, const SpinStudy &spin)
 Json numbers_of_sentences(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   const LoadReport &load = report.load;
-  const SpinRow &all = spin.all();
+  const ring::Answer &all = spin.all();
   const double friction = study.motion.orbit.friction_at_rest(),
                moment = load.normal_force * load.rings.radius();
   const bool leans = study.tilts(), grips = study.motion.grip_torque > 0;

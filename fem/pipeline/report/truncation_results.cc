@@ -3,6 +3,7 @@
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/document/answers.h"
 #include "fem/pipeline/document/sentences.h"
+#include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/document/study_words.h"
 #include "fem/pipeline/report/common_sections.h"
 
@@ -18,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 /// The least number of harmonics from which on the terminal spin stays within @p share of that of all, which
 /// is the last of @p rows.
-unsigned int harmonics_enough(const std::vector<SpinRow> &rows, double share)
+unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double share)
 {
   unsigned int enough = rows.back().harmonics;
   for (auto row = rows.rbegin(); row != rows.rend(); ++row)
@@ -32,7 +33,8 @@ unsigned int harmonics_enough(const std::vector<SpinRow> &rows, double share)
 
 } // namespace
 
-Results tabulate_truncations(const Study &study, const LoadReport &load, const std::vector<SpinRow> &rows)
+Results tabulate_truncations(const Study &study, const LoadReport &load,
+                             const std::vector<ring::Answer> &rows)
 {
   const std::optional<double> first = rows.front().omega_terminal();
   const double omega = rows.back().omega_terminal().value();
@@ -55,7 +57,7 @@ Results tabulate_truncations(const Study &study, const LoadReport &load, const s
                     { "glasses",
                       { { { "title", "all harmonics" }, { "omega", omega } },
                         { { "title", "the first alone" }, { "omega", first } } } } };
-  for (const SpinRow &row : rows)
+  for (const ring::Answer &row : rows)
     if (!row.reason.empty())
       results.words["reasons"].push_back("With " + std::to_string(row.harmonics) +
                                          " harmonics: " + row.reason + ".");

@@ -1,9 +1,7 @@
 #include "fem/pipeline/variants/solve.h"
 
-#include "fem/contact/contact_solution.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
-#include "ring_model/no_balance.h"
 
 #include <stdexcept>
 
@@ -12,8 +10,7 @@ namespace stemware::pipeline
 
 bool is_of_variant(const std::exception &failure)
 {
-  return dynamic_cast<const BadInput *>(&failure) || dynamic_cast<const fem::ContactFailure *>(&failure) ||
-         dynamic_cast<const ring::NoBalance *>(&failure);
+  return dynamic_cast<const BadInput *>(&failure) || is_balance_failure(failure);
 }
 
 bool is_collective(const Study &study)

@@ -1,13 +1,11 @@
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/analysis/study_rows.h"
-#include "fem/pipeline/coupling/if_balanced.h"
-#include "fem/pipeline/coupling/phases.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/variants/band_changes.h"
 #include "ring_model/friction_law.h"
+#include "ring_model/spin/if_balanced.h"
 #include "ring_model/terminal_spin.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -72,7 +70,7 @@ Torques torques_of(const BalancedLoad &load, const ElasticFoot &foot, const ring
 {
   const auto find = [&]
   {
-    const LeaningLoad at_spin = load.at(omega);
+    const ring::LeaningLoad at_spin = load.at(omega);
     const auto gathered = [&]
     {
       const unsigned int n =
@@ -83,7 +81,7 @@ Torques torques_of(const BalancedLoad &load, const ElasticFoot &foot, const ring
                                       : ring::wrench(motion, at_spin, omega).torque;
     return Torques{ friction, friction + at_spin.lean_torque() };
   };
-  return if_balanced(find).value_or(Torques{ std::nan(""), std::nan("") });
+  return ring::if_balanced(find).value_or(Torques{ std::nan(""), std::nan("") });
 }
 
 Findings look(const ProbedLoads &loads, const ElasticFoot &foot, const ring::Motion &motion,
@@ -125,7 +123,8 @@ std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &
 /// The reported numbers of @p row, each changed by what changes from @p own to @p found: at a terminal spin
 /// that differs from the one looked at by what the torque there says.
 std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Probe &probe,
-                                                const Findings &own, const SpinRow &row, const Study &study)
+                                                const Findings &own, const ring::Answer &row,
+                                                const Study &study)
 {
   // From the side of rest where the glass tips on the other.
   const auto is_known = [&](std::size_t i)
@@ -165,7 +164,7 @@ std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Pro
   return quantities;
 }
 
-bool carries_all_round(const SpinRow &all, const LoadReport &at_rest)
+bool carries_all_round(const ring::Answer &all, const LoadReport &at_rest)
 {
   return at_rest.contact_fraction >= 1 && at_rest.minimum > 0.02 * at_rest.rings.a(0) &&
          all.at_terminal->load.minimum() > 0.02 * at_rest.rings.a(0);
@@ -229,7 +228,7 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
               bands.end());
 }
 
-ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
+ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const ring::Answer &all,
                     const std::optional<double> &first, const Executor &executor, Progress &progress)
 {
   Probe probe = probe_of(study, *foot, all.terminal->omega, first);
@@ -281,8 +280,9 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
 
 } // namespace
 
-ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
-                          const std::optional<double> &first, const Executor &executor, Progress &progress)
+ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                          const ring::Answer &all, const std::optional<double> &first,
+                          const Executor &executor, Progress &progress)
 {
   if (!foot || !all.terminal)
     return {};

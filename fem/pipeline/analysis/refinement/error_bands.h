@@ -2,8 +2,8 @@
 
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
-#include "fem/pipeline/analysis/spin_row.h"
 #include "fem/pipeline/variants/solve.h"
+#include "ring_model/spin/answer.h"
 
 #include <memory>
 #include <optional>
@@ -39,9 +39,9 @@ namespace stemware::pipeline
 /// tipping, or no other mesh would tell, as of a solid foot whose contact with a hard table is narrower than
 /// its cells; @p progress is told why. A quantity that a change leaves without a value has none.
 /// Collective where the body is.
-ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
-                          const std::optional<double> &first, const Executor &executor,
-                          Progress &progress = silent_progress());
+ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                          const ring::Answer &all, const std::optional<double> &first,
+                          const Executor &executor, Progress &progress = silent_progress());
 
 /// Puts the numbers that a study reports into the place of those that the contacts of the bands have found,
 /// which are the same up to the solver's tolerance: of the load @p at_rest, and of the torque at half the

@@ -1,9 +1,9 @@
 #include "fem/pipeline/analysis/refinement/goal_mesh.h"
 
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 #include "ring_model/friction_law.h"
+#include "ring_model/spin/answer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,8 +71,8 @@ GoalError error_of(const Study &study, const Executor &executor)
       "Contact/Goal needs a foot whose load does not depend on where the moment points, which that of this "
       "Contact/Mesh file does; set Contact/Goal = none.");
     const SharedLoad load = find_load(study, foot);
-    const double omega =
-      terminal_spin(*load, study.motion.orbit, 0, false, study.motion.grip_torque).spin.omega;
+    const ring::Question question = { study.motion.orbit, study.motion.grip_torque };
+    const double omega = ring::answer(*load, question).value().omega_terminal().value();
     return goal_error(study, *foot, *load, omega, study.contact.goal, true);
   };
   const auto found =
@@ -128,7 +128,7 @@ std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot,
     return std::nullopt;
   GoalError result = { functional.of_load(state.load), std::move(*error) };
   if (goal == Goal::torque)
-    result.value = wrench(load, motion, omega).torque;
+    result.value = ring::wrench(motion, load.at(omega), omega).torque;
   if (goal == Goal::terminal_spin)
   {
     result.value = omega_terminal;

@@ -1,8 +1,8 @@
 #include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
 
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/support/numbers.h"
 #include "ring_model/no_balance.h"
+#include "ring_model/spin/answer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,20 +58,26 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
                                                    const std::optional<double> &near)
 {
   const ring::Motion &motion = study.motion.orbit;
-  SpinQuestion question = { motion };
+  ring::Question question = { motion };
   question.expected = near.value_or(0);
   question.with_slope = true;
   question.with_minima = false;
-  std::string reason;
-  const std::vector<double> torques = friction_torques(load, motion, spins, reason);
-  const SpinRow row = spin_row(load, question);
-  if (!row.terminal)
-    throw ring::NoBalance(row.reason + "; a study of refinement needs a terminal spin");
+  question.spins = spins;
+  const ring::Answer row = ring::answer(load, question);
+  terminal_spin_of(row);
   constexpr double noise_of_differences = 10; // the slope is one by finite differences
   return quantities_of_interest(study, load.report(),
-                                { row.at_rest->friction.torque, spins, torques, row.terminal->omega,
-                                  row.terminal->time_constant, load.report().rings.radius(),
-                                  load.spin_scale(motion), noise_of_differences });
+                                { row.at_rest->friction.torque, spins, ring::friction_torques(row),
+                                  row.terminal->omega, row.terminal->time_constant,
+                                  load.report().rings.radius(), load.spin_scale(motion),
+                                  noise_of_differences });
+}
+
+double terminal_spin_of(const ring::Answer &answer)
+{
+  if (!answer.value().terminal)
+    throw ring::NoBalance(answer.reason + "; a study of refinement needs a terminal spin");
+  return answer.terminal->omega;
 }
 
 bool BandedQuantity::is_zero() const

@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/study/study.h"
+#include "ring_model/spin/answer.h"
 
 #include <cstddef>
 #include <map>
@@ -68,6 +69,9 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
 std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
                                                    const std::vector<double> &spins,
                                                    const std::optional<double> &near);
+
+/// Terminal spin of @p answer [rad/s]. Throws its failure, and ring::NoBalance if the glass falls over.
+double terminal_spin_of(const ring::Answer &answer);
 
 /// The spins at which the torque is followed unless somebody chooses others: half and one and a half times
 /// the terminal spin @p omega_terminal.

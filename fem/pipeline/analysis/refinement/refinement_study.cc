@@ -1,9 +1,9 @@
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
 
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
+#include "ring_model/spin/answer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,7 +127,7 @@ ErrorBands refine(const std::vector<QuantityOfInterest> &own, const std::vector<
   for (std::size_t i = 0; i < open.size(); ++i)
     if (solved[i].failure)
       throw ring::NoBalance("Level " + open[i].name + " of the refinement in " + open[i].key + ": " +
-                            failed_row(solved[i].failure).reason);
+                            ring::failed_answer(solved[i].failure).reason);
 
   ErrorBands bands;
   for (std::size_t q = 0; q < own.size(); ++q)

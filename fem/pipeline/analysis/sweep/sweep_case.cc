@@ -27,7 +27,7 @@ struct SolvedCase
   const Study &study;
   const LoadReport load;
   const std::optional<fem::ContactState> contact; ///< at rest
-  const SpinRow first, all;
+  const ring::Answer first, all;
 
   HarmonicEffect harmonics() const
   {
@@ -37,7 +37,7 @@ struct SolvedCase
   /// Terminal spin of a first harmonic on a ring of the contact radius.
   std::optional<double> omega_on_ring(ring::Closure closure) const
   {
-    return attempt_spin_row(*first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();
+    return ring::answer(*first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();
   }
 };
 
@@ -165,10 +165,10 @@ std::optional<double> CaseResult::value(const std::string &key) const
 CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor)
 {
   const SharedLoad load = find_load(study, foot);
-  SpinQuestion question = spin_question(study);
+  ring::Question question = spin_question(study);
   question.with_minima = false;
   const std::vector<LoadedRow> rows =
-    rows_by_harmonics(study, foot, *load, question, executor, silent_progress(), Depth::answer);
+    rows_by_harmonics(study, foot, *load, question, executor, silent_progress(), Depth::answer).by_harmonics;
   const SolvedCase found = { study, load->report(), load->contact(0), rows.front().row, rows.back().row };
   CaseResult result;
   if (found.contact)

@@ -35,7 +35,7 @@ struct CaseResult
 
 /// Solves a study on @p foot, its own, as far as the answer of `run` goes: all harmonics and the first alone.
 /// Equal studies have equal results, whatever was solved before or beside them. Throws as find_load() and
-/// spin_row().
+/// rows_by_harmonics().
 CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                        const Executor &executor);
 

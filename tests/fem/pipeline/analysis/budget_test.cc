@@ -40,20 +40,18 @@ Texts names_without(const Study &study)
   return names;
 }
 
-/// The budget of @p rows of a study without a foot.
-Budget budget_of(const Study &study, const std::vector<LoadedRow> &rows, const Executor &executor)
+/// Rows of a study without a foot under @p load.
+StudyRows rows_of(const Study &study, const ring::RingStack &load, const Executor &executor)
 {
-  const std::vector<LoadedRow> models =
-    solve_rows(budget_variants(study, rows.back().row), nullptr, {}, executor);
-  return find_budget(study, rows, models, executor);
+  return rows_by_harmonics(study, nullptr, *given_load(load), spin_question(study), executor,
+                           silent_progress(), Depth::full, budget_variants(study, false));
 }
 
 /// The budget of a load that the test gives.
 Budget budget_of(const Study &study, const ring::RingStack &load)
 {
   fem::ComplianceCache cache;
-  return budget_of(study, rows_by_harmonics(study, nullptr, *given_load(load), spin_question(study), cache),
-                   cache);
+  return find_budget(study, rows_of(study, load, cache), cache);
 }
 
 Budget budget_of(const Study &study)
@@ -151,7 +149,7 @@ TEST(Budget, RowsOfAFirstHarmonic)
 
   study.load.moment_ratio = 1.3;
   EXPECT_EQ(rows_of(budget_of(study)).back(), "2 given moment 1");
-  EXPECT_EQ(budget_of(study).rows.back().standing, Standing::formal);
+  EXPECT_EQ(budget_of(study).rows.back().standing, ring::Standing::formal);
 
   study.load.moment_ratio = -1;
   study.motion.grip_torque = 2e-4;
@@ -318,19 +316,19 @@ TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
 {
   const Study study = study_of_given_load();
   fem::ComplianceCache cache;
-  std::vector<LoadedRow> rows =
-    rows_by_harmonics(study, nullptr, *given_load(rich_load()), spin_question(study), cache);
-  rows[1] = {};
-  rows[1].row.harmonics = 2;
-  rows[1].row.standing = Standing::tips;
-  rows[1].row.reason = "it tips";
-  const Budget budget = budget_of(study, rows, cache);
+  StudyRows rows = rows_of(study, rich_load(), cache);
+  LoadedRow &second = rows.by_harmonics[1];
+  second = {};
+  second.row.harmonics = 2;
+  second.row.standing = ring::Standing::tips;
+  second.row.reason = "it tips";
+  const Budget budget = find_budget(study, rows, cache);
   const BudgetRow &failed = budget.rows[2];
   EXPECT_EQ(failed.harmonics, 2u);
   EXPECT_FALSE(failed.omega_terminal);
   EXPECT_FALSE(failed.difference);
   EXPECT_FALSE(failed.torques[0]);
-  EXPECT_EQ(failed.standing, Standing::tips);
+  EXPECT_EQ(failed.standing, ring::Standing::tips);
   EXPECT_EQ(failed.reason, "it tips");
   EXPECT_TRUE(budget.rows[3].omega_terminal);
   EXPECT_FALSE(budget.rows[3].difference); // to nothing
@@ -349,8 +347,8 @@ TEST(Budget, AStudyThatTipsIsARowThatSaysSo)
   Study study = quick_contact_study();
   study.motion.orbit.centre_of_mass_height = 0.16; // a moment ratio above 2
   fem::ComplianceCache cache;
-  const SpinRow row = solve_rows({ { "", "", study, all_harmonics } }, nullptr, {}, cache).front().row;
-  EXPECT_EQ(row.standing, Standing::tips);
+  const ring::Answer row = solve_rows({ { "", "", study, all_harmonics } }, nullptr, {}, cache).front().row;
+  EXPECT_EQ(row.standing, ring::Standing::tips);
   EXPECT_FALSE(row.reason.empty());
   EXPECT_FALSE(row.terminal);
 }
@@ -363,13 +361,13 @@ TEST(Budget, LoadsThatWouldHaveToPullAreFormal)
   for (const BudgetRow &row : budget.rows)
   {
     const bool is_cut = row.step.number != 1 && row.harmonics.value_or(4) < 3;
-    EXPECT_TRUE(!is_cut || row.standing == Standing::formal) << row.name;
+    EXPECT_TRUE(!is_cut || row.standing == ring::Standing::formal) << row.name;
   }
-  EXPECT_EQ(budget.rows.front().standing, Standing::full_contact);
-  EXPECT_EQ(budget.rows.back().standing, Standing::lift_off); // a pressure does not pull
+  EXPECT_EQ(budget.rows.front().standing, ring::Standing::full_contact);
+  EXPECT_EQ(budget.rows.back().standing, ring::Standing::lift_off); // a pressure does not pull
   // A load from a file is what its series says.
   EXPECT_EQ(budget_of(study_of_given_load(), { { 0.47, 0, 0.5 }, { 0, -0.3, 0 }, 0.03 }).rows.back().standing,
-            Standing::formal);
+            ring::Standing::formal);
 }
 
 TEST(Budget, RowsOfAWavyFootAreOfMeanSpins)
@@ -381,8 +379,9 @@ TEST(Budget, RowsOfAWavyFootAreOfMeanSpins)
   const std::vector<Variant> variants = variants_without(study);
   ASSERT_EQ(variants.back().name, "waviness");
   fem::ComplianceCache cache;
-  const SpinRow wavy = solve_rows({ { "", "", study, 1 } }, nullptr, {}, cache).front().row;
-  const SpinRow flat = solve_rows({ { "", "", variants.back().study, 1 } }, nullptr, {}, cache).front().row;
+  const ring::Answer wavy = solve_rows({ { "", "", study, 1 } }, nullptr, {}, cache).front().row;
+  const ring::Answer flat =
+    solve_rows({ { "", "", variants.back().study, 1 } }, nullptr, {}, cache).front().row;
   EXPECT_GT(wavy.ripple, 0);
   EXPECT_EQ(flat.ripple, 0);
   // A tenth of a micrometre, a fifth of the penetration, changes the mean spin by about the square of that.
@@ -405,7 +404,7 @@ TEST(Budget, LeavesOutTheInterfaceUnderAWavyRimToo)
   ASSERT_TRUE(row->omega_terminal) << row->reason;
   study.table.interface = TableInterface::hard;
   fem::ComplianceCache cache;
-  const SpinRow hard = solve_rows({ { "", "", study, all_harmonics } }, nullptr, {}, cache).front().row;
+  const ring::Answer hard = solve_rows({ { "", "", study, all_harmonics } }, nullptr, {}, cache).front().row;
   EXPECT_GT(hard.ripple, 0);
   EXPECT_NEAR(*row->omega_terminal, *hard.omega_terminal(), 1e-3 * std::abs(*hard.omega_terminal()));
 }

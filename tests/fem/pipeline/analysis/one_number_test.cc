@@ -130,14 +130,14 @@ TEST(OneNumber, MomentRatiosAreOverTheContactRadius)
 // The rigid foot on the default mat: a referee's quadrature in two dimensions, without rings, harmonics or
 // kernels, finds a terminal spin up to z_CM = 0.134575746 m, the narrowest place at -9.2306 rad/s, and
 // balances at rest up to 0.143684201 m. Just beyond the limit the range of spins without a balance is narrow.
-SpinRow row_at_height(double height, bool rigid)
+ring::Answer row_at_height(double height, bool rigid)
 {
   static fem::ComplianceCache cache;
   Study study;
   study.model.foot_is_rigid = rigid;
   study.motion.orbit.centre_of_mass_height = height;
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
-  return spin_row(*find_load(study, foot), spin_question(study));
+  return ring::answer(*find_load(study, foot), spin_question(study)).value();
 }
 
 TEST(Fall, OfARigidFootIsWhereARefereeFindsIt)
@@ -145,8 +145,8 @@ TEST(Fall, OfARigidFootIsWhereARefereeFindsIt)
   EXPECT_TRUE(row_at_height(0.13457, true).terminal);
   for (const auto &[height, spin] : { std::pair(0.13458, -9.19), std::pair(0.1346, -9.09) })
   {
-    const SpinRow falls = row_at_height(height, true);
-    EXPECT_EQ(falls.standing, Standing::tips) << height;
+    const ring::Answer falls = row_at_height(height, true);
+    EXPECT_EQ(falls.standing, ring::Standing::tips) << height;
     ASSERT_TRUE(falls.fall) << height;
     EXPECT_NEAR(falls.fall->omega, spin, 0.015) << height;
     EXPECT_GT(falls.fall->state.moment_ratio, falls.at_rest->moment_ratio);
@@ -161,12 +161,12 @@ TEST(Fall, ComesAfterAllSpinsAsTheGlassGrows)
   for (unsigned int i = 0; i < n_heights; ++i)
   {
     const double height = 0.1340 + 0.0012 * i / (n_heights - 1);
-    const SpinRow row = row_at_height(height, true);
+    const ring::Answer row = row_at_height(height, true);
     EXPECT_EQ(row.terminal.has_value(), height < 0.134575746) << height;
     EXPECT_EQ(row.fall.has_value(), height > 0.134575746) << height;
     if (i % 4 != 2) // of the elastic foot 0.13412, 0.13436, 0.1346, 0.13484 and 0.13508 m
       continue;
-    const SpinRow elastic = row_at_height(height, false);
+    const ring::Answer elastic = row_at_height(height, false);
     EXPECT_NE(elastic.terminal.has_value(), elastic.fall.has_value()) << height;
     EXPECT_FALSE(elastic.terminal && elastic_has_fallen) << height;
     elastic_has_fallen = elastic.fall.has_value();
@@ -176,8 +176,8 @@ TEST(Fall, ComesAfterAllSpinsAsTheGlassGrows)
 
 TEST(Fall, OfTheElasticFootInANarrowRangeOfSpins)
 {
-  const SpinRow falls = row_at_height(0.1346, false);
-  EXPECT_EQ(falls.standing, Standing::tips);
+  const ring::Answer falls = row_at_height(0.1346, false);
+  EXPECT_EQ(falls.standing, ring::Standing::tips);
   ASSERT_TRUE(falls.fall);
   EXPECT_NEAR(falls.fall->omega, -9, 0.1);
 }

@@ -1,8 +1,8 @@
 // A rigid foot on a Winkler mat, from the study to its terminal spin. Reference: other code, quadrature in
 // two dimensions without rings, harmonics or kernels (tests/verification/rigid_foot.py, plain_rigid_foot.h).
 #include "fem/pipeline/analysis/refinement/error_bands.h"
-#include "fem/pipeline/analysis/spin.h"
 #include "ring_model/friction_law.h"
+#include "ring_model/spin/answer.h"
 #include "ring_model/terminal_spin.h"
 #include "ring_model/unilateral_foundation.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
@@ -217,7 +217,7 @@ TEST(RigidFoot, WavyInBalanceAtEveryPhase)
       foot.turn(phase);
       std::vector<verification::PlainPoint> points;
       const verification::PlainGlass expected = foot.at(omega, &points);
-      const LeaningLoad found = solved.load.at(omega, ring::Orientation{ phase, 0 });
+      const ring::LeaningLoad found = solved.load.at(omega, ring::Orientation{ phase, 0 });
       EXPECT_NEAR((found.moment() - expected.contact_moment.head<2>()).norm(), 0, 1e-6 * scale);
       for (unsigned int n = 2; n <= 5; ++n)
       {
@@ -267,8 +267,8 @@ TEST(RigidFoot, WavyTurnsInTheLongRunAsItsForcesLetIt)
     mean = orbit_rate - period / time;
   }
   const SolvedStudy solved(foot.study);
-  const LongRunSpin found = terminal_spin(solved.load, foot.study.motion.orbit);
-  EXPECT_NEAR(found.spin.omega, mean, 2e-4);
+  const ring::Answer found = ring::answer(solved.load, { foot.study.motion.orbit }).value();
+  EXPECT_NEAR(*found.omega_terminal(), mean, 2e-4);
   EXPECT_NEAR(found.ripple / ((largest - least) / 2), 1, 5e-3);
   EXPECT_GT(found.ripple, 0.02);
 }

@@ -18,9 +18,9 @@ struct SolvedStudy
       , shared_load(pipeline::find_load(study, foot))
       , load(*shared_load)
   {
-    pipeline::SpinQuestion question = pipeline::spin_question(study);
+    ring::Question question = pipeline::spin_question(study);
     question.with_minima = false;
-    row = pipeline::spin_row(load, question);
+    row = ring::answer(load, question).value();
   }
 
   double omega() const { return row.terminal->omega; }
@@ -30,7 +30,7 @@ struct SolvedStudy
   std::shared_ptr<pipeline::ElasticFoot> foot;
   pipeline::SharedLoad shared_load;
   const pipeline::BalancedLoad &load;
-  pipeline::SpinRow row;
+  ring::Answer row;
 };
 
 /// The budget of a study.
@@ -38,12 +38,12 @@ inline pipeline::Budget whole_budget(const pipeline::Study &study, const pipelin
 {
   const auto foot = pipeline::study_foot(study, executor.make_foot);
   const pipeline::SharedLoad load = pipeline::find_load(study, foot);
-  pipeline::RowsBeside models = { [&](const pipeline::SpinRow &all)
-                                  { return pipeline::budget_variants(study, all); } };
-  const std::vector<pipeline::LoadedRow> rows =
+  return pipeline::find_budget(
+    study,
     pipeline::rows_by_harmonics(study, foot, *load, pipeline::spin_question(study), executor,
-                                pipeline::silent_progress(), pipeline::Depth::full, &models);
-  return pipeline::find_budget(study, rows, models.answers, executor);
+                                pipeline::silent_progress(), pipeline::Depth::full,
+                                pipeline::budget_variants(study, load->phases() != nullptr)),
+    executor);
 }
 
 /// The result of a study as a case of a sweep.

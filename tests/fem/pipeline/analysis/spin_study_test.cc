@@ -1,6 +1,6 @@
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/spin/answer.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/matchers.h"
 
@@ -24,7 +24,7 @@ SpinStudy study_spin_of(const ring::RingStack &load, const Study &study = study_
 TEST(SpinStudy, TerminalSpinIsFreeOfTorque)
 {
   const ring::Motion motion;
-  const SpinRow row = study_spin_of(rich_load()).all();
+  const ring::Answer row = study_spin_of(rich_load()).all();
   const double scale = motion.friction_coefficient * rich_load().normal_force() * 0.03;
   EXPECT_LT(std::abs(row.at_terminal->friction.torque), 1e-13 * scale);
   EXPECT_TRUE(row.terminal->stable);
@@ -117,10 +117,11 @@ TEST(SpinStudy, RowsAreInBalanceWithTheirOwnHarmonics)
   for (std::size_t i = 0; i < 3; ++i)
   {
     const auto n = static_cast<unsigned int>(i + 1);
-    const SpinRow &row = two_way.rows[i];
+    const ring::Answer &row = two_way.rows[i];
     EXPECT_NEAR(
       *row.omega_terminal(),
-      *spin_row(*find_load(study, foot, silent_progress(), n), { study.motion.orbit }).omega_terminal(), 1e-9)
+      *ring::answer(*find_load(study, foot, silent_progress(), n), { study.motion.orbit }).omega_terminal(),
+      1e-9)
       << n;
   }
   EXPECT_EQ(two_way.budget.rows.back().omega_terminal, two_way.all().omega_terminal());
@@ -153,7 +154,7 @@ TEST(SpinStudy, TheGripSlowsTheSpinUp)
 /// rich_load() up to @p last [rad/s], beyond which it tips.
 SharedLoad tipping_beyond(double last)
 {
-  return std::make_shared<GivenLoad>(report_of(rich_load()),
+  return std::make_shared<GivenLoad>(report_of(rich_load()), all_harmonics,
                                      [last](double omega) -> ring::RingStack
                                      {
                                        if (std::abs(omega) > last)
@@ -192,8 +193,8 @@ TEST(SpinStudy, AGlassThatFallsOverOnTheWay)
   const ring::Motion &motion = study.motion.orbit;
   fem::ComplianceCache cache;
   const SpinStudy fallen = study_spin(study, nullptr, *tipping_beyond(2.5), cache);
-  const SpinRow &row = fallen.all();
-  EXPECT_EQ(row.standing, Standing::tips);
+  const ring::Answer &row = fallen.all();
+  EXPECT_EQ(row.standing, ring::Standing::tips);
   EXPECT_FALSE(row.terminal);
   ASSERT_TRUE(row.fall);
   EXPECT_NEAR(row.fall->omega, -2.5, 0.35 / 0.03 / 4096);
@@ -202,7 +203,7 @@ TEST(SpinStudy, AGlassThatFallsOverOnTheWay)
   EXPECT_FALSE(fallen.spins_up());
   EXPECT_TRUE(fallen.terminal_spins.empty());
   EXPECT_FALSE(fallen.budget.rows.back().omega_terminal);
-  EXPECT_EQ(fallen.budget.rows.back().standing, Standing::tips);
+  EXPECT_EQ(fallen.budget.rows.back().standing, ring::Standing::tips);
   EXPECT_FALSE(fallen.budget.harmonics.absolute);
 
   const auto time_per_spin = [&](double omega)
@@ -228,12 +229,12 @@ TEST(SpinStudy, AGlassThatFallsOverOnTheWay)
   EXPECT_GT(*most, 0);
 }
 
-TEST(SpinRow, SaysWhyThereIsNone)
+TEST(Answer, SaysWhyThereIsNone)
 {
   // A load model that tips, one without a balance, and a torque that keeps its sign.
   const auto refusing = [](auto failure)
   {
-    return std::make_shared<GivenLoad>(report_of(rich_load()),
+    return std::make_shared<GivenLoad>(report_of(rich_load()), all_harmonics,
                                        [failure](double omega) -> ring::RingStack
                                        {
                                          if (omega != 0)
@@ -241,33 +242,29 @@ TEST(SpinRow, SaysWhyThereIsNone)
                                          return rich_load();
                                        });
   };
-  const SpinQuestion question = { ring::Motion() };
-  const SpinRow tips = attempt_spin_row(*refusing(ring::Tipping("it tips")), question);
-  EXPECT_EQ(tips.standing, Standing::tips);
+  const ring::Question question = { ring::Motion() };
+  const ring::Answer tips = ring::answer(*refusing(ring::Tipping("it tips")), question);
+  EXPECT_EQ(tips.standing, ring::Standing::tips);
   EXPECT_EQ(tips.reason,
             "the glass stands at rest and falls over on the way, at 0 rad/s and a moment ratio of 0.673");
   EXPECT_TRUE(tips.at_rest);
   EXPECT_FALSE(tips.terminal);
-  const SpinRow none = attempt_spin_row(*refusing(ring::NoBalance("none")), question);
-  EXPECT_EQ(none.standing, Standing::no_balance);
+  const ring::Answer none = ring::answer(*refusing(ring::NoBalance("none")), question);
+  EXPECT_EQ(none.standing, ring::Standing::no_balance);
   EXPECT_THAT(none.reason, testing::HasSubstr("none"));
-  EXPECT_EQ(attempt_spin_row(*refusing(fem::ContactFailure(fem::ContactOutcome::too_many_steps, "too slow")),
-                             question)
-              .standing,
-            Standing::no_balance);
   // A fault of the program is no property of the load.
-  EXPECT_THROW(attempt_spin_row(*refusing(std::runtime_error("a fault")), question), std::runtime_error);
+  EXPECT_THROW(ring::answer(*refusing(std::runtime_error("a fault")), question), std::runtime_error);
   // A first harmonic whose moment grows faster than K_1 falls off, like eps^-3, drives the ring for ever.
   const auto with_ratio = [](double m) {
     return ring::RingStack::first_harmonic(2.943, { m * 2.943 * 0.03 / 2, 0 }, 0.03);
   };
   const auto growing = [=](double omega)
   { return with_ratio(4 + 10 * std::pow(std::abs(omega) * 0.03 / 0.35, 3)); };
-  const SpinRow endless =
-    attempt_spin_row(*std::make_shared<GivenLoad>(report_of(with_ratio(4)), growing), question);
-  EXPECT_EQ(endless.standing, Standing::no_terminal_spin);
-  EXPECT_EQ(attempt_spin_row(*given_load(with_ratio(1.5)), question).standing, Standing::formal);
-  EXPECT_EQ(attempt_spin_row(*given_load(rich_load()), question).standing, Standing::full_contact);
+  const ring::Answer endless =
+    ring::answer(GivenLoad(report_of(with_ratio(4)), all_harmonics, growing), question);
+  EXPECT_EQ(endless.standing, ring::Standing::no_terminal_spin);
+  EXPECT_EQ(ring::answer(*given_load(with_ratio(1.5)), question).standing, ring::Standing::formal);
+  EXPECT_EQ(ring::answer(*given_load(rich_load()), question).standing, ring::Standing::full_contact);
 }
 
 } // namespace

@@ -1,9 +1,9 @@
 // What a study says about its contact: the friction of the pressure where it lies, at the state that it is
 // named after.
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/spin/answer.h"
 #include "tests/fem/resolved_friction.h"
 #include "tests/verification/plain_rigid_foot.h"
 
@@ -136,7 +136,7 @@ TEST(ContactReport, NumbersOfTheLoadAreThoseOfThePressureWhereItLies)
     EXPECT_NEAR(load.moment_ratio, 2 * centre.norm() / (force * rim), 1e-8);
     EXPECT_NEAR(moment_ratio, 2 * centre.norm() / (force * rim), 1e-8);
   };
-  const SpinRow row = spin_row(glass.load, spin_question(study));
+  const ring::Answer row = ring::answer(glass.load, spin_question(study)).value();
   const fem::ContactState spinning = *glass.load.contact(glass.omega);
   check(glass.report.load, glass.report.foot->at_rest, row.at_rest->moment_ratio);
   check(glass.report.load_at_end, spinning, row.at_terminal->moment_ratio);

@@ -1,8 +1,9 @@
 // A load that depends on where the marks of glass and table stand: entries, interpolation, and the spin that
 // follows.
-#include "fem/pipeline/coupling/phase_loads.h"
+#include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/no_balance.h"
+#include "ring_model/spin/phase_loads.h"
 #include "tests/ring_model/quadrature.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -15,7 +16,7 @@
 namespace
 {
 
-using namespace stemware::pipeline;
+using namespace stemware::ring;
 namespace ring = stemware::ring;
 
 constexpr double two_pi = boost::math::double_constants::two_pi;
@@ -91,7 +92,7 @@ TEST(Marks, StandWhereTheOrbitAndTheYawPutThem)
 TEST(Marks, RepeatWithTheCommonDivisorOfTheHarmonics)
 {
   const auto period = [](const Waviness &glass, const Waviness &table) {
-    return phase_periods({ glass, table });
+    return stemware::pipeline::phase_periods({ glass, table });
   };
   EXPECT_DOUBLE_EQ(period({ { 4, 1e-6, 0 }, { 6, 1e-6, 0 } }, {}).glass, two_pi / 2);
   EXPECT_DOUBLE_EQ(period({ { 3, 1e-6, 0 } }, { { 2, 1e-6, 0 }, { 3, 1e-6, 0 } }).table, two_pi);

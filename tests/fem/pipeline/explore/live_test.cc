@@ -1,10 +1,10 @@
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/explore/explore_api.h"
 #include "fem/pipeline/explore/explorer.h"
 #include "fem/pipeline/explore/live_bodies.h"
 #include "fem/pipeline/study/study_entries.h"
+#include "ring_model/spin/answer.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -55,7 +55,7 @@ double spin_by_the_program(const Study &study, unsigned int n_harmonics = all_ha
 {
   fem::ComplianceCache cache;
   const auto foot = study_foot(study, cache);
-  return spin_row(*find_load(study, foot, silent_progress(), n_harmonics), spin_question(study))
+  return ring::answer(*find_load(study, foot, silent_progress(), n_harmonics), spin_question(study))
     .terminal->omega;
 }
 

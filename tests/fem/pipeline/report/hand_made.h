@@ -51,9 +51,9 @@ inline ring::RingStack hand_made_load(Numbers &next)
   return ring::RingStack({ a0, a1, a2 }, { 0, b1, b2 }, radius);
 }
 
-inline pipeline::RingState hand_made_state(Numbers &next)
+inline ring::RingState hand_made_state(Numbers &next)
 {
-  pipeline::RingState state = { hand_made_load(next), {}, 0, 0, 0 };
+  ring::RingState state = { {}, hand_made_load(next) };
   state.friction = { next(), next(), next() };
   state.moment_ratio = next();
   state.minimum = -next();
@@ -62,9 +62,9 @@ inline pipeline::RingState hand_made_state(Numbers &next)
 }
 
 /// A row with everything.
-inline pipeline::SpinRow hand_made_row(Numbers &next, unsigned int harmonics)
+inline ring::Answer hand_made_row(Numbers &next, unsigned int harmonics)
 {
-  pipeline::SpinRow row;
+  ring::Answer row;
   row.harmonics = harmonics;
   row.at_rest = hand_made_state(next);
   const double omega = -next(), slope = -next();
@@ -72,8 +72,9 @@ inline pipeline::SpinRow hand_made_row(Numbers &next, unsigned int harmonics)
   row.at_terminal = hand_made_state(next);
   next();
   row.band = next() / 1000;
-  row.torques = { next(), next() };
-  row.standing = pipeline::Standing::lift_off;
+  next();
+  next();
+  row.standing = ring::Standing::lift_off;
   row.relative_change = next() / 100;
   row.bound = next() / 1e6;
   for (int i = 0; i < 4; ++i) // numbers that no row has
@@ -82,12 +83,11 @@ inline pipeline::SpinRow hand_made_row(Numbers &next, unsigned int harmonics)
 }
 
 /// A row without a balance of moments at rest.
-inline pipeline::SpinRow missing_row(unsigned int harmonics)
+inline ring::Answer missing_row(unsigned int harmonics)
 {
-  pipeline::SpinRow row;
+  ring::Answer row;
   row.harmonics = harmonics;
-  row.torques = { std::nan(""), std::nan("") };
-  row.standing = pipeline::Standing::no_balance;
+  row.standing = ring::Standing::no_balance;
   row.reason = "No balance of moments was found";
   return row;
 }

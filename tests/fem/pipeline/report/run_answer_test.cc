@@ -112,14 +112,14 @@ TEST(RunAnswer, NoPerCentWhereTheSpinChangesItsSign)
 TEST(RunAnswer, OfAGlassThatFallsOver)
 {
   SpunStudy falling;
-  SpinRow &all = falling.spin.rows.back();
-  all.fall = Fall{ -9.1234, *all.at_rest };
+  ring::Answer &all = falling.spin.rows.back();
+  all.fall = ring::Fall{ -9.1234, *all.at_rest };
   all.fall->state.moment_ratio = 1.6789;
   all.at_rest->moment_ratio = 1.4321;
   all.at_rest->friction.torque = -0.0012345;
   all.terminal.reset();
   all.at_terminal.reset();
-  all.standing = Standing::tips;
+  all.standing = ring::Standing::tips;
   EXPECT_EQ(wrapped(falling.answer()),
             R"(The glass stands at rest and falls over on the way: turning clockwise, against its orbit at
 9.12 rad/s it has reached a moment ratio of 1.68, and beyond that no load that only pushes keeps it
@@ -133,7 +133,7 @@ TEST(RunAnswer, WithoutBandsAndEffects)
   plain.bands.clear();
   plain.spin.budget.without.clear();
   plain.spin.budget.harmonics = { 1e-12, 1e-12 };
-  plain.spin.budget.rows[1].standing = Standing::formal;
+  plain.spin.budget.rows[1].standing = ring::Standing::formal;
   EXPECT_EQ(
     wrapped(plain.answer()),
     R"(The glass turns once in 1.93 s, clockwise, against its orbit. The paper's rigid ring would take 2.09

@@ -18,7 +18,7 @@ Results made_truncation(LoadCoupling coupling = LoadCoupling::two_way)
   Study study;
   study.load.coupling = coupling;
   const LoadReport load = hand_made_load_report(next);
-  std::vector<SpinRow> rows = { hand_made_row(next, 1), missing_row(2), hand_made_row(next, 3) };
+  std::vector<ring::Answer> rows = { hand_made_row(next, 1), missing_row(2), hand_made_row(next, 3) };
   rows.back().relative_change = 0;
   return tabulate_truncations(study, load, rows);
 }

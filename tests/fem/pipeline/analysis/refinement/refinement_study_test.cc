@@ -2,10 +2,10 @@
 // much finer meshes.
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
+#include "ring_model/spin/answer.h"
 #include "tests/benchmark/random_study.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
@@ -107,7 +107,7 @@ struct Levels
   Levels(const Study &study, const Study &finer_study)
       : foot(study_foot(study, cache))
       , load(find_load(study, foot))
-      , row(spin_row(*load, question_of(study)))
+      , row(ring::answer(*load, question_of(study)).value())
       , omega(row.terminal->omega)
       , quick(estimate_bands(study, foot, row, std::nullopt, cache))
       , finer(quantities_of_load(finer_study, *load_of(finer_study, cache), spins_of_interest(omega), omega))
@@ -123,9 +123,9 @@ struct Levels
     throw std::out_of_range(key);
   }
 
-  static SpinQuestion question_of(const Study &study)
+  static ring::Question question_of(const Study &study)
   {
-    SpinQuestion question = { study.motion.orbit };
+    ring::Question question = { study.motion.orbit };
     question.with_slope = true;
     return question;
   }
@@ -133,7 +133,7 @@ struct Levels
   fem::ComplianceCache cache;
   std::shared_ptr<ElasticFoot> foot;
   SharedLoad load;
-  SpinRow row;
+  ring::Answer row;
   double omega;
   ErrorBands quick;
   std::vector<QuantityOfInterest> finer;
@@ -250,10 +250,10 @@ TEST(ErrorBands, TakeTwiceTheRingsThatTheFootHas)
     return find_load(study, foot);
   };
   const SharedLoad twice = on_rings(4), own = on_rings(2);
-  const SpinRow row = spin_row(*own, Levels::question_of(study));
+  const ring::Answer row = ring::answer(*own, Levels::question_of(study)).value();
   const ErrorBands bands = estimate_bands(study, foot, row, std::nullopt, cache);
   const auto torque = [&](const BalancedLoad &load)
-  { return yaw_torque(load, study.motion.orbit, 1.5 * row.terminal->omega); };
+  { return ring::yaw_torque(load, study.motion.orbit, 1.5 * row.terminal->omega); };
   const double changed = std::abs(torque(*twice) - torque(*own));
   for (const BandedQuantity &banded : bands)
     if (banded.quantity.key == "tau_at_spin_2")
@@ -302,13 +302,12 @@ TEST(ErrorBands, OfEveryRowOfTheContact)
   study.contact.load_harmonics = 24;
   const test::SolvedStudy solved(study);
   fem::ComplianceCache cache;
-  std::vector<SpinRow> by_harmonics;
-  for (const LoadedRow &row : rows_by_harmonics(study, solved.foot, solved.load, spin_question(study), cache))
-    by_harmonics.push_back(row.row);
-  std::vector<BudgetRow> rows = budget_rows(study, solved.foot, by_harmonics, cache);
+  const StudyRows answers = rows_by_harmonics(study, solved.foot, solved.load, spin_question(study), cache,
+                                              silent_progress(), Depth::full, model_chain(study));
+  std::vector<BudgetRow> rows = judge_chain(study, answers);
   ASSERT_EQ(rows.back().step.number, 11u); // 1, 2, 3, 3a, 4 ... 11
   const ErrorBands bands =
-    estimate_bands(study, solved.foot, solved.row, by_harmonics.front().omega_terminal(), cache);
+    estimate_bands(study, solved.foot, solved.row, answers.by_harmonics.front().row.omega_terminal(), cache);
   const std::optional<double> all = band_of(bands, "omega_terminal"),
                               first = band_of(bands, "omega_first_harmonic");
   ASSERT_TRUE(all && first);

@@ -1,9 +1,9 @@
 // The error bands of a solid foot. Oracle: the body of revolution on the same profile, refined, with its own
 // bands. With MPI.
 #include "fem/pipeline/analysis/refinement/error_bands.h"
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/variants/band_changes.h"
+#include "ring_model/spin/answer.h"
 
 #include <gtest/gtest.h>
 
@@ -21,9 +21,9 @@ ErrorBands bands_of(const Study &study)
   fem::ComplianceCache cache;
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
   const SharedLoad load = find_load(study, foot);
-  SpinQuestion question = { study.motion.orbit };
+  ring::Question question = { study.motion.orbit };
   question.with_slope = true;
-  return estimate_bands(study, foot, spin_row(*load, question), std::nullopt, cache);
+  return estimate_bands(study, foot, ring::answer(*load, question).value(), std::nullopt, cache);
 }
 
 const BandedQuantity &find(const ErrorBands &bands, const std::string &key)

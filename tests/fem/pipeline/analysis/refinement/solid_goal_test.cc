@@ -1,7 +1,7 @@
 // Contact/Goal of a solid foot, whose estimates and meshes are judged by the body of revolution. With MPI.
 #include "fem/pipeline/analysis/refinement/goal_mesh.h"
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/spin/answer.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ double value_of(Study study, Goal goal, unsigned int refinements)
   const SharedLoad load = find_load(study, study_foot(study, cache));
   if (goal == Goal::a2)
     return load->report().rings.a(2) / load->report().rings.a(0);
-  return terminal_spin(*load, study.motion.orbit, 0, false).spin.omega;
+  return ring::answer(*load, { study.motion.orbit }).value().omega_terminal().value();
 }
 
 GoalError error_of(const Study &study)
@@ -41,7 +41,7 @@ GoalError error_of(const Study &study)
   fem::ComplianceCache cache;
   const auto foot = study_foot(study, cache);
   const SharedLoad load = find_load(study, foot);
-  const double omega = terminal_spin(*load, study.motion.orbit, 0, false).spin.omega;
+  const double omega = ring::answer(*load, { study.motion.orbit }).value().omega_terminal().value();
   return goal_error(study, *foot, *load, omega, study.contact.goal, true).value();
 }
 

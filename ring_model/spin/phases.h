@@ -1,29 +1,23 @@
 #pragma once
 
-#include "fem/geometry/waviness.h"
-#include "fem/pipeline/coupling/leaning_load.h"
-#include "fem/pipeline/study/study.h"
 #include "ring_model/load/slip.h"
 #include "ring_model/motion.h"
+#include "ring_model/spin/leaning_load.h"
 
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <vector>
 
-namespace stemware::pipeline
+namespace stemware::ring
 {
 
-/// Where the marks of glass and table stand in the slip frame at @p time, the glass having yawed by @p
-/// yaw_angle since t = 0: theta = chi + psi - phi -/+ pi/2 and theta = chi - phi -/+ pi/2 with the orbit
-/// angle phi = +/- v t / rho, upper signs for a counter-clockwise orbit.
-ring::Orientation orientation_of_marks(const ring::Motion &motion, double time, double yaw_angle);
+/// Returns the azimuths of the marks of glass and table in the slip frame at @p time, the glass having yawed
+/// by @p yaw_angle since t = 0: theta = chi + psi - phi -/+ pi/2 and theta = chi - phi -/+ pi/2 with the
+/// orbit angle phi = +/- v t / rho, upper signs for a counter-clockwise orbit.
+Orientation orientation_of_marks(const Motion &motion, double time, double yaw_angle);
 
-/// Rim and table of a study as gaps.
-fem::RimImperfection imperfection_of(const Study &study);
-
-/// The periods [rad] with which the load repeats itself when glass or table turn: 2 pi over the greatest
-/// common divisor of the harmonics. 0 for a perfect surface.
+/// The periods [rad] with which the load repeats itself when glass or table turn; 0 for a perfect surface.
 struct PhasePeriods
 {
   double glass = 0;
@@ -31,8 +25,6 @@ struct PhasePeriods
 
   bool any() const { return glass > 0 || table > 0; }
 };
-
-PhasePeriods phase_periods(const fem::RimImperfection &imperfection);
 
 /// Equidistant nodes over one period of an angle, with the trigonometric interpolation between them. One node
 /// stands for a function that does not depend on the angle.
@@ -46,7 +38,7 @@ public:
   double node(unsigned int i) const { return period * i / n_nodes; }
   double step() const { return period / n_nodes; }
   PeriodicGrid refined() const { return PeriodicGrid(period, 2 * n_nodes); }
-  /// With half the nodes; one remains one.
+  /// Returns the grid with half the nodes; one remains one.
   PeriodicGrid halved() const;
   /// Weights of the nodes' values in the interpolant at @p angle. Shape [size()].
   Eigen::VectorXd weights(double angle) const;
@@ -91,17 +83,17 @@ struct PhaseGrids
   PeriodicGrid table;
 
   unsigned int size() const { return glass.size() * table.size(); }
-  ring::Orientation phase(unsigned int i) const;
+  Orientation phase(unsigned int i) const;
   /// Number of the node of one angle that phase @p i stands on.
   unsigned int node(Angle angle, unsigned int i) const;
   /// The same with every other node of one angle.
   PhaseGrids halved(Angle angle) const;
   /// Weights of the phases in the interpolant at @p phase. Shape [size()].
-  Eigen::VectorXd weights(const ring::Orientation &phase) const;
+  Eigen::VectorXd weights(const Orientation &phase) const;
 };
 
-/// How far apart two loads are as friction sees them: the largest difference of tau_z over mu N R among the
-/// slip ratios 0, +-1/4 ... +-1, R the ring radius of @p other. Harmonics count as much as they turn the
+/// Returns the distance of two loads as friction sees them: the largest difference of tau_z over mu N R among
+/// the slip ratios 0, +-1/4 ... +-1, R the ring radius of @p other. Harmonics count as much as they turn the
 /// glass: those of a load that is gathered at crests reach far up, where the kernels have vanished.
 double torque_difference(const LeaningLoad &one, const LeaningLoad &other);
 
@@ -125,7 +117,7 @@ public:
 
   /// The load at phase @p i, and by trigonometric interpolation at any.
   LeaningLoad sample(unsigned int i) const { return load_of(loads.col(i)); }
-  LeaningLoad at(const ring::Orientation &phase) const { return load_of(loads * grids.weights(phase)); }
+  LeaningLoad at(const Orientation &phase) const { return load_of(loads * grids.weights(phase)); }
 
   /// Mean over all phases, the trapezoidal rule. It carries the mean moment.
   LeaningLoad mean() const;
@@ -147,4 +139,4 @@ private:
   std::size_t rings_per_load;
 };
 
-} // namespace stemware::pipeline
+} // namespace stemware::ring

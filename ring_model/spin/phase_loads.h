@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/coupling/phases.h"
+#include "ring_model/spin/phases.h"
 
 #include <exception>
 #include <functional>
@@ -8,19 +8,19 @@
 #include <utility>
 #include <vector>
 
-namespace stemware::pipeline
+namespace stemware::ring
 {
 
 /// The load at a spin [rad/s] with the marks at a phase; each is a contact solution, or several.
-using LoadAtPhase = std::function<LeaningLoad(double omega, const ring::Orientation &phase)>;
+using LoadAtPhase = std::function<LeaningLoad(double omega, const Orientation &phase)>;
 
 /// Samples at rest, as many as their mean takes: 8 of one angle or 4 of each of two, doubled in the angle in
 /// which half of them have a mean farther off, until the mean of half is within 1e-6, PhaseSamples::error();
-/// at most 128 in each angle and @p most_samples together. Throws ring::NoBalance, with a sentence, where the
+/// at most 128 in each angle and @p most_samples together. Throws NoBalance, with a sentence, where the
 /// error of the mean stays above 3e-2 or that between phases above 0.3.
 PhaseSamples find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples);
 
-/// How a load is sampled that depends on the spin.
+/// Sampling of a load that depends on the spin.
 struct SpinSampling
 {
   double unit = 0; ///< length of the intervals of spins, which begin at 0 [rad/s]; 0: no dependence
@@ -44,14 +44,14 @@ public:
   PhaseLoads(LoadAtPhase load, const PhasePeriods &periods, const PhaseSamples &at_rest,
              const SpinSampling &spins = {}, const PhaseExtremes &extremes = {});
 
-  /// Throws ring::NoBalance, as find_phases(), where the samples round @p omega leave as large an error.
-  LeaningLoad at(double omega, const ring::Orientation &phase) const;
+  /// Throws NoBalance, as find_phases(), where the samples round @p omega leave as large an error.
+  LeaningLoad at(double omega, const Orientation &phase) const;
 
   /// Mean over all phases. It carries the mean moment.
   LeaningLoad mean(double omega) const { return at_spin(omega).mean(); }
 
   /// The loads at all sampled phases.
-  std::vector<ring::RingStack> samples(double omega) const;
+  std::vector<RingStack> samples(double omega) const;
   const PhaseGrids &phases() const { return at_rest.phases(); }
   const PhasePeriods &periods() const { return phase_periods; }
 
@@ -92,4 +92,4 @@ private:
   mutable SampleError largest_error;
 };
 
-} // namespace stemware::pipeline
+} // namespace stemware::ring

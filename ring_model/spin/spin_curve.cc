@@ -1,8 +1,8 @@
-#include "fem/pipeline/coupling/load_curve.h"
+#include "ring_model/spin/spin_curve.h"
 
-#include "fem/revolution/contact_compliance.h"
+#include "ring_model/load/constants.h"
+#include "ring_model/load/lagrange.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
@@ -10,13 +10,11 @@
 #include <cstdint>
 #include <limits>
 
-namespace stemware::pipeline
+namespace stemware::ring
 {
 
 namespace
 {
-
-using boost::math::double_constants::pi;
 
 constexpr std::size_t most_nodes = 17; ///< of a piece
 
@@ -27,7 +25,7 @@ Eigen::VectorXd row_of(const LeaningLoad &load, unsigned int n_harmonics)
 
 } // namespace
 
-double LoadCurve::Piece::coordinate(double x) const
+double SpinCurve::Piece::coordinate(double x) const
 {
   const double share = std::clamp((x - begin) / (end - begin), 0., 1.);
   if (kink_at_begin && kink_at_end)
@@ -37,7 +35,7 @@ double LoadCurve::Piece::coordinate(double x) const
   return kink_at_end ? 1 - std::sqrt(1 - share) : share;
 }
 
-double LoadCurve::Piece::place(double t) const
+double SpinCurve::Piece::place(double t) const
 {
   if (t == 0 || t == 1)
     return t == 0 ? begin : end;
@@ -48,14 +46,14 @@ double LoadCurve::Piece::place(double t) const
   return begin + share * (end - begin);
 }
 
-Eigen::VectorXd LoadCurve::Piece::weights(double t) const
+Eigen::VectorXd SpinCurve::Piece::weights(double t) const
 {
   Eigen::VectorXd places(nodes.size());
   std::transform(nodes.begin(), nodes.end(), places.begin(), [](const auto &node) { return node.first; });
-  return fem::lagrange_values(places, t);
+  return lagrange_values(places, t);
 }
 
-LeaningLoad LoadCurve::Piece::at(double x) const
+LeaningLoad SpinCurve::Piece::at(double x) const
 {
   Eigen::VectorXd row = rows * weights(coordinate(x));
   if (reference)
@@ -63,13 +61,13 @@ LeaningLoad LoadCurve::Piece::at(double x) const
   return LeaningLoad::from_coefficients(row, nodes.begin()->second.rings().size());
 }
 
-double LoadCurve::Piece::error() const
+double SpinCurve::Piece::error() const
 {
   constexpr std::size_t least_nodes = 4; // of which two have told
   return nodes.size() < least_nodes ? std::numeric_limits<double>::infinity() : estimate;
 }
 
-LoadCurve::LoadCurve(const CurveSource &source, double lower, double upper, const CurveTolerance &tolerance)
+SpinCurve::SpinCurve(const CurveSource &source, double lower, double upper, const CurveTolerance &tolerance)
 {
   for (const double x : source.known)
     if (lower < x && x < upper)
@@ -105,7 +103,7 @@ LoadCurve::LoadCurve(const CurveSource &source, double lower, double upper, cons
   }
 }
 
-LeaningLoad LoadCurve::operator()(double x) const
+LeaningLoad SpinCurve::operator()(double x) const
 {
   if (const auto known = samples.find(x); known != samples.end())
     return known->second;
@@ -115,7 +113,7 @@ LeaningLoad LoadCurve::operator()(double x) const
   return piece->at(x);
 }
 
-double LoadCurve::error() const
+double SpinCurve::error() const
 {
   double largest = 0;
   for (const Piece &piece : pieces)
@@ -123,7 +121,7 @@ double LoadCurve::error() const
   return largest;
 }
 
-const LeaningLoad &LoadCurve::sample(const CurveSource &source, double x)
+const LeaningLoad &SpinCurve::sample(const CurveSource &source, double x)
 {
   const auto known = samples.find(x);
   if (known != samples.end())
@@ -132,7 +130,7 @@ const LeaningLoad &LoadCurve::sample(const CurveSource &source, double x)
   return samples.emplace(x, source.load(x)).first->second;
 }
 
-void LoadCurve::find_kinks(const CurveSource &source)
+void SpinCurve::find_kinks(const CurveSource &source)
 {
   if (!source.clearance)
     return;
@@ -161,7 +159,7 @@ void LoadCurve::find_kinks(const CurveSource &source)
   }
 }
 
-LoadCurve::Piece LoadCurve::through_ends(const CurveSource &source, double begin, double end,
+SpinCurve::Piece SpinCurve::through_ends(const CurveSource &source, double begin, double end,
                                          bool kink_at_begin, bool kink_at_end)
 {
   Piece piece = { begin, end, kink_at_begin, kink_at_end, source.reference };
@@ -170,7 +168,7 @@ LoadCurve::Piece LoadCurve::through_ends(const CurveSource &source, double begin
   return piece;
 }
 
-void LoadCurve::Piece::add(double x, const LeaningLoad &load)
+void SpinCurve::Piece::add(double x, const LeaningLoad &load)
 {
   nodes.emplace(coordinate(x), load);
   n_harmonics = std::max(n_harmonics, load.n_harmonics());
@@ -185,7 +183,7 @@ void LoadCurve::Piece::add(double x, const LeaningLoad &load)
   }
 }
 
-void LoadCurve::refine(const CurveSource &source, Piece &piece)
+void SpinCurve::refine(const CurveSource &source, Piece &piece)
 {
   constexpr double safety = 2;      // the error need not be largest there
   constexpr double usual_gain = 10; // of one sample: what falls faster may have been close by chance
@@ -196,7 +194,7 @@ void LoadCurve::refine(const CurveSource &source, Piece &piece)
   piece.add(x, load);
 }
 
-double LoadCurve::next_place(const Piece &piece) const
+double SpinCurve::next_place(const Piece &piece) const
 {
   constexpr unsigned int n_places = 128;
   constexpr double known_counts = 3;
@@ -223,4 +221,4 @@ double LoadCurve::next_place(const Piece &piece) const
   return best;
 }
 
-} // namespace stemware::pipeline
+} // namespace stemware::ring

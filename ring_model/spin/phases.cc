@@ -1,47 +1,22 @@
-#include "fem/pipeline/coupling/phases.h"
+#include "ring_model/spin/phases.h"
 
-#include "fem/revolution/contact_compliance.h"
 #include "ring_model/friction_functionals.h"
+#include "ring_model/load/lagrange.h"
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
-namespace stemware::pipeline
+namespace stemware::ring
 {
 
-namespace
-{
-
-double period_of(const std::vector<fem::WavinessHarmonic> &harmonics)
-{
-  unsigned int divisor = 0;
-  for (const fem::WavinessHarmonic &harmonic : harmonics)
-    divisor = std::gcd(divisor, harmonic.n);
-  return divisor > 0 ? boost::math::double_constants::two_pi / divisor : 0;
-}
-
-} // namespace
-
-ring::Orientation orientation_of_marks(const ring::Motion &motion, double time, double yaw_angle)
+Orientation orientation_of_marks(const Motion &motion, double time, double yaw_angle)
 {
   const double behind =
     motion.orbit_rate() * time + motion.sense_sign() * boost::math::double_constants::half_pi;
   return { yaw_angle - behind, -behind };
-}
-
-fem::RimImperfection imperfection_of(const Study &study)
-{
-  return study.model.waviness ? fem::RimImperfection{ study.glass.waviness, study.table.waviness }
-                              : fem::RimImperfection();
-}
-
-PhasePeriods phase_periods(const fem::RimImperfection &imperfection)
-{
-  return { period_of(imperfection.glass), period_of(imperfection.table) };
 }
 
 PeriodicGrid::PeriodicGrid(double period, unsigned int n_nodes)
@@ -92,7 +67,7 @@ double SpinInterval::at(double place) const
 Eigen::VectorXd SpinInterval::weights(double omega) const
 {
   const std::vector<double> spins = nodes();
-  return fem::lagrange_values(Eigen::Map<const Eigen::VectorXd>(spins.data(), size()), omega);
+  return lagrange_values(Eigen::Map<const Eigen::VectorXd>(spins.data(), size()), omega);
 }
 
 std::vector<double> SpinInterval::nodes() const
@@ -111,7 +86,7 @@ std::vector<double> SpinInterval::between() const
   return spins;
 }
 
-ring::Orientation PhaseGrids::phase(unsigned int i) const
+Orientation PhaseGrids::phase(unsigned int i) const
 {
   return { glass.node(node(&PhaseGrids::glass, i)), table.node(node(&PhaseGrids::table, i)) };
 }
@@ -128,7 +103,7 @@ PhaseGrids PhaseGrids::halved(Angle angle) const
   return halved;
 }
 
-Eigen::VectorXd PhaseGrids::weights(const ring::Orientation &phase) const
+Eigen::VectorXd PhaseGrids::weights(const Orientation &phase) const
 {
   const Eigen::VectorXd of_glass = glass.weights(phase.glass), of_table = table.weights(phase.table);
   return (of_table * of_glass.transpose()).reshaped();
@@ -141,7 +116,7 @@ double torque_difference(const LeaningLoad &one, const LeaningLoad &other)
   for (int quarter = -4; quarter <= 4; ++quarter)
   {
     const auto torque = [&](const LeaningLoad &load)
-    { return ring::coulomb_wrench(1, load, quarter / 4., radius).torque; };
+    { return coulomb_wrench(1, load, quarter / 4., radius).torque; };
     largest = std::max(largest, std::abs(torque(one) - torque(other)));
   }
   return largest / (other.normal_force() * radius);
@@ -163,11 +138,11 @@ LeaningLoad PhaseSamples::mean() const
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
   for (unsigned int i = 0; i < grids.size(); ++i)
     moment += sample(i).moment() / grids.size();
-  const ring::RingStack::Ring &ring = mean.rings().front();
+  const RingStack::Ring &ring = mean.rings().front();
   const double first = mean.moment().norm() / ring.radius;
   if (first == 0)
     return mean;
-  return { ring::RingStack(ring.a, ring.b, moment.norm() / first), mean.tilt };
+  return { RingStack(ring.a, ring.b, moment.norm() / first), mean.tilt };
 }
 
 SampleError PhaseSamples::error(PhaseGrids::Angle angle) const
@@ -210,4 +185,4 @@ double PhaseSamples::error_of_half(PhaseGrids::Angle angle) const
   return error;
 }
 
-} // namespace stemware::pipeline
+} // namespace stemware::ring

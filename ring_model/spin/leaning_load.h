@@ -8,11 +8,10 @@
 #include <utility>
 #include <vector>
 
-namespace stemware::pipeline
+namespace stemware::ring
 {
-
 /// The load on the rings at one spin, and how the glass leans under it.
-struct LeaningLoad : ring::RingStack
+struct LeaningLoad : RingStack
 {
   LeaningLoad(RingStack rings, const Eigen::Vector2d &tilt = Eigen::Vector2d::Zero()) // NOLINT
       : RingStack(std::move(rings))
@@ -47,5 +46,4 @@ struct LeaningLoad : ring::RingStack
     return { RingStack::truncated(n_harmonics), tilt };
   }
 };
-
-} // namespace stemware::pipeline
+} // namespace stemware::ring

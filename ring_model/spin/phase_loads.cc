@@ -1,7 +1,8 @@
-#include "fem/pipeline/coupling/phase_loads.h"
+#include "ring_model/spin/phase_loads.h"
 
-#include "fem/pipeline/support/numbers.h"
+#include "ring_model/load/require.h"
 #include "ring_model/no_balance.h"
+#include "ring_model/spin/in_digits.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -10,7 +11,7 @@
 #include <limits>
 #include <utility>
 
-namespace stemware::pipeline
+namespace stemware::ring
 {
 
 namespace
@@ -36,11 +37,10 @@ void require_resolved(unsigned int n_phases, const SampleError &error)
 {
   if (error.between <= largest_allowed.between && error.mean <= largest_allowed.mean)
     return;
-  throw ring::NoBalance("The load's dependence on the phase of the waviness is not resolved: between " +
-                        std::to_string(n_phases) + " phases its torque is off by " +
-                        to_short_text(error.between) + " mu N R, in the mean by " +
-                        to_short_text(error.mean) +
-                        "; give more Contact/Azimuth lines, or a smaller waviness.");
+  throw NoBalance(sentence("The load's dependence on the phase of the waviness is not resolved: between ",
+                           n_phases, " phases its torque is off by ", in_digits(error.between, 6),
+                           " mu N R, in the mean by ", in_digits(error.mean, 6),
+                           "; give more Contact/Azimuth lines, or a smaller waviness."));
 }
 
 /// Samples at the spins @p omegas.
@@ -112,7 +112,7 @@ PhaseLoads::PhaseLoads(LoadAtPhase load_given, const PhasePeriods &periods, cons
 {
 }
 
-LeaningLoad PhaseLoads::at(double omega, const ring::Orientation &phase) const
+LeaningLoad PhaseLoads::at(double omega, const Orientation &phase) const
 {
   if (!follows_spin(omega))
     return at_rest.at(phase);
@@ -198,10 +198,10 @@ double PhaseLoads::error_of_halved_spins(const Samples &samples) const
   return error;
 }
 
-std::vector<ring::RingStack> PhaseLoads::samples(double omega) const
+std::vector<RingStack> PhaseLoads::samples(double omega) const
 {
   const PhaseSamples at = at_spin(omega);
-  std::vector<ring::RingStack> all;
+  std::vector<RingStack> all;
   for (unsigned int i = 0; i < phases().size(); ++i)
     all.push_back(at.sample(i));
   return all;
@@ -215,4 +215,4 @@ std::size_t PhaseLoads::n_spins() const
   return n;
 }
 
-} // namespace stemware::pipeline
+} // namespace stemware::ring

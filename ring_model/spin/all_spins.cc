@@ -1,13 +1,14 @@
-#include "fem/pipeline/analysis/spin.h"
-#include "fem/pipeline/coupling/if_balanced.h"
+#include "ring_model/spin/all_spins.h"
+
 #include "ring_model/friction_law.h"
+#include "ring_model/spin/if_balanced.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
-namespace stemware::pipeline
+namespace stemware::ring
 {
 
 namespace
@@ -20,12 +21,12 @@ class ScannedTorque
 {
 public:
   /// Spins are told apart down to @p finest [rad/s].
-  ScannedTorque(const BalancedLoad &load, const ring::Motion &motion, double grip_torque, double finest)
+  ScannedTorque(const LoadAtSpin &load, const Motion &motion, double grip_torque, double finest)
       : load(load)
       , motion(motion)
       , grip_torque(grip_torque)
       , finest(finest)
-      , unit(motion.friction_at_rest() * motion.normal_force() * load.report().rings.radius())
+      , unit(motion.friction_at_rest() * motion.normal_force() * load.radius())
   {
   }
 
@@ -87,12 +88,12 @@ private:
 
   double torque_of(const LeaningLoad &at_spin, double omega) const
   {
-    const double torque = ring::wrench(motion, at_spin, omega).torque + at_spin.lean_torque();
+    const double torque = wrench(motion, at_spin, omega).torque + at_spin.lean_torque();
     return against_grip(torque, omega, grip_torque);
   }
 
-  const BalancedLoad &load;
-  const ring::Motion &motion;
+  const LoadAtSpin &load;
+  const Motion &motion;
   const double grip_torque;
   const double finest;
   const double unit; ///< mu N R [N m]: what an error of the load of a_0 makes of the torque at most
@@ -122,7 +123,7 @@ struct Reach
 /// Where all of the rim turns faster than it travels, eps = |omega| r / v > 1, friction brakes each place of
 /// it, and its arm is no less than sqrt(1 - 1 / eps^2) r: so it does under any load that nowhere pulls, such
 /// as a contact's.
-bool brakes_beyond(double omega, const BalancedLoad &load, const ring::Motion &motion)
+bool brakes_beyond(double omega, const LoadAtSpin &load, const Motion &motion)
 {
   constexpr double much = 10;
   const LeaningLoad at_spin = load.at(omega);
@@ -130,7 +131,7 @@ bool brakes_beyond(double omega, const BalancedLoad &load, const ring::Motion &m
   for (const auto &ring : at_spin.rings())
     radius = std::min(radius, ring.radius);
   const double eps = std::abs(omega) * radius / motion.orbit_speed;
-  if (!load.contact(0) || !motion.has_constant_friction() || eps <= 1)
+  if (!load.is_pressure() || !motion.has_constant_friction() || eps <= 1)
     return false;
   const double least_torque =
     std::sqrt(1 - 1 / (eps * eps)) * motion.friction_at_rest() * motion.normal_force() * radius;
@@ -138,7 +139,7 @@ bool brakes_beyond(double omega, const BalancedLoad &load, const ring::Motion &m
 }
 
 /// To where friction brakes, or the load has no balance, whatever its distribution; else to 1.5 v / R.
-Reach reach_of(ScannedTorque &torque, const BalancedLoad &load, const ring::Motion &motion)
+Reach reach_of(ScannedTorque &torque, const LoadAtSpin &load, const Motion &motion)
 {
   const double unit = load.spin_scale(motion);
   const Reach near = { 1.05 * unit / 4, 4, 2 }, far = { unit / 4, 6, 3 };
@@ -151,36 +152,44 @@ Reach reach_of(ScannedTorque &torque, const BalancedLoad &load, const ring::Moti
 
 } // namespace
 
-std::vector<ring::TerminalSpin> all_terminal_spins(const BalancedLoad &load, const ring::Motion &motion,
-                                                   double grip_torque)
+std::vector<TerminalSpin> all_terminal_spins(const LoadAtSpin &load, const Question &question,
+                                             const Answer &found)
 {
-  if (load.phases())
+  if (load.phases() || !found.terminal)
     return {};
   constexpr int finest_steps = 8;
+  const Motion &motion = question.motion;
   const double unit = load.spin_scale(motion);
-  ScannedTorque torque(load, motion, grip_torque, unit / 4 / finest_steps);
+  ScannedTorque torque(load, motion, question.grip_torque, unit / 4 / finest_steps);
   const auto [step, n_steps, stride] = reach_of(torque, load, motion);
   const int first = -n_balances(torque, -step, stride, n_steps),
             last = n_balances(torque, step, stride, n_steps);
-  if (first == last)
-    return {};
-  const auto scan = [&]
+  const auto scan = [&, step = step]
   {
     if (first < 0)
       torque.survey(first * step, 0);
     if (last > 0)
       torque.survey(0, last * step);
-    return ring::all_terminal_spins([&](double omega) { return torque(omega); }, motion.yaw_inertia,
-                                    first * step, last * step,
-                                    static_cast<unsigned int>(finest_steps * (last - first)));
+    return all_terminal_spins([&](double omega) { return torque(omega); }, motion.yaw_inertia, first * step,
+                              last * step, static_cast<unsigned int>(finest_steps * (last - first)));
   };
   // A load without a balance between spins that have one: what lies beyond is not looked for.
-  std::vector<ring::TerminalSpin> spins = if_balanced(scan).value_or(std::vector<ring::TerminalSpin>());
+  std::vector<TerminalSpin> spins;
+  if (first < last)
+    spins = if_balanced(scan).value_or(spins);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  for (ring::TerminalSpin &spin : spins)
-    if (grip_torque > 0 && std::abs(spin.omega) < 1e-9 * unit)
+  for (TerminalSpin &spin : spins)
+    if (question.grip_torque > 0 && std::abs(spin.omega) < 1e-9 * unit)
       spin = { 0, nan, nan, true, true };
+  // The spin that is reached from rest is known better.
+  const double same = std::max(1e-4, 10 * load.interpolation_error().value_or(0)) * unit;
+  spins.erase(std::remove_if(spins.begin(), spins.end(),
+                             [&](const TerminalSpin &spin)
+                             { return std::abs(spin.omega - found.terminal->omega) < same; }),
+              spins.end());
+  spins.push_back(*found.terminal);
+  std::sort(spins.begin(), spins.end(),
+            [](const TerminalSpin &a, const TerminalSpin &b) { return a.omega < b.omega; });
   return spins;
 }
-
-} // namespace stemware::pipeline
+} // namespace stemware::ring

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/coupling/leaning_load.h"
+#include "ring_model/spin/leaning_load.h"
 
 #include <Eigen/Core>
 
@@ -9,7 +9,7 @@
 #include <map>
 #include <vector>
 
-namespace stemware::pipeline
+namespace stemware::ring
 {
 
 /// A load that depends on one number, such as the spin or the moment ratio.
@@ -28,7 +28,7 @@ struct CurveSource
   LoadFunction reference = {};
 };
 
-/// How well a curve is to know a load, over a_0 (RingStack::difference()).
+/// Tolerance of a curve of a load, over a_0 (RingStack::difference()).
 struct CurveTolerance
 {
   double wanted = 1e-6;   ///< with up to `usual_samples`
@@ -40,7 +40,7 @@ struct CurveTolerance
 
 /// A load interpolated between samples, piece by piece: a new piece begins where the rim lifts off, and where
 /// one polynomial would need too many.
-class LoadCurve
+class SpinCurve
 {
 public:
   /// Samples @p source on [@p lower, @p upper]. Where the rim begins to lift off is found first. The
@@ -48,7 +48,7 @@ public:
   /// is known), each of which tells the error of the polynomial before it; a piece for which 17 do not do is
   /// halved. The worst piece comes first, until @p tolerance is reached or the samples are used up: error()
   /// tells. @p source is not asked afterwards, but for its reference.
-  LoadCurve(const CurveSource &source, double lower, double upper, const CurveTolerance &tolerance = {});
+  SpinCurve(const CurveSource &source, double lower, double upper, const CurveTolerance &tolerance = {});
 
   /// The load between the samples, at a sample the very load, and beyond the first and the last as there.
   LeaningLoad operator()(double x) const;
@@ -58,7 +58,7 @@ public:
   std::size_t n_samples() const { return n_new; }
   /// Bound on the interpolation's error that checks have confirmed.
   double error() const;
-  /// Where the rim lifts off, ascending.
+  /// Returns the places at which the rim lifts off, ascending.
   const std::vector<double> &lift_offs() const { return kinks; }
 
 private:
@@ -67,7 +67,7 @@ private:
   /// of the distance.
   struct Piece
   {
-    /// Its smooth coordinate, from 0 to 1.
+    /// Returns the smooth coordinate, from 0 to 1.
     double coordinate(double x) const;
     /// The inverse of coordinate().
     double place(double coordinate) const;
@@ -87,15 +87,15 @@ private:
   };
 
   const LeaningLoad &sample(const CurveSource &source, double x);
-  /// Between which of the known places the rim begins to lift off, or stands again, and where.
+  /// Finds the places at which the rim begins to lift off, or stands again, between the known ones.
   void find_kinks(const CurveSource &source);
   Piece through_ends(const CurveSource &source, double begin, double end, bool kink_at_begin,
                      bool kink_at_end);
   /// Adds a sample where the polynomial through the others is worst known: what it is off by there tells its
   /// error, and bounds that of the polynomial through all.
   void refine(const CurveSource &source, Piece &piece);
-  /// Where the product of the distances to all nodes is largest (Leja's points), or a place where the load is
-  /// known and that product is not much smaller.
+  /// Returns the place of the largest product of the distances to all nodes (Leja's points), or one at which
+  /// the load is known and that product is not much smaller.
   double next_place(const Piece &piece) const;
 
   std::map<double, LeaningLoad> samples; ///< by x
@@ -104,4 +104,4 @@ private:
   std::size_t n_new = 0; ///< of the samples
 };
 
-} // namespace stemware::pipeline
+} // namespace stemware::ring

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <sstream>
+#include <string>
+
+namespace stemware::ring
+{
+/// @p value with @p n_digits significant digits, for sentences.
+inline std::string in_digits(double value, int n_digits)
+{
+  std::ostringstream text;
+  text.precision(n_digits);
+  text << value + 0.; // no -0
+  return text.str();
+}
+} // namespace stemware::ring

@@ -1,0 +1,109 @@
+#pragma once
+
+#include "ring_model/load/slip.h"
+#include "ring_model/motion.h"
+#include "ring_model/spin/leaning_load.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace stemware::ring
+{
+class LoadAtSpin;
+class PhaseLoads;
+
+/// Loads are shared: the balances that one owner finds are known to all.
+using SharedLoad = std::shared_ptr<const LoadAtSpin>;
+
+/// Load on the ring at every spin, wherever it comes from: the load of a Question.
+class LoadAtSpin : public std::enable_shared_from_this<LoadAtSpin>
+{
+public:
+  virtual ~LoadAtSpin() = default;
+
+  /// Returns the load at the spin @p omega [rad/s] and the glass's tilt, with the marks of glass and table at
+  /// @p marks; the mean over the phases if these matter and are not given. Throws NoBalance.
+  virtual LeaningLoad at(double omega, const std::optional<Orientation> &marks = {}) const = 0;
+
+  /// Highest harmonic of at().
+  virtual unsigned int n_harmonics() const { return at(0.).n_harmonics(); }
+  /// Radius of friction [m]: that of the load at rest.
+  virtual double radius() const { return at(0.).radius(); }
+  /// Returns whether a load takes contact solutions.
+  virtual bool is_costly() const { return false; }
+  /// Returns whether the load is a pressure, which nowhere pulls.
+  virtual bool is_pressure() const { return false; }
+  /// nullptr unless the phase matters.
+  virtual const PhaseLoads *phases() const { return nullptr; }
+  /// Spins at which the load is known without a contact solution [rad/s], ascending.
+  virtual std::vector<double> known_spins() const { return {}; }
+  /// Distance of the rim from lift-off at @p omega, one of known_spins(): the least pointwise load over a_0;
+  /// after lift-off minus the least load, estimated from the free arc, to which a first harmonic continues.
+  virtual double clearance(double /*omega*/) const { return 1.; }
+  /// SpinSearch::steadiness at @p omega, a spin for which at() has been called; 1 if unknown.
+  virtual double steadiness(double /*omega*/) const { return 1.; }
+  /// SpinSearch::fall_before.
+  virtual std::optional<double> fall_before(double /*omega*/) const { return std::nullopt; }
+  /// Bound on the interpolation error of at() over a_0; std::nullopt if the load is not interpolated.
+  virtual std::optional<double> interpolation_error() const { return std::nullopt; }
+
+  /// The spin v / R at which the ring at rest is as fast as the glass [rad/s].
+  double spin_scale(const Motion &motion) const { return motion.orbit_speed / radius(); }
+};
+
+/// Load that is a function of the spin:
+///
+///     const LoadFromFunction load([](double omega) -> LeaningLoad { return RingStack(...); });
+///     answer(load, { motion }).omega_terminal();
+class LoadFromFunction : public LoadAtSpin
+{
+public:
+  explicit LoadFromFunction(std::function<LeaningLoad(double omega)> load)
+      : load(std::move(load))
+  {
+  }
+  LeaningLoad at(double omega, const std::optional<Orientation> & = {}) const override { return load(omega); }
+
+private:
+  const std::function<LeaningLoad(double omega)> load;
+};
+
+/// Another load but for what a derived class changes.
+class ChangedLoad : public LoadAtSpin
+{
+public:
+  explicit ChangedLoad(SharedLoad whole)
+      : whole(std::move(whole))
+  {
+  }
+
+  unsigned int n_harmonics() const override { return whole->n_harmonics(); }
+  double radius() const override { return whole->radius(); }
+  bool is_costly() const override { return whole->is_costly(); }
+  bool is_pressure() const override { return whole->is_pressure(); }
+  const PhaseLoads *phases() const override { return whole->phases(); }
+  std::vector<double> known_spins() const override { return whole->known_spins(); }
+  double clearance(double omega) const override { return whole->clearance(omega); }
+  double steadiness(double omega) const override { return whole->steadiness(omega); }
+  std::optional<double> fall_before(double omega) const override { return whole->fall_before(omega); }
+  std::optional<double> interpolation_error() const override { return whole->interpolation_error(); }
+
+protected:
+  const SharedLoad whole;
+};
+
+/// Returns @p load cut off after @p n_harmonics; neither contact nor friction is solved again.
+SharedLoad truncated(const SharedLoad &load, unsigned int n_harmonics);
+
+/// Returns @p load for curves of thousands of values on spins from @p lower to @p upper [rad/s], if each
+/// value would be a balance of its own: interpolated by a SpinCurve to 1e-6 of a_0 if few samples suffice,
+/// else to
+/// @p enough, else to 1e-3, else exact; outside exact. A load that is not costly is returned as it is. If
+/// @p like, another interpolated load on the same rings, is one polynomial, the difference to it is
+/// interpolated.
+SharedLoad interpolated(const SharedLoad &load, double lower, double upper, double enough = 2e-5,
+                        const LoadAtSpin *like = nullptr);
+} // namespace stemware::ring
