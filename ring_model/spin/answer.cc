@@ -6,6 +6,7 @@
 #include "ring_model/spin/if_balanced.h"
 #include "ring_model/spin/in_digits.h"
 #include "ring_model/spin/phase_loads.h"
+#include "ring_model/spin/phase_torque.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,16 @@ std::string fall_sentence(const Fall &fall)
                   " rad/s and a moment ratio of ", in_digits(fall.state.moment_ratio, 3));
 }
 
+/// Torque with that of the grip.
+PhasedTorqueFunction with_grip(PhaseTorque torque, double grip)
+{
+  return [torque = std::move(torque), grip](double time, double yaw_angle, double omega)
+  {
+    const double free = torque(time, yaw_angle, omega);
+    return grip > 0 ? against_grip(free, omega, grip) : free;
+  };
+}
+
 /// Friction, lean and grip torque together [N m]; time and yaw angle matter if the phase does.
 PhasedTorqueFunction torque_function(const LoadAtSpin &load, const Question &question)
 {
@@ -66,8 +77,15 @@ void take_long_run_mean(const LoadAtSpin &load, const Question &question, double
   const double accuracy =
     std::clamp(0.1 * phases.error().between, 1e-9, std::max(coarsest, phases.error().mean));
   TerminalSpin &spin = *found.terminal;
+  // The spin swings no farther than to where the torque of a phase vanishes: inertia only holds it back.
+  double largest_torque = 0;
+  for (const RingStack &at_phase : phases.samples(spin.omega))
+    largest_torque = std::max(largest_torque, std::abs(wrench(motion, at_phase, spin.omega).torque));
+  const double slope = spin.held ? 0 : std::abs(spin.torque_slope),
+               reach = slope > 0 ? 2 * largest_torque / slope : 0;
+  const PhaseTorque torque(load, motion, spin.omega, reach, 0.03 * accuracy * spin_scale * slope);
   const LongTimeSpin mean =
-    long_time_spin(torque_function(load, question), motion.yaw_inertia, spin.omega,
+    long_time_spin(with_grip(torque, question.grip_torque), motion.yaw_inertia, spin.omega,
                    averaging_window(phases.periods(), motion, spin), accuracy, spin_scale);
   spin.omega = mean.mean;
   found.ripple = mean.ripple;

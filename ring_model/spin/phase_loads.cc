@@ -198,6 +198,15 @@ double PhaseLoads::error_of_halved_spins(const Samples &samples) const
   return error;
 }
 
+std::pair<double, double> PhaseLoads::known_around(double omega) const
+{
+  if (!(spins_asked.unit > 0))
+    return { -HUGE_VAL, HUGE_VAL };
+  // Not the upper end itself: there the next samples begin.
+  const double lower = std::floor(omega / spins_asked.unit) * spins_asked.unit;
+  return { lower, lower + spins_asked.unit * (1 - 1e-9) };
+}
+
 std::vector<RingStack> PhaseLoads::samples(double omega) const
 {
   const PhaseSamples at = at_spin(omega);

@@ -50,6 +50,10 @@ public:
   /// Mean over all phases. It carries the mean moment.
   LeaningLoad mean(double omega) const { return at_spin(omega).mean(); }
 
+  /// Returns the spins [rad/s] between which at() is one polynomial of the same samples as at @p omega:
+  /// without bounds if the load does not depend on the spin.
+  std::pair<double, double> known_around(double omega) const;
+
   /// The loads at all sampled phases.
   std::vector<RingStack> samples(double omega) const;
   const PhaseGrids &phases() const { return at_rest.phases(); }

@@ -1,6 +1,7 @@
 #include "ring_model/spin/phases.h"
 
 #include "ring_model/friction_functionals.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/load/lagrange.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -25,6 +26,9 @@ PeriodicGrid::PeriodicGrid(double period, unsigned int n_nodes)
 {
   if (!(period > 0) || n_nodes == 0 || (n_nodes > 1 && n_nodes % 2 == 1))
     throw std::logic_error("a periodic grid has a positive period and one or an even number of nodes");
+  const Eigen::ArrayXd halves = Eigen::ArrayXd::LinSpaced(n_nodes, 0, n_nodes - 1) * (pi / n_nodes);
+  cosine = halves.cos();
+  sine = halves.sin();
 }
 
 PeriodicGrid PeriodicGrid::halved() const
@@ -37,15 +41,14 @@ Eigen::VectorXd PeriodicGrid::weights(double angle) const
   if (n_nodes == 1)
     return Eigen::VectorXd::Ones(1);
   // Barycentric form for an even number of nodes: (-1)^i cot((x - x_i) / 2).
-  Eigen::VectorXd values(n_nodes);
-  for (unsigned int i = 0; i < n_nodes; ++i)
-  {
-    const double half = boost::math::double_constants::pi * (angle - node(i)) / period;
-    const double sine = std::sin(half);
-    if (std::abs(sine) < 1e-14)
-      return Eigen::VectorXd::Unit(n_nodes, i);
-    values(i) = (i % 2 == 0 ? 1 : -1) * std::cos(half) / sine;
-  }
+  const double half = pi * angle / period, of_cosine = std::cos(half), of_sine = std::sin(half);
+  const Eigen::ArrayXd distance = of_sine * cosine - of_cosine * sine;
+  Eigen::Index nearest = 0;
+  if (distance.abs().minCoeff(&nearest) < 1e-14)
+    return Eigen::VectorXd::Unit(n_nodes, nearest);
+  Eigen::VectorXd values = (of_cosine * cosine + of_sine * sine) / distance;
+  for (unsigned int i = 1; i < n_nodes; i += 2)
+    values(i) = -values(i);
   return values / values.sum();
 }
 
@@ -60,7 +63,7 @@ SpinInterval::SpinInterval(double lower, double upper, unsigned int n_steps)
 
 double SpinInterval::at(double place) const
 {
-  const double share = (1 - std::cos(boost::math::double_constants::pi * place / n_steps)) / 2;
+  const double share = (1 - std::cos(pi * place / n_steps)) / 2;
   return lower * (1 - share) + upper * share;
 }
 

@@ -46,6 +46,7 @@ public:
 private:
   double period;
   unsigned int n_nodes;
+  Eigen::ArrayXd cosine, sine; ///< of half the nodes' angles, as parts of a full circle. Shape [size()].
 };
 
 /// Chebyshev points on an interval of spins, both ends included, with the polynomial interpolation between

@@ -1,0 +1,74 @@
+#include "ring_model/spin/phase_torque.h"
+
+#include "ring_model/friction_law.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace stemware::ring
+{
+
+PhaseTorque::PhaseTorque(const LoadAtSpin &load, const Motion &motion, double middle, double reach,
+                         double tolerance)
+    : load(load)
+    , motion(motion)
+    , grids(load.phases()->phases())
+{
+  constexpr unsigned int first_steps = 4, most_steps = 16;
+  // Beyond the spins that the load is known between it would take contact solutions, and has a kink.
+  const auto [slowest, fastest] = load.phases()->known_around(middle);
+  lower = std::max(middle - reach, slowest);
+  upper = std::min(middle + reach, fastest);
+  if (!(lower < upper))
+    return;
+  SpinInterval tried(lower, upper, first_steps);
+  Eigen::MatrixXd torques = at_phases(tried.nodes());
+  while (true)
+  {
+    const std::vector<double> places = tried.between();
+    const Eigen::MatrixXd between = at_phases(places);
+    double error = 0.;
+    for (unsigned int k = 0; k < places.size(); ++k)
+      error =
+        std::max(error, (torques * tried.weights(places[k]) - between.col(k)).lpNorm<Eigen::Infinity>());
+    if (error <= tolerance)
+    {
+      spins = tried;
+      table = torques;
+      return;
+    }
+    if (2 * places.size() > most_steps)
+      return;
+    // Nodes and places between them are the nodes of the refined interval in turn.
+    Eigen::MatrixXd refined(torques.rows(), torques.cols() + between.cols());
+    refined(Eigen::all, Eigen::seqN(0, torques.cols(), 2)) = torques;
+    refined(Eigen::all, Eigen::seqN(1, between.cols(), 2)) = between;
+    torques = refined;
+    tried = tried.refined();
+  }
+}
+
+double PhaseTorque::operator()(double time, double yaw_angle, double omega) const
+{
+  const Orientation marks = orientation_of_marks(motion, time, yaw_angle);
+  if (!spins || omega < lower || omega > upper)
+    return exact(omega, marks);
+  return grids.weights(marks).dot(table * spins->weights(omega));
+}
+
+double PhaseTorque::exact(double omega, const Orientation &marks) const
+{
+  const LeaningLoad at_phase = load.at(omega, marks);
+  return wrench(motion, at_phase, omega).torque + at_phase.lean_torque();
+}
+
+Eigen::MatrixXd PhaseTorque::at_phases(const std::vector<double> &omegas) const
+{
+  Eigen::MatrixXd torques(grids.size(), omegas.size());
+  for (unsigned int k = 0; k < omegas.size(); ++k)
+    for (unsigned int i = 0; i < grids.size(); ++i)
+      torques(i, k) = exact(omegas[k], grids.phase(i));
+  return torques;
+}
+
+} // namespace stemware::ring
