@@ -23,8 +23,7 @@ def solve(cases, executor=None, study=None, quantities=None, progress=None):
     """
     import pandas
 
-    from . import _study
-    from .study import Study
+    from .study import Study, _study
     study = study if isinstance(study, Study) else Study(study or "")
     frame = cases if isinstance(cases, pandas.DataFrame) else pandas.DataFrame(list(cases))
     work = [(study._source, study.changes, {key: value for key, value in case.items() if value == value}, quantities)
