@@ -1,0 +1,81 @@
+// The table of the torque over phases and spins against plain quadrature over the rim.
+#include "ring_model/spin/phase_torque.h"
+#include "tests/ring_model/quadrature.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace stemware::ring;
+
+/// A load of three harmonics whose second and third turn with the glass or the table.
+RingStack wavy_load(const Orientation &phase)
+{
+  return RingStack({ 1., 0.2, 0.1 * std::cos(2. * phase.table), 0.05 * std::cos(3. * phase.glass) },
+                   { 0., 0.3, 0.1 * std::sin(2. * phase.table), 0.05 * std::sin(3. * phase.glass) }, 0.03);
+}
+
+class WavyLoad : public LoadAtSpin
+{
+public:
+  LeaningLoad at(double omega, const std::optional<Orientation> &marks) const override
+  {
+    return marks ? loads.at(omega, *marks) : loads.mean(omega);
+  }
+  const PhaseLoads *phases() const override { return &loads; }
+
+private:
+  const LoadAtPhase exact = [](double, const Orientation &phase) -> LeaningLoad { return wavy_load(phase); };
+  const PhasePeriods periods = { 2. * M_PI / 3., M_PI };
+  const PhaseLoads loads = { exact, periods, find_phases(exact, periods, 256) };
+};
+
+/// Torque [N m] at a time, yaw angle and spin by the trapezoidal rule.
+double plain_torque(const Motion &motion, double time, double yaw_angle, double omega)
+{
+  const RingStack load = wavy_load(orientation_of_marks(motion, time, yaw_angle));
+  return test::wrench_by_quadrature(motion.friction_coefficient, load,
+                                    omega * load.radius() / motion.orbit_speed, load.radius(), 4096)
+    .torque;
+}
+
+} // namespace
+
+TEST(PhaseTorque, IsThatOfTheLoadBetweenPhasesAndSpins)
+{
+  const WavyLoad load;
+  const Motion motion;
+  const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * M_PI * 0.03;
+  const PhaseTorque torque(load, motion, 0.4 * scale, 0.05 * scale, 1e-9 * size);
+  ASSERT_TRUE(torque.is_tabulated());
+  for (int i = 0; i < 20; ++i)
+  {
+    const double time = 0.37 * i, yaw_angle = 1.3 * i, omega = scale * (0.35 + 0.1 * i / 19.);
+    EXPECT_NEAR(torque(time, yaw_angle, omega), plain_torque(motion, time, yaw_angle, omega), 2e-9 * size)
+      << omega;
+  }
+}
+
+TEST(PhaseTorque, BeyondItsTableIsThatOfTheLoadItself)
+{
+  const WavyLoad load;
+  const Motion motion;
+  const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * M_PI * 0.03;
+  const PhaseTorque torque(load, motion, 0.4 * scale, 0.01 * scale, 1e-9 * size);
+  for (const double share : { -0.7, 0., 0.2, 0.6 })
+    EXPECT_NEAR(torque(0.3, 0.7, share * scale), plain_torque(motion, 0.3, 0.7, share * scale), 1e-9 * size)
+      << share;
+}
+
+TEST(PhaseTorque, HasNoTableAcrossTheKinkAtTheSpeedOfTheRim)
+{
+  const WavyLoad load;
+  const Motion motion;
+  const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * M_PI * 0.03;
+  const PhaseTorque torque(load, motion, scale, 0.05 * scale, 1e-9 * size);
+  EXPECT_FALSE(torque.is_tabulated());
+  EXPECT_NEAR(torque(0.3, 0.7, 1.01 * scale), plain_torque(motion, 0.3, 0.7, 1.01 * scale), 1e-6 * size);
+}
