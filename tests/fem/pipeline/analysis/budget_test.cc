@@ -335,8 +335,8 @@ TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
   EXPECT_TRUE(budget.rows[4].difference);
   EXPECT_TRUE(budget.rows[4].reason.empty());
   // Without the first harmonic alone there is nothing that the others could change.
-  rows[0] = rows[1];
-  const Budget without_first = budget_of(study, rows, cache);
+  rows.by_harmonics[0] = rows.by_harmonics[1];
+  const Budget without_first = find_budget(study, rows, cache);
   EXPECT_FALSE(without_first.harmonics.absolute);
   EXPECT_TRUE(std::isnan(without_first.torque_first.back()));
   EXPECT_FALSE(std::isnan(without_first.torque_all.back()));

@@ -1,5 +1,5 @@
 // Slip and friction round the rim, as a picture shows them.
-#include "ring_model/spin/answer.h"
+#include "ring_model/rim_slip.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ const ring::RingStack load({ 1, 0 }, { 0, 1.5 }, 0.03);
 TEST(RimSlip, AtRestFrictionIsAgainstTheMotionAndAsLargeAsTheLoad)
 {
   ring::Motion motion;
-  const std::vector<ring::RimSlip> places = rim_slip(motion, 0.03, load, 0);
+  const std::vector<ring::RimSlip> places = ring::rim_slip(motion, 0.03, load, 0);
   ASSERT_EQ(places.size(), 24u);
   for (const ring::RimSlip &place : places)
   {
@@ -32,7 +32,7 @@ TEST(RimSlip, ATurningRimCarriesItsPlacesAlong)
 {
   ring::Motion motion;
   const double radius = 0.03, omega = motion.orbit_speed / radius; // the slip ratio is 1
-  const std::vector<ring::RimSlip> places = rim_slip(motion, radius, load, omega);
+  const std::vector<ring::RimSlip> places = ring::rim_slip(motion, radius, load, omega);
   EXPECT_NEAR(places[6].slip_x, 0, 1e-12); // on the left it stands still
   EXPECT_NEAR(places[0].slip_x, 1, 1e-12);
   EXPECT_NEAR(places[0].slip_y, 1, 1e-12);

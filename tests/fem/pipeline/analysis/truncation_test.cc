@@ -28,10 +28,11 @@ TEST(Truncation, BoundsHold)
   study.motion.orbit.centre_of_mass_height = 0.1; // lift-off
   const std::vector<LoadedRow> rows = truncations_of(study);
   const double omega = rows.back().row.terminal->omega;
-  for (const auto &[row, load] : rows)
+  for (const LoadedRow &loaded : rows)
   {
+    const ring::Answer &row = loaded.row;
     // There the torque of all harmonics vanishes: what is left is that of the harmonics left out.
-    const double torque = std::abs(yaw_torque(*load, study.motion.orbit, omega));
+    const double torque = std::abs(yaw_torque(*loaded.load, study.motion.orbit, omega));
     EXPECT_LE(torque, *row.bound + 1e-13) << row.harmonics;
     EXPECT_TRUE(row.harmonics != 1 || torque > 1e-6); // the bound bounds something
   }

@@ -33,7 +33,7 @@ struct Described
       : foot(study_foot(study, cache))
       , shared_load(find_load(study, foot))
       , load(*shared_load)
-      , omega(terminal_spin(load, study.motion.orbit).spin.omega)
+      , omega(ring::answer(load, { study.motion.orbit }).omega_terminal().value())
       , report(describe(study, foot, load, omega))
   {
   }

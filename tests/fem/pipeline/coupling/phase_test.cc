@@ -17,6 +17,9 @@ namespace
 {
 
 using namespace stemware::ring;
+using stemware::pipeline::parse_waviness;
+using stemware::pipeline::Waviness;
+using stemware::pipeline::waviness_text;
 namespace ring = stemware::ring;
 
 constexpr double two_pi = boost::math::double_constants::two_pi;

@@ -34,7 +34,7 @@ TEST(ConvergenceByHand, Summary)
   EXPECT_EQ(results.findings.summary["refinement"]["meridional_mesh"]["figures"]["omega_terminal"].dump(),
             R"({"values":[1.1301234567,1.1401234567],"order":1.1501234567,"limit":1.1601234567,)"
             R"("bands":[0.0011701234567,0.0011801234567]})");
-  const Json &band = results.findings.summary["error_bands"]["omega_terminal"];
+  const nlohmann::ordered_json &band = results.findings.summary["error_bands"]["omega_terminal"];
   EXPECT_EQ(band["value"], 1.0401234567);
   EXPECT_EQ(band["band"], 0.0010501234567);
   EXPECT_EQ(band["unit"], "rad/s");

@@ -103,7 +103,8 @@ struct RunByHand
     foot.footprint.cuts = { { { next(), 0.25, next() }, { next(), 0.25, next() } } };
     foot.fields = { { "contact.vtu", "" } };
     next();
-    *report.coupling = { 301, 302, next() };
+    *report.coupling = { 301, 302 };
+    spin.curve_error = next();
     spin.rows = { hand_made_row(next, 1), hand_made_row(next, 2) };
     spin.torque = hand_made_torque_curve(next);
     spin.spin_up = {

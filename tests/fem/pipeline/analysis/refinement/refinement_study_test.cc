@@ -5,6 +5,7 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/spin/answer.h"
 #include "tests/benchmark/random_study.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
