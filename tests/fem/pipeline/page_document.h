@@ -9,8 +9,7 @@ namespace stemware::test
 /// entries, quantities, files.
 inline nlohmann::json page_document(const std::filesystem::path &results)
 {
-  return nlohmann::json::parse(
-    between(read_text(results / "report.html"), "id=\"document\">", "</script>"));
+  return nlohmann::json::parse(between(read_text(results / "report.html"), "id=\"document\">", "</script>"));
 }
 
 } // namespace stemware::test
