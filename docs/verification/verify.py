@@ -9,6 +9,7 @@ A check passes if |value - reference| <= tolerance. The tolerance is the number 
 import argparse
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -49,7 +50,7 @@ def run(program, case, folder):
     for entry in case.get("set", []):
         command += ["--set", entry]
     done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode != 0:
+    if done.returncode != 0 or not (folder / "summary.json").exists():
         raise RuntimeError(f"{' '.join(command)} ended with {done.returncode}: {done.stderr.strip()}")
     return json.loads((folder / "summary.json").read_text())
 
@@ -64,7 +65,8 @@ def checked(program, claim, folder):
                 yield number, case, check, value, "equal", value == check["reference"]
             else:
                 tolerance = allowed(check, summary)
-                yield number, case, check, value, tolerance, abs(value - check["reference"]) <= tolerance
+                is_near = isinstance(value, (int, float)) and abs(value - check["reference"]) <= tolerance
+                yield number, case, check, value, tolerance, is_near
 
 
 def main():
@@ -80,6 +82,13 @@ def main():
         parser.error(f"{', '.join(sorted(unknown))}: no such claim; there are {', '.join(c['name'] for c in claims() if c.get('cases'))}.")
     if options.quick:
         chosen = [claim for claim in chosen if claim.get("quick")]
+    if not shutil.which(options.program):
+        parser.error(f"there is no program {options.program}; name one with --program.")
+    if options.json:  # before the work: a place that takes no file is known at once
+        try:
+            pathlib.Path(options.json).write_text("")
+        except OSError as error:
+            parser.error(f"{options.json} cannot be written ({error.strerror}); give --json another file.")
     started, n_checks, n_failed, values = time.time(), 0, 0, []
     with tempfile.TemporaryDirectory() as folder:
         for claim in chosen:
@@ -90,11 +99,11 @@ def main():
                     n_failed += not passed
                     values.append({"claim": claim["name"], "case": number, "quantity": check["quantity"], "value": value,
                                    "tolerance": tolerance, "passed": passed})
-                    shown = [x if isinstance(x, str) else f"{x:.9g}" for x in (value, check["reference"])]
+                    shown = [f"{x:.9g}" if isinstance(x, (int, float)) else str(x) for x in (value, check["reference"])]
                     accepted = tolerance if isinstance(tolerance, str) else f"within {tolerance:.1e}"
                     print(f"  {'pass' if passed else 'FAIL'}  {check['quantity']:24} {shown[0]:>15}  {check['kind']} {shown[1]}, {accepted}"
                           f"{'  ' + '; '.join(case['set']) if case.get('set') else ''}", flush=True)
-            except (OSError, RuntimeError, KeyError) as error:
+            except (OSError, RuntimeError, KeyError, TypeError, ValueError) as error:
                 n_checks, n_failed = n_checks + 1, n_failed + 1
                 print(f"  FAIL  {error}", flush=True)
             if options.json:
@@ -104,4 +113,7 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit("verify.py was interrupted; the checks above stand.")
