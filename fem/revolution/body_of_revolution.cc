@@ -1,6 +1,7 @@
 #include "fem/revolution/body_of_revolution.h"
 
 #include "fem/contact/line_integral.h"
+#include "ring_model/load/lagrange.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ std::shared_ptr<ContactSurface> BodyOfRevolution::lines() const
       {
         added.radii(sample) = nodes(0) + length * (piece + sample / 2.);
         if (degree != 2) // else the samples are the nodes, to the last bit
-          added.shape.row(sample) = lagrange_values(nodes, added.radii(sample));
+          added.shape.row(sample) = ring::lagrange_values(nodes, added.radii(sample));
       }
     }
 

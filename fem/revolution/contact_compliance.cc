@@ -7,11 +7,6 @@
 namespace stemware::fem
 {
 
-Eigen::VectorXd lagrange_values(const Eigen::VectorXd &nodes, double x)
-{
-  return ring::lagrange_values(nodes, x);
-}
-
 std::pair<Eigen::Index, Eigen::Index> nodes_between(const Eigen::VectorXd &radii, Eigen::Index degree,
                                                     double inner, double outer)
 {
@@ -38,7 +33,7 @@ Eigen::VectorXd ContactCompliance::shape_at(double radius) const
   while (first + degree + 1 < n_nodes() && radius > radii(first + degree))
     first += degree;
   Eigen::VectorXd shape = Eigen::VectorXd::Zero(n_nodes());
-  shape.segment(first, degree + 1) = lagrange_values(radii.segment(first, degree + 1), radius);
+  shape.segment(first, degree + 1) = ring::lagrange_values(radii.segment(first, degree + 1), radius);
   return shape;
 }
 

@@ -17,9 +17,6 @@ class Triangulation;
 namespace stemware::fem
 {
 
-/// Lagrange polynomials of @p nodes at @p x. Shape [nodes.size()].
-Eigen::VectorXd lagrange_values(const Eigen::VectorXd &nodes, double x);
-
 /// Returns first index and number of the nodes at @p radii of elements of degree @p degree that are not
 /// wholly inside @p inner or outside @p outer; at least one element.
 std::pair<Eigen::Index, Eigen::Index> nodes_between(const Eigen::VectorXd &radii, Eigen::Index degree,
