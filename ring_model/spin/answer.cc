@@ -45,25 +45,14 @@ std::string fall_sentence(const Fall &fall)
                   " rad/s and a moment ratio of ", in_digits(fall.state.moment_ratio, 3));
 }
 
-/// Torque with that of the grip.
-PhasedTorqueFunction with_grip(PhaseTorque torque, double grip)
-{
-  return [torque = std::move(torque), grip](double time, double yaw_angle, double omega)
-  {
-    const double free = torque(time, yaw_angle, omega);
-    return grip > 0 ? against_grip(free, omega, grip) : free;
-  };
-}
-
 /// Friction, lean and grip torque together [N m]; time and yaw angle matter if the phase does.
 PhasedTorqueFunction torque_function(const LoadAtSpin &load, const Question &question)
 {
-  return [&load, &motion = question.motion, grip = question.grip_torque](double time, double yaw_angle,
-                                                                         double omega)
+  return [&](double time, double yaw_angle, double omega)
   {
-    const LeaningLoad at_phase = load.at(omega, orientation_of_marks(motion, time, yaw_angle));
-    const double torque = wrench(motion, at_phase, omega).torque + at_phase.lean_torque();
-    return grip > 0 ? against_grip(torque, omega, grip) : torque;
+    const Motion &motion = question.motion;
+    const double torque = yaw_torque(load, motion, omega, orientation_of_marks(motion, time, yaw_angle));
+    return against_grip(torque, omega, question.grip_torque);
   };
 }
 
@@ -79,13 +68,16 @@ void take_long_run_mean(const LoadAtSpin &load, const Question &question, double
   TerminalSpin &spin = *found.terminal;
   // The spin swings no farther than to where the torque of a phase vanishes: inertia only holds it back.
   double largest_torque = 0;
-  for (const RingStack &at_phase : phases.samples(spin.omega))
-    largest_torque = std::max(largest_torque, std::abs(wrench(motion, at_phase, spin.omega).torque));
+  for (unsigned int i = 0; i < phases.phases().size(); ++i)
+    largest_torque =
+      std::max(largest_torque, std::abs(yaw_torque(load, motion, spin.omega, phases.phases().phase(i))));
   const double slope = spin.held ? 0 : std::abs(spin.torque_slope),
                reach = slope > 0 ? 2 * largest_torque / slope : 0;
   const PhaseTorque torque(load, motion, spin.omega, reach, 0.03 * accuracy * spin_scale * slope);
+  const auto with_grip = [&](double time, double yaw_angle, double omega)
+  { return against_grip(torque(time, yaw_angle, omega), omega, question.grip_torque); };
   const LongTimeSpin mean =
-    long_time_spin(with_grip(torque, question.grip_torque), motion.yaw_inertia, spin.omega,
+    long_time_spin(with_grip, motion.yaw_inertia, spin.omega,
                    averaging_window(phases.periods(), motion, spin), accuracy, spin_scale);
   spin.omega = mean.mean;
   found.ripple = mean.ripple;
@@ -366,9 +358,10 @@ std::vector<double> spins_of(const std::vector<YawSample> &samples)
   return spins;
 }
 
-double yaw_torque(const LoadAtSpin &load, const Motion &motion, double omega)
+double yaw_torque(const LoadAtSpin &load, const Motion &motion, double omega,
+                  const std::optional<Orientation> &marks)
 {
-  const LeaningLoad at_spin = load.at(omega);
+  const LeaningLoad at_spin = load.at(omega, marks);
   return wrench(motion, at_spin, omega).torque + at_spin.lean_torque();
 }
 

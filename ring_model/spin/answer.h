@@ -155,8 +155,10 @@ std::vector<double> spins_of(const std::vector<YawSample> &samples);
 /// as much as there is to resist.
 double grip_torque(double torque, double omega, double grip);
 
-/// Sum of friction's tau_z and the lean torque, mean over the phases; the grip is not included [N m].
-double yaw_torque(const LoadAtSpin &load, const Motion &motion, double omega);
+/// Sum of friction's tau_z and the lean torque with the marks at @p marks, the mean over the phases if they
+/// are not given; the grip is not included [N m].
+double yaw_torque(const LoadAtSpin &load, const Motion &motion, double omega,
+                  const std::optional<Orientation> &marks = {});
 
 /// Equally spaced times from 0 to @p end [s]: 201 of them.
 std::vector<double> output_times(double end);

@@ -1,6 +1,6 @@
 #include "ring_model/spin/phase_torque.h"
 
-#include "ring_model/friction_law.h"
+#include "ring_model/spin/answer.h"
 
 #include <algorithm>
 #include <vector>
@@ -52,14 +52,8 @@ double PhaseTorque::operator()(double time, double yaw_angle, double omega) cons
 {
   const Orientation marks = orientation_of_marks(motion, time, yaw_angle);
   if (!spins || omega < lower || omega > upper)
-    return exact(omega, marks);
+    return yaw_torque(load, motion, omega, marks);
   return grids.weights(marks).dot(table * spins->weights(omega));
-}
-
-double PhaseTorque::exact(double omega, const Orientation &marks) const
-{
-  const LeaningLoad at_phase = load.at(omega, marks);
-  return wrench(motion, at_phase, omega).torque + at_phase.lean_torque();
 }
 
 Eigen::MatrixXd PhaseTorque::at_phases(const std::vector<double> &omegas) const
@@ -67,7 +61,7 @@ Eigen::MatrixXd PhaseTorque::at_phases(const std::vector<double> &omegas) const
   Eigen::MatrixXd torques(grids.size(), omegas.size());
   for (unsigned int k = 0; k < omegas.size(); ++k)
     for (unsigned int i = 0; i < grids.size(); ++i)
-      torques(i, k) = exact(omegas[k], grids.phase(i));
+      torques(i, k) = yaw_torque(load, motion, omegas[k], grids.phase(i));
   return torques;
 }
 
