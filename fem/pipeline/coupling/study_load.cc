@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
+#include "fem/pipeline/coupling/ring_choice.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "ring_model/first_harmonic_ring.h"
@@ -43,12 +44,6 @@ fem::ContactDemand demand_at_rest(const Study &study)
   if (study.tilts())
     demand.tilt_moment = demand.normal_force * study.motion.orbit.centre_of_mass_height;
   return demand;
-}
-
-/// Whether the load is another one at every spin.
-bool follows_spin(const Study &study)
-{
-  return study.load.is_in_balance() && spin_matters(study);
 }
 
 /// An elastic foot in balance at every spin, with its marks where they are.
@@ -310,87 +305,6 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
     std::make_shared<const ring::PhaseLoads>(exact, periods, samples, spins, worst));
 }
 
-/// Whole band of radii of two contacts.
-fem::ContactWidth together(const fem::ContactWidth &one, const fem::ContactState &other)
-{
-  return { std::min(one.inner, other.inner_radius), std::max(one.outer, other.outer_radius) };
-}
-
-/// The band of radii that carries load in @p state. A contact on nodes of a hard table may lie on one circle
-/// of them. Rings of a band without a width would extrapolate by a million widths to the nodes beside, which
-/// then decide the balance: the band takes in those that are @p cell away.
-fem::ContactWidth band_of(const fem::ContactState &state, double cell)
-{
-  const bool is_wide = state.outer_radius - state.inner_radius > 1e-3 * cell;
-  const double margin = is_wide ? 0 : cell;
-  return { state.inner_radius - margin, state.outer_radius + margin };
-}
-
-/// Number of rings that it takes for a torque at slip ratio @p eps (on the contact radius) to be exact to
-/// 1e-10: their error falls like (w / (2 R |1 - |eps||))^J, w the width of the band; where the slip vanishes
-/// within the band only algebraically, and there are as many as lines across the contact have nodes.
-unsigned int rings_for(const fem::ContactWidth &band, double eps, unsigned int least)
-{
-  const double share = (band.outer - band.inner) / (band.outer + band.inner) / std::abs(1 - std::abs(eps));
-  if (share >= 0.5)
-    return most_rings;
-  const double wanted = std::ceil(std::log(1e-10) / std::log(share));
-  return std::max(least, static_cast<unsigned int>(std::min<double>(wanted, most_rings)));
-}
-
-/// Number of harmonics that the kernels ask for: K_n(eps) falls like |eps|^n. With room for spins half as
-/// fast again.
-unsigned int harmonics_for(double eps)
-{
-  constexpr unsigned int least = 24, most = std::numeric_limits<unsigned int>::max();
-  const double fastest = 1.5 * std::abs(eps);
-  if (fastest >= 0.99)
-    return most;
-  return std::max(least, static_cast<unsigned int>(std::ceil(std::log(1e-14) / std::log(fastest))));
-}
-
-/// Gives the foot the rings on which all its loads are gathered: Chebyshev points of the band that carries
-/// load at rest and near the terminal spin, at @p expected or where the load of rest leads to.
-void choose_rings(const Study &study, const std::shared_ptr<ElasticFoot> &shared,
-                  const fem::ContactState &at_rest, const std::optional<double> &expected)
-{
-  ElasticFoot &foot = *shared;
-  fem::ContactWidth band = band_of(at_rest, foot.body().description().contact_cell_size);
-  const ring::Motion &motion = study.motion.orbit;
-  const auto place = [&](unsigned int n_rings, unsigned int n_harmonics)
-  {
-    if (n_rings == 1)
-      return foot.set_rings({}, n_harmonics);
-    const double margin = 0.1 * (band.outer - band.inner) + 1e-6 * band.outer;
-    foot.set_rings(
-      chebyshev_radii(std::max(band.inner - margin, 0.01 * band.inner), band.outer + margin, n_rings),
-      n_harmonics);
-  };
-  unsigned int n_rings = study.contact.rings, n_harmonics = foot.body().n_resolved_harmonics();
-  place(n_rings, n_harmonics);
-  try
-  {
-    // The load of rest tells about where the terminal spin is, the contact there where it carries.
-    double omega = expected ? *expected : ring::terminal_spin(foot.gather(at_rest), motion).omega;
-    if (n_rings > 1 && follows_spin(study) && !foot.body().capabilities().is_collective)
-    {
-      const fem::ContactState spinning = BalancedContact(shared, moment_balance(study)).contact(omega);
-      band = together(band, spinning);
-      omega = ring::terminal_spin(spinning.load, motion).omega;
-    }
-    const double eps = omega * foot.radius() / motion.orbit_speed;
-    n_harmonics = harmonics_for(eps);
-    if (n_rings > 1)
-      n_rings = rings_for(band, eps, n_rings);
-  }
-  catch (const std::runtime_error &failure)
-  {
-    if (!is_balance_failure(failure)) // without a spin to expect, the rings of rest are as good as any
-      throw;
-  }
-  place(n_rings, study.contact.load_harmonics > 0 ? study.contact.load_harmonics : n_harmonics);
-}
-
 /// The contact at rest, on the rings of the study, which the first call chooses.
 fem::ContactState contact_at_rest(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                   const ring::Orientation &marks, Progress &progress,
@@ -535,6 +449,11 @@ LoadReport report_of(const fem::ContactState &state, double contact_radius, bool
     report.tilt = state.solution.motion.tail<2>();
   report.pointwise = by_azimuth(load.pointwise);
   return report;
+}
+
+bool follows_spin(const Study &study)
+{
+  return study.load.is_in_balance() && spin_matters(study);
 }
 
 bool spin_matters(const Study &study)

@@ -68,6 +68,9 @@ SharedLoad first_harmonic_load(const Study &study, ring::Closure closure);
 /// Report on the load of a contact state; with its tilt where that is part of the moment balance.
 LoadReport report_of(const fem::ContactState &state, double contact_radius, bool tilts);
 
+/// Whether the load is another one at every spin.
+bool follows_spin(const Study &study);
+
 /// Whether the load of the study's foot depends on the spin: the moment balance lets friction act back, or
 /// friction deforms the foot.
 bool spin_matters(const Study &study);

@@ -1,0 +1,99 @@
+#include "fem/pipeline/coupling/ring_choice.h"
+
+#include "fem/pipeline/coupling/balanced_contact.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/terminal_spin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Whole band of radii of two contacts.
+fem::ContactWidth together(const fem::ContactWidth &one, const fem::ContactState &other)
+{
+  return { std::min(one.inner, other.inner_radius), std::max(one.outer, other.outer_radius) };
+}
+
+/// The band of radii that carries load in @p state. A contact on nodes of a hard table may lie on one circle
+/// of them. Rings of a band without a width would extrapolate by a million widths to the nodes beside, which
+/// then decide the balance: the band takes in those that are @p cell away.
+fem::ContactWidth band_of(const fem::ContactState &state, double cell)
+{
+  const bool is_wide = state.outer_radius - state.inner_radius > 1e-3 * cell;
+  const double margin = is_wide ? 0 : cell;
+  return { state.inner_radius - margin, state.outer_radius + margin };
+}
+
+/// Number of rings that it takes for a torque at slip ratio @p eps (on the contact radius) to be exact to
+/// 1e-10: their error falls like (w / (2 R |1 - |eps||))^J, w the width of the band; where the slip vanishes
+/// within the band only algebraically, and there are as many as lines across the contact have nodes.
+unsigned int rings_for(const fem::ContactWidth &band, double eps, unsigned int least)
+{
+  const double share = (band.outer - band.inner) / (band.outer + band.inner) / std::abs(1 - std::abs(eps));
+  if (share >= 0.5)
+    return most_rings;
+  const double wanted = std::ceil(std::log(1e-10) / std::log(share));
+  return std::max(least, static_cast<unsigned int>(std::min<double>(wanted, most_rings)));
+}
+
+/// Number of harmonics that the kernels ask for: K_n(eps) falls like |eps|^n. With room for spins half as
+/// fast again.
+unsigned int harmonics_for(double eps)
+{
+  constexpr unsigned int least = 24, most = std::numeric_limits<unsigned int>::max();
+  const double fastest = 1.5 * std::abs(eps);
+  if (fastest >= 0.99)
+    return most;
+  return std::max(least, static_cast<unsigned int>(std::ceil(std::log(1e-14) / std::log(fastest))));
+}
+
+} // namespace
+
+void choose_rings(const Study &study, const std::shared_ptr<ElasticFoot> &shared,
+                  const fem::ContactState &at_rest, const std::optional<double> &expected)
+{
+  ElasticFoot &foot = *shared;
+  fem::ContactWidth band = band_of(at_rest, foot.body().description().contact_cell_size);
+  const ring::Motion &motion = study.motion.orbit;
+  const auto place = [&](unsigned int n_rings, unsigned int n_harmonics)
+  {
+    if (n_rings == 1)
+      return foot.set_rings({}, n_harmonics);
+    const double margin = 0.1 * (band.outer - band.inner) + 1e-6 * band.outer;
+    foot.set_rings(
+      chebyshev_radii(std::max(band.inner - margin, 0.01 * band.inner), band.outer + margin, n_rings),
+      n_harmonics);
+  };
+  unsigned int n_rings = study.contact.rings, n_harmonics = foot.body().n_resolved_harmonics();
+  place(n_rings, n_harmonics);
+  try
+  {
+    // The load of rest tells about where the terminal spin is, the contact there where it carries.
+    double omega = expected ? *expected : ring::terminal_spin(foot.gather(at_rest), motion).omega;
+    if (n_rings > 1 && follows_spin(study) && !foot.body().capabilities().is_collective)
+    {
+      const fem::ContactState spinning = BalancedContact(shared, moment_balance(study)).contact(omega);
+      band = together(band, spinning);
+      omega = ring::terminal_spin(spinning.load, motion).omega;
+    }
+    const double eps = omega * foot.radius() / motion.orbit_speed;
+    n_harmonics = harmonics_for(eps);
+    if (n_rings > 1)
+      n_rings = rings_for(band, eps, n_rings);
+  }
+  catch (const std::runtime_error &failure)
+  {
+    if (!is_balance_failure(failure)) // without a spin to expect, the rings of rest are as good as any
+      throw;
+  }
+  place(n_rings, study.contact.load_harmonics > 0 ? study.contact.load_harmonics : n_harmonics);
+}
+
+} // namespace stemware::pipeline
