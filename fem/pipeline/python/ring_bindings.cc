@@ -6,6 +6,7 @@
 #include "ring_model/friction_law.h"
 #include "ring_model/load/require.h"
 #include "ring_model/self_consistent_ring.h"
+#include "ring_model/spin/answer.h"
 #include "ring_model/unilateral_foundation.h"
 #include "ring_model/yaw_motion.h"
 
@@ -123,15 +124,8 @@ struct LawInPython : FrictionLaw
   }
 };
 
-/// Rings of a load, and the lean of the glass on it, whose torque belongs to the load.
-struct Stack : RingStack
-{
-  Eigen::Vector2d tilt = Eigen::Vector2d::Zero(); ///< (q1, q2) of the table in the frame of the glass [rad]
-  double lean_torque() const { return -tilt.dot(moment()); }
-};
-
-Stack stack_of(const Row &radii, const std::vector<Row> &a, const std::vector<Row> &b,
-               const Eigen::Vector2d &tilt)
+LeaningLoad stack_of(const Row &radii, const std::vector<Row> &a, const std::vector<Row> &b,
+                     const Eigen::Vector2d &tilt)
 {
   require(radii.size() == a.size() && a.size() == b.size(), "there are ", radii.size(), " radii, ", a.size(),
           " rows of a and ", b.size(), " of b; give equally many");
@@ -143,7 +137,7 @@ Stack stack_of(const Row &radii, const std::vector<Row> &a, const std::vector<Ro
 
 /// The coefficients a or b, ring by ring.
 template <Row RingStack::Ring::*row>
-py::array rows(const Stack &load)
+py::array rows(const LeaningLoad &load)
 {
   std::vector<Row> all;
   for (const RingStack::Ring &ring : load.rings())
@@ -155,7 +149,7 @@ py::array rows(const Stack &load)
 struct Friction
 {
   /// The law has to outlive it. Kernels want the slip along x.
-  Friction(const Stack &load, const FrictionLaw &law)
+  Friction(const LeaningLoad &load, const FrictionLaw &law)
   {
     at = [load, &law](double v_x, double v_y, double omega)
     {
@@ -197,41 +191,36 @@ BalancedRing balanced_ring(const Motion &motion, const std::string &closure, dou
   throw std::invalid_argument("the closure is \"" + closure + "\", but must be paper, hand or full");
 }
 
-/// Torque whose balances are asked for: of a stack, which does not react to the spin, of a ring in balance,
-/// or of a function of omega [rad/s].
-struct Torque
+/// Load of a Question: a stack, which does not react to the spin, a ring in balance, or a function.
+struct AskedLoad : LoadFromFunction
 {
-  Torque(const TorqueFunction &function)
-      : at(interruptible(function))
+  using Function = std::function<LeaningLoad(double)>;
+  explicit AskedLoad(const Function &load)
+      : LoadFromFunction(interruptible(load))
   {
   }
-  Torque(const Stack &load, const Motion &motion)
-      : Torque(TorqueFunction([=](double omega)
-                              { return wrench(motion, load, omega).torque + load.lean_torque(); }))
-  {
-  }
-  Torque(const BalancedRing &one)
-      : Torque(TorqueFunction([ring = one.ring](double omega) { return ring.torque(omega); }))
-  {
-  }
-  TorqueFunction at; ///< [N m]
 };
 
-/// The spin reached from rest.
-py::array spin_from_rest(const Torque &torque, const Motion &motion, double radius, double grip_torque)
+/// The spin reached from rest, all balances, torque of table and lean at rest [N m], v / R [rad/s], spin-up.
+py::tuple answer_about(const AskedLoad &load, const Motion &motion, double grip_torque, bool all,
+                       const Row &times)
 {
   motion.validate();
-  const SpinSearch search{ motion.orbit_speed / radius, {}, grip_torque };
-  return numpy_of(
-    without_gil([&] { return std::vector{ terminal_spin(torque.at, motion.yaw_inertia, search) }; }));
-}
-
-/// Every balance of the torque and another one [N m] from @p lower to @p upper [rad/s].
-py::array balances(const Torque &torque, const Motion &motion, double other, double lower, double upper)
-{
-  const auto sum = [&](double omega) { return torque.at(omega) + other; };
-  return numpy_of(
-    without_gil([&] { return all_terminal_spins(sum, motion.yaw_inertia, lower, upper, 200); }));
+  Question question{ motion, grip_torque };
+  question.with_slope = true;
+  question.with_minima = false;
+  question.all_spins = all;
+  question.times = times;
+  const Answer found = without_gil([&] { return answer(load, question); });
+  if (found.fall && times.empty())
+    throw BalanceLost(found.reason, found.fall->omega, true);
+  found.value();
+  std::vector<TerminalSpin> reached;
+  if (found.terminal)
+    reached.push_back(*found.terminal);
+  return py::make_tuple(numpy_of(reached), numpy_of(found.all_spins),
+                        found.at_rest->friction.torque + found.at_rest->lean_torque, load.spin_scale(motion),
+                        numpy_of(found.spin_up));
 }
 
 py::array motion_of(const PhasedTorqueFunction &torque, double yaw_inertia, const Row &times,
@@ -330,7 +319,7 @@ void bind_motion(py::module_ &m)
 
 void bind_loads(py::module_ &m)
 {
-  using R = Stack;
+  using R = LeaningLoad;
   py::class_<R>(
     m, "RingStack",
     "Normal load on concentric rings, lambda_j(theta) = sum_n a_jn cos n theta + b_jn sin n theta "
@@ -357,10 +346,7 @@ void bind_loads(py::module_ &m)
     .def_property_readonly("moment", &R::moment, "(M_x, M_y) of the normal forces about the centre [N m]")
     .def_property_readonly("minimum", &R::minimum, "Least value of the sum of the rings [N/rad]")
     .def_property_readonly("pulling_force", &R::pulling_force, "[N]")
-    .def("truncated",
-         [](const R &one, unsigned int n) {
-           return R{ one.RingStack::truncated(n), one.tilt };
-         })
+    .def("truncated", &R::truncated)
     .def("rotated",
          [](const R &one, double angle) {
            return R{ one.RingStack::rotated(angle), Eigen::Rotation2Dd(angle) * one.tilt };
@@ -379,7 +365,7 @@ void bind_loads(py::module_ &m)
          "exponent"_a = py::none(), "n_harmonics"_a = 128)
     .def_readonly("motion", &BalancedRing::motion)
     .def_readonly("radius", &BalancedRing::radius)
-    .def("load", [](const BalancedRing &one, double omega) { return Stack{ one.ring.at(omega).load }; })
+    .def("load", [](const BalancedRing &one, double omega) { return LeaningLoad{ one.ring.at(omega).load }; })
     .def("wrench", [](const BalancedRing &one, const Array &omega)
          { return wrenches([&](double w) { return one.ring.at(w).friction; }, omega); });
 
@@ -432,7 +418,7 @@ PYBIND11_MODULE(_ring, m)
          py::kw_only(), "static"_a, "kinetic"_a, "decay_speed"_a, "viscous"_a = 0., "decay_exponent"_a = 2.);
   m.def("kernels", &kernels);
   py::class_<Friction>(m, "Friction")
-    .def(py::init<const Stack &, const FrictionLaw &>(), py::keep_alive<1, 3>())
+    .def(py::init<const LeaningLoad &, const FrictionLaw &>(), py::keep_alive<1, 3>())
     .def(py::init<const SlidingBody &, double, double, double, double, double>())
     .def("wrench", [](const Friction &one, const Array &x, const Array &y, const Array &omega)
          { return wrenches(one.at, x, y, omega); })
@@ -445,13 +431,12 @@ PYBIND11_MODULE(_ring, m)
   PYBIND11_NUMPY_DTYPE(TerminalSpin, omega, torque_slope, time_constant, stable, held);
   PYBIND11_NUMPY_DTYPE(YawSample, time, yaw_angle, omega);
   PYBIND11_NUMPY_DTYPE(SlidingState, time, x, y, yaw, speed, heading, omega, friction_loss, distance);
-  py::class_<Torque>(m, "Torque")
-    .def(py::init<const Stack &, const Motion &>())
-    .def(py::init<const BalancedRing &>())
-    .def(py::init<const TorqueFunction &>())
-    .def("__call__",
-         [](const Torque &one, double omega) { return without_gil([&] { return one.at(omega); }); });
-  m.def("spin_from_rest", &spin_from_rest);
-  m.def("balances", &balances);
+  py::class_<AskedLoad, std::shared_ptr<AskedLoad>>(m, "AskedLoad")
+    .def(py::init([](const LeaningLoad &load) { return AskedLoad([=](double) { return load; }); }))
+    .def(py::init(
+      [](const BalancedRing &one)
+      { return AskedLoad([ring = one.ring](double omega) -> LeaningLoad { return ring.at(omega).load; }); }))
+    .def(py::init<const AskedLoad::Function &>());
+  m.def("answer", &answer_about);
   m.def("yaw_motion", &motion_of);
 }

@@ -22,7 +22,7 @@ def eigen():
     return found[2:] or "/usr/include/eigen3"
 
 
-sources = ["ring_bindings.cc", *sorted(glob.glob(top + "/ring_model/*.cc") + glob.glob(top + "/ring_model/load/*.cc"))]
+sources = ["ring_bindings.cc", *sorted(glob.glob(top + "/ring_model/*.cc") + glob.glob(top + "/ring_model/*/*.cc"))]
 ParallelCompile("STEMWARE_COMPILERS", default=2).install()
 setup(
     name="stemware",

@@ -192,60 +192,41 @@ def limit_surface(load, n=361, about="axis", direction=0.0):
     return LimitSurface(angle, force, across, torque / arm, arm, radius, None)
 
 
-def _torque(load, motion, radius):
-    """Torque, motion and radius of a load whose spin is asked for."""
+def _ask(load, motion, grip_torque, all=False, times=()):
+    """What _ring.answer() finds about a load of answer()."""
+    def at(omega):
+        found = load(omega)
+        if not isinstance(found, RingStack):
+            raise BadInput(f"the load at {omega} rad/s is {found!r}; give a function that returns a RingStack")
+        return found
     if not isinstance(load, (RingStack, SelfConsistentRing)) and not callable(load):
         raise BadInput(f"the load is {load!r}; give a RingStack, a SelfConsistentRing or a function of omega")
-    if radius is None and not hasattr(load, "radius"):
-        raise BadInput("a torque that is a function has no radius; give one")
-    torque = _ring.Torque(load, motion) if isinstance(load, RingStack) else _ring.Torque(load)
-    return torque, motion or load.motion, load.radius if radius is None else radius
+    motion = motion or getattr(load, "motion", None)
+    if motion is None:
+        raise BadInput("the load does not say how the glass moves; give a Motion")
+    asked = _ring.AskedLoad(at if callable(load) else load)
+    return _ring.answer(asked, motion, grip_torque, all, times)
 
 
-def _reach(torque, end):
-    """Last of 48 equal steps from rest to end at which the load is in balance."""
-    for i in range(48):
-        try:
-            torque(end * (i + 1) / 48)
-        except NoBalance:
-            return end * i / 48
-    return end
-
-
-def answer(load, motion=None, grip_torque=0.0, all=True, radius=None):
+def answer(load, motion=None, grip_torque=0.0, all=True):
     """The spin reached from rest, Answer(omega, ...), and in its field all every balance within 1.5 v/R of rest (dicts).
 
     load: RingStack (frozen: it does not react to the spin; its lean torque counts), SelfConsistentRing (has its motion) or a
-    function of omega [rad/s] that returns the torque [N m]. Options: grip_torque [N m] of the fingers, all=False (quicker),
-    radius [m] (of a function). Raises NoTerminalSpin, Tipping, BalanceLost (with last_spin).
+    function of omega [rad/s] that returns a RingStack. Options: grip_torque [N m] of the fingers, all=False (quicker).
+    Raises NoTerminalSpin, Tipping, BalanceLost (with last_spin).
 
     >>> paper = SelfConsistentRing(motion=Motion(), closure="paper", radius=0.03)
     >>> round(answer(paper).omega, 9)
     -3.120558702
     """
-    torque, motion, radius = _torque(load, motion, radius)
-    scale, at_rest, spins = motion.orbit_speed / radius, torque(0.0), []
-    [spin] = _ring.spin_from_rest(torque, motion, radius, grip_torque)
-    for sense in (-1, 1) if all else ():
-        ends = sorted((sense * 1e-12 * scale, _reach(torque, sense * 1.5 * scale)))
-        if ends[0] < ends[1] and 0 not in ends:
-            spins.extend(_ring.balances(torque, motion, -sense * grip_torque, *ends))
-        if sense < 0 and spin["held"]:
-            spins.append(spin)
-    spin, *spins = (dict(zip(one.dtype.names, one.tolist())) for one in (spin, *spins))
+    spin, spins, at_rest, scale, _ = _ask(load, motion, grip_torque, all)
+    [spin], spins = ([dict(zip(some.dtype.names, one)) for one in some.tolist()] for some in (spin, spins))
     return Answer(**spin, torque_at_rest=at_rest, spin_scale=scale, all=spins)
 
 
-def spin_up(load, times, motion=None, grip_torque=0.0, initial_spin=0.0, accuracy=1e-9, radius=None):
-    """omega(t) from rest at times [s] under what answer() takes: dict of arrays time, yaw_angle, omega. Options: grip_torque,
-    initial_spin, accuracy, radius."""
-    torque, motion, radius = _torque(load, motion, radius)
-
-    def at(time, yaw_angle, omega):
-        table = torque(omega)
-        return table - (np.copysign(grip_torque, omega) if omega else np.clip(table, -grip_torque, grip_torque))
-    return yaw_motion(at, yaw_inertia=motion.yaw_inertia, times=times, initial_spin=initial_spin, accuracy=accuracy,
-                      spin_scale=motion.orbit_speed / radius)
+def spin_up(load, times, motion=None, grip_torque=0.0):
+    """omega(t) from rest at times [s] under what answer() takes: dict of arrays time, yaw_angle, omega; NaN beyond a fall."""
+    return _columns(_ask(load, motion, grip_torque, times=times)[-1])
 
 
 def yaw_motion(torque, *, yaw_inertia, times, initial_spin=0.0, accuracy=1e-9, spin_scale):

@@ -259,7 +259,8 @@ class Manners(unittest.TestCase):
             (lambda: ring.SelfConsistentRing(motion=ring.Motion(), closure="open"), ring.BadInput, "paper, hand or full"),
             (lambda: ring.limit_surface(LimitSurface.stack, about="rim"), ring.BadInput, "centre of pressure"),
             (lambda: ring.limit_surface(LimitSurface.stack).pade(), ring.BadInput, "Pressure"),
-            (lambda: ring.answer(lambda w: 1.0, ring.Motion(), radius=R), ring.NoTerminalSpin, ""),
+            (lambda: ring.answer(lambda w: 1.0, ring.Motion()), ring.BadInput, "returns a RingStack"),
+            (lambda: ring.answer(LimitSurface.stack), ring.BadInput, "give a Motion"),
             (lambda: ring.answer(ring.SelfConsistentRing(motion=ring.Motion(centre_of_mass_height=0.5), exponent=1)), ring.Tipping, ""),
         ):
             with self.assertRaises(kind) as caught:
@@ -269,7 +270,7 @@ class Manners(unittest.TestCase):
 
     def test_an_exception_of_a_function_comes_out(self):
         with self.assertRaises(ZeroDivisionError):
-            ring.answer(lambda w: 1 / 0, ring.Motion(), radius=R)
+            ring.answer(lambda w: 1 / 0, ring.Motion())
 
     def test_shapes(self):
         self.assertEqual(ring.wrench(LimitSurface.stack, v, np.zeros((3, 1)) + np.ones(4), mu=mu).torque.shape, (3, 4))
