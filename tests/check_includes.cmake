@@ -20,9 +20,9 @@ set(order
     fem/pipeline/variants
     fem/pipeline/analysis
     fem/pipeline/document
+    fem/pipeline/report
     fem/pipeline/page
     fem/pipeline/explore
-    fem/pipeline/report
     fem/pipeline/python
     fem/pipeline/app)
 

@@ -2,7 +2,7 @@
 #include "fem/pipeline/analysis/sweep/sweep_case.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/document/sweep_file.h"
-#include "fem/pipeline/report/publish.h"
+#include "fem/pipeline/page/publish.h"
 #include "fem/pipeline/report/sweep_results.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/support/console.h"

@@ -1,4 +1,14 @@
-// Sections that every page has.
+// What every page has.
+import { orbits } from '../js/motion.js';
+import { sketch } from '../js/sketch.js';
+import { truncation } from './spin.js';
+
+/** Title, inputs and answer, beside the sketch of the study and the glass on its orbit. */
+export const beginning = doc => {
+  const { title, inputs, answer } = doc.words;
+  return { title, inputs, answer, head: [sketch(doc), orbits(doc)] };
+};
+
 export const study = doc => {
   const changed = doc.tables.study_differences?.values[0]?.length > 0;
   return [
@@ -30,6 +40,20 @@ export const bands = doc =>
       { name: 'band_parts', title: 'Parts of the bands' }
     ]
   };
+
+/** What the spin is with fewer harmonics of the load; remarks stand before and after how to read it. */
+export const fewer_harmonics = (doc, [before, after] = []) => ({
+  title: 'Fewer harmonics',
+  text: [
+    before,
+    'No harmonic beyond the first changes the torque at rest. The bound on the change of τ_z follows from the harmonics left ' +
+      'out alone, at the terminal spin of all harmonics. If the least load is negative, the table would have to pull. Rows ' +
+      'that change the spin by less than 1e-9 stand in truncation.csv only.',
+    after
+  ],
+  pictures: [truncation(doc)],
+  tables: [{ name: 'truncations', title: 'The answer with the load cut off after some harmonics' }]
+});
 
 /** The columns of all entries of a study as a table like the others. */
 export const table_of_entries = entries => {

@@ -1,8 +1,6 @@
 // What `stemware converge` shows.
-import { bands, files, study } from './common.js';
+import { bands, beginning, files, study } from './common.js';
 import { dots, line } from '../js/marks.js';
-import { orbits } from '../js/motion.js';
-import { sketch } from '../js/sketch.js';
 
 function convergence({ tables, words }) {
   const colours = ['c1', 'c2', 'c3', 'c4', 'c5', 'c6'];
@@ -30,10 +28,7 @@ export function converge(doc) {
     'No order is observed if the errors lie below the tolerance of the contact solver, or do not fall evenly yet; a coarser ' +
     'start shows one (--set Contact/Degree=1).';
   return {
-    title: words.title,
-    inputs: words.inputs,
-    answer: words.answer,
-    head: [sketch(doc), orbits(doc)],
+    ...beginning(doc),
     sections: [
       {
         title: 'The error of the discretisation',

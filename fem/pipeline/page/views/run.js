@@ -1,12 +1,10 @@
 // What `stemware run` shows.
-import { bands, files, study } from './common.js';
-import { driven, phases, spin_up, torque, truncation } from './spin.js';
+import { bands, beginning, fewer_harmonics, files, study } from './common.js';
+import { driven, phases, spin_up, torque } from './spin.js';
 import { effects, harmonic_torque, waterfall } from './budget.js';
 import { foot_from_above, footprint, rim, section, section_stress } from './foot.js';
 import { higher_harmonics, line_load, load_polar, slip, spectrum } from './load.js';
-import { orbits } from '../js/motion.js';
 import { shown } from '../js/words.js';
-import { sketch } from '../js/sketch.js';
 
 const without_keys = 'name omega_terminal difference relative_difference remark';
 const chain_keys = 'step title omega_terminal difference relative_difference band remark';
@@ -127,32 +125,19 @@ function foot_sections({ tables, words }) {
 }
 
 /** The answer with the load cut off after some harmonics. */
-const fewer_harmonics = (doc, there) =>
-  there && {
-    title: 'Fewer harmonics',
-    folded: true,
-    text:
-      'No harmonic beyond the first changes the torque at rest. The bound on the change of τ_z follows from the harmonics left ' +
-      'out alone, at the terminal spin of all harmonics. If the least load is negative, the table would have to pull. Rows ' +
-      'that change the spin by less than 1e-9 stand in truncation.csv only.',
-    pictures: [truncation(doc)],
-    tables: [{ name: 'truncations', title: 'The answer with the load cut off after some harmonics' }]
-  };
+
 
 export function run(doc) {
   const { words, tables, summary } = doc;
   const spin = spin_sections(doc);
   return {
-    title: words.title,
-    inputs: words.inputs,
-    answer: words.answer,
-    head: [sketch(doc), orbits(doc)],
+    ...beginning(doc),
     sections: [
       tables.chain && budget_sections(doc),
       load_sections(doc),
       spin.sections,
       foot_sections(doc),
-      fewer_harmonics(doc, words.load.harmonics > 1 && words.numbers.spins),
+      words.load.harmonics > 1 && words.numbers.spins && { ...fewer_harmonics(doc), folded: true },
       {
         title: 'Friction at rest and at the end',
         folded: true,

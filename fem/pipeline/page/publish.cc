@@ -1,4 +1,4 @@
-#include "fem/pipeline/report/publish.h"
+#include "fem/pipeline/page/publish.h"
 
 #include "fem/pipeline/page/page.h"
 #include "fem/pipeline/report/table_renderers.h"

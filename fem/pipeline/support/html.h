@@ -1,0 +1,20 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+/// Texts of HTML pages.
+namespace stemware::pipeline
+{
+
+/// Replaces each mark /*NAME*/ of @p text by the text of that name, in one pass: marks within the texts stay
+/// as they are.
+std::string with_marks_replaced(const std::string &text, const std::map<std::string, std::string> &texts);
+
+/// Returns @p text without what means something to HTML, in elements and in quoted attributes.
+std::string html_text(const std::string &text);
+
+/// Returns the base64 form of a number in hexadecimal @p digits, as a Content-Security-Policy has check sums.
+std::string base64_of_digits(const std::string &digits);
+
+} // namespace stemware::pipeline
