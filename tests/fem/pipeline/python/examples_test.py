@@ -1,6 +1,8 @@
 """Runs the examples of docs/python, and compares what pages say that they print. Given: the sources, names to be run (all)."""
+import importlib.util
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -12,25 +14,53 @@ pages = ["docs/python.md", "docs/cookbooks/slide.md"]
 arguments = {"monte_carlo": ["24"]}  # studies
 
 
+def run(name, *arguments, launcher=(sys.executable,)):
+    """Lines that an example prints; it has drawn its picture and complained of nothing."""
+    with tempfile.TemporaryDirectory() as results:
+        picture = os.path.join(results, "picture.svg")
+        done = subprocess.run([*launcher, os.path.join(source, "docs/python", name + ".py"), picture, *arguments],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=results, timeout=600)
+        assert done.returncode == 0 and done.stderr == "", (name, arguments, done.returncode, done.stderr)
+        assert os.path.getsize(picture) > 1000
+        return done.stdout.splitlines()
+
+
 class Examples(unittest.TestCase):
     def test_all(self):
-        folder = os.path.join(source, "docs/python")
         shown = {}
         for page in pages:
             with open(os.path.join(source, page), encoding="utf-8") as file:
                 for name, block in re.findall(r"`docs/python/(\w+)\.py` prints\n\n((?:    .*\n)+)", file.read()):
                     shown.setdefault(name, []).extend((page, line[4:]) for line in block.splitlines())
-        for name in sorted(name[:-3] for name in os.listdir(folder) if name.endswith(".py")):
+        for name in sorted(name[:-3] for name in os.listdir(os.path.join(source, "docs/python")) if name.endswith(".py")):
             if names and name not in names:
                 continue
-            with self.subTest(name), tempfile.TemporaryDirectory() as results:
-                picture = os.path.join(results, "picture.svg")
-                done = subprocess.run([sys.executable, os.path.join(folder, name + ".py"), picture, *arguments.get(name, [])],
-                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=results)
-                self.assertEqual((done.returncode, done.stderr), (0, ""))
-                self.assertGreater(os.path.getsize(picture), 1000)
+            with self.subTest(name):
+                printed = run(name, *arguments.get(name, []))
                 for page, line in shown.get(name, []):
-                    self.assertIn(line, done.stdout.splitlines(), f"{page} shows another line than docs/python/{name}.py prints")
+                    self.assertIn(line, printed, f"{page} shows another line than docs/python/{name}.py prints")
+
+
+@unittest.skipIf(names, "no studies without the finite elements")
+class Executors(unittest.TestCase):
+    """Each engine for many studies has the numbers and sentences of one process."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.alone = run("executors")
+
+    def test_threads_and_processes(self):
+        for kind in ("threads", "processes"):
+            self.assertEqual(run("executors", kind), self.alone)
+
+    @unittest.skipUnless(importlib.util.find_spec("distributed"), "python3-distributed is not installed")
+    def test_dask(self):
+        self.assertEqual(run("executors", "dask"), self.alone)
+
+    @unittest.skipUnless(importlib.util.find_spec("mpi4py") and shutil.which("mpiexec"), "python3-mpi4py is not installed")
+    def test_mpi(self):
+        ranks = (os.path.join(source, "tests/mpirun"), "-n", "3", sys.executable, "-m", "mpi4py.futures")
+        self.assertEqual(run("executors", "mpi", launcher=ranks), self.alone)
 
 
 if __name__ == "__main__":
