@@ -79,8 +79,8 @@ std::shared_ptr<const ContactCompliance> ComplianceCache::get(const dealii::Tria
   }
   try
   {
-    const auto compliance =
-      std::make_shared<const ContactCompliance>(compute_compliance(triangulation, material, options));
+    const auto compliance = std::make_shared<const ContactCompliance>(
+      compute_compliance(triangulation, material, options, interruption));
     promise.set_value(compliance);
     return compliance;
   }

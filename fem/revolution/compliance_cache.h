@@ -3,10 +3,12 @@
 #include "fem/revolution/contact_compliance.h"
 
 #include <cstddef>
+#include <functional>
 #include <future>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace stemware::fem
@@ -20,8 +22,10 @@ class ComplianceCache
 {
 public:
   /// Creates a cache of at most @p max_entries compliances, about a megabyte each; a full cache is emptied.
-  explicit ComplianceCache(std::size_t max_entries = 128)
+  /// @p interruption goes to compute_compliance().
+  explicit ComplianceCache(std::size_t max_entries = 128, std::function<void()> interruption = {})
       : max_entries(max_entries)
+      , interruption(std::move(interruption))
   {
   }
 
@@ -41,6 +45,7 @@ private:
   using Entry = std::shared_future<std::shared_ptr<const ContactCompliance>>;
 
   const std::size_t max_entries;
+  const std::function<void()> interruption;
   mutable std::mutex mutex;
   std::map<std::vector<double>, Entry> entries;
   unsigned int computed = 0;

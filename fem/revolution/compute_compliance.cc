@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <exception>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -13,7 +15,8 @@ namespace stemware::fem
 {
 
 ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulation,
-                                     const ElasticMaterial &material, const MeridianOptions &options)
+                                     const ElasticMaterial &material, const MeridianOptions &options,
+                                     const std::function<void()> &interruption)
 {
   material.validate();
   if (options.degree < 1 || options.degree > 4)
@@ -31,6 +34,23 @@ ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulati
   result.n_inside = first;
   result.n_outside = radii.size() - first - size;
   result.harmonics.resize(options.n_harmonics + 1);
+  // An exception that left the loop would cancel what deal.II does in parallel for all that comes later.
+  std::exception_ptr interrupted;
+  std::atomic<bool> is_interrupted = false;
+  const auto goes_on = [&]
+  {
+    try
+    {
+      if (interruption && !is_interrupted)
+        interruption();
+    }
+    catch (...)
+    {
+      if (!is_interrupted.exchange(true))
+        interrupted = std::current_exception();
+    }
+    return !is_interrupted;
+  };
   // Isolated: a thread that waits here for its last harmonic must not begin another study, which may wait for
   // this very compliance.
   tbb::this_task_arena::isolate(
@@ -44,12 +64,16 @@ ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulati
       tbb::parallel_for(0u, options.n_harmonics + 2,
                         [&](unsigned int n)
                         {
+                          if (!goes_on())
+                            return;
                           const bool is_beyond = n > options.n_harmonics;
                           const unsigned int harmonic = is_beyond ? options.beyond() : n;
                           (is_beyond ? result.beyond : result.harmonics[n]) =
                             (*of[std::min(harmonic, 2u)])(harmonic);
                         });
     });
+  if (interrupted)
+    std::rethrow_exception(interrupted);
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -102,9 +103,11 @@ struct MeridianOptions
 ///
 /// The displacement (u_r cos, u_theta sin, u_z cos)(n theta) makes the strain a polynomial of degree one in
 /// n, so that K_n = K_0 + n K_1 + n^2 K_2 is integrated once; each harmonic is factorised (Cholesky) under
-/// its own conditions on the axis, several at a time where deal.II may use several threads. Throws
+/// its own conditions on the axis, several at a time where deal.II may use several threads. @p interruption
+/// is called before each harmonic, from any of the threads; what it throws ends the work. Throws
 /// std::invalid_argument for a degree or a mesh that cannot be used.
 ContactCompliance compute_compliance(const dealii::Triangulation<2, 2> &triangulation,
-                                     const ElasticMaterial &material, const MeridianOptions &options = {});
+                                     const ElasticMaterial &material, const MeridianOptions &options = {},
+                                     const std::function<void()> &interruption = {});
 
 } // namespace stemware::fem

@@ -35,10 +35,19 @@ using namespace stemware::pipeline;
 namespace
 {
 
-/// Python has raised. No std::exception, which a model without an answer would swallow.
+/// Exception of Python on its way out. No std::exception: models without an answer would swallow it.
 struct Interrupted
 {
+  std::exception_ptr cause;
 };
+
+/// Lets Ctrl-C through in Python's main thread.
+void check_signals()
+{
+  const py::gil_scoped_acquire gil;
+  if (PyErr_CheckSignals() != 0)
+    throw Interrupted{ std::make_exception_ptr(py::error_already_set()) };
+}
 
 /// Progress for Python: Ctrl-C, and a function (what, done, all) or None. The pipeline calls it from one
 /// thread at a time.
@@ -57,9 +66,6 @@ public:
   void iteration(const fem::ContactIteration &) override { tell(); }
   void note(const std::string &, const std::string &) override { tell(); }
 
-  /// Raises in Python what has ended the work.
-  [[noreturn]] void raise() { throw py::error_already_set(*raised); }
-
 private:
   template <typename... What>
   void tell(const What &...what)
@@ -67,38 +73,45 @@ private:
     const py::gil_scoped_acquire gil;
     try
     {
-      if (!raised && PyErr_CheckSignals() != 0)
+      if (cause)
+        std::rethrow_exception(cause);
+      if (PyErr_CheckSignals() != 0)
         throw py::error_already_set();
-      if (sizeof...(what) > 0 && !raised && !listener.is_none())
+      if (sizeof...(what) > 0 && !listener.is_none())
         listener(what...);
     }
-    catch (py::error_already_set &error)
+    catch (const py::error_already_set &)
     {
-      raised = std::make_unique<py::error_already_set>(std::move(error));
+      cause = std::current_exception();
+      throw Interrupted{ cause };
     }
-    if (raised)
-      throw Interrupted();
   }
 
   py::object listener;
-  std::unique_ptr<py::error_already_set> raised;
+  std::exception_ptr cause; ///< of the interruption, which ends what the other threads do
 };
+
+/// Compliances that equal feet share. Never destroyed: threads may outlive the interpreter.
+std::shared_ptr<fem::ComplianceCache> &cache()
+{
+  static auto *const one = new auto(std::make_shared<fem::ComplianceCache>(128, &check_signals));
+  return *one;
+}
 
 /// Calls @p work(progress, executor) without Python's lock.
 template <typename Work>
 auto solved(const py::object &listener, unsigned int n_threads, const Work &work)
 {
-  // Compliances that equal feet share: 128 at most. Never destroyed: threads may outlive the interpreter.
-  static auto *const cache = new fem::ComplianceCache;
   PythonProgress progress(listener);
+  const auto in_use = cache();
   try
   {
     const py::gil_scoped_release released;
-    return work(progress, Executor(*cache, n_threads));
+    return work(progress, Executor(*in_use, n_threads));
   }
-  catch (const Interrupted &)
+  catch (const Interrupted &one)
   {
-    progress.raise();
+    std::rethrow_exception(one.cause);
   }
 }
 
@@ -159,14 +172,16 @@ Found results_of(const std::string &verb, const Study &given, bool quick, unsign
   return solved(listener, n_threads, work);
 }
 
-py::dict case_of(const Study &given, const py::object &listener)
+/// The numbers of a case of a sweep, and its foot; @p start: the foot of a study before, or nothing.
+py::tuple case_of(const Study &given, std::shared_ptr<ElasticFoot> start)
 {
-  const CaseResult found = solved(
-    listener, 1, [&](Progress &, const Executor &executor) { return case_result(checked(given), executor); });
+  const CaseResult found = solved(py::none(), 1,
+                                  [&](Progress &progress, const Executor &executor)
+                                  { return case_result(checked(given), executor, progress, &start); });
   py::dict all;
   for (const std::string &key : sweep_keys())
     all[key.c_str()] = found.value(key);
-  return all;
+  return py::make_tuple(all, start);
 }
 
 /// Numbers, or plain structs as a structured array.
@@ -243,12 +258,8 @@ PYBIND11_MODULE(_study, m)
   py::class_<Study>(m, "Study")
     .def(py::init([](const std::string &file) { return read_study(file); }), "file"_a)
     .def_static("of_text", &read_study_text, "origin"_a, "text"_a)
-    .def("assign",
-         [](Study &study, const std::string &path, const std::string &text)
-         {
-           const std::vector<StudyEntry> entries = study_entries(study);
-           assign(entries, "", whole_path(entries, path), text);
-         })
+    .def("assign", [](Study &study, const std::string &path, const std::string &text)
+         { assign(study_entries(study), "", whole_path(study_entries(study), path), text); })
     .def("value", [](const Study &study, const std::string &path)
          { return entry_at(entries_of(study), "", whole_path(entries_of(study), path)).value(); })
     .def("entries",
@@ -265,6 +276,9 @@ PYBIND11_MODULE(_study, m)
     .def_readwrite("name", &Study::name)
     .def("prm", &study_as_prm)
     .def("answer", &case_of);
+  const py::class_<ElasticFoot, std::shared_ptr<ElasticFoot>> foot(m, "Foot");
+  m.def("limit_cache",
+        [](std::size_t n) { cache() = std::make_shared<fem::ComplianceCache>(n, &check_signals); });
 
   PYBIND11_NUMPY_DTYPE(ring::Wrench, torque, force_x, force_y);
   PYBIND11_NUMPY_DTYPE(fem::AzimuthLoad, azimuth, density);

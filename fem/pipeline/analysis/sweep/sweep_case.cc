@@ -162,13 +162,14 @@ std::optional<double> CaseResult::value(const std::string &key) const
   return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 
-CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor)
+CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor,
+                       Progress &progress)
 {
-  const SharedLoad load = find_load(study, foot);
+  const SharedLoad load = find_load(study, foot, progress);
   ring::Question question = spin_question(study);
   question.with_minima = false;
   const std::vector<LoadedRow> rows =
-    rows_by_harmonics(study, foot, *load, question, executor, silent_progress(), Depth::answer).by_harmonics;
+    rows_by_harmonics(study, foot, *load, question, executor, progress, Depth::answer).by_harmonics;
   const SolvedCase found = { study, load->report(), load->contact(0), rows.front().row, rows.back().row };
   CaseResult result;
   if (found.contact)
@@ -183,10 +184,15 @@ CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &f
   return result;
 }
 
-CaseResult case_result(const Study &study, const Executor &executor)
+CaseResult case_result(const Study &study, const Executor &executor, Progress &progress,
+                       std::shared_ptr<ElasticFoot> *start)
 {
   const Variant variant = { "", "", mesh_for_goal(study, executor).study };
-  return case_result(variant.study, foot_of(variant, nullptr, executor), executor);
+  const auto foot = foot_of(variant, start ? *start : nullptr, executor);
+  CaseResult result = case_result(variant.study, foot, executor, progress);
+  if (start)
+    *start = foot;
+  return result;
 }
 
 void solve_cases(const CaseList &list, const std::vector<std::size_t> &wanted, unsigned int n_threads,

@@ -36,11 +36,14 @@ struct CaseResult
 /// Solves a study on @p foot, its own, as far as the answer of `run` goes: all harmonics and the first alone.
 /// Equal studies have equal results, whatever was solved before or beside them. Throws as find_load() and
 /// rows_by_harmonics().
-CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                       const Executor &executor);
+CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor,
+                       Progress &progress = silent_progress());
 
-/// The same of a study without a foot yet, on the mesh for its goal.
-CaseResult case_result(const Study &study, const Executor &executor);
+/// The same of a study without a foot yet, on the mesh for its goal. @p start: foot of a study that differs
+/// little, near whose contacts the first ones are looked for; the foot of @p study afterwards. The result
+/// then depends on @p start within the tolerance of the contact.
+CaseResult case_result(const Study &study, const Executor &executor, Progress &progress = silent_progress(),
+                       std::shared_ptr<ElasticFoot> *start = nullptr);
 
 /// Results of cases by their number, from 0.
 using FinishedCases = std::map<std::size_t, CaseResult>;

@@ -42,11 +42,22 @@ def _presets():
     return {"glass": _study.glass_presets(), "table": _study.table_presets()}
 
 
+def limit_cache(n):
+    """Forgets what studies with equal meshes share, their compliances, and keeps at most n of them from now on (at first 128),
+    0.1 to 1 MB each."""
+    _study.limit_cache(n)
+
+
 def presets():
     """Glasses and tables with names: a DataFrame with kind, name, words and entries (lines of a study file)."""
     import pandas
     return pandas.DataFrame([{"kind": kind, "name": one.name, "words": one.words, "entries": one.entries}
                              for kind, all in _presets().items() for one in all])
+
+
+class Start:
+    """Keeps the contact of one Study.answer(start=...) for the next; for one thread."""
+    _foot = None
 
 
 class Study:
@@ -113,9 +124,16 @@ class Study:
             _mpi()
         return self._study
 
-    def answer(self):
-        """The numbers that a case of `sweep` has: a dict by key; None where there is none. The quickest way to a spin."""
-        return self._ready().answer(None)
+    def answer(self, start=None):
+        """The numbers that a case of `sweep` has: a dict by key; None where there is none. The quickest way to a spin.
+
+        start: a stemware.Start(), which keeps the contact of its last answer() for the next one to start near it: quicker for
+        studies that differ little; the numbers then depend on the one before, by rounding or the tolerance of the contact.
+        """
+        numbers, foot = self._ready().answer(start and start._foot)
+        if start is not None:
+            start._foot = foot
+        return numbers
 
     def run(self, quick=False, threads=1, progress=None):
         """Result of `stemware run`, without files and fields; quick: without budget and bands. Raises BadInput, NoBalance

@@ -231,9 +231,34 @@ class Manners(unittest.TestCase):
         print(f"memory: {begin:.0f} MB after 3 runs, {resident():.0f} MB after 23")
         self.assertLess(resident(), begin + 10)
 
+    def test_memory_of_different_feet_is_bounded(self):
+        code = ("import stemware\nstemware.limit_cache(1)\ndef resident():\n"
+                "    return next(int(line.split()[1]) for line in open('/proc/self/status') if line.startswith('VmRSS')) / 1024\n"
+                "for i in range(61):\n    stemware.Study(entries={'Motion/Mass': 0.2 + i / 500}).answer()\n"
+                "    if i % 60 == 0: print(resident())\n")
+        done = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True, check=True)
+        first, last = (float(line) for line in done.stdout.split())
+        print(f"memory: {first:.0f} MB after the first answer, {last:.0f} MB after 60 more, each with a foot of its own")
+        self.assertLess(last, first + 10)
+
+    def test_a_warm_start_takes_fewer_steps_to_the_same_answer(self):
+        start, cold, warm = stemware.Start(), [], []
+        for mass in (0.28, 0.29, 0.3):
+            study = stemware.Study(entries={"Motion/Mass": mass})
+            cold.append(study.answer())
+            warm.append(study.answer(start=start))
+        self.assertEqual(cold[0], warm[0])
+        for one, other in zip(cold[1:], warm[1:]):
+            self.assertAlmostEqual(one["omega_terminal"], other["omega_terminal"], delta=1e-11)
+            self.assertLess(other["contact_iterations"], one["contact_iterations"])
+
     def test_interruption(self):
-        seconds = seconds_until_stopped("import stemware\nstudy = stemware.Study()\nstudy.answer()", "while True: study.run()", 1)
-        print(f"Ctrl-C in run() took {seconds:.2f} s")
+        slow = {"Table/Interface": "hard", "Table/Substrate": "elastic", "Contact/Refinements": 2, "Contact/Harmonics": 64}
+        for entries, loop in (({}, "while True: study.run()"), ({}, "while True: study.run(threads=2)"), (slow, "study.answer()")):
+            setup = f"import stemware\nstemware.Study().answer()\nstudy = stemware.Study(entries={entries!r})"
+            seconds = [seconds_until_stopped(setup, loop, wait) for wait in (1, 3)]
+            print(f"Ctrl-C in {loop} took {max(seconds):.2f} s")
+            self.assertLess(max(seconds), 5)  # 1 s on a machine of its own
 
     def test_nothing_is_printed_and_no_mpi(self):
         code = ("import stemware\nstemware.Study().run(quick=True)\nassert 'libdeal' in open('/proc/self/maps').read()\n"
