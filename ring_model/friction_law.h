@@ -8,6 +8,10 @@
 namespace stemware::ring
 {
 /// Coefficient of friction that depends on the local slip speed.
+///
+///     const StribeckLaw law({ 0.4, 0.3, 0.1 }); // mu_s, mu_k, decay speed [m/s]
+///     const auto friction = friction_functionals(law, load.radii(), load.n_harmonics(), omega, v);
+///     friction(load).torque; // tau_z [N m]
 class FrictionLaw
 {
 public:

@@ -11,6 +11,10 @@ namespace stemware::fem
 
 /// Law between foot and table: its parameters, independent of a contact surface. Each law is one derived
 /// class; no other code asks for the type.
+///
+///     const WinklerInterface law(1e10);              // [Pa/m]
+///     law.half_width(line_load, crown_radius);       // of the contact of a rigid rim [m]
+///     const auto table = law.make(surface, penalty); // pressure on the nodes of a ContactSurface
 class InterfaceLaw
 {
 public:

@@ -16,6 +16,11 @@ namespace stemware::fem
 
 /// Foot as a body of revolution on its table, defined by its compliance only; RevolutionContact finds its
 /// contacts. Solving is not collective.
+///
+///     RevolutionSetup setup;                                       // glass, table and resolution
+///     setup.table.interface = std::make_shared<RoughInterface>();
+///     const MeshedRevolutionFoot foot(setup.resolved_for(weight)); // computes the compliances
+///     foot.solve({ weight, 0, -moment }).load.b(1);                // N, M_Nx, M_Ny; [N/rad]
 class RevolutionFoot : public Foot
 {
 public:

@@ -59,6 +59,11 @@ struct SolidSetup
 /// Foot as three-dimensional finite elements on all MPI ranks. A mesh file's x axis is the azimuth 0 of the
 /// glass: the foot turns with ring::Slip::orientation. A generated mesh is a body of revolution and does
 /// not turn.
+///
+///     SolidSetup setup;
+///     setup.table.interface = std::make_shared<WinklerInterface>(1e10);       // [Pa/m]
+///     const SolidFoot foot(generate_solid_mesh(setup.profile, {}), setup);
+///     foot.solve({ weight, 0, -moment }).load.b(1); // N, M_Nx, M_Ny; [N/rad]
 class SolidFoot : public Foot
 {
 public:

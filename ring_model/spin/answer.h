@@ -17,6 +17,11 @@ namespace stemware::ring
 struct Answer;
 
 /// Question about the spin of a glass under a load.
+///
+///     const RingStack rings({ 0.5, 0. }, { 0., 0.2 }, 0.03); // [N/rad], [m]
+///     const LoadFromFunction load([&](double) -> LeaningLoad { return rings; });
+///     const Answer found = answer(load, { Motion() });
+///     found.omega_terminal(); // [rad/s]; std::nullopt: see found.reason
 struct Question
 {
   Motion motion;

@@ -56,8 +56,10 @@ public:
 
 /// Load that is a function of the spin:
 ///
-///     const LoadFromFunction load([](double omega) -> LeaningLoad { return RingStack(...); });
-///     answer(load, { motion }).omega_terminal();
+///     const LoadFromFunction load([](double omega) -> LeaningLoad {
+///       return RingStack({ 0.5, 0. }, { 0., 0.2 + 0.001 * omega }, 0.03); // [N/rad], [m]
+///     });
+///     answer(load, { Motion() }).omega_terminal(); // [rad/s]
 class LoadFromFunction : public LoadAtSpin
 {
 public:
