@@ -164,7 +164,8 @@ const char *answer(const Make &make)
   }
   catch (const ring::Tipping &failure)
   {
-    reply = Json{ { "error", failure.what() }, { "tips", true } }.text;
+    const std::string sentence = with_implausible_values(explorer->study(), failure.what());
+    reply = Json{ { "error", sentence }, { "tips", true } }.text;
   }
   catch (const fem::ContactFailure &failure)
   {

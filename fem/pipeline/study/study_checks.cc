@@ -294,12 +294,13 @@ std::vector<std::string> implausible_notes(const Study &study)
   return notes;
 }
 
-std::string implausible_list(const Study &study)
+std::string with_implausible_values(const Study &study, const std::string &sentence)
 {
   std::vector<std::string> list;
   for (const StudyEntry &entry : implausible_entries(study))
     list.push_back(assignment(entry, *entry.quantity) + " (" + plausible_text(entry) + ')');
-  return boost::join(list, ", ");
+  return list.empty() ? sentence
+                      : "Outside of what glasses have: " + boost::join(list, ", ") + ". " + sentence;
 }
 
 void require_standing_glass(const Study &study)
@@ -310,10 +311,7 @@ void require_standing_glass(const Study &study)
   }
   catch (const BadInput &tipping)
   {
-    const std::string strange = implausible_list(study);
-    if (strange.empty())
-      throw;
-    throw BadInput("Outside of what glasses have: " + strange + ". " + tipping.what());
+    throw BadInput(with_implausible_values(study, tipping.what()));
   }
 }
 

@@ -24,12 +24,11 @@ std::string implausible_note(const std::string &path, double value);
 /// An implausible_note() for each entry that the study was given and that has an effect.
 std::vector<std::string> implausible_notes(const Study &study);
 
-/// Entries of implausible_notes() in one line, with what glasses have: "Motion/Mass = 300 kg (0.02 to 2 kg),
-/// Motion/Orbit speed = 35 m/s (0.01 to 3 m/s)". Empty where there are none.
-std::string implausible_list(const Study &study);
+/// Returns @p sentence, why the glass tips at rest, behind the values that no glass has, the likelier
+/// trouble: "Outside of what glasses have: Motion/Mass = 300 kg (0.02 to 2 kg). The closure ...".
+std::string with_implausible_values(const Study &study, const std::string &sentence);
 
-/// Throws BadInput for a glass that would tip at rest, with the values that no glass has: they are the
-/// likelier trouble.
+/// Throws BadInput for a glass that would tip at rest, with_implausible_values().
 void require_standing_glass(const Study &study);
 
 } // namespace stemware::pipeline

@@ -17,7 +17,8 @@ STUDIES = ({}, {"Motion/Friction coefficient": "0.2"}, {"Motion/Orbit speed": "2
            {"Motion/Grip torque": "1 mN m"}, {"Motion/Friction law": "Stribeck"}, {"Load/Coupling": "one-way", "Contact/Rings": "3"})
 REFUSED = ({"Motion/Mass": "30 cm"}, {"Motion/Mas": "1"}, {"Motion/Mass": "-1"}, {"Motion/Closure": "open"}, {"Contact/Rings": "1.5"},
            {"Motion/Friction coefficient": "-0.1"}, {"Load/Moment ratio": "many"}, {"Motion/Orbit sense": "left"},
-           {"Motion/Centre of mass height": "0.2", "Motion/Force offset": "0.15"}, {"Motion/Orbit speed": "2.5"})
+           {"Motion/Centre of mass height": "0.2", "Motion/Force offset": "0.15"}, {"Motion/Orbit speed": "2.5"},
+           {"Motion/Centre of mass height": "0.5", "Motion/Mass": "3"})
 
 
 def words(entries, *before):
