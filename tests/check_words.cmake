@@ -91,7 +91,7 @@ endforeach()
 set(pointing "(Of|How|What|Where|Whether|Which|Whose|Between|Under|In|On|By|With|From|Into|To|For|At|It|Its|That|This|Those|These|As|When|If|Without)")
 file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/ring_model/*.h ${SOURCE_DIR}/fem/contact/*.h
      ${SOURCE_DIR}/fem/revolution/*.h ${SOURCE_DIR}/fem/solid/*.h ${SOURCE_DIR}/fem/geometry/*.h
-     ${SOURCE_DIR}/fem/elasticity/*.h ${SOURCE_DIR}/fem/matrix_free/*.h)
+     ${SOURCE_DIR}/fem/elasticity/*.h ${SOURCE_DIR}/fem/matrix_free/*.h ${SOURCE_DIR}/fem/pipeline/*.h)
 foreach(file IN LISTS files)
   file(READ ${SOURCE_DIR}/${file} text)
   string(REGEX REPLACE "[][;\\]" "," text "${text}")

@@ -16,7 +16,7 @@ struct ChainStep
   unsigned int number = 1;  ///< 1 the paper, 2 the study's moment, 3 its contact, 4 ... more harmonics
   bool is_addition = false; ///< to the model of that number: 1a, 2a, 3a
 
-  /// Whether its terminal spin is that of the study's contact, and not of a closed form.
+  /// True if its terminal spin is that of the study's contact, and not of a closed form.
   bool is_of_contact() const { return number >= 3; }
   bool operator==(const ChainStep &other) const
   {

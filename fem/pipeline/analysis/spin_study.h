@@ -14,7 +14,7 @@ namespace stemware::pipeline
 /// The torques on the glass and the friction force over the spin; NaN where there is no balance.
 struct TorqueCurve
 {
-  /// From a little before rest to beyond the terminal spins, or to where the glass falls over [rad/s].
+  /// Spins from just before rest to beyond the terminal spins, or to the fall of the glass [rad/s].
   std::vector<double> omega;
   std::vector<double> slip_ratio;      ///< omega R / v
   std::vector<ring::Wrench> friction;  ///< of all harmonics
@@ -69,7 +69,7 @@ struct PhaseStudy
   std::size_t n_spins = 1;        ///< sampled; 1 for a load that does not depend on the spin
   double interpolation_error = 0; ///< of the load between samples, torque_difference()
 
-  /// At each sampled phase: where the marks stand [rad], and the torque at rest and at the mean spin [N m].
+  /// Sampled phases: azimuths of the marks [rad], torque at rest and at the mean spin [N m].
   std::vector<ring::Orientation> phases;
   std::vector<double> torque_at_rest;
   std::vector<double> torque_at_terminal;
@@ -91,10 +91,9 @@ struct SpinStudy
   std::optional<double> curve_error = {};
 
   const ring::Answer &all() const { return rows.back(); }
-  /// Whether the answer and its curves were all that was asked: Depth::answer.
+  /// True if the answer and its curves were all that was asked: Depth::answer.
   bool is_quick() const { return budget.rows.empty(); }
-  /// Without a moment the glass does not spin up: its terminal spin is rounding, to which nothing can be
-  /// related.
+  /// Returns false for a glass without a moment, whose terminal spin is zero to rounding.
   bool spins_up() const { return all().relative_change.has_value(); }
 };
 

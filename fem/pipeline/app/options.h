@@ -39,8 +39,8 @@ add_study_verb(CLI::App &program, Verb &chosen, const std::string &name, const s
 void add_threads_option(CLI::App &verb, StudyOptions &options,
                         const std::string &help = "Threads that share the work");
 
-/// How many threads share the work: those of that option, else of the variable OMP_NUM_THREADS, else one for
-/// each core, one under mpirun.
+/// Number of threads: the option --threads, else the variable OMP_NUM_THREADS, else the number of cores, or 1
+/// with MPI.
 unsigned int n_threads_of(const StudyOptions &options);
 
 /// Declares --set alone.

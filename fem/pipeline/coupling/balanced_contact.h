@@ -42,9 +42,9 @@ public:
 
 private:
   fem::ContactDemand demand_at(double omega, const std::vector<double> &radii, double rotation) const;
-  /// From the contact before, wherever the foot has gone since.
+  /// Starts from the previous contact state, even if the foot has been solved again since.
   fem::ContactState solve(const fem::ContactDemand &demand, double omega, Progress &progress);
-  /// With T of the one ring that carries moment and first harmonic, whose radius is part of the solution.
+  /// Uses T of the one ring with the same moment and first harmonic; its radius is part of the solution.
   fem::ContactState contact_on_one_ring(double omega, Progress &progress);
 
   const std::shared_ptr<ElasticFoot> foot;

@@ -28,7 +28,7 @@ public:
   virtual const LoadReport &report() const = 0;
   /// Contact at the spin @p omega; std::nullopt if the load does not come from one.
   virtual std::optional<fem::ContactState> contact(double /*omega*/) const { return std::nullopt; }
-  /// How the loads have been found so far; std::nullopt if they are the same at every spin.
+  /// Returns the statistics of the solved loads; std::nullopt if the load does not depend on the spin.
   virtual std::optional<CouplingStatistics> statistics() const { return std::nullopt; }
 
   double radius() const override { return report().rings.radius(); }

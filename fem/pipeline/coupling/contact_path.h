@@ -13,8 +13,8 @@ namespace stemware::pipeline
 class ContactPath
 {
 public:
-  /// Where the contact under @p demand at @p slip is to be looked for: near @p before, or near the last one
-  /// where that is nothing. What is expected is the polynomial in the spin through the nearest contacts under
+  /// Returns the initial guess of the contact under @p demand at @p slip: @p before, or the last contact if
+  /// @p before is nullptr. What is expected is the polynomial in the spin through the nearest contacts under
   /// the same demand or at rest; where fewer than two are near enough, or those of the similar foot are much
   /// nearer, that of the similar foot; without one, the nearest contact. Only contacts with the same marks
   /// count.

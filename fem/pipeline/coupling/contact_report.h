@@ -48,17 +48,18 @@ struct FootReport
   fem::FootDescription foot;
   std::string friction_coupling; ///< "elastic" or "none"
   fem::ContactState at_rest;
-  /// At the end of the spin-up; nothing where the load is the same at every spin, or of a collective foot.
+  /// Contact at the end of the spin-up; std::nullopt if the load does not depend on the spin, and for a
+  /// collective foot.
   std::optional<fem::ContactState> at_end = {};
   fem::PressureMap footprint; ///< at rest
   std::optional<fem::PressureMap> footprint_at_end = {};
-  /// At rest, along the line to the orbit's centre, x > 0 outside; empty where the foot cannot tell.
+  /// Section at rest along the line to the orbit's centre, x > 0 outside; empty if the foot has none.
   std::vector<fem::StressedPatch> stressed_section = {};
   std::vector<fem::FieldFile> fields = {};       ///< of both states; those that this rank writes
   std::vector<fem::SectionPolygon> section = {}; ///< of the foot with its cells; on the first rank
 };
 
-/// How a load in balance with friction at every spin has been found.
+/// Statistics of the solves of a load that is in balance with friction at every spin.
 struct CouplingStatistics
 {
   std::size_t n_balances = 0;          ///< spins at which contact, friction and moments are in balance

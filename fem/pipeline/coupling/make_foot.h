@@ -28,10 +28,10 @@ std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &c
 /// The section of that foot with its cells, of one rank alone. Throws as make_foot().
 std::vector<fem::SectionPolygon> foot_section(const Study &study);
 
-/// Whether the meridional mesh of @p study has smaller cells where the contact is expected.
+/// True if the meridional mesh of @p study has smaller cells where the contact is expected.
 bool has_focused_mesh(const Study &study);
 
-/// Whether the foot of @p study feels a hard table by a stiff spring, ContactSection::hardness; a solid foot
+/// True if the foot of @p study feels a hard table by a stiff spring, ContactSection::hardness; a solid foot
 /// on a mesh without a hierarchy has nodal multipliers.
 bool has_spring_for_hard_table(const Study &study);
 

@@ -28,7 +28,7 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache
                                         Progress &progress = silent_progress(),
                                         const ElasticFoot *similar = nullptr);
 
-/// Whether @p failure is a contact or a balance that does not exist or was not found.
+/// True if @p failure is a contact or a balance that does not exist or was not found.
 bool is_balance_failure(const std::exception &failure);
 
 /// Throws ring::Tipping where the foot of a study tips at rest.
@@ -68,10 +68,10 @@ SharedLoad first_harmonic_load(const Study &study, ring::Closure closure);
 /// Report on the load of a contact state; with its tilt where that is part of the moment balance.
 LoadReport report_of(const fem::ContactState &state, double contact_radius, bool tilts);
 
-/// Whether the load is another one at every spin.
+/// True if the load is another one at every spin.
 bool follows_spin(const Study &study);
 
-/// Whether the load of the study's foot depends on the spin: the moment balance lets friction act back, or
+/// True if the load of the study's foot depends on the spin: the moment balance lets friction act back, or
 /// friction deforms the foot.
 bool spin_matters(const Study &study);
 

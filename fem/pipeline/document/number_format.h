@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-/// How people read a number: the digits of a quantity on the console and in reports, missing where there is
-/// none. Files for programs have all digits.
+/// Number formats of the console and the reports: the digits of a quantity, and the text of a missing one.
+/// Files for programs have all digits.
 namespace stemware::pipeline::format
 {
 

@@ -58,7 +58,7 @@ nlohmann::ordered_json harmonic_effect_summary(const HarmonicEffect &effect);
 /// A spin that nothing is related to [rad/s]: 1e-9 v/R.
 double rounding_of_spins(const Study &study);
 
-/// Whether a spin is more than rounding.
+/// True if a spin is more than rounding.
 bool is_spin(const Study &study, double omega);
 
 } // namespace stemware::pipeline

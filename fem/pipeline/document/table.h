@@ -15,7 +15,7 @@
 namespace stemware::pipeline
 {
 
-/// Behind the key of a list: all its numbers, a column for each.
+/// Suffix of the key of a list: one column for each of its numbers.
 inline constexpr char list_mark[] = "[]";
 
 /// Everything about a column but its values: where and how it is named, its unit, its digits. Where it has no

@@ -13,7 +13,7 @@
 namespace stemware::pipeline
 {
 
-/// How the mesh that an Explorer's compliances come from suits a study.
+/// Match of the mesh of an Explorer's compliances with a study.
 enum class MeshFit
 {
   same,   ///< `stemware run` would make the same mesh
@@ -65,7 +65,7 @@ public:
   void ready(double fineness);
 
   const Study &study() const { return present; }
-  /// How the mesh suits the study as it is now.
+  /// Returns the match of the mesh with the present study.
   MeshFit fit() const;
 
   /// Solves the study with @p n_harmonics, from the last answer to 1e-7 rad/s, where that leads on without

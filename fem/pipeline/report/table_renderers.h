@@ -8,8 +8,8 @@
 namespace stemware::pipeline
 {
 
-/// For eye and numpy: "# title", one line "# 1: name (unit)" per column, then aligned rows of
-/// full-precision numbers; flags are 1 and 0, what does not exist is nan.
+/// Returns the table as text for numpy: "# title", one line "# 1: name (unit)" per column, then aligned rows
+/// of full-precision numbers; flags are 1 and 0, missing values nan.
 std::string data_table(const Table &table);
 
 /// A CSV file by RFC 4180: commas, CRLF, fields with commas, quotes or line ends in double quotes. The header

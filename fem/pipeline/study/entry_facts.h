@@ -33,7 +33,7 @@ constexpr auto plausible(double least, double most, const char *from_what_to_wha
   };
 }
 
-/// By default the bounds of a length that lies outside only if it is given in another unit.
+/// Returns bounds of a length over the contact radius; the defaults exclude only lengths in a wrong unit.
 constexpr auto times_contact_radius(double least = 1e-5, double most = 300)
 {
   return [=](auto &entry) { entry.times_contact_radius = { least, most }; };

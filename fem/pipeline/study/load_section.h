@@ -33,11 +33,11 @@ struct LoadSection
   std::shared_ptr<const ring::RingStack> from_file = {}; ///< the load of that file, used likewise
 
   bool is_from_contact() const { return source == LoadSource::contact; }
-  /// Whether the moment is given, instead of following from the moment balance.
+  /// True if the moment is given, instead of following from the moment balance.
   bool is_static() const { return moment_ratio >= 0; }
-  /// Whether the closure decides the moment, which is neither given nor that of a file.
+  /// True if the closure decides the moment, which is neither given nor that of a file.
   bool has_closure() const { return !is_static() && source != LoadSource::file; }
-  /// Whether the load is one of a contact in balance with friction at every spin; with a given moment it is
+  /// True if the load is one of a contact in balance with friction at every spin; with a given moment it is
   /// that of rest, whatever the coupling.
   bool is_in_balance() const
   {

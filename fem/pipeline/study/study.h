@@ -35,13 +35,13 @@ struct Study
   std::map<std::string, std::string> given_entries;
   std::string name = "default"; ///< that people know it by: of its file; not an entry
 
-  /// Whether rim or table are out of flat: the load then depends on where their marks stand.
+  /// True if rim or table are out of flat: the load then depends on where their marks stand.
   bool has_waviness() const { return model.waviness && (!glass.waviness.empty() || !table.waviness.empty()); }
 
-  /// Whether friction tractions deform foot and substrate.
+  /// True if friction tractions deform foot and substrate.
   bool friction_deforms() const { return contact.friction_coupling == FrictionCoupling::elastic; }
 
-  /// Whether the lean of the glass on its foot counts in the balance of moments: Motion/Tilt = included, in
+  /// True if the lean of the glass on its foot counts in the balance of moments: Motion/Tilt = included, in
   /// the closure full, on a contact whose moment is not given.
   bool tilts() const;
 

@@ -38,7 +38,7 @@ struct TableSection
 
   /// The table as the finite elements know it, which is to be asked instead of these names.
   fem::Table make() const;
-  /// Whether the interface yields nothing by itself (Signorini's conditions).
+  /// True if the interface yields nothing by itself (Signorini's conditions).
   bool is_hard() const;
 
   /// Declares the entries with all that is known of them. A template, so that one file alone compiles it.

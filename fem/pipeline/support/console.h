@@ -12,17 +12,16 @@ namespace stemware::pipeline
 /// otherwise the next file that is opened would take their place. To be called first.
 void open_missing_streams();
 
-/// Where the text for users goes from now on: to standard output; with @p json, which keeps standard output
-/// for programs, to standard error; with @p quiet nowhere. Throws OutputFailure for @p json where the program
-/// was started without a standard output.
+/// Directs the text for users to standard output, with @p json to standard error, with @p quiet nowhere.
+/// Throws OutputFailure if @p json is set and the program has no standard output.
 void direct_console(bool quiet, bool json);
 
 /// The stream of that text, on the first rank; silent on the others. Plain text: no colours, no escape codes.
 /// For the thread that started the program only.
 std::ostream &console();
 
-/// To be called at the end: throws OutputFailure where standard output has not taken all that was printed on
-/// it, because the disk is full.
+/// Throws OutputFailure if standard output was not written completely, for example because the disk is full.
+/// Call it at the end of the program.
 void require_printed();
 
 /// "about 3 min", for what is left of a long work.

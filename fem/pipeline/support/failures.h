@@ -6,7 +6,7 @@
 namespace stemware::pipeline
 {
 
-/// How the program ends, as its exit status.
+/// Exit status of the program.
 enum class ExitCode : int
 {
   success = 0,
@@ -37,11 +37,11 @@ void require(bool condition, const std::string &sentence);
 /// other libraries on one line.
 std::string on_one_line(const std::string &text);
 
-/// A text that somebody gave, as a message repeats it: on one line, and at most @p longest characters of it,
+/// Quotes a given text for a message: on one line, and at most @p longest characters of it,
 /// "..." after that.
 std::string shortened(const std::string &text, std::size_t longest = 80);
 
-/// A path that somebody gave, as a message repeats it: on one line, and the last 80 characters of it at most,
+/// Quotes a given path for a message: on one line, and the last 80 characters of it at most,
 /// because its end says most.
 std::string shortened_path(const std::string &path);
 

@@ -16,7 +16,7 @@ nlohmann::ordered_json parse_json(const std::string &origin, const std::string &
 /// The JSON of a text that the program itself has written: nothing where it is broken.
 std::optional<nlohmann::ordered_json> json_in(const std::string &text);
 
-/// Whether @p text is valid UTF-8, as JSON has to be.
+/// True if @p text is valid UTF-8, as JSON has to be.
 bool is_utf8(const std::string &text);
 
 /// Writes JSON for a script element of a page: <, >, &, U+2028 and U+2029, which stand in strings alone, as

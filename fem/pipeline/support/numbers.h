@@ -12,7 +12,7 @@ namespace stemware::pipeline
 /// not a number.
 std::string to_text(double value);
 
-/// At most six significant digits, for messages and files of pictures; "nan" as in to_text().
+/// Returns at most six significant digits, for messages and files of pictures; "nan" as in to_text().
 std::string to_short_text(double value);
 
 /// Two numbers for a sentence that compares them, with as few significant digits, from @p n_digits on, as

@@ -10,7 +10,7 @@ namespace stemware::pipeline
 /// Mark in the first lines of a page or mesh that Stemware wrote: a later run may overwrite such a file.
 inline constexpr char written_by_stemware[] = "written by Stemware";
 
-/// Whether verbs, or those of an earlier version, write a file of that name into a folder of results:
+/// True if verbs, or those of an earlier version, write a file of that name into a folder of results:
 /// "load.csv", "fields/contact.vtu", "figures/load.svg".
 bool is_result_name(const std::string &name);
 

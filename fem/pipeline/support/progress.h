@@ -27,7 +27,7 @@ public:
   virtual void note(const std::string & /*subject*/, const std::string & /*text*/) {}
 };
 
-/// A progress that nobody listens to.
+/// Progress without output.
 inline Progress &silent_progress()
 {
   static Progress silent;

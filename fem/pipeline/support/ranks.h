@@ -21,7 +21,7 @@ public:
 /// mpirun has started several processes of a program without MPI.
 void start_mpi();
 
-/// Whether this process is the one that prints and writes tables. True without MPI.
+/// True if this process is the one that prints and writes tables. True without MPI.
 bool is_first_rank();
 
 /// Number of processes that work on the study together.

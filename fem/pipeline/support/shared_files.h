@@ -7,8 +7,8 @@
 namespace stemware::pipeline
 {
 
-/// Where files that come with the program may lie: ../share/stemware from the folder of its executable, and
-/// share/stemware in that folder (as in a build). Empty where the system does not say where that is.
+/// Folders of the files that come with the program: ../share/stemware from the folder of its executable, and
+/// share/stemware in that folder (as in a build). Empty if the folder of the executable is unknown.
 std::vector<std::filesystem::path> shared_folders();
 
 /// A file of the sources that stemware_compiled_in() of CMakeLists.txt has put into the program.

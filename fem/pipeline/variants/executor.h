@@ -20,7 +20,7 @@ struct Executor
 {
   using Work = std::function<void(std::size_t)>;
 
-  /// For one thread.
+  /// Creates an executor with one thread.
   explicit Executor(FootMaker make_foot)
       : make_foot(std::move(make_foot))
   {
@@ -42,7 +42,7 @@ struct Executor
   }
 
   FootMaker make_foot;
-  /// Whether any failure leaves its variant alone without an answer. On several ranks only those do that
+  /// True if any failure leaves its variant alone without an answer. On several ranks only those do that
   /// is_of_variant() knows, which all ranks meet together; others end the work.
   bool keeps_all_failures = true;
 

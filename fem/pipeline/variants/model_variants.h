@@ -30,7 +30,7 @@ std::vector<Variant> model_chain(const Study &study);
 /// depends_on_phase take too long; they are not to be solved.
 std::vector<Variant> variants_without(const Study &study, bool depends_on_phase = false);
 
-/// Whether anything yields in a contact: the foot, the substrate or the interface. The pressure of a contact
+/// True if anything yields in a contact: the foot, the substrate or the interface. The pressure of a contact
 /// in which nothing does is not defined.
 bool has_compliance(const Study &study);
 

@@ -34,8 +34,8 @@ struct Solved
   }
 };
 
-/// Whether @p failure is one of the variant that is solved, which has no value then: bad input, or a contact
-/// or a balance that does not exist.
+/// Returns true if @p failure leaves the variant without a value: bad input, or a contact or a balance that
+/// does not exist.
 bool is_of_variant(const std::exception &failure);
 
 /// The foot of @p variant: that of the study, @p foot, where the variant stands on it, with a body and a path
@@ -45,10 +45,10 @@ bool is_of_variant(const std::exception &failure);
 std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
                                      const Executor &executor);
 
-/// Whether its foot takes all ranks together.
+/// Returns true if all ranks have to solve the foot of @p study together.
 bool is_collective(const Study &study);
 
-/// Whether that of one of them does; of variants that are made as they are solved, their maker knows.
+/// Returns true if all ranks have to solve the foot of one of the variants together.
 template <typename Variants>
 bool any_is_collective(const Variants & /*variants*/)
 {
@@ -61,8 +61,7 @@ bool any_is_collective(const std::vector<AnyVariant> &variants)
                      [](const AnyVariant &variant) { return is_collective(variant.study); });
 }
 
-/// How long a variant takes, beside others: larger for longer. Of variants that are made as they are solved
-/// nothing is known.
+/// Relative cost estimate of a variant, used to start expensive ones first. Zero for lazily created variants.
 template <typename Variants>
 std::pair<int, unsigned int> cost_of(const Variants & /*variants*/, std::size_t /*i*/)
 {
@@ -76,7 +75,7 @@ std::pair<int, unsigned int> cost_of(const std::vector<AnyVariant> &variants, st
            study.contact.degree + study.contact.halvings_beyond_zone };
 }
 
-/// Nobody is told.
+/// No progress callback.
 inline constexpr auto nobody = [](std::size_t, const auto &) {};
 
 /// Tells @p progress how many of @p n_all @p pieces are done.

@@ -31,7 +31,7 @@ struct BandedQuantity
   double richardson = 0; ///< the value with the errors of all axes taken away as far as they are known
   std::map<std::string, double> parts = {}; ///< what the band is made of, by its cause: "mesh", "degree", ...
 
-  /// Whether the value is zero to within rounding, as that of a harmonic which symmetry forbids.
+  /// True if the value is zero to within rounding, as that of a harmonic which symmetry forbids.
   bool is_zero() const;
 };
 
@@ -84,7 +84,7 @@ constexpr unsigned int n_harmonics_of_interest = 8;
 const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities,
                                       const std::string &key);
 
-/// By how much a change moves the quantity @p key, from @p before to @p after: terminal spin and torques at a
+/// Returns the change of the quantity @p key from @p before to @p after: terminal spin and torques at a
 /// spin are judged together, by the largest change of torque at half, at all and at one and a half times the
 /// terminal spin; NaN where one of the three has no value. What a mesh does to different harmonics may cancel
 /// at one spin, hardly at all three. @p yaw_inertia [kg m^2]. Throws as quantity_of().

@@ -10,7 +10,7 @@
 namespace stemware::pipeline
 {
 
-/// How the error of a discretised quantity falls from one level to the next, and how its band counts.
+/// Convergence of a discretised quantity from level to level, and the effect of its band.
 enum class AxisKind
 {
   cells,  ///< like size^p, sizes halved from level to level: the bands of these axes are added
