@@ -6,9 +6,9 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/explore/explorer.h"
 #include "fem/pipeline/explore/live_bodies.h"
+#include "fem/pipeline/page/page.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/html.h"
 #include "fem/pipeline/support/json_text.h"
 #include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/shared_files.h"
@@ -29,9 +29,6 @@
 
 namespace stemware::pipeline
 {
-
-/// The files page/*, compiled in.
-const CompiledTexts &page_texts();
 
 namespace
 {
@@ -370,17 +367,11 @@ Page make_page(const PageWish &wish, const LiveSolver &solver, fem::ComplianceCa
                                         { "entries", entries },
                                         { "pairs", pairs },
                                         { "bodies", bodies.places } };
-  const CompiledTexts &texts = page_texts();
-  page.text = with_marks_replaced(text_of(texts, "page.html"),
-                                  { { "STYLE", text_of(texts, "style.css") },
-                                    { "ANSWER", answer_without_scripts(page.pairs) },
-                                    { "DATA", json_within_html(data) },
-                                    { "BODIES", finite_elements().packed(bodies.bytes) },
-                                    { "WASM", solver.wasm },
-                                    { "GLUE", solver.script },
-                                    { "WORKER", text_of(texts, "worker.js") },
-                                    { "SHA256", base64_of_digits(STEMWARE_SCRIPT_SHA256) },
-                                    { "SCRIPT", text_of(texts, "strings.js") + text_of(texts, "page.js") } });
+  page.text = live_page({ { "ANSWER", answer_without_scripts(page.pairs) },
+                          { "DATA", json_within_html(data) },
+                          { "BODIES", finite_elements().packed(bodies.bytes) },
+                          { "WASM", solver.wasm },
+                          { "GLUE", solver.script } });
   return page;
 }
 

@@ -8,7 +8,7 @@
 namespace stemware::pipeline
 {
 
-/// page.html, style.css and script.js, the modules of page/js and page/views joined by CMake.
+/// HTML, style and script of both pages: modules of page/js with those of views or live, joined by CMake.
 const CompiledTexts &report_page_texts();
 
 std::string report_page(const nlohmann::ordered_json &document, const std::string &title,
@@ -23,6 +23,18 @@ std::string report_page(const nlohmann::ordered_json &document, const std::strin
                                { "DOCUMENT", json_within_html(document) },
                                { "SHA256", base64_of_digits(STEMWARE_PAGE_SHA256) },
                                { "SCRIPT", text_of(texts, "script.js") } });
+}
+
+std::string live_page(std::map<std::string, std::string> parts)
+{
+  const CompiledTexts &texts = report_page_texts();
+  parts.merge(
+    std::map<std::string, std::string>{ { "WRITTEN_BY", written_by_stemware },
+                                        { "STYLE", text_of(texts, "style.css") + text_of(texts, "live.css") },
+                                        { "WORKER", text_of(texts, "worker.js") },
+                                        { "SHA256", base64_of_digits(STEMWARE_LIVE_SHA256) },
+                                        { "SCRIPT", text_of(texts, "live.js") } });
+  return with_marks_replaced(text_of(texts, "live.html"), parts);
 }
 
 } // namespace stemware::pipeline

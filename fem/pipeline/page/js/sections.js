@@ -12,7 +12,8 @@ const fit = ({ target, contentRect }) => {
 // In the next frame: a picture that changes its height while sizes are observed is reported as an error.
 const resized = new ResizeObserver(entries => requestAnimationFrame(() => entries.forEach(fit)));
 
-function figure_of(picture) {
+/** The node of a picture that follows the width of the page. */
+export function figure_of(picture) {
   if (picture.node) {
     figures.set(picture.id, picture); // a drawing that draws itself
     return picture.node;
@@ -21,6 +22,12 @@ function figure_of(picture) {
   figures.set(picture.id, figure);
   resized.observe(figure.node);
   return figure.node;
+}
+
+/** Shows a picture in the place of the one of its id; whether there is one. */
+export function show_anew(picture) {
+  figures.get(picture.id)?.set(picture);
+  return figures.has(picture.id);
 }
 
 const there = list => (list || []).flat(3).filter(Boolean);

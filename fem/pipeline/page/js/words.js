@@ -18,13 +18,21 @@ function rounded_up(x) {
   return Math.ceil((x / unit) * (1 - 1e-9)) * unit;
 }
 
+/** Whether numbers are written with a decimal comma. */
+export const decimals = { comma: false };
+
 /** A value of a table or a sentence. */
 export function shown(value, digits = '.6g') {
+  const text = with_point(value, digits);
+  return decimals.comma ? text.replace(/(\d)\.(?=\d)/g, '$1,') : text;
+}
+
+function with_point(value, digits) {
   if (value === null || value === undefined || (typeof value === 'number' && !Number.isFinite(value))) return missing;
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
   if (typeof value === 'string') return cell(value);
   if (Number.isInteger(value) && digits === '.6g' && Math.abs(value) < 1e6) return true_minus(String(value));
-  if (digits === 'band') return value > 0 ? shown(rounded_up(value), '.1e') : '0';
+  if (digits === 'band') return value > 0 ? with_point(rounded_up(value), '.1e') : '0';
   if (digits === 'about') return 'about ' + general(Number(value.toPrecision(2)), 12);
   if (digits === 'short') return true_minus(general(Number(value.toPrecision(3)), 12));
   const [, factor, sign, whole, n, kind, percent] = /^(?:([\d.e]+)\*)?(\+?)(#?)\.?(\d*)([gef])(%?)$/.exec(digits);

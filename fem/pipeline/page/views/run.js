@@ -126,7 +126,6 @@ function foot_sections({ tables, words }) {
 
 /** The answer with the load cut off after some harmonics. */
 
-
 export function run(doc) {
   const { words, tables, summary } = doc;
   const spin = spin_sections(doc);

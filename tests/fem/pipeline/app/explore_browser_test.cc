@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+#include <set>
 #include <utility>
 
 namespace stemware::test
@@ -98,9 +100,41 @@ TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)
   for (const std::string &one : answering)
     EXPECT_NE(shown[one]["answer"].get<std::string>().find("one turn in"), std::string::npos)
       << one << ": " << shown[one]["answer"];
+  EXPECT_NE(shown[address("__proto__")]["words"].get<std::string>().find("language=__proto__"),
+            std::string::npos);
   for (const std::string &one : refusing)
     EXPECT_EQ(shown[one]["answer"].get<std::string>().find("Not in this page: "), 0u)
       << one << ": " << shown[one]["answer"];
+}
+
+/// The keys of the sentences of a language, each with the numbers that its sentence has.
+std::multiset<std::string> sentences_of(const std::string &language)
+{
+  const fs::path file = fs::path(STEMWARE_DOCS).parent_path() / "fem/pipeline/page/live" / (language + ".js");
+  const std::string text = read_text(file);
+  const std::regex sentence(R"((?:^|\n)\s+(\w+|'[^'\n]+'):([^\n]*(?:\n\s+['"`][^\n]*)?))"),
+    number(R"(\{\d\})");
+  std::multiset<std::string> keys;
+  for (std::sregex_iterator i(text.begin(), text.end(), sentence), end; i != end; ++i)
+  {
+    const std::string words = (*i)[2];
+    std::set<std::string> numbers;
+    for (std::sregex_iterator k(words.begin(), words.end(), number); k != end; ++k)
+      numbers.insert(k->str());
+    std::string key = (*i)[1];
+    for (const std::string &one : numbers)
+      key += ' ' + one;
+    keys.insert(key);
+  }
+  return keys;
+}
+
+TEST(ExplorePage, EveryLanguageHasEverySentenceWithItsNumbers)
+{
+  const std::multiset<std::string> english = sentences_of("en");
+  EXPECT_GT(english.size(), 80u);
+  for (const char *const language : { "de", "fr" })
+    EXPECT_EQ(sentences_of(language), english) << language;
 }
 
 } // namespace

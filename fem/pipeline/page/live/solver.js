@@ -1,0 +1,130 @@
+// The solver in its worker. The latest wish is solved; what nobody waits for any more is cancelled where it takes long.
+import { $, all_harmonics, errors, pair_name, state } from './state.js';
+
+const longest = 500; // ms that a newer wish waits for an older one
+const pause = 180; // ms without a move, after which curves are drawn
+let parts = null; // of the worker, unpacked
+let worker = null;
+let ready = null;
+let last_id = 0;
+const waiting = new Map();
+
+async function unpack(id) {
+  const packed = Uint8Array.from(atob($(id).textContent.trim()), c => c.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+function begin_worker() {
+  worker = new Worker(parts.script);
+  ready = new Promise((done, failed) => {
+    worker.onerror = e => {
+      errors.push('worker: ' + e.message);
+      failed(new Error(e.message || 'Worker'));
+    };
+    worker.onmessage = ({ data: message }) => {
+      if (message.lost) return failed(new Error(message.lost));
+      if (message.ready) return done();
+      waiting.get(message.id)?.(message);
+      waiting.delete(message.id);
+    };
+  });
+  worker.postMessage({ wasm: parts.wasm, bodies: parts.bodies, data: parts.data });
+  return ready;
+}
+
+/** Starts the solver; the promise fails where it cannot. */
+export async function start_solver(data) {
+  const [glue, wasm, bodies] = await Promise.all(['glue', 'wasm', 'bodies'].map(unpack));
+  const text = new Blob([glue, '\n', $('worker').textContent], { type: 'text/javascript' });
+  parts = { script: URL.createObjectURL(text), wasm, bodies, data };
+  return begin_worker();
+}
+
+function post(message) {
+  const id = ++last_id;
+  return new Promise(done => {
+    waiting.set(id, done);
+    ready.then(
+      () => waiting.has(id) && worker.postMessage({ ...message, id }),
+      () => {}
+    );
+  });
+}
+
+function cancel() {
+  worker.terminate();
+  begin_worker().catch(error => errors.push(String(error)));
+  for (const done of waiting.values()) done({ cancelled: true });
+  waiting.clear();
+}
+
+/** Solves wishes; `show(reply, ms)`, `slow()` and `use(name, reply)` are told what comes. */
+export class Queue {
+  constructor(told) {
+    this.told = told;
+    this.times = [];
+    this.busy = true;
+  }
+
+  get rests() {
+    return !this.busy && !this.wish;
+  }
+
+  /** Asks the worker; nothing where a newer wish has cancelled that. */
+  async ask(message) {
+    this.busy = true;
+    this.since = performance.now();
+    const reply = await post(message);
+    clearTimeout(this.patience);
+    this.busy = this.patience = false;
+    return reply.cancelled ? null : reply;
+  }
+
+  next() {
+    if (!this.wish) return false;
+    const { cold } = this.wish;
+    this.wish = null;
+    this.solve(cold);
+    return true;
+  }
+
+  async solve(cold) {
+    if (this.busy) {
+      this.wish = { cold: cold || this.wish?.cold };
+      if (worker && this.since)
+        this.patience ||= setTimeout(cancel, Math.max(0, longest - (performance.now() - this.since)));
+      return;
+    }
+    clearTimeout(this.resting);
+    const slow = setTimeout(this.told.slow, 400);
+    const harmonics = state.harmonics >= all_harmonics ? 0 : state.harmonics;
+    const asked = await this.ask({ do: 'solve', pair: pair_name(), changes: { ...state.changes }, harmonics, cold });
+    clearTimeout(slow);
+    if (asked) {
+      const { reply, ms } = asked;
+      this.times.push(ms);
+      if (!this.wish) this.resting = setTimeout(() => this.rest(reply), pause);
+      this.told.show(reply, ms, !this.wish);
+    }
+    this.next();
+  }
+
+  /** After a pause: once more from the beginning, as `stemware run` solves it; then what takes longer. */
+  async rest(reply) {
+    if (reply.error || !this.rests) return;
+    if (!reply.was_cold) return this.solve(true);
+    for (const name of ['curves', 'pressure', 'budget']) {
+      const asked = await this.ask({ do: name });
+      if (this.next()) return;
+      if (asked && !asked.reply.error) this.told.use(name, asked.reply);
+    }
+    document.body.dataset.rested = String(this.times.length);
+  }
+
+  begin() {
+    this.busy = false;
+    this.wish = null;
+    this.solve(true);
+  }
+}

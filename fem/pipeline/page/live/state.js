@@ -1,0 +1,83 @@
+// What the live page holds: a glass, a table, the number of harmonics, what has been changed of the study, and the answer.
+import { decimals } from '../js/words.js';
+import { sentences } from './sentences.js';
+
+export const $ = id => document.getElementById(id);
+export const data = JSON.parse($('data').textContent);
+export const all_harmonics = 17; // the slider's last place
+export const state = {
+  glass: data.glasses[0].name,
+  table: data.tables[0].name,
+  harmonics: all_harmonics,
+  changes: {},
+  language: 'en',
+  unknown: []
+};
+export const found = { answer: null, curves: null, budget: null, pressure: null, measured: null };
+export const forget = () => Object.assign(found, { curves: null, budget: null, pressure: null });
+export const errors = [];
+let entries = {};
+
+export const words = () => sentences[state.language];
+/** A sentence with its numbers. */
+export const say = (text, ...values) => text.replace(/\{(\d)\}/g, (_, i) => values[i]);
+export const digits = (x, n = 4) => (Number.isFinite(x) ? x.toFixed(n).replace('-', '−') : '–');
+/** Decimals as the language has them, in what is read; files have points. */
+export const local = text => (state.language === 'en' ? text : text.replace(/(\d)\.(?=\d)/g, '$1,'));
+
+export const pair_name = () => `${state.glass}|${state.table}`;
+export const pair = () => data.pairs[pair_name()];
+export const band = () => Math.max(data.near_band, pair().band || 0);
+
+/** The values of the pair's study, without changes. */
+export function load_entries() {
+  entries = {};
+  for (const path in data.entries) entries[path] = { value: data.entries[path], acts: pair().acts.includes(path) };
+  for (const [path, value] of pair().values) entries[path].value = value;
+}
+export const acts = path => entries[path]?.acts;
+export const is_changed = path => Object.hasOwn(state.changes, path);
+export const base_value = path => Number(entries[path]?.value ?? 0);
+export const text_of = path => (is_changed(path) ? state.changes[path] : (entries[path]?.value ?? ''));
+export const value_of = path => Number(text_of(path));
+export const sense = () => (text_of('Motion/Orbit sense') === 'clockwise' ? -1 : 1);
+
+/** What a glass or table brings along replaces what was changed of it. */
+export function drop_changes(list, ...names) {
+  for (const { name, sets } of list) if (names.includes(name)) for (const path of sets) delete state.changes[path];
+}
+
+export function speak(language) {
+  state.language = language;
+  decimals.comma = language !== 'en';
+}
+/** The first language of the browser that the page has. */
+export const spoken = () =>
+  (navigator.languages || []).map(code => code.slice(0, 2)).find(code => Object.hasOwn(sentences, code)) || 'en';
+
+export function remember() {
+  const parts = { glass: state.glass, table: state.table, ...state.changes };
+  if (state.harmonics < all_harmonics) parts.harmonics = state.harmonics;
+  if (state.language !== spoken()) parts.language = state.language;
+  const address = '#' + new URLSearchParams(parts);
+  try {
+    history.replaceState(null, '', address);
+  } catch {
+    location.hash = address; // a page within a page
+  }
+}
+
+/** Takes the state from the address; what the page does not know is kept to be told. */
+export function recall() {
+  state.unknown = [];
+  for (const [key, value] of new URLSearchParams(location.hash.slice(1))) {
+    const harmonics = Number(value);
+    if (key === 'glass' && data.glasses.some(g => g.name === value)) state.glass = value;
+    else if (key === 'table' && data.tables.some(g => g.name === value)) state.table = value;
+    else if (key === 'harmonics' && Number.isInteger(harmonics) && harmonics > 0)
+      state.harmonics = Math.min(harmonics, all_harmonics);
+    else if (key === 'language' && Object.hasOwn(sentences, value)) speak(value);
+    else if (key.includes('/')) state.changes[key] = value;
+    else state.unknown.push(`${key}=${value}`);
+  }
+}
