@@ -67,7 +67,7 @@ private:
         return omega;
     }
     throw NoBalance(
-      sentence("the spin that follows its torque was not found at t = ", time, " s near ", omega, " rad/s"));
+      sentence("the quasi-steady spin was not found at t = ", time, " s near ", omega, " rad/s"));
   }
 
   const PhasedTorqueFunction &torque;

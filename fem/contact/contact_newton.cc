@@ -195,8 +195,8 @@ private:
     if (visited.gains_at(contact.active_set, present_residual) || last_step_length != 1)
       return;
     throw ContactFailure(ContactOutcome::repeated_set,
-                         sentence("after ", n_steps, " steps the same ", n_loaded(),
-                                  " loaded places came back with a relative residual of ", present_residual,
+                         sentence("the active set cycles after ", n_steps, " Newton steps, with ", n_loaded(),
+                                  " loaded points and a relative residual of ", present_residual,
                                   " (allowed ", control.equilibrium_tolerance,
                                   "); refine the mesh or loosen the tolerance."));
   }
@@ -211,8 +211,8 @@ private:
     throw ContactFailure(
       ContactOutcome::singular_set,
       sentence("the ", n_loaded(),
-               " loaded places of the contact zone do not support the foot against tilting; "
-               "the contact is too narrow for this mesh: refine the land."));
+               " loaded points of the contact zone do not support the foot against tilting, "
+               "because the contact is too narrow for this mesh; refine the land."));
   }
 
   unsigned int n_loaded() const

@@ -55,7 +55,7 @@ NewtonIncrement RigidFoot::solve(const Eigen::SparseMatrix<double> &tangent, con
   if (!is_regular)
     throw ContactFailure(
       ContactOutcome::linear_solver_failed,
-      "The table's tangent does not support a rigid foot: the loaded places lie on one line.");
+      "The table's tangent does not support a rigid foot: the loaded points lie on one line.");
   return step;
 }
 

@@ -90,7 +90,8 @@ void LineNewton::find_lines(const Eigen::SparseMatrix<double> &tangent, const Ei
     last_circle = std::max(last_circle, end - 1);
   }
   if (last_circle < 0)
-    throw ContactFailure(ContactOutcome::linear_solver_failed, "No place of the contact zone carries load.");
+    throw ContactFailure(ContactOutcome::linear_solver_failed,
+                         "No point of the contact zone is under pressure.");
   circles.size = last_circle - circles.first + 1;
 }
 
@@ -314,7 +315,7 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   if (!amplitudes.allFinite() || !increment.motion.allFinite())
     throw ContactFailure(
       ContactOutcome::linear_solver_failed,
-      "The contact system of the body of revolution is singular: the loaded places do not support the foot.");
+      "The contact system of the body of revolution is singular: the loaded points do not support the foot.");
   increment.forces = forces_of(amplitudes.reshaped(p, n_modes), increment.motion);
   return increment;
 }

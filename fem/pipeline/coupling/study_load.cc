@@ -151,8 +151,7 @@ private:
         keep(ring::Tipping(failure.what()));
       }
       keep(ring::NoBalance("at " + to_short_text(omega) +
-                           " rad/s no balance was found, nor that the glass falls over (" + failure.what() +
-                           ")"));
+                           " rad/s no balance was found, and no fall of the glass (" + failure.what() + ")"));
     }
     throw std::logic_error("a contact that is neither found nor missing");
   }
@@ -256,7 +255,7 @@ fem::ContactState contact_at_phase(const Study &study, ElasticFoot &foot, const 
                                  : "table is turned by " + degrees(phase.table - start.table);
     throw fem::ContactFailure(
       fem::ContactOutcome::tipping,
-      "The contact that was asked for is in balance: " + to_short_text(100 * at_start.load.contact_fraction) +
+      "At the start the contact is in balance: " + to_short_text(100 * at_start.load.contact_fraction) +
         " % of the land are under pressure, at most " + to_short_text(at_start.load.peak_pressure) +
         " Pa, the table's motion is " + to_short_text(at_start.solution.motion(0)) + " m, " +
         to_short_text(at_start.solution.motion(1)) + " rad, " + to_short_text(at_start.solution.motion(2)) +

@@ -299,8 +299,7 @@ std::string with_implausible_values(const Study &study, const std::string &sente
   std::vector<std::string> list;
   for (const StudyEntry &entry : implausible_entries(study))
     list.push_back(assignment(entry, *entry.quantity) + " (" + plausible_text(entry) + ')');
-  return list.empty() ? sentence
-                      : "Outside of what glasses have: " + boost::join(list, ", ") + ". " + sentence;
+  return list.empty() ? sentence : "Unusual values for a glass: " + boost::join(list, ", ") + ". " + sentence;
 }
 
 void require_standing_glass(const Study &study)

@@ -25,7 +25,7 @@ std::string implausible_note(const std::string &path, double value);
 std::vector<std::string> implausible_notes(const Study &study);
 
 /// Returns @p sentence, why the glass tips at rest, behind the values that no glass has, the likelier
-/// trouble: "Outside of what glasses have: Motion/Mass = 300 kg (0.02 to 2 kg). The closure ...".
+/// trouble: "Unusual values for a glass: Motion/Mass = 300 kg (0.02 to 2 kg). The closure ...".
 std::string with_implausible_values(const Study &study, const std::string &sentence);
 
 /// Throws BadInput for a glass that would tip at rest, with_implausible_values().

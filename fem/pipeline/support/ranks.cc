@@ -97,8 +97,8 @@ void start_mpi()
   const auto *mpi =
     static_cast<const RankFunctions *>(load_table("fem", "stemware_ranks", "A study on ranks"));
   if (launcher().has_several && !mpi->has_mpi)
-    throw BadInput("mpirun has started this program, whose deal.II has no MPI, so that its processes do not "
-                   "know of each other; start it by itself.");
+    throw BadInput(
+      "mpirun started this program, whose deal.II was built without MPI; start it without mpirun.");
   if (!launcher().is_there)
     prepare_to_stand_alone();
   mpi->start();
