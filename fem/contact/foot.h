@@ -32,8 +32,8 @@ struct ContactState
   double outer_radius = 0;
 
   // For the foot itself:
-  unsigned int zone = 0;    ///< which of the foot's contact zones the solution is of
-  bool with_crests = false; ///< whether it was found where the contact before goes to with the crests
+  unsigned int zone = 0;                        ///< which of the foot's contact zones the solution is of
+  bool with_crests = false;                     ///< true if the start was rotated together with the waviness
   std::shared_ptr<const std::string> body = {}; ///< of a solid body, this rank's part of its state
 };
 

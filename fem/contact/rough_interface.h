@@ -57,7 +57,7 @@ struct RoughInterface : PressureInterface<RoughInterface>
   {
     return reference_pressure / decay_length * (depth < 0 ? std::exp(depth / decay_length) : 1);
   }
-  /// Both from one exponential.
+  /// Computes both with one exponential.
   std::pair<double, double> pressure_and_stiffness(double depth) const
   {
     const double ratio = depth / decay_length, factor = ratio < 0 ? std::exp(ratio) : 1;

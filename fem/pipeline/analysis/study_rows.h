@@ -55,7 +55,7 @@ ring::Question spin_question(const Study &study, ring::Question asked = {});
 
 /// The rows of @p variants, each asked @p asked with its own motion, grip and contact radius; solve() says
 /// whose @p foot is. Does not throw for what meshes that cannot be made, contacts, balances and spins throw:
-/// a row has what there is, and the reason for what is missing. @p progress is told of @p pieces.
+/// a row has what there is, and the reason for what is missing. @p progress receives @p pieces.
 std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
                                   const std::shared_ptr<ElasticFoot> &foot, const ring::Question &asked,
                                   const Executor &executor, Progress &progress = silent_progress(),

@@ -10,7 +10,7 @@
 namespace stemware::pipeline::format
 {
 
-/// Text in the place of a number that does not exist.
+/// Text of a missing number.
 inline constexpr char missing[] = "–";
 
 /// @p value as fmt writes it with @p digits, ".6g", missing where it is not finite, and more:

@@ -48,7 +48,7 @@ struct LiveCurves
   std::vector<double> spin_paper; ///< of the paper's ring [rad/s]
 };
 
-/// A study that somebody changes while it is solved again and again, on compliances that are given: no mesh
+/// Study for interactive use, changed and solved repeatedly on compliances that are given: no mesh
 /// is made. What the mesh would have to follow is refused.
 class Explorer
 {

@@ -20,7 +20,7 @@ public:
 
   /// A stage of the work has ended: "mesh_and_stiffness", "contact", "ring".
   virtual void stage_done(const std::string & /*stage*/) {}
-  /// @p n_done pieces of @p what have been done; @p n_all is 0 where nobody knows how many there will be.
+  /// @p n_done pieces of @p what have been done; @p n_all is 0 if their number is unknown.
   virtual void pieces_done(const std::string & /*what*/, std::size_t /*n_done*/, std::size_t /*n_all*/) {}
   virtual void iteration(const fem::ContactIteration & /*step*/) {}
   /// Something that a reader of the console should know, with a word or two that name its subject.

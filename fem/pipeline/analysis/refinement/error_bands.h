@@ -37,7 +37,7 @@ namespace stemware::pipeline
 /// @p all is the row of all harmonics, @p first that of the first alone, where there is one. Empty for a load
 /// that does not come from a contact, and where one of the changed contacts cannot be had, as next to
 /// tipping, or no other mesh would tell, as of a solid foot whose contact with a hard table is narrower than
-/// its cells; @p progress is told why. A quantity that a change leaves without a value has none.
+/// its cells; @p progress receives the reason. A quantity that a change leaves without a value has none.
 /// Collective where the body is.
 ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                           const ring::Answer &all, const std::optional<double> &first,

@@ -52,7 +52,7 @@ struct MeshForGoal
 /// The cells' shares, of which parts may cancel, may not exceed five tolerances either. The study itself
 /// where it has no goal.
 ///
-/// @p progress is told of the meshes. Throws BadInput for a mesh file whose load depends on where the moment
+/// @p progress receives the meshes. Throws BadInput for a mesh file whose load depends on where the moment
 /// points, std::runtime_error where twenty meshes or Contact/Memory limit are not enough or the estimate
 /// cannot be had, and as find_load() and terminal_spin(). Collective where the body is.
 MeshForGoal mesh_for_goal(const Study &study, const Executor &executor,

@@ -73,7 +73,7 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
 /// Terminal spin of @p answer [rad/s]. Throws its failure, and ring::NoBalance if the glass falls over.
 double terminal_spin_of(const ring::Answer &answer);
 
-/// The spins at which the torque is followed unless somebody chooses others: half and one and a half times
+/// Default spins at which the torque is evaluated: half and one and a half times
 /// the terminal spin @p omega_terminal.
 std::vector<double> spins_of_interest(double omega_terminal);
 
