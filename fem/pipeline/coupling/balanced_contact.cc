@@ -49,6 +49,7 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
 fem::ContactState BalancedContact::contact_on_one_ring(double omega, Progress &progress)
 {
   constexpr unsigned int most_rounds = 20;
+  constexpr double tolerance = 1e-10; // that of a contact; a round leaves a hundredth of the change before
   const ring::Motion &motion = balance.motion;
   for (unsigned int round = 0;; ++round)
   {
@@ -56,7 +57,7 @@ fem::ContactState BalancedContact::contact_on_one_ring(double omega, Progress &p
     state.load = foot->gather(state);
     const double radius = state.load.radius(), rotation = state.load.rotation;
     const bool settled =
-      std::abs(radius - one_radius) < 1e-12 * radius && std::abs(rotation - one_rotation) < 1e-12;
+      std::abs(radius - one_radius) < tolerance * radius && std::abs(rotation - one_rotation) < tolerance;
     one_radius = radius;
     one_rotation = rotation;
     if (settled || ring::friction_arm(balance.closure, motion) == 0)
