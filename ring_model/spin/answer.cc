@@ -39,6 +39,20 @@ std::optional<double> expected_spin(const LoadAtSpin &load, const Motion &motion
   return if_balanced([&] { return terminal_spin(load.at(0), motion).omega; });
 }
 
+/// Where the load of one of the phases takes the glass: next to where their mean does, without the samples
+/// that the mean takes all round. std::nullopt if it takes the glass nowhere.
+std::optional<double> spin_at_first_phase(const PhaseLoads &phases, const Motion &motion,
+                                          const SpinSearch &search)
+{
+  const auto torque = [&](double omega)
+  {
+    const LeaningLoad at_spin = phases.at_first_phase(omega);
+    return wrench(motion, at_spin, omega).torque + at_spin.lean_torque();
+  };
+  const std::optional<double> spin = if_balanced([&] { return find_terminal_spin(torque, search).omega; });
+  return spin && *spin != 0 ? spin : std::nullopt;
+}
+
 std::string fall_sentence(const Fall &fall)
 {
   return sentence("the glass stands at rest and falls over on the way, at ", in_digits(fall.omega, 3),
@@ -72,8 +86,10 @@ void take_long_run_mean(const LoadAtSpin &load, const Question &question, double
     largest_torque =
       std::max(largest_torque, std::abs(yaw_torque(load, motion, spin.omega, phases.phases().phase(i))));
   const double slope = spin.held ? 0 : std::abs(spin.torque_slope),
-               reach = slope > 0 ? 2 * largest_torque / slope : 0;
-  const PhaseTorque torque(load, motion, spin.omega, reach, 0.03 * accuracy * spin_scale * slope);
+               reach = slope > 0 ? 2 * largest_torque / slope : 0.01 * spin_scale;
+  const double friction_torque = motion.friction_at_rest() * motion.normal_force() * load.radius(),
+               torque_scale = slope > 0 ? slope * spin_scale : friction_torque;
+  const PhaseTorque torque(load, motion, spin.omega, reach, 0.03 * accuracy * torque_scale);
   const auto with_grip = [&](double time, double yaw_angle, double omega)
   { return against_grip(torque(time, yaw_angle, omega), omega, question.grip_torque); };
   const LongTimeSpin mean =
@@ -109,6 +125,9 @@ double find_terminal(const LoadAtSpin &load, const Question &question, Answer &f
   // A hand at the height of the centre of mass asks for no torque at rest: noise is not to choose a
   // direction.
   search.torque_noise = 1e-9 * motion.friction_at_rest() * motion.normal_force() * load.radius();
+  if (const PhaseLoads *phases = load.phases())
+    if (const std::optional<double> near = spin_at_first_phase(*phases, motion, search))
+      search.expected = near;
   double asked = 0;
   if (question.with_slope || load.phases())
   {

@@ -17,9 +17,9 @@ namespace stemware::ring
 namespace
 {
 
-/// Error wanted of the mean over the phases, and of the load between spins: a hundredth of what rim and table
-/// out of flat leave unknown in most studies.
-constexpr double tolerance = 1e-6;
+/// Error wanted of the mean over the phases, and of the load between spins: a tenth of what rim and table out
+/// of flat leave unknown in most studies.
+constexpr double tolerance = 1e-5;
 /// Largest errors allowed: of the mean over the phases, which the band of error contains, and between them,
 /// where ripple alone depends on it.
 constexpr SampleError largest_allowed = { 3e-2, 0.3 };
@@ -27,6 +27,8 @@ constexpr SampleError largest_allowed = { 3e-2, 0.3 };
 /// the smallest numbers with a half and a quarter that tell their error.
 constexpr unsigned int first_phases = 8, first_phases_of_two = 4;
 constexpr unsigned int most_phases = 128; ///< of one angle
+/// Phases of one angle to begin with, of what a spin changes: that depends on the phase much less.
+constexpr unsigned int first_phases_of_change = 4;
 
 PeriodicGrid first_grid(double period, unsigned int n_phases)
 {
@@ -73,7 +75,7 @@ std::vector<PhaseSamples> sample(const LoadAtPhase &load, const std::vector<doub
 
 } // namespace
 
-PhaseSamples find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples)
+PhaseSamples find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int max_samples)
 {
   const unsigned int first = periods.glass > 0 && periods.table > 0 ? first_phases_of_two : first_phases;
   PhaseGrids grids = { first_grid(periods.glass, first), first_grid(periods.table, first) };
@@ -83,7 +85,7 @@ PhaseSamples find_phases(const LoadAtPhase &load, const PhasePeriods &periods, u
     const double of_glass = samples.error(&PhaseGrids::glass).mean,
                  of_table = samples.error(&PhaseGrids::table).mean;
     PeriodicGrid &worse = of_glass > of_table ? grids.glass : grids.table;
-    if (of_glass + of_table <= tolerance || worse.size() == most_phases || 2 * grids.size() > most_samples)
+    if (of_glass + of_table <= tolerance || worse.size() == most_phases || 2 * grids.size() > max_samples)
     {
       require_resolved(grids.size(), samples.error());
       return samples;
@@ -118,10 +120,10 @@ LeaningLoad PhaseLoads::at(double omega, const Orientation &phase) const
     return at_rest.at(phase);
   // An integrator asks often: the phases go first, so that no samples are made.
   const Samples &samples = samples_around(omega);
-  const Eigen::VectorXd spins = samples.spins.weights(omega), phases = at_rest.phases().weights(phase);
+  const Eigen::VectorXd spins = samples.spins.weights(omega);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples.at_nodes.front().columns().rows());
   for (unsigned int k = 0; k < samples.spins.size(); ++k)
-    sum.noalias() += samples.at_nodes[k].columns() * (spins(k) * phases);
+    sum += spins(k) * phases().interpolated(samples.at_nodes[k].columns(), phase);
   return LeaningLoad::from_coefficients(sum, samples.at_nodes.front().n_rings());
 }
 
@@ -172,15 +174,61 @@ const PhaseLoads::Samples &PhaseLoads::samples_around(double omega) const
   }
 }
 
+PhaseSamples PhaseLoads::changed(const PhaseGrids &grids, const Eigen::MatrixXd &changes) const
+{
+  Eigen::MatrixXd columns = at_rest.columns();
+  for (unsigned int i = 0; i < phases().size(); ++i)
+    columns.col(i) += changes * grids.weights(phases().phase(i));
+  return { phases(), columns, at_rest.n_rings() };
+}
+
+std::pair<PhaseGrids, SampleError> PhaseLoads::find_phases_of_change(double omega) const
+{
+  const auto first = [](const PeriodicGrid &grid) { return grid.coarsened(first_phases_of_change); };
+  PhaseGrids grids = { first(phases().glass), first(phases().table) };
+  const Eigen::VectorXd mean = at_rest.columns().rowwise().mean();
+  while (true)
+  {
+    const PhaseSamples of_mean = { grids, changes_from_rest({ omega }, grids).front().colwise() + mean,
+                                   at_rest.n_rings() };
+    const double of_glass = of_mean.error(&PhaseGrids::glass).mean,
+                 of_table = of_mean.error(&PhaseGrids::table).mean;
+    const PhaseGrids::Angle worse = of_glass > of_table ? &PhaseGrids::glass : &PhaseGrids::table;
+    if (of_glass + of_table <= std::max(tolerance, at_rest.error().mean) ||
+        (grids.*worse).size() >= (phases().*worse).size())
+      return { grids, of_mean.error() };
+    grids.*worse = (grids.*worse).refined();
+  }
+}
+
+std::vector<Eigen::MatrixXd> PhaseLoads::changes_from_rest(const std::vector<double> &omegas,
+                                                           const PhaseGrids &grids) const
+{
+  Eigen::MatrixXd rest(at_rest.columns().rows(), grids.size());
+  for (unsigned int i = 0; i < grids.size(); ++i)
+    rest.col(i) = at_rest.columns() * phases().weights(grids.phase(i));
+  std::vector<Eigen::MatrixXd> changes;
+  for (const PhaseSamples &samples : sample(load, omegas, grids))
+    changes.push_back(samples.columns() - rest);
+  return changes;
+}
+
 PhaseLoads::Samples PhaseLoads::samples_of(long interval) const
 {
   const auto [spins, between_spins] = find_spins(interval);
-  Samples samples = { spins, sample(load, spins.nodes(), phases()) };
-  const SampleError of_phases = samples.at_nodes[spins.size() / 2].error();
+  const unsigned int farther = interval < 0 ? 0 : spins.size() - 1; // from rest
+  const auto [grids, of_change] = find_phases_of_change(spins.node(farther));
+  require_resolved(phases().size(),
+                   { at_rest.error().mean + of_change.mean, at_rest.error().between + of_change.between });
+  Samples samples = { spins, {} };
+  for (const Eigen::MatrixXd &changes : changes_from_rest(spins.nodes(), grids))
+    samples.at_nodes.push_back(changed(grids, changes));
   // Between spins the load may be off by as much at every phase, but a kink is not at the same spin.
   const double between_means = std::min(between_spins, error_of_halved_spins(samples));
-  largest_error.between = std::max({ largest_error.between, of_phases.between, between_spins });
-  largest_error.mean = std::max(largest_error.mean, of_phases.mean + between_means);
+  const SampleError of_rest = at_rest.error();
+  largest_error.between =
+    std::max({ largest_error.between, of_rest.between + of_change.between, between_spins });
+  largest_error.mean = std::max(largest_error.mean, of_rest.mean + of_change.mean + between_means);
   require_resolved(phases().size(), largest_error);
   return samples;
 }

@@ -14,13 +14,22 @@ PhaseTorque::PhaseTorque(const LoadAtSpin &load, const Motion &motion, double mi
     , motion(motion)
     , grids(load.phases()->phases())
 {
-  constexpr unsigned int first_steps = 4, most_steps = 16;
+  // A ring's kink at v / R may lie within reach, but not next to the spins that the glass turns with.
+  constexpr unsigned int max_trials = 3;
   // Beyond the spins that the load is known between it would take contact solutions, and has a kink.
   const auto [slowest, fastest] = load.phases()->known_around(middle);
-  lower = std::max(middle - reach, slowest);
-  upper = std::min(middle + reach, fastest);
-  if (!(lower < upper))
-    return;
+  for (unsigned int trial = 0; trial < max_trials && !spins; ++trial, reach /= 2)
+  {
+    lower = std::max(middle - reach, slowest);
+    upper = std::min(middle + reach, fastest);
+    if (lower < upper)
+      tabulate(tolerance);
+  }
+}
+
+void PhaseTorque::tabulate(double tolerance)
+{
+  constexpr unsigned int first_steps = 4, max_steps = 16;
   SpinInterval tried(lower, upper, first_steps);
   Eigen::MatrixXd torques = at_phases(tried.nodes());
   while (true)
@@ -37,7 +46,7 @@ PhaseTorque::PhaseTorque(const LoadAtSpin &load, const Motion &motion, double mi
       table = torques;
       return;
     }
-    if (2 * places.size() > most_steps)
+    if (2 * places.size() > max_steps)
       return;
     // Nodes and places between them are the nodes of the refined interval in turn.
     Eigen::MatrixXd refined(torques.rows(), torques.cols() + between.cols());

@@ -20,8 +20,9 @@ class PhaseTorque
 public:
   /// Tabulates the torque of @p load, which has phases(), at spins up to @p reach [rad/s] from @p middle, as
   /// far as the load is known around it (PhaseLoads::known_around()).
-  /// Makes no table if polynomials leave more than @p tolerance [N m], as across the spin v / R of a ring, at
-  /// which the torque has a kink. @p load and @p motion are kept by reference.
+  /// Where polynomials leave more than @p tolerance [N m], as across the spin v / R of a ring, at which the
+  /// torque has a kink, half of @p reach is tried, and a quarter; then there is no table. @p load and @p
+  /// motion are kept by reference.
   PhaseTorque(const LoadAtSpin &load, const Motion &motion, double middle, double reach, double tolerance);
 
   /// Returns the torque [N m] at a time [s], yaw angle [rad] and spin [rad/s]: from the table if it covers
@@ -32,6 +33,8 @@ public:
   bool is_tabulated() const { return spins.has_value(); }
 
 private:
+  /// Makes the table from `lower` to `upper`, unless polynomials leave more than @p tolerance [N m].
+  void tabulate(double tolerance);
   /// Torques at all phases. Shape [number of phases, number of spins].
   Eigen::MatrixXd at_phases(const std::vector<double> &omegas) const;
 

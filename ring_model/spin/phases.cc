@@ -36,6 +36,11 @@ PeriodicGrid PeriodicGrid::halved() const
   return PeriodicGrid(period, n_nodes > 1 ? n_nodes / 2 : 1);
 }
 
+PeriodicGrid PeriodicGrid::coarsened(unsigned int max_nodes) const
+{
+  return n_nodes > max_nodes ? halved().coarsened(max_nodes) : *this;
+}
+
 Eigen::VectorXd PeriodicGrid::weights(double angle) const
 {
   if (n_nodes == 1)
@@ -110,6 +115,15 @@ Eigen::VectorXd PhaseGrids::weights(const Orientation &phase) const
 {
   const Eigen::VectorXd of_glass = glass.weights(phase.glass), of_table = table.weights(phase.table);
   return (of_table * of_glass.transpose()).reshaped();
+}
+
+Eigen::VectorXd PhaseGrids::interpolated(const Eigen::MatrixXd &columns, const Orientation &phase) const
+{
+  const Eigen::VectorXd weights_there = weights(phase);
+  Eigen::Index nearest = 0;
+  if (weights_there.maxCoeff(&nearest) == 1 && weights_there.lpNorm<1>() == 1) // a phase of the grid
+    return columns.col(nearest);
+  return columns * weights_there;
 }
 
 double torque_difference(const LeaningLoad &one, const LeaningLoad &other)

@@ -40,6 +40,8 @@ public:
   PeriodicGrid refined() const { return PeriodicGrid(period, 2 * n_nodes); }
   /// Returns the grid with half the nodes; one remains one.
   PeriodicGrid halved() const;
+  /// Returns the grid with every so many-th node that at most @p max_nodes are left, a power of two.
+  PeriodicGrid coarsened(unsigned int max_nodes) const;
   /// Weights of the nodes' values in the interpolant at @p angle. Shape [size()].
   Eigen::VectorXd weights(double angle) const;
 
@@ -91,6 +93,8 @@ struct PhaseGrids
   PhaseGrids halved(Angle angle) const;
   /// Weights of the phases in the interpolant at @p phase. Shape [size()].
   Eigen::VectorXd weights(const Orientation &phase) const;
+  /// The column at @p phase between @p columns, of which there is one for each phase.
+  Eigen::VectorXd interpolated(const Eigen::MatrixXd &columns, const Orientation &phase) const;
 };
 
 /// Returns the distance of two loads as friction sees them: the largest difference of tau_z over mu N R among
@@ -118,7 +122,7 @@ public:
 
   /// The load at phase @p i, and by trigonometric interpolation at any.
   LeaningLoad sample(unsigned int i) const { return load_of(loads.col(i)); }
-  LeaningLoad at(const Orientation &phase) const { return load_of(loads * grids.weights(phase)); }
+  LeaningLoad at(const Orientation &phase) const { return load_of(grids.interpolated(loads, phase)); }
 
   /// Mean over all phases, the trapezoidal rule. It carries the mean moment.
   LeaningLoad mean() const;

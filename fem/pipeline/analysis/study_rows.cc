@@ -35,7 +35,8 @@ SharedLoad load_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &f
   const std::optional<double> expected = asked.near            ? std::optional(asked.near->omega)
                                          : asked.expected != 0 ? std::optional(asked.expected)
                                                                : std::nullopt;
-  return find_load(variant.study, foot, silent_progress(), variant.n_harmonics, expected);
+  return find_load(variant.study, foot, silent_progress(), variant.n_harmonics, expected,
+                   PhaseSampling::coarse);
 }
 
 } // namespace
@@ -171,14 +172,19 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
   // whole is reported: half-way it is to be known.
   if (terminal && load.is_costly() && depth == Depth::full)
     ring::if_balanced([&] { return load.at(terminal->omega / 2); });
-  variants.insert(variants.end(), others.begin(), others.end());
+  std::copy_if(others.begin(), others.end(), std::back_inserter(variants),
+               [](const Variant &other) { return !other.on_same_load; });
+  std::vector<LoadedRow> solved;
   if (!variants.empty())
-    rows.others = solve_rows(variants, foot, question, executor, progress, "models");
-  const auto cut =
-    std::stable_partition(rows.others.begin(), rows.others.end(),
-                          [](const LoadedRow &solved) { return solved.variant.key == "harmonics"; });
-  std::move(rows.others.begin(), cut, std::back_inserter(rows.by_harmonics));
-  rows.others.erase(rows.others.begin(), cut);
+    solved = solve_rows(variants, foot, question, executor, progress, "models");
+  auto next = solved.begin();
+  for (; next != solved.end() && next->variant.key == "harmonics"; ++next)
+    rows.by_harmonics.push_back(std::move(*next));
+  for (const Variant &other : others)
+    rows.others.push_back(
+      other.on_same_load
+        ? LoadedRow{ other, ring::answer(load, spin_question(other.study, question)), whole.load }
+        : std::move(*next++));
   std::move(sharing.begin(), sharing.end(), std::back_inserter(rows.by_harmonics));
   rows.by_harmonics.push_back(whole);
   for (std::size_t i = 0; i < orders.size(); ++i)

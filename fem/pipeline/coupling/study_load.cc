@@ -225,15 +225,6 @@ double period_of(const std::vector<fem::WavinessHarmonic> &harmonics)
   return divisor > 0 ? boost::math::double_constants::two_pi / divisor : 0;
 }
 
-/// With which turns the load of the study's foot repeats itself.
-ring::PhasePeriods periods_of(const Study &study, const ElasticFoot &foot)
-{
-  ring::PhasePeriods periods = phase_periods(imperfection_of(study));
-  if (const double of_mesh = foot.body().capabilities().period_of_glass; of_mesh > 0)
-    periods.glass = of_mesh;
-  return periods;
-}
-
 /// The contact at rest with the marks at @p phase. If it tips, the failure tells about @p at_start as well,
 /// the contact with the marks at t = 0, which is in balance.
 fem::ContactState contact_at_phase(const Study &study, ElasticFoot &foot, const ring::Orientation &phase,
@@ -265,7 +256,8 @@ fem::ContactState contact_at_phase(const Study &study, ElasticFoot &foot, const 
 
 /// @p at_rest is the load at the phase of t = 0.
 SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                            const fem::ContactState &at_rest, unsigned int n_harmonics, Progress &progress)
+                            const fem::ContactState &at_rest, unsigned int n_harmonics, PhaseSampling phases,
+                            Progress &progress)
 {
   // Each phase has its own balances, solved as they are asked for.
   const auto by_phase = std::make_shared<std::map<std::pair<double, double>, SharedLoad>>();
@@ -283,8 +275,10 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
   // Where each phase takes a curve over the spins, or ten times as long under a hard contact, fewer have to
   // do: so a study takes seconds.
   const bool follows = follows_spin(study), is_hard = study.table.is_hard();
-  const ring::PhasePeriods periods = periods_of(study, *foot);
-  const ring::PhaseSamples samples = ring::find_phases(exact, periods, follows ? 32 : is_hard ? 64 : 256);
+  const ring::PhasePeriods periods = phase_periods(study, *foot);
+  const bool is_coarse = is_hard && phases == PhaseSampling::coarse;
+  const unsigned int max_phases = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;
+  const ring::PhaseSamples samples = ring::find_phases(exact, periods, max_phases);
 
   const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
   ring::SpinSampling spins;
@@ -292,7 +286,7 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
   if (follows)
     spins.unit = study.motion.orbit.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
   if (is_hard)
-    spins.most_steps = 8;
+    spins.most_steps = is_coarse ? 4 : 8;
   ring::PhaseExtremes worst = { report.minimum, report.contact_fraction };
   for (const auto &[phase, load] : *by_phase)
   {
@@ -319,13 +313,15 @@ fem::ContactState contact_at_rest(const Study &study, const std::shared_ptr<Elas
 }
 
 SharedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                        unsigned int n_harmonics, Progress &progress, const std::optional<double> &expected)
+                        unsigned int n_harmonics, Progress &progress, const std::optional<double> &expected,
+                        PhaseSampling phases)
 {
   const ring::Orientation marks = moment_balance(study).orientation;
   const fem::ContactState state = contact_at_rest(study, foot, marks, progress, expected);
   progress.stage_done("contact");
-  return periods_of(study, *foot).any() ? load_over_phases(study, foot, state, n_harmonics, progress)
-                                        : load_at_one_phase(study, foot, marks, state, n_harmonics, progress);
+  return phase_periods(study, *foot).any()
+           ? load_over_phases(study, foot, state, n_harmonics, phases, progress)
+           : load_at_one_phase(study, foot, marks, state, n_harmonics, progress);
 }
 
 /// A first harmonic that carries the given moment of a static study.
@@ -376,12 +372,12 @@ void require_standing(const Study &study)
 }
 
 SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress,
-                     unsigned int n_harmonics, const std::optional<double> &expected)
+                     unsigned int n_harmonics, const std::optional<double> &expected, PhaseSampling phases)
 {
   switch (study.load.source)
   {
   case LoadSource::contact:
-    return contact_load(study, foot, n_harmonics, progress, expected);
+    return contact_load(study, foot, n_harmonics, progress, expected, phases);
   case LoadSource::first_harmonic:
     return study.load.is_static() ? given_first_harmonic(study)
                                   : first_harmonic_load(study, study.motion.closure);
@@ -400,6 +396,14 @@ bool is_balance_failure(const std::exception &failure)
 ring::PhasePeriods phase_periods(const fem::RimImperfection &imperfection)
 {
   return { period_of(imperfection.glass), period_of(imperfection.table) };
+}
+
+ring::PhasePeriods phase_periods(const Study &study, const ElasticFoot &foot)
+{
+  ring::PhasePeriods periods = phase_periods(imperfection_of(study));
+  if (const double of_mesh = foot.body().capabilities().period_of_glass; of_mesh > 0)
+    periods.glass = of_mesh;
+  return periods;
 }
 
 SharedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,

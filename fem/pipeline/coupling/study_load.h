@@ -34,6 +34,14 @@ bool is_balance_failure(const std::exception &failure);
 /// Throws ring::Tipping where the foot of a study tips at rest.
 void require_standing(const Study &study);
 
+/// At how many phases a load is sampled that depends on them: `full` for the answer; `coarse` for what stands
+/// beside it, where the table is hard, so that each phase takes ten times as long: a quarter of the samples.
+enum class PhaseSampling
+{
+  full,
+  coarse
+};
+
 /// The load of a study on the ring, from wherever Load/Source wants it, followed through the spin as
 /// Load/Coupling wants it. @p foot is study_foot().
 ///
@@ -48,7 +56,7 @@ void require_standing(const Study &study);
 /// to. Throws BadInput and fem::ContactFailure; the load throws as balance()'s.
 SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                      Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics,
-                     const std::optional<double> &expected = {});
+                     const std::optional<double> &expected = {}, PhaseSampling phases = PhaseSampling::full);
 
 /// find_load() of a contact with the marks of glass and table at @p orientation: a study whose rim or table
 /// is out of flat has a load of its own there.
@@ -57,6 +65,8 @@ SharedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticF
 
 /// Returns the periods of a load on these surfaces: 2 pi over the greatest common divisor of their harmonics.
 ring::PhasePeriods phase_periods(const fem::RimImperfection &imperfection);
+/// The same of the study's surfaces and of the mesh of @p foot, which may be no body of revolution.
+ring::PhasePeriods phase_periods(const Study &study, const ElasticFoot &foot);
 
 /// The moment balance of a study with the marks of glass and table where they are at t = 0.
 ContactBalance moment_balance(const Study &study);

@@ -103,6 +103,8 @@ std::vector<Variant> variants_without(const Study &study, bool depends_on_phase)
          [](Study &other) { other = with_constant_friction(std::move(other)); });
   add_if(study.tilts(), "tilt", [](Study &other) { other.motion.tilt = false; });
   add_if(study.motion.grip_torque > 0, "grip", [](Study &other) { other.motion.grip_torque = 0; });
+  if (study.motion.grip_torque > 0)
+    variants.back().on_same_load = true;
   add_if(study.has_waviness(), "waviness", [](Study &other) { other.model.waviness = false; });
   return variants;
 }

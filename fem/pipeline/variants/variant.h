@@ -18,6 +18,7 @@ struct Variant
   Study study = {};
   unsigned int n_harmonics = all_harmonics; ///< whose friction acts
   bool on_same_foot = false;                ///< on the foot of the study, not on one of its own
+  bool on_same_load = false;                ///< of the study: only what the ring is asked differs
   std::string reason = {};                  ///< why it is not solved; empty where it is
   bool on_other_rings = false;              ///< of the same foot: they are placed anew
 };

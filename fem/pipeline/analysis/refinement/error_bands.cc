@@ -103,20 +103,19 @@ Findings look(const ProbedLoads &loads, const ElasticFoot &foot, const ring::Mot
   return found;
 }
 
-/// The marks of glass and table at equally spaced phases; one where nothing is out of flat. Fewer of a foot
-/// that is no body of revolution: each takes contacts on all of its meshes.
+/// The marks of glass and table at equally spaced phases of their periods; one where nothing is out of flat.
 std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &foot)
 {
   const ring::Orientation start = moment_balance(study).orientation;
-  const double of_mesh = foot.body().capabilities().period_of_glass;
-  if (!study.has_waviness() && of_mesh == 0)
+  const ring::PhasePeriods periods = phase_periods(study, foot);
+  if (!periods.any())
     return { start };
-  const unsigned int n_phases = of_mesh > 0 ? 4 : 8;
-  const double turn = (of_mesh > 0 ? of_mesh : boost::math::double_constants::two_pi) / n_phases;
+  constexpr unsigned int n_phases = 4;
   std::vector<ring::Orientation> phases;
   for (unsigned int i = 0; i < n_phases; ++i)
-    // Steps that visit the phases of glass and table in all combinations of even and odd.
-    phases.push_back({ start.glass + turn * i, start.table + turn * (3 * i % n_phases) });
+    // Other steps of the table, so that not both are at crests at once.
+    phases.push_back({ start.glass + periods.glass * i / n_phases,
+                       start.table + periods.table * (3 * i % n_phases) / n_phases });
   return phases;
 }
 
