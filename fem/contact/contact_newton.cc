@@ -48,12 +48,11 @@ void require_possible(const LinearConditions &conditions, double radius, bool is
   const double limit = distance_to_hull(conditions, centre.normalized(), is_ring);
   if (centre.norm() < limit)
     return;
-  throw ContactFailure(ContactOutcome::tipping,
-                       sentence("the centre of pressure lies ", centre.norm(),
-                                " m from the axis, which is not within the hull of the contact zone, ", limit,
-                                " m in that direction; reduce the moment: in that direction the foot tips at "
-                                "|M_N| = ",
-                                limit / radius, " N R."));
+  throw TippingDemand(sentence("the centre of pressure lies ", centre.norm(),
+                               " m from the axis, which is not within the hull of the contact zone, ", limit,
+                               " m in that direction; reduce the moment: in that direction the foot tips at "
+                               "|M_N| = ",
+                               limit / radius, " N R."));
 }
 
 /// The damped Newton iteration of one body and one table.

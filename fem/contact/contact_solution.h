@@ -53,6 +53,16 @@ public:
   const ContactOutcome outcome;
 };
 
+/// Exception of a demand whose centre of pressure lies beyond the foot: no foot there stands, elastic or not.
+class TippingDemand : public ContactFailure
+{
+public:
+  explicit TippingDemand(const std::string &message)
+      : ContactFailure(ContactOutcome::tipping, message)
+  {
+  }
+};
+
 /// Equilibrium of a foot on the table.
 struct ContactSolution
 {

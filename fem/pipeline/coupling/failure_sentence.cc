@@ -37,6 +37,10 @@ Failure present_failure()
   {
     return { failure.what(), ExitCode::output_failure, true };
   }
+  catch (const fem::TippingDemand &failure)
+  {
+    return { std::string("The foot cannot stand: ") + failure.what(), ExitCode::bad_input, true };
+  }
   catch (const fem::ContactFailure &failure)
   {
     return { std::string("No contact solution: ") + failure.what(), ExitCode::numerical_failure, true };
