@@ -77,9 +77,9 @@ Estimate inverse_interpolation(std::vector<Sample> samples)
   }
   catch (const NoBalance &cause)
   {
-    std::throw_with_nested(BalanceLost(
-      sentence("the balance is lost at ", in_digits(last, 6), " rad/s, before a terminal spin is reached: ", cause.what()),
-      last, cause.tips()));
+    std::throw_with_nested(BalanceLost(sentence("the balance is lost at ", in_digits(last, 6),
+                                                " rad/s, before a terminal spin is reached: ", cause.what()),
+                                       last, cause.tips()));
   }
 }
 

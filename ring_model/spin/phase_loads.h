@@ -85,8 +85,8 @@ private:
   /// Spins of an interval, as many as it takes, and the error between them, torque_difference(); where the
   /// load has kinks in the spin, as many as it takes below 3e-2 until twice as many leave over a third of it.
   std::pair<SpinInterval, double> find_spins(long interval) const;
-  /// What the spins @p omegas change in the loads at rest, at the phases of @p grids: a matrix for each spin,
-  /// with a column for each phase.
+  /// Changes that the spins @p omegas make in the loads at rest, at the phases of @p grids: a matrix for each
+  /// spin, with a column for each phase.
   std::vector<Eigen::MatrixXd> changes_from_rest(const std::vector<double> &omegas,
                                                  const PhaseGrids &grids) const;
   /// Some of phases(), as many as it takes to know what the spin @p omega changes in the mean, and the error

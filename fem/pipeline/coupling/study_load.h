@@ -34,8 +34,8 @@ bool is_balance_failure(const std::exception &failure);
 /// Throws ring::Tipping where the foot of a study tips at rest.
 void require_standing(const Study &study);
 
-/// At how many phases a load is sampled that depends on them: `full` for the answer; `coarse` for what stands
-/// beside it, where the table is hard, so that each phase takes ten times as long: a quarter of the samples.
+/// Number of phases at which a load is sampled that depends on them. Under a hard table each phase takes ten
+/// times as long: there `coarse`, for what stands beside the answer, has a quarter of the samples of `full`.
 enum class PhaseSampling
 {
   full,
