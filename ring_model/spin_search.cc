@@ -1,7 +1,6 @@
 #include "ring_model/spin_search.h"
 
 #include "ring_model/load/require.h"
-#include "ring_model/spin/in_digits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +76,7 @@ Estimate inverse_interpolation(std::vector<Sample> samples)
   }
   catch (const NoBalance &cause)
   {
-    std::throw_with_nested(BalanceLost(sentence("the balance is lost at ", in_digits(last, 6),
+    std::throw_with_nested(BalanceLost(sentence("the balance is lost at ", last + 0.,
                                                 " rad/s, before a terminal spin is reached: ", cause.what()),
                                        last, cause.tips()));
   }
