@@ -20,7 +20,7 @@ class PhaseTorque
 public:
   /// Tabulates the torque of @p load, which has phases(), at spins up to @p reach [rad/s] from @p middle, as
   /// far as the load is known around it (PhaseLoads::known_around()).
-  /// Where polynomials leave more than @p tolerance [N m], as across the spin v / R of a ring, at which the
+  /// If polynomials leave more than @p tolerance [N m], as across the spin v / R of a ring, at which the
   /// torque has a kink, half of @p reach is tried, and a quarter; then there is no table. @p load and @p
   /// motion are kept by reference.
   PhaseTorque(const LoadAtSpin &load, const Motion &motion, double middle, double reach, double tolerance);

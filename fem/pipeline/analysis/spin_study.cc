@@ -115,17 +115,19 @@ std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow>
   int first = -n_intervals / 8;
   if (const ring::PhaseLoads *phases = rows.back().load->phases())
   {
-    // No farther than the samples round the terminal spin reach, if that is beyond it: others take as long.
+    // Spins without samples yet take as many contacts as the answer: the curve ends with the samples round
+    // the terminal spin, if they reach beyond it.
     constexpr double beyond = 1.1;
     const auto [lower, upper] = phases->known_around(all.last_spin().value_or(0));
     const double terminal = all.last_spin().value_or(0), end = std::clamp(last, lower, upper);
     if (std::abs(end) > beyond * std::abs(terminal))
       last = end;
-    first = 0;
+    if (std::isfinite(lower))
+      first = 0;
   }
   std::vector<double> spins;
   for (int i = first; i <= n_intervals; ++i)
-    spins.push_back(last * i / n_intervals);
+    spins.push_back(last * i / n_intervals + 0.); // no -0
   std::sort(spins.begin(), spins.end());
   return spins;
 }

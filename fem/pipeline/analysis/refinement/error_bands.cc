@@ -113,7 +113,7 @@ std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &
   constexpr unsigned int n_phases = 4;
   std::vector<ring::Orientation> phases;
   for (unsigned int i = 0; i < n_phases; ++i)
-    // Other steps of the table, so that not both are at crests at once.
+    // Glass and table turn against each other.
     phases.push_back({ start.glass + periods.glass * i / n_phases,
                        start.table + periods.table * (3 * i % n_phases) / n_phases });
   return phases;

@@ -31,8 +31,8 @@ namespace stemware::pipeline
 ///
 /// The band is their sum. Followed are the load at rest, the torque at rest, at half and at one and a half
 /// times the terminal spin, terminal spin and time constant, and what the harmonics beyond the first do to
-/// the terminal spin. Of an out-of-flat rim or table the torques are means over eight phases, of a foot whose
-/// load depends on where the moment points over four.
+/// the terminal spin. Of an out-of-flat rim or table, and of a foot whose load depends on where the moment
+/// points, the torques are means over four phases of the period.
 ///
 /// @p all is the row of all harmonics, @p first that of the first alone, where there is one. Empty for a load
 /// that does not come from a contact, and where one of the changed contacts cannot be had, as next to
