@@ -25,7 +25,7 @@ double friction_arm(Closure closure, const Motion &motion)
   case Closure::paper:
     return 0.;
   case Closure::hand:
-    return motion.force_offset;
+    return motion.force_offset + (motion.centre_of_mass_height - motion.total_centre_height());
   case Closure::full:
     return motion.centre_of_mass_height + motion.force_offset;
   }
@@ -39,7 +39,8 @@ Eigen::Vector2d required_moment(Closure closure, const Motion &motion, const Eig
     acceleration.x() = 0.;
   // k x (x, y) = (-y, x); the friction enters the hand force with the opposite sign.
   const auto k_cross = [](const Eigen::Vector2d &vector) { return Eigen::Vector2d(-vector.y(), vector.x()); };
-  return -motion.force_offset * motion.mass * k_cross(acceleration) +
+  const double offset = motion.force_offset + (motion.centre_of_mass_height - motion.overturning_height());
+  return -offset * motion.total_mass() * k_cross(acceleration) +
          friction_arm(closure, motion) * k_cross(friction);
 }
 

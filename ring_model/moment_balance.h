@@ -21,14 +21,16 @@ std::string to_string(Closure closure);
 
 /**
  * Arm h [m] at which the friction T enters M_N = moment without friction + h k x T: 0 for `paper`, Delta
- * z for `hand`, the height of the hand above the table z_CM + Delta z for `full`.
+ * z for `hand` (over the centre of mass of glass and liquid), the height of the hand above the table z_CM +
+ * Delta z for `full`.
  */
 double friction_arm(Closure closure, const Motion &motion);
 
 /**
  * Moment M_N of the normal forces about the ring's centre [N m], in the slip frame, that keeps the glass
  * from tilting when the table's friction is @p friction = (T_x, T_y) [N]: M_N = -Delta z k x F + z_CM k x T
- * with F = m a - T, cut down to what @p closure keeps. At omega = 0 the friction is exactly (-mu(v) N, 0).
+ * with F = m a - T, cut down to what @p closure keeps, and the moment of a liquid whose surface leans. At
+ * omega = 0 the friction is exactly (-mu(v) N, 0).
  */
 Eigen::Vector2d required_moment(Closure closure, const Motion &motion, const Eigen::Vector2d &friction);
 

@@ -20,6 +20,19 @@ void Motion::validate() const
   if (friction_law == FrictionLawKind::stribeck)
     friction_law_of(*this); // refuses what is not allowed
   require_positive(gravity, "gravity", "m/s^2");
+  liquid.validate(acceleration().norm() / gravity);
+}
+
+double Motion::total_centre_height() const
+{
+  // As a change of the glass's own height, which a share of 0 leaves to the last digit.
+  const double height = liquid.mass > 0. ? liquid.centre_height(acceleration().norm() / gravity) : 0.;
+  return centre_of_mass_height + liquid.mass / total_mass() * (height - centre_of_mass_height);
+}
+
+double Motion::overturning_height() const
+{
+  return total_centre_height() + liquid.mass / total_mass() * liquid.metacentric_radius();
 }
 
 double Motion::friction_at(double slip_speed) const

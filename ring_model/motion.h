@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ring_model/liquid.h"
+
 #include <Eigen/Core>
 
 namespace stemware::ring
@@ -19,7 +21,7 @@ enum class FrictionLawKind
 };
 
 /// Glass and how the hand leads it round the table; SI units. The defaults are the paper's, where it has
-/// them.
+/// them. Mass, inertia and centre of mass are those of the glass without the liquid.
 struct Motion
 {
   double mass = 0.30;                  ///< m [kg]
@@ -36,12 +38,24 @@ struct Motion
   double friction_decay_speed = 0.10; ///< v_s of Stribeck's law [m/s]
   double viscous_friction = 0.;       ///< c of Stribeck's law [s/m]
   double gravity = 9.81;              ///< g [m/s^2]
+  Liquid liquid;                      ///< in the glass; none by default
 
   /// Throws std::invalid_argument with one sentence about the first inadmissible value.
   void validate() const;
 
-  /// N = m g [N].
-  double normal_force() const { return mass * gravity; }
+  /// Mass of glass and liquid [kg].
+  double total_mass() const { return mass + liquid.mass; }
+
+  /// N = m g of glass and liquid [N].
+  double normal_force() const { return total_mass() * gravity; }
+
+  /// Height of the centre of mass of glass and liquid above the table [m].
+  double total_centre_height() const;
+
+  /// Height [m] at which the whole mass, as a rigid body, would have the overturning moment of glass and
+  /// liquid, under an acceleration or a lean of the glass: the liquid acts at its metacentre. Without
+  /// liquid, centre_of_mass_height.
+  double overturning_height() const;
 
   /// mu at the slip speed |v_rel| >= 0 [m/s].
   double friction_at(double slip_speed) const;

@@ -34,7 +34,7 @@ struct ContactDemand : Resultants
   /// Moment of the load's friction [N m] as functions of the load on `ring_radii`; empty: none.
   ring::LoadFunctional friction_x;
   ring::LoadFunctional friction_y;
-  double tilt_moment = 0; ///< N z_CM [N m]
+  double tilt_moment = 0; ///< N z_CM [N m], of a filled glass N times ring::Motion::overturning_height()
 
   bool has_friction() const { return !friction_x.a.empty(); }
 

@@ -35,7 +35,7 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
   fem::ContactDemand demand(motion.normal_force(), moment.x(), moment.y());
   demand.ring_radii = radii;
   if (balance.tilts)
-    demand.tilt_moment = motion.normal_force() * motion.centre_of_mass_height;
+    demand.tilt_moment = motion.normal_force() * motion.overturning_height();
   if (arm == 0)
     return demand;
   // The friction's part of M_N is h k x T = h (-T_y, T_x).

@@ -42,7 +42,7 @@ fem::ContactDemand demand_at_rest(const Study &study)
 {
   fem::ContactDemand demand = study.required_resultants();
   if (study.tilts())
-    demand.tilt_moment = demand.normal_force * study.motion.orbit.centre_of_mass_height;
+    demand.tilt_moment = demand.normal_force * study.motion.orbit.overturning_height();
   return demand;
 }
 

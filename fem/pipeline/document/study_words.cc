@@ -127,8 +127,11 @@ std::string inputs_of(const Study &study)
   const auto given = values_in_words(study);
   const std::string &offset = given.at("Motion/Force offset");
   const double height = study.motion.orbit.force_offset;
-  return given.at("Motion/Mass") + " glass, R " + given.at("Glass/Contact radius") + ", led at " +
-         given.at("Motion/Orbit speed") + " round a circle of " + given.at("Motion/Orbit radius") +
+  const bool is_filled = study.motion.orbit.liquid.mass > 0;
+  return given.at("Motion/Mass") + " glass" +
+         (is_filled ? " with " + given.at("Motion/Liquid mass") + " of liquid" : "") + ", R " +
+         given.at("Glass/Contact radius") + ", led at " + given.at("Motion/Orbit speed") +
+         " round a circle of " + given.at("Motion/Orbit radius") +
          (study.motion.orbit.sense_sign() < 0 ? ", clockwise" : "") + ", the hand " +
          (height < 0   ? size_of(offset) + " below the centre of mass"
           : height > 0 ? offset + " above the centre of mass"
@@ -179,7 +182,7 @@ Json sketch_words(const Study &study)
            { "hand", motion.force_offset < 0   ? -1
                      : motion.force_offset > 0 ? 1
                                                : 0 },
-           { "force", motion.mass * motion.acceleration().norm() } };
+           { "force", motion.total_mass() * motion.acceleration().norm() } };
 }
 
 } // namespace stemware::pipeline

@@ -282,12 +282,19 @@ void bind_motion(py::module_ &m)
     { "viscous_friction", &M::viscous_friction },
     { "gravity", &M::gravity }
   };
+  static const std::map<std::string, double Liquid::*> of_liquid = { { "liquid_mass", &Liquid::mass },
+                                                                     { "liquid_density", &Liquid::density },
+                                                                     { "bowl_radius", &Liquid::bowl_radius },
+                                                                     { "bowl_height", &Liquid::bowl_height },
+                                                                     { "bowl_depth", &Liquid::bowl_depth } };
   const auto as_dict = [](const M &one)
   {
     py::dict all("clockwise"_a = one.orbit_sense == OrbitSense::clockwise,
                  "stribeck"_a = one.friction_law == FrictionLawKind::stribeck);
     for (const auto &[name, member] : numbers)
       all[name.c_str()] = one.*member;
+    for (const auto &[name, member] : of_liquid)
+      all[name.c_str()] = one.liquid.*member;
     return all;
   };
   const auto changed = [](M one, const py::dict &values)
@@ -299,6 +306,8 @@ void bind_motion(py::module_ &m)
         one.friction_law = value.cast<bool>() ? FrictionLawKind::stribeck : FrictionLawKind::coulomb;
       else if (const auto number = numbers.find(name); number != numbers.end())
         one.*(number->second) = value.cast<double>();
+      else if (const auto entry = of_liquid.find(name); entry != of_liquid.end())
+        one.liquid.*(entry->second) = value.cast<double>();
       else
         throw py::type_error("a motion has no " + name + "; see Motion().as_dict()");
     one.validate();
@@ -310,11 +319,14 @@ void bind_motion(py::module_ &m)
   motion.def(py::init([=](const py::kwargs &values) { return changed(M(), values); }))
     .def("replace", [=](const M &one, const py::kwargs &values) { return changed(one, values); })
     .def("as_dict", as_dict)
-    .def_property_readonly("normal_force", &M::normal_force, "m g [N]")
+    .def_property_readonly("normal_force", &M::normal_force, "m g of glass and liquid [N]")
     .def("__repr__", [=](const M &one) { return "Motion(**" + std::string(py::str(as_dict(one))) + ")"; })
     .def(py::pickle(as_dict, [=](const py::dict &values) { return changed(M(), values); }));
   for (const auto &[name, member] : numbers)
     motion.def_readonly(name.c_str(), member);
+  for (const auto &[name, member] : of_liquid)
+    motion.def_property_readonly(name.c_str(),
+                                 [member = member](const M &one) { return one.liquid.*member; });
 }
 
 void bind_loads(py::module_ &m)

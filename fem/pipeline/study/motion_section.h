@@ -33,21 +33,38 @@ struct MotionSection
     using ring::OrbitSense;
     const auto &load = list.study.load;
     const bool is_full = load.has_closure() && closure == ring::Closure::full;
+    const bool leans = orbit.liquid.mass > 0 && load.has_closure();
     const bool is_stribeck = orbit.friction_law == ring::FrictionLawKind::stribeck;
     list.enter("Motion", true);
-    list.number("Mass", orbit.mass, positive, "kg", "Mass of the glass with what is in it",
+    list.number("Mass", orbit.mass, positive, "kg", "Mass of the glass without Liquid mass",
                 plausible(0.02, 2, "a liqueur glass to a full beer mug"));
     list.number(
       "Yaw inertia", orbit.yaw_inertia, positive, "kg m^2",
       "Moment of inertia about the axis of the glass; sets how fast the spin builds up, not where it ends",
       plausible(1e-6, 1e-2, "20 g at 7 mm from the axis to 2 kg at 7 cm"));
     list.number("Centre of mass height", orbit.centre_of_mass_height, not_negative, "m",
-                "Height of the centre of mass above the table; used by the closure full", used_if(is_full),
-                plausible(0.01, 0.3, "a liqueur glass to a tall flute"));
+                "Height of the centre of mass of the glass without Liquid mass above the table; used by the "
+                "closure full, and where there is liquid",
+                used_if(is_full || leans), plausible(0.01, 0.3, "a liqueur glass to a tall flute"));
+    list.number("Force offset", orbit.force_offset, any_number, "m",
+                "Height of the hand's force minus Centre of mass height, negative when the hand is below it",
+                plausible(-0.3, 0.3, "the hand on the glass"));
+    list.number("Liquid mass", orbit.liquid.mass, not_negative, "kg",
+                "Mass of a liquid in the bowl, whose surface leans outwards on the orbit and which does not "
+                "turn with the glass; 0: none",
+                plausible(0, 1, "empty to a litre"));
+    list.number("Liquid density", orbit.liquid.density, positive, "kg/m^3", "Density of that liquid",
+                used_if(leans), plausible(600, 2000, "light petrol to a heavy syrup"));
     list.number(
-      "Force offset", orbit.force_offset, any_number, "m",
-      "Height of the hand's force minus that of the centre of mass, negative when the hand is below it",
-      plausible(-0.3, 0.3, "the hand on the glass"));
+      "Bowl radius", orbit.liquid.bowl_radius, positive, "m",
+      "Inner radius of the bowl at the surface of the liquid; the bowl is a cylinder of that radius",
+      used_if(leans), plausible(0.01, 0.1, "a liqueur glass to a goblet"));
+    list.number("Bowl height", orbit.liquid.bowl_height, not_negative, "m",
+                "Height of the bowl's bottom, inside, above the table", used_if(leans),
+                plausible(0, 0.3, "a tumbler to a tall flute"));
+    list.number("Bowl depth", orbit.liquid.bowl_depth, positive, "m",
+                "From that bottom to the brim; a study whose liquid reaches higher at the wall is refused",
+                used_if(leans), plausible(0.01, 0.3, "a saucer to a tall flute"));
     list.number("Orbit radius", orbit.orbit_radius, positive, "m",
                 "Radius of the circle on which the glass is led", times_contact_radius(0.01, 1e5),
                 plausible(0.01, 2, "fingers to a whole arm"));

@@ -200,6 +200,17 @@ void require_known_speeds(const Study &study)
       throw BadInput(filled("{} does not reach t = {} s; give speeds from 0 to Motion/End time = {} s.",
                             { entry, to_text(time), to_text(study.motion.end_time) }));
     }
+  constexpr unsigned int n_times = 1000; // at which liquid has to stay in its bowl
+  for (unsigned int i = 0; i <= n_times && study.motion.orbit.liquid.mass > 0; ++i)
+    try
+    {
+      const double time = study.motion.end_time * i / n_times;
+      study.motion.orbit_speeds->motion_at(study.motion.orbit, time).validate();
+    }
+    catch (const std::invalid_argument &error)
+    {
+      throw BadInput(entry + ": " + error.what());
+    }
   const std::string needs = entry + " needs ";
   require(!study.load.is_static() && study.load.source != LoadSource::file &&
             study.load.coupling == LoadCoupling::two_way,

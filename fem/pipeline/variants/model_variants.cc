@@ -19,6 +19,7 @@ Study paper_study(Study study)
   study = with_constant_friction(std::move(study));
   study.motion.closure = ring::Closure::paper;
   study.motion.grip_torque = 0;
+  study.motion.orbit.liquid.surface_leans = false;
   study.load = {};
   study.load.source = LoadSource::first_harmonic;
   return study;
@@ -47,6 +48,7 @@ std::vector<Variant> model_chain(const Study &study)
   if (!study.motion.orbit.has_constant_friction())
   {
     model.motion.orbit = study.motion.orbit;
+    model.motion.orbit.liquid.surface_leans = false;
     add("1a", "friction law", model);
   }
   if (study.load.source != LoadSource::file)
@@ -102,6 +104,8 @@ std::vector<Variant> variants_without(const Study &study, bool depends_on_phase)
   add_if(!study.motion.orbit.has_constant_friction(), "dependence of friction on slip",
          [](Study &other) { other = with_constant_friction(std::move(other)); });
   add_if(study.tilts(), "tilt", [](Study &other) { other.motion.tilt = false; });
+  add_if(study.motion.orbit.liquid.mass > 0 && study.load.has_closure(), "lean of the liquid",
+         [](Study &other) { other.motion.orbit.liquid.surface_leans = false; });
   add_if(study.motion.grip_torque > 0, "grip", [](Study &other) { other.motion.grip_torque = 0; });
   if (study.motion.grip_torque > 0)
     variants.back().on_same_load = true;

@@ -12,7 +12,7 @@ namespace stemware::pipeline
 Study with_constant_friction(Study study);
 
 /// The paper's model of a study's glass: its moment balance, a first harmonic on a ring of the contact
-/// radius, constant friction, no grip.
+/// radius, constant friction, no grip, a liquid with a level surface.
 Study paper_study(Study study);
 
 /// The study with a first harmonic on a ring of the contact radius, of its moment balance or given moment.
@@ -25,9 +25,9 @@ std::vector<Variant> model_chain(const Study &study);
 
 /// The study without each of the effects that it has, one at a time; none for a load that does not come from
 /// a contact: "friction in the foot", "friction in the substrate", "elasticity of the foot", "elasticity of
-/// the substrate", "compliance of the interface", "dependence of friction on slip", "tilt", "grip",
-/// "waviness". Those of which nothing yields are not defined, those of a solid foot on a hard table that @p
-/// depends_on_phase take too long; they are not to be solved.
+/// the substrate", "compliance of the interface", "dependence of friction on slip", "tilt", "lean of
+/// the liquid", "grip", "waviness". Those of which nothing yields are not defined, those of a solid foot on a
+/// hard table that @p depends_on_phase take too long; they are not to be solved.
 std::vector<Variant> variants_without(const Study &study, bool depends_on_phase = false);
 
 /// True if anything yields in a contact: the foot, the substrate or the interface. The pressure of a contact

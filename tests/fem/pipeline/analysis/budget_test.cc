@@ -117,6 +117,35 @@ TEST(Budget, RoundingIsMeasuredByTheSpinThatTheMomentLeadsTo)
   EXPECT_EQ(spin_scale(study_of_given_load()), spin_unit(study_of_given_load()));
 }
 
+TEST(Budget, AFilledGlassIsAnEmptyOneOfItsMassWithTheMetacentreOfTheLiquid)
+{
+  Study filled = test::quick_contact_study();
+  ring::Motion &motion = filled.motion.orbit;
+  motion.mass = 0.15;
+  motion.liquid = { 0.15, 1000, 0.03, 0.09 };
+  const double level = 0.15 / (1000 * M_PI * 0.03 * 0.03), up = 0.03 * 0.03 / (4 * level),
+               slope = 0.35 * 0.35 / 0.15 / motion.gravity, middle = 0.09 + level / 2;
+  const auto empty = [&](double of_liquid) // at which height the liquid acts
+  {
+    Study study = test::quick_contact_study();
+    study.motion.orbit.mass = 0.3;
+    study.motion.orbit.centre_of_mass_height = (0.08 + of_liquid) / 2;
+    study.motion.orbit.force_offset = 0.03 - study.motion.orbit.centre_of_mass_height;
+    return test::SolvedStudy(study).omega();
+  };
+  const double omega = test::SolvedStudy(filled).omega();
+  EXPECT_NEAR(omega / empty(middle + up * (1 + slope * slope / 2)), 1, 1e-9);
+  for (const Variant &variant : variants_without(filled))
+    if (variant.name == "lean of the liquid")
+    {
+      const double level_surface = test::SolvedStudy(variant.study).omega();
+      EXPECT_NEAR(level_surface / empty(middle), 1, 1e-9);
+      EXPECT_GT(std::abs(omega / level_surface - 1), 0.01);
+      return;
+    }
+  FAIL() << "no row without the lean of the liquid";
+}
+
 TEST(Budget, RowsOfALoadFile)
 {
   Study study = study_of_given_load();

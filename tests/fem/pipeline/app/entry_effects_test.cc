@@ -52,6 +52,7 @@ const EntryValues two_way = { { "Load/Coupling", "two-way" } };
 const EntryValues slow_decay = { { "Motion/Friction decay speed", "0.3" } };
 const EntryValues stribeck = { { "Motion/Friction law", "Stribeck" },
                                { "Motion/Friction decay speed", "0.3" } };
+const EntryValues filled = { { "Motion/Liquid mass", "0.1" } };
 const EntryValues given_moment = { { "Load/Moment ratio", "0.5" } };
 const EntryValues from_file = { { "Load/Source", "file" }, { "Load/File", "one.dat" } };
 const EntryValues solid = { { "Contact/Body", "solid" },
@@ -90,6 +91,8 @@ const std::vector<Effect> effects = {
   { "Motion/Yaw inertia", "6e-4", "/ring/time_constant", {}, "/ring/omega_terminal" },
   { "Motion/Centre of mass height", "0.09", "/load/moment_ratio" },
   { "Motion/Force offset", "-0.04", "/load/moment_ratio" },
+  { "Motion/Liquid mass", "0.1", "/load/normal_force" },
+  { "Motion/Bowl depth", "0.1", nothing, filled, "/ring/omega_terminal" },
   { "Motion/Orbit radius", "0.2", "/load/moment/0" },
   { "Motion/Orbit speed file", "speeds.csv", "/ring/driven", two_way },
   { "Motion/Measured spin file", "measured.csv", "/ring/measured", {}, "/ring/omega_terminal" },
@@ -310,7 +313,7 @@ std::vector<Effect> all_effects()
   std::vector<Effect> all = effects;
   const test::ScratchFolder unused;
   for (const EntryValues &base :
-       { EntryValues(), foot, elastic, rough, stribeck, two_way, given_moment, solid })
+       { EntryValues(), foot, elastic, rough, stribeck, two_way, filled, given_moment, solid })
     for (const StudyEntry &entry : entries_of(study_of({ "", "", "", base }, false, unused)))
     {
       const auto is_of_it = [&](const Effect &effect) { return effect.entry == entry.path(); };

@@ -277,6 +277,20 @@ class Manners(unittest.TestCase):
         self.assertEqual(ring.wrench(ring.Pressure.disc(R), v, 1.0, mu=mu).torque.shape, ())
         self.assertEqual(ring.kernels(np.ones((2, 3)), 1.0, 4)[1].shape, (2, 3, 5))
 
+    def test_liquid(self):
+        """A filled glass beside the empty one of its mass whose centre of mass is the liquid's metacentre."""
+        glass = dict(liquid_mass=0.15, liquid_density=1000.0, bowl_radius=0.03, bowl_height=0.09)
+        filled = ring.Motion(mass=0.15, centre_of_mass_height=0.08, **glass)
+        h = 0.15 / (1000 * np.pi * 0.03**2)
+        slope = 0.35**2 / 0.15 / 9.81
+        metacentre = 0.09 + h / 2 + 0.03**2 / (4 * h) * (1 + slope**2 / 2)
+        z = (0.08 + metacentre) / 2
+        empty = ring.Motion(mass=0.3, centre_of_mass_height=z, force_offset=0.03 - z)
+        spins = [ring.answer(ring.SelfConsistentRing(motion=m), m).terminal_spin.omega for m in (filled, empty)]
+        self.assertAlmostEqual(spins[0] / spins[1], 1, delta=1e-12)
+        self.assertEqual(filled.replace(liquid_mass=0.1).bowl_radius, 0.03)
+        self.assertRaises(ring.BadInput, filled.replace, bowl_depth=0.05)
+
     def test_pickles(self):
         one = pickle.loads(pickle.dumps(LimitSurface.stack))
         np.testing.assert_array_equal(one.a, LimitSurface.stack.a)
