@@ -12,6 +12,23 @@ endif()
 find_program(STEMWARE_SHLIBDEPS dpkg-shlibdeps REQUIRED)
 find_program(STEMWARE_FILE file REQUIRED)
 
+# The manual page is the text of `stemware --help`, its end line by line.
+find_program(STEMWARE_HELP2MAN help2man REQUIRED)
+file(READ fem/pipeline/app/help/stemware.txt examples)
+string(REGEX REPLACE "^Examples:\n" "" examples "${examples}")
+file(CONFIGURE OUTPUT examples.h2m CONTENT "[=EXAMPLES]\n.nf\n${examples}.fi\n" @ONLY)
+add_custom_command(
+  OUTPUT stemware.1
+  COMMAND ${STEMWARE_HELP2MAN} --no-info "--name=contact and spin of a wine glass that is led round a table" --include
+          examples.h2m --output stemware.1 $<TARGET_FILE:stemware>
+  DEPENDS stemware ${CMAKE_CURRENT_BINARY_DIR}/examples.h2m
+  VERBATIM)
+add_custom_target(manual_page ALL DEPENDS stemware.1)
+install(
+  FILES ${CMAKE_CURRENT_BINARY_DIR}/stemware.1
+  DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+  COMPONENT program)
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The Stemware authors")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
