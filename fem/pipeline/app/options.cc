@@ -1,6 +1,7 @@
 #include "fem/pipeline/app/options.h"
 
 #include "fem/pipeline/coupling/make_foot.h"
+#include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_checks.h"
@@ -125,6 +126,8 @@ Study begin_study(const StudyOptions &options)
     say_note("Check     ", note);
   require_standing_glass(study);
   say_note("Profile   ", profile_note(study));
+  const std::string &spins = study.motion.measured_spin_file;
+  say_note("Measured  ", spins.empty() ? "" : read_measured_run(spins, study.motion.measured_column).summary);
   if (options.verb != "sweep") // its cases have studies of their own
     say_note("Unused    ", idle_note(idle_entries(study)));
   load_modules_of(study);

@@ -159,7 +159,8 @@ double moment_at_rest(const ContactReport &report, const SpinStudy &spin)
 std::vector<MeasuredSpin> measured_spins(const Study &study)
 {
   const std::string &file = study.motion.measured_spin_file;
-  return file.empty() ? std::vector<MeasuredSpin>() : read_measured_spin_file(file);
+  return file.empty() ? std::vector<MeasuredSpin>()
+                      : spins_of(read_measured_run(file, study.motion.measured_column));
 }
 
 Json ring_summary(const Study &study, const ContactReport &report, const SpinStudy &spin)

@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -22,16 +21,6 @@ namespace stemware::pipeline
 
 namespace
 {
-
-/// The unit behind the column's name in any case, "r (mm)", "R [mm]" or "r mm", in units of SI.
-std::optional<double> unit_in(const std::string &cell, const FileColumn &column)
-{
-  const auto end = std::min(cell.find_first_of(" (["), cell.size());
-  if (std::find(column.names.begin(), column.names.end(), boost::to_lower_copy(cell.substr(0, end))) ==
-      column.names.end())
-    return std::nullopt;
-  return parse_quantity("1 " + boost::trim_copy_if(cell.substr(end), boost::is_any_of(" ()[]")), column.unit);
-}
 
 /// The torque of all of them takes seconds; its kernels have fallen to nothing long before.
 constexpr std::size_t most_harmonics = 1000;
@@ -57,71 +46,21 @@ std::optional<double> ring_radius_in(const std::string &where, const std::string
 
 } // namespace
 
-TextTable read_table(const std::string &setting, const std::string &file, bool blanks_separate)
+TextTable read_table(const std::string &setting, const std::string &file)
 {
-  return parse_table(setting, read_input_text(setting, file), blanks_separate);
+  return parse_table(setting, read_input_text(setting, file));
 }
 
-std::vector<FileRow> read_column_file(const std::string &setting, const std::string &file,
-                                      const std::vector<FileColumn> &columns)
+ColumnTable read_column_file(const std::string &setting, const std::string &file,
+                             const std::vector<FileColumn> &columns, MissingValues missing_values)
 {
-  std::vector<std::string> names, header;
-  for (const FileColumn &column : columns)
-  {
-    names.push_back(column.names.front());
-    header.push_back(fmt::format(FMT_STRING("{} ({})"), names.back(), usual_units(column.unit).front()));
-  }
-  const TextTable table = read_table(setting, file, true);
-  std::vector<double> units(columns.size(), 1.);
-  std::vector<FileRow> rows;
-  for (const TableRow &row : table.rows)
-  {
-    require(row.cells.size() == columns.size(),
-            fmt::format(FMT_STRING("{}, line {}: the row has {}, but there are {} columns; write {} numbers, "
-                                   "{}, in SI units or in those of a first line \"{}\"."),
-                        setting, row.line,
-                        row.cells.size() == 1 ? "1 cell" : fmt::format("{} cells", row.cells.size()),
-                        columns.size(), columns.size(), fmt::join(names, ", "), fmt::join(header, ", ")));
-    std::vector<double> numbers, given_units;
-    std::size_t bad = columns.size();
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      if (const auto number = parse_number(table.with_point(row.cells[i])))
-        numbers.push_back(*number * units[i]);
-      else
-      {
-        bad = std::min(bad, i);
-        if (const auto unit = unit_in(row.cells[i], columns[i]); unit && &row == &table.rows.front())
-          given_units.push_back(*unit);
-      }
-    if (given_units.size() == columns.size())
-      units = given_units;
-    else if (&row == &table.rows.front() && numbers.empty())
-      throw BadInput(fmt::format(FMT_STRING("{}, line {}: the header \"{}\" does not name the columns {} "
-                                            "with units of theirs; write \"{}\", or leave the header out."),
-                                 setting, row.line, shortened(fmt::format("{}", fmt::join(row.cells, ", "))),
-                                 fmt::join(names, ", "), fmt::join(header, ", ")));
-    else if (numbers.size() == columns.size())
-      rows.push_back({ numbers, row.line });
-    else
-      throw BadInput(place_in_table(setting, row, bad) +
-                     fmt::format(FMT_STRING("\"{}\" is not a number; write {} numbers, {}, in SI units or in "
-                                            "those of a first line \"{}\"."),
-                                 shortened(row.cells[bad]), columns.size(), fmt::join(names, ", "),
-                                 fmt::join(header, ", ")));
-  }
-  require(!rows.empty(), fmt::format(FMT_STRING("{} has no rows; write {} numbers a line, {}."), setting,
-                                     columns.size(), fmt::join(names, ", ")));
-  return rows;
+  return parse_columns(setting, read_input_text(setting, file), columns, missing_values);
 }
 
-std::vector<MeasuredSpin> read_measured_spin_file(const std::string &file)
+MeasuredRun read_measured_run(const std::string &file, const std::string &column)
 {
-  std::vector<MeasuredSpin> points;
-  for (const FileRow &row :
-       read_column_file("Motion/Measured spin file = " + shortened_path(file), file,
-                        { { { "t", "time" }, "s" }, { { "omega", "spin", "ω" }, "rad/s" } }))
-    points.push_back({ row.values[0], row.values[1] });
-  return points;
+  const std::string setting = "Motion/Measured spin file = " + shortened_path(file);
+  return parse_measured_run(setting, read_input_text(setting, file), column);
 }
 
 ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file)
@@ -129,7 +68,8 @@ ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file)
   const std::string setting = "Motion/Orbit speed file = " + shortened_path(file);
   std::vector<double> times, speeds;
   for (const FileRow &row :
-       read_column_file(setting, file, { { { "t", "time" }, "s" }, { { "v", "speed" }, "m/s" } }))
+       read_column_file(setting, file, { { { "t", "time" }, "s" }, { { "v", "speed", "velocity" }, "m/s" } })
+         .rows)
   {
     const std::string place = fmt::format(FMT_STRING("{}, line {}: "), setting, row.line);
     require(row.values[1] > 0,
@@ -171,11 +111,12 @@ ring::RingStack read_load_file(const std::string &file)
         FMT_STRING(
           "{} holds more than the {} harmonics that a torque is computed from; leave the higher ones out."),
         setting, most_harmonics));
-    std::istringstream words(line.text);
-    std::string n_text, a_text, b_text;
-    words >> n_text >> a_text >> b_text;
-    const auto n = parse_count(n_text);
-    const auto a = parse_number(a_text), b = parse_number(b_text);
+    const TextTable table = parse_table(where, line.text, true);
+    std::vector<std::string> cells =
+      table.rows.empty() ? std::vector<std::string>() : table.rows.front().cells;
+    cells.resize(std::max<std::size_t>(cells.size(), 3));
+    const auto n = parse_count(cells[0]);
+    const auto a = parse_number(table.with_point(cells[1])), b = parse_number(table.with_point(cells[2]));
     require(n && a && b && *n == all_a.size() && (*n > 0 || (*a > 0 && *b == 0)),
             fmt::format(FMT_STRING("{}expected \"{} a b\" with finite numbers in N/rad{}."), where,
                         all_a.size(), all_a.empty() ? ", a greater than 0 and b = 0" : ""));

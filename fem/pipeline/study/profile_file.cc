@@ -25,8 +25,9 @@ std::string entry_of(const std::string &file)
 std::vector<fem::SectionVertex> points_in(const std::string &file)
 {
   std::vector<fem::SectionVertex> points;
-  for (const FileRow &row : read_column_file(
-         entry_of(file), file, { { { "r", "R", "radius" }, "m" }, { { "z", "Z", "height" }, "m" } }))
+  for (const FileRow &row :
+       read_column_file(entry_of(file), file, { { { "r", "radius" }, "m" }, { { "z", "height" }, "m" } })
+         .rows)
   {
     const double r = row.values[0], z = row.values[1];
     require(

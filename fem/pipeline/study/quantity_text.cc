@@ -65,7 +65,9 @@ const std::map<std::string, Unit> other_units = { { "1", {} },
                                                   { "ft", { length, -4, 3048 } },
                                                   { "oz", { mass, -12, 28349523125. } },
                                                   { "lb", { mass, -8, 45359237 } },
-                                                  { "bar", { pressure, 5 } } };
+                                                  { "bar", { pressure, 5 } },
+                                                  { "rev", { angle, 0, 2 * M_PI } },
+                                                  { "rpm", { { 0, 0, -1, 1 }, 0, M_PI / 30 } } };
 const std::map<std::string, int> prefixes = {
   { "", 0 },   { "n", -9 }, { "u", -6 }, { "µ", -6 }, { "μ", -6 },
   { "m", -3 }, { "c", -2 }, { "k", 3 },  { "M", 6 },  { "G", 9 }
@@ -123,17 +125,6 @@ struct Parts
   std::string unit;
 };
 
-/// A text with the blanks and minus signs of the keyboard in the place of those that pages and spreadsheets
-/// print: no-break, figure, thin and narrow no-break space, minus sign and en dash.
-std::string as_typed(std::string text)
-{
-  for (const char *blank : { "\u00a0", "\u2007", "\u2009", "\u202f" })
-    boost::replace_all(text, blank, " ");
-  for (const char *minus : { "\u2212", "\u2013" })
-    boost::replace_all(text, minus, "-");
-  return text;
-}
-
 Parts split_number(const std::string &whole)
 {
   std::string text = boost::trim_copy(as_typed(whole));
@@ -177,7 +168,7 @@ const std::vector<Kind> kinds = {
   { "N m", "a moment of force", "1.4 mN m", { "mN m" }, { "N mm" } },
   { "kg m^2", "a moment of inertia", "3000 g cm^2", { "g cm^2" }, { "kg cm^2" } },
   { "rad", "an angle", "5 deg", { "deg" } },
-  { "rad/s", "a spin", "-3.6 rad/s", { "deg/s" } },
+  { "rad/s", "a spin", "-3.6 rad/s", { "deg/s" }, { "rpm", "rev/s" } },
   { "B", "an amount of memory", "8 GB", { "GB", "MB" }, { "kB" } },
   { "1", "a pure number", "0.3", { "%" } },
 };

@@ -67,10 +67,15 @@ struct EntryList
   template <typename... Facts>
   void path(const std::string &name, std::string &value, const std::string &help, const Facts &...facts)
   {
-    const auto parse = [](const std::string &text)
-    { return text.find_first_of("\n\r#") == std::string::npos ? std::optional(text) : std::nullopt; };
-    const std::string allowed = "a path without # and line ends, or nothing";
-    append(name, value, allowed, help, parse, as_it_is, facts...).path_value = &value;
+    append(name, value, "a path without # and line ends, or nothing", help, in_one_line, as_it_is, facts...)
+      .path_value = &value;
+  }
+
+  /// Words in one line.
+  template <typename... Facts>
+  void words(const std::string &name, std::string &value, const std::string &help, const Facts &...facts)
+  {
+    append(name, value, "words without # and line ends, or nothing", help, in_one_line, as_it_is, facts...);
   }
 
   /// How a surface is out of flat.
@@ -104,6 +109,11 @@ struct EntryList
     for (const auto &[word, choice] : choices)
       words.push_back(word);
     append(name, value, listed(words), help, parse, print, facts...);
+  }
+
+  static std::optional<std::string> in_one_line(const std::string &text)
+  {
+    return text.find_first_of("\n\r#") == std::string::npos ? std::optional(text) : std::nullopt;
   }
 
   static constexpr auto as_it_is = [](const auto &value) { return value; };

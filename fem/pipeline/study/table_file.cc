@@ -48,10 +48,11 @@ std::optional<char> named_separator(const std::string &origin, const std::string
 class TableReader
 {
 public:
-  TableReader(const std::string &origin, const std::string &text, bool blanks_separate)
+  TableReader(const std::string &origin, const std::string &text, bool blanks_separate, char given_separator)
       : origin(origin)
       , text(text)
       , blanks_separate(blanks_separate)
+      , given_separator(given_separator)
   {
   }
 
@@ -64,8 +65,10 @@ public:
     {
       if (table.rows.empty())
       {
-        separator = named ? *named : separator_of(text, place, blanks_separate);
-        table.has_decimal_commas = separator != ',';
+        separator = given_separator != 0 ? given_separator
+                    : named              ? *named
+                                         : separator_of(text, place, blanks_separate);
+        table.separator = separator;
       }
       read_row();
     }
@@ -164,6 +167,7 @@ private:
 
   const std::string &origin, &text;
   const bool blanks_separate;
+  const char given_separator;
   char separator = '\n';
   std::size_t place = 0;
   unsigned int line = 1;
@@ -175,15 +179,16 @@ private:
 std::string TextTable::with_point(std::string cell) const
 {
   const auto comma = cell.find(',');
-  if (has_decimal_commas && comma != std::string::npos && cell.find_first_of(",.", comma + 1) == cell.npos &&
+  if (separator != ',' && comma != std::string::npos && cell.find_first_of(",.", comma + 1) == cell.npos &&
       cell.find('.') == cell.npos)
     cell[comma] = '.';
   return cell;
 }
 
-TextTable parse_table(const std::string &origin, const std::string &text, bool blanks_separate)
+TextTable parse_table(const std::string &origin, const std::string &text, bool blanks_separate,
+                      char separator)
 {
-  return TableReader(origin, text, blanks_separate).read();
+  return TableReader(origin, text, blanks_separate, separator).read();
 }
 
 ColumnHeading parse_heading(const std::string &cell)

@@ -17,10 +17,11 @@ struct TableRow
 /// Table as spreadsheets, phones and instruments write it, as text.
 struct TextTable
 {
-  std::vector<TableRow> rows;      ///< a heading, if there is one, comes first
-  bool has_decimal_commas = false; ///< true unless commas separate the cells
+  std::vector<TableRow> rows; ///< a heading, if there is one, comes first
+  char separator = '\n';      ///< between the cells; a line end if the first row has one cell
 
-  /// Returns @p cell with a decimal point in the place of a decimal comma: "4.007 mm" for "4,007 mm".
+  /// Returns @p cell with a decimal point in place of a decimal comma, "4.007 mm" for "4,007 mm",
+  /// unless commas separate the cells.
   std::string with_point(std::string cell) const;
 };
 
@@ -28,9 +29,11 @@ struct TextTable
 /// has, in this order, outside quotes. A first row without any of them has one cell, or, if
 /// @p blanks_separate, cells separated by blanks. Cells in double quotes may hold separators, line ends and
 /// doubled quotes (RFC 4180). Empty lines and lines that begin with # are skipped. A first line "sep=;" of a
-/// spreadsheet names the separator in place of the first row. Throws BadInput, which begins with @p origin
-/// and names the line, for a quote that is not closed and for a "sep=" with another separator.
-TextTable parse_table(const std::string &origin, const std::string &text, bool blanks_separate = false);
+/// spreadsheet names the separator in place of the first row, and so does @p separator unless it is 0. Throws
+/// BadInput, which begins with @p origin and names the line, for a quote that is not closed and for a "sep="
+/// with another separator.
+TextTable parse_table(const std::string &origin, const std::string &text, bool blanks_separate = false,
+                      char separator = 0);
 
 /// Heading of a column.
 struct ColumnHeading

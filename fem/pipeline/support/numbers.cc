@@ -1,7 +1,9 @@
 #include "fem/pipeline/support/numbers.h"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -98,9 +100,21 @@ LeadingNumber leading_number(const std::string &text)
   return number;
 }
 
+std::string as_typed(std::string text)
+{
+  const auto is_ascii = [](char letter) { return (letter & 0x80) == 0; };
+  if (std::all_of(text.begin(), text.end(), is_ascii))
+    return text;
+  for (const char *blank : { "\u00a0", "\u2007", "\u2009", "\u202f" })
+    boost::replace_all(text, blank, " ");
+  for (const char *minus : { "\u2212", "\u2013" })
+    boost::replace_all(text, minus, "-");
+  return text;
+}
+
 std::optional<double> parse_number(const std::string &text)
 {
-  const std::string digits = trimmed(text);
+  const std::string digits = trimmed(as_typed(text));
   const auto [value, length] = leading_number(digits);
   return length > 0 && length == digits.size() && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }

@@ -22,8 +22,12 @@ std::pair<std::string, std::string> told_apart(double one, double other, int n_d
 /// The finite number @p value to @p n_digits significant digits: 0.3 for the 0.30000000000000004 of a sum.
 double rounded(double value, int n_digits);
 
-/// The finite number that makes up the whole of @p text (a leading + and surrounding blanks are allowed), or
-/// nothing.
+/// Returns @p text with the blanks and minus signs of the keyboard in place of those that pages and
+/// spreadsheets print: no-break, figure, thin and narrow no-break space, minus sign and en dash.
+std::string as_typed(std::string text);
+
+/// Returns the finite number that makes up the whole of @p text (as_typed(); a leading + and surrounding
+/// blanks are allowed), or std::nullopt.
 std::optional<double> parse_number(const std::string &text);
 
 /// A number and how many characters of a text it takes.

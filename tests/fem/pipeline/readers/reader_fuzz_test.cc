@@ -175,7 +175,13 @@ std::vector<FuzzedReader> made_readers()
       [](const fs::path &file) { read_load_file(file.string()); } },
     { "msh", ".msh", { small_mesh(".msh"), small_gmsh_4() }, read_mesh },
     { "inp", ".inp", { small_mesh(".inp"), small_mesh(".inp") + "*ELSET, ELSET=A\n1, 2\n" }, read_mesh },
-    { "cases", ".csv", { case_table }, [](const fs::path &file) { cases_from_file(file.string()); } }
+    { "cases", ".csv", { case_table }, [](const fs::path &file) { cases_from_file(file.string()); } },
+    { "measured",
+      ".csv",
+      { "sep=;\r\ndot\r\nt (ms);ω [rpm];x\r\n0;;1\r\n100;-1,5;2\r\n200;−2,25;3\r\n",
+        "\"Time (s)\",\"Gyroscope z (rad/s)\"\n1.0E-1,-1.5\n2.0E-1,-2.25\n",
+        "#multi:\n\tdot\t\nt\tθ (deg)\n0.0\t\n0.1\t-1.5\n0.2\t-2.25\n" },
+      [](const fs::path &file) { read_measured_run(file.string(), ""); } }
   };
 }
 
@@ -228,7 +234,7 @@ TEST_P(ReaderFuzz, EndsInWhatWasReadOrInOneSentence)
   fs::remove_all(folder);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ReaderFuzz, testing::Range<std::size_t>(0, 8),
+INSTANTIATE_TEST_SUITE_P(All, ReaderFuzz, testing::Range<std::size_t>(0, 9),
                          [](const auto &given) { return all_readers().at(given.param).name; });
 
 } // namespace

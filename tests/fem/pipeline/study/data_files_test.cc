@@ -19,7 +19,7 @@ const std::vector<FileColumn> time_and_speed = { { { "t", "time" }, "s" }, { { "
 
 std::vector<FileRow> rows_of(const std::string &file)
 {
-  return read_column_file("Entry = my.csv", file, time_and_speed);
+  return read_column_file("Entry = my.csv", file, time_and_speed).rows;
 }
 
 /// The sentence with which a file is refused.
@@ -35,7 +35,8 @@ TEST(ColumnFile, MayBeWrittenInManyWays)
        { "t (s), v (m/s)\n0.5, 0.2\n1.5, 0.35\n", "t, v\n0.5, 0.2\n1.5, 0.35\n",
          "# measured\n\n0.5 0.2\n 1.5\t0.35 \n", "time [ms]; speed [cm/s]\r\n500; 20\r\n\r\n1500; 35\r\n",
          "\xEF\xBB\xBF\"time (ms)\",\"speed (mm/s)\"\n# by hand\n500,200\n1500,350",
-         "t v\n0.5  0.2\n1.5 0.35\n", "t ms, v cm/s\n5e2, 20\n+1500, 35\n" })
+         "t v\n0.5  0.2\n1.5 0.35\n", "v (m/s), t (s)\n0.2, 0.5\n0.35, 1.5\n",
+         "t ms, v cm/s\n5e2, 20\n+1500, 35\n" })
   {
     SCOPED_TRACE(text);
     const std::vector<FileRow> rows = rows_of(scratch.write("my.csv", text));
@@ -56,7 +57,6 @@ TEST(ColumnFile, EachBadTextIsRefusedWithItsLine)
     { "", "has no rows" },
     { header + "# nothing\n", "has no rows" },
     { "t (s), v (kg)\n0, 1\n", "line 1: the header \"t (s), v (kg)\" does not name the columns t, v" },
-    { "v (m/s), t (s)\n0, 1\n", "line 1" },
     { "t (s), v (furlong/s)\n0, 1\n", "line 1" },
     { "t (s)\n0\n", "line 1" },
     { header + header + "0, 1\n", "line 2" },

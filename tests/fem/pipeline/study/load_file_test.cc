@@ -33,6 +33,16 @@ TEST(LoadFile, ReadsWhatItWrites)
   EXPECT_EQ(again.radius(), load.radius());
 }
 
+TEST(LoadFile, MayBeWrittenByASpreadsheet)
+{
+  const ScratchFolder scratch;
+  const ring::RingStack load =
+    read_load_file(scratch.write("load.csv", "# ring radius: 0.03 (m)\n0;0,4;0\n1;−0,125;0,25\n"));
+  EXPECT_EQ(load.a(0), 0.4);
+  EXPECT_EQ(load.a(1), -0.125);
+  EXPECT_EQ(load.b(1), 0.25);
+}
+
 TEST(LoadFile, RefusesWhatIsNotALoad)
 {
   const ScratchFolder scratch;

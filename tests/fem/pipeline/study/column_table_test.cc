@@ -1,0 +1,140 @@
+// Columns of numbers as phones, video trackers, spreadsheets and instruments write them. The texts are made
+// by hand after the documentation of these programs.
+#include "fem/pipeline/study/column_table.h"
+#include "tests/fem/pipeline/matchers.h"
+#include "tests/fem/pipeline/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+const std::vector<FileColumn> time_and_spin = { { { "t", "time" }, "s" },
+                                                { { "omega", "ω", "gyroscope z" }, "rad/s" } };
+
+ColumnTable read(const std::string &text)
+{
+  return parse_columns("run.csv", text, time_and_spin, MissingValues::skipped);
+}
+
+std::string refusal(const std::string &text)
+{
+  return test::sentence_of([&] { read(text); });
+}
+
+/// Each text holds the spins -1.5 and -2.25 rad/s at 0.1 and 0.2 s.
+TEST(ColumnTable, FilesOfTheUsualProgramsAreRead)
+{
+  for (const auto &[text, n_skipped] : std::vector<std::pair<std::string, std::size_t>>{
+         // phyphox: comma and point; semicolon or tab and comma
+         { "\"Time (s)\",\"Gyroscope x (rad/s)\",\"Gyroscope z (rad/s)\",\"Absolute (rad/s)\"\n"
+           "1.0E-01,7,-1.5E+00,8\n2.0E-01,7,-2.25E+00,8\n",
+           0 },
+         { "\"Time (s)\";\"Gyroscope x (rad/s)\";\"Gyroscope z (rad/s)\"\n1,0E-01;7;-1,5\n2,0E-01;7;-2,25\n",
+           0 },
+         { "\"Time (s)\"\t\"Gyroscope z (rad/s)\"\n1,0E-01\t-1,5\n2,0E-01\t-2,25\n", 0 },
+         // Tracker 5: name of the track, no value in the first and last row; Tracker 6 with two tracks
+         { "mass_A\t\t\nt\tω\tθ\n0.0\t\t-0.1\n0.1\t-1.5\t-0.2\n0.2\t-2.25\t-0.3\n0.3\t\t-0.4\n", 2 },
+         { "mass_A\nt\tθ\tω\n0.0\t-0.1\t\n0.1\t-0.2\t-1.5\n0.2\t-0.3\t-2.25\n", 1 },
+         { "#multi:\n\tdot A\t\nt\tomega\t\n0.000\t\t\n0.100\t-1.5\t\n0.200\t-2.25\t\n", 1 },
+         // LibreOffice; Excel, German and US
+         { "t (s),omega (rad/s)\n\"0,1\",\"-1,5\"\n\"0,2\",\"-2,25\"\n", 0 },
+         { "sep=;\r\nt [ms];omega [rad/s]\r\n100;-1,5\r\n200;-2,25\r\n", 0 },
+         { "Time, s\tomega, rad/s\n0.1\t\u22121.5\n0.2\t\u22122.25\n", 0 },
+         { "omega / (rad/s),TIME\n-1.5,0.1\n-2.25,0.2\n", 0 },
+         // an oscilloscope's settings, a row of units; a serial monitor
+         { "Model,TBS1052\nSample Interval,0.1,s\nRecord "
+           "Length,2,Points\nTIME,omega\nms,rad/s\n100,-1.5\n200,-2.25\n",
+           0 },
+         { "t omega\r\n0.1 -1.5\r\n0.2 -2.25\r\n", 0 },
+         { "0.1 -1.5\n0.2 -2.25\n", 0 },
+         { "t (s);omega (rad/s)\n0,1;\u00a0-1,5\n0,15;NaN\n0,2;-2,25\n", 1 } })
+  {
+    SCOPED_TRACE(text);
+    const ColumnTable table = read(text);
+    ASSERT_EQ(table.rows.size(), 2u);
+    EXPECT_EQ(table.n_skipped, n_skipped);
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      EXPECT_DOUBLE_EQ(table.rows[i].values[0], i == 0 ? 0.1 : 0.2);
+      EXPECT_DOUBLE_EQ(table.rows[i].values[1], i == 0 ? -1.5 : -2.25);
+    }
+  }
+}
+
+TEST(ColumnTable, SpinsAreTakenInTurnsAndDegrees)
+{
+  for (const auto &[unit, factor] : { std::pair("rpm", M_PI / 30), std::pair("rev/s", 2 * M_PI),
+                                      std::pair("°/s", M_PI / 180), std::pair("deg/s", M_PI / 180) })
+    EXPECT_NEAR(read(std::string("t (s), omega (") + unit + ")\n1,-60\n").rows.at(0).values[1], -60 * factor,
+                60 * factor * 1e-15)
+      << unit;
+}
+
+TEST(ColumnTable, DoubtIsToldWithItsLine)
+{
+  for (const auto &[text, words] : std::vector<std::pair<std::string, std::string>>{
+         { "t (s),omega (rad/s)\n1,\"-1,500\"\n", "line 2, column 2" },          // -1.5 or -1500
+         { "t (ms);omega (rad/s)\n100;-1.5\n1,200;-2.5\n", "line 3, column 1" }, // 1.2 or 1200
+         { "t (s),omega (rad/s)\n0,1,-1,43\n", "semicolons" },
+         { "t (s),omega (rad/s),ω (rad/s)\n1,2,3\n", "line 1" },
+         { "frame,omega (rad/s)\n1,2\n", "line 1" },
+         { "t (s),omega (rad/s)\n1,2\nend of record,-\n3,x\n", "line 3, column" },
+         { "t omega theta\n1 2\n", "line 2" }, // which one is missing?
+         { "t (s),omega (rad/s)\n1,\n", "has no rows" } })
+  {
+    const std::string sentence = refusal(text);
+    EXPECT_THAT(sentence, testing::HasSubstr(words)) << text;
+    EXPECT_EQ(sentence.rfind("run.csv", 0), 0u);
+    EXPECT_EQ(sentence.back(), '.');
+    EXPECT_LT(sentence.size(), 320u) << sentence;
+  }
+  EXPECT_THAT(test::sentence_of([] { parse_columns("run.csv", "t,omega\n1,2\n3,\n", time_and_spin); }),
+              testing::HasSubstr("line 3, column 2"));
+}
+
+TEST(ColumnTable, TheSummaryCountsRows)
+{
+  const std::string summary = read("Time (ms),omega\n1,2\n3,\n4,5\n").summary(time_and_spin);
+  for (const char *words : { "\"Time (ms)\"", "omega in rad/s (assumed)", "2 rows", "1 without a value" })
+    EXPECT_THAT(summary, testing::HasSubstr(words));
+}
+
+/// Tables with changed, lost and doubled bytes are read, with finite values, or refused with one sentence.
+TEST(ColumnTable, BrokenTablesAreReadOrRefused)
+{
+  const std::string whole = "sep=;\nmass A\n\"t (ms)\";ω [rpm];\"θ\"\n0;;1\n100;-1,5;2\n200;−2,25;3\n";
+  std::mt19937 random(46);
+  for (unsigned int trial = 0; trial < 500; ++trial)
+  {
+    std::string text = whole;
+    for (unsigned int change = 0; change < 1 + trial % 4; ++change)
+    {
+      const std::size_t place = random() % text.size();
+      if (const auto kind = random() % 3; kind == 0)
+        text[place] = static_cast<char>(random() % 256);
+      else if (kind == 1)
+        text.erase(place, 1);
+      else
+        text.insert(place, text.substr(place, random() % 9));
+    }
+    try
+    {
+      for (const FileRow &row : read(text).rows)
+        EXPECT_TRUE(row.values.size() == 2 && std::isfinite(row.values[0]) && std::isfinite(row.values[1]))
+          << text;
+    }
+    catch (const BadInput &error)
+    {
+      EXPECT_EQ(std::string(error.what()).rfind("run.csv", 0), 0u) << error.what();
+    }
+  }
+}
+
+} // namespace
+} // namespace stemware::pipeline
