@@ -39,7 +39,17 @@ MeasuredRun parse_measured_run(const std::string &setting, const std::string &te
           setting + " has no column \"" + shortened(column) +
             "\" of spins or angles beside a column t; write its heading into Motion/Measured column.");
   const std::vector<FileColumn> &columns = run.is_angle ? with_angle : with_spin;
-  const ColumnTable table = parse_columns(setting, text, columns, MissingValues::skipped);
+  ColumnTable table;
+  try
+  {
+    table = parse_columns(setting, text, columns, MissingValues::skipped);
+  }
+  catch (const BadInput &failure)
+  {
+    const bool is_named = run.is_angle || has_columns(setting, text, with_spin);
+    throw BadInput(failure.what() +
+                   std::string(is_named ? "" : " Another heading can be named by Motion/Measured column."));
+  }
   std::size_t n_equal = 0;
   unsigned int equal_line = 0;
   for (const FileRow &row : table.rows)

@@ -68,10 +68,10 @@ TEST(MeasuredRun, OtherFilesAreRefusedWithTheCure)
        std::vector<std::pair<std::string, std::string>>{ { "tracker5_degrees.txt", "angle (deg)" },
                                                          { "excel_us_thousands.csv", "line 2, column 1" },
                                                          { "excel_german_thousands.csv", "line 2, column 1" },
-                                                         { "oscilloscope.csv", "t (s), omega (rad/s)" },
-                                                         { "oscilloscope_units.csv", "t (s), omega (rad/s)" },
+                                                         { "oscilloscope.csv", "Motion/Measured column" },
+                                                         { "oscilloscope_units.csv", "write " },
                                                          { "arduino_timestamps.txt", "timestamps" },
-                                                         { "arduino_plotter.txt", "t (s), omega (rad/s)" } })
+                                                         { "arduino_plotter.txt", "write " } })
   {
     const std::string file = name, sentence = test::sentence_of([&] { read(file); });
     EXPECT_THAT(sentence, testing::HasSubstr(words)) << name;
