@@ -8,11 +8,20 @@ namespace stemware::ring
 {
 /**
  * Yaw torque for yaw_motion() while the orbit speed follows a table: the quasi-static balances of the moment,
- * with the hand's tangential force m dv/dt in them (closures `hand` and `full`). First-harmonic load in
- * closed form.
+ * with the hand's tangential force m dv/dt in them (closures `hand` and `full`). First-harmonic load, in
+ * closed form if friction has one coefficient.
  *
  * @param radius Ring radius [m]. @throws std::invalid_argument if the motion or the radius is not allowed.
  */
 PhasedTorqueFunction driven_torque(Closure closure, const Motion &motion, double radius,
                                    OrbitSpeedTable speeds);
+
+/**
+ * yaw_motion() from rest while the hand follows @p speeds, also from rest: the spin stays 0 until v is
+ * (accuracy / 10)^(1/3) of the largest speed. Until then it is smaller than @p accuracy, because a spin that
+ * follows its torque grows with v^3 (docs/theory/dynamics.md).
+ */
+std::vector<YawSample> driven_motion(const PhasedTorqueFunction &torque, const OrbitSpeedTable &speeds,
+                                     double yaw_inertia, const std::vector<double> &times, double accuracy,
+                                     double spin_scale);
 } // namespace stemware::ring

@@ -42,7 +42,9 @@ OrbitSpeedTable::OrbitSpeedTable(std::vector<double> given_times, std::vector<do
   for (std::size_t i = 0; i < times.size(); ++i)
   {
     require_finite(times[i], "a time of the speed table [s]");
-    require_positive(speeds[i], "a speed of the speed table", "m/s");
+    const bool is_at_rest = speeds[i] == 0. && (i == 0 || speeds[i - 1] == 0.);
+    if (!is_at_rest || i + 1 == times.size())
+      require_positive(speeds[i], "a speed of the speed table, after a rest at its beginning,", "m/s");
     require(i == 0 || times[i] > times[i - 1], "time ", i, " of the speed table is ", times[i], " s after ",
             i == 0 ? 0. : times[i - 1], " s, but times must increase");
   }
@@ -96,8 +98,30 @@ double OrbitSpeedTable::acceleration(double time) const
 Motion OrbitSpeedTable::motion_at(const Motion &motion, double time) const
 {
   Motion now = motion;
-  now.orbit_speed = speed(time);
+  now.orbit_speed = std::max(speed(time), 1e-9 * max_speed());
   now.orbit_acceleration = acceleration(time);
   return now;
+}
+
+double OrbitSpeedTable::max_speed() const
+{
+  return *std::max_element(speeds.begin(), speeds.end());
+}
+
+double OrbitSpeedTable::time_of(double speed) const
+{
+  const auto is_reached = [=](double other) { return other >= speed && other > 0.; };
+  const auto entry = std::find_if(speeds.begin(), speeds.end(), is_reached);
+  if (entry == speeds.end())
+    throw std::out_of_range(sentence("the speed table does not reach ", speed, " m/s"));
+  const auto i = static_cast<std::size_t>(entry - speeds.begin());
+  if (i == 0 || speed <= 0.)
+    return times[i == 0 ? 0 : i - 1];
+  // The speed is monotone between entries.
+  double before = times[i - 1], after = times[i];
+  for (double middle = (before + after) / 2.; before < middle && middle < after;
+       middle = (before + after) / 2.)
+    (is_reached(interpolant(middle)) ? after : before) = middle;
+  return after;
 }
 } // namespace stemware::ring

@@ -17,7 +17,7 @@ class OrbitSpeedTable
 public:
   /**
    * @param times  Increasing times [s], at least two.
-   * @param speeds Speeds v > 0 at these times [m/s]; at rest the direction of friction is undefined.
+   * @param speeds Speeds v >= 0 at these times [m/s]: 0 at the beginning only, while the hand rests.
    * @throws std::invalid_argument naming the entry that is not allowed.
    */
   OrbitSpeedTable(std::vector<double> times, std::vector<double> speeds);
@@ -32,8 +32,17 @@ public:
   /// dv/dt [m/s^2]. @throws std::out_of_range outside the table.
   double acceleration(double time) const;
 
-  /// @p motion with the orbit speed and acceleration of that time.
+  /// @p motion with the orbit speed and acceleration of that time. A hand at rest has a speed of a billionth
+  /// of its largest: friction then has the direction of the motion to come.
   Motion motion_at(const Motion &motion, double time) const;
+
+  bool starts_from_rest() const { return speeds.front() == 0.; }
+
+  double max_speed() const;
+
+  /// The first time [s] at which the hand is at least as fast as @p speed [m/s], and faster than 0: for 0,
+  /// when it starts. @throws std::out_of_range for more than max_speed().
+  double time_of(double speed) const;
 
 private:
   void check_range(double time) const;

@@ -118,7 +118,21 @@ TEST(OrbitSpeedTable, IsExactMonotoneAndDoesNotExtrapolate)
 
   EXPECT_THROW(OrbitSpeedTable({ 0. }, { 1. }), std::invalid_argument);
   EXPECT_THROW(OrbitSpeedTable({ 0., 1. }, { 1., 0. }), std::invalid_argument);
+  EXPECT_THROW(OrbitSpeedTable({ 0., 1. }, { 0., 0. }), std::invalid_argument);
   EXPECT_THROW(OrbitSpeedTable({ 0., 0. }, { 1., 1. }), std::invalid_argument);
+}
+
+TEST(OrbitSpeedTable, MayBeginAtRest)
+{
+  const OrbitSpeedTable table({ 0., 0.5, 1., 2. }, { 0., 0., 0.3, 0.4 });
+  EXPECT_TRUE(table.starts_from_rest());
+  EXPECT_EQ(table.speed(0.2), 0.);
+  EXPECT_EQ(table.time_of(0.), 0.5);
+  EXPECT_NEAR(table.speed(table.time_of(0.12)), 0.12, 1e-15);
+  EXPECT_NEAR(table.time_of(0.4), 2., 1e-6);
+  EXPECT_THROW(table.time_of(0.41), std::out_of_range);
+  EXPECT_NO_THROW(table.motion_at(Motion(), 0.1).validate());
+  EXPECT_FALSE(OrbitSpeedTable({ 0., 1. }, { 0.1, 0.2 }).starts_from_rest());
 }
 
 TEST(OrbitSpeedTable, CanBeJoinedByLines)

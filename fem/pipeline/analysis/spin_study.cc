@@ -1,9 +1,9 @@
 #include "fem/pipeline/analysis/spin_study.h"
 
-#include "fem/pipeline/coupling/driven_load.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/friction_law.h"
+#include "ring_model/hand_drive.h"
 #include "ring_model/spin/phase_loads.h"
 
 #include <algorithm>
@@ -186,7 +186,7 @@ std::vector<double> driven_spins(const Study &study, const std::shared_ptr<Elast
     return of_table + ring::grip_torque(of_table, omega, study.motion.grip_torque);
   };
   return spins_of(
-    ring::yaw_motion(torque, study.motion.orbit.yaw_inertia, 0, times, accuracy, spin_unit(study)));
+    ring::driven_motion(torque, speeds, study.motion.orbit.yaw_inertia, times, accuracy, spin_unit(study)));
 }
 
 std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
@@ -199,6 +199,8 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
   constexpr double accuracy_of_change = 1e-7; // acceleration jumps where lines meet
   const ring::OrbitSpeedTable &speeds = *study.motion.orbit_speeds;
   DrivenSpinUp driven;
+  if (speeds.starts_from_rest())
+    driven.breakaway = find_breakaway(study, foot, speeds);
   driven.time = times;
   for (const double time : times)
   {

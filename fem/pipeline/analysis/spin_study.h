@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/coupling/driven_load.h"
 
 #include <cstddef>
 #include <memory>
@@ -37,8 +38,9 @@ struct DrivenSpinUp
   std::vector<double> omega;        ///< all harmonics, error control [rad/s]
   /// Change of omega where straight lines, and not the monotone cubic, join the file's entries, told by the
   /// first harmonic on a rigid rim in balance [rad/s].
-  double interpolation_change = 0;        ///< at most, at any of the times
-  double interpolation_change_at_end = 0; ///< at the last one
+  double interpolation_change = 0;         ///< at most, at any of the times
+  double interpolation_change_at_end = 0;  ///< at the last one
+  std::optional<Breakaway> breakaway = {}; ///< of a hand that starts from rest
 };
 
 /// omega(t) from rest at equally spaced times, each load in its own balance; NaN from where the glass falls

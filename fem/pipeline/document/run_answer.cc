@@ -249,7 +249,13 @@ std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
     text += (driven->interpolation_change > *band ? "; this matters more than the discretisation, about "
                                                   : "; the discretisation about ") +
             number(*band, "band") + ", the band of the terminal spin at constant speed";
-  return text + ".";
+  text += ".";
+  if (const auto &start = driven->breakaway)
+    text += " The glass rests until t = " + number(start->time, ".4g") +
+            " s and begins to slide when the hand's force reaches " + number(start->force, ".4g") +
+            " N, with a friction coefficient of " + number(start->friction_coefficient, ".4g") +
+            " and a moment ratio of " + number(start->moment_ratio, ".4g") + ".";
+  return text;
 }
 
 } // namespace stemware::pipeline

@@ -102,6 +102,9 @@ Json driven_summary(const DrivenSpinUp &driven)
 {
   Json summary = { { "speed_at_end", driven.speed.back() }, { "omega_at_end", driven.omega.back() } };
   summary.update(STEMWARE_JSON(driven, interpolation_change, interpolation_change_at_end));
+  summary["breakaway"] =
+    if_there(driven.breakaway, [](const Breakaway &start)
+             { return STEMWARE_JSON(start, time, friction_coefficient, force, moment_ratio); });
   return summary;
 }
 

@@ -72,8 +72,9 @@ ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file)
          .rows)
   {
     const std::string place = fmt::format(FMT_STRING("{}, line {}: "), setting, row.line);
-    require(row.values[1] > 0,
-            place + "the speed is not greater than 0; the direction of friction needs one.");
+    require(row.values[1] > 0 || (row.values[1] == 0 && (speeds.empty() || speeds.back() == 0)),
+            place + "the speed is not greater than 0, which it may be at the beginning only; end the table "
+                    "before the hand stops.");
     require(times.empty() || row.values[0] > times.back(),
             place + "the time is not later than in the row before; sort the rows by time.");
     times.push_back(row.values[0]);

@@ -25,7 +25,8 @@ ColumnTable read_column_file(const std::string &setting, const std::string &file
 MeasuredRun read_measured_run(const std::string &file, const std::string &column);
 
 /// The orbit speed v(t) of a hand that is no motor, from Motion/Orbit speed file, two columns, time and speed
-/// (read_column_file()): times increasing, speeds greater than 0. Throws BadInput that names the line.
+/// (read_column_file()): times increasing, speeds greater than 0 but at the
+/// beginning, where the hand may rest. Throws BadInput that names the line.
 ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file);
 
 /// Reads lambda(theta) from Load/File, a table of Fourier coefficients:

@@ -22,9 +22,10 @@ struct MotionSection
   std::shared_ptr<const ring::OrbitSpeedTable> orbit_speeds = {}; ///< of that file, where there is one
   std::string measured_spin_file; ///< points that are drawn beside the spin-up; empty: none
   std::string measured_column;    ///< heading of the spins or angles in that file; empty: by the usual names
-  double end_time = 2;            ///< of the spin-up [s]
-  double euler_step = 1e-3;       ///< largest step of the forward Euler method [s]
-  double step_limit = 1e6;        ///< estimated steps of the spin-up above which a study is refused
+  double breakaway_friction = 0; ///< coefficient at which a glass at rest begins to slide; 0: that of sliding
+  double end_time = 2;           ///< of the spin-up [s]
+  double euler_step = 1e-3;      ///< largest step of the forward Euler method [s]
+  double step_limit = 1e6;       ///< estimated steps of the spin-up above which a study is refused
 
   /// Declares the entries with all that is known of them. A template, so that one file alone compiles it.
   template <typename List>
@@ -73,8 +74,8 @@ struct MotionSection
                 plausible(0.01, 3, "hardly moving to as fast as a hand can lead"));
     list.path("Orbit speed file", orbit_speed_file,
               "Speeds of a hand that is no motor, for the spin-up: a CSV file with the header \"t (s), v "
-              "(m/s)\" (other units too) and a row for each time, from 0 to End time at least. All else "
-              "belongs to Orbit speed. A relative path starts at the study file");
+              "(m/s)\" (other units too) and a row for each time, from 0 to End time at least. The hand may "
+              "start from rest. All else belongs to Orbit speed. A relative path starts at the study file");
     list.path(
       "Measured spin file", measured_spin_file,
       "Spins of a real glass, to be drawn beside the spin-up; `stemware fit` fits to them. A CSV file "
@@ -100,6 +101,13 @@ struct MotionSection
     list.number("Static friction coefficient", orbit.static_coefficient, positive, "",
                 "mu_s of Stribeck's law, in the limit of no slip", used_if(is_stribeck),
                 plausible(0.02, 2, "wet and soapy to clean rubber"));
+    list.number(
+      "Breakaway friction", breakaway_friction, not_negative, "",
+      "Coefficient of friction at which a glass that rests begins to slide, where the hand of Orbit "
+      "speed file starts from rest; 0: Friction coefficient. Stribeck's law has Static friction "
+      "coefficient",
+      used_if(orbit_speeds && orbit_speeds->starts_from_rest() && !is_stribeck),
+      plausible(0.02, 2, "wet and soapy to clean rubber"));
     list.number("Friction decay speed", orbit.friction_decay_speed, positive, "m/s",
                 "v_s of Stribeck's law, the slip speed at which the static part has fallen to 1/e",
                 used_if(is_stribeck), plausible(1e-4, 1, "creeping to as fast as the glass is led"));

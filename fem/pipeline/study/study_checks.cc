@@ -216,8 +216,6 @@ void require_known_speeds(const Study &study)
             study.load.coupling == LoadCoupling::two_way,
           needs +
             "a load in balance at every speed; set Load/Coupling = two-way, and no given moment or load.");
-  require(study.motion.orbit.has_constant_friction(),
-          needs + "friction with one coefficient; set Motion/Friction law = Coulomb.");
   require(!study.load.is_from_contact() || !abilities(study.contact.body).is_collective,
           needs + "a body of revolution; set Contact/Body = revolution.");
   require(!study.has_waviness(),
@@ -228,6 +226,12 @@ void require_known_speeds(const Study &study)
 
 void check_values(const Study &study)
 {
+  const ring::Motion &motion = study.motion.orbit;
+  require(
+    study.motion.breakaway_friction == 0 || study.motion.breakaway_friction >= motion.friction_coefficient,
+    filled("Motion/Breakaway friction = {} is less than Motion/Friction coefficient = {}, with which the "
+           "glass slides; give at least that, or 0 for the same.",
+           { to_text(study.motion.breakaway_friction), to_text(motion.friction_coefficient) }));
   require_conceivable(study);
   require_able_body(study);
   require_known_waviness(study);

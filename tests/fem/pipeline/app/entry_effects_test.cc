@@ -49,6 +49,7 @@ const EntryValues foot = { { "Glass/Shape", "foot" } };
 const EntryValues elastic = { { "Table/Interface", "hard" }, { "Table/Substrate", "elastic" } };
 const EntryValues rough = { { "Table/Interface", "rough" } };
 const EntryValues two_way = { { "Load/Coupling", "two-way" } };
+const EntryValues from_rest = { { "Load/Coupling", "two-way" }, { "Motion/Orbit speed file", "start.csv" } };
 const EntryValues slow_decay = { { "Motion/Friction decay speed", "0.3" } };
 const EntryValues stribeck = { { "Motion/Friction law", "Stribeck" },
                                { "Motion/Friction decay speed", "0.3" } };
@@ -95,6 +96,7 @@ const std::vector<Effect> effects = {
   { "Motion/Bowl depth", "0.1", nothing, filled, "/ring/omega_terminal" },
   { "Motion/Orbit radius", "0.2", "/load/moment/0" },
   { "Motion/Orbit speed file", "speeds.csv", "/ring/driven", two_way },
+  { "Motion/Breakaway friction", "0.5", "/ring/driven/breakaway/force", from_rest, "/ring/omega_terminal" },
   { "Motion/Measured spin file", "measured.csv", "/ring/measured", {}, "/ring/omega_terminal" },
   { "Motion/Measured column",
     "Gyroscope y",
@@ -255,6 +257,7 @@ void EntryEffects::SetUpTestSuite()
   const test::ScratchFolder &scratch = shared->scratch;
   scratch.write("one.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.1 0.1\n");
   scratch.write("speeds.csv", "t (s), v (m/s)\n0, 0.2\n3, 0.4\n");
+  scratch.write("start.csv", "t (s), v (m/s)\n0, 0\n3, 0.4\n");
   scratch.write("measured.csv", "t (s), omega (rad/s), Gyroscope y (rad/s)\n0.5, -3, 0\n1, -3.5,\n");
   scratch.write("two.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.2 0.1\n");
   const std::string plate = "0,0.002\n0.027,0.0015\n0.03,0\n0.033,0.0015\n0.034,0.002\n";
