@@ -55,21 +55,3 @@ TEST(Symmetry, LoadTurnedOnTheSameMesh)
         << angle << " degrees, n = " << n;
   }
 }
-
-TEST(Symmetry, OtherUnitsSameHarmonics)
-{
-  GlassProfile millimetres = flat_profile();
-  for (double GlassProfile::*length :
-       { &GlassProfile::contact_radius, &GlassProfile::foot_radius, &GlassProfile::foot_thickness,
-         &GlassProfile::land_width, &GlassProfile::land_height, &GlassProfile::stem_radius,
-         &GlassProfile::stem_height })
-    millimetres.*length *= 1000;
-  const FootResolution resolution{ 24, 2, 1 };
-  FootCase in_metres(flat_profile(), resolution);
-  FootCase in_millimetres(millimetres, resolution, {}, { 70e3, 0.22 }); // MPa
-  const ContactLoad left = in_metres.solve_on_winkler(1e10, load_at(1.3));
-  const ContactLoad right = in_millimetres.solve_on_winkler(10, load_at(1.3, 0, 30)); // MPa/mm
-  for (unsigned int n = 1; n <= 8; ++n)
-    EXPECT_NEAR(left.a(n) / left.a(0), right.a(n) / right.a(0), 1e-8) << "n = " << n;
-  EXPECT_NEAR(left.radius() * 1000 / right.radius(), 1, 1e-9);
-}

@@ -182,20 +182,6 @@ TEST(Fall, OfTheElasticFootInANarrowRangeOfSpins)
   EXPECT_NEAR(falls.fall->omega, -9, 0.1);
 }
 
-TEST(Fall, InANarrowRangeOfSpinsIsAResult)
-{
-  Study study;
-  study.model.foot_is_rigid = true;
-  study.motion.orbit.centre_of_mass_height = 0.1346;
-  fem::ComplianceCache cache;
-  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
-  const SpinStudy spin =
-    study_spin(study, foot, *find_load(study, foot), cache, silent_progress(), Depth::answer);
-  ASSERT_TRUE(spin.all().fall);
-  EXPECT_NEAR(spin.all().fall->omega, -9.09, 0.015);
-  EXPECT_LT(spin.torque.omega.front(), -9);
-}
-
 TEST(Fall, ThatIsNearIsNoCauseForThousandsOfContacts)
 {
   Study study;

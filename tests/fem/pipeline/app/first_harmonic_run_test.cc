@@ -78,27 +78,6 @@ TEST(FirstHarmonicRun, LiftOffIsJudgedByTheFullMoment)
   EXPECT_LT(hand["load"]["contact_fraction"].get<double>(), 1);
 }
 
-TEST(FirstHarmonicRun, ReversedOrbitMirrorsEverything)
-{
-  const ScratchFolder scratch;
-  const auto there = run_ring(scratch, { "Motion/Orbit sense=counterclockwise" });
-  const auto torque_there = read_columns(scratch / "results/torque.csv");
-  const auto back = run_ring(scratch, { "Motion/Orbit sense=clockwise" });
-  const auto torque_back = read_columns(scratch / "results/torque.csv");
-  const auto expect_mirrored = [](const nlohmann::json &one, const nlohmann::json &other, double sign)
-  { EXPECT_NEAR(other.get<double>(), sign * one.get<double>(), 1e-14); };
-  expect_mirrored(there["ring"]["omega_terminal"], back["ring"]["omega_terminal"], -1);
-  expect_mirrored(there["ring"]["tau_at_rest"], back["ring"]["tau_at_rest"], -1);
-  expect_mirrored(there["load"]["b"][1], back["load"]["b"][1], -1);
-  expect_mirrored(there["load"]["a"][1], back["load"]["a"][1], 1);
-  // Columns: omega, slip ratio, tau_z, T_x, T_y; the spin changes sign too, so that the table is read
-  // backwards.
-  const std::size_t n_spins = torque_there[0].size();
-  for (std::size_t i = 0; i < n_spins; ++i)
-    for (const auto &[column, sign] : { std::pair{ 2, -1. }, { 3, 1. }, { 4, -1. } })
-      EXPECT_NEAR(torque_back[column][n_spins - 1 - i], sign * torque_there[column][i], 1e-14);
-}
-
 TEST(FirstHarmonicRun, SpinUpPassesThroughTheReference)
 {
   const ScratchFolder scratch;

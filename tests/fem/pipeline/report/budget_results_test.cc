@@ -21,52 +21,6 @@ Budget made_budget()
   return hand_made_budget(next);
 }
 
-TEST(BudgetByHand, TablesOfThePage)
-{
-  Document document;
-  add_chain({}, made_budget(), document);
-  EXPECT_EQ(page_lines(document, "chain"), R"(step: 1 | 2 | 2a | 3 | 3a | 4 | 5
-what is added: the paper's model | moment balance | grip | where the foot touches | tilt | harmonics, n ≤ 2 | harmonics, all
-terminal spin (rad/s): -1.0101 | -1.0601 | -1.1101 | -1.1601 | null | -1.2101 | -1.2601
-difference (rad/s): null | -0.05 | -0.05 | -0.05 | null | null | -0.05
-relative: null | 0.04949890003 | 0.04716431816 | 0.04504003559 | null | null | 0.04131809835
-band (rad/s): 0.001020123457 | 0.001070123457 | 0.001120123457 | 0.001170123457 | null | 0.001220123457 | 0.001270123457
-:  | formal |  |  | The foot tips |  | 
-)");
-  EXPECT_EQ(
-    page_lines(document, "waterfall"),
-    R"(row: the paper's model | moment balance (formal) | grip | where the foot touches | tilt | harmonics | this study
-terminal spin (rad/s): -1.010123457 | -1.060123457 | -1.110123457 | -1.160123457 | null | -1.260123457 | -1.260123457
-difference (rad/s): null | -0.05 | -0.05 | -0.05 | null | null | null
-band (rad/s): 0.001020123457 | 0.001070123457 | 0.001120123457 | 0.001170123457 | null | 0.001270123457 | 0.001270123457
-: false | true | false | false | false | false | false
-)");
-  EXPECT_EQ(
-    page_lines(document, "effects"),
-    R"(row: moment balance | grip | where the foot touches | tilt | harmonics | without tilt | without elasticity of the foot | without compliance of the interface
-difference (rad/s): -0.05 | -0.05 | -0.05 | null | null | 0.01320123457 | -0.01340123457 | null
-: true | true | true | true | true | false | false | false
-: true | true | true | true | true | true | true | false
-)");
-}
-
-TEST(BudgetByHand, DataFilesHaveANameInEveryRow)
-{
-  const std::string text =
-    csv_table(table_of(chain_rows({}, made_budget().rows),
-                       "step title harmonics_kept omega_terminal difference band formal", "chain"));
-  EXPECT_EQ(text.substr(0, text.find("\r\n", text.find("\r\n") + 2)),
-            "step,what is added,\"harmonics kept, nan: all (1)\",terminal omega (rad/s),"
-            "difference of terminal omega (rad/s),half-width of the error band of terminal omega (rad/s),"
-            "1 if the load is negative somewhere (1)\r\n"
-            "1,the paper's model,1,-1.0101234567,,0.0010201234567,0");
-  EXPECT_NE(text.find("\r\n5,\"harmonics, all\",,-1.2601234567,"), std::string::npos) << text;
-  const std::string without =
-    csv_table(table_of(without_rows({}, made_budget()), "name omega_terminal difference reason", "without"));
-  EXPECT_NE(without.find("tilt,-1.3101234567,0.0132"), std::string::npos) << without;
-  EXPECT_NE(without.find("compliance of the interface,,,not defined"), std::string::npos) << without;
-}
-
 TEST(BudgetByHand, Summary)
 {
   EXPECT_EQ(json_lines(budget_summary({}, made_budget().rows)),

@@ -134,17 +134,6 @@ inline std::string data_lines(const std::string &text)
   return title + '\n' + as_lines(columns);
 }
 
-/// A CSV table, a line for each column.
-inline std::string csv_lines(const std::string &text)
-{
-  const auto rows = parse_csv(text);
-  std::vector<std::vector<std::string>> columns(rows[0].size());
-  for (const auto &row : rows)
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      columns[c].push_back(row.at(c));
-  return as_lines(columns);
-}
-
 /// A list of JSON objects, a line for each key.
 inline std::string json_lines(const nlohmann::ordered_json &rows)
 {
@@ -202,25 +191,6 @@ inline std::string page_lines(const pipeline::Document &document, const std::str
       columns.back().push_back(cell.is_string() ? cell.get<std::string>() : cell.dump());
   }
   return as_lines(columns);
-}
-
-/// The tables on the console.
-inline std::string console_tables(const pipeline::Results &results)
-{
-  std::string text;
-  for (const pipeline::ConsoleBlock &block : results.console)
-    if (block.table)
-      text += console_table(*block.table);
-  return text;
-}
-
-/// Names of the files, with what the report says of them.
-inline std::string file_names(const pipeline::Results &results)
-{
-  std::string text;
-  for (const pipeline::ResultFile &file : results.files)
-    text += file.name + ": " + file.description + '\n';
-  return text;
 }
 
 } // namespace stemware::test

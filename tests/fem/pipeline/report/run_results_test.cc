@@ -23,26 +23,6 @@ relative change of terminal omega to all harmonics, nan where that is 0 (1): 0.0
 a-priori bound on the change of tau_z at the terminal spin (N m): 1.7201234567000001e-6 | 2.0901234567000004e-6
 minimum of the load at rest (N/rad): -1.5001234567 | -1.8701234567
 )");
-  EXPECT_EQ(page_lines(results, "truncations"), R"(harmonics: 1 | 2
-τ_z at rest (N m): 1.460123457 | 1.830123457
-terminal spin (rad/s): -1.520123457 | -1.890123457
-change of spin: 0.01710123457 | 0.02080123457
-bound on Δτ_z (N m): 1.720123457e-06 | 2.090123457e-06
-least λ at rest (N/rad): -1.500123457 | -1.870123457
-)");
-}
-
-TEST(RunByHand, Friction)
-{
-  const Results results = made_run();
-  EXPECT_EQ(page_lines(results, "friction"), R"(: at rest | at the terminal spin
-τ_z (N m): 1.830123457 | 1.980123457
-lean torque (N m): 0 | 0
-torque of the fingers (N m): 0 | 0
-sum of the torques (N m): 1.830123457 | 1.980123457
-T_x (N): 1.840123457 | 1.990123457
-T_y (N): 1.850123457 | 2.000123457
-)");
 }
 
 TEST(RunByHand, OneRing)
@@ -83,25 +63,9 @@ TEST(RunByHand, NoLiftOffIsDecidedByTheLoadItself)
   EXPECT_FALSE(decided());
 }
 
-TEST(RunByHand, Budget)
-{
-  const Results results = made_run();
-  for (const char *table : { "waterfall", "effects", "chain", "chain_torques", "without" })
-    EXPECT_TRUE(results.tables.contains(table)) << table;
-  EXPECT_EQ(results.findings.summary["budget"].size(), 7u);
-  EXPECT_EQ(results.findings.summary["without"].size(), 3u);
-  for (const char *key : { "closures", "resolved", "effects" })
-    EXPECT_FALSE(results.findings.summary.contains(key)) << key;
-}
-
 TEST(RunByHand, Contact)
 {
   const Results results = made_run();
-  EXPECT_EQ(
-    page_lines(results, "contact"),
-    R"(: body | cells | unknowns | contact nodes | of them under load | side by side across the contact | outcome | Newton steps | |Σf - N| / N | |Σr×f - M_N| / (N R) | residual of the body's equilibrium | table moved by q_0 (m) | table tilted by q_1 (rad) | table tilted by q_2 (rad)
-: solid | 101 | 102 | 103 | 104 | 105 | narrow contact | 106 | 1.2e-10 | 1.3e-11 | 1.3e-12 | 1.27012 | 1.28012 | 1.29012
-)");
   EXPECT_EQ(file_lines(results, "contact_history.csv"), R"(step (1): 1 | 2
 loaded places (1): 201 | 204
 changed places (1): 202 | 205
@@ -112,17 +76,6 @@ iterations of the linear solver (1): 203 | 206
   EXPECT_EQ(file_text(results, "footprint.csv"), "r (m),theta (rad),pressure (Pa)\r\n"
                                                  "1.3401234567,0.25,1.3501234567\r\n"
                                                  "1.3601234567,0.25,1.3701234567\r\n");
-}
-
-TEST(RunByHand, HarmonicsOfTheLoad)
-{
-  const Results results = made_run();
-  EXPECT_EQ(page_lines(results, "load_harmonics"), R"(n: 1 | 2
-a_n / a_0: 1.00952269 | 1.02856807
-b_n / a_0: 1.01904538 | 1.038090759
-amplitude / a_0: 1.434430043 | 1.461363986
-largest at θ (degrees): 45.3 | 22.6
-)");
 }
 
 TEST(RunByHand, RingOfTheSummary)
@@ -162,12 +115,6 @@ TEST(RunByHand, RingOfTheSummary)
 TEST(RunByHand, ErrorBands)
 {
   const Results results = made_run();
-  EXPECT_EQ(page_lines(results, "bands"), R"(quantity: b_1/a_0 | a_2/a_0 | terminal spin
-value: 2.4301 | 2.4601 | 2.4901
-band: 0.002440123457 | 0.002470123457 | 0.002500123457
-Richardson value: 2.4501 | 2.4801 | 2.5101
-unit: – | – | rad/s
-)");
   EXPECT_EQ(
     results.findings.summary["error_bands"]["omega_terminal"].dump(),
     R"({"value":2.4901234567,"band":0.0025001234567,"parts":{"mesh":0.00031901234567,"degree":null,)"
