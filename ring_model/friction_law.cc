@@ -133,7 +133,7 @@ Eigen::ArrayX3d law_kernels(const FrictionLaw &law, const SlipField &slip, const
 /// law_kernels() on ever more places.
 Eigen::ArrayX3d converged_kernels(const FrictionLaw &law, const SlipField &slip, unsigned int n_max)
 {
-  constexpr unsigned int most_doublings = 8;
+  constexpr unsigned int max_doublings = 8;
   constexpr double near_stagnation = 0.25;
   const double product = std::sqrt(slip.speed * slip.rim);
   const double width = product > 0. ? std::abs(slip.speed - slip.rim) / product : HUGE_VAL;
@@ -148,7 +148,7 @@ Eigen::ArrayX3d converged_kernels(const FrictionLaw &law, const SlipField &slip,
       4. * pi / std::max(n_max, 2u) / factor);
   };
   Eigen::ArrayX3d kernels = law_kernels(law, slip, places(0), n_max);
-  for (unsigned int level = 1; level <= most_doublings; ++level)
+  for (unsigned int level = 1; level <= max_doublings; ++level)
   {
     const Eigen::ArrayX3d before = kernels;
     kernels = law_kernels(law, slip, places(level), n_max);

@@ -13,12 +13,12 @@ namespace stemware::ring
 {
 namespace
 {
-constexpr double farthest = 64.;            ///< end of the search [spin scales]
-constexpr double shortest_way = 1. / 4096.; ///< to a spin without torque, before one gives up [spin scales]
-constexpr double scan_step = 1. / 16.;      ///< [spin scales]
-constexpr double steepness_ratio = 16.;     ///< of the torque near the zero to the mean that needs no scan
-constexpr unsigned int most_evaluations = 200; ///< of one search
-constexpr double unsteady = 0.9;               ///< steadiness below which the balance may end nearby
+constexpr double farthest = 64.;              ///< end of the search [spin scales]
+constexpr double shortest_way = 1. / 4096.;   ///< to a spin without torque, before one gives up [spin scales]
+constexpr double scan_step = 1. / 16.;        ///< [spin scales]
+constexpr double steepness_ratio = 16.;       ///< of the torque near the zero to the mean that needs no scan
+constexpr unsigned int max_evaluations = 200; ///< of one search
+constexpr double unsteady = 0.9;              ///< stability margin below which the balance may end nearby
 
 /// Push on the glass at a spin, both counted in the direction in which the glass is driven at rest.
 struct Sample
@@ -102,10 +102,10 @@ public:
     double spin = converge(samples.front(), first, {});
     if (needs_scan(spin))
       spin = scanned(spin);
-    if (search.steadiness)
+    if (search.stability_margin)
       spin = reached(spin);
     if (const std::optional<double> fall =
-          search.fall_before ? search.fall_before(direction * spin) : std::nullopt)
+          search.nearest_unbalanced_spin ? search.nearest_unbalanced_spin(direction * spin) : std::nullopt)
       spin = converge(nearest_before(std::abs(*fall)), std::abs(*fall), {});
     return spin;
   }
@@ -121,7 +121,7 @@ private:
     double barrier = 0.;
     double width = HUGE_VAL; // of what lay between `near` and there
     bool may_extrapolate = true;
-    for (unsigned int i = 0; i < most_evaluations; ++i)
+    for (unsigned int i = 0; i < max_evaluations; ++i)
     {
       const double least = std::abs(std::min_element(used.begin(), used.end(),
                                                      [](const Sample &a, const Sample &b)
@@ -175,7 +175,7 @@ private:
           proposal = next_to_the_end(near.spin, barrier).value_or(proposal);
       }
     }
-    throw NoBalance(sentence("the terminal spin did not converge in ", most_evaluations,
+    throw NoBalance(sentence("the terminal spin did not converge in ", max_evaluations,
                              " evaluations of the torque, the last one at ", proposal, " rad/s"));
   }
 
@@ -195,10 +195,10 @@ private:
   }
 
   /// A place next to where the balance that there is at @p near should end before @p barrier, as its
-  /// steadiness foretells; nothing where that tells nothing.
+  /// stability margin foretells; nothing where that tells nothing.
   std::optional<double> next_to_the_end(double near, double barrier) const
   {
-    if (!search.steadiness)
+    if (!search.stability_margin)
       return std::nullopt;
     const double narrowest = search.spin_scale / 1024.;
     double before = -1.;
@@ -207,7 +207,7 @@ private:
         before = sample.spin;
     if (before < 0.)
       return std::nullopt;
-    const auto square = [&](double spin) { return std::pow(search.steadiness(direction * spin), 2); };
+    const auto square = [&](double spin) { return std::pow(search.stability_margin(direction * spin), 2); };
     const double left = square(before), right = square(near);
     if (!(right < left))
       return std::nullopt;
@@ -285,8 +285,8 @@ private:
   /// The zero at @p spin, if the balance holds all the way to it, or the first one before it.
   double reached(double spin)
   {
-    constexpr unsigned int most_probes = 100;
-    for (unsigned int i = 0; i < most_probes; ++i)
+    constexpr unsigned int max_probes = 100;
+    for (unsigned int i = 0; i < max_probes; ++i)
     {
       const std::optional<double> probe = unsteadiest(spin);
       if (!probe)
@@ -308,8 +308,9 @@ private:
   }
 
   /// Where the balance on the way to @p spin may end; nothing where it is steady all the way, or known well
-  /// enough not to. The square of the steadiness falls towards a fold nearly on a line, so that the lines
-  /// through its neighbours bound it between two samples; with a factor, because it is not quite convex.
+  /// enough not to. The square of the stability margin falls towards a fold nearly on a line, so that the
+  /// lines through its neighbours bound it between two samples; with a factor, because it is not quite
+  /// convex.
   std::optional<double> unsteadiest(double spin) const
   {
     constexpr double safety = 1.5;
@@ -320,7 +321,7 @@ private:
       const auto next = squares.lower_bound(sample.spin - narrowest);
       if (sample.spin <= (1. + 1e-6) * spin &&
           (next == squares.end() || next->first > sample.spin + narrowest))
-        squares[sample.spin] = std::pow(search.steadiness(direction * sample.spin), 2);
+        squares[sample.spin] = std::pow(search.stability_margin(direction * sample.spin), 2);
     }
     const auto slope = [](auto one, auto other)
     { return (other->second - one->second) / (other->first - one->first); };
@@ -387,29 +388,29 @@ SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &sear
   const double direction = at_rest > 0. ? 1. : -1.;
   const std::function<double(double)> push = [&](double spin)
   { return direction * counted(direction * spin) - search.grip_torque; };
-  const double expected = direction * search.expected.value_or(0.);
+  const double expected = direction * search.initial_guess.value_or(0.);
   const double first = expected > 0. ? expected : 0.25 * search.spin_scale;
   OutwardSearch outward(push, std::abs(at_rest) - search.grip_torque, direction, search);
   const double spin = outward.zero(first);
   return { direction * spin, false, n_evaluations, direction * spin };
 }
 
-std::optional<SpinZero> find_terminal_spin_near(const KnownZero &known, const TorqueFunction &torque,
+std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const TorqueFunction &torque,
                                                 const SpinSearch &search)
 {
-  constexpr unsigned int most_steps = 8;
+  constexpr unsigned int max_steps = 8;
   constexpr double nearly = 1e-7;    // of the spin: a load there is that at the zero
   constexpr double of_another = 0.1; // error of a slope that is another torque's, of itself
   const double grip = std::copysign(search.grip_torque, known.omega);
   const double scale = std::max(std::abs(known.omega), 1e-3 * search.spin_scale);
   double spin = known.omega, slope = known.slope, slope_error = of_another;
   double value = torque(spin) - grip;
-  for (unsigned int n = 1; n <= most_steps; ++n)
+  for (unsigned int n = 1; n <= max_steps; ++n)
   {
     const double step = -value / slope, next = spin + step;
     if (std::abs(step) <= nearly * scale && slope_error * std::abs(step) <= search.tolerance * scale)
     {
-      if (search.steadiness && search.steadiness(spin) < unsteady)
+      if (search.stability_margin && search.stability_margin(spin) < unsteady)
         return std::nullopt;
       return SpinZero{ next, false, n, spin };
     }

@@ -13,9 +13,9 @@ using TorqueFunction = std::function<double(double omega)>;
 /// Options of the search for the spin at which a costly torque vanishes.
 struct SpinSearch
 {
-  double spin_scale;                   ///< spin at which the torque varies, v / R [rad/s]
-  std::optional<double> expected = {}; ///< where the zero is believed to be [rad/s]
-  double grip_torque = 0.;             ///< tau_g >= 0 of the fingers [N m], which the table has to overcome
+  double spin_scale;                        ///< spin at which the torque varies, v / R [rad/s]
+  std::optional<double> initial_guess = {}; ///< where the zero is believed to be [rad/s]
+  double grip_torque = 0.; ///< tau_g >= 0 of the fingers [N m], which the table has to overcome
   /// Tolerance of omega, relative to |omega| or, if larger, to 1e-3 spin_scale; not smaller than what the
   /// noise of the torque allows.
   double tolerance = 1e-12;
@@ -25,10 +25,10 @@ struct SpinSearch
   /// Steadiness of the balance at a spin that the torque has been asked for: 1 where the glass stands
   /// upright, 0 where its balance ends, and falling towards that like the root of the distance. Empty: not
   /// known.
-  std::function<double(double omega)> steadiness = {};
+  std::function<double(double omega)> stability_margin = {};
   /// Spin nearest to rest on the way to @p omega that is known to have no balance, if any is. Empty: none
   /// is known.
-  std::function<std::optional<double>(double omega)> fall_before = {};
+  std::function<std::optional<double>(double omega)> nearest_unbalanced_spin = {};
 };
 
 /// Spin at which the torques on the glass balance.
@@ -54,8 +54,8 @@ struct SpinZero
  * spin_scale, and the first zero that the scan meets is taken.
  *
  * If @p torque throws NoBalance the search steps back towards rest. A range of spins without a balance may
- * be narrower than the steps of the search: where the steadiness is below 0.9 the way to the zero is looked
- * at more closely, with up to 100 torques, until it tells that the balance holds or has ended.
+ * be narrower than the steps of the search: where the stability margin is below 0.9 the way to the zero is
+ * looked at more closely, with up to 100 torques, until it tells that the balance holds or has ended.
  * @throws std::invalid_argument for values that are not allowed, NoTerminalSpin if the torque does not change
  * sign within 64 spin scales, BalanceLost if the balance ends before a zero is found (known to 1/4096 spin
  * scale), NoBalance if the search does not converge, what @p torque throws at rest.
@@ -63,7 +63,7 @@ struct SpinZero
 SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &search);
 
 /// Stable zero of a torque much like the one in question.
-struct KnownZero
+struct ZeroGuess
 {
   double omega; ///< [rad/s], not 0
   double slope; ///< d tau_z / d omega there [N m s], < 0
@@ -74,9 +74,9 @@ struct KnownZero
  * four evaluations. A last step that is known to the tolerance is not evaluated. The zero found is the one
  * that the search from rest would find as long as the torques differ too little for others to appear. Nothing
  * where the method leaves the neighbourhood (a tenth of spin_scale), does not end in eight steps, or comes to
- * a balance of little steadiness, the way to which has to be looked at.
+ * a balance of little stability margin, the way to which has to be looked at.
  * @throws what @p torque throws.
  */
-std::optional<SpinZero> find_terminal_spin_near(const KnownZero &known, const TorqueFunction &torque,
+std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const TorqueFunction &torque,
                                                 const SpinSearch &search);
 } // namespace stemware::ring

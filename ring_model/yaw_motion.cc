@@ -58,8 +58,8 @@ private:
   /// Where the torque vanishes, by Newton's method.
   double balanced(double time, double yaw_angle, double omega) const
   {
-    constexpr unsigned int most_steps = 20;
-    for (unsigned int i = 0; i < most_steps; ++i)
+    constexpr unsigned int max_steps = 20;
+    for (unsigned int i = 0; i < max_steps; ++i)
     {
       const double step = -torque(time, yaw_angle, omega) / slope(time, yaw_angle, omega);
       omega += step;

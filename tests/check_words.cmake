@@ -8,15 +8,15 @@ set(pending_pages docs/explore.md docs/lesson.md docs/measure.md docs/python.md
                   docs/results.md)
 set(allowed_names
     least_contact_fraction
-    least_depth
-    least_jacobian
+    cutoff_depth
+    min_jacobian
     least_load
-    most_factorized_unknowns
-    most_harmonics
-    most_nodes
-    most_rings
-    most_samples
-    most_steps)
+    max_factorized_unknowns
+    max_harmonics
+    max_nodes
+    max_rings
+    max_samples
+    max_steps)
 
 set(troubles "")
 macro(end_of_sentence)

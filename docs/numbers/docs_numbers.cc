@@ -364,8 +364,8 @@ std::string page_of_values(const std::string &page)
   std::string rows;
   for (const stemware::pipeline::StudyEntry &entry : entries_of(stemware::pipeline::Study()))
     if (entry.plausible)
-      rows += "| `" + entry.path() + "` | " + to_short_text(entry.plausible->least) + " to " +
-              to_short_text(entry.plausible->most) + (entry.unit == "1" ? "" : ' ' + entry.unit) + " | " +
+      rows += "| `" + entry.path() + "` | " + to_short_text(entry.plausible->min) + " to " +
+              to_short_text(entry.plausible->max) + (entry.unit == "1" ? "" : ' ' + entry.unit) + " | " +
               entry.plausible_reason + " |\n";
   const std::string head = "| entry | range | from what to what |\n|---|---|---|\n";
   const auto begin = page.find(head);

@@ -48,7 +48,7 @@ std::vector<CutValue> values_of_cuts(const ContactSurface &surface, const std::v
   std::vector<double> packed;
   for (const CutValue &cut : combined(std::move(places), combine))
     packed.insert(packed.end(), { cut.azimuth, cut.value });
-  packed = surface.parts.gather_everywhere(std::move(packed));
+  packed = surface.parts.all_gather(std::move(packed));
   places.clear();
   for (std::size_t i = 0; i < packed.size(); i += 2)
     places.push_back({ packed[i], packed[i + 1] });
@@ -84,7 +84,7 @@ std::vector<AzimuthLoad> density_of_lines(const ContactSurface &surface,
 std::vector<AzimuthLoad> density_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &node_forces)
 {
   using boost::math::double_constants::two_pi;
-  const unsigned int n_sectors = surface.n_sectors, n_nodes = surface.n_own_nodes();
+  const unsigned int n_sectors = surface.n_sectors, n_nodes = surface.n_owned_nodes();
   std::vector<double> azimuths;
   for (unsigned int i = 0; i < n_nodes; ++i)
     azimuths.push_back(std::atan2(surface.node_position(i, 1), surface.node_position(i, 0)));

@@ -35,7 +35,7 @@ Eigen::VectorXd ring_values(const ring::LoadFunctional &function, double cosine,
 
 } // namespace
 
-ContactDemand ContactDemand::in_axes_turned_by(double angle) const
+ContactDemand ContactDemand::in_rotated_axes(double angle) const
 {
   const double cosine = std::cos(angle), sine = std::sin(angle);
   ContactDemand demand = *this;
@@ -52,7 +52,7 @@ ContactDemand ContactDemand::in_axes_turned_by(double angle) const
 Eigen::VectorXd node_values(const ContactSurface &surface, const std::vector<double> &ring_radii,
                             const ring::LoadFunctional &function)
 {
-  const RingShares shares(ring_radii);
+  const RingWeights shares(ring_radii);
   Eigen::VectorXd result(surface.n_nodes());
   // Nodes that follow each other on one azimuth share one evaluation.
   double cosine = 1, sine = 0;

@@ -39,7 +39,7 @@ struct ContactDemand : Resultants
   bool has_friction() const { return !friction_x.a.empty(); }
 
   /// Returns this demand in axes turned counter-clockwise by @p angle [rad].
-  ContactDemand in_axes_turned_by(double angle) const;
+  ContactDemand in_rotated_axes(double angle) const;
 };
 
 /// Returns the value of @p function under a unit force on each contact node of @p surface, projected onto

@@ -157,12 +157,12 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
 
 ContactExtent extent_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &forces)
 {
-  const Eigen::Index n = surface.n_own_nodes();
+  const Eigen::Index n = surface.n_owned_nodes();
   const auto areas = surface.node_area.head(n).array();
   const auto own = forces.head(n).array();
-  const double largest = surface.parts.greatest(own);
+  const double largest = surface.parts.max_entry(own);
   ContactExtent extent;
-  extent.peak_pressure = surface.parts.greatest(own / areas);
+  extent.peak_pressure = surface.parts.max_entry(own / areas);
   const std::vector<AzimuthLoad> density = density_of_nodes(surface, forces);
   const auto n_loaded =
     std::count_if(density.begin(), density.end(),

@@ -95,7 +95,7 @@ private:
     of_rings.setZero();
   }
 
-  const RingShares shares;
+  const RingWeights shares;
   Eigen::Vector3d on_line = Eigen::Vector3d::Zero(); ///< sum f, f r, f r^2 of the present line
   Moments sums = Moments::Zero();
   std::vector<std::vector<double>> a;
@@ -121,7 +121,7 @@ void require_radii(const std::vector<double> &radii)
 
 } // namespace
 
-RingShares::RingShares(std::vector<double> radii_given)
+RingWeights::RingWeights(std::vector<double> radii_given)
     : radii(std::move(radii_given))
     , per_unit(radii.size() > 1 ? 4 / (radii.back() - radii.front()) : 1)
     , factors(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(radii.size())))
@@ -134,7 +134,7 @@ RingShares::RingShares(std::vector<double> radii_given)
         factors(static_cast<Eigen::Index>(j)) /= (radii[j] - radii[k]) * per_unit;
 }
 
-const Eigen::VectorXd &RingShares::at(double radius) const
+const Eigen::VectorXd &RingWeights::at(double radius) const
 {
   shares = factors;
   double inside = 1, outside = 1; // products of the distances to the rings on either side
@@ -148,7 +148,7 @@ const Eigen::VectorXd &RingShares::at(double radius) const
   return shares;
 }
 
-ContactLoad ContactLoad::turned(double angle) const
+ContactLoad ContactLoad::rotated(double angle) const
 {
   ContactLoad load = *this;
   static_cast<RingStack &>(load) = rotated(angle);
@@ -208,7 +208,7 @@ double least_load(const std::vector<AzimuthLoad> &pointwise)
   return bend > 0 ? std::max(0., least->density - slope * slope / (4 * bend)) : least->density;
 }
 
-unsigned int parts_of_lines(std::size_t n_rings)
+unsigned int n_line_parts(std::size_t n_rings)
 {
   // Four Gauss points are exact for degree 7; nine parts of a line that is twice as long as the contact is
   // wide know the moment of the order 12 to 1e-4, that of the order 24 to a per cent.
@@ -236,7 +236,7 @@ std::pair<double, double> loaded_band(const TableLoad &load)
 ContactLoad extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics,
                          const std::vector<double> &ring_radii)
 {
-  TableLoad on_table = law.load(solution, parts_of_lines(ring_radii.size()));
+  TableLoad on_table = law.load(solution, n_line_parts(ring_radii.size()));
   ContactLoad load = harmonics_of(on_table.points, n_harmonics, ring_radii, on_table.parts);
   load.pointwise = std::move(on_table.density);
   load.least = least_load(load.pointwise);

@@ -37,16 +37,16 @@ struct ContactLoad : ring::RingStack
   std::vector<AzimuthLoad> pointwise; ///< lambda itself by azimuth, sorted; what the series stand for
 
   /// Returns the load turned counter-clockwise by @p angle [rad].
-  ContactLoad turned(double angle) const;
+  ContactLoad rotated(double angle) const;
 };
 
 /// Distribution of a force over rings by its radius: values of the Lagrange polynomials of the rings'
 /// radii. Radial moments of orders below the number of rings are exact. One ring gets the whole force.
-class RingShares
+class RingWeights
 {
 public:
   /// Throws std::invalid_argument unless the radii are positive and ascending.
-  explicit RingShares(std::vector<double> radii);
+  explicit RingWeights(std::vector<double> radii);
 
   /// Returns the shares of a force at @p radius, one for each ring. Valid until the next call.
   const Eigen::VectorXd &at(double radius) const;
@@ -70,7 +70,7 @@ double least_load(const std::vector<AzimuthLoad> &pointwise);
 
 /// Returns the number of parts of a contact line whose quadrature points resolve the radial moments of @p
 /// n_rings rings (TableLaw::load()).
-unsigned int parts_of_lines(std::size_t n_rings);
+unsigned int n_line_parts(std::size_t n_rings);
 
 /// Returns the smallest and largest radius [m] of the points of @p load above rounding of the largest.
 std::pair<double, double> loaded_band(const TableLoad &load);

@@ -18,7 +18,7 @@ namespace
 {
 
 /// A contact with fewer loaded nodes side by side does not resolve its pressure across the rim.
-constexpr unsigned int fewest_nodes_across = 4;
+constexpr unsigned int min_nodes_across = 4;
 
 /// Distance from the axis to the border of the convex hull of the nodes, or of the weights in their place, in
 /// @p direction, a unit vector [m]: the least of the distances to the hull's tangents. That of a ring is
@@ -92,14 +92,14 @@ public:
       const bool balanced = is_balanced() || stagnates(present_residual, residual_before, n_idle);
       // A set that still flips between two balanced iterates flips at places whose force is zero to within
       // the tolerance.
-      if (balanced && n_steps > 0 && (n_changed == 0 || balanced_before || !control.set_matters))
+      if (balanced && n_steps > 0 && (n_changed == 0 || balanced_before || !control.requires_unchanged_set))
         return;
-      if (control.set_matters)
+      if (control.requires_unchanged_set)
         require_new_set(visited, present_residual);
       balanced_before = balanced;
       residual_before = present_residual;
       step();
-      if (control.is_enough && control.is_enough(solution()))
+      if (control.accepts_iterate && control.accepts_iterate(solution()))
         return;
     }
   }
@@ -126,23 +126,23 @@ public:
   {
     ContactSolution result;
     result.forces = body.elastic_forces(contact.forces);
-    result.beyond_law = result.forces - contact.forces;
+    result.force_mismatch = result.forces - contact.forces;
     result.normal_displacement = normal_displacement;
     result.motion = motion;
     result.n_iterations = n_steps;
     result.n_linear_iterations = n_linear_iterations;
     const Eigen::VectorXd pressure = law.nodal_pressure(result);
-    const Eigen::Index n_own_nodes = body.contact_surface().n_own_nodes();
+    const Eigen::Index n_owned_nodes = body.contact_surface().n_owned_nodes();
     result.n_loaded_nodes =
-      parts.sum(static_cast<std::size_t>((pressure.head(n_own_nodes).array() > 0).count()));
+      parts.sum(static_cast<std::size_t>((pressure.head(n_owned_nodes).array() > 0).count()));
     result.n_nodes_across = body.contact_surface().n_nodes_across(pressure);
-    if (control.set_matters && result.n_nodes_across < fewest_nodes_across)
+    if (control.requires_unchanged_set && result.n_nodes_across < min_nodes_across)
       result.outcome = ContactOutcome::narrow_contact;
     const Eigen::Vector3d left = conditions.residual(result.forces, motion);
     result.force_residual = std::abs(left(0)) / conditions.normal_force();
     result.moment_residual = left.tail<2>().norm() / (conditions.normal_force() * radius);
     result.equilibrium_residual = equilibrium;
-    result.steadiness = steadiness;
+    result.stability_margin = stability_margin;
     return result;
   }
 
@@ -191,7 +191,7 @@ private:
   /// Damped steps lower the energy, so they may pass through a set twice; whole steps that do so get nowhere.
   void require_new_set(VisitedSets &visited, double present_residual) const
   {
-    if (visited.gains_at(contact.active_set, present_residual) || last_step_length != 1)
+    if (visited.makes_progress(contact.active_set, present_residual) || last_step_length != 1)
       return;
     throw ContactFailure(ContactOutcome::repeated_set,
                          sentence("the active set cycles after ", n_steps, " Newton steps, with ", n_loaded(),
@@ -203,7 +203,8 @@ private:
   void require_support() const
   {
     const Eigen::DiagonalMatrix<double, 3> scale(1, 1 / radius, 1 / radius);
-    const Eigen::Matrix3d support = scale * parts.sum(support_of(contact.tangent, modes, modes)) * scale;
+    const Eigen::Matrix3d support =
+      scale * parts.sum(motion_stiffness(contact.tangent, modes, modes)) * scale;
     const Eigen::Vector3d stiffness = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(support).eigenvalues();
     if (stiffness(2) > 0 && stiffness(0) > 1e-13 * stiffness(2))
       return;
@@ -223,7 +224,7 @@ private:
   void step()
   {
     constexpr unsigned int n_first_steps = 6;
-    const bool is_hopeless = n_steps == n_first_steps && residual() > control.hopeless_residual;
+    const bool is_hopeless = n_steps == n_first_steps && residual() > control.divergence_residual;
     if (n_steps >= control.max_steps || is_hopeless)
     {
       throw ContactFailure(ContactOutcome::too_many_steps,
@@ -239,7 +240,7 @@ private:
       mismatch = normal_displacement - body.contact_displacement() - modes * motion;
     const NewtonIncrement increment = solve(mismatch);
     const Eigen::VectorXd direction = increment.displacement + modes * increment.motion - mismatch;
-    const bool is_whole = control.whole_steps || start_is_apart(mismatch);
+    const bool is_whole = control.full_steps || start_is_apart(mismatch);
     const double step_length = conditions.are_resultants() && !is_whole
                                  ? step_to_least_energy(increment, direction)
                                  : step_to_less_residual(increment, direction, is_whole ? 1 : 1. / 64);
@@ -299,7 +300,7 @@ private:
     return body.solve(contact.tangent, contact.forces + contact.tangent * mismatch, conditions, motion);
   }
 
-  /// Share of the increment to take, step_of_least_energy(): beyond its end too where the edges of contact
+  /// Share of the increment to take, line_search_step(): beyond its end too where the edges of contact
   /// alone decide. A rigid foot would leave the table by such steps.
   double line_search(const NewtonIncrement &increment, const Eigen::VectorXd &direction,
                      const Eigen::VectorXd &forces_at_end) const
@@ -321,8 +322,8 @@ private:
     if (!std::isfinite(start) || !std::isfinite(end))
       throw_overflow();
     const double noise = 1e-10 * (std::abs(outer) + std::abs(increment.energy_slope));
-    return step_of_least_energy(slope, start, end, noise,
-                                !control.set_matters && increment.energy_curvature > 0);
+    return line_search_step(slope, start, end, noise,
+                            !control.requires_unchanged_set && increment.energy_curvature > 0);
   }
 
   [[noreturn]] static void throw_overflow()
@@ -340,7 +341,7 @@ private:
       n_different += set_before[i] != contact.active_set[i];
     n_changed = parts.sum(n_different);
     last_step_length = step_length;
-    steadiness = increment.steadiness;
+    stability_margin = increment.stability_margin;
     n_linear_iterations += increment.linear_iterations;
     const unsigned int n_loaded_now = n_loaded(); // all parts count, whoever reports
     if (!control.progress)
@@ -373,7 +374,7 @@ private:
   unsigned int n_linear_iterations;
   unsigned int n_changed = 0;
   double last_step_length = 1;
-  double steadiness = 1; ///< of the last increment
+  double stability_margin = 1; ///< of the last increment
 };
 
 void require_balance(const ContactSolution &solution, const ContactControl &control)
@@ -397,7 +398,7 @@ Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law,
   RigidFoot foot(surface);
   ContactControl control;
   control.tolerance = 1e-6;
-  control.set_matters = false;
+  control.requires_unchanged_set = false;
   ContactNewton newton(foot, law, conditions, radius, control, { first, surface.motion_modes() * first });
   newton.converge();
   Eigen::Vector3d motion = newton.solution().motion;
@@ -421,8 +422,8 @@ ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const LinearCond
     body.reset();
     // From a foot that is pressed in so far that the whole zone carries.
     const ContactSurface &surface = body.contact_surface();
-    const double greatest_gap = surface.parts.greatest(surface.node_gap);
-    const double rise = greatest_gap + surface.parts.greatest(-surface.node_gap);
+    const double greatest_gap = surface.parts.max_entry(surface.node_gap);
+    const double rise = greatest_gap + surface.parts.max_entry(-surface.node_gap);
     const Eigen::Vector3d pressed_in(-(greatest_gap + rise + 1e-6 * radius), 0, 0);
     begin.motion = rigid_foot_motion(surface, law, conditions, radius, pressed_in);
     begin.normal_displacement = surface.motion_modes() * begin.motion;

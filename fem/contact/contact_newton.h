@@ -45,23 +45,23 @@ struct ContactControl
   double resultant_tolerance = 1e-9;
   unsigned int max_steps = 100; ///< Newton steps in all
   /// Residual after six steps above which a start is given up, with the outcome of too many steps.
-  double hopeless_residual = std::numeric_limits<double>::infinity();
+  double divergence_residual = std::numeric_limits<double>::infinity();
   /// True if every step has full length: for starts close to the solution, or if no energy exists.
-  bool whole_steps = false;
+  bool full_steps = false;
   /// True if convergence needs an unchanged active set that may not recur: complementarity at nodes. A
   /// pressure integrated along lines depends smoothly on its edges.
-  bool set_matters = true;
+  bool requires_unchanged_set = true;
   std::function<void(const ContactIteration &)> progress; ///< called after each step, may be empty
   /// Callback after each step that accepts the iterate, whatever its residual. May be empty.
-  std::function<bool(const ContactSolution &)> is_enough;
+  std::function<bool(const ContactSolution &)> accepts_iterate;
 };
 
 /// Stopping rule for a penalty law that approximates a hard interface, integrated along contact lines. Its
 /// resultants are as exact as the final check.
-inline ContactControl control_of_spring()
+inline ContactControl penalty_control()
 {
   ContactControl control;
-  control.set_matters = false;
+  control.requires_unchanged_set = false;
   control.tolerance = control.resultant_tolerance;
   return control;
 }

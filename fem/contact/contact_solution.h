@@ -69,7 +69,7 @@ struct ContactSolution
   ContactOutcome outcome = ContactOutcome::converged; ///< converged or narrow_contact
   Eigen::VectorXd forces;                             ///< upward forces on the foot at the contact nodes [N]
   Eigen::VectorXd
-    beyond_law; ///< what these have more than the table law's: its balance with the body is not exact [N]
+    force_mismatch; ///< what these have more than the table law's: its balance with the body is not exact [N]
   Eigen::VectorXd normal_displacement;              ///< u_z + Q q at the contact nodes [m]
   Eigen::Vector3d motion = Eigen::Vector3d::Zero(); ///< q0 [m], q1, q2 [rad] of the table
   unsigned int n_iterations = 0;
@@ -79,7 +79,7 @@ struct ContactSolution
   double force_residual = 0;       ///< |sum f - N| / N
   double moment_residual = 0;      ///< |sum r x f - M_N| / (N R), or that of the conditions in its place
   double equilibrium_residual = 0; ///< |B'f - K u| / |B'f|
-  double steadiness = 1;           ///< NewtonIncrement::steadiness of the last step
+  double stability_margin = 1;     ///< NewtonIncrement::stability_margin of the last step
 };
 
 } // namespace stemware::fem

@@ -23,7 +23,7 @@ unsigned int ContactSurface::n_nodes_across(const Eigen::VectorXd &pressure) con
   std::vector<double> n_loaded(n_bins, 0);
   Eigen::RowVector2d before(0, 0); // nodes that follow each other on a line share their azimuth
   std::size_t bin = 0;
-  for (unsigned int i = 0; i < n_own_nodes(); ++i)
+  for (unsigned int i = 0; i < n_owned_nodes(); ++i)
     if (pressure(i) > 0)
     {
       const Eigen::RowVector2d node = node_position.row(i);
@@ -48,7 +48,7 @@ unsigned int ContactSurface::n_nodes_across(const Eigen::VectorXd &pressure) con
   return static_cast<unsigned int>(most);
 }
 
-std::vector<PointForce> turned_by(std::vector<PointForce> forces, double angle)
+std::vector<PointForce> rotated_by(std::vector<PointForce> forces, double angle)
 {
   const double cosine = std::cos(angle), sine = std::sin(angle);
   for (PointForce &point : forces)

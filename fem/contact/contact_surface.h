@@ -51,15 +51,15 @@ struct ContactSurface
   /// True if the land is a ring with a hole at the axis.
   bool is_ring = true;
 
-  unsigned int n_foreign_nodes = 0; ///< those at the end that belong to other parts
-  SurfaceParts parts;               ///< of which this is one
+  unsigned int n_ghost_nodes = 0; ///< those at the end that belong to other parts
+  SurfaceParts parts;             ///< of which this is one
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(node_gap.size()); }
-  unsigned int n_own_nodes() const { return n_nodes() - n_foreign_nodes; }
+  unsigned int n_owned_nodes() const { return n_nodes() - n_ghost_nodes; }
   /// Number of contact nodes of all parts together.
-  unsigned int n_nodes_of_whole() const { return parts.sum(std::size_t(n_own_nodes())); }
+  unsigned int n_global_nodes() const { return parts.sum(std::size_t(n_owned_nodes())); }
   /// Projected area of the whole contact zone [m^2].
-  double area() const { return parts.sum(node_area.head(n_own_nodes()).sum()); }
+  double area() const { return parts.sum(node_area.head(n_owned_nodes()).sum()); }
   /// Columns (1, x, y) at the nodes: effect of the table motions q0, q1, q2 on the gap. Shape [n_nodes, 3].
   Eigen::MatrixX3d motion_modes() const;
   /// Returns the largest number of nodes under pressure side by side across the rim, over the whole zone.
@@ -76,6 +76,6 @@ struct PointForce
 };
 
 /// Returns @p forces turned counter-clockwise by @p angle [rad].
-std::vector<PointForce> turned_by(std::vector<PointForce> forces, double angle);
+std::vector<PointForce> rotated_by(std::vector<PointForce> forces, double angle);
 
 } // namespace stemware::fem

@@ -19,7 +19,7 @@ struct NewtonIncrement
   /// Steadiness of the balance: det(R - H) / det R, with the stiffness R = L'T(Q - B(K + B'TB)^-1 B'TQ) of
   /// body and table against table motions and the weight's part H of the conditions. Negative beyond the
   /// stable balance of a leaning glass; 1 if nothing leans or the body does not compute it.
-  double steadiness = 1;
+  double stability_margin = 1;
 };
 
 /// Elastic foot with clamped stem cut, as its contact nodes respond (docs/method.md, "Newton's method").

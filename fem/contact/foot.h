@@ -33,16 +33,16 @@ struct ContactState
 
   // For the foot itself:
   unsigned int zone = 0;                        ///< which of the foot's contact zones the solution is of
-  bool with_crests = false;                     ///< true if the start was rotated together with the waviness
+  bool start_rotated_with_waviness = false;     ///< true if the start was rotated together with the waviness
   std::shared_ptr<const std::string> body = {}; ///< of a solid body, this rank's part of its state
 };
 
 /// Initial guesses of a contact solve.
 struct ContactGuess
 {
-  const ContactState *before = nullptr; ///< a contact of the same foot that is near; nothing: none is known
+  const ContactState *previous = nullptr; ///< a contact of the same foot that is near; nothing: none is known
   /// Predicted contact in the slip frame, at the nodes of `before`'s zone or of the first zone.
-  std::optional<ContactStart> expected = {};
+  std::optional<ContactStart> predicted = {};
 };
 
 /// Description of a foot for messages and summary.json.
@@ -63,7 +63,7 @@ struct FootCapabilities
   bool friction_deforms = false;
   /// Angle of rotation of the glass (Slip::orientation) that leaves the load unchanged, apart from the
   /// study's waviness [rad]. 0: any angle.
-  double period_of_glass = 0;
+  double glass_period = 0;
   /// True if all MPI ranks have to solve together, so that two feet cannot be solved side by side.
   bool is_collective = false;
 };
@@ -94,7 +94,7 @@ public:
 
   /// Returns a copy of the foot for another thread, with the same results; nullptr if the foot is
   /// collective.
-  virtual std::shared_ptr<const Foot> twin() const { return nullptr; }
+  virtual std::shared_ptr<const Foot> clone() const { return nullptr; }
 
   virtual FootDescription description() const = 0;
   virtual FootCapabilities capabilities() const = 0;
@@ -108,8 +108,8 @@ public:
 
   /// Predicts the contact after @p start, a contact in zone @p zone of the slightly different foot @p
   /// similar. Returns nothing if @p start is not informative.
-  virtual std::optional<ContactStart> expected_from(const ContactStart & /*start*/, unsigned int /*zone*/,
-                                                    const Foot & /*similar*/) const
+  virtual std::optional<ContactStart> predict_from(const ContactStart & /*start*/, unsigned int /*zone*/,
+                                                   const Foot & /*similar*/) const
   {
     return std::nullopt;
   }
@@ -118,8 +118,8 @@ public:
   virtual unsigned int n_resolved_harmonics() const = 0;
 
   /// Returns the load of a state of this foot, with rings and harmonics as in ContactDemand.
-  virtual ContactLoad gather(const ContactState &state, const std::vector<double> &ring_radii,
-                             unsigned int n_harmonics) const = 0;
+  virtual ContactLoad project_onto_rings(const ContactState &state, const std::vector<double> &ring_radii,
+                                         unsigned int n_harmonics) const = 0;
 
   /// Returns the pressure of a state as point forces in the slip frame. A collective foot returns them on
   /// the first rank only.

@@ -60,7 +60,7 @@ public:
     return solution.forces.cwiseQuotient(surface.node_area);
   }
 
-  void start_from(const Eigen::VectorXd &forces) override
+  void set_multipliers(const Eigen::VectorXd &forces) override
   {
     multipliers = forces.size() > 0 ? forces : Eigen::VectorXd::Zero(surface.n_nodes());
   }
@@ -70,9 +70,9 @@ public:
     const Eigen::VectorXd updated = forces(normal_displacement);
     // f - multiplier is stiffness * penetration where loaded, and what the node should have let go of where
     // not.
-    const Eigen::Index n = surface.n_own_nodes();
+    const Eigen::Index n = surface.n_owned_nodes();
     const double violation =
-      surface.parts.greatest(((updated - multipliers).head(n).array() / stiffness.head(n).array()).abs());
+      surface.parts.max_entry(((updated - multipliers).head(n).array() / stiffness.head(n).array()).abs());
     multipliers = updated;
     return violation;
   }
@@ -82,7 +82,7 @@ private:
   static Eigen::VectorXd own_areas(const ContactSurface &surface)
   {
     Eigen::VectorXd areas = surface.node_area;
-    areas.tail(surface.n_foreign_nodes).setZero();
+    areas.tail(surface.n_ghost_nodes).setZero();
     return areas;
   }
 

@@ -7,8 +7,8 @@
 namespace stemware::fem
 {
 
-double step_of_least_energy(const std::function<double(double)> &slope, double start, double end,
-                            double noise, bool may_go_beyond)
+double line_search_step(const std::function<double(double)> &slope, double start, double end, double noise,
+                        bool may_go_beyond)
 {
   constexpr double longest = 2;
   // Close to the solution the slopes are differences of large numbers: below their noise the full step is

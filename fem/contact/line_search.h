@@ -11,7 +11,7 @@ namespace stemware::fem
 ///
 /// @param slope of the energy along the step, at a step length. @param start,end slopes at the step lengths
 /// 0 and 1. @param noise bound below which slopes are rounding.
-double step_of_least_energy(const std::function<double(double)> &slope, double start, double end,
-                            double noise, bool may_go_beyond);
+double line_search_step(const std::function<double(double)> &slope, double start, double end, double noise,
+                        bool may_go_beyond);
 
 } // namespace stemware::fem

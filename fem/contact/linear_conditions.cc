@@ -23,7 +23,7 @@ LinearConditions::LinearConditions(const ContactSurface &surface, Eigen::MatrixX
   symmetric = !parts.any(!H.isZero(0) || L != surface.motion_modes());
 }
 
-LinearConditions LinearConditions::with_share_of_moment(const ContactSurface &surface, double share) const
+LinearConditions LinearConditions::with_scaled_moment(const ContactSurface &surface, double share) const
 {
   const Eigen::MatrixX3d modes = surface.motion_modes();
   Eigen::MatrixX3d weights = modes;

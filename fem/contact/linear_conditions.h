@@ -37,7 +37,7 @@ public:
 
   /// Returns these conditions with moments, friction's arm and leaning weight multiplied by @p share (0: an
   /// even press), for continuation. @p surface belongs to the conditions.
-  LinearConditions with_share_of_moment(const ContactSurface &surface, double share) const;
+  LinearConditions with_scaled_moment(const ContactSurface &surface, double share) const;
 
   /// Returns L'f + H q - t for nodal @p forces [N] and table motions @p motion [m, rad, rad], over the
   /// whole surface [N, N m, N m].
@@ -50,7 +50,7 @@ public:
   /// whole surface [m].
   double reach(const Eigen::Vector2d &direction) const
   {
-    return parts.greatest(L.rightCols<2>() * direction);
+    return parts.max_entry(L.rightCols<2>() * direction);
   }
 
 private:

@@ -19,7 +19,7 @@ namespace stemware::fem
 /// @p Pressure offers, for a penetration d [m], `pressure(d)` [Pa], not decreasing, and `stiffness(d)` =
 /// dp/dd [Pa/m]; `has_edge()` as InterfaceLaw; `integrate(area, depth, visit)`, which calls visit(const
 /// LinePoint &) at the quadrature points of a line that carry load, from its area element and the penetration
-/// at its samples; and `least_depth(deepest)`, below which a
+/// at its samples; and `cutoff_depth(deepest)`, below which a
 /// place carries nothing that counts where another one has the penetration `deepest` [m].
 template <typename Pressure>
 class PressureLaw : public TableLaw
@@ -40,7 +40,7 @@ public:
     pattern.set_zero(contact.tangent);
     contact.active_set.assign(surface.lines.size(), false);
     const std::vector<Eigen::Vector3d> depths = penetrations(normal_displacement);
-    const double least = least_depth(depths);
+    const double least = cutoff_depth(depths);
     for (std::size_t l = 0; l < surface.lines.size(); ++l)
     {
       if (greatest(depths[l]) < least)
@@ -58,7 +58,7 @@ public:
     std::vector<double> line_forces;
     line_forces.reserve(surface.lines.size());
     const std::vector<Eigen::Vector3d> depths = penetrations(solution.normal_displacement);
-    const double least = least_depth(depths);
+    const double least = cutoff_depth(depths);
     for (std::size_t l = 0; l < surface.lines.size(); ++l)
     {
       double line_force = 0;
@@ -86,8 +86,8 @@ public:
       }
       line_forces.push_back(line_force);
     }
-    for (Eigen::Index i = 0; i < solution.beyond_law.size(); ++i)
-      if (const double force = solution.beyond_law(i); force != 0)
+    for (Eigen::Index i = 0; i < solution.force_mismatch.size(); ++i)
+      if (const double force = solution.force_mismatch(i); force != 0)
         result.points.push_back({ surface.node_position(i, 0), surface.node_position(i, 1), force });
     result.density = density_of_lines(surface, line_forces);
     return result;
@@ -131,12 +131,12 @@ private:
     return std::max({ depth(0), depth(2), 2 * depth(1) - (depth(0) + depth(2)) / 2 });
   }
 
-  double least_depth(const std::vector<Eigen::Vector3d> &depths) const
+  double cutoff_depth(const std::vector<Eigen::Vector3d> &depths) const
   {
     double deepest = -std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d &depth : depths)
       deepest = std::max(deepest, depth.maxCoeff());
-    return law.least_depth(surface.parts.max(deepest));
+    return law.cutoff_depth(surface.parts.max(deepest));
   }
 
   /// Returns the mirror image of line @p l at y = 0, with equal geometry, gap and normal displacement to

@@ -15,7 +15,7 @@ namespace
 {
 
 /// Pressure below this share of the largest is not shown.
-constexpr double least_share = 1e-3;
+constexpr double min_share = 1e-3;
 
 constexpr unsigned int n_points_across = 33;
 
@@ -91,7 +91,7 @@ ContactWidth loaded_range(const std::vector<LoadedLine> &lines)
   for (const PressurePoint &point : points)
   {
     zone = { std::min(zone.inner, point.radius), std::max(zone.outer, point.radius) };
-    if (point.pressure >= least_share * largest)
+    if (point.pressure >= min_share * largest)
       range = { std::min(range.inner, point.radius), std::max(range.outer, point.radius) };
   }
   const double margin = 0.1 * (range.outer - range.inner) + 1e-3 * (zone.outer - zone.inner);
@@ -193,7 +193,7 @@ std::optional<ContactWidth> contact_width(const std::vector<PressurePoint> &cut,
                        edge_beyond(cut, static_cast<std::size_t>(last - cut.begin()), true) };
 }
 
-PressureMap PressureMap::turned(double angle) const
+PressureMap PressureMap::rotated(double angle) const
 {
   PressureMap result = *this;
   for (auto &cut : result.cuts)
@@ -244,7 +244,7 @@ PressureMap pressure_map_of_lines(const ContactSurface &surface, const Eigen::Ve
 PressureMap pressure_map_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &pressure)
 {
   std::vector<double> packed;
-  for (unsigned int i = 0; i < surface.n_own_nodes(); ++i)
+  for (unsigned int i = 0; i < surface.n_owned_nodes(); ++i)
     packed.insert(packed.end(),
                   { surface.node_position.row(i).norm(),
                     std::atan2(surface.node_position(i, 1), surface.node_position(i, 0)), pressure(i) });
@@ -261,7 +261,7 @@ PressureMap pressure_map_of_nodes(const ContactSurface &surface, const Eigen::Ve
   for (const PressurePoint &node : nodes)
   {
     azimuths.push_back(node.azimuth);
-    if (node.pressure >= least_share * largest)
+    if (node.pressure >= min_share * largest)
       range = { std::min(range.inner, node.radius), std::max(range.outer, node.radius) };
   }
   // A contact on a single circle still needs neighbours to be seen.

@@ -26,7 +26,7 @@ struct PressureMap
   bool has_edge = true; ///< the pressure ends somewhere, and does not only fade as on a rough table
 
   /// Returns the map turned counter-clockwise by @p angle, with azimuths in [0, 2 pi).
-  PressureMap turned(double angle) const;
+  PressureMap rotated(double angle) const;
 };
 
 /// Radii between which a cut is in contact.

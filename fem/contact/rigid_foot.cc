@@ -10,8 +10,8 @@
 namespace stemware::fem
 {
 
-Eigen::Matrix3d support_of(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &weights,
-                           const Eigen::MatrixX3d &modes)
+Eigen::Matrix3d motion_stiffness(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &weights,
+                                 const Eigen::MatrixX3d &modes)
 {
   Eigen::Matrix3d support = Eigen::Matrix3d::Zero();
   for (Eigen::Index column = 0; column < tangent.outerSize(); ++column)
@@ -35,7 +35,7 @@ NewtonIncrement RigidFoot::solve(const Eigen::SparseMatrix<double> &tangent, con
                                  const LinearConditions &conditions, const Eigen::Vector3d &motion)
 {
   const Eigen::Matrix3d stiffness =
-    surface.parts.sum(support_of(tangent, conditions.weights(), modes)) - conditions.motion_weights();
+    surface.parts.sum(motion_stiffness(tangent, conditions.weights(), modes)) - conditions.motion_weights();
   const Eigen::Vector3d residual = conditions.residual(forces, motion);
   NewtonIncrement step;
   step.displacement = Eigen::VectorXd::Zero(surface.n_nodes());

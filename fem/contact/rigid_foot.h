@@ -8,8 +8,8 @@ namespace stemware::fem
 /// Returns L'TQ, the derivative of the conditions L'f with respect to the motions of a table with @p
 /// tangent T under a rigid foot; for a part of the surface, its share. @p modes Q as
 /// ContactSurface::motion_modes(). With L = Q, the stiffness of the table against its three motions.
-Eigen::Matrix3d support_of(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &weights,
-                           const Eigen::MatrixX3d &modes);
+Eigen::Matrix3d motion_stiffness(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &weights,
+                                 const Eigen::MatrixX3d &modes);
 
 /// Rigid body: only the table moves. Initial guess of every cold elastic solve, and an oracle.
 class RigidFoot : public ElasticBody

@@ -65,7 +65,7 @@ struct RoughInterface : PressureInterface<RoughInterface>
              reference_pressure / decay_length * factor };
   }
   /// Depth at which the pressure is 1e-20 of the greatest.
-  double least_depth(double deepest) const { return std::min(deepest, 0.) - 46 * decay_length; }
+  double cutoff_depth(double deepest) const { return std::min(deepest, 0.) - 46 * decay_length; }
 
   /// Along a line the exponent d / s is a quadratic. Gauss quadrature on panels so short that it changes
   /// little from one to the next, where the pressure is more than rounding of the line's largest; the law's

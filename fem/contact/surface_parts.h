@@ -11,10 +11,10 @@ namespace stemware::fem
 {
 
 /// Communication between the ranks that share a contact surface. All ranks call a function together.
-class PartsExchange
+class SurfaceCommunicator
 {
 public:
-  virtual ~PartsExchange() = default;
+  virtual ~SurfaceCommunicator() = default;
 
   /// Replaces each of @p n @p values by its sum over the parts, identical on all ranks to the last bit.
   virtual void sum(double *values, std::size_t n) const = 0;
@@ -29,7 +29,7 @@ class SurfaceParts
 {
 public:
   SurfaceParts() = default;
-  explicit SurfaceParts(std::shared_ptr<const PartsExchange> exchange)
+  explicit SurfaceParts(std::shared_ptr<const SurfaceCommunicator> exchange)
       : exchange(std::move(exchange))
   {
   }
@@ -57,7 +57,7 @@ public:
   bool any(bool condition) const { return max(condition ? 1 : 0) > 0; }
   /// Returns the largest entry of all parts; minus infinity without entries.
   template <typename Derived>
-  double greatest(const Eigen::DenseBase<Derived> &part) const
+  double max_entry(const Eigen::DenseBase<Derived> &part) const
   {
     return max(part.size() > 0 ? double(part.maxCoeff()) : -std::numeric_limits<double>::infinity());
   }
@@ -66,7 +66,7 @@ public:
   {
     return exchange ? exchange->gather(values, false) : values;
   }
-  std::vector<double> gather_everywhere(std::vector<double> values) const
+  std::vector<double> all_gather(std::vector<double> values) const
   {
     return exchange ? exchange->gather(values, true) : values;
   }
@@ -78,7 +78,7 @@ private:
       exchange->sum(values, n);
   }
 
-  std::shared_ptr<const PartsExchange> exchange;
+  std::shared_ptr<const SurfaceCommunicator> exchange;
 };
 
 } // namespace stemware::fem

@@ -91,7 +91,7 @@ public:
   virtual std::optional<double> pressure_at(double /*penetration*/) const { return std::nullopt; }
 
   /// Sets the multipliers of a hard law to the nodal @p forces of a contact nearby. Empty: unknown.
-  virtual void start_from(const Eigen::VectorXd & /*forces*/) {}
+  virtual void set_multipliers(const Eigen::VectorXd & /*forces*/) {}
 
   /// Updates the multipliers of a hard law after convergence of Newton's method; returns the largest
   /// violation of the contact conditions [m]. Returns 0 for laws without multipliers.

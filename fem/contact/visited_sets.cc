@@ -5,7 +5,7 @@
 namespace stemware::fem
 {
 
-bool VisitedSets::gains_at(const ActiveSet &set, double residual)
+bool VisitedSets::makes_progress(const ActiveSet &set, double residual)
 {
   // The whole set is the same where no part has another than then.
   std::vector<double> differs;

@@ -20,7 +20,7 @@ public:
 
   /// Returns true if @p set (this rank's part) is new, or recurs with less than half of the last @p
   /// residual. Collective over the parts.
-  bool gains_at(const ActiveSet &set, double residual);
+  bool makes_progress(const ActiveSet &set, double residual);
 
 private:
   struct Visit

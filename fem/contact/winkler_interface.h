@@ -32,7 +32,7 @@ struct WinklerInterface : PressureInterface<WinklerInterface>
 
   double pressure(double depth) const { return depth > 0 ? modulus * depth : 0; }
   double stiffness(double) const { return modulus; }
-  double least_depth(double) const { return 0; }
+  double cutoff_depth(double) const { return 0; }
 
   template <typename Visitor>
   void integrate(const AreaElement &area, const Eigen::Vector3d &depth, const Visitor &visit) const

@@ -7,7 +7,7 @@ namespace stemware::fem
 /// gradients.
 enum class LinearSolver
 {
-  automatic, ///< multigrid on refined meshes and above largest_direct_system unknowns, else direct
+  automatic, ///< multigrid on refined meshes and above max_direct_unknowns unknowns, else direct
   direct,    ///< factorisation (MUMPS) of a recent tangent
   multigrid  ///< over the meshes that the body's was refined from and its mean body of revolution
              ///< (MeshHierarchy)
@@ -15,6 +15,6 @@ enum class LinearSolver
 
 /// Number of unknowns above which multigrid needs less time and memory than a factorisation
 /// (docs/method/solid_measurements.md, "Small feet").
-constexpr unsigned int largest_direct_system = 5000;
+constexpr unsigned int max_direct_unknowns = 5000;
 
 } // namespace stemware::fem

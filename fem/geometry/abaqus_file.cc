@@ -56,9 +56,9 @@ Keyword keyword_of(const std::vector<std::string> &cells)
 unsigned int id_at_end(const std::string &name)
 {
   const std::size_t begin = name.find_last_not_of("0123456789") + 1; // 0 where all are digits
-  constexpr std::size_t most_digits = 9;                             // longer ones are dates
+  constexpr std::size_t max_digits = 9;                              // longer ones are dates
   const std::string digits = name.substr(begin);
-  return digits.empty() || digits.size() > most_digits ? 0 : static_cast<unsigned int>(std::stoul(digits));
+  return digits.empty() || digits.size() > max_digits ? 0 : static_cast<unsigned int>(std::stoul(digits));
 }
 
 /// Whether a set is one of Gmsh's elementary surfaces, "Surface70", whose numbers are no ids.
@@ -128,7 +128,7 @@ public:
         add(element, 0, { 0, 1, 2, 3, 4, 5, 6, 7 });
     mark_faces();
     content.points = std::move(points.points);
-    content.names.way_to_ids =
+    content.names.id_instructions =
       "end the names of its sets or surfaces of faces (*SURFACE, TYPE=ELEMENT) in ids";
     return std::move(content);
   }
@@ -249,8 +249,8 @@ private:
   /// An element of many nodes goes on in the next row.
   void take_nodes_of_element(std::vector<std::string> cells)
   {
-    constexpr std::size_t most_cells = 16;
-    const bool goes_on = cells.back().empty() || cells.size() == most_cells;
+    constexpr std::size_t max_cells = 16;
+    const bool goes_on = cells.back().empty() || cells.size() == max_cells;
     if (cells.back().empty())
       cells.pop_back();
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -316,9 +316,9 @@ private:
                         unsigned int depth = 0)
   {
     constexpr unsigned int deepest = 20;
-    constexpr std::size_t most_visits_an_element = 100;
+    constexpr std::size_t max_visits_an_element = 100;
     n_visits += 1;
-    if (depth > deepest || n_visits > most_visits_an_element * (elements.size() + surfaces.size() + 1000))
+    if (depth > deepest || n_visits > max_visits_an_element * (elements.size() + surfaces.size() + 1000))
       throw UnreadableMesh("has sets that name one another without end; export the mesh anew.");
     if (member.set.empty())
     {

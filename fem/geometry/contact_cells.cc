@@ -15,7 +15,7 @@ namespace
 constexpr double rounding = 1e-9;
 
 /// Compliances of more cells than that fill the memory.
-constexpr std::size_t most_cells = 2000;
+constexpr std::size_t max_cells = 2000;
 
 /// Contact cells that are finest at the contact radius, mirror images on both sides of it.
 ContactCells graded_cells(const GlassProfile &profile, const MeridianResolution &resolution)
@@ -127,8 +127,8 @@ ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution
     return (i > 0 && differs_from(i - 1)) || (i + 1 < cells.size() && differs_from(i + 1));
   };
   while (halve(cells, is_wide) || halve(cells, is_unbalanced))
-    require(cells.size() <= most_cells, "Contact cells of ", resolution.focus_size, " m within ",
-            resolution.focus_width, " m of their focus are more than ", most_cells,
+    require(cells.size() <= max_cells, "Contact cells of ", resolution.focus_size, " m within ",
+            resolution.focus_width, " m of their focus are more than ", max_cells,
             "; ask for larger ones or a narrower band.");
   for (const HalvedCell &cell : cells)
   {

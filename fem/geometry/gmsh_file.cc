@@ -15,7 +15,7 @@ constexpr char advice[] =
 
 std::string in_format_2()
 {
-  return std::string("; convert it: ") + gmsh_line + ".";
+  return std::string("; convert it: ") + gmsh_command + ".";
 }
 
 const std::map<long, ElementType> gmsh_types = { { 15, { 1, 0 } },  { 1, { 2, 0 } },  { 8, { 3, 0 } },
@@ -71,22 +71,22 @@ public:
     read_nodes();
     read_elements();
     content.points = std::move(points.points);
-    content.names.way_to_ids = "save it without Mesh.SaveAll and give its surfaces physical ids";
+    content.names.id_instructions = "save it without Mesh.SaveAll and give its surfaces physical ids";
     return std::move(content);
   }
 
 private:
-  Words section(const std::string &name) const
+  Tokenizer section(const std::string &name) const
   {
     const auto found = sections.find(name);
     if (found == sections.end())
       throw UnreadableMesh(std::string("is not a Gmsh .msh mesh of hexahedra; ") + advice);
-    return Words(found->second);
+    return Tokenizer(found->second);
   }
 
   void read_format()
   {
-    Words words = section("MeshFormat");
+    Tokenizer words = section("MeshFormat");
     const std::string version(words.next());
     is_format_4_0 = version == "4" || version == "4.0";
     is_format_4 = is_format_4_0 || version == "4.1";
@@ -108,7 +108,7 @@ private:
     {
       const std::string_view line = text.substr(0, text.find('\n'));
       text.remove_prefix(std::min(line.size() + 1, text.size()));
-      Words words(line);
+      Tokenizer words(line);
       const auto dimension = whole_number_in(words.next()), id = whole_number_in(words.next());
       const std::size_t begin = line.find('"'), end = line.rfind('"');
       if (dimension == 2 && id && *id > 0 && begin < end)
@@ -119,7 +119,7 @@ private:
   /// The physical ids of the surfaces.
   void read_surfaces()
   {
-    Words words = section("Entities");
+    Tokenizer words = section("Entities");
     long n[3];
     for (long &n_entities : n)
       n_entities = words.whole_number();
@@ -143,7 +143,7 @@ private:
       }
   }
 
-  std::array<double, 3> point(Words &words) const
+  std::array<double, 3> point(Tokenizer &words) const
   {
     std::array<double, 3> x;
     for (double &coordinate : x)
@@ -159,7 +159,7 @@ private:
     long size = 0;
   };
 
-  long n_blocks(Words &words) const
+  long n_blocks(Tokenizer &words) const
   {
     if (!is_format_4)
       return 1;
@@ -169,7 +169,7 @@ private:
     return n;
   }
 
-  Block next_block(Words &words) const
+  Block next_block(Tokenizer &words) const
   {
     Block block;
     if (is_format_4)
@@ -186,7 +186,7 @@ private:
 
   void read_nodes()
   {
-    Words words = section("Nodes");
+    Tokenizer words = section("Nodes");
     for (long n = n_blocks(words); n > 0; --n)
     {
       const Block block = next_block(words);
@@ -205,7 +205,7 @@ private:
 
   void read_elements()
   {
-    Words words = section("Elements");
+    Tokenizer words = section("Elements");
     for (long n = n_blocks(words); n > 0; --n)
     {
       const Block block = next_block(words);
@@ -223,7 +223,7 @@ private:
   }
 
   /// The physical id is the first tag of an element.
-  static long id_in_tags(Words &words)
+  static long id_in_tags(Tokenizer &words)
   {
     long id = 0;
     const long n_tags = words.whole_number();
@@ -235,7 +235,7 @@ private:
     return id;
   }
 
-  void add_element(const ElementType &type, long id, Words &words)
+  void add_element(const ElementType &type, long id, Tokenizer &words)
   {
     nodes.clear();
     for (unsigned int k = 0; k < type.n_nodes; ++k)

@@ -150,7 +150,7 @@ double distance_from_focus(const Triangulation<2>::active_cell_iterator &cell, c
 
 /// Most halvings that @p cell may have without closing hanging nodes splitting a contact cell: as many as the
 /// contact cells below or above it, beside the land one more than the nearest.
-unsigned int most_halvings(const Triangulation<2>::active_cell_iterator &cell, const ContactCells &contact)
+unsigned int max_halvings(const Triangulation<2>::active_cell_iterator &cell, const ContactCells &contact)
 {
   const auto [low, high] = cell->bounding_box().get_boundary_points();
   if (high[0] <= contact.borders.front() || low[0] >= contact.borders.back())
@@ -174,7 +174,7 @@ void divide(const ContactCells &contact, const MeridianResolution &resolution,
       return is_cut(cell, contact.borders);
     return cell->diameter() >
              numbers::SQRT2 * resolution.size_at(distance_from_focus(cell, contact)) * 1.01 &&
-           static_cast<unsigned int>(cell->level()) < most_halvings(cell, contact);
+           static_cast<unsigned int>(cell->level()) < max_halvings(cell, contact);
   };
   for (bool done = false; !done;)
   {

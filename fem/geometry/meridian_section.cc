@@ -52,8 +52,8 @@ Polyline ordered(Polyline polyline)
     " points is no foot; give at least 6 points (r, z) from the axis under the foot round its edge to the "
     "axis in the stem's cut.");
   // The time to leave out what lies on straight lines grows with the square of a zigzag's points.
-  constexpr std::size_t most_points = 10000;
-  require(polyline.size() <= most_points, "a profile of ", polyline.size(),
+  constexpr std::size_t max_points = 10000;
+  require(polyline.size() <= max_points, "a profile of ", polyline.size(),
           " points is finer than any mesh; give at most 10000, one every few micrometres.");
   const double tolerance = file_rounding * largest_radius(polyline);
   const auto coincide = [=](const SectionVertex &one, const SectionVertex &other)

@@ -50,7 +50,7 @@ std::optional<long> whole_number_in(std::string_view word)
   return whole_word<long>(word);
 }
 
-std::string_view Words::next()
+std::string_view Tokenizer::next()
 {
   rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
   const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
@@ -58,7 +58,7 @@ std::string_view Words::next()
   return word;
 }
 
-double Words::number()
+double Tokenizer::number()
 {
   const std::string_view word = next();
   if (const auto value = number_in(word))
@@ -66,7 +66,7 @@ double Words::number()
   refuse_word(word);
 }
 
-long Words::whole_number()
+long Tokenizer::whole_number()
 {
   const std::string_view word = next();
   if (const auto value = whole_number_in(word))

@@ -27,8 +27,8 @@ public:
 };
 
 /// Command lines that convert a mesh file to a readable one; the first keeps physical groups.
-inline constexpr char gmsh_line[] = "`gmsh FILE -save -format msh22 -o x.msh`";
-inline constexpr char meshio_line[] =
+inline constexpr char gmsh_command[] = "`gmsh FILE -save -format msh22 -o x.msh`";
+inline constexpr char meshio_command[] =
   "`meshio convert --ascii -o gmsh22 FILE x.msh` (Debian: python3-meshio)";
 
 /// Corners of the faces of a hexahedron, S1 to S6 of Abaqus, by their places in MeshContent::hexahedra.
@@ -57,7 +57,7 @@ struct FaceNames
 {
   std::map<unsigned int, std::string> of_ids = {};
   std::vector<std::string> without_ids = {}; ///< of sets and surfaces
-  std::string way_to_ids = {};               ///< how somebody gives ids to faces in this format
+  std::string id_instructions = {};          ///< how somebody gives ids to faces in this format
 };
 
 /// Hexahedra of a mesh file by their corners.
@@ -90,10 +90,10 @@ struct MeshContent
 };
 
 /// Tokens of a text, separated by blanks and line ends.
-class Words
+class Tokenizer
 {
 public:
-  explicit Words(std::string_view text)
+  explicit Tokenizer(std::string_view text)
       : rest(text)
   {
   }

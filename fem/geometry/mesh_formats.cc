@@ -180,8 +180,8 @@ MeshFileFacts read_hexahedra(const std::string &file_name, double unit, Triangul
   const std::string subject = "Mesh file = " + file_name + " ";
   if (reader == readers.end())
     throw std::invalid_argument(
-      subject + "is not read by its ending; give a .msh or .inp file, and convert others: " + gmsh_line +
-      ", or for .vtu and what Gmsh does not read " + meshio_line + ".");
+      subject + "is not read by its ending; give a .msh or .inp file, and convert others: " + gmsh_command +
+      ", or for .vtu and what Gmsh does not read " + meshio_command + ".");
   try
   {
     MeshContent content = reader->second(text_of(file_name));

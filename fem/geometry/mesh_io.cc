@@ -60,7 +60,7 @@ bool lies_at(const Face &face, double z, double distance)
 }
 
 /// The stem cut is the top of the mesh where no face has its id; the contact zone what lies low.
-void mark_by_height(const MeshMarks &marks, Triangulation<3> &triangulation)
+void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulation)
 {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for_each_boundary_face(triangulation,
@@ -89,7 +89,7 @@ void mark_by_height(const MeshMarks &marks, Triangulation<3> &triangulation)
 }
 
 /// Gives the faces of @p marks the ids of FootBoundary, which others lose.
-void mark(const MeshMarks &marks, Triangulation<3> &triangulation)
+void mark(const MeshFileOptions &marks, Triangulation<3> &triangulation)
 {
   for_each_boundary_face(triangulation,
                          [&](const auto &, const Face &face)
@@ -138,7 +138,7 @@ std::string listed(const std::vector<std::string> &texts)
 
 /// Throws std::invalid_argument unless there are faces of both marks; @p heights are those of the ids of the
 /// file.
-void require_boundaries(const std::string &file_name, const MeshMarks &marks,
+void require_boundaries(const std::string &file_name, const MeshFileOptions &marks,
                         const std::map<types::boundary_id, double> &heights, const FaceNames &names,
                         const Triangulation<3> &triangulation)
 {
@@ -161,7 +161,7 @@ void require_boundaries(const std::string &file_name, const MeshMarks &marks,
   if (heights.empty())
     throw std::invalid_argument(text + "none of its faces has an id" +
                                 (others.empty() ? "" : ", but it has the names " + listed(others)) + "; " +
-                                names.way_to_ids + ", " + std::to_string(marks.contact_id) +
+                                names.id_instructions + ", " + std::to_string(marks.contact_id) +
                                 " for the contact zone and " + std::to_string(marks.stem_id) +
                                 " for the stem cut, or set Contact/Mesh contact height.");
 
@@ -247,7 +247,7 @@ void attach_cylinder(Triangulation<3> &triangulation)
 } // namespace
 
 MeshReport read_foot_mesh(const std::string &file_name, Triangulation<3> &triangulation,
-                          const MeshMarks &marks)
+                          const MeshFileOptions &marks)
 {
   Triangulation<3> serial;
   const MeshFileFacts file = read_hexahedra(file_name, marks.unit, serial);
@@ -265,7 +265,7 @@ MeshReport read_foot_mesh(const std::string &file_name, Triangulation<3> &triang
   report.n_contact_faces = count_faces(serial, contact_id);
   report.round_rim = border.is_round();
   report.rim_radius = border.middle();
-  report.n_repetitions = n_repetitions(serial);
+  report.n_symmetry_sectors = n_symmetry_sectors(serial);
   report.land_area_deficit = report.round_rim ? 0 : border.area_deficit;
   if (report.round_rim)
     attach_cylinder(serial);

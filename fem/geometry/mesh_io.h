@@ -21,15 +21,15 @@ struct MeshReport
   unsigned int n_contact_faces = 0;
   /// Rim vertices lie on circles to 1e-6 of the radius: the cylindrical manifold is attached.
   bool round_rim = false;
-  double rim_radius = 0;          ///< (inner + outer)/2 of the contact zone [m]
-  unsigned int n_repetitions = 1; ///< equal parts round the axis (mesh_quality.h)
+  double rim_radius = 0;               ///< (inner + outer)/2 of the contact zone [m]
+  unsigned int n_symmetry_sectors = 1; ///< equal parts round the axis (mesh_quality.h)
   /// Share of the land's area that straight edges cut off, estimated from the angles between them; 0 if
   /// round.
   double land_area_deficit = 0;
 };
 
 /// Options of reading a mesh file: its unit, and the marks of its faces.
-struct MeshMarks
+struct MeshFileOptions
 {
   unsigned int contact_id = 2; ///< of the faces that may touch the table
   unsigned int stem_id = 1;    ///< of the faces where the stem was cut
@@ -43,7 +43,7 @@ struct MeshMarks
 /// std::invalid_argument if that fails, without stem cut or contact zone (with the names and ids that the
 /// file has, and the entry that takes them), and for second order on a rim that is not round.
 MeshReport read_foot_mesh(const std::string &file_name, dealii::Triangulation<3, 3> &triangulation,
-                          const MeshMarks &marks = {});
+                          const MeshFileOptions &marks = {});
 
 /// Moves the contact zone's vertices up by the crown's gap, so that a mesh file says all about its rim:
 /// between vertices the crown becomes a polygon. For generated meshes, whose land is flat.

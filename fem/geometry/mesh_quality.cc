@@ -47,15 +47,15 @@ void check_cells(const Triangulation<3> &triangulation, MeshCheck &check)
 {
   const std::vector<double> jacobians = scaled_jacobians(triangulation);
   double sum = 0;
-  check.least_jacobian = std::numeric_limits<double>::infinity();
+  check.min_jacobian = std::numeric_limits<double>::infinity();
   for (const auto &cell : triangulation.active_cell_iterators())
   {
     const double jacobian = jacobians[cell->active_cell_index()];
     sum += jacobian;
     check.n_inverted += jacobian <= 0;
-    if (jacobian >= check.least_jacobian)
+    if (jacobian >= check.min_jacobian)
       continue;
-    check.least_jacobian = jacobian;
+    check.min_jacobian = jacobian;
     for (unsigned int d = 0; d < 3; ++d)
       check.worst_place[d] = cell->center()[d];
   }
@@ -153,9 +153,9 @@ void check_stem(const Triangulation<3> &triangulation, MeshCheck &check)
   for (const auto &cell : triangulation.active_cell_iterators())
     if (n_faces > 0 && sets.find_set(cell->active_cell_index()) != sets.find_set(held))
     {
-      ++check.n_loose;
+      ++check.n_disconnected;
       for (unsigned int d = 0; d < 3; ++d)
-        check.loose_place[d] = cell->center()[d];
+        check.disconnected_place[d] = cell->center()[d];
     }
 }
 
@@ -254,7 +254,7 @@ std::vector<Outline> contact_outlines(const Triangulation<3> &triangulation)
   return outlines;
 }
 
-unsigned int n_repetitions(const Triangulation<3> &triangulation)
+unsigned int n_symmetry_sectors(const Triangulation<3> &triangulation)
 {
   namespace bg = boost::geometry;
   using Place = bg::model::point<double, 3, bg::cs::cartesian>;

@@ -32,12 +32,12 @@ struct MeshCheck
   double rim_deviation = 0; ///< largest distance of that border from this circle, over its radius
   double mean_height = 0;   ///< of its faces
 
-  double stem_height = 0;                 ///< mean z of the faces of the stem cut
-  double stem_radius = 0;                 ///< of its vertices, from the axis
-  unsigned int n_loose = 0;               ///< cells that are not joined to the stem cut by faces
-  std::array<double, 3> loose_place = {}; ///< centre of one of them
+  double stem_height = 0;                        ///< mean z of the faces of the stem cut
+  double stem_radius = 0;                        ///< of its vertices, from the axis
+  unsigned int n_disconnected = 0;               ///< cells that are not joined to the stem cut by faces
+  std::array<double, 3> disconnected_place = {}; ///< centre of one of them
 
-  double least_jacobian = 1; ///< least scaled Jacobian of all cells
+  double min_jacobian = 1; ///< least scaled Jacobian of all cells
   double mean_jacobian = 1;
   std::array<double, 3> worst_place = {}; ///< centre of the cell with the least one
   unsigned int n_inverted = 0;            ///< cells with a scaled Jacobian of 0 or less
@@ -55,7 +55,7 @@ std::vector<double> scaled_jacobians(const dealii::Triangulation<3, 3> &triangul
 /// zone outwards. It is the largest divisor n of the number of contact faces for which a rotation by 2 pi /
 /// n maps vertices to vertices, to 1e-7 of the mesh's radius; 1 without symmetry. The mesh inside that
 /// radius does not matter.
-unsigned int n_repetitions(const dealii::Triangulation<3, 3> &triangulation);
+unsigned int n_symmetry_sectors(const dealii::Triangulation<3, 3> &triangulation);
 
 /// Closed polyline in (x, y) [m].
 using Outline = std::vector<std::array<double, 2>>;

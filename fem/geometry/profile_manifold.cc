@@ -26,7 +26,7 @@ double ProfileChart::top(double radius) const
   return radius < fillet.middle_radius ? fillet.middle_height : profile.topside(radius);
 }
 
-SectionPoint ProfileChart::push_forward(const StraightPoint &point) const
+SectionPoint ProfileChart::push_forward(const ChartPoint &point) const
 {
   if (point.level <= 1 || !within_stem(point.radius))
   {
@@ -37,7 +37,7 @@ SectionPoint ProfileChart::push_forward(const StraightPoint &point) const
   return { point.radius * (profile.stem_surface(height) / fillet.middle_radius), height };
 }
 
-StraightPoint ProfileChart::pull_back(const SectionPoint &point) const
+ChartPoint ProfileChart::pull_back(const SectionPoint &point) const
 {
   // A top that rises outwards may be higher than the fillet's middle. The tolerance is for what rounding does
   // to points on the stem's surface.
@@ -97,7 +97,7 @@ std::unique_ptr<ChartManifold<2>> make_section_manifold(const GlassProfile &prof
     ProfileChart(profile),
     [](const ProfileChart &chart, const Point<2> &point) -> Point<2>
     {
-      const StraightPoint straight = chart.pull_back({ point[0], point[1] });
+      const ChartPoint straight = chart.pull_back({ point[0], point[1] });
       return { straight.radius, straight.level };
     },
     [](const ProfileChart &chart, const Point<2> &point) -> Point<2>
@@ -113,7 +113,7 @@ std::unique_ptr<ChartManifold<3>> make_ring_manifold(const GlassProfile &profile
     ProfileChart(profile),
     [](const ProfileChart &chart, const Point<3> &point) -> Point<3>
     {
-      const StraightPoint straight = chart.pull_back({ std::hypot(point[0], point[1]), point[2] });
+      const ChartPoint straight = chart.pull_back({ std::hypot(point[0], point[1]), point[2] });
       const double azimuth = std::atan2(point[1], point[0]);
       return { straight.radius, azimuth < 0 ? azimuth + 2 * numbers::PI : azimuth, straight.level };
     },
@@ -132,7 +132,7 @@ std::unique_ptr<ChartManifold<3>> make_core_manifold(const GlassProfile &profile
     [](const ProfileChart &chart, const Point<3> &point) -> Point<3>
     {
       const double radius = std::hypot(point[0], point[1]);
-      const StraightPoint straight = chart.pull_back({ radius, point[2] });
+      const ChartPoint straight = chart.pull_back({ radius, point[2] });
       return moved_radially(point, radius, straight.radius, straight.level);
     },
     [](const ProfileChart &chart, const Point<3> &point) -> Point<3>

@@ -23,7 +23,7 @@ struct SectionPoint
 /// Point of the straightened section: radius [m] and level. The foot is the rectangle radius <=
 /// foot_radius, 0 <= level <= 1, the stem above it the rectangle radius <= Fillet::middle_radius, 1 <= level
 /// <= 2.
-struct StraightPoint
+struct ChartPoint
 {
   double radius = 0;
   double level = 0;
@@ -41,8 +41,8 @@ public:
   /// @p profile must be valid.
   explicit ProfileChart(const GlassProfile &profile);
 
-  SectionPoint push_forward(const StraightPoint &point) const;
-  StraightPoint pull_back(const SectionPoint &point) const;
+  SectionPoint push_forward(const ChartPoint &point) const;
+  ChartPoint pull_back(const SectionPoint &point) const;
 
 private:
   bool within_stem(double radius) const;

@@ -32,7 +32,7 @@ SectionLengths lengths_of(const std::vector<SectionPolygon> &cells, double radiu
 struct StressedPoint
 {
   double x = 0, z = 0;
-  double move_x = 0, move_z = 0;
+  double displacement_x = 0, displacement_z = 0;
   double von_mises = 0;
 };
 

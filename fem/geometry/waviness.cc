@@ -24,7 +24,7 @@ double RimImperfection::gap(double radius_ratio, double theta, double of_glass, 
   return sum(glass, radius_ratio, theta - of_glass) + sum(table, radius_ratio, theta - of_table);
 }
 
-double RimImperfection::largest_amplitude() const
+double RimImperfection::max_amplitude() const
 {
   double sum = 0;
   for (const auto &harmonics : { glass, table })

@@ -30,7 +30,7 @@ struct RimImperfection
   /// @p of_table.
   double gap(double radius_ratio, double theta, double of_glass, double of_table) const;
   /// Bound of gap() at the contact radius [m].
-  double largest_amplitude() const;
+  double max_amplitude() const;
   /// Throws std::invalid_argument unless all amplitudes and azimuths are finite.
   void validate() const;
 };

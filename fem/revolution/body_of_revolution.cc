@@ -117,7 +117,7 @@ NewtonIncrement BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tange
   NewtonIncrement step;
   step.displacement = moved.reshaped();
   step.motion = found.motion;
-  step.steadiness =
+  step.stability_margin =
     (found.resistance - conditions.motion_weights()).determinant() / found.resistance.determinant();
   step.energy_slope = moved.cwiseProduct(state).sum();
   step.energy_curvature = moved.cwiseProduct(increment).sum();

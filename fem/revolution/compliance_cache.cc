@@ -49,7 +49,7 @@ std::shared_ptr<const ContactCompliance> ComplianceCache::with_more_harmonics(st
   const Entry entry = found->second;
   lock.unlock();
   ContactCompliance fewer = *entry.get();
-  fewer.beyond = fewer.harmonics[options.beyond()];
+  fewer.tail = fewer.harmonics[options.tail_harmonic()];
   fewer.harmonics.resize(options.n_harmonics + 1);
   return std::make_shared<const ContactCompliance>(std::move(fewer));
 }

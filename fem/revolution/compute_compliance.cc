@@ -67,8 +67,8 @@ ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulati
                           if (!goes_on())
                             return;
                           const bool is_beyond = n > options.n_harmonics;
-                          const unsigned int harmonic = is_beyond ? options.beyond() : n;
-                          (is_beyond ? result.beyond : result.harmonics[n]) =
+                          const unsigned int harmonic = is_beyond ? options.tail_harmonic() : n;
+                          (is_beyond ? result.tail : result.harmonics[n]) =
                             (*of[std::min(harmonic, 2u)])(harmonic);
                         });
     });

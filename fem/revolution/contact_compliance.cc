@@ -18,7 +18,7 @@ std::pair<Eigen::Index, Eigen::Index> nodes_between(const Eigen::VectorXd &radii
   return { first, last - first + 1 };
 }
 
-Eigen::MatrixXd ContactCompliance::on_land(const Eigen::MatrixXd &values) const
+Eigen::MatrixXd ContactCompliance::extended_to_land(const Eigen::MatrixXd &values) const
 {
   if (values.size() == 0)
     return values;
@@ -49,7 +49,7 @@ ContactCompliance ContactCompliance::part(Eigen::Index first, Eigen::Index size)
   result.degree = degree;
   for (const HarmonicCompliance &harmonic : harmonics)
     result.harmonics.push_back(part_of(harmonic));
-  result.beyond = part_of(beyond);
+  result.tail = part_of(tail);
   result.n_meridian_unknowns = n_meridian_unknowns;
   result.n_inside = n_inside + first;
   result.n_outside = n_outside + radii.size() - first - size;
@@ -67,7 +67,7 @@ ContactCompliance ContactCompliance::times(double of_normal, double of_friction)
   };
   for (HarmonicCompliance &harmonic : result.harmonics)
     scale(harmonic);
-  scale(result.beyond);
+  scale(result.tail);
   return result;
 }
 
@@ -81,7 +81,7 @@ ContactCompliance &ContactCompliance::operator+=(const ContactCompliance &other)
       "The two bodies do not have the same number of harmonics; give both the same.");
   for (std::size_t n = 0; n < harmonics.size(); ++n)
     harmonics[n] += other.harmonics[n];
-  beyond += other.beyond;
+  tail += other.tail;
   n_meridian_unknowns += other.n_meridian_unknowns;
   return *this;
 }

@@ -49,7 +49,7 @@ struct ContactCompliance
   Eigen::VectorXd radii;                     ///< of the contact nodes, ascending [m]
   unsigned int degree = 0;                   ///< of the displacement along r within an element
   std::vector<HarmonicCompliance> harmonics; ///< n = 0 ... n_harmonics()
-  HarmonicCompliance beyond; ///< of all harmonics above n_harmonics(), see MeridianOptions::beyond()
+  HarmonicCompliance tail; ///< of all harmonics above n_harmonics(), see MeridianOptions::tail_harmonic()
   unsigned int n_meridian_unknowns = 0; ///< degrees of freedom of one meridional problem
   Eigen::Index n_inside = 0;  ///< contact nodes of the land inside the first node: of a part() of the land
   Eigen::Index n_outside = 0; ///< likewise outside the last one
@@ -63,7 +63,7 @@ struct ContactCompliance
 
   /// Returns @p values at the nodes (one row each) with zeros at the other nodes of the land; empty for
   /// empty @p values.
-  Eigen::MatrixXd on_land(const Eigen::MatrixXd &values) const;
+  Eigen::MatrixXd extended_to_land(const Eigen::MatrixXd &values) const;
 
   /// Returns the part of the contact nodes @p first ... @p first + @p size - 1, which begin and end an
   /// element. There are no forces elsewhere, and no displacements are needed there.
@@ -94,7 +94,7 @@ struct MeridianOptions
   double outer_radius = std::numeric_limits<double>::infinity();
 
   /// Harmonic whose compliance represents all above n_harmonics: half an octave up.
-  unsigned int beyond() const { return n_harmonics + (n_harmonics + 1) / 2; }
+  unsigned int tail_harmonic() const { return n_harmonics + (n_harmonics + 1) / 2; }
 };
 
 /// Compliances of the contact zone (boundary id 2) of the body of revolution with the meridional section @p

@@ -1,6 +1,6 @@
 #include "fem/revolution/dense_algebra.h"
 
-#include "fem/revolution/each_processor.h"
+#include "fem/revolution/target_clones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +14,11 @@ namespace
 
 using Index = Eigen::Index;
 
-constexpr Index most_pivots = 8;
+constexpr Index max_pivots = 8;
 
 /// Eliminates the columns [@p first, @p end) below their pivots, in these columns alone; the factors of each
 /// row stay where its entries were.
-STEMWARE_FOR_EACH_PROCESSOR
+STEMWARE_TARGET_CLONES
 void eliminate_panel(double *system, Index n, Index width, Index first, Index end)
 {
   for (Index k = first; k < end; ++k)
@@ -43,7 +43,7 @@ void eliminate_panel(double *system, Index n, Index width, Index first, Index en
 
 /// Adds to @p n numbers of @p sum the sum of @p n_terms rows (or columns) of numbers, @p stride apart, each
 /// times its factor.
-STEMWARE_FOR_EACH_PROCESSOR
+STEMWARE_TARGET_CLONES
 void add_scaled(double *__restrict sum, Index n, const double *__restrict terms, Index stride,
                 const double *__restrict factors, Index n_terms)
 {
@@ -69,15 +69,15 @@ void solve_dense(RowMatrix &system, Index n_columns)
 {
   const Index n = system.rows(), width = system.cols();
   double *const values = system.data();
-  for (Index first = 0; first < n; first += most_pivots)
+  for (Index first = 0; first < n; first += max_pivots)
   {
-    const Index end = std::min(first + most_pivots, n);
+    const Index end = std::min(first + max_pivots, n);
     eliminate_panel(values, n, width, first, end);
     const double *const pivots = values + first * width;
     for (Index i = first + 1; i < n; ++i)
     {
       double *const row = values + i * width;
-      double factors[most_pivots];
+      double factors[max_pivots];
       std::transform(row + first, row + end, factors, std::negate<>());
       add_scaled(row + end, width - end, pivots + end, width, factors, std::min(i, end) - first);
     }

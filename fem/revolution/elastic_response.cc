@@ -77,12 +77,12 @@ Eigen::MatrixXd ElasticResponse::displacement(const Eigen::MatrixXd &forces) con
   { return matrix.middleCols(loaded.first, loaded.size); };
 
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n_radii(), n_lines());
-  add_product(columns(circles.beyond.normal), per_line * normal, result);
+  add_product(columns(circles.tail.normal), per_line * normal, result);
   Eigen::MatrixXd radial_modes, azimuthal_modes;
   if (has_sliding())
   {
     const Eigen::MatrixXd radial = normal.cwiseProduct(slide_radial.middleRows(loaded.first, loaded.size));
-    add_product(columns(circles.beyond.radial), per_line * radial, result);
+    add_product(columns(circles.tail.radial), per_line * radial, result);
     radial_modes = modes.project(radial);
     azimuthal_modes =
       modes.project_on_conjugates(normal.cwiseProduct(slide_azimuthal.middleRows(loaded.first, loaded.size)));
@@ -107,9 +107,9 @@ HarmonicCompliance ElasticResponse::local(Eigen::Index first, Eigen::Index size)
 {
   const double per_line = n_lines() / FourierBasis::norm(0);
   HarmonicCompliance result;
-  result.normal = per_line * circles.beyond.normal.block(first, first, size, size);
+  result.normal = per_line * circles.tail.normal.block(first, first, size, size);
   if (has_sliding())
-    result.radial = per_line * circles.beyond.radial.block(first, first, size, size);
+    result.radial = per_line * circles.tail.radial.block(first, first, size, size);
   return result;
 }
 
@@ -118,7 +118,7 @@ HarmonicCompliance ElasticResponse::difference(unsigned int harmonic, Eigen::Ind
 {
   const auto part = [&](const Eigen::MatrixXd &matrix) { return matrix.block(first, first, size, size); };
   const HarmonicCompliance &whole = circles.harmonics[harmonic];
-  return { part(whole.normal) - part(circles.beyond.normal), part(whole.radial) - part(circles.beyond.radial),
+  return { part(whole.normal) - part(circles.tail.normal), part(whole.radial) - part(circles.tail.radial),
            part(whole.azimuthal) };
 }
 

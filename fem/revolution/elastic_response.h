@@ -24,7 +24,7 @@ struct ForceModes
 /// the friction that these bring along (docs/method/revolution.md, "Harmonics and lines").
 ///
 /// The compliance C_n of harmonic n acts up to n_harmonics(). All harmonics beyond, which only the lines
-/// resolve, have one compliance, that of ContactCompliance::beyond: at wave lengths that are short beside the
+/// resolve, have one compliance, that of ContactCompliance::tail: at wave lengths that are short beside the
 /// foot and long beside the contact's width it is that of a line contact, so each line answers to its own
 /// force. In sum
 ///

@@ -74,7 +74,7 @@ public:
   FourierProducts(const FourierBasis &basis, const Eigen::Ref<const Eigen::MatrixXd> &samples);
 
   /// Sums for one pair of modes: a value for each function. Valid as long as the products are.
-  class OfPair
+  class ModePairSums
   {
   public:
     double operator()(Eigen::Index f) const
@@ -90,15 +90,15 @@ public:
     double sum_factor;
   };
 
-  OfPair operator()(unsigned int row_mode, unsigned int column_mode) const
+  ModePairSums operator()(unsigned int row_mode, unsigned int column_mode) const
   {
     return pair(FourierBasis::harmonic(row_mode), FourierBasis::is_sine(row_mode), column_mode);
   }
   /// Sums for a pair of modes with the conjugate of the row's mode in its place.
-  OfPair with_conjugate(unsigned int row_mode, unsigned int column_mode) const;
+  ModePairSums with_conjugate(unsigned int row_mode, unsigned int column_mode) const;
 
 private:
-  OfPair pair(unsigned int row, bool row_is_sine, unsigned int column_mode) const;
+  ModePairSums pair(unsigned int row, bool row_is_sine, unsigned int column_mode) const;
 
   Eigen::MatrixXd even; ///< sums with cos(p theta), shape [n_functions, 2 n_harmonics + 1]
   Eigen::MatrixXd odd;  ///< sums with sin(p theta)

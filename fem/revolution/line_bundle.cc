@@ -1,6 +1,6 @@
 #include "fem/revolution/line_bundle.h"
 
-#include "fem/revolution/each_processor.h"
+#include "fem/revolution/target_clones.h"
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ namespace
 using Index = Eigen::Index;
 
 /// local = normal + radial diag(slide).
-STEMWARE_FOR_EACH_PROCESSOR
+STEMWARE_TARGET_CLONES
 void make_local(Index n, const double *normal, const double *radial, const Lanes *slides, Lanes *local)
 {
   for (Index i = 0; i < n; ++i)
@@ -24,7 +24,7 @@ void make_local(Index n, const double *normal, const double *radial, const Lanes
 }
 
 /// Row @p i of T @p table, on the first @p n_columns columns.
-STEMWARE_FOR_EACH_PROCESSOR
+STEMWARE_TARGET_CLONES
 void apply_tangent(Index n, Index band, const Lanes *bands, Index i, const Lanes *__restrict table,
                    Index n_columns, Lanes *__restrict result)
 {
@@ -39,19 +39,19 @@ void apply_tangent(Index n, Index band, const Lanes *bands, Index i, const Lanes
 
 /// Leaves the solutions in the place of the right-hand sides, which are the last @p n_rhs columns. Rows take
 /// what several pivots take from them at once.
-STEMWARE_FOR_EACH_PROCESSOR
+STEMWARE_TARGET_CLONES
 void eliminate(Index n, Index n_rhs, Lanes *system)
 {
-  constexpr Index most_pivots = 4;
+  constexpr Index max_pivots = 4;
   const Index width = n + n_rhs;
-  for (Index first = 0; first < n; first += most_pivots)
+  for (Index first = 0; first < n; first += max_pivots)
   {
-    const Index n_pivots = std::min(most_pivots, n - first), end = first + n_pivots;
+    const Index n_pivots = std::min(max_pivots, n - first), end = first + n_pivots;
     for (Index i = first; i < n; ++i)
     {
       Lanes *__restrict row = system + i * width;
       const Index n_before = std::min(i - first, n_pivots);
-      std::array<Lanes, most_pivots> factors = {};
+      std::array<Lanes, max_pivots> factors = {};
       for (Index k = 0; k < n_before; ++k)
       {
         const Lanes *__restrict pivot = system + (first + k) * width;
@@ -61,7 +61,7 @@ void eliminate(Index n, Index n_rhs, Lanes *system)
             row[c].value[lane] -= factors[k].value[lane] * pivot[c].value[lane];
       }
       const Lanes *__restrict pivots = system + first * width;
-      if (n_before == most_pivots)
+      if (n_before == max_pivots)
         for (Index c = end; c < width; ++c)
           for (int lane = 0; lane < Lanes::n; ++lane)
             row[c].value[lane] -= factors[0].value[lane] * pivots[c].value[lane] +
@@ -95,7 +95,7 @@ void eliminate(Index n, Index n_rhs, Lanes *system)
     }
 }
 
-STEMWARE_FOR_EACH_PROCESSOR
+STEMWARE_TARGET_CLONES
 void add_product(Index n_weights, Index n_columns, const Lanes *__restrict weights,
                  const Lanes *__restrict values, Lanes *__restrict products)
 {

@@ -18,7 +18,7 @@ namespace
 
 /// How far the step may miss that of Newton's method: share of the compliance that its functions leave out.
 constexpr double step_accuracy = 1e-4;
-constexpr Eigen::Index most_functions = 10;
+constexpr Eigen::Index max_functions = 10;
 
 /// Orthonormal polynomials of degree 0 ... @p n_functions - 1 at @p radii.
 Eigen::MatrixXd polynomials(const Eigen::VectorXd &radii, Eigen::Index n_functions)
@@ -156,7 +156,7 @@ LineNewton::Functions LineNewton::chosen_functions() const
     whole.push_back(response.difference(n, circles.first, circles.size));
   const double allowed =
     step_accuracy * (response.compliance()
-                       .beyond.normal.block(circles.first, circles.first, circles.size, circles.size)
+                       .tail.normal.block(circles.first, circles.first, circles.size, circles.size)
                        .norm() +
                      whole[0].normal.norm());
   for (Eigen::Index n_functions = std::min<Eigen::Index>(2, circles.size);; ++n_functions)
@@ -174,7 +174,7 @@ LineNewton::Functions LineNewton::chosen_functions() const
       if (response.has_sliding())
         worst = std::max({ worst, left_out(whole[n].radial), left_out(whole[n].azimuthal) });
     }
-    if (worst <= allowed || n_functions >= std::min(circles.size, most_functions))
+    if (worst <= allowed || n_functions >= std::min(circles.size, max_functions))
     {
       for (const HarmonicCompliance &harmonic : whole)
         chosen.reduced.push_back(reduced_to(functions, harmonic));
@@ -241,7 +241,7 @@ RowMatrix LineNewton::system_of_amplitudes(const std::vector<Eigen::MatrixXd> &o
       const auto row_mode = static_cast<unsigned int>(row);
       for (Eigen::Index column = 0; column < n_modes; ++column)
       {
-        const FourierProducts::OfPair pair =
+        const FourierProducts::ModePairSums pair =
           conjugate ? products.with_conjugate(row_mode, static_cast<unsigned int>(column))
                     : products(row_mode, static_cast<unsigned int>(column));
         double *block = sums.data() + column * p * p;

@@ -138,7 +138,7 @@ void MeridianMeshes::refine_beyond_zone(const RevolutionSetup &setup)
                                 (end - begin < 2.01 * setup.resolution.focus_size ||
                                  (begin < contact.focus_end && end > contact.focus_begin));
         const Tensor<1, 2> from_contact = cell->center() - Point<2>(setup.profile.contact_radius, 0);
-        if (!is_focused && from_contact.norm() > setup.zone_reach())
+        if (!is_focused && from_contact.norm() > setup.zone_half_width())
           cell->set_refine_flag();
       }
   refine();
@@ -153,7 +153,7 @@ std::shared_ptr<const ContactCompliance> compliance_of(const RevolutionSetup &se
     return whole;
   const auto below =
     setup.table.substrate ? cache.get(meshes.disc, setup.table.substrate->material, options) : nullptr;
-  return std::make_shared<const ContactCompliance>(setup.together(*whole, below.get()));
+  return std::make_shared<const ContactCompliance>(setup.total_compliance(*whole, below.get()));
 }
 
 } // namespace stemware::fem

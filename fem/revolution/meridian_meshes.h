@@ -21,7 +21,7 @@ struct MeridianMeshes
   /// Refines the flagged cells, and keeps the contact cells of both bodies equal.
   void refine();
 
-  /// Halves the cells farther from the contact circle than RevolutionSetup::zone_reach(), except contact
+  /// Halves the cells farther from the contact circle than RevolutionSetup::zone_half_width(), except contact
   /// cells that lie in the focus of @p setup or are as small.
   void refine_beyond_zone(const RevolutionSetup &setup);
 

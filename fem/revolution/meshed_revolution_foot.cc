@@ -24,12 +24,12 @@ MeshedRevolutionFoot::MeshedRevolutionFoot(const MeshedRevolutionFoot &other)
 {
 }
 
-std::shared_ptr<const Foot> MeshedRevolutionFoot::twin() const
+std::shared_ptr<const Foot> MeshedRevolutionFoot::clone() const
 {
   return std::make_shared<MeshedRevolutionFoot>(*this);
 }
 
-std::shared_ptr<const ContactCompliance> MeshedRevolutionFoot::of_whole_land() const
+std::shared_ptr<const ContactCompliance> MeshedRevolutionFoot::whole_land_compliance() const
 {
   if (compliance->n_inside == 0 && compliance->n_outside == 0)
     return compliance;
@@ -69,7 +69,8 @@ MeridianField MeshedRevolutionFoot::field(const ContactState &state) const
   const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
   return { meridian().space,
            setup.material,
-           { part.on_land(modes.normal), part.on_land(modes.radial), part.on_land(modes.azimuthal) } };
+           { part.extended_to_land(modes.normal), part.extended_to_land(modes.radial),
+             part.extended_to_land(modes.azimuthal) } };
 }
 
 std::vector<FieldFile> MeshedRevolutionFoot::fields(const ContactState &state) const

@@ -25,7 +25,7 @@ public:
   /// Returns the same foot with its own state.
   MeshedRevolutionFoot(const MeshedRevolutionFoot &other);
 
-  std::shared_ptr<const Foot> twin() const override;
+  std::shared_ptr<const Foot> clone() const override;
   std::vector<FieldFile> fields(const ContactState &state) const override;
   std::vector<StressedPatch> section(const ContactState &state, double theta) const override;
 
@@ -37,7 +37,7 @@ private:
     std::shared_ptr<const ContactCompliance> compliance;
   };
 
-  std::shared_ptr<const ContactCompliance> of_whole_land() const override;
+  std::shared_ptr<const ContactCompliance> whole_land_compliance() const override;
 
   std::shared_ptr<WholeLand> whole_land = std::make_shared<WholeLand>();
 

@@ -1,7 +1,7 @@
 #include "fem/revolution/revolution_contact.h"
 
 #include "fem/contact/interface_law.h"
-#include "fem/revolution/path_of_moments.h"
+#include "fem/revolution/moment_continuation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ ContactControl RevolutionContact::contact_control()
   ContactControl control;
   control.tolerance = 1e-10;
   control.equilibrium_tolerance = 1e-8; // the rounding of a stiff spring; most contacts end far below
-  control.set_matters = false;
+  control.requires_unchanged_set = false;
   control.progress = [this](const ContactIteration &step)
   {
     if (step.number <= 1) // the first one of a solve
@@ -59,7 +59,7 @@ ContactSolution RevolutionContact::solve_cold(const LinearConditions &under, dou
   const double depth =
     (setup.profile.crown_radius > 0 ? half_width * half_width / (2 * setup.profile.crown_radius)
                                     : 1e-3 * half_width) +
-    2 * setup.imperfection.largest_amplitude();
+    2 * setup.imperfection.max_amplitude();
   const double pressure = setup.line_load(setup.normal_force) / (2 * half_width);
   double softness = std::max(1., interface.stiffness_at(pressure) * depth / pressure);
   std::shared_ptr<const InterfaceLaw> soft = interface.softened(softness);
@@ -80,7 +80,7 @@ ContactSolution RevolutionContact::solve_cold(const LinearConditions &under, dou
 }
 
 ContactSolution RevolutionContact::stiffen(const LinearConditions &under, double softness, ContactStart at,
-                                           double largest_step, double hopeless_residual)
+                                           double largest_step, double divergence_residual)
 {
   const double radius = setup.profile.contact_radius;
   const ContactSurface &surface = body.contact_surface();
@@ -88,7 +88,7 @@ ContactSolution RevolutionContact::stiffen(const LinearConditions &under, double
   ContactControl control = contact_control();
   control.tolerance = control.equilibrium_tolerance = 1e-3;
   control.max_steps = 30;
-  control.hopeless_residual = hopeless_residual;
+  control.divergence_residual = divergence_residual;
   while (softness > 1)
   {
     const ContactSolution solution = solve_contact(body, *soft_law, under, radius, control, &at);
@@ -100,21 +100,21 @@ ContactSolution RevolutionContact::stiffen(const LinearConditions &under, double
       -surface.node_gap + next / softness * (surface.node_gap + solution.normal_displacement);
     softness = next;
     soft_law = interface.softened(softness)->make(surface, 0);
-    control.whole_steps = true;
+    control.full_steps = true;
   }
-  const bool whole_steps = control.whole_steps;
+  const bool full_steps = control.full_steps;
   control = contact_control();
-  control.whole_steps = whole_steps;
+  control.full_steps = full_steps;
   return solve_contact(body, law, under, radius, control, &at);
 }
 
 ContactSolution RevolutionContact::solve_near(const ContactStart &start)
 {
   ContactControl control = contact_control();
-  control.whole_steps = true;
+  control.full_steps = true;
   control.max_steps = setup.imperfection.empty() ? 15 : 20;
   if (!setup.imperfection.empty())
-    control.hopeless_residual = 0.3;
+    control.divergence_residual = 0.3;
   return solve_contact(body, law, conditions, setup.profile.contact_radius, control, &start);
 }
 
@@ -139,34 +139,35 @@ bool RevolutionContact::is_stable(ContactSolution &solution) const
   {
     ContactForces contact;
     law.evaluate(solution.normal_displacement, contact);
-    solution.steadiness = body.solve(contact.tangent, contact.forces, conditions, solution.motion).steadiness;
+    solution.stability_margin =
+      body.solve(contact.tangent, contact.forces, conditions, solution.motion).stability_margin;
   }
-  return solution.steadiness > 0;
+  return solution.stability_margin > 0;
 }
 
-ContactSolution RevolutionContact::solve(const RevolutionStarts &starts)
+ContactSolution RevolutionContact::solve(const RevolutionGuesses &starts)
 {
   const Eigen::VectorXd forces_before = body.forces().reshaped();
   std::vector<std::function<ContactSolution()>> ways;
-  if (starts.expected)
+  if (starts.predicted)
     ways.push_back(
       [&]
       {
-        if (starts.expected->forces.size() > 0)
-          body.set_forces(starts.expected->forces);
-        return solve_near(*starts.expected);
+        if (starts.predicted->forces.size() > 0)
+          body.set_forces(starts.predicted->forces);
+        return solve_near(*starts.predicted);
       });
   // On hard crests a second start that is no nearer than the first fails like that one.
   const bool on_hard_crests = setup.table.interface->is_hard() && !setup.imperfection.empty();
-  const bool may_be_near = !(on_hard_crests && (starts.crests_have_moved || starts.expected));
+  const bool may_be_near = !(on_hard_crests && (starts.waviness_has_rotated || starts.predicted));
   for (const bool softened : { false, true })
-    for (std::size_t i = 0; i < starts.before.size(); ++i)
+    for (std::size_t i = 0; i < starts.previous.size(); ++i)
       if (softened || may_be_near)
         ways.push_back(
           [&, softened, i]
           {
             const ContactSolution solution =
-              softened ? solve_softened(starts.before[i]) : solve_near(starts.before[i]);
+              softened ? solve_softened(starts.previous[i]) : solve_near(starts.previous[i]);
             used = i;
             return solution;
           });
@@ -187,8 +188,8 @@ ContactSolution RevolutionContact::solve(const RevolutionStarts &starts)
         throw;
       body.set_forces(forces_before);
     }
-  const LinearConditions even = conditions.with_share_of_moment(body.contact_surface(), 0);
-  return solve_along_moment(body, law, conditions, setup.profile.contact_radius, contact_control(),
+  const LinearConditions even = conditions.with_scaled_moment(body.contact_surface(), 0);
+  return continue_in_moment(body, law, conditions, setup.profile.contact_radius, contact_control(),
                             solve_cold(even, small_stiffening));
 }
 

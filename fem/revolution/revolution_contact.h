@@ -11,11 +11,11 @@ namespace stemware::fem
 {
 
 /// Initial guesses of a body of revolution, in the axes of its lines.
-struct RevolutionStarts
+struct RevolutionGuesses
 {
-  std::optional<ContactStart> expected = {};
-  std::vector<ContactStart> before = {}; ///< contacts nearby, the most promising first
-  bool crests_have_moved = false;        ///< since those
+  std::optional<ContactStart> predicted = {};
+  std::vector<ContactStart> previous = {}; ///< contacts nearby, the most promising first
+  bool waviness_has_rotated = false;       ///< since those
 };
 
 /// Contact of a body of revolution under conditions on its forces: Newton's method from one initial guess
@@ -34,12 +34,12 @@ public:
                     TableLaw &law, const LinearConditions &conditions);
 
   /// Solves the contact; the body's state is that of the contacts nearby. Throws ContactFailure.
-  ContactSolution solve(const RevolutionStarts &starts);
+  ContactSolution solve(const RevolutionGuesses &starts);
 
   /// Returns the Newton steps of the last solve on the unsoftened interface.
   const std::vector<ContactIteration> &history() const { return steps; }
 
-  /// Returns the index in RevolutionStarts::before of the initial guess that led to the solution, if one
+  /// Returns the index in RevolutionGuesses::previous of the initial guess that led to the solution, if one
   /// did.
   std::optional<std::size_t> start_used() const { return used; }
 
@@ -53,13 +53,13 @@ private:
   /// Returns the cold solution under @p under; @p largest_step: largest factor of stiffening at once.
   ContactSolution solve_cold(const LinearConditions &under, double largest_step);
   /// Solution from @p at on the interface softened by @p softness, in few steps, to the interface as it is;
-  /// @p hopeless_residual as in ContactControl.
+  /// @p divergence_residual as in ContactControl.
   ContactSolution stiffen(const LinearConditions &under, double softness, ContactStart at,
                           double largest_step,
-                          double hopeless_residual = std::numeric_limits<double>::infinity());
+                          double divergence_residual = std::numeric_limits<double>::infinity());
   /// Returns whether @p solution is the stable balance. A leaning glass may have a second balance, beyond
-  /// which it tips. The steadiness is positive in the first and vanishes where the two meet. Completes the
-  /// steadiness of a solution without steps.
+  /// which it tips. The stability margin is positive in the first and vanishes where the two meet. Completes
+  /// the stability margin of a solution without steps.
   bool is_stable(ContactSolution &solution) const;
 
   const RevolutionSetup &setup;

@@ -53,12 +53,12 @@ RevolutionFoot::RevolutionFoot(const RevolutionFoot &other)
                                              : std::make_unique<Zone>(*this, zone.body.contact_compliance());
 }
 
-std::shared_ptr<const Foot> RevolutionFoot::twin() const
+std::shared_ptr<const Foot> RevolutionFoot::clone() const
 {
   return std::make_shared<RevolutionFoot>(*this);
 }
 
-std::shared_ptr<const ContactCompliance> RevolutionFoot::of_whole_land() const
+std::shared_ptr<const ContactCompliance> RevolutionFoot::whole_land_compliance() const
 {
   if (compliance->n_inside > 0 || compliance->n_outside > 0)
     throw std::out_of_range("The contact leaves the part of the land whose compliances are known.");
@@ -68,7 +68,7 @@ std::shared_ptr<const ContactCompliance> RevolutionFoot::of_whole_land() const
 RevolutionFoot::Zone &RevolutionFoot::zone_at(unsigned int index, const ring::Orientation &marks) const
 {
   if (!zones[index])
-    zones[index] = std::make_unique<Zone>(*this, *of_whole_land());
+    zones[index] = std::make_unique<Zone>(*this, *whole_land_compliance());
   Zone &zone = *zones[index];
   const bool has_turned = marks.glass != zone.marks.glass || marks.table != zone.marks.table;
   if (has_turned && !setup.imperfection.empty())
@@ -127,36 +127,37 @@ FootCapabilities RevolutionFoot::capabilities() const
   return capabilities;
 }
 
-RevolutionStarts RevolutionFoot::starts_from(const ContactGuess &guess, const ring::Orientation &marks) const
+RevolutionGuesses RevolutionFoot::starts_from(const ContactGuess &guess, const ring::Orientation &marks) const
 {
-  RevolutionStarts starts;
-  if (guess.expected)
+  RevolutionGuesses starts;
+  if (guess.predicted)
   {
-    starts.expected = guess.expected;
-    starts.expected->motion = motion_in_axes(guess.expected->motion, axis(marks));
+    starts.predicted = guess.predicted;
+    starts.predicted->motion = motion_in_axes(guess.predicted->motion, axis(marks));
   }
-  if (!guess.before)
+  if (!guess.previous)
     return starts;
-  const ContactState &before = *guess.before;
+  const ContactState &before = *guess.previous;
   const ring::Orientation &marks_before = before.slip.orientation;
   ContactStart start = { motion_in_axes(before.solution.motion, axis(marks_before)),
                          before.solution.normal_displacement };
-  starts.crests_have_moved = marks.glass != marks_before.glass || marks.table != marks_before.table;
-  if (setup.imperfection.empty() || !starts.crests_have_moved)
+  starts.waviness_has_rotated = marks.glass != marks_before.glass || marks.table != marks_before.table;
+  if (setup.imperfection.empty() || !starts.waviness_has_rotated)
   {
-    starts.before = { start };
+    starts.previous = { start };
     return starts;
   }
   const Eigen::VectorXd gap_before = zone_at(before.zone, marks_before).body.contact_surface().node_gap;
   const Eigen::VectorXd &gap_now = zone_at(before.zone, marks).body.contact_surface().node_gap;
   const Eigen::VectorXd penetration = -(gap_before + start.normal_displacement);
   start.normal_displacement = -(gap_now + penetration);
-  starts.before = { start };
+  starts.previous = { start };
   if (const long n_turned = crest_line(marks) - crest_line(marks_before); n_turned != 0)
   {
-    start.normal_displacement = -(gap_now + turned_by_lines(penetration, n_turned));
+    start.normal_displacement = -(gap_now + rotated_by_lines(penetration, n_turned));
     start.motion = motion_in_axes(start.motion, -static_cast<double>(n_turned) * line_spacing());
-    starts.before.insert(before.with_crests ? starts.before.begin() : starts.before.end(), start);
+    starts.previous.insert(
+      before.start_rotated_with_waviness ? starts.previous.begin() : starts.previous.end(), start);
   }
   return starts;
 }
@@ -183,7 +184,7 @@ double RevolutionFoot::axis(const ring::Orientation &marks) const
   return crest(marks) - static_cast<double>(crest_line(marks)) * line_spacing();
 }
 
-Eigen::VectorXd RevolutionFoot::turned_by_lines(const Eigen::VectorXd &nodal, long n) const
+Eigen::VectorXd RevolutionFoot::rotated_by_lines(const Eigen::VectorXd &nodal, long n) const
 {
   const Eigen::Index n_lines = setup.n_lines, n_radii = nodal.size() / n_lines, shift = n % n_lines;
   Eigen::MatrixXd result(n_radii, n_lines);
@@ -204,7 +205,7 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const ring::Slip
   ContactState state;
   state.demand = demand;
   state.slip = slip;
-  state.zone = guess.before ? guess.before->zone : 0;
+  state.zone = guess.previous ? guess.previous->zone : 0;
   press(guess, state);
   if (has_left(*zones[state.zone]))
   {
@@ -212,7 +213,7 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const ring::Slip
     press({}, state);
   }
   state.solution.motion = motion_in_axes(state.solution.motion, -axis(slip.orientation));
-  state.load = gather(state, demand.ring_radii, demand.n_harmonics);
+  state.load = project_onto_rings(state, demand.ring_radii, demand.n_harmonics);
 
   const BodyOfRevolution &body = zones[state.zone]->body;
   const Eigen::VectorXd &radii = body.contact_compliance().radii;
@@ -232,24 +233,25 @@ void RevolutionFoot::press(const ContactGuess &guess, ContactState &state) const
 {
   const ring::Orientation &marks = state.slip.orientation;
   const double first = axis(marks);
-  const RevolutionStarts starts = starts_from(guess, marks);
+  const RevolutionGuesses starts = starts_from(guess, marks);
   Zone &zone = zone_at(state.zone, marks);
   if (setup.friction_coefficient > 0)
     zone.body.set_sliding(sliding_at(state.slip));
-  if (guess.before)
-    zone.body.set_forces(guess.before->solution.forces);
+  if (guess.previous)
+    zone.body.set_forces(guess.previous->solution.forces);
   else
     zone.body.reset();
   const LinearConditions conditions = conditions_of(
-    zone.body.contact_surface(), first == 0 ? state.demand : state.demand.in_axes_turned_by(first));
+    zone.body.contact_surface(), first == 0 ? state.demand : state.demand.in_rotated_axes(first));
   RevolutionContact contact(setup, *interface, zone.body, *zone.law, conditions);
   state.solution = contact.solve(starts);
   state.history = contact.history();
-  state.with_crests = guess.before && guess.before->with_crests != (contact.start_used().value_or(0) > 0);
+  state.start_rotated_with_waviness =
+    guess.previous && guess.previous->start_rotated_with_waviness != (contact.start_used().value_or(0) > 0);
 }
 
-std::optional<ContactStart> RevolutionFoot::expected_from(const ContactStart &start, unsigned int zone,
-                                                          const Foot &similar) const
+std::optional<ContactStart> RevolutionFoot::predict_from(const ContactStart &start, unsigned int zone,
+                                                         const Foot &similar) const
 {
   const auto *other = dynamic_cast<const RevolutionFoot *>(&similar);
   // Contacts of other widths lead nowhere.
@@ -282,25 +284,26 @@ std::optional<ContactStart> RevolutionFoot::expected_from(const ContactStart &st
   return ContactStart{ start.motion, result.reshaped() - body.contact_surface().node_gap };
 }
 
-ContactLoad RevolutionFoot::gather(const ContactState &state, const std::vector<double> &ring_radii,
-                                   unsigned int n_harmonics) const
+ContactLoad RevolutionFoot::project_onto_rings(const ContactState &state,
+                                               const std::vector<double> &ring_radii,
+                                               unsigned int n_harmonics) const
 {
   const TableLaw &law = *zone_at(state.zone, state.slip.orientation).law;
   return extract_load(law, state.solution, kept_harmonics(n_harmonics), ring_radii)
-    .turned(axis(state.slip.orientation));
+    .rotated(axis(state.slip.orientation));
 }
 
 std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state) const
 {
   const TableLaw &law = *zone_at(state.zone, state.slip.orientation).law;
-  return turned_by(law.load(state.solution, 1).points, axis(state.slip.orientation));
+  return rotated_by(law.load(state.solution, 1).points, axis(state.slip.orientation));
 }
 
 PressureMap RevolutionFoot::pressure_map(const ContactState &state) const
 {
   const double first = axis(state.slip.orientation);
   PressureMap map = zone_at(state.zone, state.slip.orientation).law->pressure_map(state.solution);
-  return first == 0 ? map : map.turned(first);
+  return first == 0 ? map : map.rotated(first);
 }
 
 } // namespace stemware::fem

@@ -32,17 +32,17 @@ public:
   /// Returns the same foot with its own state.
   RevolutionFoot(const RevolutionFoot &other);
 
-  std::shared_ptr<const Foot> twin() const override;
+  std::shared_ptr<const Foot> clone() const override;
   FootDescription description() const override;
   FootCapabilities capabilities() const override;
   ContactState solve(const ContactDemand &demand, const ring::Slip &slip = {}, const ContactGuess &guess = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) const override;
   /// Predicts if both feet are even and have the same bodies and hardness; otherwise returns nothing.
-  std::optional<ContactStart> expected_from(const ContactStart &start, unsigned int zone,
-                                            const Foot &similar) const override;
+  std::optional<ContactStart> predict_from(const ContactStart &start, unsigned int zone,
+                                           const Foot &similar) const override;
   unsigned int n_resolved_harmonics() const override;
-  ContactLoad gather(const ContactState &state, const std::vector<double> &ring_radii,
-                     unsigned int n_harmonics) const override;
+  ContactLoad project_onto_rings(const ContactState &state, const std::vector<double> &ring_radii,
+                                 unsigned int n_harmonics) const override;
   std::vector<PointForce> point_forces(const ContactState &state) const override;
   PressureMap pressure_map(const ContactState &state) const override;
 
@@ -74,7 +74,7 @@ protected:
 private:
   /// Compliance of the whole land, for contacts that leave the part. Throws std::out_of_range where it is
   /// not known.
-  virtual std::shared_ptr<const ContactCompliance> of_whole_land() const;
+  virtual std::shared_ptr<const ContactCompliance> whole_land_compliance() const;
   /// Zone with its gaps at @p marks; the body's state is anything.
   Zone &zone_at(unsigned int zone, const ring::Orientation &marks) const;
   /// Returns whether the contact on @p zone has reached a border of it inside the land.
@@ -84,10 +84,10 @@ private:
   /// @p guess in the axes of the lines, with the marks at @p marks. The contact before presses in as far as
   /// it did, where it was and, if the crests have moved on by lines, turned with them; first comes what was
   /// right the last time.
-  RevolutionStarts starts_from(const ContactGuess &guess, const ring::Orientation &marks) const;
+  RevolutionGuesses starts_from(const ContactGuess &guess, const ring::Orientation &marks) const;
 
   /// Nodal values turned counter-clockwise by @p n lines.
-  Eigen::VectorXd turned_by_lines(const Eigen::VectorXd &nodal, long n) const;
+  Eigen::VectorXd rotated_by_lines(const Eigen::VectorXd &nodal, long n) const;
   double line_spacing() const; ///< [rad]
   /// Azimuth of the crests, of the rim's waviness, else of the table's; 0 where there is none [rad].
   double crest(const ring::Orientation &marks) const;

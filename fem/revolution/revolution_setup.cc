@@ -30,8 +30,8 @@ double RevolutionSetup::plane_strain_compliance() const
   return compliance;
 }
 
-ContactCompliance RevolutionSetup::together(const ContactCompliance &foot,
-                                            const ContactCompliance *disc) const
+ContactCompliance RevolutionSetup::total_compliance(const ContactCompliance &foot,
+                                                    const ContactCompliance *disc) const
 {
   ContactCompliance sum = foot_is_rigid ? foot.scaled(0) : friction_in_foot ? foot : foot.without_friction();
   if (disc)
@@ -41,7 +41,7 @@ ContactCompliance RevolutionSetup::together(const ContactCompliance &foot,
 
 MeridianOptions RevolutionSetup::meridian_of_zone() const
 {
-  const double reach = zone_reach();
+  const double reach = zone_half_width();
   MeridianOptions options = meridian;
   if (reach > 0)
   {

@@ -40,7 +40,7 @@ struct RevolutionSetup
   /// Stiffness of the spring that represents a hard interface, over the stiffness of the contact.
   double hardness = 1000;
   double fineness = 1;                   ///< of the cells in the contact, over the usual
-  unsigned int halvings_beyond_zone = 0; ///< of the cells beyond zone_reach()
+  unsigned int halvings_beyond_zone = 0; ///< of the cells beyond zone_half_width()
   double normal_force = 1;               ///< N that the contact is resolved for [N], see resolved_for()
   double contact_half_width = 0;         ///< of a crowned rim under it, expected_half_width() [m]
 
@@ -56,13 +56,13 @@ struct RevolutionSetup
 
   /// Compliance of foot and substrate together, without what is switched off; @p disc: nothing without a
   /// substrate.
-  ContactCompliance together(const ContactCompliance &foot, const ContactCompliance *disc) const;
+  ContactCompliance total_compliance(const ContactCompliance &foot, const ContactCompliance *disc) const;
 
   /// Distance from the contact circle up to which it may have pressure [m]: ten half-widths of a narrow
   /// contact, room for a load that gathers on a part of the rim; 0 for a flat land.
-  double zone_reach() const { return 10 * contact_half_width; }
+  double zone_half_width() const { return 10 * contact_half_width; }
 
-  /// Meridional problems with forces on the elements within zone_reach() alone; on the whole land where
+  /// Meridional problems with forces on the elements within zone_half_width() alone; on the whole land where
   /// that is 0.
   MeridianOptions meridian_of_zone() const;
 

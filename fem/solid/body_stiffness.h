@@ -36,10 +36,10 @@ public:
   /// would share T.
   virtual std::unique_ptr<BodyStiffness> shared() const { return nullptr; }
   /// Reports the iterations of the last system to set_contact().
-  virtual void learn(unsigned int /*n_iterations*/) {}
+  virtual void report_iterations(unsigned int /*n_iterations*/) {}
 
   /// Returns whether the mesh has coarser ones that it was refined from.
-  virtual bool has_coarser() const { return false; }
+  virtual bool has_coarser_mesh() const { return false; }
   /// Returns the stiffness of this body on the next coarser mesh, if any.
   virtual std::unique_ptr<BodyStiffness> coarser() const { return nullptr; }
   /// Interpolates @p coarse on the mesh of coarser() to @p fine, in single precision.

@@ -1,7 +1,7 @@
 #include "fem/solid/coarse_solver.h"
 
 #include "fem/elasticity/sparse_cholesky.h"
-#include "fem/solid/revolved_body.h"
+#include "fem/solid/axisymmetric_coarse_space.h"
 #include "fem/solid/stiffness_3d.h"
 
 #include <deal.II/base/mpi.h>
@@ -68,7 +68,7 @@ private:
   /// rank can have all.
   Eigen::SparseMatrix<double> sum_of_all_ranks(std::vector<double> packed) const
   {
-    packed = nodes->parts().gather_everywhere(std::move(packed));
+    packed = nodes->parts().all_gather(std::move(packed));
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t i = 0; i < packed.size(); i += 3)
       entries.emplace_back(static_cast<int>(packed[i]), static_cast<int>(packed[i + 1]), packed[i + 2]);
@@ -115,7 +115,7 @@ public:
 
 private:
   const LevelMatrix &matrix;
-  RevolvedBody body;
+  AxisymmetricCoarseSpace body;
   LevelSmoother smoother;
 };
 
@@ -125,7 +125,7 @@ std::unique_ptr<CoarseSolver> make_coarse_solver(const SolidLevel &level, const 
                                                  const ElasticMaterial &material,
                                                  const std::shared_ptr<const ContactNodes> &nodes)
 {
-  if (level.dof_handler.n_dofs() <= multigrid_numbers.most_factorized_unknowns)
+  if (level.dof_handler.n_dofs() <= multigrid_parameters.max_factorized_unknowns)
     return std::make_unique<FactorizedLevel>(level, material, nodes);
   return std::make_unique<RevolvedCycle>(level, matrix, material, nodes);
 }

@@ -16,7 +16,7 @@ public:
 
 /// Inverse, factorised on every rank, where the level is small; else a two-grid cycle: Chebyshev
 /// smoothing before and after a correction by the body of revolution that the mesh is on average
-/// (RevolvedBody). Both are symmetric.
+/// (AxisymmetricCoarseSpace). Both are symmetric.
 ///
 /// Keeps a reference to @p matrix, that of @p level, whose contact is set before this one's; @p nodes:
 /// contact nodes of the level.

@@ -145,8 +145,8 @@ std::optional<std::pair<BinaryId, unsigned int>> parent_of(const CellId &id)
 }
 
 /// Rows of the nodes that this rank owns.
-std::vector<Row> own_rows(const ContactElements &coarse, const ContactElements &fine,
-                          const ContactNodes &fine_nodes)
+std::vector<Row> owned_rows(const ContactElements &coarse, const ContactElements &fine,
+                            const ContactNodes &fine_nodes)
 {
   const FiniteElement<3> &coarse_element = coarse.dof_handler.get_fe();
   const std::vector<Point<3>> &points = fine.dof_handler.get_fe().get_unit_support_points();
@@ -165,7 +165,7 @@ std::vector<Row> own_rows(const ContactElements &coarse, const ContactElements &
       const std::size_t n_before = places.size();
       cell->get_dof_indices(dofs);
       for (unsigned int i = 0; i < dofs.size(); ++i)
-        if (const unsigned int node = fine_nodes.find(dofs[i]); node < fine_nodes.n_own_nodes())
+        if (const unsigned int node = fine_nodes.find(dofs[i]); node < fine_nodes.n_owned_nodes())
           places.push_back({ node, i, id });
       if (places.size() == n_before)
         continue;
@@ -175,7 +175,7 @@ std::vector<Row> own_rows(const ContactElements &coarse, const ContactElements &
     }
   const std::map<BinaryId, DofShares> found = CellDirectory(coarse).find(asked);
 
-  std::vector<Row> rows(fine_nodes.n_own_nodes());
+  std::vector<Row> rows(fine_nodes.n_owned_nodes());
   for (const auto &[node, shape, id] : places)
   {
     if (!rows[node].empty()) // cells side by side say the same
@@ -205,12 +205,12 @@ ContactInterpolation interpolation_between(const ContactElements &coarse, const 
                                            const ContactNodes &fine_nodes)
 {
   const MPI_Comm &communicator = fine.dof_handler.get_communicator();
-  std::vector<Row> rows = own_rows(coarse, fine, fine_nodes);
+  std::vector<Row> rows = owned_rows(coarse, fine, fine_nodes);
 
   // Rows of the others' nodes, which come in the order in which they are asked for.
   ToRanks<global_dof_index> questions;
-  for (std::size_t i = fine_nodes.n_own_nodes(); i < fine_nodes.n_nodes(); ++i)
-    questions[fine_nodes.ranks_of_others()[i - fine_nodes.n_own_nodes()]].push_back(fine_nodes.dofs()[i]);
+  for (std::size_t i = fine_nodes.n_owned_nodes(); i < fine_nodes.n_nodes(); ++i)
+    questions[fine_nodes.ghost_ranks()[i - fine_nodes.n_owned_nodes()]].push_back(fine_nodes.dofs()[i]);
   ToRanks<Row> answers;
   for (const auto &[rank, dofs] : Utilities::MPI::some_to_some(communicator, questions))
     for (const global_dof_index dof : dofs)

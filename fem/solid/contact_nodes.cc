@@ -14,7 +14,7 @@ using namespace dealii;
 namespace
 {
 
-class RankExchange : public PartsExchange
+class RankExchange : public SurfaceCommunicator
 {
 public:
   explicit RankExchange(const MPI_Comm &communicator)
@@ -87,7 +87,7 @@ ContactNodes::ContactNodes(const IndexSet &owned, std::vector<Dof> dofs, const M
 
 unsigned int ContactNodes::find(Dof dof) const
 {
-  const auto begin_of_others = all_dofs.begin() + n_own_nodes();
+  const auto begin_of_others = all_dofs.begin() + n_owned_nodes();
   for (const auto &[begin, end] :
        { std::pair(all_dofs.begin(), begin_of_others), std::pair(begin_of_others, all_dofs.end()) })
   {
@@ -101,8 +101,8 @@ unsigned int ContactNodes::find(Dof dof) const
 template <typename Number>
 Eigen::VectorXd ContactNodes::gather(const LinearAlgebra::distributed::Vector<Number> &vector) const
 {
-  Eigen::VectorXd own(n_own_nodes());
-  for (unsigned int i = 0; i < n_own_nodes(); ++i)
+  Eigen::VectorXd own(n_owned_nodes());
+  for (unsigned int i = 0; i < n_owned_nodes(); ++i)
     own(i) = vector.local_element(places[i]);
   return spread(own);
 }
@@ -123,7 +123,7 @@ Eigen::VectorXd ContactNodes::summed(const Eigen::VectorXd &parts) const
   for (unsigned int i = 0; i < n_nodes(); ++i)
     values.local_element(i) = parts(i);
   values.compress(VectorOperation::add);
-  return Eigen::Map<const Eigen::VectorXd>(values.begin(), n_own_nodes());
+  return Eigen::Map<const Eigen::VectorXd>(values.begin(), n_owned_nodes());
 }
 
 double ContactNodes::norm(const Eigen::VectorXd &parts) const
@@ -136,11 +136,11 @@ void ContactNodes::scatter_add(const Eigen::VectorXd &parts,
                                LinearAlgebra::distributed::Vector<Number> &vector) const
 {
   const Eigen::VectorXd sums = summed(parts);
-  for (unsigned int i = 0; i < n_own_nodes(); ++i)
+  for (unsigned int i = 0; i < n_owned_nodes(); ++i)
     vector.local_element(places[i]) += static_cast<Number>(sums(i));
 }
 
-std::vector<ContactNodes::Entry> ContactNodes::own_rows(const Eigen::SparseMatrix<double> &parts) const
+std::vector<ContactNodes::Entry> ContactNodes::owned_rows(const Eigen::SparseMatrix<double> &parts) const
 {
   // Dofs are told exactly: a double has more digits than meshes have dofs.
   using Packed = std::array<double, 3>;
@@ -151,10 +151,10 @@ std::vector<ContactNodes::Entry> ContactNodes::own_rows(const Eigen::SparseMatri
     {
       const auto node = static_cast<unsigned int>(entry.row());
       const Dof row = all_dofs[node], of_column = all_dofs[static_cast<std::size_t>(column)];
-      if (node < n_own_nodes())
+      if (node < n_owned_nodes())
         rows.push_back({ row, of_column, entry.value() });
       else
-        to_others[other_ranks[node - n_own_nodes()]].push_back(
+        to_others[other_ranks[node - n_owned_nodes()]].push_back(
           { double(row), double(of_column), entry.value() });
     }
   for (const auto &received : Utilities::MPI::some_to_some(communicator, to_others))

@@ -31,22 +31,22 @@ public:
   ContactNodes(const dealii::IndexSet &owned, std::vector<Dof> dofs, const MPI_Comm &communicator);
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(all_dofs.size()); }
-  unsigned int n_own_nodes() const { return static_cast<unsigned int>(places.size()); }
+  unsigned int n_owned_nodes() const { return static_cast<unsigned int>(places.size()); }
   /// Vertical displacement of the nodes, shape [n_nodes].
   const std::vector<Dof> &dofs() const { return all_dofs; }
-  /// Positions of the own nodes among this rank's dofs, shape [n_own_nodes].
-  const std::vector<unsigned int> &own_places() const { return places; }
+  /// Positions of the own nodes among this rank's dofs, shape [n_owned_nodes].
+  const std::vector<unsigned int> &owned_positions() const { return places; }
   /// Returns the number of the node with @p dof; n_nodes() if this rank does not know it.
   unsigned int find(Dof dof) const;
   const SurfaceParts &parts() const { return all_parts; }
-  /// Ranks of the nodes from n_own_nodes() on.
-  const std::vector<unsigned int> &ranks_of_others() const { return other_ranks; }
+  /// Ranks of the nodes from n_owned_nodes() on.
+  const std::vector<unsigned int> &ghost_ranks() const { return other_ranks; }
 
   /// Returns the nodal values of @p vector over the dofs.
   template <typename Number>
   Eigen::VectorXd gather(const dealii::LinearAlgebra::distributed::Vector<Number> &vector) const;
 
-  /// Values at all nodes from those that the ranks have at their own, @p own of shape [n_own_nodes].
+  /// Values at all nodes from those that the ranks have at their own, @p own of shape [n_owned_nodes].
   Eigen::VectorXd spread(const Eigen::VectorXd &own) const;
   /// Sums at the own nodes of the values that all parts have there, @p parts of shape [n_nodes].
   Eigen::VectorXd summed(const Eigen::VectorXd &parts) const;
@@ -66,7 +66,7 @@ public:
   };
   /// Rows of own nodes of the matrix that is the sum of all parts' @p parts, shape [n_nodes, n_nodes];
   /// places may occur several times.
-  std::vector<Entry> own_rows(const Eigen::SparseMatrix<double> &parts) const;
+  std::vector<Entry> owned_rows(const Eigen::SparseMatrix<double> &parts) const;
 
 private:
   MPI_Comm communicator;

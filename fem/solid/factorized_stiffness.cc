@@ -90,7 +90,7 @@ void FactorizedStiffness::set_contact(const Eigen::SparseMatrix<double> &tangent
 {
   are_fresh = !factors;
   if (are_fresh)
-    factors = std::make_unique<const Factors>(stiffness, nodes->own_rows(tangent));
+    factors = std::make_unique<const Factors>(stiffness, nodes->owned_rows(tangent));
 }
 
 void FactorizedStiffness::precondition(Vector &dst, const Vector &src) const
@@ -98,7 +98,7 @@ void FactorizedStiffness::precondition(Vector &dst, const Vector &src) const
   factors->vmult(dst, src);
 }
 
-void FactorizedStiffness::learn(unsigned int n_iterations)
+void FactorizedStiffness::report_iterations(unsigned int n_iterations)
 {
   if (n_iterations > patience && !are_fresh)
     factors.reset();

@@ -26,7 +26,7 @@ public:
   void set_contact(const Eigen::SparseMatrix<double> &tangent) override;
   void precondition(Vector &dst, const Vector &src) const override;
   /// Discards factors of a T so different that they cost more than new ones.
-  void learn(unsigned int n_iterations) override;
+  void report_iterations(unsigned int n_iterations) override;
 
 private:
   class Factors;

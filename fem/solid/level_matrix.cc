@@ -44,9 +44,9 @@ float LevelMatrix::el(size_type, size_type) const
 LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix)
 {
   LevelSmoother::AdditionalData data;
-  data.smoothing_range = multigrid_numbers.smoothing_range;
-  data.degree = multigrid_numbers.degree;
-  data.eig_cg_n_iterations = multigrid_numbers.n_eigenvalue_iterations;
+  data.smoothing_range = multigrid_parameters.smoothing_range;
+  data.degree = multigrid_parameters.degree;
+  data.eig_cg_n_iterations = multigrid_parameters.n_eigenvalue_iterations;
   data.preconditioner = matrix.jacobi();
   return data;
 }

@@ -49,7 +49,7 @@ using LevelSmoother =
 
 /// Numbers of multigrid that were tuned on feet of 48 x 2 x 2 to 192 x 8 x 8 cells
 /// (docs/method/solid_measurements.md).
-struct MultigridNumbers
+struct MultigridParameters
 {
   /// Degree of the smoother's polynomial, and the share of the spectrum, from above, that it reduces: any
   /// other takes as long for a linear solve.
@@ -57,9 +57,9 @@ struct MultigridNumbers
   double smoothing_range = 40;
   unsigned int n_eigenvalue_iterations = 15; ///< for the largest eigenvalue
   /// Factors of a coarsest level with more unknowns cost more than a cycle with its mean body of revolution.
-  dealii::types::global_dof_index most_factorized_unknowns = 10000;
+  dealii::types::global_dof_index max_factorized_unknowns = 10000;
 };
-inline constexpr MultigridNumbers multigrid_numbers = {};
+inline constexpr MultigridParameters multigrid_parameters = {};
 
 /// Options of the smoother of every level.
 LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix);

@@ -187,9 +187,9 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   const std::unique_ptr<TableLaw> law = contact.interface.make(surface, 0);
   MeshError error;
   ContactControl control;
-  control.set_matters = false;
+  control.requires_unchanged_set = false;
   control.resultant_tolerance = left_unbalanced;
-  control.is_enough = [&](const ContactSolution &found)
+  control.accepts_iterate = [&](const ContactSolution &found)
   {
     const double before = std::exchange(error.correction, change_of_goal(contact, goal, *law, found));
     return found.equilibrium_residual <= left_unbalanced &&
@@ -197,7 +197,7 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   };
   const ContactStart start = { contact.solution.motion, body.contact_displacement() +
                                                           surface.motion_modes() * contact.solution.motion };
-  const double radius = surface.parts.greatest(surface.node_position.rowwise().norm());
+  const double radius = surface.parts.max_entry(surface.node_position.rowwise().norm());
   const ContactSolution solution =
     solve_contact(body, *law, conditions_of(surface, contact.demand), radius, control, &start);
   if (!with_cells)

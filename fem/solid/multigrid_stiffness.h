@@ -37,10 +37,11 @@ public:
   {
     return std::make_unique<MultigridStiffness>(*this);
   }
-  bool has_coarser() const override { return level > hierarchy->coarsest_mesh(); }
+  bool has_coarser_mesh() const override { return level > hierarchy->coarsest_mesh(); }
   std::unique_ptr<BodyStiffness> coarser() const override
   {
-    return has_coarser() ? std::make_unique<MultigridStiffness>(hierarchy, level - 1, material) : nullptr;
+    return has_coarser_mesh() ? std::make_unique<MultigridStiffness>(hierarchy, level - 1, material)
+                              : nullptr;
   }
   void prolongate(Vector &fine, const Vector &coarse) const override
   {

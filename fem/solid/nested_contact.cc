@@ -12,7 +12,7 @@ namespace
 ContactControl coarse_control(double softening)
 {
   ContactControl control;
-  control.set_matters = softening == 1;
+  control.requires_unchanged_set = softening == 1;
   control.tolerance = 1e-6;
   control.equilibrium_tolerance = 1e-4;
   control.resultant_tolerance = 1e-4;
@@ -61,13 +61,13 @@ std::optional<ContactStart> start_from_coarser_mesh(SolidBody &body, const Inter
   try
   {
     const std::optional<ContactStart> start =
-      coarse->has_coarser() ? start_from_coarser_mesh(*coarse, *softer, softening, demand, radius)
-                            : start_on_coarsest_mesh(*coarse, *softer, softening, demand, radius);
+      coarse->has_coarser_mesh() ? start_from_coarser_mesh(*coarse, *softer, softening, demand, radius)
+                                 : start_on_coarsest_mesh(*coarse, *softer, softening, demand, radius);
     const std::unique_ptr<TableLaw> law = softer->make(coarse->contact_surface(), 0);
     const ContactSolution solution =
       solve_contact(*coarse, *law, conditions_of(coarse->contact_surface(), demand), radius,
                     coarse_control(softening), start ? &*start : nullptr);
-    body.start_from(*coarse);
+    body.interpolate_from(*coarse);
     const ContactSurface &surface = body.contact_surface();
     return hardened(
       { solution.motion, body.contact_displacement() + surface.motion_modes() * solution.motion }, surface,

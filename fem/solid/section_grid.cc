@@ -35,7 +35,7 @@ struct Section
       if (!cell->is_locally_owned())
         continue;
       const Point<3> centre = cell->center();
-      const MeridianPlace middle = place_of(centre);
+      const MeridianPoint middle = place_of(centre);
       const Tensor<1, 3> outwards =
         middle.radius > 0 ? Tensor<1, 3>({ centre[0] / middle.radius, centre[1] / middle.radius, 0 })
                           : Tensor<1, 3>({ 1, 0, 0 });
@@ -69,7 +69,7 @@ struct Section
 
 } // namespace
 
-MeridianPlace place_of(const Point<3> &point)
+MeridianPoint place_of(const Point<3> &point)
 {
   return { std::hypot(point[0], point[1]), point[2] };
 }
@@ -106,7 +106,7 @@ void SectionGrid::make_squares(const SolidLevel &level)
     for (const auto &[radius, height, size] : section.cells)
     {
       const Square square = square_at({ radius, height });
-      if (square->extent_in_direction(0) <= revolved_numbers.relative_size * size)
+      if (square->extent_in_direction(0) <= coarse_space_parameters.relative_size * size)
         continue;
       square->set_refine_flag();
       is_fine = false;
@@ -115,14 +115,14 @@ void SectionGrid::make_squares(const SolidLevel &level)
   }
 }
 
-unsigned int SectionGrid::root_index(const MeridianPlace &place) const
+unsigned int SectionGrid::root_index(const MeridianPoint &place) const
 {
   const auto index = [&](double distance, unsigned int n)
   { return static_cast<unsigned int>(std::clamp(std::floor(distance / root_size), 0., n - 1.)); };
   return index(place.height - bottom, n_rows) * n_columns + index(place.radius, n_columns);
 }
 
-SectionGrid::Square SectionGrid::square_at(const MeridianPlace &place) const
+SectionGrid::Square SectionGrid::square_at(const MeridianPoint &place) const
 {
   Square square(&squares, 0, roots[root_index(place)], &dof_handler);
   while (square->has_children())
@@ -133,7 +133,7 @@ SectionGrid::Square SectionGrid::square_at(const MeridianPlace &place) const
   return square;
 }
 
-Point<2> SectionGrid::place_in(const Square &square, const MeridianPlace &place)
+Point<2> SectionGrid::place_in(const Square &square, const MeridianPoint &place)
 {
   const Point<2> corner = square->vertex(0);
   const double width = square->extent_in_direction(0);
@@ -151,7 +151,7 @@ void SectionGrid::resolve(types::global_dof_index dof, double factor, const Use 
       use(static_cast<unsigned int>(master), factor * weight);
 }
 
-std::vector<std::pair<unsigned int, double>> SectionGrid::functions_at(const MeridianPlace &place) const
+std::vector<std::pair<unsigned int, double>> SectionGrid::functions_at(const MeridianPoint &place) const
 {
   constexpr double negligible = 1e-9;
   const Square square = square_at(place);
@@ -164,7 +164,7 @@ std::vector<std::pair<unsigned int, double>> SectionGrid::functions_at(const Mer
   return functions;
 }
 
-void SectionGrid::add_point(const Square &square, const MeridianPlace &place, double weight,
+void SectionGrid::add_point(const Square &square, const MeridianPoint &place, double weight,
                             Products &products)
 {
   const Point<2> inside = place_in(square, place);
@@ -193,7 +193,7 @@ std::vector<SectionGrid::Products> SectionGrid::integrate(const SolidLevel &leve
     values.reinit(cell);
     for (const unsigned int q : values.quadrature_point_indices())
     {
-      const MeridianPlace place = place_of(values.quadrature_point(q));
+      const MeridianPoint place = place_of(values.quadrature_point(q));
       const Square square = square_at(place);
       is_touched[square->active_cell_index()] = 1;
       add_point(square, place, values.JxW(q), sums[square->active_cell_index()]);
@@ -216,8 +216,8 @@ std::vector<SectionGrid::Products> SectionGrid::integrate(const SolidLevel &leve
       const double width = square->extent_in_direction(0);
       const Point<2> point = square->vertex(0) + width * quadrature.point(q);
       const double share = is_touched[square->active_cell_index()] > 0
-                             ? revolved_numbers.stiffness_of_touched_square
-                             : revolved_numbers.stiffness_of_empty_square;
+                             ? coarse_space_parameters.stiffness_of_touched_square
+                             : coarse_space_parameters.stiffness_of_empty_square;
       const double volume = 2 * numbers::PI * point[0] * width * width * quadrature.weight(q);
       add_point(square, { point[0], point[1] }, share * volume, sums[square->active_cell_index()]);
     }

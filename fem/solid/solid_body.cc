@@ -33,7 +33,7 @@ bool is_matrix_free(const Triangulation<3> &triangulation, const SolidOptions &o
   // A cell of degree p has p^3 nodes of its own in the middle of a mesh, and half as many more with those of
   // the surface of a foot of few cells.
   const double n_unknowns = 4.5 * std::pow(options.degree, 3) * double(triangulation.n_global_active_cells());
-  return triangulation.n_global_levels() > 1 || n_unknowns > largest_direct_system;
+  return triangulation.n_global_levels() > 1 || n_unknowns > max_direct_unknowns;
 }
 
 /// The stiffness of a new body, @p shared with a similar one where that is there.
@@ -82,14 +82,14 @@ SolidBody::SolidBody(std::unique_ptr<BodyStiffness> of_body, const ElasticMateri
 
 std::unique_ptr<SolidBody> SolidBody::coarser() const
 {
-  if (!has_coarser())
+  if (!has_coarser_mesh())
     return nullptr;
   auto body = std::make_unique<SolidBody>(stiffness->coarser(), material, gap, linear_tolerance);
   body->set_sliding(sliding);
   return body;
 }
 
-void SolidBody::start_from(const SolidBody &coarse)
+void SolidBody::interpolate_from(const SolidBody &coarse)
 {
   stiffness->prolongate(displacement, coarse.displacement);
   stiffness->vmult(elastic_forces, displacement);
@@ -123,7 +123,7 @@ SolidBody::Vector SolidBody::contact_load(const Eigen::VectorXd &forces) const
   stiffness->initialize(load);
   const Eigen::VectorXd own = contact.nodes().summed(forces);
   for (unsigned int i = 0; i < own.size(); ++i)
-    load.local_element(contact.nodes().own_places()[i]) = own(i);
+    load.local_element(contact.nodes().owned_positions()[i]) = own(i);
   if (has_friction())
     for (const auto &[node, x, y] : horizontal)
     {

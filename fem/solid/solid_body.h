@@ -62,11 +62,11 @@ public:
   void set_linear_tolerance(double tolerance) { linear_tolerance = tolerance; }
 
   /// Returns whether the mesh has coarser ones for its multigrid.
-  bool has_coarser() const { return stiffness->has_coarser(); }
+  bool has_coarser_mesh() const { return stiffness->has_coarser_mesh(); }
   /// Returns this foot on the next coarser mesh, for cheap initial guesses; nullptr if there is none.
   std::unique_ptr<SolidBody> coarser() const;
   /// Takes the displacement of coarser() as its own.
-  void start_from(const SolidBody &coarse);
+  void interpolate_from(const SolidBody &coarse);
 
   /// Binary state of this rank for the next solve; readable by a body on the same mesh and number of ranks.
   void write_state(std::ostream &stream) const;

@@ -185,7 +185,7 @@ template <typename Visit>
 void for_each_own_node(const DoFHandler<3> &dof_handler, const ContactNodes &nodes, const Visit &visit)
 {
   const FiniteElement<3> &element = dof_handler.get_fe();
-  std::vector<bool> known(nodes.n_own_nodes(), false);
+  std::vector<bool> known(nodes.n_owned_nodes(), false);
   std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell());
   for (const auto &cell : dof_handler.active_cell_iterators())
   {
@@ -197,7 +197,7 @@ void for_each_own_node(const DoFHandler<3> &dof_handler, const ContactNodes &nod
       if (element.system_to_component_index(i).first != 2)
         continue;
       const unsigned int node = nodes.find(cell_dofs[i]);
-      if (node >= nodes.n_own_nodes() || known[node])
+      if (node >= nodes.n_owned_nodes() || known[node])
         continue;
       known[node] = true;
       visit(cell, i, node, cell_dofs);
@@ -209,7 +209,7 @@ void describe_nodes(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
                     const SolidGap &gap, ContactSurface &surface)
 {
   const std::vector<Point<3>> &points = dof_handler.get_fe().get_unit_support_points();
-  Eigen::MatrixX3d coordinates(nodes.n_own_nodes(), 3);
+  Eigen::MatrixX3d coordinates(nodes.n_owned_nodes(), 3);
   for_each_own_node(dof_handler, nodes,
                     [&](const auto &cell, unsigned int shape, unsigned int node, const auto &)
                     {
@@ -247,8 +247,8 @@ void measure(ContactSurface &surface, const ContactNodes &nodes)
   surface.node_area = nodes.spread(nodes.summed(areas));
   surface.lines_are_radial = !surface.parts.any(!are_radial);
   surface.is_crowned = surface.parts.any(is_crowned);
-  constexpr double least_hole = 0.1; // of the outer radius; less is a cell about the axis
-  surface.is_ring = surface.parts.min(inner) > least_hole * surface.parts.max(outer);
+  constexpr double min_hole = 0.1; // of the outer radius; less is a cell about the axis
+  surface.is_ring = surface.parts.min(inner) > min_hole * surface.parts.max(outer);
   const double n_faces = surface.parts.sum(static_cast<double>(surface.lines.size())) / n_lines_per_face;
   surface.n_sectors = static_cast<unsigned int>(
     std::max(1., std::round(2 * numbers::PI * n_faces / surface.parts.sum(total_width))));
@@ -321,7 +321,7 @@ SolidContactZone describe_contact_zone(const Mapping<3> &mapping, const DoFHandl
   SolidContactZone zone;
   zone.nodes = nodes;
   zone.surface.parts = nodes->parts();
-  zone.surface.n_foreign_nodes = nodes->n_nodes() - nodes->n_own_nodes();
+  zone.surface.n_ghost_nodes = nodes->n_nodes() - nodes->n_owned_nodes();
   if (!zone.surface.parts.any(!faces.empty()))
     throw std::invalid_argument("The mesh has no contact zone: no boundary face carries the id 2; mark the "
                                 "faces that may touch the table.");

@@ -55,15 +55,15 @@ struct FootNumbers
   /// Share of the tolerance before to which multipliers are found next: about what one update leaves.
   double tighter = 0.1;
   /// Newton steps on the way to multipliers: more than usual, since each is solved for loosely.
-  unsigned int most_steps = 300;
+  unsigned int max_steps = 300;
   /// A mesh of as many equal parts round the axis is one of a body of revolution, as far as it can say.
-  unsigned int fewest_repetitions = 12;
+  unsigned int min_symmetry_sectors = 12;
 };
 constexpr FootNumbers foot_numbers = {};
 
 bool is_spring(const SolidSetup &setup, const SolidBody &body)
 {
-  return setup.table.interface->is_hard() && body.has_coarser();
+  return setup.table.interface->is_hard() && body.has_coarser_mesh();
 }
 
 std::shared_ptr<const InterfaceLaw> interface_of(const SolidSetup &setup, const SolidBody &body)
@@ -93,7 +93,7 @@ SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution 
   return { mesh, std::nullopt };
 }
 
-SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements, const MeshMarks &marks)
+SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements, const MeshFileOptions &marks)
 {
   const auto mesh = std::make_shared<dealii::parallel::distributed::Triangulation<3>>(MPI_COMM_WORLD);
   const MeshReport report = read_foot_mesh(file, *mesh, marks);
@@ -111,7 +111,7 @@ SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup, const Solid
     , softening_of_coarser(is_spring(setup, *body) ? foot_numbers.softening : 1)
     , law(interface->make(body->contact_surface(),
                           foot_numbers.penalty * setup.material.young_modulus / body->contact_cell_size()))
-    , n_contact_nodes(body->contact_surface().n_nodes_of_whole())
+    , n_contact_nodes(body->contact_surface().n_global_nodes())
 {
   if (has_multipliers() && setup.options.linear_tolerance == 0)
     body->set_linear_tolerance(foot_numbers.reduction);
@@ -136,8 +136,8 @@ FootCapabilities SolidFoot::capabilities() const
   FootCapabilities capabilities;
   capabilities.is_collective = true;
   capabilities.friction_deforms = setup.friction_coefficient > 0;
-  if (mesh.report && mesh.report->n_repetitions < foot_numbers.fewest_repetitions)
-    capabilities.period_of_glass = 2 * dealii::numbers::PI / mesh.report->n_repetitions;
+  if (mesh.report && mesh.report->n_symmetry_sectors < foot_numbers.min_symmetry_sectors)
+    capabilities.glass_period = 2 * dealii::numbers::PI / mesh.report->n_symmetry_sectors;
   return capabilities;
 }
 
@@ -149,7 +149,7 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const ring::Slip &sli
   state.slip = slip;
   ContactControl control;
   if (softening_of_coarser != 1)
-    control = control_of_spring();
+    control = penalty_control();
   control.progress = [&](const ContactIteration &iteration)
   {
     state.history.push_back(iteration);
@@ -157,12 +157,12 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const ring::Slip &sli
       progress(iteration);
   };
   const double axis = axis_of(slip);
-  state.solution = press(axis == 0 ? demand : demand.in_axes_turned_by(axis), slip, guess.before, control);
+  state.solution = press(axis == 0 ? demand : demand.in_rotated_axes(axis), slip, guess.previous, control);
   std::ostringstream written;
   body->write_state(written);
   state.body = std::make_shared<const std::string>(written.str());
   state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis) * state.solution.motion.tail<2>();
-  state.load = gather(state, demand.ring_radii, demand.n_harmonics);
+  state.load = project_onto_rings(state, demand.ring_radii, demand.n_harmonics);
   std::tie(state.inner_radius, state.outer_radius) = loaded_band(law->load(state.solution, 1));
   return state;
 }
@@ -196,7 +196,7 @@ ContactSolution SolidFoot::find_contact(const LinearConditions &conditions, Cont
   if (!has_multipliers())
     return solve(control);
   // Balance that is closer than multipliers are to their limit is lost again with their next update.
-  control.max_steps = foot_numbers.most_steps;
+  control.max_steps = foot_numbers.max_steps;
   ContactControl loose = control;
   loose.resultant_tolerance = std::numeric_limits<double>::infinity();
   for (double share = foot_numbers.tighter; share > control.equilibrium_tolerance;
@@ -219,11 +219,11 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const ring::Slip &
     try
     {
       restore(*before);
-      law->start_from(before->solution.forces);
+      law->set_multipliers(before->solution.forces);
       const ContactSolution nearby = in_mesh_axes(*before);
       const ContactStart start = { nearby.motion, nearby.normal_displacement };
       const ContactSolution solution = find_contact(conditions, control, start);
-      if (solution.steadiness > 0)
+      if (solution.stability_margin > 0)
         return solution;
     }
     catch (const ContactFailure &failure)
@@ -231,10 +231,10 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const ring::Slip &
       if (failure.outcome == ContactOutcome::tipping)
         throw;
     }
-  law->start_from({});
+  law->set_multipliers({});
   const ContactSolution solution = find_contact(
     conditions, control, start_from_coarser_mesh(*body, *interface, softening_of_coarser, demand, radius));
-  if (!(solution.steadiness > 0))
+  if (!(solution.stability_margin > 0))
     throw ContactFailure(ContactOutcome::tipping,
                          "the only balance that was found is unstable: the glass falls over. Lower "
                          "the centre of mass or the hand, or reduce the speed.");
@@ -247,11 +247,11 @@ unsigned int SolidFoot::n_resolved_harmonics() const
   return std::clamp(body->contact_surface().n_sectors / 2, 1u, 24u);
 }
 
-ContactLoad SolidFoot::gather(const ContactState &state, const std::vector<double> &ring_radii,
-                              unsigned int n_harmonics) const
+ContactLoad SolidFoot::project_onto_rings(const ContactState &state, const std::vector<double> &ring_radii,
+                                          unsigned int n_harmonics) const
 {
   return extract_load(*law, state.solution, kept_harmonics(n_harmonics), ring_radii)
-    .turned(axis_of(state.slip));
+    .rotated(axis_of(state.slip));
 }
 
 std::vector<PointForce> SolidFoot::point_forces(const ContactState &state) const
@@ -263,14 +263,14 @@ std::vector<PointForce> SolidFoot::point_forces(const ContactState &state) const
   std::vector<PointForce> points;
   for (std::size_t i = 0; i < packed.size(); i += 3)
     points.push_back({ packed[i], packed[i + 1], packed[i + 2] });
-  return turned_by(std::move(points), axis_of(state.slip));
+  return rotated_by(std::move(points), axis_of(state.slip));
 }
 
 PressureMap SolidFoot::pressure_map(const ContactState &state) const
 {
   const double axis = axis_of(state.slip);
   PressureMap map = law->pressure_map(state.solution);
-  return axis == 0 ? map : map.turned(axis);
+  return axis == 0 ? map : map.rotated(axis);
 }
 
 std::optional<MeshError> SolidFoot::mesh_error(const ContactState &state, const ContactGoal &goal,
@@ -286,7 +286,7 @@ std::optional<MeshError> SolidFoot::mesh_error(const ContactState &state, const 
   const double axis = axis_of(state.slip);
   const Eigen::Rotation2Dd back(-axis);
   SolvedSolidContact contact = { *body, *interface, gap_of(mesh, setup.profile), sliding_at(state.slip) };
-  contact.demand = axis == 0 ? state.demand : state.demand.in_axes_turned_by(axis);
+  contact.demand = axis == 0 ? state.demand : state.demand.in_rotated_axes(axis);
   contact.solution = in_mesh_axes(state);
   contact.load =
     extract_load(*law, state.solution, kept_harmonics(state.demand.n_harmonics), goal.ring_radii);

@@ -40,7 +40,8 @@ SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution 
 
 /// Mesh of a file, which says all about its rim itself, with all cells halved @p refinements times.
 /// Throws as read_foot_mesh().
-SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements = 0, const MeshMarks &marks = {});
+SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements = 0,
+                          const MeshFileOptions &marks = {});
 
 /// Glass, table and numerical parameters of a solid foot.
 struct SolidSetup
@@ -78,12 +79,12 @@ public:
 
   FootDescription description() const override;
   FootCapabilities capabilities() const override;
-  /// Starts from ContactGuess::before.
+  /// Starts from ContactGuess::previous.
   ContactState solve(const ContactDemand &demand, const ring::Slip &slip = {}, const ContactGuess &guess = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) const override;
   unsigned int n_resolved_harmonics() const override;
-  ContactLoad gather(const ContactState &state, const std::vector<double> &ring_radii,
-                     unsigned int n_harmonics) const override;
+  ContactLoad project_onto_rings(const ContactState &state, const std::vector<double> &ring_radii,
+                                 unsigned int n_harmonics) const override;
   std::vector<PointForce> point_forces(const ContactState &state) const override;
   PressureMap pressure_map(const ContactState &state) const override;
   std::vector<FieldFile> fields(const ContactState &state) const override;

@@ -223,7 +223,7 @@ std::vector<FieldFile> SolidBody::fields(const Eigen::Vector3d &motion,
   Vector pressure;
   pressure.reinit(distributed);
   const ContactNodes &nodes = contact.nodes();
-  for (unsigned int i = 0; i < nodes.n_own_nodes(); ++i)
+  for (unsigned int i = 0; i < nodes.n_owned_nodes(); ++i)
     pressure(nodes.dofs()[i]) = nodal_pressure(i);
   pressure.update_ghost_values();
 

@@ -23,7 +23,7 @@ struct ScaledMotions
   explicit ScaledMotions(const ContactSurface &surface)
       : modes(surface.motion_modes())
   {
-    const double length = surface.parts.greatest(modes.rightCols<2>().rowwise().norm());
+    const double length = surface.parts.max_entry(modes.rightCols<2>().rowwise().norm());
     scale = { 1, 1 / length, 1 / length };
     modes = (modes * scale.asDiagonal()).eval();
   }
@@ -42,7 +42,7 @@ struct SolidIncrement
   Eigen::VectorXd displacement; ///< B du
   Eigen::Vector3d motion;       ///< of the table, scaled
   unsigned int n_iterations = 0;
-  double steadiness = 1; ///< NewtonIncrement::steadiness, friction in the body aside
+  double stability_margin = 1; ///< NewtonIncrement::stability_margin, friction in the body aside
 
   void add(double factor, const SolidIncrement &other)
   {
@@ -59,7 +59,7 @@ namespace
 /// Numbers of the Newton steps of a solid body that were tuned on feet with and without a hierarchy.
 struct StepNumbers
 {
-  unsigned int most_iterations = 200; ///< of conjugate gradients, which take 20 to 75 on meshes of use
+  unsigned int max_iterations = 200; ///< of conjugate gradients, which take 20 to 75 on meshes of use
 
   /// Share of the forces that Newton's method may leave unbalanced: a fifth of what its stopping rule allows.
   double unbalanced_share = 2e-10;
@@ -89,7 +89,7 @@ template <typename Operator, typename Preconditioner>
 unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &preconditioner,
                                  const BodyVector &rhs, double target, BodyVector &solution)
 {
-  SolverControl control(tuned.most_iterations, target, false, false);
+  SolverControl control(tuned.max_iterations, target, false, false);
   try
   {
     SolverCG<BodyVector>(control).solve(matrix, solution, rhs, preconditioner);
@@ -124,9 +124,9 @@ struct TangentPreconditioner
   void vmult(BodyVector &dst, const BodyVector &src) const { elastic.precondition(dst, src); }
 };
 
-/// NewtonIncrement::steadiness from what is set against motions, @p resistance, and the weight's part H of
-/// it, @p leaning.
-double steadiness_of(const Eigen::Matrix3d &resistance, const Eigen::Matrix3d &leaning)
+/// NewtonIncrement::stability_margin from what is set against motions, @p resistance, and the weight's part H
+/// of it, @p leaning.
+double stability_margin_of(const Eigen::Matrix3d &resistance, const Eigen::Matrix3d &leaning)
 {
   return leaning.isZero(0) ? 1 : resistance.determinant() / (resistance + leaning).determinant();
 }
@@ -140,10 +140,10 @@ double steadiness_of(const Eigen::Matrix3d &resistance, const Eigen::Matrix3d &l
 template <typename Solve>
 void correct_for_friction(SolidIncrement &increment, BodyVector residual, double target, const Solve &solve)
 {
-  constexpr unsigned int most_corrections = 12;
+  constexpr unsigned int max_corrections = 12;
   constexpr double reduction = 0.05; // of one correction: friction is the smaller part
   std::vector<SolidIncrement> before;
-  for (double left = residual.l2_norm(); left > target && before.size() < most_corrections;
+  for (double left = residual.l2_norm(); left > target && before.size() < max_corrections;
        left = residual.l2_norm())
   {
     SolidIncrement next = solve(residual, std::max(reduction * left, target / 2));
@@ -368,7 +368,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
                          [&](const Vector &of, double to)
                          { return step.solve(of, Eigen::Vector3d::Zero(), to); });
   }
-  stiffness->learn(solution.n_iterations);
+  stiffness->report_iterations(solution.n_iterations);
 
   // 3. What Newton's method is told of the increment. The work of friction, which changes with the forces,
   // belongs to the body's.
@@ -376,7 +376,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
   const SurfaceParts &parts = contact.nodes().parts();
   NewtonIncrement result;
   result.linear_iterations = solution.n_iterations;
-  result.steadiness = solution.steadiness;
+  result.stability_margin = solution.stability_margin;
   result.displacement = solution.displacement;
   result.motion = step.motions.scale.asDiagonal() * solution.motion;
   result.energy_curvature = solution.image * solution.body - parts.sum(change.dot(result.displacement));
@@ -411,7 +411,7 @@ void SolidBody::close_conditions(const LinearConditions &conditions, const Scale
     throw ContactFailure(ContactOutcome::linear_solver_failed,
                          "the conditions on the contact forces do not determine the table's motions.");
   const Eigen::Vector3d further = factors.solve(left);
-  solution.steadiness = steadiness_of(matrix, leaning);
+  solution.stability_margin = stability_margin_of(matrix, leaning);
   solution.motion += further;
   solution.displacement += (response - motions.modes) * further;
   for (unsigned int i = 0; i < solution.body.locally_owned_size(); ++i)

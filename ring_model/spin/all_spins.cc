@@ -89,7 +89,7 @@ private:
   double torque_of(const LeaningLoad &at_spin, double omega) const
   {
     const double torque = wrench(motion, at_spin, omega).torque + at_spin.lean_torque();
-    return against_grip(torque, omega, grip_torque);
+    return torque_with_grip(torque, omega, grip_torque);
   }
 
   const LoadAtSpin &load;
@@ -133,9 +133,9 @@ bool brakes_beyond(double omega, const LoadAtSpin &load, const Motion &motion)
   const double eps = std::abs(omega) * radius / motion.orbit_speed;
   if (!load.is_pressure() || !motion.has_constant_friction() || eps <= 1)
     return false;
-  const double least_torque =
+  const double min_torque =
     std::sqrt(1 - 1 / (eps * eps)) * motion.friction_at_rest() * motion.normal_force() * radius;
-  return much * std::abs(at_spin.lean_torque()) < least_torque;
+  return much * std::abs(at_spin.lean_torque()) < min_torque;
 }
 
 /// To where friction brakes, or the load has no balance, whatever its distribution; else to 1.5 v / R.

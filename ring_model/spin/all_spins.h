@@ -9,5 +9,5 @@ std::vector<TerminalSpin> all_terminal_spins(const LoadAtSpin &load, const Quest
                                              const Answer &found);
 
 /// Sum of @p torque, the spin @p omega [rad/s] and grip_torque() [N m].
-double against_grip(double torque, double omega, double grip);
+double torque_with_grip(double torque, double omega, double grip);
 } // namespace stemware::ring

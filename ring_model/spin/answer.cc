@@ -4,9 +4,9 @@
 #include "ring_model/load/require.h"
 #include "ring_model/spin/all_spins.h"
 #include "ring_model/spin/if_balanced.h"
-#include "ring_model/spin/in_digits.h"
 #include "ring_model/spin/phase_loads.h"
 #include "ring_model/spin/phase_torque.h"
+#include "ring_model/spin/to_precision.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ std::optional<double> expected_spin(const LoadAtSpin &load, const Motion &motion
 
 /// Where the load of one of the phases takes the glass: next to where their mean does, without the samples
 /// that the mean takes all round. std::nullopt if it takes the glass nowhere.
-std::optional<double> spin_at_first_phase(const PhaseLoads &phases, const Motion &motion,
+std::optional<double> spin_at_first_phase(const PhaseSampledLoad &phases, const Motion &motion,
                                           const SpinSearch &search)
 {
   const auto torque = [&](double omega)
@@ -55,8 +55,8 @@ std::optional<double> spin_at_first_phase(const PhaseLoads &phases, const Motion
 
 std::string fall_sentence(const Fall &fall)
 {
-  return sentence("the glass stands at rest and falls over on the way, at ", in_digits(fall.omega, 3),
-                  " rad/s and a moment ratio of ", in_digits(fall.state.moment_ratio, 3));
+  return sentence("the glass stands at rest and falls over on the way, at ", to_precision(fall.omega, 3),
+                  " rad/s and a moment ratio of ", to_precision(fall.state.moment_ratio, 3));
 }
 
 /// Friction, lean and grip torque together [N m]; time and yaw angle matter if the phase does.
@@ -66,14 +66,14 @@ PhasedTorqueFunction torque_function(const LoadAtSpin &load, const Question &que
   {
     const Motion &motion = question.motion;
     const double torque = yaw_torque(load, motion, omega, orientation_of_marks(motion, time, yaw_angle));
-    return against_grip(torque, omega, question.grip_torque);
+    return torque_with_grip(torque, omega, question.grip_torque);
   };
 }
 
 /// Replaces the terminal spin of @p found, the zero of the mean torque, by the mean spin in the long run.
 void take_long_run_mean(const LoadAtSpin &load, const Question &question, double spin_scale, Answer &found)
 {
-  const PhaseLoads &phases = *load.phases();
+  const PhaseSampledLoad &phases = *load.phases();
   const Motion &motion = question.motion;
   // Finer than the loads are known would be in vain.
   constexpr double coarsest = 1e-3; // where the loads between phases are known badly, their mean is not
@@ -91,7 +91,7 @@ void take_long_run_mean(const LoadAtSpin &load, const Question &question, double
                torque_scale = slope > 0 ? slope * spin_scale : friction_torque;
   const PhaseTorque torque(load, motion, spin.omega, reach, 0.03 * accuracy * torque_scale);
   const auto with_grip = [&](double time, double yaw_angle, double omega)
-  { return against_grip(torque(time, yaw_angle, omega), omega, question.grip_torque); };
+  { return torque_with_grip(torque(time, yaw_angle, omega), omega, question.grip_torque); };
   const LongTimeSpin mean =
     long_time_spin(with_grip, motion.yaw_inertia, spin.omega,
                    averaging_window(phases.periods(), motion, spin), accuracy, spin_scale);
@@ -118,16 +118,16 @@ double find_terminal(const LoadAtSpin &load, const Question &question, Answer &f
   SpinSearch search;
   search.spin_scale = load.spin_scale(motion);
   search.tolerance = 1e-11; // contacts are good to 1e-10 of the load or better
-  search.expected = question.expected != 0 ? question.expected : expected_spin(load, motion);
+  search.initial_guess = question.initial_guess != 0 ? question.initial_guess : expected_spin(load, motion);
   search.grip_torque = question.grip_torque;
-  search.steadiness = [&load](double omega) { return load.steadiness(omega); };
-  search.fall_before = [&load](double omega) { return load.fall_before(omega); };
+  search.stability_margin = [&load](double omega) { return load.stability_margin(omega); };
+  search.nearest_unbalanced_spin = [&load](double omega) { return load.nearest_unbalanced_spin(omega); };
   // A hand at the height of the centre of mass asks for no torque at rest: noise is not to choose a
   // direction.
   search.torque_noise = 1e-9 * motion.friction_at_rest() * motion.normal_force() * load.radius();
-  if (const PhaseLoads *phases = load.phases())
+  if (const PhaseSampledLoad *phases = load.phases())
     if (const std::optional<double> near = spin_at_first_phase(*phases, motion, search))
-      search.expected = near;
+      search.initial_guess = near;
   double asked = 0;
   if (question.with_slope || load.phases())
   {
@@ -165,14 +165,14 @@ void find_spin(const LoadAtSpin &load, const Question &question, Answer &found)
   {
     if (!lost.tips())
       throw;
-    found.standing = Standing::tips;
+    found.status = Status::tips;
     found.fall = { lost.last_spin, ring_state(load.at(lost.last_spin), question, lost.last_spin) };
     found.reason = fall_sentence(*found.fall);
     return;
   }
   found = searched;
   found.at_terminal = ring_state(load.at(asked), question, asked);
-  found.standing = found.at_terminal->minimum < 0 ? Standing::formal : Standing::full_contact;
+  found.status = found.at_terminal->minimum < 0 ? Status::formal : Status::full_contact;
 }
 
 /// Torques at the spins of the question; NaN without a balance, and the reason of @p found says why.
@@ -229,11 +229,11 @@ void spin_up(const LoadAtSpin &load, const Question &question, Answer &found)
 }
 } // namespace
 
-std::string to_string(Standing standing)
+std::string to_string(Status status)
 {
   static constexpr const char *names[] = { "full contact", "lift-off",   "formal",
                                            "tips",         "no balance", "no terminal spin" };
-  return names[static_cast<std::size_t>(standing)];
+  return names[static_cast<std::size_t>(status)];
 }
 
 RingState ring_state(const LeaningLoad &load, const Question &question, double omega)
@@ -267,11 +267,11 @@ std::optional<double> Answer::time_constant() const
                                                             : std::nullopt;
 }
 
-std::optional<KnownZero> Answer::known_zero() const
+std::optional<ZeroGuess> Answer::zero_guess() const
 {
   if (!terminal || terminal->held || !(terminal->torque_slope < 0) || terminal->omega == 0)
     return std::nullopt;
-  return KnownZero{ terminal->omega, terminal->torque_slope };
+  return ZeroGuess{ terminal->omega, terminal->torque_slope };
 }
 
 bool Answer::pulls() const
@@ -309,19 +309,19 @@ Answer answer(const LoadAtSpin &load, const Question &question)
 Answer failed_answer(const std::exception_ptr &failure, Answer answer)
 {
   answer.failure = failure;
-  answer.standing = Standing::no_balance;
+  answer.status = Status::no_balance;
   try
   {
     std::rethrow_exception(failure);
   }
   catch (const NoTerminalSpin &why)
   {
-    answer.standing = Standing::no_terminal_spin;
+    answer.status = Status::no_terminal_spin;
     answer.reason = why.what();
   }
   catch (const NoBalance &why)
   {
-    answer.standing = why.tips() ? Standing::tips : Standing::no_balance;
+    answer.status = why.tips() ? Status::tips : Status::no_balance;
     answer.reason = why.what();
   }
   catch (const std::exception &why)
@@ -331,7 +331,7 @@ Answer failed_answer(const std::exception_ptr &failure, Answer answer)
   return answer;
 }
 
-Answer related_to_all(Answer answer, const Answer &all, const LoadAtSpin &load, const Motion &motion)
+Answer compared_with_all(Answer answer, const Answer &all, const LoadAtSpin &load, const Motion &motion)
 {
   if (!all.terminal)
     return answer;
@@ -356,7 +356,7 @@ Answer related_to_all(Answer answer, const Answer &all, const LoadAtSpin &load, 
 bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Motion &motion)
 {
   constexpr double negligible = 1e-12; // of the terminal spin
-  const std::optional<KnownZero> zero = all.known_zero();
+  const std::optional<ZeroGuess> zero = all.zero_guess();
   return zero && truncation_bound(motion, all.at_terminal->load, n_harmonics, zero->omega) <
                    negligible * std::abs(zero->slope * zero->omega);
 }
@@ -391,7 +391,7 @@ double grip_torque(double torque, double omega, double grip)
   return -std::copysign(grip, omega);
 }
 
-double against_grip(double torque, double omega, double grip)
+double torque_with_grip(double torque, double omega, double grip)
 {
   return torque + grip_torque(torque, omega, grip);
 }

@@ -28,9 +28,9 @@ struct Question
   double grip_torque = 0.; ///< of the fingers, against the spin [N m]
   /// Nominal radius R of moment ratios [m]; std::nullopt: that of the load's one ring.
   std::optional<double> contact_radius = {};
-  double expected = 0.; ///< initial guess of the terminal spin [rad/s]; 0: that of the load of rest
+  double initial_guess = 0.; ///< initial guess of the terminal spin [rad/s]; 0: that of the load of rest
   /// Terminal spin of a similar load, if it is known.
-  std::optional<KnownZero> near = {};
+  std::optional<ZeroGuess> near = {};
   bool with_slope = false; ///< whether slope and time constant are wanted: they take four more loads
   bool with_minima = true; ///< whether least loads and pulling forces are wanted: they take a while
 
@@ -44,7 +44,7 @@ struct Question
 };
 
 /// State of the ring under a load, or why there is no answer.
-enum class Standing
+enum class Status
 {
   full_contact,    ///< the whole land is under pressure
   lift_off,        ///< a part of the land is not under pressure
@@ -55,7 +55,7 @@ enum class Standing
 };
 
 /// "full contact", "lift-off", "formal", "tips", "no balance", "no terminal spin".
-std::string to_string(Standing standing);
+std::string to_string(Status status);
 
 /// Torques on the glass at one spin, means over the phases; NaN without a balance.
 struct Torques
@@ -88,7 +88,7 @@ struct Fall
 };
 
 /// Answer to a Question: the spin under a load, with these of its harmonics. What does not exist is missing,
-/// and `standing` says why.
+/// and `status` says why.
 struct Answer
 {
   unsigned int harmonics = 0; ///< that act on the ring
@@ -103,11 +103,11 @@ struct Answer
   std::optional<RingState> at_terminal;
   std::optional<Fall> fall; ///< only if the glass stands at rest and tips on its way to a terminal spin
   std::optional<double> band = {}; ///< half-width of the error band of the terminal spin [rad/s]
-  Standing standing = Standing::no_balance;
+  Status status = Status::no_balance;
   std::string reason = {};              ///< why something is missing; empty if nothing is
   std::exception_ptr failure = nullptr; ///< behind the reason; nullptr for a fall
 
-  // Relative to the answer of all harmonics, related_to_all():
+  // Relative to the answer of all harmonics, compared_with_all():
   std::optional<double> relative_change = {}; ///< of the terminal spin; std::nullopt if that of all is 0
   /// A priori, on the change of tau_z at the terminal spin of all harmonics [N m].
   std::optional<double> bound = {};
@@ -128,7 +128,7 @@ struct Answer
   /// I_z / |d tau_z / d omega| at the terminal spin [s]; std::nullopt without one, or if the slope is 0.
   std::optional<double> time_constant() const;
   /// The terminal spin as an initial guess for similar loads; std::nullopt without one, or without a slope.
-  std::optional<KnownZero> known_zero() const;
+  std::optional<ZeroGuess> zero_guess() const;
   /// Returns whether the load is negative somewhere, at rest or at the terminal spin.
   bool pulls() const;
   /// Throws `failure`, if there is one.
@@ -145,7 +145,7 @@ Answer failed_answer(const std::exception_ptr &failure, Answer answer = {});
 /// Relates @p answer, that of the first Answer::harmonics of @p load, to @p all, that of all of them: change
 /// of the terminal spin and a-priori bound. If the phase matters, bound and least load are those of the worst
 /// phase.
-Answer related_to_all(Answer answer, const Answer &all, const LoadAtSpin &load, const Motion &motion);
+Answer compared_with_all(Answer answer, const Answer &all, const LoadAtSpin &load, const Motion &motion);
 
 /// Returns whether the harmonics above @p n_harmonics of the load of @p all change neither torque nor balance
 /// at its terminal spin: by a tenth of the tolerance of the search, as the bound of their torque tells.

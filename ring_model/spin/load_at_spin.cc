@@ -7,11 +7,11 @@ namespace stemware::ring
 namespace
 {
 /// A load without its harmonics above some number.
-class TruncatedLoad : public ChangedLoad
+class TruncatedLoad : public LoadDecorator
 {
 public:
   TruncatedLoad(SharedLoad whole, unsigned int n_harmonics)
-      : ChangedLoad(std::move(whole))
+      : LoadDecorator(std::move(whole))
       , n_kept(n_harmonics)
   {
   }
@@ -27,11 +27,11 @@ private:
 };
 
 /// A load interpolated between samples on an interval of spins.
-class InterpolatedLoad : public ChangedLoad
+class InterpolatedLoad : public LoadDecorator
 {
 public:
   InterpolatedLoad(SharedLoad whole, const SpinCurve &curve, double lower, double upper)
-      : ChangedLoad(std::move(whole))
+      : LoadDecorator(std::move(whole))
       , inside(curve)
       , lower(lower)
       , upper(upper)
@@ -69,7 +69,7 @@ SharedLoad interpolated(const SharedLoad &load, double lower, double upper, doub
   if (!load->is_costly() || !(lower < upper))
     return load;
   CurveSource source = { [&](double omega) { return load->at(omega); },
-                         [&](double omega) { return load->clearance(omega); }, load->known_spins() };
+                         [&](double omega) { return load->lift_off_margin(omega); }, load->known_spins() };
   const auto *other = dynamic_cast<const InterpolatedLoad *>(like);
   if (other && other->at(0., {}).radii() == load->at(0.).radii())
     source.reference = other->polynomial_on(lower, upper);

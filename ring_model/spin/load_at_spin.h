@@ -13,7 +13,7 @@
 namespace stemware::ring
 {
 class LoadAtSpin;
-class PhaseLoads;
+class PhaseSampledLoad;
 
 /// Loads are shared: the balances that one owner finds are known to all.
 using SharedLoad = std::shared_ptr<const LoadAtSpin>;
@@ -37,16 +37,16 @@ public:
   /// Returns whether the load is a pressure, which nowhere pulls.
   virtual bool is_pressure() const { return false; }
   /// nullptr unless the phase matters.
-  virtual const PhaseLoads *phases() const { return nullptr; }
+  virtual const PhaseSampledLoad *phases() const { return nullptr; }
   /// Spins at which the load is known without a contact solution [rad/s], ascending.
   virtual std::vector<double> known_spins() const { return {}; }
   /// Distance of the rim from lift-off at @p omega, one of known_spins(): the least pointwise load over a_0;
   /// after lift-off minus the least load, estimated from the free arc, to which a first harmonic continues.
-  virtual double clearance(double /*omega*/) const { return 1.; }
-  /// SpinSearch::steadiness at @p omega, a spin for which at() has been called; 1 if unknown.
-  virtual double steadiness(double /*omega*/) const { return 1.; }
-  /// SpinSearch::fall_before.
-  virtual std::optional<double> fall_before(double /*omega*/) const { return std::nullopt; }
+  virtual double lift_off_margin(double /*omega*/) const { return 1.; }
+  /// SpinSearch::stability_margin at @p omega, a spin for which at() has been called; 1 if unknown.
+  virtual double stability_margin(double /*omega*/) const { return 1.; }
+  /// SpinSearch::nearest_unbalanced_spin.
+  virtual std::optional<double> nearest_unbalanced_spin(double /*omega*/) const { return std::nullopt; }
   /// Bound on the interpolation error of at() over a_0; std::nullopt if the load is not interpolated.
   virtual std::optional<double> interpolation_error() const { return std::nullopt; }
 
@@ -74,10 +74,10 @@ private:
 };
 
 /// Another load but for what a derived class changes.
-class ChangedLoad : public LoadAtSpin
+class LoadDecorator : public LoadAtSpin
 {
 public:
-  explicit ChangedLoad(SharedLoad whole)
+  explicit LoadDecorator(SharedLoad whole)
       : whole(std::move(whole))
   {
   }
@@ -86,11 +86,14 @@ public:
   double radius() const override { return whole->radius(); }
   bool is_costly() const override { return whole->is_costly(); }
   bool is_pressure() const override { return whole->is_pressure(); }
-  const PhaseLoads *phases() const override { return whole->phases(); }
+  const PhaseSampledLoad *phases() const override { return whole->phases(); }
   std::vector<double> known_spins() const override { return whole->known_spins(); }
-  double clearance(double omega) const override { return whole->clearance(omega); }
-  double steadiness(double omega) const override { return whole->steadiness(omega); }
-  std::optional<double> fall_before(double omega) const override { return whole->fall_before(omega); }
+  double lift_off_margin(double omega) const override { return whole->lift_off_margin(omega); }
+  double stability_margin(double omega) const override { return whole->stability_margin(omega); }
+  std::optional<double> nearest_unbalanced_spin(double omega) const override
+  {
+    return whole->nearest_unbalanced_spin(omega);
+  }
   std::optional<double> interpolation_error() const override { return whole->interpolation_error(); }
 
 protected:

@@ -2,7 +2,7 @@
 
 #include "ring_model/load/require.h"
 #include "ring_model/no_balance.h"
-#include "ring_model/spin/in_digits.h"
+#include "ring_model/spin/to_precision.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -26,7 +26,7 @@ constexpr SampleError largest_allowed = { 3e-2, 0.3 };
 /// Phases of one angle to begin with, alone and together with another, of which each asks for as many again:
 /// the smallest numbers with a half and a quarter that tell their error.
 constexpr unsigned int first_phases = 8, first_phases_of_two = 4;
-constexpr unsigned int most_phases = 128; ///< of one angle
+constexpr unsigned int max_phases = 128; ///< of one angle
 /// Phases of one angle to begin with, of what a spin changes: that depends on the phase much less.
 constexpr unsigned int first_phases_of_change = 4;
 
@@ -40,8 +40,8 @@ void require_resolved(unsigned int n_phases, const SampleError &error)
   if (error.between <= largest_allowed.between && error.mean <= largest_allowed.mean)
     return;
   throw NoBalance(sentence("The load's dependence on the phase of the waviness is not resolved: between ",
-                           n_phases, " phases its torque is off by ", in_digits(error.between, 6),
-                           " mu N R, in the mean by ", in_digits(error.mean, 6),
+                           n_phases, " phases its torque is off by ", to_precision(error.between, 6),
+                           " mu N R, in the mean by ", to_precision(error.mean, 6),
                            "; give more Contact/Azimuth lines, or a smaller waviness."));
 }
 
@@ -75,7 +75,7 @@ std::vector<PhaseSamples> sample(const LoadAtPhase &load, const std::vector<doub
 
 } // namespace
 
-PhaseSamples find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int max_samples)
+PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int max_samples)
 {
   const unsigned int first = periods.glass > 0 && periods.table > 0 ? first_phases_of_two : first_phases;
   PhaseGrids grids = { first_grid(periods.glass, first), first_grid(periods.table, first) };
@@ -85,7 +85,7 @@ PhaseSamples find_phases(const LoadAtPhase &load, const PhasePeriods &periods, u
     const double of_glass = samples.error(&PhaseGrids::glass).mean,
                  of_table = samples.error(&PhaseGrids::table).mean;
     PeriodicGrid &worse = of_glass > of_table ? grids.glass : grids.table;
-    if (of_glass + of_table <= tolerance || worse.size() == most_phases || 2 * grids.size() > max_samples)
+    if (of_glass + of_table <= tolerance || worse.size() == max_phases || 2 * grids.size() > max_samples)
     {
       require_resolved(grids.size(), samples.error());
       return samples;
@@ -94,7 +94,7 @@ PhaseSamples find_phases(const LoadAtPhase &load, const PhasePeriods &periods, u
   }
 }
 
-PhaseSamples PhaseLoads::Samples::at(double omega) const
+PhaseSamples PhaseSampledLoad::Samples::at(double omega) const
 {
   const Eigen::VectorXd weights = spins.weights(omega);
   Eigen::MatrixXd sum = weights(0) * at_nodes.front().columns();
@@ -103,8 +103,9 @@ PhaseSamples PhaseLoads::Samples::at(double omega) const
   return { at_nodes.front().phases(), sum, at_nodes.front().n_rings() };
 }
 
-PhaseLoads::PhaseLoads(LoadAtPhase load_given, const PhasePeriods &periods, const PhaseSamples &at_rest,
-                       const SpinSampling &spins_asked, const PhaseExtremes &extremes)
+PhaseSampledLoad::PhaseSampledLoad(LoadAtPhase load_given, const PhasePeriods &periods,
+                                   const PhaseSamples &at_rest, const SpinSampling &spins_asked,
+                                   const PhaseExtremes &extremes)
     : load(std::move(load_given))
     , phase_periods(periods)
     , at_rest(at_rest)
@@ -114,9 +115,9 @@ PhaseLoads::PhaseLoads(LoadAtPhase load_given, const PhasePeriods &periods, cons
 {
 }
 
-LeaningLoad PhaseLoads::at(double omega, const Orientation &phase) const
+LeaningLoad PhaseSampledLoad::at(double omega, const Orientation &phase) const
 {
-  if (!follows_spin(omega))
+  if (!varies_with_spin(omega))
     return at_rest.at(phase);
   // An integrator asks often: the phases go first, so that no samples are made.
   const Samples &samples = samples_around(omega);
@@ -127,17 +128,17 @@ LeaningLoad PhaseLoads::at(double omega, const Orientation &phase) const
   return LeaningLoad::from_coefficients(sum, samples.at_nodes.front().n_rings());
 }
 
-PhaseSamples PhaseLoads::at_spin(double omega) const
+PhaseSamples PhaseSampledLoad::at_spin(double omega) const
 {
-  return follows_spin(omega) ? samples_around(omega).at(omega) : at_rest;
+  return varies_with_spin(omega) ? samples_around(omega).at(omega) : at_rest;
 }
 
-std::pair<SpinInterval, double> PhaseLoads::find_spins(long interval) const
+std::pair<ChebyshevInterval, double> PhaseSampledLoad::find_spins(long interval) const
 {
   // How the load depends on the spin is much the same at every phase: one decides on the spins.
   const PhaseGrids one_phase = { first_grid(0, 1), first_grid(0, 1) };
   const double lower = static_cast<double>(interval) * spins_asked.unit;
-  SpinInterval spins(lower, lower + spins_asked.unit, 2);
+  ChebyshevInterval spins(lower, lower + spins_asked.unit, 2);
   for (double error_before = std::numeric_limits<double>::infinity();;)
   {
     const Samples samples = { spins, sample(load, spins.nodes(), one_phase) };
@@ -147,14 +148,14 @@ std::pair<SpinInterval, double> PhaseLoads::find_spins(long interval) const
         std::max(error, torque_difference(samples.at(omega).sample(0), load(omega, one_phase.phase(0))));
     const bool pays = error > largest_allowed.mean || error < error_before / 3;
     if (error <= std::max(tolerance, at_rest.error().mean) || !pays ||
-        2 * (spins.size() - 1) > spins_asked.most_steps)
+        2 * (spins.size() - 1) > spins_asked.max_steps)
       return { spins, error };
     error_before = error;
     spins = spins.refined();
   }
 }
 
-const PhaseLoads::Samples &PhaseLoads::samples_around(double omega) const
+const PhaseSampledLoad::Samples &PhaseSampledLoad::samples_around(double omega) const
 {
   const auto interval = static_cast<long>(std::floor(omega / spins_asked.unit));
   const auto known = intervals.find(interval);
@@ -174,7 +175,7 @@ const PhaseLoads::Samples &PhaseLoads::samples_around(double omega) const
   }
 }
 
-PhaseSamples PhaseLoads::changed(const PhaseGrids &grids, const Eigen::MatrixXd &changes) const
+PhaseSamples PhaseSampledLoad::changed(const PhaseGrids &grids, const Eigen::MatrixXd &changes) const
 {
   Eigen::MatrixXd columns = at_rest.columns();
   for (unsigned int i = 0; i < phases().size(); ++i)
@@ -182,7 +183,7 @@ PhaseSamples PhaseLoads::changed(const PhaseGrids &grids, const Eigen::MatrixXd 
   return { phases(), columns, at_rest.n_rings() };
 }
 
-std::pair<PhaseGrids, SampleError> PhaseLoads::find_phases_of_change(double omega) const
+std::pair<PhaseGrids, SampleError> PhaseSampledLoad::sample_phases_of_change(double omega) const
 {
   const auto first = [](const PeriodicGrid &grid) { return grid.coarsened(first_phases_of_change); };
   PhaseGrids grids = { first(phases().glass), first(phases().table) };
@@ -201,8 +202,8 @@ std::pair<PhaseGrids, SampleError> PhaseLoads::find_phases_of_change(double omeg
   }
 }
 
-std::vector<Eigen::MatrixXd> PhaseLoads::changes_from_rest(const std::vector<double> &omegas,
-                                                           const PhaseGrids &grids) const
+std::vector<Eigen::MatrixXd> PhaseSampledLoad::changes_from_rest(const std::vector<double> &omegas,
+                                                                 const PhaseGrids &grids) const
 {
   Eigen::MatrixXd rest(at_rest.columns().rows(), grids.size());
   for (unsigned int i = 0; i < grids.size(); ++i)
@@ -213,11 +214,11 @@ std::vector<Eigen::MatrixXd> PhaseLoads::changes_from_rest(const std::vector<dou
   return changes;
 }
 
-PhaseLoads::Samples PhaseLoads::samples_of(long interval) const
+PhaseSampledLoad::Samples PhaseSampledLoad::samples_of(long interval) const
 {
   const auto [spins, between_spins] = find_spins(interval);
   const unsigned int farther = interval < 0 ? 0 : spins.size() - 1; // from rest
-  const auto [grids, of_change] = find_phases_of_change(spins.node(farther));
+  const auto [grids, of_change] = sample_phases_of_change(spins.node(farther));
   require_resolved(phases().size(),
                    { at_rest.error().mean + of_change.mean, at_rest.error().between + of_change.between });
   Samples samples = { spins, {} };
@@ -233,10 +234,10 @@ PhaseLoads::Samples PhaseLoads::samples_of(long interval) const
   return samples;
 }
 
-double PhaseLoads::error_of_halved_spins(const Samples &samples) const
+double PhaseSampledLoad::error_of_halved_spins(const Samples &samples) const
 {
   const unsigned int n = samples.spins.size();
-  Samples half = { SpinInterval(samples.spins.node(0), samples.spins.node(n - 1), (n - 1) / 2), {} };
+  Samples half = { ChebyshevInterval(samples.spins.node(0), samples.spins.node(n - 1), (n - 1) / 2), {} };
   for (unsigned int k = 0; k < n; k += 2)
     half.at_nodes.push_back(samples.at_nodes[k]);
   double error = 0;
@@ -246,7 +247,7 @@ double PhaseLoads::error_of_halved_spins(const Samples &samples) const
   return error;
 }
 
-std::pair<double, double> PhaseLoads::known_around(double omega) const
+std::pair<double, double> PhaseSampledLoad::polynomial_range(double omega) const
 {
   if (!(spins_asked.unit > 0))
     return { -HUGE_VAL, HUGE_VAL };
@@ -255,7 +256,7 @@ std::pair<double, double> PhaseLoads::known_around(double omega) const
   return { lower, lower + spins_asked.unit * (1 - 1e-9) };
 }
 
-std::vector<RingStack> PhaseLoads::samples(double omega) const
+std::vector<RingStack> PhaseSampledLoad::samples(double omega) const
 {
   const PhaseSamples at = at_spin(omega);
   std::vector<RingStack> all;
@@ -264,7 +265,7 @@ std::vector<RingStack> PhaseLoads::samples(double omega) const
   return all;
 }
 
-std::size_t PhaseLoads::n_spins() const
+std::size_t PhaseSampledLoad::n_spins() const
 {
   std::size_t n = 1;
   for (const auto &[interval, samples] : intervals)

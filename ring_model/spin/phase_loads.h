@@ -18,13 +18,13 @@ using LoadAtPhase = std::function<LeaningLoad(double omega, const Orientation &p
 /// which half of them have a mean farther off, until the mean of half is within 1e-5,
 /// PhaseSamples::error(); at most 128 in each angle and @p max_samples together. Throws NoBalance, with a
 /// sentence, where the error of the mean stays above 3e-2 or that between phases above 0.3.
-PhaseSamples find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int max_samples);
+PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int max_samples);
 
 /// Sampling of a load that depends on the spin.
 struct SpinSampling
 {
   double unit = 0; ///< length of the intervals of spins, which begin at 0 [rad/s]; 0: no dependence
-  unsigned int most_steps = 16; ///< on an interval, a power of two
+  unsigned int max_steps = 16; ///< on an interval, a power of two
 };
 
 /// The worst of all sampled phases, at rest.
@@ -38,14 +38,14 @@ struct PhaseExtremes
 /// a grid of phases; what the spin changes is sampled at some of these phases and, interval by interval as
 /// spins are asked for, on Chebyshev points; interpolated in between, trigonometrically in the phases and by
 /// polynomials in the spin.
-class PhaseLoads
+class PhaseSampledLoad
 {
 public:
   /// @p load is kept.
-  PhaseLoads(LoadAtPhase load, const PhasePeriods &periods, const PhaseSamples &at_rest,
-             const SpinSampling &spins = {}, const PhaseExtremes &extremes = {});
+  PhaseSampledLoad(LoadAtPhase load, const PhasePeriods &periods, const PhaseSamples &at_rest,
+                   const SpinSampling &spins = {}, const PhaseExtremes &extremes = {});
 
-  /// Throws NoBalance, as find_phases(), where the samples round @p omega leave as large an error.
+  /// Throws NoBalance, as sample_phases(), where the samples round @p omega leave as large an error.
   LeaningLoad at(double omega, const Orientation &phase) const;
 
   /// Mean over all phases. It carries the mean moment.
@@ -56,7 +56,7 @@ public:
 
   /// Returns the spins [rad/s] between which at() is one polynomial of the same samples as at @p omega:
   /// without bounds if the load does not depend on the spin.
-  std::pair<double, double> known_around(double omega) const;
+  std::pair<double, double> polynomial_range(double omega) const;
 
   /// The loads at all sampled phases.
   std::vector<RingStack> samples(double omega) const;
@@ -76,22 +76,22 @@ private:
   {
     PhaseSamples at(double omega) const;
 
-    SpinInterval spins;
+    ChebyshevInterval spins;
     std::vector<PhaseSamples> at_nodes; ///< of the spins
   };
 
-  bool follows_spin(double omega) const { return spins_asked.unit > 0 && omega != 0; }
+  bool varies_with_spin(double omega) const { return spins_asked.unit > 0 && omega != 0; }
   PhaseSamples at_spin(double omega) const;
   /// Spins of an interval, as many as it takes, and the error between them, torque_difference(); where the
   /// load has kinks in the spin, as many as it takes below 3e-2 until twice as many leave over a third of it.
-  std::pair<SpinInterval, double> find_spins(long interval) const;
+  std::pair<ChebyshevInterval, double> find_spins(long interval) const;
   /// Changes that the spins @p omegas make in the loads at rest, at the phases of @p grids: a matrix for each
   /// spin, with a column for each phase.
   std::vector<Eigen::MatrixXd> changes_from_rest(const std::vector<double> &omegas,
                                                  const PhaseGrids &grids) const;
   /// Some of phases(), as many as it takes to know what the spin @p omega changes in the mean, and the error
   /// that they leave of that change.
-  std::pair<PhaseGrids, SampleError> find_phases_of_change(double omega) const;
+  std::pair<PhaseGrids, SampleError> sample_phases_of_change(double omega) const;
   /// The loads at rest and, interpolated between the phases of @p grids, @p changes: a column for each.
   PhaseSamples changed(const PhaseGrids &grids, const Eigen::MatrixXd &changes) const;
   const Samples &samples_around(double omega) const;

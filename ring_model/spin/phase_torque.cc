@@ -17,7 +17,7 @@ PhaseTorque::PhaseTorque(const LoadAtSpin &load, const Motion &motion, double mi
   // A ring's kink at v / R may lie within reach, but not next to the spins that the glass turns with.
   constexpr unsigned int max_trials = 3;
   // Beyond the spins that the load is known between it would take contact solutions, and has a kink.
-  const auto [slowest, fastest] = load.phases()->known_around(middle);
+  const auto [slowest, fastest] = load.phases()->polynomial_range(middle);
   for (unsigned int trial = 0; trial < max_trials && !spins; ++trial, reach /= 2)
   {
     lower = std::max(middle - reach, slowest);
@@ -30,7 +30,7 @@ PhaseTorque::PhaseTorque(const LoadAtSpin &load, const Motion &motion, double mi
 void PhaseTorque::tabulate(double tolerance)
 {
   constexpr unsigned int first_steps = 4, max_steps = 16;
-  SpinInterval tried(lower, upper, first_steps);
+  ChebyshevInterval tried(lower, upper, first_steps);
   Eigen::MatrixXd torques = at_phases(tried.nodes());
   while (true)
   {

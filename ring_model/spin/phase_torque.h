@@ -19,7 +19,7 @@ class PhaseTorque
 {
 public:
   /// Tabulates the torque of @p load, which has phases(), at spins up to @p reach [rad/s] from @p middle, as
-  /// far as the load is known around it (PhaseLoads::known_around()).
+  /// far as the load is known around it (PhaseSampledLoad::polynomial_range()).
   /// If polynomials leave more than @p tolerance [N m], as across the spin v / R of a ring, at which the
   /// torque has a kink, half of @p reach is tried, and a quarter; then there is no table. @p load and @p
   /// motion are kept by reference.
@@ -42,7 +42,7 @@ private:
   const Motion &motion;
   const PhaseGrids &grids;
   double lower = 0., upper = 0.; ///< spins of the table
-  std::optional<SpinInterval> spins;
+  std::optional<ChebyshevInterval> spins;
   Eigen::MatrixXd table; ///< [number of phases, number of spins]
 };
 

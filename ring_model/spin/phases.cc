@@ -57,7 +57,7 @@ Eigen::VectorXd PeriodicGrid::weights(double angle) const
   return values / values.sum();
 }
 
-SpinInterval::SpinInterval(double lower, double upper, unsigned int n_steps)
+ChebyshevInterval::ChebyshevInterval(double lower, double upper, unsigned int n_steps)
     : lower(lower)
     , upper(upper)
     , n_steps(n_steps)
@@ -66,19 +66,19 @@ SpinInterval::SpinInterval(double lower, double upper, unsigned int n_steps)
     throw std::logic_error("an interval of spins has two ends and at least one step");
 }
 
-double SpinInterval::at(double place) const
+double ChebyshevInterval::at(double place) const
 {
   const double share = (1 - std::cos(pi * place / n_steps)) / 2;
   return lower * (1 - share) + upper * share;
 }
 
-Eigen::VectorXd SpinInterval::weights(double omega) const
+Eigen::VectorXd ChebyshevInterval::weights(double omega) const
 {
   const std::vector<double> spins = nodes();
   return lagrange_values(Eigen::Map<const Eigen::VectorXd>(spins.data(), size()), omega);
 }
 
-std::vector<double> SpinInterval::nodes() const
+std::vector<double> ChebyshevInterval::nodes() const
 {
   std::vector<double> spins;
   for (unsigned int i = 0; i < size(); ++i)
@@ -86,7 +86,7 @@ std::vector<double> SpinInterval::nodes() const
   return spins;
 }
 
-std::vector<double> SpinInterval::between() const
+std::vector<double> ChebyshevInterval::between() const
 {
   std::vector<double> spins;
   for (unsigned int k = 0; k < n_steps; ++k)

@@ -53,11 +53,11 @@ private:
 
 /// Chebyshev points on an interval of spins, both ends included, with the polynomial interpolation between
 /// them.
-class SpinInterval
+class ChebyshevInterval
 {
 public:
   /// n_steps + 1 points on [lower, upper] [rad/s].
-  SpinInterval(double lower, double upper, unsigned int n_steps);
+  ChebyshevInterval(double lower, double upper, unsigned int n_steps);
 
   unsigned int size() const { return n_steps + 1; }
   double node(unsigned int i) const { return at(i); }
@@ -67,7 +67,7 @@ public:
 
   /// The points halfway between the nodes: what refined() adds.
   std::vector<double> between() const;
-  SpinInterval refined() const { return SpinInterval(lower, upper, 2 * n_steps); }
+  ChebyshevInterval refined() const { return ChebyshevInterval(lower, upper, 2 * n_steps); }
 
 private:
   double at(double place) const;

@@ -16,7 +16,7 @@ namespace stemware::ring
 namespace
 {
 
-constexpr std::size_t most_nodes = 17; ///< of a piece
+constexpr std::size_t max_nodes = 17; ///< of a piece
 
 Eigen::VectorXd row_of(const LeaningLoad &load, unsigned int n_harmonics)
 {
@@ -63,8 +63,8 @@ LeaningLoad SpinCurve::Piece::at(double x) const
 
 double SpinCurve::Piece::error() const
 {
-  constexpr std::size_t least_nodes = 4; // of which two have told
-  return nodes.size() < least_nodes ? std::numeric_limits<double>::infinity() : estimate;
+  constexpr std::size_t min_nodes = 4; // of which two have told
+  return nodes.size() < min_nodes ? std::numeric_limits<double>::infinity() : estimate;
 }
 
 SpinCurve::SpinCurve(const CurveSource &source, double lower, double upper, const CurveTolerance &tolerance)
@@ -88,9 +88,9 @@ SpinCurve::SpinCurve(const CurveSource &source, double lower, double upper, cons
     const double allowed = n_new < tolerance.usual_samples       ? tolerance.wanted
                            : n_new < 4 * tolerance.usual_samples ? tolerance.enough
                                                                  : tolerance.coarsest;
-    if (worst->error() <= allowed || n_new >= tolerance.most_samples)
+    if (worst->error() <= allowed || n_new >= tolerance.max_samples)
       return;
-    if (worst->nodes.size() < most_nodes)
+    if (worst->nodes.size() < max_nodes)
     {
       refine(source, *worst);
       continue;
@@ -132,11 +132,11 @@ const LeaningLoad &SpinCurve::sample(const CurveSource &source, double x)
 
 void SpinCurve::find_kinks(const CurveSource &source)
 {
-  if (!source.clearance)
+  if (!source.lift_off_margin)
     return;
   std::vector<std::pair<double, double>> known;
   for (const auto &[x, load] : samples)
-    known.emplace_back(x, source.clearance(x));
+    known.emplace_back(x, source.lift_off_margin(x));
   const double range = known.back().first - known.front().first;
   for (std::size_t i = 0; i + 1 < known.size(); ++i)
   {
@@ -144,16 +144,16 @@ void SpinCurve::find_kinks(const CurveSource &source)
     const auto &[right, at_right] = known[i + 1];
     if ((at_left < 0) == (at_right < 0))
       continue;
-    const auto clearance = [&](double x)
+    const auto lift_off_margin = [&](double x)
     {
       sample(source, x);
-      return source.clearance(x);
+      return source.lift_off_margin(x);
     };
     // An error d of the place is one of about d^(3/2) of the load.
     constexpr double accuracy = 1e-5;
     std::uintmax_t n_most = 7;
     const auto [below, above] = boost::math::tools::toms748_solve(
-      clearance, left, right, at_left, at_right,
+      lift_off_margin, left, right, at_left, at_right,
       [=](double one, double other) { return std::abs(other - one) < accuracy * range; }, n_most);
     kinks.push_back((below + above) / 2);
   }

@@ -21,7 +21,7 @@ struct CurveSource
   LoadFunction load;
   /// Positive where the rim carries load all round, negative where it has lifted off in part; changes sign
   /// where it begins to. Asked only where the load is known. Empty: the rim never lifts off.
-  std::function<double(double x)> clearance = {};
+  std::function<double(double x)> lift_off_margin = {};
   std::vector<double> known = {}; ///< where the load costs nothing, ascending
   /// A load that is known everywhere and differs from this one by less than that varies, of the same rings:
   /// the difference is interpolated. Empty: the load itself is.
@@ -33,9 +33,9 @@ struct CurveTolerance
 {
   double wanted = 1e-6;   ///< with up to `usual_samples`
   double enough = 2e-5;   ///< with up to four times as many
-  double coarsest = 1e-3; ///< with `most_samples`
+  double coarsest = 1e-3; ///< with `max_samples`
   std::size_t usual_samples = 20;
-  std::size_t most_samples = 200;
+  std::size_t max_samples = 200;
 };
 
 /// A load interpolated between samples, piece by piece: a new piece begins where the rim lifts off, and where

@@ -41,9 +41,9 @@ struct Case
   FootResolution resolution;
   ContactDemand demand;
   stemware::ring::Slip slip = { 10, {} };
-  unsigned int most_refinements = 2;
+  unsigned int max_refinements = 2;
   unsigned int n_meshes = 6;
-  unsigned int most_unknowns = 2000000;
+  unsigned int max_unknowns = 2000000;
   double share = 0.8;
   std::optional<double> exact;
 };
@@ -92,11 +92,11 @@ Case read_case(int argc, char **argv)
   Case study;
   const std::vector<unsigned int> cells = values.counts("cells");
   study.resolution = { cells.at(0), cells.at(1), cells.at(2), values.count("refinements") };
-  study.most_refinements = values.count("uniform");
+  study.max_refinements = values.count("uniform");
   study.n_meshes = values.count("meshes");
   study.of_spin = values.text("goal") == "spin";
   study.study = read_study(values);
-  study.most_unknowns = values.count("most");
+  study.max_unknowns = values.count("most");
   study.share = values.number("share");
   if (!values.text("exact").empty())
     study.exact = values.number("exact");
@@ -220,13 +220,13 @@ void run(const Case &study)
   FootResolution resolution = study.resolution;
   // Without a refined mesh a hard table has no estimate.
   for (resolution.refinements = study.solid.table.interface->is_hard();
-       resolution.refinements <= study.most_refinements; ++resolution.refinements)
+       resolution.refinements <= study.max_refinements; ++resolution.refinements)
     solve_on(generate_solid_mesh(study.solid.profile, resolution), study, exact, "uniform",
-             resolution.refinements < std::min(2u, study.most_refinements));
+             resolution.refinements < std::min(2u, study.max_refinements));
   SolidMesh mesh = generate_solid_mesh(study.solid.profile, study.resolution);
   for (unsigned int n = 0; n < study.n_meshes; ++n)
   {
-    if (mesh.triangulation->n_global_active_cells() * 24 > study.most_unknowns)
+    if (mesh.triangulation->n_global_active_cells() * 24 > study.max_unknowns)
       break;
     const MeshError error = solve_on(mesh, study, exact, "adaptive", true);
     halve(mesh, error.mark(study.share));

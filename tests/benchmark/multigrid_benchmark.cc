@@ -128,14 +128,14 @@ void run(const Case &study)
   SolidBody body(mesh, glass, gap, study.options);
   const double n = body.n_unknowns();
   say("{} unknowns, {} contact nodes, {} lanes, {:.2f} s for the set-up\n", body.n_unknowns(),
-      body.contact_surface().n_nodes_of_whole(), n_simd_lanes(), timer.wall_time());
+      body.contact_surface().n_global_nodes(), n_simd_lanes(), timer.wall_time());
 
   timer.restart();
   const std::optional<ContactStart> start =
     start_from_coarser_mesh(body, *study.interface, study.softening, study.load, radius);
   const double coarse_seconds = timer.wall_time();
   const auto law = study.interface->make(body.contact_surface(), 0);
-  ContactControl control = study.softening == 1 ? ContactControl() : control_of_spring();
+  ContactControl control = study.softening == 1 ? ContactControl() : penalty_control();
   control.progress = [](const ContactIteration &step)
   {
     say("  step {}: {} loaded, {} changed, residual {:.1e}, length {:.2f}, {} iterations\n", step.number,

@@ -41,7 +41,7 @@ TEST(AskedAnswer, HasTheTerminalSpinOfTheClosedForm)
   const TerminalSpin exact = ring.terminal_spin();
   EXPECT_NEAR(found.terminal->omega, exact.omega, 1e-10);
   EXPECT_NEAR(*found.time_constant(), exact.time_constant, 1e-5 * exact.time_constant);
-  EXPECT_EQ(found.standing, Standing::full_contact);
+  EXPECT_EQ(found.status, Status::full_contact);
   EXPECT_EQ(found.harmonics, 1u);
   ASSERT_EQ(found.torques.size(), 2u);
   EXPECT_NEAR(found.torques[0].torque(), ring.torque(0), 1e-16);
@@ -87,7 +87,7 @@ TEST(AskedAnswer, AFallKeepsItsLastSpin)
       return ring.load(omega);
     });
   const Answer found = answer(load, { motion });
-  EXPECT_EQ(found.standing, Standing::tips);
+  EXPECT_EQ(found.status, Status::tips);
   EXPECT_FALSE(found.terminal);
   EXPECT_FALSE(found.failure); // an answer
   ASSERT_TRUE(found.fall);
@@ -104,7 +104,7 @@ TEST(AskedAnswer, ALoadThatFailsHasAReason)
       return RingStack::first_harmonic(3., { 0.01, 0 }, radius);
     });
   const Answer found = answer(load, { Motion() });
-  EXPECT_EQ(found.standing, Standing::no_balance);
+  EXPECT_EQ(found.status, Status::no_balance);
   EXPECT_TRUE(found.at_rest);
   EXPECT_NE(found.reason.find("none"), std::string::npos);
   EXPECT_THROW(found.value(), NoBalance);
@@ -117,7 +117,7 @@ TEST(AskedAnswer, ATruncatedLoadLosesHarmonicsAlone)
   const Answer all = answer(*load, { Motion() }), one = answer(*truncated(load, 1), { Motion() });
   EXPECT_EQ(all.harmonics, 2u);
   EXPECT_EQ(one.harmonics, 1u);
-  const Answer related = related_to_all(one, all, *load, Motion());
+  const Answer related = compared_with_all(one, all, *load, Motion());
   EXPECT_NEAR(*related.relative_change, one.terminal->omega / all.terminal->omega - 1, 1e-15);
   // The bound holds for the change of the torque.
   const double omega = all.terminal->omega;

@@ -264,8 +264,8 @@ TEST(SpinSearch, FindsWhereTheBalanceIsLostBeforeADistantZero)
 
 TEST(SpinSearch, FindsANarrowGapByTheSteadiness)
 {
-  // A balance that ends in a fold: the steadiness is the root of the distance to it, in one direction after
-  // the other.
+  // A balance that ends in a fold: the stability margin is the root of the distance to it, in one direction
+  // after the other.
   const double middle = 0.7;
   const auto square = [=](double omega, double least)
   { return std::min(1., least + 2. * std::pow(omega - middle, 2)); };
@@ -280,7 +280,7 @@ TEST(SpinSearch, FindsANarrowGapByTheSteadiness)
         return sense - omega;
       };
       SpinSearch search{ 1., 0.99 * sense };
-      search.steadiness = [=](double omega) { return std::sqrt(square(sense * omega, least)); };
+      search.stability_margin = [=](double omega) { return std::sqrt(square(sense * omega, least)); };
       try
       {
         find_terminal_spin(torque, search);
@@ -302,7 +302,7 @@ TEST(SpinSearch, PassesByASpinOfLittleSteadiness)
   for (const double least : { 1e-4, 1e-2, 0.1 })
   {
     SpinSearch search{ 1., 0.99 };
-    search.steadiness = [=](double omega)
+    search.stability_margin = [=](double omega)
     { return std::sqrt(std::min(1., least + 4. * std::pow(omega - 0.7, 2))); };
     const SpinZero zero = find_terminal_spin(torque, search);
     EXPECT_NEAR(zero.omega, 1., 1e-12);

@@ -58,7 +58,7 @@ TEST(HalfSpace, SinksInUnderRingsOfPressureAsBoussinesqs)
   const Band whole = { 0.028, 0.032 }, inner = { 0.028, 0.03 }, outer = { 0.03, 0.032 };
   for (const unsigned int n : { 2u, 3u, 6u, 16u, 24u })
   {
-    const Eigen::MatrixXd &normal = n == 24 ? disc.beyond.normal : disc.harmonics[n].normal;
+    const Eigen::MatrixXd &normal = n == 24 ? disc.tail.normal : disc.harmonics[n].normal;
     for (const auto &[loaded, seen] : { std::pair(whole, whole), { inner, outer }, { outer, inner } })
       EXPECT_NEAR(nodes_of(disc, seen).dot(normal * nodes_of(disc, loaded)) /
                     normal_compliance(n, loaded, seen, wood),

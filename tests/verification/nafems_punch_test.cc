@@ -235,8 +235,8 @@ ContactCompliance axisymmetric_compliance(const MeridianSpace &space)
   compliance.radii.resize(space.n_contact_nodes());
   for (unsigned int i = 0; i < space.n_contact_nodes(); ++i)
     compliance.radii(i) = space.contact_radius(i);
-  compliance.beyond = MeridianSpace::Compliances(space, 0, 0, space.n_contact_nodes())(0);
-  compliance.harmonics = { compliance.beyond, compliance.beyond };
+  compliance.tail = MeridianSpace::Compliances(space, 0, 0, space.n_contact_nodes())(0);
+  compliance.harmonics = { compliance.tail, compliance.tail };
   return compliance;
 }
 
@@ -283,7 +283,7 @@ private:
 
     ContactControl control;
     control.tolerance = 1e-10;
-    control.set_matters = interface.is_hard();
+    control.requires_unchanged_set = interface.is_hard();
     const auto law = interface.make(body.contact_surface(), 1e14);
     const ContactSolution solution =
       solve_contact(body, *law, Resultants{ parameters.normal_force(), 0, 0 }, punch_radius, control);

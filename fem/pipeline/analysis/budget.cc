@@ -38,8 +38,8 @@ void add_row(const ChainStep &step, const std::string &name, const Study &study,
     added.difference = *added.omega_terminal - *rows.back().omega_terminal + 0.; // no -0
   for (std::size_t i = 0; i < row.torques.size(); ++i)
     added.torques.at(i) = unless_nan(row.torques[i].friction.torque);
-  added.standing = row.terminal && row.pulls() ? ring::Standing::formal : row.standing;
-  added.reason = row.reason.empty() ? held_by_the_grip(study, row) : row.reason;
+  added.status = row.terminal && row.pulls() ? ring::Status::formal : row.status;
+  added.reason = row.reason.empty() ? grip_holds_note(study, row) : row.reason;
   rows.push_back(added);
 }
 
@@ -49,7 +49,7 @@ WithoutRow judge_without(const LoadedRow &solved, const ring::Answer &complete)
   WithoutRow row = { variant.name, answer.omega_terminal() };
   if (row.omega_terminal && complete.terminal)
     row.difference = *row.omega_terminal - complete.terminal->omega;
-  row.reason = answer.reason.empty() ? held_by_the_grip(variant.study, answer) : answer.reason;
+  row.reason = answer.reason.empty() ? grip_holds_note(variant.study, answer) : answer.reason;
   return row;
 }
 
@@ -115,7 +115,7 @@ std::vector<Variant> budget_variants(const Study &study, bool depends_on_phase)
   return variants;
 }
 
-std::vector<BudgetRow> judge_chain(const Study &study, const StudyRows &solved)
+std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
 {
   std::vector<BudgetRow> rows;
   for (const auto &[variant, answer, load] : solved.others)
@@ -138,8 +138,8 @@ std::vector<BudgetRow> judge_chain(const Study &study, const StudyRows &solved)
   BudgetRow &all = rows.back();
   all.harmonics.reset();
   // The series of a pressure that ends somewhere dips below zero there; the pressure does not.
-  if (study.load.is_from_contact() && all.standing == ring::Standing::formal)
-    all.standing = ring::Standing::lift_off;
+  if (study.load.is_from_contact() && all.status == ring::Status::formal)
+    all.status = ring::Status::lift_off;
   return rows;
 }
 
@@ -174,7 +174,7 @@ Budget find_budget(const Study &study, StudyRows rows, const Executor &executor)
   torques.front() = *all.at_rest;
   if (all.at_terminal)
     torques.back() = *all.at_terminal;
-  budget.rows = judge_chain(study, rows);
+  budget.rows = assess_chain(study, rows);
   budget.harmonics =
     harmonic_effect(rows.by_harmonics.front().row.omega_terminal(), terminal, spin_scale(study));
   return budget;

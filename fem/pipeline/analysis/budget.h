@@ -36,9 +36,9 @@ struct BudgetRow
   std::optional<double> omega_terminal = {};  ///< [rad/s]
   std::optional<double> difference = {};      ///< of the terminal spin to that of the row above [rad/s]
   std::optional<double> band = {};            ///< half-width, of the terminal spin: add_bands() [rad/s]
-  std::array<std::optional<double>, 3> torques = {};    ///< friction's tau_z at Budget::shown_spins [N m]
-  ring::Standing standing = ring::Standing::no_balance; ///< formal where lambda < 0 somewhere
-  std::string reason = {};                              ///< why something is missing; empty where nothing is
+  std::array<std::optional<double>, 3> torques = {}; ///< friction's tau_z at Budget::shown_spins [N m]
+  ring::Status status = ring::Status::no_balance;    ///< formal where lambda < 0 somewhere
+  std::string reason = {};                           ///< why something is missing; empty where nothing is
 };
 
 /// The complete model with one of its effects left out.
@@ -94,7 +94,7 @@ std::vector<Variant> budget_variants(const Study &study, bool depends_on_phase);
 
 /// The chain of models: the rows of model_chain() among @p rows.others, then those by harmonics, with the
 /// torques that their answers have.
-std::vector<BudgetRow> judge_chain(const Study &study, const StudyRows &rows);
+std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &rows);
 
 /// The budget from what is known: @p rows are rows_by_harmonics() with the answers to budget_variants()
 /// beside them. Torques are asked of their loads. A row that failed says why.

@@ -22,7 +22,7 @@ double half_range(const std::vector<double> &values)
   return (*most - *least) / 2;
 }
 
-std::vector<double> torques_at(double omega, const ring::PhaseLoads &loads, const ring::Motion &motion)
+std::vector<double> torques_at(double omega, const ring::PhaseSampledLoad &loads, const ring::Motion &motion)
 {
   std::vector<double> torques;
   for (const ring::RingStack &load : loads.samples(omega))
@@ -30,7 +30,8 @@ std::vector<double> torques_at(double omega, const ring::PhaseLoads &loads, cons
   return torques;
 }
 
-PhaseStudy study_phases(const ring::PhaseLoads &loads, const ring::Answer &row, const ring::Motion &motion)
+PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const ring::Answer &row,
+                        const ring::Motion &motion)
 {
   PhaseStudy study;
   study.spin_ripple = row.ripple;
@@ -113,12 +114,12 @@ std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow>
   if (last == 0) // it falls over as soon as it turns
     last = 1e-3 * spin_unit(study);
   int first = -n_intervals / 8;
-  if (const ring::PhaseLoads *phases = rows.back().load->phases())
+  if (const ring::PhaseSampledLoad *phases = rows.back().load->phases())
   {
     // Spins without samples yet take as many contacts as the answer: the curve ends with the samples round
     // the terminal spin, if they reach beyond it.
     constexpr double beyond = 1.1;
-    const auto [lower, upper] = phases->known_around(all.last_spin().value_or(0));
+    const auto [lower, upper] = phases->polynomial_range(all.last_spin().value_or(0));
     const double terminal = all.last_spin().value_or(0), end = std::clamp(last, lower, upper);
     if (std::abs(end) > beyond * std::abs(terminal))
       last = end;
@@ -229,16 +230,16 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   if (const std::optional<Variant> one_ring = variant_on_one_ring(study); one_ring && depth == Depth::full)
     others.push_back(*one_ring);
   // The curve may meet a fall that the search has stepped over, and that of the next one another.
-  constexpr unsigned int most_falls = 8;
+  constexpr unsigned int max_falls = 8;
   StudyRows solved;
   std::vector<double> shown;
   LoadedRow all;
-  for (unsigned int i = 0; i <= most_falls; ++i)
+  for (unsigned int i = 0; i <= max_falls; ++i)
   {
     solved = rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth, others);
     shown = shown_spins(study, solved.by_harmonics);
-    all = with_curve(solved.by_harmonics.back(), shown.front(), shown.back());
-    if (!load.fall_before(all.row.last_spin().value_or(0)))
+    all = with_interpolated_load(solved.by_harmonics.back(), shown.front(), shown.back());
+    if (!load.nearest_unbalanced_spin(all.row.last_spin().value_or(0)))
       break;
   }
   solved.by_harmonics.back() = all;
@@ -261,8 +262,8 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     if (i == 0)
       of_all = curves_of(study, all, shown, study.motion.euler_step, !is_slow);
     else if (solved.by_harmonics.size() > 1)
-      of_first =
-        curves_of(study, first = with_curve(first, shown.front(), shown.back(), all.load.get()), shown);
+      of_first = curves_of(
+        study, first = with_interpolated_load(first, shown.front(), shown.back(), all.load.get()), shown);
   };
   executor.for_each(2, find_curves, is_collective(study));
   of_all.value(); // a spin-up that is lost is no answer

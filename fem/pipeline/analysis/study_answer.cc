@@ -69,7 +69,7 @@ StudyAnswer answer_study(const Study &given, Depth depth, const Executor &execut
   progress.stage_done("report_of_contact");
 
   // 2. Fields, and meanwhile what the discretisation leaves open.
-  const std::shared_ptr<const ElasticFoot> of_fields = foot && with_fields ? foot->twin() : nullptr;
+  const std::shared_ptr<const ElasticFoot> of_fields = foot && with_fields ? foot->clone() : nullptr;
   const auto find = [&](std::size_t i)
   {
     if (i == 0 && of_fields && answer.contact.foot)
@@ -81,7 +81,7 @@ StudyAnswer answer_study(const Study &given, Depth depth, const Executor &execut
   executor.for_each(depth == Depth::full ? 2 : 1, find, is_collective(answer.study));
   if (depth == Depth::full)
   {
-    take_reported_numbers(answer.contact.load, answer.spin.budget, answer.bands);
+    use_reported_values(answer.contact.load, answer.spin.budget, answer.bands);
     add_bands(band_of(answer.bands, "omega_terminal"), band_of(answer.bands, "omega_first_harmonic"),
               answer.spin.budget.rows);
   }

@@ -13,7 +13,7 @@
 namespace stemware::pipeline
 {
 
-/// Answer of `run`, whose document tabulate() makes.
+/// Answer of `run`, whose document make_document() makes.
 struct StudyAnswer
 {
   Study study; ///< on the mesh for its goal

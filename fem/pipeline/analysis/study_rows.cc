@@ -32,9 +32,9 @@ std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Dep
 SharedLoad load_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
                    const ring::Question &asked)
 {
-  const std::optional<double> expected = asked.near            ? std::optional(asked.near->omega)
-                                         : asked.expected != 0 ? std::optional(asked.expected)
-                                                               : std::nullopt;
+  const std::optional<double> expected = asked.near                 ? std::optional(asked.near->omega)
+                                         : asked.initial_guess != 0 ? std::optional(asked.initial_guess)
+                                                                    : std::nullopt;
   return find_load(variant.study, foot, silent_progress(), variant.n_harmonics, expected,
                    PhaseSampling::coarse);
 }
@@ -71,11 +71,12 @@ double shown_spin(const Study &study, const ring::Answer &row, double fastest)
   return std::copysign(0.1 * spin_unit(study), fastest != 0 ? fastest : torque);
 }
 
-std::string held_by_the_grip(const Study &study, const ring::Answer &row)
+std::string grip_holds_note(const Study &study, const ring::Answer &row)
 {
   if (!row.terminal || !row.terminal->held || !row.at_rest)
     return "";
-  const auto [torque, grip] = told_apart(std::abs(row.at_rest->friction.torque), study.motion.grip_torque);
+  const auto [torque, grip] =
+    distinct_texts(std::abs(row.at_rest->friction.torque), study.motion.grip_torque);
   return "The fingers hold the glass at rest: the torque there, " + torque +
          " N m, is no more than Motion/Grip torque = " + grip + " N m.";
 }
@@ -107,13 +108,13 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
   const auto row_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &its_foot)
   {
     if (variant.on_other_rings)
-      its_foot->forget_rings();
+      its_foot->reset_rings();
     const SharedLoad load = load_of(variant, its_foot, asked);
     return LoadedRow{ variant, ring::answer(*load, spin_question(variant.study, asked)), load };
   };
   std::vector<LoadedRow> rows;
   for (const Solved<LoadedRow> &solved :
-       solve(variants, foot, row_of, executor, counted(progress, pieces, variants.size())))
+       solve(variants, foot, row_of, executor, counting_callback(progress, pieces, variants.size())))
   {
     const Variant &variant = variants[rows.size()];
     LoadedRow &added =
@@ -151,9 +152,9 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
   const LoadedRow whole = { {}, ring::answer(load, question).value(), load.shared_from_this() };
   const std::optional<ring::TerminalSpin> &terminal = whole.row.terminal;
   question.with_slope = false;
-  question.near = whole.row.known_zero();
+  question.near = whole.row.zero_guess();
   if (whole.row.fall) // as far as the models with fewer harmonics, or without an effect, are known to stand
-    question.expected = whole.row.fall->omega;
+    question.initial_guess = whole.row.fall->omega;
   StudyRows rows;
   std::vector<LoadedRow> sharing;
   std::vector<Variant> variants;
@@ -191,12 +192,12 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
   {
     ring::Answer &row = rows.by_harmonics[i].row;
     row.harmonics = orders[i];
-    row = ring::related_to_all(row, whole.row, load, motion);
+    row = ring::compared_with_all(row, whole.row, load, motion);
   }
   return rows;
 }
 
-LoadedRow with_curve(LoadedRow row, double lower, double upper, const ring::LoadAtSpin *like)
+LoadedRow with_interpolated_load(LoadedRow row, double lower, double upper, const ring::LoadAtSpin *like)
 {
   if (!row.load)
     return row;

@@ -40,7 +40,7 @@ double spin_scale(const Study &study);
 double shown_spin(const Study &study, const ring::Answer &row, double fastest);
 
 /// A sentence where the fingers hold the glass of @p row at rest; empty elsewhere.
-std::string held_by_the_grip(const Study &study, const ring::Answer &row);
+std::string grip_holds_note(const Study &study, const ring::Answer &row);
 
 /// Depth of a study: which findings it adds to the answer and its curves.
 enum class Depth
@@ -83,6 +83,7 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
 /// Returns @p row with its load interpolated in the spin, for curves of thousands of values: from @p lower to
 /// @p upper [rad/s], or to where its glass falls over; if there is no balance all the way, from rest to the
 /// terminal spin; exact if that fails too. @p like is ring::interpolated()'s.
-LoadedRow with_curve(LoadedRow row, double lower, double upper, const ring::LoadAtSpin *like = nullptr);
+LoadedRow with_interpolated_load(LoadedRow row, double lower, double upper,
+                                 const ring::LoadAtSpin *like = nullptr);
 
 } // namespace stemware::pipeline

@@ -24,7 +24,7 @@ void converge(const ConvergeOptions &options)
   std::vector<RefinementAxis> axes;
   StudyWork work(options, true, [&](const Study &given) { axes = refinement_axes(given, options.n_levels); });
   const ErrorBands bands = converge_study(work.given, axes, work.executor, work.progress);
-  publish(options, work.given, tabulate(work.given, axes, bands), work.folder, work.stopwatch);
+  publish(options, work.given, make_document(work.given, axes, bands), work.folder, work.stopwatch);
 }
 
 } // namespace

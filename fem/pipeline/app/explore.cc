@@ -23,7 +23,7 @@ struct ExploreOptions
   StudyOptions study;
   std::vector<std::string> glasses, tables;
   std::string file = "explore.html";
-  unsigned int most_nodes = 0;
+  unsigned int max_nodes = 0;
 };
 
 /// A table that yields nothing, for pages alone: `run` has the entries.
@@ -35,11 +35,11 @@ const Preset rigid_table = { "rigid",
 /// Writes the page. Throws BadInput and OutputFailure.
 void explore(const ExploreOptions &options)
 {
-  PageWish wish;
+  PageOptions wish;
   wish.study = begin_study(options.study);
   on_first_rank([&] { require_writable(options.file); });
   wish.n_threads = n_threads_of(options.study);
-  wish.most_nodes = options.most_nodes;
+  wish.max_nodes = options.max_nodes;
   for (const std::string &name : options.glasses)
     wish.glasses.push_back(preset_of(glass_presets(), "--glass", name));
   for (const std::string &name : options.tables)
@@ -77,7 +77,7 @@ void add_explore_verb(CLI::App &program, Verb &chosen)
     ->type_name("TABLE")
     ->allow_extra_args(false);
   verb
-    ->add_option("--nodes", options->most_nodes,
+    ->add_option("--nodes", options->max_nodes,
                  "Most nodes across the rim on hard tables; default: as `run` has")
     ->type_name("N")
     ->check(CLI::Range(9, 10000).description(""));

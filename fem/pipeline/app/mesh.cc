@@ -20,7 +20,7 @@ namespace stemware::pipeline
 {
 
 namespace fs = std::filesystem;
-using Mesh = FiniteElements::Mesh;
+using Mesh = FiniteElementFunctions::Mesh;
 
 namespace
 {
@@ -55,7 +55,7 @@ void check_options(const MeshOptions &options)
 
 MeshFindings read_mesh(const std::string &file, const ContactSection &contact, Mesh &mesh)
 {
-  const fem::MeshReport report = read_mesh_file(file, contact.mesh_marks, mesh, contact.memory_limit);
+  const fem::MeshReport report = read_mesh_file(file, contact.mesh_file_options, mesh, contact.memory_limit);
   return { file, finite_elements().check_mesh(mesh), report };
 }
 
@@ -98,7 +98,7 @@ void mesh(const MeshOptions &options)
   std::optional<Study> study;
   if (has_study(options))
     study = read_study(options.study.study_file, options.study.overrides);
-  say_note("Profile   ", study ? profile_note(*study) : "");
+  print_note("Profile   ", study ? profile_note(*study) : "");
   const std::string file = options.check.empty() ? study->contact.mesh_file : options.check;
 
   // 2. What it is like, and whether it can be used.
@@ -106,7 +106,8 @@ void mesh(const MeshOptions &options)
   const ContactSection contact = study ? study->contact : ContactSection();
   const MeshFindings findings = file.empty() ? generate_mesh(*study, *mesh) : read_mesh(file, contact, *mesh);
   console() << mesh_text(findings) << std::flush;
-  require_usable(findings.origin, findings.check, file.empty() ? fem::MeshMarks() : contact.mesh_marks);
+  require_usable(findings.origin, findings.check,
+                 file.empty() ? fem::MeshFileOptions() : contact.mesh_file_options);
   const bool has_glass = study && (!options.study.study_file.empty() || options.check.empty() ||
                                    study->given_entries.count("Glass/Contact radius") > 0);
   if (has_glass && findings.report)

@@ -44,7 +44,7 @@ std::string why_no_folder(const std::string &text)
 
 } // namespace
 
-void say_note(const std::string &label, const std::string &note)
+void print_note(const std::string &label, const std::string &note)
 {
   if (!note.empty())
     console() << wrapped(note, label) << std::endl;
@@ -123,13 +123,14 @@ Study begin_study(const StudyOptions &options)
                                             : options.study_file)
             << std::endl;
   for (const std::string &note : implausible_notes(study)) // a slip of a unit is behind most of them
-    say_note("Check     ", note);
-  require_standing_glass(study);
-  say_note("Profile   ", profile_note(study));
+    print_note("Check     ", note);
+  require_no_tipping_at_rest(study);
+  print_note("Profile   ", profile_note(study));
   const std::string &spins = study.motion.measured_spin_file;
-  say_note("Measured  ", spins.empty() ? "" : read_measured_run(spins, study.motion.measured_column).summary);
+  print_note("Measured  ",
+             spins.empty() ? "" : read_measured_run(spins, study.motion.measured_column).summary);
   if (options.verb != "sweep") // its cases have studies of their own
-    say_note("Unused    ", idle_note(idle_entries(study)));
+    print_note("Unused    ", unused_entries_note(unused_entries(study)));
   load_modules_of(study);
   return study;
 }

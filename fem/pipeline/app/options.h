@@ -50,7 +50,7 @@ void add_override_option(CLI::App &verb, StudyOptions &options);
 void add_console_options(CLI::App &verb, StudyOptions &options);
 
 /// Says @p note on the console behind @p label; nothing where it is empty.
-void say_note(const std::string &label, const std::string &note);
+void print_note(const std::string &label, const std::string &note);
 
 /// Begins a verb: directs the console, reads and checks the study, and loads the modules of its foot. Refuses
 /// everything that can be refused before the work; throws BadInput.

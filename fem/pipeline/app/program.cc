@@ -49,7 +49,7 @@ std::vector<std::string> options_of(const CLI::App &verb)
 std::string not_known(const std::string &word, const std::vector<std::string> &known,
                       const std::string &otherwise)
 {
-  const auto meant = likeliest(word, known);
+  const auto meant = closest_match(word, known);
   return "\"" + shortened(word) + "\" is " + otherwise +
          (meant ? "; did you mean " + *meant + "? See" : "; see");
 }
@@ -63,7 +63,7 @@ std::string trouble_with(const CLI::App &program, const CLI::ParseError &error)
   const std::vector<std::string> rest = verb.remaining();
   if (!rest.empty())
   {
-    const std::string removed = refusal_of_removed(chosen.empty() ? "" : verb.get_name(), rest.front());
+    const std::string removed = removed_word_message(chosen.empty() ? "" : verb.get_name(), rest.front());
     if (!removed.empty())
       return removed + "; see";
     return not_known(rest.front(), known,
@@ -88,7 +88,7 @@ void describe_program(CLI::App &program)
 std::string why_no_verb(const CLI::App &program, const std::string &name)
 {
   const std::vector<std::string> verbs = verbs_of(program);
-  if (const std::string removed = refusal_of_removed("", name); !removed.empty())
+  if (const std::string removed = removed_word_message("", name); !removed.empty())
     return removed + ". `stemware --help` for examples.";
   return not_known(name, verbs, "not one of the verbs " + listed(verbs, "and")) +
          " `stemware --help` for examples.";

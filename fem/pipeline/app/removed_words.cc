@@ -27,7 +27,7 @@ const std::vector<RemovedWord> &removed_words()
   return words;
 }
 
-std::string refusal_of_removed(const std::string &verb, const std::string &word)
+std::string removed_word_message(const std::string &verb, const std::string &word)
 {
   const std::string name = word.substr(0, word.find('='));
   for (const RemovedWord &removed : removed_words())

@@ -21,6 +21,6 @@ const std::vector<RemovedWord> &removed_words();
 /// Returns the refusal of a removed word, up to its last clause and without a full stop, or an empty string
 /// if @p word was never one of this program. @p verb is the verb on the command line, empty if @p word stands
 /// in its place. An option may have its value attached ("--random=...").
-std::string refusal_of_removed(const std::string &verb, const std::string &word);
+std::string removed_word_message(const std::string &verb, const std::string &word);
 
 } // namespace stemware::pipeline

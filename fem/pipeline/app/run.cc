@@ -31,7 +31,7 @@ void run(const RunOptions &options)
   StudyAnswer answer = answer_study(work.given, depth, work.executor, work.progress, true);
   // Only the first rank knows where the foot presses; each has the fields of its own cells.
   Results results = is_first_rank()
-                      ? tabulate(answer.study, answer.contact, answer.spin, answer.bands, answer.goal)
+                      ? make_document(answer.study, answer.contact, answer.spin, answer.bands, answer.goal)
                       : Results();
   if (answer.contact.foot)
     results.fields = std::move(answer.contact.foot->fields);

@@ -67,7 +67,7 @@ void note_implausible_cases(const CaseList &list)
     {
       const auto number = list.entries[e].unit.empty() ? std::nullopt : parse_number(values[e]);
       const std::string note = number ? implausible_note(list.entries[e].path, *number) : "";
-      say_note("Check     ", note);
+      print_note("Check     ", note);
       if (!note.empty())
         break;
     }

@@ -16,8 +16,8 @@ void truncate(const StudyOptions &options)
 {
   StudyWork work(options, true);
   const TruncatedStudy answer = truncate_study(work.given, work.executor, work.progress);
-  publish(options, answer.study, tabulate_truncations(answer.study, answer.load, answer.rows), work.folder,
-          work.stopwatch);
+  publish(options, answer.study, make_truncation_document(answer.study, answer.load, answer.rows),
+          work.folder, work.stopwatch);
 }
 
 } // namespace

@@ -48,13 +48,13 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
 
 fem::ContactState BalancedContact::contact_on_one_ring(double omega, Progress &progress)
 {
-  constexpr unsigned int most_rounds = 20;
+  constexpr unsigned int max_rounds = 20;
   constexpr double tolerance = 1e-10; // that of a contact; a round leaves a hundredth of the change before
   const ring::Motion &motion = balance.motion;
   for (unsigned int round = 0;; ++round)
   {
     fem::ContactState state = solve(demand_at(omega, { one_radius }, one_rotation), omega, progress);
-    state.load = foot->gather(state);
+    state.load = foot->project_onto_rings(state);
     const double radius = state.load.radius(), rotation = state.load.rotation;
     const bool settled =
       std::abs(radius - one_radius) < tolerance * radius && std::abs(rotation - one_rotation) < tolerance;
@@ -62,7 +62,7 @@ fem::ContactState BalancedContact::contact_on_one_ring(double omega, Progress &p
     one_rotation = rotation;
     if (settled || ring::friction_arm(balance.closure, motion) == 0)
       return state;
-    if (round == most_rounds)
+    if (round == max_rounds)
       throw fem::ContactFailure(fem::ContactOutcome::too_many_steps,
                                 "the radius of the one ring does not settle; give Contact/Rings = 5.");
   }

@@ -65,13 +65,13 @@ void ContactPath::append(const fem::ContactState &state)
 std::optional<fem::ContactStart> ContactPath::between(std::vector<const Found *> points, double spin,
                                                       std::size_t n_least)
 {
-  constexpr std::size_t most_points = 4;
+  constexpr std::size_t max_points = 4;
   constexpr double largest_sum = 8; // of the weights: beyond, it is no neighbour
   std::sort(points.begin(), points.end(),
             [&](const Found *one, const Found *other) {
               return std::abs(one->slip.spin_per_speed - spin) < std::abs(other->slip.spin_per_speed - spin);
             });
-  for (std::size_t n = std::min(points.size(), most_points); n >= n_least; --n)
+  for (std::size_t n = std::min(points.size(), max_points); n >= n_least; --n)
   {
     fem::ContactStart start = { Eigen::Vector3d::Zero(),
                                 Eigen::VectorXd::Zero(points.front()->start.normal_displacement.size()), 0, 0,
@@ -97,7 +97,7 @@ std::optional<fem::ContactStart> ContactPath::expected(const std::vector<const F
 {
   const double spin = slip.spin_per_speed;
   std::vector<const Found *> similar, similar_at_marks;
-  for (const Found &one : of_similar)
+  for (const Found &one : from_similar_foot)
   {
     similar.push_back(&one);
     if (same_marks(one.slip, slip))
@@ -120,7 +120,7 @@ fem::ContactGuess ContactPath::guess(const fem::ContactDemand &demand, const rin
                                      const fem::ContactState *before) const
 {
   fem::ContactGuess guess = { before ? before : last ? &*last : nullptr };
-  const unsigned int zone = guess.before ? guess.before->zone : 0;
+  const unsigned int zone = guess.previous ? guess.previous->zone : 0;
   const Eigen::Vector4d asked = numbers_of(demand);
   std::vector<const Found *> known, same_demand;
   for (const Found &one : recent)
@@ -129,8 +129,8 @@ fem::ContactGuess ContactPath::guess(const fem::ContactDemand &demand, const rin
   for (const Found *one : known)
     if (one->demand == asked || one->slip.spin_per_speed == 0)
       same_demand.push_back(one);
-  guess.expected = zone == 0 ? expected(same_demand, slip) : between(same_demand, slip.spin_per_speed, 2);
-  if (guess.expected || known.empty())
+  guess.predicted = zone == 0 ? expected(same_demand, slip) : between(same_demand, slip.spin_per_speed, 2);
+  if (guess.predicted || known.empty())
     return guess;
   const double radius = last->load.mean_radius;
   const auto distance = [&](const Found *one)
@@ -140,14 +140,15 @@ fem::ContactGuess ContactPath::guess(const fem::ContactDemand &demand, const rin
            difference.tail<3>().sum() / radius;
   };
   // Of equally near ones the newest.
-  guess.expected =
+  guess.predicted =
     (*std::min_element(known.rbegin(), known.rend(),
                        [&](const Found *one, const Found *other) { return distance(one) < distance(other); }))
       ->start;
   return guess;
 }
 
-void ContactPath::start_like(const ContactPath &similar, const fem::Foot &own, const fem::Foot &other)
+void ContactPath::predict_from_similar(const ContactPath &similar, const fem::Foot &own,
+                                       const fem::Foot &other)
 {
   constexpr double apart = 1e-5; // of the largest spin: two solutions at one spin have no polynomial
   double largest = 0;
@@ -157,13 +158,13 @@ void ContactPath::start_like(const ContactPath &similar, const fem::Foot &own, c
   {
     const auto is_near = [&](const Found &known)
     { return std::abs(known.slip.spin_per_speed - one->slip.spin_per_speed) < apart * largest; };
-    if (std::any_of(of_similar.begin(), of_similar.end(), is_near))
+    if (std::any_of(from_similar_foot.begin(), from_similar_foot.end(), is_near))
       continue;
-    const std::optional<fem::ContactStart> start = own.expected_from(one->start, one->zone, other);
+    const std::optional<fem::ContactStart> start = own.predict_from(one->start, one->zone, other);
     if (!start)
       return;
-    of_similar.push_back(*one);
-    of_similar.back().start = *start;
+    from_similar_foot.push_back(*one);
+    from_similar_foot.back().start = *start;
   }
 }
 

@@ -25,7 +25,7 @@ public:
   void append(const fem::ContactState &state);
 
   /// Expects of @p own what the contacts of @p similar, a path of the foot @p other, tell of it.
-  void start_like(const ContactPath &similar, const fem::Foot &own, const fem::Foot &other);
+  void predict_from_similar(const ContactPath &similar, const fem::Foot &own, const fem::Foot &other);
 
 private:
   /// A contact, and what it was found for.
@@ -49,8 +49,8 @@ private:
                                             const ring::Slip &slip) const;
 
   std::optional<fem::ContactState> last;
-  std::vector<Found> recent;     ///< oldest first
-  std::vector<Found> of_similar; ///< those of start_like()
+  std::vector<Found> recent;            ///< oldest first
+  std::vector<Found> from_similar_foot; ///< those of predict_from_similar()
 };
 
 } // namespace stemware::pipeline

@@ -14,7 +14,7 @@ namespace
 {
 
 /// Largest width of the contact across the rim [m]; std::nullopt for a map without several points across.
-std::optional<double> width_of(const fem::PressureMap &footprint)
+std::optional<double> display_width(const fem::PressureMap &footprint)
 {
   if (footprint.cuts.empty() || !fem::has_cells(footprint))
     return std::nullopt;
@@ -73,10 +73,10 @@ ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &f
   if (at_rest)
   {
     report.foot = describe_foot(study, *foot, *at_rest, at_end);
-    report.load.contact_width = width_of(report.foot->footprint);
+    report.load.contact_width = display_width(report.foot->footprint);
   }
   if (at_end) // all ranks of a solid body make the map together
-    report.load_at_end.contact_width = width_of(foot->body().pressure_map(*at_end));
+    report.load_at_end.contact_width = display_width(foot->body().pressure_map(*at_end));
   report.coupling = load.statistics();
   return report;
 }

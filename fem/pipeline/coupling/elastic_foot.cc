@@ -23,23 +23,23 @@ void ElasticFoot::set_rings(std::vector<double> new_radii, unsigned int n_harmon
   highest = std::min(n_harmonics, foot->n_resolved_harmonics());
 }
 
-void ElasticFoot::forget_rings()
+void ElasticFoot::reset_rings()
 {
   set_rings({}, foot->n_resolved_harmonics());
   placed = false;
 }
 
-std::shared_ptr<ElasticFoot> ElasticFoot::twin() const
+std::shared_ptr<ElasticFoot> ElasticFoot::clone() const
 {
   const auto twin = std::make_shared<ElasticFoot>(*this);
-  if (std::shared_ptr<const fem::Foot> body = foot->twin())
+  if (std::shared_ptr<const fem::Foot> body = foot->clone())
     twin->foot = std::move(body);
   return twin;
 }
 
-void ElasticFoot::start_like(const ElasticFoot &similar)
+void ElasticFoot::predict_from_similar(const ElasticFoot &similar)
 {
-  path.start_like(similar.path, *foot, *similar.foot);
+  path.predict_from_similar(similar.path, *foot, *similar.foot);
   n_solved = similar.n_solved;
 }
 
@@ -69,7 +69,7 @@ fem::ContactState ElasticFoot::solve_at_rest(const fem::ContactDemand &demand, c
            marks.glass == known_marks.glass && marks.table == known_marks.table;
   };
   if (at_rest && is_known())
-    at_rest->load = gather(*at_rest); // the rings may be others by now
+    at_rest->load = project_onto_rings(*at_rest); // the rings may be others by now
   else
     at_rest = solve(demand, { 0, marks }, progress);
   return *at_rest;

@@ -30,9 +30,9 @@ public:
   void set_rings(std::vector<double> new_radii, unsigned int n_harmonics);
   bool has_rings() const { return placed; }
   /// Goes back to before set_rings(): loads are to be gathered on other rings.
-  void forget_rings();
+  void reset_rings();
   /// The same foot with a body of its own, which another thread may ask, on a path that goes on from here.
-  std::shared_ptr<ElasticFoot> twin() const;
+  std::shared_ptr<ElasticFoot> clone() const;
 
   /// The contact that carries @p demand at @p slip, on the rings of ring_radii(), looked for near @p before,
   /// or near the last one where that is nothing; Newton's steps go to @p progress. Throws
@@ -42,7 +42,7 @@ public:
 
   /// Contacts start from what those of @p similar let expect, the foot of a study that differs little, and
   /// count with them.
-  void start_like(const ElasticFoot &similar);
+  void predict_from_similar(const ElasticFoot &similar);
 
   /// Contacts solved so far by this foot, its twins and those that start like them.
   std::size_t n_contacts() const { return *n_solved; }
@@ -52,9 +52,9 @@ public:
                                   Progress &progress);
 
   /// The load of @p state, a contact of this foot, on the rings of ring_radii().
-  fem::ContactLoad gather(const fem::ContactState &state) const
+  fem::ContactLoad project_onto_rings(const fem::ContactState &state) const
   {
-    return foot->gather(state, radii, highest);
+    return foot->project_onto_rings(state, radii, highest);
   }
 
   const fem::Foot &body() const { return *foot; }

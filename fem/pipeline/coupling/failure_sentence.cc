@@ -61,7 +61,7 @@ Failure present_failure()
   }
   catch (const std::exception &failure)
   {
-    const FiniteElements *elements = loaded_finite_elements();
+    const FiniteElementFunctions *elements = loaded_finite_elements();
     const std::string of_dealii = elements ? elements->sentence_of(failure) : "";
     return { of_dealii.empty() ? failure.what() : of_dealii };
   }

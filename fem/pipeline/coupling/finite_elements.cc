@@ -17,25 +17,26 @@ constexpr const char *table = "stemware_finite_elements";
 
 } // namespace
 
-const FiniteElements &finite_elements()
+const FiniteElementFunctions &finite_elements()
 {
-  static const FiniteElements &loaded = []() -> const FiniteElements &
+  static const FiniteElementFunctions &loaded = []() -> const FiniteElementFunctions &
   {
-    const auto &functions = *static_cast<const FiniteElements *>(load_table("fem", table, "An elastic foot"));
+    const auto &functions =
+      *static_cast<const FiniteElementFunctions *>(load_table("fem", table, "An elastic foot"));
     functions.set_thread_limit(thread_limit);
     return functions;
   }();
   return loaded;
 }
 
-const FiniteElements *loaded_finite_elements()
+const FiniteElementFunctions *loaded_finite_elements()
 {
-  return static_cast<const FiniteElements *>(loaded_table(table));
+  return static_cast<const FiniteElementFunctions *>(loaded_table(table));
 }
 
 unsigned int limit_threads(unsigned int n_threads)
 {
-  if (const FiniteElements *loaded = loaded_finite_elements())
+  if (const FiniteElementFunctions *loaded = loaded_finite_elements())
     loaded->set_thread_limit(n_threads);
   return thread_limit.exchange(n_threads);
 }

@@ -24,7 +24,7 @@ namespace stemware::pipeline
 /// Table stemware_finite_elements of the module fem: everything of the program that stands on deal.II, whose
 /// two hundred libraries take half a second to load. Functions that have the name of one of fem/ are that
 /// one.
-struct FiniteElements
+struct FiniteElementFunctions
 {
   using Mesh = dealii::Triangulation<3, 3>;
   using Compliance = std::shared_ptr<const fem::ContactCompliance>;
@@ -47,17 +47,17 @@ struct FiniteElements
   decltype(&fem::write_mesh_vtu) write_mesh_vtu;
 
   /// Text compressed as gzip does, in base64.
-  std::string (*packed)(const std::string &);
+  std::string (*compressed_base64)(const std::string &);
   /// One sentence for an exception of deal.II, empty for every other.
   std::string (*sentence_of)(const std::exception &);
   void (*set_thread_limit)(unsigned int n_threads);
 };
 
 /// The table; loads the module at the first call. Throws BadInput if it cannot be loaded.
-const FiniteElements &finite_elements();
+const FiniteElementFunctions &finite_elements();
 
 /// The table if the module is loaded, else nullptr.
-const FiniteElements *loaded_finite_elements();
+const FiniteElementFunctions *loaded_finite_elements();
 
 /// Holds deal.II, and with it TBB in the whole program, to @p n_threads from the time when the module is
 /// loaded; 1 until the first call. Returns the limit before.

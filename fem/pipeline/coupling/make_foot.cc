@@ -18,10 +18,10 @@ namespace stemware::pipeline
 namespace
 {
 
-const SolidFeet &solid_feet()
+const SolidFootFunctions &solid_feet()
 {
   finite_elements(); // the module stands on this one
-  return *static_cast<const SolidFeet *>(
+  return *static_cast<const SolidFootFunctions *>(
     load_table("solid", "stemware_solid_feet", "Contact/Body = solid, with MPI, p4est and Trilinos,"));
 }
 
@@ -72,7 +72,7 @@ bool has_focused_mesh(const Study &study)
   return abilities(study.contact.body).is_of_revolution && revolution_setup(study).resolution.has_focus();
 }
 
-bool has_spring_for_hard_table(const Study &study)
+bool uses_penalty_for_hard_table(const Study &study)
 {
   const ContactSection &contact = study.contact;
   if (!study.table.is_hard() || abilities(contact.body).is_of_revolution)
@@ -91,7 +91,8 @@ std::vector<fem::SectionPolygon> foot_section(const Study &study)
   if (study.contact.mesh_file.empty())
     finite_elements().make_foot_mesh(study.glass.profile, study.contact.resolution, *mesh);
   else
-    read_mesh_file(study.contact.mesh_file, study.contact.mesh_marks, *mesh, study.contact.memory_limit);
+    read_mesh_file(study.contact.mesh_file, study.contact.mesh_file_options, *mesh,
+                   study.contact.memory_limit);
   return finite_elements().section_cells(*mesh, azimuth);
 }
 

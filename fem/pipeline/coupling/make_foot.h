@@ -33,6 +33,6 @@ bool has_focused_mesh(const Study &study);
 
 /// True if the foot of @p study feels a hard table by a stiff spring, ContactSection::hardness; a solid foot
 /// on a mesh without a hierarchy has nodal multipliers.
-bool has_spring_for_hard_table(const Study &study);
+bool uses_penalty_for_hard_table(const Study &study);
 
 } // namespace stemware::pipeline

@@ -38,9 +38,9 @@ unsigned int rings_for(const fem::ContactWidth &band, double eps, unsigned int l
 {
   const double share = (band.outer - band.inner) / (band.outer + band.inner) / std::abs(1 - std::abs(eps));
   if (share >= 0.5)
-    return most_rings;
+    return max_rings;
   const double wanted = std::ceil(std::log(1e-10) / std::log(share));
-  return std::max(least, static_cast<unsigned int>(std::min<double>(wanted, most_rings)));
+  return std::max(least, static_cast<unsigned int>(std::min<double>(wanted, max_rings)));
 }
 
 /// Number of harmonics that the kernels ask for: K_n(eps) falls like |eps|^n. With room for spins half as
@@ -76,8 +76,8 @@ void choose_rings(const Study &study, const std::shared_ptr<ElasticFoot> &shared
   try
   {
     // The load of rest tells about where the terminal spin is, the contact there where it carries.
-    double omega = expected ? *expected : ring::terminal_spin(foot.gather(at_rest), motion).omega;
-    if (n_rings > 1 && follows_spin(study) && !foot.body().capabilities().is_collective)
+    double omega = expected ? *expected : ring::terminal_spin(foot.project_onto_rings(at_rest), motion).omega;
+    if (n_rings > 1 && varies_with_spin(study) && !foot.body().capabilities().is_collective)
     {
       const fem::ContactState spinning = BalancedContact(shared, moment_balance(study)).contact(omega);
       band = together(band, spinning);

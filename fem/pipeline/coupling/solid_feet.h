@@ -9,7 +9,7 @@ namespace stemware::pipeline
 {
 
 /// Table stemware_solid_feet of the module solid, whose deal.II has MPI, p4est and Trilinos.
-struct SolidFeet
+struct SolidFootFunctions
 {
   /// make_foot() of a study with a solid body. Throws BadInput for a mesh file that cannot be used,
   /// std::invalid_argument for a setup that cannot.

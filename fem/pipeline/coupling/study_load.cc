@@ -56,7 +56,7 @@ public:
       : GivenLoad(report, balance.n_harmonics, at_rest)
       , contacts(std::make_unique<BalancedContact>(foot, balance, at_rest))
       , clearance_at_rest(clearance_of(at_rest.load))
-      , steadiness_at_rest(at_rest.solution.steadiness)
+      , stability_at_rest(at_rest.solution.stability_margin)
       , progress(progress)
   {
   }
@@ -74,7 +74,7 @@ public:
     const fem::ContactState &state = latest.front().second;
     const auto found = loads
                          .emplace(omega, Found{ contacts->load_of(state), clearance_of(state.load),
-                                                state.solution.steadiness })
+                                                state.solution.stability_margin })
                          .first;
     progress.pieces_done("spins in balance", loads.size(), 0);
     return found->second.load;
@@ -97,18 +97,18 @@ public:
     std::sort(spins.begin(), spins.end());
     return spins;
   }
-  double clearance(double omega) const override
+  double lift_off_margin(double omega) const override
   {
-    return omega == 0 ? clearance_at_rest : loads.at(omega).clearance;
+    return omega == 0 ? clearance_at_rest : loads.at(omega).lift_off_margin;
   }
-  double steadiness(double omega) const override
+  double stability_margin(double omega) const override
   {
     if (omega == 0)
-      return steadiness_at_rest;
+      return stability_at_rest;
     const auto found = loads.find(omega);
-    return found == loads.end() ? 1 : found->second.steadiness;
+    return found == loads.end() ? 1 : found->second.stability_margin;
   }
-  std::optional<double> fall_before(double omega) const override
+  std::optional<double> nearest_unbalanced_spin(double omega) const override
   {
     std::optional<double> first;
     for (const double spin : falls)
@@ -125,7 +125,7 @@ private:
   struct Found
   {
     ring::LeaningLoad load;
-    double clearance, steadiness;
+    double lift_off_margin, stability_margin;
   };
 
   /// The contact at @p omega. Rest has a balance: a contact that fails at another spin is a glass that has
@@ -165,7 +165,7 @@ private:
   }
 
   const std::unique_ptr<BalancedContact> contacts;
-  const double clearance_at_rest, steadiness_at_rest;
+  const double clearance_at_rest, stability_at_rest;
   Progress &progress;
   mutable std::map<double, Found> loads; ///< so far
   mutable std::map<double, std::exception_ptr> failures;
@@ -181,7 +181,7 @@ SharedLoad load_at_one_phase(const Study &study, const std::shared_ptr<ElasticFo
                              unsigned int n_harmonics, Progress &progress)
 {
   const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
-  if (!follows_spin(study))
+  if (!varies_with_spin(study))
     return std::make_shared<GivenLoad>(report, n_harmonics, at_rest);
   ContactBalance balance = moment_balance(study);
   balance.orientation = orientation;
@@ -194,7 +194,7 @@ SharedLoad load_at_one_phase(const Study &study, const std::shared_ptr<ElasticFo
 class LoadByPhase : public BalancedLoad
 {
 public:
-  LoadByPhase(SharedLoad at_start, std::shared_ptr<const ring::PhaseLoads> loads)
+  LoadByPhase(SharedLoad at_start, std::shared_ptr<const ring::PhaseSampledLoad> loads)
       : at_start(std::move(at_start))
       , loads(std::move(loads))
   {
@@ -205,16 +205,19 @@ public:
     return marks ? loads->at(omega, *marks) : loads->mean(omega);
   }
   unsigned int n_harmonics() const override { return at_start->n_harmonics(); }
-  const ring::PhaseLoads *phases() const override { return loads.get(); }
+  const ring::PhaseSampledLoad *phases() const override { return loads.get(); }
   const LoadReport &report() const override { return at_start->report(); }
   std::optional<fem::ContactState> contact(double omega) const override { return at_start->contact(omega); }
   std::optional<CouplingStatistics> statistics() const override { return at_start->statistics(); }
-  double steadiness(double omega) const override { return at_start->steadiness(omega); }
-  std::optional<double> fall_before(double omega) const override { return at_start->fall_before(omega); }
+  double stability_margin(double omega) const override { return at_start->stability_margin(omega); }
+  std::optional<double> nearest_unbalanced_spin(double omega) const override
+  {
+    return at_start->nearest_unbalanced_spin(omega);
+  }
 
 private:
   const SharedLoad at_start;
-  const std::shared_ptr<const ring::PhaseLoads> loads;
+  const std::shared_ptr<const ring::PhaseSampledLoad> loads;
 };
 
 double period_of(const std::vector<fem::WavinessHarmonic> &harmonics)
@@ -274,11 +277,11 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
   };
   // Where each phase takes a curve over the spins, or ten times as long under a hard contact, fewer have to
   // do: so a study takes seconds.
-  const bool follows = follows_spin(study), is_hard = study.table.is_hard();
+  const bool follows = varies_with_spin(study), is_hard = study.table.is_hard();
   const ring::PhasePeriods periods = phase_periods(study, *foot);
   const bool is_coarse = is_hard && phases == PhaseSampling::coarse;
   const unsigned int max_phases = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;
-  const ring::PhaseSamples samples = ring::find_phases(exact, periods, max_phases);
+  const ring::PhaseSamples samples = ring::sample_phases(exact, periods, max_phases);
 
   const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
   ring::SpinSampling spins;
@@ -286,7 +289,7 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
   if (follows)
     spins.unit = study.motion.orbit.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
   if (is_hard)
-    spins.most_steps = is_coarse ? 4 : 8;
+    spins.max_steps = is_coarse ? 4 : 8;
   ring::PhaseExtremes worst = { report.minimum, report.contact_fraction };
   for (const auto &[phase, load] : *by_phase)
   {
@@ -295,7 +298,7 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
   }
   return std::make_shared<LoadByPhase>(
     load_at_one_phase(study, foot, moment_balance(study).orientation, at_rest, n_harmonics, progress),
-    std::make_shared<const ring::PhaseLoads>(exact, periods, samples, spins, worst));
+    std::make_shared<const ring::PhaseSampledLoad>(exact, periods, samples, spins, worst));
 }
 
 /// The contact at rest, on the rings of the study, which the first call chooses.
@@ -307,7 +310,7 @@ fem::ContactState contact_at_rest(const Study &study, const std::shared_ptr<Elas
   if (!foot->has_rings())
   {
     choose_rings(study, foot, state, expected);
-    state.load = foot->gather(state);
+    state.load = foot->project_onto_rings(state);
   }
   return state;
 }
@@ -336,7 +339,7 @@ SharedLoad load_from_file(const LoadSection &section, unsigned int n_harmonics)
 {
   const ring::RingStack &load = *section.from_file;
   const double ratio = load.moment_ratio(load.radius());
-  const auto [given, limit] = told_apart(ratio, 2);
+  const auto [given, limit] = distinct_texts(ratio, 2);
   require(ratio < 2, "The load of " + shortened_path(section.file) +
                        " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " + given + ", but a ring tips at " +
                        limit + "; give smaller a_1, b_1.");
@@ -353,12 +356,12 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, const FootMaker &mak
   auto foot = std::make_shared<ElasticFoot>(make_foot(study, similar ? &similar->body() : nullptr),
                                             study.glass.profile.contact_radius);
   if (similar)
-    foot->start_like(*similar);
+    foot->predict_from_similar(*similar);
   progress.stage_done("mesh_and_stiffness");
   return foot;
 }
 
-void require_standing(const Study &study)
+void require_no_tipping(const Study &study)
 {
   if (study.load.is_from_contact())
     try
@@ -401,7 +404,7 @@ ring::PhasePeriods phase_periods(const fem::RimImperfection &imperfection)
 ring::PhasePeriods phase_periods(const Study &study, const ElasticFoot &foot)
 {
   ring::PhasePeriods periods = phase_periods(imperfection_of(study));
-  if (const double of_mesh = foot.body().capabilities().period_of_glass; of_mesh > 0)
+  if (const double of_mesh = foot.body().capabilities().glass_period; of_mesh > 0)
     periods.glass = of_mesh;
   return periods;
 }
@@ -454,19 +457,19 @@ LoadReport report_of(const fem::ContactState &state, double contact_radius, bool
   return report;
 }
 
-bool follows_spin(const Study &study)
+bool varies_with_spin(const Study &study)
 {
-  return study.load.is_in_balance() && spin_matters(study);
+  return study.load.is_in_balance() && depends_on_spin(study);
 }
 
-bool spin_matters(const Study &study)
+bool depends_on_spin(const Study &study)
 {
   return ring::friction_arm(study.motion.closure, study.motion.orbit) != 0 || study.friction_deforms();
 }
 
 std::string frozen_note(const Study &study)
 {
-  const bool could_follow = !study.load.is_static() && spin_matters(study);
+  const bool could_follow = !study.load.is_static() && depends_on_spin(study);
   return study.load.coupling == LoadCoupling::one_way && could_follow
            ? "the load is that of rest; Load/Coupling = two-way follows it through the spin-up"
            : "";

@@ -32,7 +32,7 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache
 bool is_balance_failure(const std::exception &failure);
 
 /// Throws ring::Tipping where the foot of a study tips at rest.
-void require_standing(const Study &study);
+void require_no_tipping(const Study &study);
 
 /// Number of phases at which a load is sampled that depends on them. Under a hard table each phase takes ten
 /// times as long: there `coarse`, for what stands beside the answer, has a quarter of the samples of `full`.
@@ -79,11 +79,11 @@ SharedLoad first_harmonic_load(const Study &study, ring::Closure closure);
 LoadReport report_of(const fem::ContactState &state, double contact_radius, bool tilts);
 
 /// True if the load is another one at every spin.
-bool follows_spin(const Study &study);
+bool varies_with_spin(const Study &study);
 
 /// True if the load of the study's foot depends on the spin: the moment balance lets friction act back, or
 /// friction deforms the foot.
-bool spin_matters(const Study &study);
+bool depends_on_spin(const Study &study);
 
 /// A sentence for the console where the load is that of rest although the spin would change it; empty
 /// elsewhere.

@@ -38,7 +38,7 @@ void require_readable_size(const std::string &file, double memory_limit)
 
 } // namespace
 
-fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshMarks &marks,
+fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshFileOptions &marks,
                                dealii::Triangulation<3, 3> &mesh, double memory_limit)
 try
 {
@@ -51,15 +51,15 @@ catch (const std::invalid_argument &error)
   throw BadInput(error.what());
 }
 
-void require_usable(const std::string &origin, const fem::MeshCheck &check, const fem::MeshMarks &marks)
+void require_usable(const std::string &origin, const fem::MeshCheck &check, const fem::MeshFileOptions &marks)
 {
   const std::string mesh = "The mesh (" + shortened_path(origin) + ")";
-  require(check.n_loose == 0,
+  require(check.n_disconnected == 0,
           fmt::format(
             FMT_STRING("{} has {} of {} cells in pieces that no face joins to the stem cut, one at ({:.4g}, "
                        "{:.4g}, {:.4g}) m: nothing holds them; export the foot alone, as one body."),
-            mesh, check.n_loose, check.n_cells, check.loose_place[0], check.loose_place[1],
-            check.loose_place[2]));
+            mesh, check.n_disconnected, check.n_cells, check.disconnected_place[0],
+            check.disconnected_place[1], check.disconnected_place[2]));
   require(
     check.n_inverted == 0,
     fmt::format(FMT_STRING("{} has {} cells that are flat or inside out at a corner, the worst near ({:.4g}, "
@@ -103,7 +103,7 @@ void require_usable(const std::string &origin, const fem::MeshCheck &check, cons
 
 void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study)
 {
-  const double radius = study.glass.profile.contact_radius, unit = study.contact.mesh_marks.unit;
+  const double radius = study.glass.profile.contact_radius, unit = study.contact.mesh_file_options.unit;
   const auto fits = [&](double rim) { return std::abs(rim - radius) <= 0.1 * radius; };
   if (fits(report.rim_radius))
     return;
@@ -125,8 +125,8 @@ void require_usable_mesh(const Study &study)
   const ContactSection &contact = study.contact;
   const auto mesh = finite_elements().empty_mesh();
   const fem::MeshReport report =
-    read_mesh_file(contact.mesh_file, contact.mesh_marks, *mesh, contact.memory_limit);
-  require_usable(contact.mesh_file, finite_elements().check_mesh(*mesh), contact.mesh_marks);
+    read_mesh_file(contact.mesh_file, contact.mesh_file_options, *mesh, contact.memory_limit);
+  require_usable(contact.mesh_file, finite_elements().check_mesh(*mesh), contact.mesh_file_options);
   require_same_glass(report, contact.mesh_file, study);
 }
 

@@ -11,14 +11,15 @@ namespace stemware::pipeline
 
 /// Reads a mesh file as fem::read_foot_mesh() does. Throws BadInput, also for a file that would take more
 /// than @p memory_limit [byte] to read, of which nothing is read.
-fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshMarks &marks,
+fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshFileOptions &marks,
                                dealii::Triangulation<3, 3> &mesh,
                                double memory_limit = ContactSection().memory_limit);
 
 /// Throws BadInput with one sentence about the first property that makes a mesh useless: pieces that nothing
 /// holds, cells inside out, swapped ids, a contact zone of several parts, that looks up or sideways, or that
 /// does not lie round the z axis. @p origin is the mesh's file.
-void require_usable(const std::string &origin, const fem::MeshCheck &check, const fem::MeshMarks &marks = {});
+void require_usable(const std::string &origin, const fem::MeshCheck &check,
+                    const fem::MeshFileOptions &marks = {});
 
 /// Compares the mesh's rim with the contact radius of the study: a mesh in another unit, or of another glass,
 /// would pass unnoticed. Throws BadInput.

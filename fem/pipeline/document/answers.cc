@@ -19,7 +19,7 @@ std::string truncation_answer(const Study &study, const std::vector<ring::Answer
   const double omega = all.omega_terminal().value();
   if (!is_spin(study, omega))
   {
-    const std::string held = held_by_the_grip(study, all);
+    const std::string held = grip_holds_note(study, all);
     return held.empty() ? "The glass does not spin up, whatever harmonics its load has." : held;
   }
   if (all.harmonics == 1)
@@ -42,7 +42,7 @@ std::string convergence_answer(const BandedQuantity &spin, const std::string &fi
   return "Terminal spin " + format::with_band(spin.quantity.value, spin.band) +
          " rad/s (discretisation only)" +
          (order ? "; it converges with order " + number(*order, ".2f") + " in the " + first_axis : "") +
-         ", Richardson value " + format::to_spread(spin.richardson, spin.band) + " rad/s.";
+         ", Richardson value " + format::rounded_to_error(spin.richardson, spin.band) + " rad/s.";
 }
 
 std::optional<CaseRange> range_of(const CaseList &list, const FinishedCases &finished, const std::string &key)

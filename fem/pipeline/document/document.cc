@@ -73,7 +73,7 @@ void Document::add_list(const std::string &name)
 {
   const Table numbers = table_of(listed(findings.summary.at(name), name), "", name);
   if (numbers.n_rows() > 0)
-    add_rows(name, as_list(numbers));
+    add_rows(name, name_value_list(numbers));
 }
 
 } // namespace stemware::pipeline

@@ -30,26 +30,26 @@ namespace stemware::pipeline
 {
 
 /// A number, or nothing where it is not finite: null in JSON, which has no word for it.
-inline std::optional<double> if_finite(double value)
+inline std::optional<double> finite_or_null(double value)
 {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 /// A text, or nothing where it is empty.
-inline std::optional<std::string> if_said(const std::string &text)
+inline std::optional<std::string> text_or_null(const std::string &text)
 {
   return text.empty() ? std::nullopt : std::optional(text);
 }
 
 /// A @p value of what may not exist, a member or a function of it; null where it does not.
 template <typename Thing, typename Value>
-nlohmann::ordered_json if_there(const std::optional<Thing> &thing, Value value)
+nlohmann::ordered_json to_json_or_null(const std::optional<Thing> &thing, Value value)
 {
   return thing ? nlohmann::ordered_json(std::invoke(value, *thing)) : nlohmann::ordered_json(nullptr);
 }
 
 /// Bytes of other programs' files that are no UTF-8, such as names in a mesh, become replacement characters.
-inline std::string valid_text(const nlohmann::ordered_json &json, int indent = -1)
+inline std::string dump_utf8(const nlohmann::ordered_json &json, int indent = -1)
 {
   return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
@@ -63,7 +63,7 @@ inline std::string key_of_member(const std::string &path)
 
 /// The object @p json, or each of a list of objects, with these keys alone (parted by blanks), in this order.
 /// Throws nlohmann::json::out_of_range for a key that there is not.
-nlohmann::ordered_json picked(const nlohmann::ordered_json &json, const std::string &keys);
+nlohmann::ordered_json selected_keys(const nlohmann::ordered_json &json, const std::string &keys);
 
 } // namespace stemware::pipeline
 

@@ -51,7 +51,7 @@ int decimals_of(double spread)
   return spread > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(spread)))) : of_nothing;
 }
 
-std::string to_spread(double value, double spread)
+std::string rounded_to_error(double value, double spread)
 {
   return number(value, "." + std::to_string(decimals_of(spread)) + "f");
 }
@@ -62,8 +62,8 @@ std::string with_band(double value, const std::optional<double> &band)
     return number(value, "#.6g");
   const double unit = std::pow(10, -decimals_of(*band));
   const double shift = std::abs(value - std::round(value / unit) * unit);
-  return to_spread(value, *band) + " ± " +
-         to_spread(std::ceil((*band + shift) / unit * (1 - 1e-9)) * unit, *band);
+  return rounded_to_error(value, *band) + " ± " +
+         rounded_to_error(std::ceil((*band + shift) / unit * (1 - 1e-9)) * unit, *band);
 }
 
 } // namespace stemware::pipeline::format

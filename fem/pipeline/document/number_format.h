@@ -28,7 +28,7 @@ std::string number(double value, const std::string &digits);
 int decimals_of(double spread);
 
 /// @p value to two digits of @p spread, its error or its scatter: "-3.6489" where that is 0.0002.
-std::string to_spread(double value, double spread);
+std::string rounded_to_error(double value, double spread);
 
 /// @p value and the band round it likewise, rounded up so that what is printed contains all of it; with six
 /// digits where no band is known.

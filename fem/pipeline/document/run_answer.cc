@@ -62,7 +62,7 @@ std::string falling_answer(const Study &study, const SpinStudy &spin)
 /// Answer for a glass without a spin that is more than rounding.
 std::string resting_answer(const Study &study, const ring::Answer &all)
 {
-  if (const std::string held = held_by_the_grip(study, all); !held.empty())
+  if (const std::string held = grip_holds_note(study, all); !held.empty())
     return held;
   std::string text = "The glass does not spin up.";
   if (all.terminal && !all.terminal->stable)
@@ -81,8 +81,8 @@ std::string largest_step_sentence(const Study &study, const Budget &budget)
   return "The largest other step from the paper's model to this " + one_way_word(study) + "one is \"" +
          row->name + "\": " + number(*row->difference, "+.3g") + " rad/s" +
          (relative ? " (" + faster_or_slower(*relative) + ")" : "") +
-         (row->standing == ring::Standing::formal ? ", formally: such a load would have to pull on the table."
-                                                  : ".");
+         (row->status == ring::Status::formal ? ", formally: such a load would have to pull on the table."
+                                              : ".");
 }
 
 std::string missing_band_sentence(const Study &study)
@@ -170,7 +170,7 @@ std::string lift_off_remark(const Study &study, const ContactReport &report, con
   return lift_off_sentences({ { "At rest", &report.load } });
 }
 
-std::string pressed_remark(const ContactReport &report, const SpinStudy &spin)
+std::string contact_remark(const ContactReport &report, const SpinStudy &spin)
 {
   std::string text = pressed_sentence("At rest", report.load);
   if (spin.all().terminal)

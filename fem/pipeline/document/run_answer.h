@@ -22,7 +22,7 @@ std::string profile_remark(const Study &study);
 std::string lift_off_remark(const Study &study, const ContactReport &report, const SpinStudy &spin);
 
 /// Largest pressure and contact width, at rest and at the terminal spin.
-std::string pressed_remark(const ContactReport &report, const SpinStudy &spin);
+std::string contact_remark(const ContactReport &report, const SpinStudy &spin);
 
 /// A contact that is at most a few nodes wide.
 std::string narrow_contact_remark(const Study &study, const ContactReport &report);

@@ -28,7 +28,7 @@ std::string state_of(const BudgetRow &row)
 {
   if (!row.reason.empty())
     return row.reason;
-  return row.omega_terminal && row.standing != ring::Standing::formal ? "" : to_string(row.standing);
+  return row.omega_terminal && row.status != ring::Status::formal ? "" : to_string(row.status);
 }
 
 } // namespace
@@ -40,21 +40,21 @@ Json spin_rows(const std::vector<ring::Answer> &rows)
   {
     const auto &rest = row.at_rest, &end = row.at_terminal;
     list.push_back({ { "harmonics", row.harmonics },
-                     { "tau_at_rest", if_there(rest, torque_of) },
-                     { "lean_torque_at_rest", if_there(rest, &ring::RingState::lean_torque) },
+                     { "tau_at_rest", to_json_or_null(rest, torque_of) },
+                     { "lean_torque_at_rest", to_json_or_null(rest, &ring::RingState::lean_torque) },
                      { "omega_terminal", row.omega_terminal() },
                      { "omega_terminal_band", row.band },
-                     { "tau_at_terminal", if_there(end, torque_of) },
-                     { "lean_torque_at_terminal", if_there(end, &ring::RingState::lean_torque) },
-                     { "grip_torque_at_terminal", if_there(end, &ring::RingState::grip_torque) },
-                     { "force_at_terminal", if_there(end, force_of) },
+                     { "tau_at_terminal", to_json_or_null(end, torque_of) },
+                     { "lean_torque_at_terminal", to_json_or_null(end, &ring::RingState::lean_torque) },
+                     { "grip_torque_at_terminal", to_json_or_null(end, &ring::RingState::grip_torque) },
+                     { "force_at_terminal", to_json_or_null(end, force_of) },
                      { "time_constant", row.time_constant() },
                      { "relative_change", row.relative_change },
                      { "bound", row.bound },
-                     { "load_minimum", if_there(rest, &ring::RingState::minimum) },
-                     { "pulling_share", if_there(rest, &ring::RingState::pulling_share) },
-                     { "moment_ratio_at_terminal", if_there(end, &ring::RingState::moment_ratio) },
-                     { "message", if_said(row.reason) } });
+                     { "load_minimum", to_json_or_null(rest, &ring::RingState::minimum) },
+                     { "pulling_share", to_json_or_null(rest, &ring::RingState::pulling_share) },
+                     { "moment_ratio_at_terminal", to_json_or_null(end, &ring::RingState::moment_ratio) },
+                     { "message", text_or_null(row.reason) } });
   }
   return list;
 }
@@ -64,8 +64,8 @@ Json shown_spin_rows(const std::vector<ring::Answer> &rows)
   constexpr double small_change = 1e-11;
   Json shown = spin_rows(rows);
   const auto &rest = rows.back().at_rest;
-  leave_out_rounding(shown, "tau_at_rest", rest ? 1e-12 * std::abs(torque_of(*rest)) : 0);
-  leave_out_rounding(shown, "relative_change", small_change);
+  zero_rounding_errors(shown, "tau_at_rest", rest ? 1e-12 * std::abs(torque_of(*rest)) : 0);
+  zero_rounding_errors(shown, "relative_change", small_change);
   return shown;
 }
 
@@ -113,9 +113,9 @@ Json chain_rows(const Study &study, const std::vector<BudgetRow> &rows)
                      { "band", row.band },
                      { "torques", row.torques },
                      { "remark", state_of(row) },
-                     { "state", to_string(row.standing) },
-                     { "formal", row.standing == ring::Standing::formal },
-                     { "reason", if_said(row.reason) } });
+                     { "state", to_string(row.status) },
+                     { "formal", row.status == ring::Status::formal },
+                     { "reason", text_or_null(row.reason) } });
   }
   return list;
 }
@@ -142,12 +142,12 @@ Json shown_chain(const Study &study, std::vector<BudgetRow> rows)
     kept.push_back(row);
   }
   Json shown = chain_rows(study, kept);
-  leave_out_rounding(shown, "omega_terminal difference", rounding_of_spins(study));
-  leave_out_rounding(shown, "relative_difference", 1e-9);
-  leave_out_rounding(shown, "torques", 1e-9 * std::abs(torque_at_rest));
+  zero_rounding_errors(shown, "omega_terminal difference", rounding_of_spins(study));
+  zero_rounding_errors(shown, "relative_difference", 1e-9);
+  zero_rounding_errors(shown, "torques", 1e-9 * std::abs(torque_at_rest));
   for (Json &row : shown)
     if (Json &omega = row["omega_terminal"]; band > 0 && omega.is_number() && omega != 0.)
-      omega = format::to_spread(omega, band);
+      omega = format::rounded_to_error(omega, band);
   return shown;
 }
 
@@ -180,7 +180,7 @@ Json without_rows(const Study &study, const Budget &budget)
                      { "difference", row.difference },
                      { "relative_difference", relative_to(complete, row.difference, spin_scale(study)) },
                      { "remark", row.reason },
-                     { "reason", if_said(row.reason) } });
+                     { "reason", text_or_null(row.reason) } });
   return list;
 }
 

@@ -31,7 +31,7 @@ std::map<std::string, std::string> values_in_words(const Study &study)
 {
   std::map<std::string, std::string> words;
   for (const StudyEntry &entry : entries_of(study))
-    words[entry.path()] = in_words(study, entry);
+    words[entry.path()] = in_usual_unit(study, entry);
   return words;
 }
 
@@ -87,7 +87,7 @@ std::string unit_of(const StudyEntry &entry)
 
 } // namespace
 
-std::string in_words(double value, const std::string &unit)
+std::string in_usual_unit(double value, const std::string &unit)
 {
   const std::string alone = fmt::format(FMT_STRING("{:.4g}"), value);
   if (unit.empty() || unit == "1")
@@ -106,15 +106,15 @@ std::string in_words(double value, const std::string &unit)
   return best;
 }
 
-std::string in_words(const Study &study, const StudyEntry &entry)
+std::string in_usual_unit(const Study &study, const StudyEntry &entry)
 {
   if (!entry.quantity)
     return entry.text();
   const auto given = study.given_entries.find(entry.path());
-  if (given != study.given_entries.end() && !unit_behind(given->second).empty() &&
+  if (given != study.given_entries.end() && !trailing_unit(given->second).empty() &&
       parse_quantity(given->second, entry.unit) == *entry.quantity) // and not that of a variant
     return given->second;
-  return in_words(*entry.quantity, entry.unit);
+  return in_usual_unit(*entry.quantity, entry.unit);
 }
 
 std::string title_of(const Study &study)
@@ -166,7 +166,7 @@ Json all_entries(const Study &study)
   return all;
 }
 
-Json sketch_words(const Study &study)
+Json sketch_labels(const Study &study)
 {
   const ring::Motion &motion = study.motion.orbit;
   const auto given = values_in_words(study);

@@ -11,11 +11,11 @@ namespace stemware::pipeline
 struct StudyEntry;
 
 /// A number in the unit, of those that people use beside the SI unit @p unit, that makes it short: "300 g".
-std::string in_words(double value, const std::string &unit);
+std::string in_usual_unit(double value, const std::string &unit);
 
 /// The value of an entry of @p study as its user wrote it, "300 g". An entry that was not given, or given
 /// without a unit, is in the unit that makes it short.
-std::string in_words(const Study &study, const StudyEntry &entry);
+std::string in_usual_unit(const Study &study, const StudyEntry &entry);
 
 /// "The default glass", or the name of the study.
 std::string title_of(const Study &study);
@@ -31,6 +31,6 @@ nlohmann::ordered_json all_entries(const Study &study);
 
 /// Words and lengths at the sketch of the glass: the values of its entries by their names, the table, the
 /// hand.
-nlohmann::ordered_json sketch_words(const Study &study);
+nlohmann::ordered_json sketch_labels(const Study &study);
 
 } // namespace stemware::pipeline

@@ -151,7 +151,7 @@ SweepFile::SweepFile(const fs::path &wanted, const CaseList &list)
     refuse("cannot be made (" + error.message() + ")");
   const std::string rows = read_text_file(folder / table_name);
   const bool is_begun = rows.find('\n') != rows.npos; // else the program was killed before its first row
-  const Json study = Json::parse(valid_text(study_of_sweep(folder, list)));
+  const Json study = Json::parse(dump_utf8(study_of_sweep(folder, list)));
   if (is_begun)
   {
     const Json before = json_in(read_text_file(folder / study_name)).value_or(Json::object());
@@ -163,7 +163,7 @@ SweepFile::SweepFile(const fs::path &wanted, const CaseList &list)
     read_rows(rows);
   }
   else // before sweep.csv: a folder without study.json is no sweep's
-    write_text_file(folder / study_name, valid_text(study, 2) + '\n');
+    write_text_file(folder / study_name, dump_utf8(study, 2) + '\n');
   open();
   const std::size_t n_whole = is_begun ? rows.rfind('\n') + 1 : 0;
   if (::ftruncate(descriptor, static_cast<off_t>(n_whole)) != 0)

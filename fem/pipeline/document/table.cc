@@ -201,12 +201,12 @@ std::string heading_with_unit(const Quantity &quantity)
   return with_unit(quantity.heading, quantity.unit, false);
 }
 
-Json picked(const Json &json, const std::string &keys)
+Json selected_keys(const Json &json, const std::string &keys)
 {
   Json result = json.is_array() ? Json::array() : Json::object();
   if (json.is_array())
     for (const Json &row : json)
-      result.push_back(picked(row, keys));
+      result.push_back(selected_keys(row, keys));
   else
     for (const std::string &key : words_of(keys))
       result[key] = json.at(key);
@@ -256,7 +256,7 @@ Table number_rows(const std::string &title, const std::vector<std::pair<std::str
   return table;
 }
 
-Json as_list(const Table &table)
+Json name_value_list(const Table &table)
 {
   Json list = Json::array();
   for (const Column &column : table.columns)
@@ -281,7 +281,7 @@ std::string shown(const Column &column, std::size_t row, const std::string &miss
   return missing;
 }
 
-void leave_out_rounding(Json &rows, const std::string &keys, double rounding)
+void zero_rounding_errors(Json &rows, const std::string &keys, double rounding)
 {
   const auto leave_out = [=](Json &value)
   {

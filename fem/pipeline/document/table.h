@@ -97,13 +97,13 @@ Table number_rows(const std::string &title, const std::vector<std::pair<std::str
                   const std::vector<std::vector<double>> &rows);
 
 /// A table of one row as a list of what it is, with its unit, and how large: objects with "what" and "is".
-nlohmann::ordered_json as_list(const Table &table);
+nlohmann::ordered_json name_value_list(const Table &table);
 
 /// A cell as people read it on the console or in a report; @p missing where there is none.
 std::string shown(const Column &column, std::size_t row, const std::string &missing, bool on_console = false);
 
 /// Makes 0 of what is less than @p rounding in these @p keys (parted by blanks) of each of @p rows: rounding
 /// errors are for data files.
-void leave_out_rounding(nlohmann::ordered_json &rows, const std::string &keys, double rounding);
+void zero_rounding_errors(nlohmann::ordered_json &rows, const std::string &keys, double rounding);
 
 } // namespace stemware::pipeline

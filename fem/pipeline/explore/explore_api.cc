@@ -126,7 +126,7 @@ Json row_json(const ring::Answer &row, double contact_radius)
 {
   Json object = { { "omega", row.omega_terminal() }, { "last_spin", row.last_spin() },
                   { "falls", row.fall.has_value() }, { "time_constant", row.time_constant() },
-                  { "harmonics", row.harmonics },    { "standing", to_string(row.standing) },
+                  { "harmonics", row.harmonics },    { "standing", to_string(row.status) },
                   { "reason", row.reason } };
   if (row.at_rest)
     object.add("at_rest", state_json(*row.at_rest, contact_radius));
@@ -179,9 +179,9 @@ const char *answer(const Make &make)
   return reply.c_str();
 }
 
-const char *name_of(MeshFit fit)
+const char *name_of(MeshMatch match)
 {
-  return fit == MeshFit::same ? "same" : fit == MeshFit::near ? "near" : "foreign";
+  return match == MeshMatch::same ? "same" : match == MeshMatch::close ? "near" : "foreign";
 }
 
 } // namespace
@@ -198,7 +198,7 @@ void explore_begin()
 
 void explore_take(const double *numbers, int is_disc)
 {
-  explorer->take(std::make_shared<const fem::ContactCompliance>(unpacked(numbers)), is_disc != 0);
+  explorer->take(std::make_shared<const fem::ContactCompliance>(deserialized(numbers)), is_disc != 0);
 }
 
 const char *explore_set(const char *path, const char *value)
@@ -241,7 +241,7 @@ const char *explore_solve(unsigned int n_harmonics, int cold)
     {
       const LiveAnswer found = explorer->solve(n_harmonics == 0 ? all_harmonics : n_harmonics, cold != 0);
       last_contact = found.contact;
-      Json object = { { "fit", name_of(found.fit) },
+      Json object = { { "fit", name_of(found.match) },
                       { "contact_radius", found.contact_radius },
                       { "all", row_json(found.all, found.contact_radius) },
                       { "paper", row_json(found.paper, found.contact_radius) },
@@ -318,7 +318,7 @@ const char *explore_budget()
                               { "harmonics", row.harmonics },
                               { "omega", row.omega_terminal },
                               { "difference", row.difference },
-                              { "standing", to_string(row.standing) },
+                              { "standing", to_string(row.status) },
                               { "reason", row.reason } });
       return Json{ { "rows", steps } };
     });

@@ -69,18 +69,18 @@ void Explorer::ready(double fineness)
   is_ready = true;
 }
 
-MeshFit Explorer::fit() const
+MeshMatch Explorer::mesh_match() const
 {
   const fem::MeridianResolution now = revolution_setup(present).resolution;
   const fem::MeridianResolution then = revolution_setup(base).resolution;
   const auto differ = [](double one, double other) { return std::abs(one - other) > 1e-9 * std::abs(other); };
   if (now.refinements != then.refinements || differ(now.land_grading, then.land_grading) ||
       differ(now.focus_radius, then.focus_radius) || now.has_focus() != then.has_focus())
-    return MeshFit::foreign;
+    return MeshMatch::none;
   if (!now.has_focus() || !differ(now.focus_size, then.focus_size))
-    return MeshFit::same;
+    return MeshMatch::same;
   const double ratio = now.focus_size / then.focus_size;
-  return std::max(ratio, 1 / ratio) > farthest ? MeshFit::foreign : MeshFit::near;
+  return std::max(ratio, 1 / ratio) > farthest ? MeshMatch::none : MeshMatch::close;
 }
 
 std::shared_ptr<fem::Foot> Explorer::make_foot(const Study &study) const
@@ -96,7 +96,8 @@ std::shared_ptr<fem::Foot> Explorer::make_foot(const Study &study) const
     below =
       of(disc_compliance, base.table.disc_material.young_modulus, study.table.disc_material.young_modulus);
   return std::make_shared<fem::RevolutionFoot>(
-    setup, std::make_shared<const fem::ContactCompliance>(setup.together(own, below ? &*below : nullptr)));
+    setup,
+    std::make_shared<const fem::ContactCompliance>(setup.total_compliance(own, below ? &*below : nullptr)));
 }
 
 Executor Explorer::executor() const
@@ -109,15 +110,15 @@ LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
   const std::shared_ptr<ElasticFoot> last = std::exchange(foot, nullptr);
   rows.clear();
   check_values(present);
-  require_standing(present);
+  require_no_tipping(present);
   LiveAnswer answer;
-  answer.fit = fit();
-  require(answer.fit != MeshFit::foreign,
+  answer.match = mesh_match();
+  require(answer.match != MeshMatch::none,
           "The contact would be of another width, which the mesh of this page does not "
           "resolve; `stemware run` makes one that does.");
   const bool from_last = !cold && last && last->has_rings();
   if (!from_last || !follow(*last, n_harmonics, answer))
-    solve_anew(from_last ? last.get() : nullptr, n_harmonics, answer);
+    solve_cold(from_last ? last.get() : nullptr, n_harmonics, answer);
   answer.contact_radius = foot->radius();
   const Study paper = paper_study(present);
   answer.paper = ring::answer(*find_load(paper, nullptr), spin_question(paper));
@@ -142,7 +143,7 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
     row.harmonics = load.n_harmonics();
     row.terminal = ring::TerminalSpin{ omega, balance.spin.slope, std::nan(""), true };
     row.at_terminal = ring::ring_state(load, question, omega);
-    row.standing = ring::Standing::full_contact;
+    row.status = ring::Status::full_contact;
     return row;
   };
   try
@@ -170,7 +171,7 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
   }
 }
 
-void Explorer::solve_anew(const ElasticFoot *last, unsigned int n_harmonics, LiveAnswer &answer)
+void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, LiveAnswer &answer)
 {
   foot = study_foot(present, executor().make_foot, silent_progress(), last);
   if (last)
@@ -181,9 +182,9 @@ void Explorer::solve_anew(const ElasticFoot *last, unsigned int n_harmonics, Liv
     question.near = near->spin;
   const SharedLoad load = find_load(present, foot);
   answer.all = ring::answer(*load, question);
-  std::optional<ring::KnownZero> zero = answer.all.known_zero();
+  std::optional<ring::ZeroGuess> zero = answer.all.zero_guess();
   if (!zero && question.near && answer.all.omega_terminal())
-    zero = ring::KnownZero{ *answer.all.omega_terminal(), question.near->slope };
+    zero = ring::ZeroGuess{ *answer.all.omega_terminal(), question.near->slope };
   if (n_harmonics < foot->n_harmonics())
   {
     question.near = zero;
@@ -202,12 +203,12 @@ std::optional<LiveCurves> Explorer::curves()
   if (rows.empty() || !rows.back().row.last_spin())
     return std::nullopt;
   const std::vector<double> shown = shown_spins(present, rows);
-  const LoadedRow all = with_curve(rows.back(), shown.front(), shown.back());
+  const LoadedRow all = with_interpolated_load(rows.back(), shown.front(), shown.back());
   const ring::Answer of_all = curves_of(present, all, shown), paper = paper_curves(present, shown);
   ring::Answer of_first_n;
   if (rows.size() > 1)
-    of_first_n =
-      curves_of(present, with_curve(rows.front(), shown.front(), shown.back(), all.load.get()), shown);
+    of_first_n = curves_of(
+      present, with_interpolated_load(rows.front(), shown.front(), shown.back(), all.load.get()), shown);
   LiveCurves curves;
   curves.torque = torque_curve(shown, all.load->spin_scale(present.motion.orbit), of_all, of_first_n);
   curves.of_paper = ring::friction_torques(paper);
@@ -228,12 +229,12 @@ std::vector<BudgetRow> Explorer::budget()
 {
   if (rows.empty())
     return {};
-  return judge_chain(present,
-                     rows_by_harmonics(present, foot, *rows.back().load, spin_question(present), executor(),
-                                       silent_progress(), Depth::full, model_chain(present)));
+  return assess_chain(present,
+                      rows_by_harmonics(present, foot, *rows.back().load, spin_question(present), executor(),
+                                        silent_progress(), Depth::full, model_chain(present)));
 }
 
-std::vector<double> packed(const fem::ContactCompliance &compliance)
+std::vector<double> serialized(const fem::ContactCompliance &compliance)
 {
   std::vector<double> numbers = {
     static_cast<double>(compliance.n_nodes()),     static_cast<double>(compliance.degree),
@@ -251,11 +252,11 @@ std::vector<double> packed(const fem::ContactCompliance &compliance)
   };
   for (const fem::HarmonicCompliance &harmonic : compliance.harmonics)
     add_harmonic(harmonic);
-  add_harmonic(compliance.beyond);
+  add_harmonic(compliance.tail);
   return numbers;
 }
 
-fem::ContactCompliance unpacked(const double *numbers)
+fem::ContactCompliance deserialized(const double *numbers)
 {
   fem::ContactCompliance compliance;
   const auto n = static_cast<Eigen::Index>(numbers[0]);
@@ -281,7 +282,7 @@ fem::ContactCompliance unpacked(const double *numbers)
   };
   for (fem::HarmonicCompliance &harmonic : compliance.harmonics)
     read_harmonic(harmonic);
-  read_harmonic(compliance.beyond);
+  read_harmonic(compliance.tail);
   return compliance;
 }
 

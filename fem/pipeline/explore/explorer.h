@@ -14,21 +14,21 @@ namespace stemware::pipeline
 {
 
 /// Match of the mesh of an Explorer's compliances with a study.
-enum class MeshFit
+enum class MeshMatch
 {
-  same,   ///< `stemware run` would make the same mesh
-  near,   ///< it would make one of other cells; the answer has a band
-  foreign ///< the contact would not be resolved
+  same,  ///< `stemware run` would make the same mesh
+  close, ///< it would make one of other cells; the answer has a band
+  none   ///< the contact would not be resolved
 };
 
-/// Bound on the difference of a spin under MeshFit::near to the one that `stemware run` finds on its own mesh
-/// [rad/s], four times what contacts of other widths differ by (tests: Live).
-constexpr double near_band = 2e-5;
+/// Bound on the difference of a spin under MeshMatch::close to the one that `stemware run` finds on its own
+/// mesh [rad/s], four times what contacts of other widths differ by (tests: Live).
+constexpr double close_mesh_band = 2e-5;
 
 /// The answer to a study as a page shows it.
 struct LiveAnswer
 {
-  MeshFit fit = MeshFit::same;
+  MeshMatch match = MeshMatch::same;
   ring::Answer all;                    ///< all harmonics
   std::optional<ring::Answer> first_n; ///< the first n alone, where so few were asked
   ring::Answer paper;                  ///< the paper's rigid ring
@@ -66,7 +66,7 @@ public:
 
   const Study &study() const { return present; }
   /// Returns the match of the mesh with the present study.
-  MeshFit fit() const;
+  MeshMatch mesh_match() const;
 
   /// Solves the study with @p n_harmonics, from the last answer to 1e-7 rad/s, where that leads on without
   /// its state at rest, or, where @p cold, as `stemware run` does. Throws BadInput with one sentence for what
@@ -92,7 +92,7 @@ private:
   /// leads on. Then there is no curve and no budget.
   bool follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAnswer &answer);
   /// The same from what the contacts of @p last let expect, if any, else from nothing.
-  void solve_anew(const ElasticFoot *last, unsigned int n_harmonics, LiveAnswer &answer);
+  void solve_cold(const ElasticFoot *last, unsigned int n_harmonics, LiveAnswer &answer);
 
   Study present, base;
   bool is_ready = false;
@@ -107,7 +107,7 @@ private:
 /// A compliance as numbers in a row, and back: nodes, degree, highest harmonic, unknowns, whether the land
 /// goes on inside and outside, the radii, then of each harmonic, and of those beyond, the lower triangle of
 /// `normal` by columns, `radial` and `azimuthal`.
-std::vector<double> packed(const fem::ContactCompliance &compliance);
-fem::ContactCompliance unpacked(const double *numbers);
+std::vector<double> serialized(const fem::ContactCompliance &compliance);
+fem::ContactCompliance deserialized(const double *numbers);
 
 } // namespace stemware::pipeline

@@ -53,9 +53,9 @@ std::optional<std::pair<LiveBalance, ring::LeaningLoad>>
 balance_near(const LiveBalance &near, const Study &study, const std::shared_ptr<ElasticFoot> &foot,
              unsigned int n_harmonics)
 {
-  constexpr unsigned int most_contacts = 6;
+  constexpr unsigned int max_contacts = 6;
   constexpr double accuracy = 1e-8; // of the spin [rad/s]
-  if (!study.load.is_in_balance() || !spin_matters(study) || foot->ring_radii().empty() ||
+  if (!study.load.is_in_balance() || !depends_on_spin(study) || foot->ring_radii().empty() ||
       near.contact.zone != 0 ||
       near.contact.solution.forces.size() != foot->body().description().n_contact_nodes)
     return std::nullopt;
@@ -66,7 +66,7 @@ balance_near(const LiveBalance &near, const Study &study, const std::shared_ptr<
   balance.n_harmonics = n_harmonics;
   BalancedContact contacts(foot, balance, near.contact);
   double spin = near.spin.omega, slope = near.spin.slope, step = 0, torque_before = 0;
-  for (unsigned int n = 0; n < most_contacts; ++n)
+  for (unsigned int n = 0; n < max_contacts; ++n)
   {
     fem::ContactState contact = contacts.contact(spin);
     ring::LeaningLoad load = contacts.load_of(contact);

@@ -16,7 +16,7 @@ namespace stemware::pipeline
 /// A terminal spin, and the contact there.
 struct LiveBalance
 {
-  ring::KnownZero spin;
+  ring::ZeroGuess spin;
   fem::ContactState contact;
 };
 

@@ -45,7 +45,7 @@ class PagedCompliance
 {
 public:
   PagedCompliance(const fem::ContactCompliance &compliance, int bits)
-      : given(packed(compliance))
+      : given(serialized(compliance))
       , n(compliance.n_nodes())
       , n_matrices(compliance.n_harmonics() + 2)
   {
@@ -128,9 +128,9 @@ std::vector<std::string> entries_of(const Preset &preset)
   return paths;
 }
 
-Study study_of(const PageWish &wish, const Preset *glass, const Preset *table)
+Study study_of(const PageOptions &options, const Preset *glass, const Preset *table)
 {
-  Study study = wish.study;
+  Study study = options.study;
   for (const Preset *preset : { glass, table })
     if (preset)
       read_prm(preset->name, preset->text, study_entries(study));
@@ -172,9 +172,9 @@ double spin_in_page(const Study &study, const PagedCompliance &foot, const Paged
   Explorer explorer;
   for (const auto &[path, value] : values_of(study))
     explorer.set(path, value);
-  explorer.take(std::make_shared<const fem::ContactCompliance>(unpacked(foot.numbers())), false);
+  explorer.take(std::make_shared<const fem::ContactCompliance>(deserialized(foot.numbers())), false);
   if (disc)
-    explorer.take(std::make_shared<const fem::ContactCompliance>(unpacked(disc->numbers())), true);
+    explorer.take(std::make_shared<const fem::ContactCompliance>(deserialized(disc->numbers())), true);
   explorer.ready(study.contact.fineness);
   const LiveAnswer answer = explorer.solve(all_harmonics, true);
   return answer.all.omega_terminal().value();
@@ -203,12 +203,12 @@ private:
   std::map<std::string, std::size_t> known;
 };
 
-/// Makes the focused mesh of @p study so coarse that it has at most @p most_nodes; nothing where it has.
-void coarsen(Study &study, unsigned int most_nodes, fem::ComplianceCache &cache)
+/// Makes the focused mesh of @p study so coarse that it has at most @p max_nodes; nothing where it has.
+void coarsen(Study &study, unsigned int max_nodes, fem::ComplianceCache &cache)
 {
-  if (most_nodes == 0 || !revolution_setup(study).resolution.has_focus())
+  if (max_nodes == 0 || !revolution_setup(study).resolution.has_focus())
     return;
-  while (live_bodies(study, cache).foot.n_nodes() > most_nodes && study.contact.fineness > 0.05)
+  while (live_bodies(study, cache).foot.n_nodes() > max_nodes && study.contact.fineness > 0.05)
     study.contact.fineness *= 0.85;
 }
 
@@ -261,15 +261,15 @@ struct SolvedPair
 };
 
 /// Solves a pair, with as few digits of its compliances as the tolerance allows.
-SolvedPair solve_pair(const PageWish &wish, const Preset *glass, const Preset *table,
+SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Preset *table,
                       fem::ComplianceCache &cache)
 {
-  Study study = study_of(wish, glass, table);
+  Study study = study_of(options, glass, table);
   PagePair pair;
   pair.glass = glass ? glass->name : "glass of the study";
   pair.table = table ? table->name : "table of the study";
   pair.omega = spin_of(study, cache);
-  coarsen(study, wish.most_nodes, cache);
+  coarsen(study, options.max_nodes, cache);
   const bool is_coarse = study.contact.fineness < 1;
   const LiveBodies live = live_bodies(study, cache);
   pair.n_nodes = live.foot.n_nodes();
@@ -307,7 +307,7 @@ LiveSolver live_solver()
     const std::string script = read_text_file(folder / "explore.js"),
                       wasm = read_text_file(folder / "explore.wasm");
     if (!script.empty() && !wasm.empty())
-      return { finite_elements().packed(script), finite_elements().packed(wasm) };
+      return { finite_elements().compressed_base64(script), finite_elements().compressed_base64(wasm) };
   }
   for (const std::filesystem::path &folder : shared_folders())
   {
@@ -321,17 +321,17 @@ LiveSolver live_solver()
     "explore.html of the project into share/stemware.");
 }
 
-Page make_page(const PageWish &wish, const LiveSolver &solver, fem::ComplianceCache &cache,
+Page make_page(const PageOptions &options, const LiveSolver &solver, fem::ComplianceCache &cache,
                const std::function<void(const PagePair &)> &done)
 {
   std::vector<std::pair<const Preset *, const Preset *>> wanted;
-  for (const Preset *glass : each_of(wish.glasses))
-    for (const Preset *table : each_of(wish.tables))
+  for (const Preset *glass : each_of(options.glasses))
+    for (const Preset *table : each_of(options.tables))
       wanted.emplace_back(glass, table);
   std::vector<std::optional<SolvedPair>> solved(wanted.size());
-  Executor(cache, wish.n_threads)
-    .for_each(wanted.size(),
-              [&](std::size_t i) { solved[i] = solve_pair(wish, wanted[i].first, wanted[i].second, cache); });
+  Executor(cache, options.n_threads)
+    .for_each(wanted.size(), [&](std::size_t i)
+              { solved[i] = solve_pair(options, wanted[i].first, wanted[i].second, cache); });
 
   Page page;
   Bodies bodies;
@@ -361,15 +361,15 @@ Page make_page(const PageWish &wish, const LiveSolver &solver, fem::ComplianceCa
     entries[entry.path()] = entry.text();
   const nlohmann::ordered_json data = { { "version", program_version() },
                                         { "tolerance", tolerance },
-                                        { "near_band", near_band },
-                                        { "glasses", buttons(wish.glasses, "glass of the study") },
-                                        { "tables", buttons(wish.tables, "table of the study") },
+                                        { "near_band", close_mesh_band },
+                                        { "glasses", buttons(options.glasses, "glass of the study") },
+                                        { "tables", buttons(options.tables, "table of the study") },
                                         { "entries", entries },
                                         { "pairs", pairs },
                                         { "bodies", bodies.places } };
   page.text = live_page({ { "ANSWER", answer_without_scripts(page.pairs) },
                           { "DATA", json_within_html(data) },
-                          { "BODIES", finite_elements().packed(bodies.bytes) },
+                          { "BODIES", finite_elements().compressed_base64(bodies.bytes) },
                           { "WASM", solver.wasm },
                           { "GLUE", solver.script } });
   return page;

@@ -24,13 +24,13 @@ struct LiveSolver
 LiveSolver live_solver();
 
 /// Content of a page of `stemware explore`.
-struct PageWish
+struct PageOptions
 {
   Study study;                 ///< that the page begins with
   std::vector<Preset> glasses; ///< that can be chosen; empty: that of the study
   std::vector<Preset> tables;  ///< likewise
   unsigned int n_threads = 1;  ///< that share the pairs
-  unsigned int most_nodes = 0; ///< across the land, of focused meshes; 0: as many as `stemware run` has
+  unsigned int max_nodes = 0;  ///< across the land, of focused meshes; 0: as many as `stemware run` has
 };
 
 /// One glass on one table of a page.
@@ -51,7 +51,7 @@ struct Page
   std::string text;
   std::vector<PagePair> pairs;
 };
-Page make_page(const PageWish &wish, const LiveSolver &solver, fem::ComplianceCache &cache,
+Page make_page(const PageOptions &options, const LiveSolver &solver, fem::ComplianceCache &cache,
                const std::function<void(const PagePair &)> &done = {});
 
 } // namespace stemware::pipeline

@@ -31,7 +31,7 @@ std::vector<fem::SectionPolygon> meridian_cells(const fem::RevolutionSetup &setu
   return fem::section_cells(fem::MeridianMeshes(setup).foot);
 }
 
-std::pair<FiniteElements::Compliance, FiniteElements::Compliance>
+std::pair<FiniteElementFunctions::Compliance, FiniteElementFunctions::Compliance>
 compliances(const fem::RevolutionSetup &setup, fem::ComplianceCache &cache)
 {
   const fem::MeridianMeshes meshes(setup);
@@ -41,12 +41,12 @@ compliances(const fem::RevolutionSetup &setup, fem::ComplianceCache &cache)
                                  : nullptr };
 }
 
-std::shared_ptr<FiniteElements::Mesh> empty_mesh()
+std::shared_ptr<FiniteElementFunctions::Mesh> empty_mesh()
 {
-  return std::make_shared<FiniteElements::Mesh>();
+  return std::make_shared<FiniteElementFunctions::Mesh>();
 }
 
-std::string packed(const std::string &text)
+std::string compressed_base64(const std::string &text)
 {
   const std::string compressed = dealii::Utilities::compress(text);
   return dealii::Utilities::encode_base64({ compressed.begin(), compressed.end() });
@@ -69,12 +69,11 @@ void set_thread_limit(unsigned int n_threads)
 
 } // namespace
 
-extern "C" const FiniteElements stemware_finite_elements;
-const FiniteElements stemware_finite_elements = {
-  make_revolution_foot, meridian_cells,     compliances,         empty_mesh,
-  fem::make_foot_mesh,  fem::move_to_crown, fem::read_foot_mesh, fem::check_mesh,
-  fem::section_cells,   fem::write_msh,     fem::write_mesh_vtu, packed,
-  sentence_of,          set_thread_limit
+extern "C" const FiniteElementFunctions stemware_finite_elements;
+const FiniteElementFunctions stemware_finite_elements = {
+  make_revolution_foot, meridian_cells,      compliances,     empty_mesh,         fem::make_foot_mesh,
+  fem::move_to_crown,   fem::read_foot_mesh, fem::check_mesh, fem::section_cells, fem::write_msh,
+  fem::write_mesh_vtu,  compressed_base64,   sentence_of,     set_thread_limit
 };
 
 } // namespace stemware::pipeline

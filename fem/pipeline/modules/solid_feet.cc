@@ -28,7 +28,8 @@ fem::SolidMesh mesh_before_goal(const Study &study)
     return fem::generate_solid_mesh(study.glass.profile, resolution);
   }
   require_usable_mesh(study);
-  return fem::read_solid_mesh(study.contact.mesh_file, study.contact.refinements, study.contact.mesh_marks);
+  return fem::read_solid_mesh(study.contact.mesh_file, study.contact.refinements,
+                              study.contact.mesh_file_options);
 }
 
 /// Text that only studies share whose feet have the same mesh, material and elements.
@@ -92,7 +93,7 @@ std::shared_ptr<fem::Foot> make_foot(const Study &study, const fem::Foot *simila
 
 } // namespace
 
-extern "C" const SolidFeet stemware_solid_feet;
-const SolidFeet stemware_solid_feet = { make_foot };
+extern "C" const SolidFootFunctions stemware_solid_feet;
+const SolidFootFunctions stemware_solid_feet = { make_foot };
 
 } // namespace stemware::pipeline

@@ -93,7 +93,7 @@ void write_results(const StudyOptions &options, const std::optional<Study> &stud
   for (const auto &item : fs::directory_iterator(place))
     files.insert(item.path().filename().string());
   summary["files"] = files;
-  write_text_file(place / "summary.json", valid_text(summary, 2) + "\n");
+  write_text_file(place / "summary.json", dump_utf8(summary, 2) + "\n");
   stopwatch.finish("summary");
   write_text_file(place / "timings.json", Json(stopwatch.times()).dump(2) + "\n");
 }
@@ -113,7 +113,7 @@ void print(const StudyOptions &options, const Results &results, const fs::path &
                 { "summary", (place / "summary.json").string() },
                 { "report", report } };
   line.update(results.findings.key_figures);
-  std::cout << valid_text(line) << std::endl;
+  std::cout << dump_utf8(line) << std::endl;
 }
 
 } // namespace

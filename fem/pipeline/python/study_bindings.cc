@@ -123,7 +123,7 @@ struct Found
   Results results;
   std::shared_ptr<const StudyAnswer> answer = {}; ///< of run
 
-  std::string document() const { return valid_text(summary_of(verb, study, results.findings)); }
+  std::string document() const { return dump_utf8(summary_of(verb, study, results.findings)); }
 
   /// Writes the folder that the program would write.
   void save(const std::string &folder) const
@@ -143,7 +143,7 @@ struct Found
 Study checked(const Study &given)
 {
   Study study = with_values(given, "", {});
-  require_standing_glass(study);
+  require_no_tipping_at_rest(study);
   return study;
 }
 
@@ -156,18 +156,19 @@ Found results_of(const std::string &verb, const Study &given, bool quick, unsign
     if (verb == "truncate")
     {
       const TruncatedStudy answer = truncate_study(study, executor, progress);
-      return { verb, answer.study, tabulate_truncations(answer.study, answer.load, answer.rows) };
+      return { verb, answer.study, make_truncation_document(answer.study, answer.load, answer.rows) };
     }
     if (verb == "converge")
     {
       std::vector<RefinementAxis> axes = refinement_axes(study, n_levels);
       const ErrorBands bands = converge_study(study, axes, executor, progress);
-      return { verb, study, tabulate(study, axes, bands) };
+      return { verb, study, make_document(study, axes, bands) };
     }
     const auto answer = std::make_shared<StudyAnswer>(
       answer_study(study, quick ? Depth::answer : Depth::full, executor, progress, false));
     return { verb, answer->study,
-             tabulate(answer->study, answer->contact, answer->spin, answer->bands, answer->goal), answer };
+             make_document(answer->study, answer->contact, answer->spin, answer->bands, answer->goal),
+             answer };
   };
   return solved(listener, n_threads, work);
 }
@@ -259,9 +260,9 @@ PYBIND11_MODULE(_study, m)
     .def(py::init([](const std::string &file) { return read_study(file); }), "file"_a)
     .def_static("of_text", &read_study_text, "origin"_a, "text"_a)
     .def("assign", [](Study &study, const std::string &path, const std::string &text)
-         { assign(study_entries(study), "", whole_path(study_entries(study), path), text); })
+         { assign(study_entries(study), "", full_path(study_entries(study), path), text); })
     .def("value", [](const Study &study, const std::string &path)
-         { return entry_at(entries_of(study), "", whole_path(entries_of(study), path)).value(); })
+         { return entry_at(entries_of(study), "", full_path(entries_of(study), path)).value(); })
     .def("entries",
          [](const Study &study)
          {

@@ -65,7 +65,7 @@ Json harmonic_rows(const ring::RingStack &load, const std::vector<double> &band)
         { "amplitude", amplitude },
         { "crest", amplitude > rounding ? Json(std::round(10 * crest) / 10 + 0.) : Json(nullptr) } });
   }
-  leave_out_rounding(rows, "a b amplitude", rounding);
+  zero_rounding_errors(rows, "a b amplitude", rounding);
   return rows;
 }
 
@@ -93,14 +93,14 @@ Json waterfall_rows(std::vector<BudgetRow> steps)
   {
     steps.push_back(steps.back());
     steps.back().name = "this study";
-    steps.back().standing = ring::Standing::no_balance; // whose row says whether it is formal
+    steps.back().status = ring::Status::no_balance; // whose row says whether it is formal
     steps.front().name = "the paper's model";
     steps.front().difference = steps.back().difference = std::nullopt;
   }
   Json rows = Json::array();
   for (const BudgetRow &row : steps)
   {
-    const bool is_formal = row.standing == ring::Standing::formal;
+    const bool is_formal = row.status == ring::Status::formal;
     rows.push_back({ { "row", row.name + (is_formal ? " (formal)" : "") },
                      { "omega_terminal", row.omega_terminal },
                      { "difference", row.difference },
@@ -201,9 +201,9 @@ Json band_rows(const std::vector<BandedQuantity> &bands)
   Json rows = Json::array();
   for (const BandedQuantity &each : bands)
     rows.push_back({ { "quantity", each.quantity.name },
-                     { "shown_value", format::to_spread(each.quantity.value, each.band) },
+                     { "shown_value", format::rounded_to_error(each.quantity.value, each.band) },
                      { "band", each.band },
-                     { "shown_richardson", format::to_spread(each.richardson, each.band) },
+                     { "shown_richardson", format::rounded_to_error(each.richardson, each.band) },
                      { "shown_unit", each.quantity.unit == "1" ? format::missing : each.quantity.unit } });
   return rows;
 }

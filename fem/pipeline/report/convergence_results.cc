@@ -58,7 +58,7 @@ Json refinement_summary(const RefinementAxis &axis, const ErrorBands &bands)
 
 } // namespace
 
-Results tabulate(const Study &study, const std::vector<RefinementAxis> &axes, const ErrorBands &bands)
+Results make_document(const Study &study, const std::vector<RefinementAxis> &axes, const ErrorBands &bands)
 {
   const std::size_t index = index_of(bands, "omega_terminal");
   const BandedQuantity &spin = bands[index];
@@ -86,7 +86,7 @@ Results tabulate(const Study &study, const std::vector<RefinementAxis> &axes, co
                     { "answer", convergence_answer(spin, axes.front().name, order) },
                     { "has_order", order.has_value() },
                     { "spin", format::with_band(spin.quantity.value, spin.band) },
-                    { "sketch", sketch_words(study) },
+                    { "sketch", sketch_labels(study) },
                     { "glasses", { { { "title", "this glass" }, { "omega", spin.quantity.value } } } } };
   results.entries = all_entries(study);
   results.add_rows("study_differences", changed_entries(study));

@@ -7,6 +7,6 @@ namespace stemware::pipeline
 {
 
 /// The results of `converge`: solved @p axes and the @p bands that they make together.
-Results tabulate(const Study &study, const std::vector<RefinementAxis> &axes, const ErrorBands &bands);
+Results make_document(const Study &study, const std::vector<RefinementAxis> &axes, const ErrorBands &bands);
 
 } // namespace stemware::pipeline

@@ -86,7 +86,7 @@ Json stresses(const std::vector<fem::StressedPatch> &section)
       for (const fem::StressedPoint &point : row)
       {
         edge = std::max(edge, std::abs(point.x));
-        move = std::max(move, std::hypot(point.move_x, point.move_z));
+        move = std::max(move, std::hypot(point.displacement_x, point.displacement_z));
         stress = std::max(stress, point.von_mises);
       }
   const double magnification =
@@ -101,8 +101,8 @@ Json stresses(const std::vector<fem::StressedPatch> &section)
         double mean = 0;
         for (const fem::StressedPoint *corner : corners)
         {
-          x.push_back(shortened((corner->x + magnification * corner->move_x) * millimetres, 4));
-          z.push_back(shortened((corner->z + magnification * corner->move_z) * millimetres, 4));
+          x.push_back(shortened((corner->x + magnification * corner->displacement_x) * millimetres, 4));
+          z.push_back(shortened((corner->z + magnification * corner->displacement_z) * millimetres, 4));
           mean += corner->von_mises / 4;
         }
         values.push_back(shortened(mean * 1e-6, 3));

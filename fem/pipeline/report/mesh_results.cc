@@ -32,8 +32,8 @@ std::vector<std::string> mesh_remarks(const MeshFindings &findings)
   constexpr double poor = 0.1;
   const fem::MeshCheck &check = findings.check;
   std::vector<std::string> remarks;
-  if (check.least_jacobian < poor)
-    remarks.push_back("The worst cell's scaled Jacobian is " + to_short_text(check.least_jacobian) +
+  if (check.min_jacobian < poor)
+    remarks.push_back("The worst cell's scaled Jacobian is " + to_short_text(check.min_jacobian) +
                       ", below 0.1: stresses near it are poor.");
   if (n_other_faces(check) > 0)
     remarks.push_back("Faces with ids other than 1 and 2 are taken as free.");
@@ -83,7 +83,7 @@ nlohmann::ordered_json mesh_summary(const MeshFindings &findings)
         { "centre", check.centre },
         { "area", check.contact_area } } },
     { "scaled_jacobian",
-      { { "least", check.least_jacobian }, { "mean", check.mean_jacobian }, { "at", check.worst_place } } },
+      { { "least", check.min_jacobian }, { "mean", check.mean_jacobian }, { "at", check.worst_place } } },
     { "remarks", mesh_remarks(findings) }
   };
   if (findings.report)
@@ -117,7 +117,7 @@ std::string mesh_text(const MeshFindings &findings)
     "Quality",
     fmt::format(
       FMT_STRING("scaled Jacobian at least {:.3g}, near ({:.4g}, {:.4g}, {:.4g}) mm, {:.3g} on average"),
-      check.least_jacobian, 1e3 * x, 1e3 * y, 1e3 * z, check.mean_jacobian));
+      check.min_jacobian, 1e3 * x, 1e3 * y, 1e3 * z, check.mean_jacobian));
   for (const std::string &remark : mesh_remarks(findings))
     lines.emplace_back("Remark", remark);
   std::string text;

@@ -45,9 +45,9 @@ Json friction_rows(const Study &study, const ring::Answer &all)
     add("where it falls over", all.fall->state);
   else if (all.at_terminal)
     add("at the terminal spin", *all.at_terminal);
-  leave_out_rounding(rows, "torque lean_torque grip_torque", 1e-12 * torque);
-  leave_out_rounding(rows, "torque_sum", 1e-9 * torque);
-  leave_out_rounding(rows, "force", 1e-12 * force);
+  zero_rounding_errors(rows, "torque lean_torque grip_torque", 1e-12 * torque);
+  zero_rounding_errors(rows, "torque_sum", 1e-9 * torque);
+  zero_rounding_errors(rows, "force", 1e-12 * force);
   return rows;
 }
 
@@ -61,13 +61,13 @@ bool has_no_lift_off(const ContactReport &report)
 }
 
 /// How the glass stands at the end of the spin-up.
-ring::Standing standing_of(const ContactReport &report, const SpinStudy &spin)
+ring::Status status_of(const ContactReport &report, const SpinStudy &spin)
 {
-  const ring::Standing standing = spin.all().standing;
-  if (standing == ring::Standing::full_contact && report.load_at_end.contact_fraction < 1)
-    return ring::Standing::lift_off;
+  const ring::Status status = spin.all().status;
+  if (status == ring::Status::full_contact && report.load_at_end.contact_fraction < 1)
+    return ring::Status::lift_off;
   // The series of a pressure that ends somewhere dips below zero there; the pressure does not.
-  return standing == ring::Standing::formal && report.foot ? ring::Standing::lift_off : standing;
+  return status == ring::Status::formal && report.foot ? ring::Status::lift_off : status;
 }
 
 /// All terminal spins with their stability, and which one is reached from rest.
@@ -78,8 +78,8 @@ Json terminal_spins_summary(const SpinStudy &spin)
     spins.push_back({ { "omega", one.omega },
                       { "stable", one.stable },
                       { "held", one.held },
-                      { "torque_slope", if_finite(one.torque_slope) },
-                      { "time_constant", if_finite(one.time_constant) },
+                      { "torque_slope", finite_or_null(one.torque_slope) },
+                      { "time_constant", finite_or_null(one.time_constant) },
                       { "from_rest", spin.all().terminal && one.omega == spin.all().terminal->omega } });
   return spins;
 }
@@ -103,8 +103,8 @@ Json driven_summary(const DrivenSpinUp &driven)
   Json summary = { { "speed_at_end", driven.speed.back() }, { "omega_at_end", driven.omega.back() } };
   summary.update(STEMWARE_JSON(driven, interpolation_change, interpolation_change_at_end));
   summary["breakaway"] =
-    if_there(driven.breakaway, [](const Breakaway &start)
-             { return STEMWARE_JSON(start, time, friction_coefficient, force, moment_ratio); });
+    to_json_or_null(driven.breakaway, [](const Breakaway &start)
+                    { return STEMWARE_JSON(start, time, friction_coefficient, force, moment_ratio); });
   return summary;
 }
 
@@ -173,10 +173,10 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
   Json ring = spin_rows({ all })[0];
   ring.update(
     { { "tau_closed_form", study.motion.orbit.friction_at_rest() * moment_at_rest(report, spin) },
-      { "standing", to_string(standing_of(report, spin)) },
-      { "fall", if_there(all.fall, fall_summary) },
+      { "standing", to_string(status_of(report, spin)) },
+      { "fall", to_json_or_null(all.fall, fall_summary) },
       { "terminal_spins", terminal_spins_summary(spin) },
-      { "driven", if_there(spin.spin_up.driven, driven_summary) },
+      { "driven", to_json_or_null(spin.spin_up.driven, driven_summary) },
       { "measured", is_measured ? Json{ { "points", measured_spins(study).size() } } : Json(nullptr) },
       { "no_lift_off", has_no_lift_off(report) },
       { "tilt_at_terminal",
@@ -220,17 +220,17 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
     { "load", load_summary(report.load) },
     { "load_at_terminal", spin.all().terminal ? load_summary(report.load_at_end) : Json(nullptr) },
     { "load_at_fall", spin.all().fall ? load_summary(report.load_at_end) : Json(nullptr) },
-    { "contact", if_there(report.foot, contact_summary) },
+    { "contact", to_json_or_null(report.foot, contact_summary) },
     { "ring", ring_summary(study, report, spin) },
-    { "coupling", if_there(report.coupling, [&](const CouplingStatistics &coupling)
-                           { return coupling_summary(coupling, spin.curve_error); }) },
-    { "waviness", if_there(spin.phases, waviness_summary) },
+    { "coupling", to_json_or_null(report.coupling, [&](const CouplingStatistics &coupling)
+                                  { return coupling_summary(coupling, spin.curve_error); }) },
+    { "waviness", to_json_or_null(spin.phases, waviness_summary) },
     { "budget", spin.is_quick() ? Json(nullptr) : budget_summary(study, spin.budget.rows) },
     { "without", spin.is_quick() ? Json(nullptr) : declared(without_rows(study, spin.budget), "without") },
     { "harmonic_effect", harmonic_effect_summary(spin.budget.harmonics) },
-    { "one_ring", spin.one_ring
-                    ? picked(spin_rows({ *spin.one_ring })[0], "tau_at_rest omega_terminal relative_change")
-                    : Json(nullptr) }
+    { "one_ring", spin.one_ring ? selected_keys(spin_rows({ *spin.one_ring })[0],
+                                                "tau_at_rest omega_terminal relative_change")
+                                : Json(nullptr) }
   };
   if (!bands.empty() || spin.is_quick())
     findings.summary["error_bands"] = spin.is_quick() ? Json(nullptr) : band_summary(bands);
@@ -253,8 +253,8 @@ constexpr char without_keys[] = "name omega_terminal difference relative_differe
 Json shown_without(const Study &study, const Budget &budget)
 {
   Json without = without_rows(study, budget);
-  leave_out_rounding(without, "difference", rounding_of_spins(study));
-  leave_out_rounding(without, "relative_difference", 1e-9);
+  zero_rounding_errors(without, "difference", rounding_of_spins(study));
+  zero_rounding_errors(without, "relative_difference", 1e-9);
   return without;
 }
 
@@ -316,8 +316,8 @@ Json numbers_of_sentences(const Study &study, const ContactReport &report, const
                                  { "moment_y", load.moment.y() },
                                  { "torque_at_rest", all.at_rest.value().friction.torque },
                                  { "closed_form", friction * load.moment.x() } } });
-  leave_out_rounding(numbers, "moment_x moment_y", 1e-12 * moment);
-  leave_out_rounding(numbers, "torque_at_rest closed_form", 1e-9 * friction * moment);
+  zero_rounding_errors(numbers, "moment_x moment_y", 1e-12 * moment);
+  zero_rounding_errors(numbers, "torque_at_rest closed_form", 1e-9 * friction * moment);
   const std::optional<double> omega = all.omega_terminal();
   numbers[0].update({ { "moves", is_spin(study, all.last_spin().value()) },
                       { "spins", omega && is_spin(study, *omega) },
@@ -341,14 +341,14 @@ Json words_of(const Study &study, const ContactReport &report, const SpinStudy &
                  { "inputs", inputs_of(study) },
                  { "answer", answer },
                  { "lift_off", lift_off_remark(study, report, spin) },
-                 { "pressed", pressed_remark(report, spin) },
+                 { "pressed", contact_remark(report, spin) },
                  { "narrow_contact", narrow_contact_remark(study, report) },
                  { "thin_layer", thin_layer_remark(study, report.load.half_width()) },
                  { "out_of_flat", out_of_flat_remark(study, spin) },
                  { "several_spins", several_spins_remark(spin) },
                  { "driven", driven_remark(spin, bands) },
                  { "one_way", is_one_way(study) },
-                 { "sketch", sketch_words(study) },
+                 { "sketch", sketch_labels(study) },
                  { "glasses", turning_glasses(report, spin) },
                  { "numbers", numbers_of_sentences(study, report, spin) } };
   if (goal && band_of_mesh(study, bands))
@@ -446,8 +446,8 @@ std::vector<ConsoleBlock> console_of(const Study &study, const SpinStudy &spin, 
 
 } // namespace
 
-Results tabulate(const Study &study, const ContactReport &report, const SpinStudy &spin,
-                 const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)
+Results make_document(const Study &study, const ContactReport &report, const SpinStudy &spin,
+                      const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)
 {
   Results results;
   results.findings = findings_of(study, report, spin, bands, goal);

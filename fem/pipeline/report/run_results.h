@@ -15,8 +15,8 @@ namespace stemware::pipeline
 /// The results of `run`: load, contact, torque, spin-up, truncations and moment balances. @p bands are empty
 /// where they have not been estimated; @p goal is what the mesh was made for, if anything. The fields are
 /// left to the caller, who need not copy them.
-Results tabulate(const Study &study, const ContactReport &report, const SpinStudy &spin,
-                 const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal = {});
+Results make_document(const Study &study, const ContactReport &report, const SpinStudy &spin,
+                      const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal = {});
 
 /// The part of the band of the study's goal that is the mesh's; nothing where there is none.
 std::optional<double> band_of_mesh(const Study &study, const ErrorBands &bands);

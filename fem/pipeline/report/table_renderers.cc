@@ -38,13 +38,13 @@ struct LaidOutColumn
     for (std::size_t row = 0; row < column.cells.size(); ++row)
       lines.push_back(shown(column, row, "-", true));
     for (const std::string &line : lines)
-      width = std::max(width, width_of(line) + margin);
+      width = std::max(width, display_width(line) + margin);
     const bool is_text =
       column.quantity.unit.empty() && std::any_of(column.cells.begin(), column.cells.end(),
                                                   [](const auto &cell) { return cell.is_string(); });
     for (std::string &line : lines)
     {
-      const std::string blanks(width - margin - width_of(line), ' ');
+      const std::string blanks(width - margin - display_width(line), ' ');
       line = std::string(margin, ' ') + (is_text ? line + blanks : blanks + line);
     }
   }
@@ -54,7 +54,7 @@ struct LaidOutColumn
 };
 
 /// The lines of some columns side by side, without blanks at their ends.
-std::string side_by_side(const std::vector<const LaidOutColumn *> &columns)
+std::string run_in_parallel(const std::vector<const LaidOutColumn *> &columns)
 {
   std::string text;
   for (std::size_t i = 0; i < columns.front()->lines.size(); ++i)
@@ -117,14 +117,14 @@ std::string console_table(const Table &table)
   {
     if (block.size() > 1 && width + columns[c].width > console_width)
     {
-      text += side_by_side(block) + '\n';
+      text += run_in_parallel(block) + '\n';
       block = { &columns.front() };
       width = columns.front().width;
     }
     block.push_back(&columns[c]);
     width += columns[c].width;
   }
-  return text + side_by_side(block);
+  return text + run_in_parallel(block);
 }
 
 std::string console_text(const Results &results)

@@ -33,8 +33,8 @@ unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double shar
 
 } // namespace
 
-Results tabulate_truncations(const Study &study, const LoadReport &load,
-                             const std::vector<ring::Answer> &rows)
+Results make_truncation_document(const Study &study, const LoadReport &load,
+                                 const std::vector<ring::Answer> &rows)
 {
   const std::optional<double> first = rows.front().omega_terminal();
   const double omega = rows.back().omega_terminal().value();
@@ -53,7 +53,7 @@ Results tabulate_truncations(const Study &study, const LoadReport &load,
                     { "answer", truncation_answer(study, rows, effect, n_enough) },
                     { "one_way", one_way },
                     { "reasons", Json::array() },
-                    { "sketch", sketch_words(study) },
+                    { "sketch", sketch_labels(study) },
                     { "glasses",
                       { { { "title", "all harmonics" }, { "omega", omega } },
                         { { "title", "the first alone" }, { "omega", first } } } } };

@@ -12,7 +12,7 @@ namespace stemware::pipeline
 
 /// The results of `truncate`: @p rows are rows_by_harmonics(), with a terminal spin in the last one; @p load
 /// is the study's at rest.
-Results tabulate_truncations(const Study &study, const LoadReport &load,
-                             const std::vector<ring::Answer> &rows);
+Results make_truncation_document(const Study &study, const LoadReport &load,
+                                 const std::vector<ring::Answer> &rows);
 
 } // namespace stemware::pipeline

@@ -259,7 +259,7 @@ private:
         if (comma == cell.npos)
           continue;
         if (with_comma.empty())
-          with_comma = place_in_table(setting, row, place) + "the comma of \"" + shortened(cell) + "\"";
+          with_comma = position_in_table(setting, row, place) + "the comma of \"" + shortened(cell) + "\"";
         const std::string whole = boost::trim_left_copy_if(cell.substr(0, comma), boost::is_any_of("+-"));
         has_decimals = has_decimals || whole == "0" || cell.size() - comma != 4;
       }
@@ -290,7 +290,7 @@ private:
       if ((small.empty() || small == "nan" || small == "-") && missing_values == MissingValues::skipped)
         return {};
       const auto number = number_in(cell);
-      require(number.has_value(), place_in_table(setting, row, layout.places[i]) + "\"" + shortened(cell) +
+      require(number.has_value(), position_in_table(setting, row, layout.places[i]) + "\"" + shortened(cell) +
                                     "\" is not a number; " + remedy());
       values.push_back(*number * factors[i]);
     }

@@ -59,14 +59,14 @@ enum class Goal
 /// from the band's middle over its half-width. They take turns in sign, so that the sum is right, but
 /// rounding, 1e-16, grows with them: at x = 1.5 to 1e-6 of the load with 25 rings, 1e-3 with 32, and all of
 /// it with 40.
-constexpr unsigned int most_rings = 25;
+constexpr unsigned int max_rings = 25;
 
 /// Subsection Contact: the elastic body and its discretisation.
 struct ContactSection
 {
   BodyKind body = BodyKind::revolution;
   std::string mesh_file; ///< empty: the mesh is generated from the glass
-  fem::MeshMarks mesh_marks;
+  fem::MeshFileOptions mesh_file_options;
   unsigned int degree = 2;
   fem::FootResolution resolution;
   fem::LinearSolver linear_solver = fem::LinearSolver::automatic;
@@ -107,13 +107,13 @@ struct ContactSection
     list.path("Mesh file", mesh_file,
               "Mesh of the foot (.msh or .inp, hexahedra), which then also gives its shape; empty: "
               "generated from the subsection Glass. A relative path starts at the study file");
-    list.choice("Mesh unit", mesh_marks.unit, mesh_units(), "Unit of the coordinates in the mesh file",
+    list.choice("Mesh unit", mesh_file_options.unit, mesh_units(), "Unit of the coordinates in the mesh file",
                 used_if(has_mesh_file));
-    list.count("Mesh contact id", mesh_marks.contact_id, 1, 65000,
+    list.count("Mesh contact id", mesh_file_options.contact_id, 1, 65000,
                "Id of the faces of the mesh file that may touch the table", used_if(has_mesh_file));
-    list.count("Mesh stem id", mesh_marks.stem_id, 1, 65000,
+    list.count("Mesh stem id", mesh_file_options.stem_id, 1, 65000,
                "Id of the faces of the mesh file where the stem was cut", used_if(has_mesh_file));
-    list.number("Mesh contact height", mesh_marks.contact_height, not_negative, "m",
+    list.number("Mesh contact height", mesh_file_options.contact_height, not_negative, "m",
                 "All faces of the mesh file that look down and lie at most this high above its lowest point "
                 "may touch the table, whatever their ids; 0: those of the id",
                 used_if(has_mesh_file));
@@ -147,7 +147,7 @@ struct ContactSection
                "Azimuths at which a body of revolution meets the table, more than twice the harmonics; "
                "without effect on a solid body",
                used_if(is_of_revolution));
-    list.count("Rings", rings, 1, most_rings,
+    list.count("Rings", rings, 1, max_rings,
                "Circles that take the pressure over, with all its radial moments below that number; 1: one "
                "ring of the radius that the moment asks for. More than 25 would magnify rounding");
     list.count("Load harmonics", load_harmonics, 0, 1000,

@@ -23,7 +23,7 @@ namespace
 {
 
 /// The torque of all of them takes seconds; its kernels have fallen to nothing long before.
-constexpr std::size_t most_harmonics = 1000;
+constexpr std::size_t max_harmonics = 1000;
 
 /// Larger loads and rings are slips of units, and overflow.
 constexpr double largest_number = 1e12;
@@ -107,11 +107,11 @@ ring::RingStack read_load_file(const std::string &file)
       continue;
     }
     require(
-      all_a.size() <= most_harmonics,
+      all_a.size() <= max_harmonics,
       fmt::format(
         FMT_STRING(
           "{} holds more than the {} harmonics that a torque is computed from; leave the higher ones out."),
-        setting, most_harmonics));
+        setting, max_harmonics));
     const TextTable table = parse_table(where, line.text, true);
     std::vector<std::string> cells =
       table.rows.empty() ? std::vector<std::string>() : table.rows.front().cells;

@@ -73,7 +73,7 @@ std::optional<std::string> meant_by(const std::string &word, const std::vector<P
   for (const std::string &name : names)
     if (wanted.size() > 2 && plain(name).find(wanted) != std::string::npos)
       return name;
-  return likeliest(wanted, names);
+  return closest_match(wanted, names);
 }
 
 /// Where the cookbooks are; empty where they are not installed.
@@ -150,7 +150,7 @@ std::vector<StudyPart> cookbook_parts(const std::string &name, const fs::path &f
   require(!folder.empty(),
           "The cookbooks are not installed with this program: there is neither " + places + ".");
   const std::vector<std::string> names = cookbook_names();
-  const auto meant = likeliest(name, names);
+  const auto meant = closest_match(name, names);
   require(std::find(names.begin(), names.end(), name) != names.end(),
           "\"" + shortened(name) + "\" is no cookbook" +
             (meant ? "; did you mean " + *meant + "? There are " : "; there are ") +

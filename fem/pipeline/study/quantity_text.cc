@@ -231,21 +231,21 @@ std::optional<double> parse_quantity(const std::string &text, const std::string 
   return value && std::isfinite(*value * factor) ? std::optional(*value * factor) : std::nullopt;
 }
 
-std::string unit_behind(const std::string &text)
+std::string trailing_unit(const std::string &text)
 {
   return split_number(text).unit;
 }
 
 std::vector<std::string> with_shared_unit(std::vector<std::string> texts)
 {
-  const std::string unit = texts.empty() ? "" : unit_behind(texts.back());
+  const std::string unit = texts.empty() ? "" : trailing_unit(texts.back());
   for (std::string &text : texts)
     if (const Parts parts = split_number(text); !parts.number.empty() && parts.unit.empty() && !unit.empty())
       text = parts.number + ' ' + unit;
   return texts;
 }
 
-std::string trouble_with_unit(const std::string &text, const std::string &unit)
+std::string unit_error(const std::string &text, const std::string &unit)
 {
   const Parts parts = split_number(text);
   if (parts.unit.empty())

@@ -18,7 +18,7 @@ std::optional<double> parse_quantity(const std::string &text, const std::string 
 
 /// The text behind the number that @p text begins with, "GPa" of "70 GPa"; empty where there is no number, or
 /// nothing behind it.
-std::string unit_behind(const std::string &text);
+std::string trailing_unit(const std::string &text);
 
 /// Numbers that share one unit: where only the last of @p texts has a unit ("200, 250, 300 g"), it is put
 /// behind the others too.
@@ -27,7 +27,7 @@ std::vector<std::string> with_shared_unit(std::vector<std::string> texts);
 /// The end of a sentence that begins with "Motion/Mass = 30 mm", where @p text is a number whose unit is not
 /// known or has not the dimension of @p unit: what is wrong and what to write, with the units that there are.
 /// Empty for every other text.
-std::string trouble_with_unit(const std::string &text, const std::string &unit);
+std::string unit_error(const std::string &text, const std::string &unit);
 
 /// The units in which people give a quantity of that SI unit: "g", "mg" for "kg", the usual one first.
 std::vector<std::string> usual_units(const std::string &unit);

@@ -80,7 +80,7 @@ fem::Resultants Study::required_resultants() const
   if (load.is_from_contact() && !contact.mesh_file.empty()) // the hull of the mesh's land decides
     return required;
   const double ratio = pipeline::moment_ratio(required, radius);
-  const auto [asked, limit] = told_apart(ratio, 2);
+  const auto [asked, limit] = distinct_texts(ratio, 2);
   require(ratio < 2, "The closure " + ring::to_string(motion.closure) + " asks for a moment ratio of " +
                        asked + ", but the foot tips at " + limit +
                        "; change the height of the hand or the speed.");

@@ -47,7 +47,7 @@ std::string assignment(const StudyEntry &entry, double value)
 /// "0.02 to 2 kg"
 std::string plausible_text(const StudyEntry &entry)
 {
-  return to_short_text(entry.plausible->least) + " to " + to_short_text(entry.plausible->most) +
+  return to_short_text(entry.plausible->min) + " to " + to_short_text(entry.plausible->max) +
          unit_behind_number(entry);
 }
 
@@ -76,12 +76,12 @@ void require_alike_lengths(const Study &study)
     if (const auto &range = entry.times_contact_radius; range && entry.has_effect)
     {
       const double times = *entry.quantity / radius;
-      const std::string text = told_apart(times, times < range->least ? range->least : range->most).first;
+      const std::string text = distinct_texts(times, times < range->min ? range->min : range->max).first;
       require(range->contains(times),
               filled("{} = {} m is {} times Glass/Contact radius = {} m, but from {} to {} is allowed; give "
                      "both in one unit.",
-                     { entry.path(), to_text(*entry.quantity), text, to_text(radius), to_text(range->least),
-                       to_text(range->most) }));
+                     { entry.path(), to_text(*entry.quantity), text, to_text(radius), to_text(range->min),
+                       to_text(range->max) }));
     }
 }
 
@@ -111,7 +111,7 @@ void require_mat_that_yields(const Study &study)
 {
   constexpr double most = 1e8;
   const double of_glass = study.glass.material.young_modulus / study.glass.profile.contact_radius;
-  const auto [ratio, limit] = told_apart(study.table.foundation_modulus / of_glass, most);
+  const auto [ratio, limit] = distinct_texts(study.table.foundation_modulus / of_glass, most);
   if (study.load.is_from_contact() && study.table.interface == TableInterface::winkler)
     require(
       study.table.foundation_modulus <= most * of_glass,
@@ -265,7 +265,7 @@ void require_flat(const Study &study, const std::string &verb)
                           { entry, verb }));
 }
 
-std::vector<std::string> idle_entries(const Study &study)
+std::vector<std::string> unused_entries(const Study &study)
 {
   std::vector<std::string> idle;
   for (const StudyEntry &entry : entries_of(study))
@@ -274,7 +274,7 @@ std::vector<std::string> idle_entries(const Study &study)
   return idle;
 }
 
-std::string idle_note(const std::vector<std::string> &entries)
+std::string unused_entries_note(const std::vector<std::string> &entries)
 {
   return entries.empty() ? ""
                          : boost::join(entries, ", ") + (entries.size() == 1 ? " has" : " have") +
@@ -317,7 +317,7 @@ std::string with_implausible_values(const Study &study, const std::string &sente
   return list.empty() ? sentence : "Unusual values for a glass: " + boost::join(list, ", ") + ". " + sentence;
 }
 
-void require_standing_glass(const Study &study)
+void require_no_tipping_at_rest(const Study &study)
 {
   try
   {

@@ -259,8 +259,8 @@ std::string suggestion(const std::vector<StudyEntry> &entries, const std::string
   }
   std::optional<std::string> meant = meant_by_field(word);
   if (!meant)
-    meant = likeliest(word, paths);
-  if (const auto likely = likeliest(name, names); likely && !meant)
+    meant = closest_match(word, paths);
+  if (const auto likely = closest_match(name, names); likely && !meant)
     meant = paths[static_cast<std::size_t>(std::find(names.begin(), names.end(), *likely) - names.begin())];
   return meant ? "; did you mean " + *meant + "? (`stemware defaults` lists what there is.)"
                : "; `stemware defaults` lists what there is.";
@@ -306,7 +306,7 @@ std::vector<std::string> sections_of(const std::vector<StudyEntry> &entries)
   return sections;
 }
 
-std::string whole_path(const std::vector<StudyEntry> &entries, const std::string &word)
+std::string full_path(const std::vector<StudyEntry> &entries, const std::string &word)
 {
   std::string path = word;
   std::size_t n_found = 0;
@@ -322,7 +322,7 @@ std::string whole_path(const std::vector<StudyEntry> &entries, const std::string
 const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::string &origin,
                            const std::string &word)
 {
-  const std::string path = whole_path(entries, word);
+  const std::string path = full_path(entries, word);
   refuse_renamed(origin, path);
   const auto entry = std::find_if(entries.begin(), entries.end(),
                                   [&](const StudyEntry &candidate) { return candidate.path() == path; });
@@ -335,7 +335,7 @@ void assign(const StudyEntry &entry, const std::string &origin, const std::strin
 {
   if (entry.assign(value))
     return;
-  const std::string trouble = entry.quantity != nullptr ? trouble_with_unit(value, entry.unit) : "";
+  const std::string trouble = entry.quantity != nullptr ? unit_error(value, entry.unit) : "";
   const std::vector<std::string> quotes = {
     "\"", "'", "`", "\u201c", "\u201e", "\u2018", "\u00ab", "\u00bb"
   };
@@ -351,7 +351,7 @@ void assign(const StudyEntry &entry, const std::string &origin, const std::strin
 void assign(const std::vector<StudyEntry> &entries, const std::string &origin, const std::string &path,
             const std::string &value)
 {
-  const std::string whole = whole_path(entries, path);
+  const std::string whole = full_path(entries, path);
   refuse_renamed(origin, whole, value);
   assign(entry_at(entries, origin, whole), origin, value);
 }

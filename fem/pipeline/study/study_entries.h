@@ -15,8 +15,8 @@ namespace stemware::pipeline
 /// Numbers from least to most.
 struct Interval
 {
-  double least = 0, most = 0;
-  bool contains(double value) const { return least <= value && value <= most; }
+  double min = 0, max = 0;
+  bool contains(double value) const { return min <= value && value <= max; }
 };
 
 /// The present value of an entry: a number, a number of things, or words.
@@ -66,7 +66,7 @@ std::vector<std::string> sections_of(const std::vector<StudyEntry> &entries);
 
 /// The path of an entry that is named with its section or, if one entry alone has that name, without. Returns
 /// any other @p word as it is.
-std::string whole_path(const std::vector<StudyEntry> &entries, const std::string &word);
+std::string full_path(const std::vector<StudyEntry> &entries, const std::string &word);
 
 /// The entry of that path, or of that name if one entry alone has it; throws BadInput, with a suggestion,
 /// where there is none. @p origin begins the sentence: where the path comes from.

@@ -142,7 +142,7 @@ void apply(const std::vector<std::string> &overrides, const std::vector<StudyEnt
     const auto equal_sign = text.find('=');
     require(equal_sign != std::string::npos && equal_sign > 0,
             "--set \"" + shortened(text) + "\" is not an assignment; write --set \"Section/Entry=value\".");
-    const std::string path = whole_path(entries, boost::trim_copy(text.substr(0, equal_sign)));
+    const std::string path = full_path(entries, boost::trim_copy(text.substr(0, equal_sign)));
     assign(entries, "--set: ", path, boost::trim_copy(text.substr(equal_sign + 1)));
     const auto [before, is_first] = text_of.emplace(path, text);
     require(is_first,
@@ -247,7 +247,7 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
     {
       require(section.empty(), fmt::format(FMT_STRING("{}the subsection {} of line {} is not closed; {}"),
                                            where, section, section_line, one_end));
-      const auto meant = likeliest(rest, known);
+      const auto meant = closest_match(rest, known);
       require(std::find(known.begin(), known.end(), rest) != known.end(),
               fmt::format(FMT_STRING("{}there is no subsection \"{}\"; {}use {}."), where, shortened(rest),
                           meant ? "did you mean " + *meant + "? Else " : "", listed(known)));
@@ -260,7 +260,7 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
       require(equal_sign != std::string::npos,
               where + "a line that begins with set has no = ; write set ENTRY = VALUE.");
       const std::string name = boost::trim_copy(rest.substr(0, equal_sign)),
-                        path = section.empty() ? whole_path(entries, name) : section + '/' + name;
+                        path = section.empty() ? full_path(entries, name) : section + '/' + name;
       const auto [before, is_first] = line_of.emplace(path, number);
       require(is_first,
               fmt::format(FMT_STRING("{}{} is set a second time, after line {}; leave one of them."), where,

@@ -87,7 +87,7 @@ void add_solid_body(const Study &study, StudySize &size)
   const double iterated = n_edge_halvings > 0 ? 1800 : 500;
   const bool is_direct = contact.linear_solver == fem::LinearSolver::direct ||
                          (contact.linear_solver == fem::LinearSolver::automatic && contact.refinements == 0 &&
-                          n_edge_halvings == 0 && size.unknowns < fem::largest_direct_system);
+                          n_edge_halvings == 0 && size.unknowns < fem::max_direct_unknowns);
   size.memory += size.unknowns * (is_direct ? factorised : iterated);
 }
 
@@ -152,7 +152,7 @@ void require_affordable(const Study &study)
   {
     Study trial = study;
     const StudyEntry entry = greediest(trial);
-    const auto [needed, limit] = told_apart(size.memory / 1e9, study.contact.memory_limit / 1e9, 2);
+    const auto [needed, limit] = distinct_texts(size.memory / 1e9, study.contact.memory_limit / 1e9, 2);
     throw BadInput(
       fmt::format(FMT_STRING("{} = {} would take about {} GB of memory ({:.2g} cells, {:.2g} unknowns), "
                              "above {} GB; give a {}, or allow more with Contact/Memory limit = {:.0f} GB."),

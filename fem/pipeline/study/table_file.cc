@@ -201,7 +201,7 @@ ColumnHeading parse_heading(const std::string &cell)
            boost::trim_copy(cell.substr(begin + 1, cell.size() - begin - 2)) };
 }
 
-std::string place_in_table(const std::string &setting, const TableRow &row, std::size_t column)
+std::string position_in_table(const std::string &setting, const TableRow &row, std::size_t column)
 {
   return setting + ", line " + std::to_string(row.line) + ", column " + std::to_string(column + 1) + ": ";
 }

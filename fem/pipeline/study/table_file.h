@@ -46,6 +46,6 @@ struct ColumnHeading
 ColumnHeading parse_heading(const std::string &cell);
 
 /// "setting, line 3, column 2: ", with the column counted from 0 as argument and from 1 in the text.
-std::string place_in_table(const std::string &setting, const TableRow &row, std::size_t column);
+std::string position_in_table(const std::string &setting, const TableRow &row, std::size_t column);
 
 } // namespace stemware::pipeline

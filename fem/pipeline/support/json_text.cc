@@ -18,7 +18,7 @@ namespace
 {
 
 /// Values are printed, compared and copied by functions that call themselves for every level.
-constexpr int most_levels = 100;
+constexpr int max_levels = 100;
 
 /// "line 3, column 7" of the byte at @p place, counted from 0.
 std::string place_in(const std::string &text, std::size_t place)
@@ -36,11 +36,11 @@ Json parse_json(const std::string &origin, const std::string &text)
   std::vector<std::set<std::string>> names; // in the objects that are open
   const auto look = [&](int level, Json::parse_event_t event, Json &value)
   {
-    if (level > most_levels)
+    if (level > max_levels)
       throw BadInput(fmt::format(
         FMT_STRING(
           "{}: the JSON is nested more than {} levels deep; a study has sections and entries, two levels."),
-        origin, most_levels));
+        origin, max_levels));
     if (event == Json::parse_event_t::object_start)
       names.emplace_back();
     else if (event == Json::parse_event_t::object_end)

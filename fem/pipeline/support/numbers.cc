@@ -70,7 +70,7 @@ std::string to_short_text(double value)
   return tidy(printed("%.*g", 6, value));
 }
 
-std::pair<std::string, std::string> told_apart(double one, double other, int n_digits)
+std::pair<std::string, std::string> distinct_texts(double one, double other, int n_digits)
 {
   std::pair<std::string, std::string> texts;
   for (int n = n_digits; n <= std::numeric_limits<double>::max_digits10; ++n)

@@ -17,7 +17,7 @@ std::string to_short_text(double value);
 
 /// Two numbers for a sentence that compares them, with as few significant digits, from @p n_digits on, as
 /// tell them apart: "2.0000004" and "2". Equal numbers are printed alike.
-std::pair<std::string, std::string> told_apart(double one, double other, int n_digits = 6);
+std::pair<std::string, std::string> distinct_texts(double one, double other, int n_digits = 6);
 
 /// The finite number @p value to @p n_digits significant digits: 0.3 for the 0.30000000000000004 of a sum.
 double rounded(double value, int n_digits);

@@ -35,7 +35,7 @@ std::size_t edit_distance(const std::string &from, const std::string &to)
 
 } // namespace
 
-std::size_t width_of(const std::string &text)
+std::size_t display_width(const std::string &text)
 {
   return static_cast<std::size_t>(
     std::count_if(text.begin(), text.end(), [](char letter) { return (letter & 0xC0) != 0x80; }));
@@ -43,7 +43,7 @@ std::size_t width_of(const std::string &text)
 
 std::string wrapped(const std::string &text, const std::string &label, std::size_t width)
 {
-  const std::size_t indent = width_of(label);
+  const std::size_t indent = display_width(label);
   std::istringstream stream(text);
   std::vector<std::string> words;
   for (std::string word; stream >> word;)
@@ -55,7 +55,7 @@ std::string wrapped(const std::string &text, const std::string &label, std::size
   std::size_t column = indent;
   for (const std::string &word : words)
   {
-    if (column > indent && column + 1 + width_of(word) > width)
+    if (column > indent && column + 1 + display_width(word) > width)
     {
       lines += '\n' + std::string(indent, ' ');
       column = indent;
@@ -66,7 +66,7 @@ std::string wrapped(const std::string &text, const std::string &label, std::size
       ++column;
     }
     lines += word;
-    column += width_of(word);
+    column += display_width(word);
   }
   return lines;
 }
@@ -92,15 +92,15 @@ std::string filled(const std::string &pattern, const std::vector<std::string> &w
   return text + pattern.substr(begin);
 }
 
-std::optional<std::string> likeliest(const std::string &word, const std::vector<std::string> &words)
+std::optional<std::string> closest_match(const std::string &word, const std::vector<std::string> &words)
 {
-  constexpr std::size_t most_slips = 3;
+  constexpr std::size_t max_slips = 3;
   std::optional<std::string> best;
-  std::size_t least = most_slips + 1;
+  std::size_t least = max_slips + 1;
   for (const std::string &candidate : words)
   {
     const std::size_t shorter = std::min(word.size(), candidate.size());
-    if (std::max(word.size(), candidate.size()) - shorter > most_slips)
+    if (std::max(word.size(), candidate.size()) - shorter > max_slips)
       continue; // and a megabyte need not be compared
     const std::size_t distance = edit_distance(word, candidate);
     // A word of which no letter is left is another word.

@@ -17,7 +17,7 @@ std::string wrapped(const std::string &text, const std::string &label = "",
                     std::size_t width = console_width);
 
 /// Columns of the screen that a text takes: the bytes that begin a character of UTF-8.
-std::size_t width_of(const std::string &text);
+std::size_t display_width(const std::string &text);
 
 /// "a, b or c": the words with commas between them, and @p last before the last one.
 std::string listed(const std::vector<std::string> &words, const std::string &last = "or");
@@ -27,6 +27,6 @@ std::string filled(const std::string &pattern, const std::vector<std::string> &w
 
 /// The closest of @p words to @p word by edit distance (letters to insert, delete or change; upper and lower
 /// case are equal), if one is at most 3 away.
-std::optional<std::string> likeliest(const std::string &word, const std::vector<std::string> &words);
+std::optional<std::string> closest_match(const std::string &word, const std::vector<std::string> &words);
 
 } // namespace stemware::pipeline

@@ -25,7 +25,7 @@ constexpr double usual_factor = 1.25;
 constexpr double factor_of_lines = 2.5;
 
 /// Elastic harmonics that a comparison of meshes takes at least.
-constexpr unsigned int fewest_harmonics = 4;
+constexpr unsigned int min_harmonics = 4;
 
 using Setting = std::function<void(ContactSection &)>;
 
@@ -37,9 +37,9 @@ Study changed(Study copy, const Setting &change)
 
 /// @p study for the part @p part of the band, on a foot of its own, compared with @p from.
 BandChange change_of(const std::string &part, double factor, const Study &study, const std::string &from = "",
-                     bool at_several_spins = false)
+                     bool compares_over_spins = false)
 {
-  return { { part, "", study }, factor, from, at_several_spins };
+  return { { part, "", study }, factor, from, compares_over_spins };
 }
 
 void raise_degree(ContactSection &contact)
@@ -75,11 +75,11 @@ void add_gathering(const Study &study, const ElasticFoot &foot,
   const unsigned int n = foot.n_harmonics(), resolved = foot.body().n_resolved_harmonics();
   const std::vector<double> &own = foot.ring_radii();
   changes.push_back(change_of("load_harmonics", with_balance, study));
-  changes.back().gathering = { own, n < resolved ? std::min(2 * n, resolved) : std::max(n / 2, 1u) };
+  changes.back().ring_projection = { own, n < resolved ? std::min(2 * n, resolved) : std::max(n / 2, 1u) };
   changes.push_back(change_of("rings", with_balance, study));
   BandChange &rings = changes.back();
   if (own.size() >= 2)
-    rings.gathering = { radii_on_band_of(own, other_rings(static_cast<unsigned int>(own.size()))), n };
+    rings.ring_projection = { radii_on_band_of(own, other_rings(static_cast<unsigned int>(own.size()))), n };
   else
   {
     rings.factor = usual_factor;
@@ -104,7 +104,7 @@ std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticF
   }
   // What a mesh changes is told with a quarter of the harmonics: beyond them a mesh changes what all others
   // share.
-  if (n_harmonics >= 4 * fewest_harmonics)
+  if (n_harmonics >= 4 * min_harmonics)
   {
     from = "few harmonics";
     fewer = with_harmonics(n_harmonics / 4);
@@ -214,9 +214,9 @@ std::vector<BandChange> changes_of_solid(const Study &given, const ElasticFoot &
                 changed(cheapest, [&](ContactSection &contact)
                         { contact.hardness /= softening_by_narrow_contact(study, at_rest, cell); }),
                 as_cheapest, true));
-  if (has_spring_for_hard_table(cheapest))
+  if (uses_penalty_for_hard_table(cheapest))
     changes.push_back(change_of("interface", 2, changed(cheapest, harden), as_cheapest));
-  else if (has_spring_for_hard_table(study))
+  else if (uses_penalty_for_hard_table(study))
     changes.push_back(change_of("interface", 2, changed(study, harden)));
   // Where the contact is far narrower than the distance of nodes, whose weights in the balance of moments are
   // those of the rings extrapolated, more rings would show rounding.

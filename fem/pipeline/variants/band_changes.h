@@ -12,7 +12,7 @@ namespace stemware::pipeline
 {
 
 /// A way in which rings take over the pressure of contacts.
-struct Gathering
+struct RingProjection
 {
   std::vector<double> radii = {}; ///< of the rings [m]; empty: one ring
   unsigned int n_harmonics = 0;
@@ -25,12 +25,12 @@ struct BandChange : Variant
   double factor = 1;     ///< on what is changed; 0: no part, others are compared with it
   std::string from = {}; ///< part whose first change it is compared with, an earlier one; empty: the study
   /// Terminal spin and torques are judged together, by the torques at several spins.
-  bool at_several_spins = false;
+  bool compares_over_spins = false;
   /// The part is the larger of this change and the sum of the earlier changes of the same part.
   bool is_alternative = false;
   /// The contacts of the study stay, in the balance of their own rings: it is their torque that another
   /// gathering changes. Nothing: the change has contacts of its own.
-  std::optional<Gathering> gathering = {};
+  std::optional<RingProjection> ring_projection = {};
 };
 
 /// The changes that the band of @p study is made of (estimate_bands()); @p foot is its own, with its rings

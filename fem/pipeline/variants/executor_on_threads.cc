@@ -72,7 +72,7 @@ Executor::Executor(fem::ComplianceCache &cache, unsigned int n_threads)
 {
   keeps_all_failures = n_ranks() == 1;
   if (n_threads > 1)
-    side_by_side = [n_threads](std::size_t n, const Work &work) { on_threads(n_threads, n, work); };
+    run_in_parallel = [n_threads](std::size_t n, const Work &work) { on_threads(n_threads, n, work); };
 }
 
 } // namespace stemware::pipeline

@@ -8,7 +8,7 @@
 namespace stemware::pipeline
 {
 
-bool is_of_variant(const std::exception &failure)
+bool is_variant_failure(const std::exception &failure)
 {
   return dynamic_cast<const BadInput *>(&failure) || is_balance_failure(failure);
 }
@@ -22,9 +22,9 @@ std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_p
                                      const Executor &executor)
 {
   require(variant.reason.empty(), variant.reason);
-  require_standing(variant.study);
+  require_no_tipping(variant.study);
   if (variant.on_same_foot)
-    return foot ? foot->twin() : nullptr;
+    return foot ? foot->clone() : nullptr;
   try
   {
     return study_foot(variant.study, executor.make_foot, silent_progress(), foot.get());

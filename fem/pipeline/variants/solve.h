@@ -36,7 +36,7 @@ struct Solved
 
 /// Returns true if @p failure leaves the variant without a value: bad input, or a contact or a balance that
 /// does not exist.
-bool is_of_variant(const std::exception &failure);
+bool is_variant_failure(const std::exception &failure);
 
 /// The foot of @p variant: that of the study, @p foot, where the variant stands on it, with a body and a path
 /// of its own; else a new one, whose contacts start from what those of @p foot let expect, if that is given.
@@ -76,10 +76,10 @@ std::pair<int, unsigned int> cost_of(const std::vector<AnyVariant> &variants, st
 }
 
 /// No progress callback.
-inline constexpr auto nobody = [](std::size_t, const auto &) {};
+inline constexpr auto no_callback = [](std::size_t, const auto &) {};
 
 /// Tells @p progress how many of @p n_all @p pieces are done.
-inline auto counted(Progress &progress, const std::string &pieces, std::size_t n_all)
+inline auto counting_callback(Progress &progress, const std::string &pieces, std::size_t n_all)
 {
   return [&progress, pieces, n_all, n_done = std::size_t(0)](std::size_t, const auto &) mutable
   { progress.pieces_done(pieces, ++n_done, n_all); };
@@ -90,9 +90,9 @@ inline auto counted(Progress &progress, const std::string &pieces, std::size_t n
 /// together one after another. Starts come from @p foot as it is now, never from another variant: the answers
 /// depend on the list alone. @p done(i, solved) is told of each that is finished, one at a time; what it
 /// throws ends the work.
-template <typename Variants, typename Question, typename Done = decltype(nobody)>
+template <typename Variants, typename Question, typename Done = decltype(no_callback)>
 auto solve(const Variants &variants, const std::shared_ptr<ElasticFoot> &foot, const Question &question,
-           const Executor &executor, Done done = nobody)
+           const Executor &executor, Done done = no_callback)
 {
   using Answer = decltype(question(variants[0], foot));
   std::vector<Solved<Answer>> solved(variants.size());
@@ -106,7 +106,7 @@ auto solve(const Variants &variants, const std::shared_ptr<ElasticFoot> &foot, c
     }
     catch (const std::exception &failure)
     {
-      if (!executor.keeps_all_failures && !is_of_variant(failure))
+      if (!executor.keeps_all_failures && !is_variant_failure(failure))
         throw;
       solved[i].failure = std::current_exception();
     }

@@ -150,7 +150,7 @@ TEST(ContactLoad, RingsTurnWithTheLoad)
     turned.push_back({ force.x * std::cos(angle) - force.y * std::sin(angle),
                        force.x * std::sin(angle) + force.y * std::cos(angle), force.force });
   const ContactLoad expected = harmonics_of(turned, 4, { 0.029, 0.033 });
-  const ContactLoad load = harmonics_of(forces, 4, { 0.029, 0.033 }).turned(angle);
+  const ContactLoad load = harmonics_of(forces, 4, { 0.029, 0.033 }).rotated(angle);
   EXPECT_NEAR(load.moment().x(), expected.moment().x(), 1e-15);
   EXPECT_NEAR(load.moment().y(), expected.moment().y(), 1e-15);
   for (unsigned int j = 0; j < 2; ++j)

@@ -119,7 +119,7 @@ TEST(Derivatives, BorderIsThatOfTheConditions)
   // Residual of the balance over the motions of the table under a rigid foot: -L'TQ + H.
   const Eigen::Matrix3d border =
     conditions.motion_weights() -
-    support_of(forces_at(Eigen::Vector3d::Zero()).tangent, conditions.weights(), rim.modes);
+    motion_stiffness(forces_at(Eigen::Vector3d::Zero()).tangent, conditions.weights(), rim.modes);
   for (unsigned int i = 0; i < 3; ++i)
   {
     const Eigen::Vector3d step = i == 0 ? Eigen::Vector3d(1e-6, 0, 0) : 3e-5 * Eigen::Vector3d::Unit(i);

@@ -40,7 +40,7 @@ struct SaturatingInterface : PressureInterface<SaturatingInterface>
     const double ratio = depth / width;
     return middle / width / std::pow(1 + ratio * ratio, 1.5);
   }
-  double least_depth(double) const { return -std::numeric_limits<double>::infinity(); }
+  double cutoff_depth(double) const { return -std::numeric_limits<double>::infinity(); }
   template <typename Visitor>
   void integrate(const AreaElement &area, const Eigen::Vector3d &, const Visitor &visit) const
   {

@@ -114,10 +114,10 @@ TEST(RigidLimit, PartsOfLinesKnowHighRadialMoments)
   // int (1 - x^2) x^n dx = 2 / (n + 1) - 2 / (n + 3).
   const auto exact = [](double order) { return 2 / (order + 1) - 2 / (order + 3); };
   for (const unsigned int order : { 0u, 2u, 4u, 12u, 24u })
-    EXPECT_NEAR(moment(order, parts_of_lines(25)) / exact(order), 1, order < 20 ? 1e-3 : 2e-2) << order;
+    EXPECT_NEAR(moment(order, n_line_parts(25)) / exact(order), 1, order < 20 ? 1e-3 : 2e-2) << order;
   EXPECT_GT(std::abs(moment(12, 1) / exact(12) - 1), 0.1); // four points do not know it
-  EXPECT_NEAR(moment(4, parts_of_lines(5)) / exact(4), 1, 1e-13);
-  EXPECT_EQ(parts_of_lines(5), 1u);
+  EXPECT_NEAR(moment(4, n_line_parts(5)) / exact(4), 1, 1e-13);
+  EXPECT_EQ(n_line_parts(5), 1u);
 }
 
 TEST(RoughInterface, PressureScaleIsAnOffset)

@@ -60,17 +60,17 @@ TEST(MeshCheck, FacesOfTheContactZoneFromAbove)
 TEST(MeshCheck, ScaledJacobianOfSkewCells)
 {
   const MeshCheck brick = check_cube([](const Point<3> &x) { return Point<3>(2 * x[0], 3 * x[1], x[2]); });
-  EXPECT_NEAR(brick.least_jacobian, 1, 1e-15);
+  EXPECT_NEAR(brick.min_jacobian, 1, 1e-15);
   EXPECT_EQ(brick.n_inverted, 0u);
   // A parallelepiped sheared by 60 degrees: every corner has the sine of the angle left between its edges.
   const MeshCheck sheared =
     check_cube([](const Point<3> &x) { return Point<3>(x[0] + std::sqrt(3.) * x[2], x[1], x[2]); });
-  EXPECT_NEAR(sheared.least_jacobian, 0.5, 1e-15);
+  EXPECT_NEAR(sheared.min_jacobian, 0.5, 1e-15);
   EXPECT_NEAR(sheared.mean_jacobian, 0.5, 1e-15);
   // One corner is pushed through the opposite one.
   const MeshCheck folded = check_cube([](const Point<3> &x) { return x.norm() > 1.7 ? -1. * x : x; });
   EXPECT_EQ(folded.n_inverted, 1u);
-  EXPECT_LT(folded.least_jacobian, 0);
+  EXPECT_LT(folded.min_jacobian, 0);
 }
 
 TEST(MeshCheck, ContactZoneOfACube)
@@ -97,7 +97,7 @@ TEST(MeshCheck, GeneratedFoot)
   EXPECT_NEAR(check.inner_radius, profile.land_inner_radius(), 1e-12);
   EXPECT_NEAR(check.outer_radius, profile.land_outer_radius(), 1e-12);
   EXPECT_NEAR(check.upper[2], profile.height(), 1e-12);
-  EXPECT_GT(check.least_jacobian, 0.1);
+  EXPECT_GT(check.min_jacobian, 0.1);
   EXPECT_EQ(check.upward_share, 0);
 }
 
@@ -132,7 +132,7 @@ TEST(MeshWriter, WhatIsReadIsWhatWasWritten)
   EXPECT_EQ(read.upper, written.upper);
   EXPECT_NEAR(GridTools::volume(again) / GridTools::volume(foot), 1, 1e-12);
   EXPECT_NEAR(read.contact_area / written.contact_area, 1, 1e-13);
-  EXPECT_NEAR(read.least_jacobian, written.least_jacobian, 1e-13);
+  EXPECT_NEAR(read.min_jacobian, written.min_jacobian, 1e-13);
 }
 
 TEST(MeshWriter, VtuHoldsQualityAndBoundaries)

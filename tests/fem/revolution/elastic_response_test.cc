@@ -37,7 +37,7 @@ Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::I
                             std::sin(angle) / M_PI * slide(1) * harmonic.azimuthal.col(i);
       left -= even;
     }
-    expected.col(line) += left * (circles.beyond.normal.col(i) + slide(0) * circles.beyond.radial.col(i));
+    expected.col(line) += left * (circles.tail.normal.col(i) + slide(0) * circles.tail.radial.col(i));
   }
   return expected;
 }

@@ -126,7 +126,8 @@ TEST(Rings, CarryTheMomentsOfAState)
     const std::vector<PointForce> points = foot.point_forces(state);
     for (const unsigned int n_rings : { 2u, 3u, 5u })
     {
-      const ContactLoad load = foot.gather(state, { five_rings.begin(), five_rings.begin() + n_rings }, 8);
+      const ContactLoad load =
+        foot.project_onto_rings(state, { five_rings.begin(), five_rings.begin() + n_rings }, 8);
       ASSERT_EQ(load.rings().size(), n_rings);
       for (unsigned int k = 0; k < n_rings; ++k) // moments of (r - R) / w
         for (const unsigned int n : { 0u, 1u, 2u, 7u })

@@ -192,7 +192,7 @@ TEST_P(StudyWithoutEnd, Converges)
       const double moment = m * force * radius / 2;
       const ContactState state =
         foot.solve({ force, 0.8 * moment, -0.6 * moment }, { spin_per_speed, { 0, 0.7 } });
-      const ContactLoad load = foot.gather(state, rings, 8);
+      const ContactLoad load = foot.project_onto_rings(state, rings, 8);
       EXPECT_NEAR(load.normal_force() / force, 1, 1e-9);
       EXPECT_NEAR(load.moment().x() / (0.8 * moment + (m == 0)), m > 0, 1e-8);
       EXPECT_LT(state.solution.equilibrium_residual, 1e-9);

@@ -73,7 +73,7 @@ TEST(LinearSolver, AMeshFromAFileIsSolvedWithItsMeanBodyOfRevolution)
   OvalFoot direct(resolution, LinearSolver::direct, 1);
   OvalFoot multigrid(resolution, LinearSolver::multigrid, 1);
   ASSERT_GT(multigrid.body->n_unknowns(), 10000u);
-  EXPECT_FALSE(multigrid.body->has_coarser());
+  EXPECT_FALSE(multigrid.body->has_coarser_mesh());
   const NewtonIncrement expected = direct.press(), found = multigrid.press();
   const double largest = expected.displacement.lpNorm<Eigen::Infinity>();
   EXPECT_LT((found.displacement - expected.displacement).lpNorm<Eigen::Infinity>(), 1e-8 * largest);

@@ -69,15 +69,15 @@ void expect_the_assembled_matrix(unsigned int degree, unsigned int land_refineme
   typename ElasticOperator<Number>::Vector from, to, diagonal;
   stiffness->initialize_dof_vector(from);
   stiffness->initialize_dof_vector(to);
-  dealii::TrilinosWrappers::MPI::Vector expected_from(owned, MPI_COMM_WORLD),
+  dealii::TrilinosWrappers::MPI::Vector predict_from(owned, MPI_COMM_WORLD),
     expected_to(owned, MPI_COMM_WORLD);
   for (const auto i : owned)
   {
     const double value = level.constraints.is_constrained(i) ? 0 : std::sin(1.7 * static_cast<double>(i));
     from(i) = static_cast<Number>(value);
-    expected_from(i) = value;
+    predict_from(i) = value;
   }
-  matrix.vmult(expected_to, expected_from);
+  matrix.vmult(expected_to, predict_from);
   stiffness->vmult(to, from);
   stiffness->compute_diagonal(diagonal);
   const double scale = expected_to.linfty_norm();

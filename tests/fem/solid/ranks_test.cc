@@ -43,7 +43,7 @@ struct PressedFoot
     const Resultants demand = load_at(1.3, 0.4);
     const std::optional<ContactStart> start =
       start_from_coarser_mesh(*body, mat, 1, demand, profile.contact_radius);
-    EXPECT_EQ(start.has_value(), body->has_coarser());
+    EXPECT_EQ(start.has_value(), body->has_coarser_mesh());
     law = make_law(mat, body->contact_surface());
     solution = solve_contact(*body, *law, demand, profile.contact_radius, {}, start ? &*start : nullptr);
   }
@@ -169,7 +169,7 @@ TEST(Ranks, EachHasTheContactSurfaceOfItsOwnCells)
   };
   const ContactSurface part = surface_on(MPI_COMM_WORLD), whole = surface_on(MPI_COMM_SELF);
   EXPECT_EQ(part.parts.sum(part.lines.size()), whole.lines.size());
-  EXPECT_EQ(part.n_nodes_of_whole(), whole.n_nodes());
+  EXPECT_EQ(part.n_global_nodes(), whole.n_nodes());
   EXPECT_NEAR(part.area() / whole.area(), 1, 1e-12);
   EXPECT_EQ(part.n_sectors, whole.n_sectors);
   const Eigen::VectorXd pressure = Eigen::VectorXd::Ones(part.n_nodes());
@@ -179,7 +179,7 @@ TEST(Ranks, EachHasTheContactSurfaceOfItsOwnCells)
   std::set<unsigned int> reached;
   for (const ContactLine &line : part.lines)
     reached.insert(line.nodes.begin(), line.nodes.end());
-  for (unsigned int i = part.n_own_nodes(); i < part.n_nodes(); ++i)
+  for (unsigned int i = part.n_owned_nodes(); i < part.n_nodes(); ++i)
     EXPECT_EQ(reached.count(i), 1u) << i;
   const bool is_shared = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1;
   const double most = part.parts.max(static_cast<double>(part.lines.size()));

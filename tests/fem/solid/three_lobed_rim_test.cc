@@ -37,7 +37,7 @@ TEST(SolidFoot, AnswersAsAThreeLobedRimDoesInEachDirection)
   setup.table.interface = mat;
   setup.friction_coefficient = 0.3;
   SolidFoot solid(read_solid_mesh(file.name), setup);
-  EXPECT_NEAR(solid.capabilities().period_of_glass, 2 * M_PI / 3, 1e-12);
+  EXPECT_NEAR(solid.capabilities().glass_period, 2 * M_PI / 3, 1e-12);
 
   RevolutionSetup of_revolution;
   of_revolution.profile = profile;

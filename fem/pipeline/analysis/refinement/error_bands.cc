@@ -21,7 +21,7 @@ namespace
 {
 
 /// Where a study is looked at.
-struct Probe
+struct EvaluationPoints
 {
   /// Rest, half, once and one and a half times the terminal spin; four close to it if these do not tell the
   /// slope there.
@@ -37,23 +37,24 @@ struct Torques
   double all;      ///< yaw_torque(), whose zero is the terminal spin
 };
 
-/// Load and torques that are found at a Probe.
-struct Findings
+/// Load and torques that are found at a EvaluationPoints.
+struct Evaluation
 {
   LoadReport at_rest;
-  std::vector<Torques> torques; ///< at Probe::spins, means over the phases
-  double torque_of_first = 0;   ///< yaw_torque() of the first harmonic, at Probe::first
+  std::vector<Torques> torques; ///< at EvaluationPoints::spins, means over the phases
+  double torque_of_first = 0;   ///< yaw_torque() of the first harmonic, at EvaluationPoints::first
 };
 
-/// The loads of a study by the phases of a Probe.
-struct ProbedLoads
+/// The loads of a study by the phases of a EvaluationPoints.
+struct LoadsAtPhases
 {
   std::vector<SharedLoad> all, first; ///< first harmonic alone, where it is looked at
 };
 
-ProbedLoads loads_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Probe &probe)
+LoadsAtPhases loads_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                       const EvaluationPoints &probe)
 {
-  ProbedLoads loads;
+  LoadsAtPhases loads;
   for (const ring::Orientation &phase : probe.phases)
   {
     loads.all.push_back(find_load_at_phase(study, foot, phase));
@@ -66,40 +67,40 @@ ProbedLoads loads_of(const Study &study, const std::shared_ptr<ElasticFoot> &foo
 /// Torques of @p load; with @p gathering those of the same contacts of @p foot when their pressure is
 /// gathered like that.
 Torques torques_of(const BalancedLoad &load, const ElasticFoot &foot, const ring::Motion &motion,
-                   double omega, const std::optional<Gathering> &gathering)
+                   double omega, const std::optional<RingProjection> &ring_projection)
 {
   const auto find = [&]
   {
     const ring::LeaningLoad at_spin = load.at(omega);
-    const auto gathered = [&]
+    const auto projected = [&]
     {
       const unsigned int n =
-        load.n_harmonics() < foot.n_harmonics() ? load.n_harmonics() : gathering->n_harmonics;
-      return foot.body().gather(*load.contact(omega), gathering->radii, n);
+        load.n_harmonics() < foot.n_harmonics() ? load.n_harmonics() : ring_projection->n_harmonics;
+      return foot.body().project_onto_rings(*load.contact(omega), ring_projection->radii, n);
     };
-    const double friction = gathering ? ring::wrench(motion, gathered(), omega).torque
-                                      : ring::wrench(motion, at_spin, omega).torque;
+    const double friction = ring_projection ? ring::wrench(motion, projected(), omega).torque
+                                            : ring::wrench(motion, at_spin, omega).torque;
     return Torques{ friction, friction + at_spin.lean_torque() };
   };
   return ring::if_balanced(find).value_or(Torques{ std::nan(""), std::nan("") });
 }
 
-Findings look(const ProbedLoads &loads, const ElasticFoot &foot, const ring::Motion &motion,
-              const Probe &probe, const std::optional<Gathering> &gathering = {})
+Evaluation evaluate(const LoadsAtPhases &loads, const ElasticFoot &foot, const ring::Motion &motion,
+                    const EvaluationPoints &probe, const std::optional<RingProjection> &ring_projection = {})
 {
-  Findings found = {};
+  Evaluation found = {};
   found.at_rest = loads.all.front()->report();
   found.torques.assign(probe.spins.size(), { 0, 0 });
   const double share = 1. / static_cast<double>(probe.phases.size());
   for (const SharedLoad &load : loads.all)
     for (std::size_t i = 0; i < probe.spins.size(); ++i)
     {
-      const Torques torques = torques_of(*load, foot, motion, probe.spins[i], gathering);
+      const Torques torques = torques_of(*load, foot, motion, probe.spins[i], ring_projection);
       found.torques[i].friction += share * torques.friction;
       found.torques[i].all += share * torques.all;
     }
   for (const SharedLoad &load : loads.first)
-    found.torque_of_first += share * torques_of(*load, foot, motion, *probe.first, gathering).all;
+    found.torque_of_first += share * torques_of(*load, foot, motion, *probe.first, ring_projection).all;
   return found;
 }
 
@@ -121,8 +122,8 @@ std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &
 
 /// The reported numbers of @p row, each changed by what changes from @p own to @p found: at a terminal spin
 /// that differs from the one looked at by what the torque there says.
-std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Probe &probe,
-                                                const Findings &own, const ring::Answer &row,
+std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const EvaluationPoints &probe,
+                                                const Evaluation &own, const ring::Answer &row,
                                                 const Study &study)
 {
   // From the side of rest where the glass tips on the other.
@@ -130,7 +131,7 @@ std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Pro
   { return std::isfinite(own.torques[i].all) && std::isfinite(found.torques[i].all); };
   const std::size_t end = is_known(3) ? 3 : 2;
   const bool is_close = probe.spins.size() == 8 && is_known(4) && is_known(5) && is_known(6) && is_known(7);
-  const auto slope_of = [&](const Findings &at)
+  const auto slope_of = [&](const Evaluation &at)
   {
     const auto change = [&](std::size_t from, std::size_t to)
     { return at.torques[to].all - at.torques[from].all; };
@@ -169,9 +170,10 @@ bool carries_all_round(const ring::Answer &all, const LoadReport &at_rest)
          all.at_terminal->load.minimum() > 0.02 * at_rest.rings.a(0);
 }
 
-Probe probe_of(const Study &study, const ElasticFoot &foot, double omega, const std::optional<double> &first)
+EvaluationPoints probe_of(const Study &study, const ElasticFoot &foot, double omega,
+                          const std::optional<double> &first)
 {
-  Probe probe;
+  EvaluationPoints probe;
   probe.spins = { 0, omega / 2, omega, 1.5 * omega };
   probe.first = first;
   probe.phases = phases_of(study, foot);
@@ -181,7 +183,7 @@ Probe probe_of(const Study &study, const ElasticFoot &foot, double omega, const 
 /// Adds the spins of torque_slope() if those farther away do not tell the slope at the terminal spin: near
 /// |omega| = v / R, where the rim rolls on one side and the torque bends sharply, and with lift-off, where
 /// the edges of the contact move across the azimuth lines.
-void look_closely(const Study &study, bool is_full, Probe &probe)
+void add_slope_spins(const Study &study, bool is_full, EvaluationPoints &probe)
 {
   const double scale = study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
   const double omega = probe.spins[2];
@@ -193,14 +195,14 @@ void look_closely(const Study &study, bool is_full, Probe &probe)
 
 /// The quantities in the contacts of @p foot, that of a change, on the rings of @p own, the study's own,
 /// unless they are what changes.
-Findings look(const BandChange &change, const std::shared_ptr<ElasticFoot> &foot, const ElasticFoot &own,
-              const Probe &probe)
+Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot> &foot,
+                    const ElasticFoot &own, const EvaluationPoints &probe)
 {
   if (change.on_same_foot)
-    foot->forget_rings();
+    foot->reset_rings();
   else
     foot->set_rings(own.ring_radii(), own.n_harmonics());
-  return look(loads_of(change.study, foot, probe), *foot, change.study.motion.orbit, probe);
+  return evaluate(loads_of(change.study, foot, probe), *foot, change.study.motion.orbit, probe);
 }
 
 /// Adds to the parts of @p bands what @p change moves the quantities by, from @p before to @p after. What it
@@ -213,8 +215,8 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
   for (BandedQuantity &banded : bands)
   {
     const std::string &key = banded.quantity.key;
-    const double move = change.at_several_spins
-                          ? move_at_several_spins(key, before, after, change.study.motion.orbit.yaw_inertia)
+    const double move = change.compares_over_spins
+                          ? max_change_over_spins(key, before, after, change.study.motion.orbit.yaw_inertia)
                           : std::abs(quantity_of(after, key).value - quantity_of(before, key).value);
     double &part = banded.parts[change.key];
     const double added =
@@ -230,14 +232,14 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
 ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const ring::Answer &all,
                     const std::optional<double> &first, const Executor &executor, Progress &progress)
 {
-  Probe probe = probe_of(study, *foot, all.terminal->omega, first);
+  EvaluationPoints probe = probe_of(study, *foot, all.terminal->omega, first);
   const ring::Motion &motion = study.motion.orbit;
-  const ProbedLoads own_loads = loads_of(study, foot, probe);
+  const LoadsAtPhases own_loads = loads_of(study, foot, probe);
   const bool is_full = carries_all_round(all, own_loads.all.front()->report());
-  look_closely(study, is_full, probe);
-  const Findings own = look(own_loads, *foot, motion, probe);
+  add_slope_spins(study, is_full, probe);
+  const Evaluation own = evaluate(own_loads, *foot, motion, probe);
   std::vector<BandChange> changes = band_changes(study, *foot, own.at_rest, is_full);
-  const auto quantities = [&](const Findings &found)
+  const auto quantities = [&](const Evaluation &found)
   { return quantities_from(found, probe, own, all, study); };
   const std::vector<QuantityOfInterest> unchanged = quantities(own);
   ErrorBands bands;
@@ -245,21 +247,22 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
     if (std::isfinite(quantity.value))
       bands.push_back({ quantity, quantity.rounding, quantity.value, { { "solver", quantity.rounding } } });
 
-  const auto gathered = std::stable_partition(changes.begin(), changes.end(),
-                                              [](const BandChange &change) { return !change.gathering; });
-  for (auto change = gathered; change != changes.end(); ++change)
-    add_part(*change, unchanged, quantities(look(own_loads, *foot, motion, probe, change->gathering)), bands);
-  changes.erase(gathered, changes.end());
+  const auto projected = std::stable_partition(
+    changes.begin(), changes.end(), [](const BandChange &change) { return !change.ring_projection; });
+  for (auto change = projected; change != changes.end(); ++change)
+    add_part(*change, unchanged,
+             quantities(evaluate(own_loads, *foot, motion, probe, change->ring_projection)), bands);
+  changes.erase(projected, changes.end());
 
   const auto look_at = [&](const BandChange &change, const std::shared_ptr<ElasticFoot> &its_foot)
-  { return look(change, its_foot, *foot, probe); };
-  const auto done = [&, tell = counted(progress, "error bands", changes.size())](
-                      std::size_t i, const Solved<Findings> &solved) mutable
+  { return evaluate(change, its_foot, *foot, probe); };
+  const auto done = [&, tell = counting_callback(progress, "error bands", changes.size())](
+                      std::size_t i, const Solved<Evaluation> &solved) mutable
   {
     solved.value(); // one that fails leaves no band
     tell(i, solved);
   };
-  const std::vector<Solved<Findings>> found = solve(changes, foot, look_at, executor, done);
+  const std::vector<Solved<Evaluation>> found = solve(changes, foot, look_at, executor, done);
   std::map<std::string, std::vector<QuantityOfInterest>> by_part; // of the first change of each part
   for (std::size_t i = 0; i < changes.size(); ++i)
   {
@@ -291,14 +294,14 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
   }
   catch (const std::exception &failure)
   {
-    if (!executor.keeps_all_failures && !is_of_variant(failure))
+    if (!executor.keeps_all_failures && !is_variant_failure(failure))
       throw;
     progress.note("No band", failure.what());
   }
   return {};
 }
 
-void take_reported_numbers(const LoadReport &at_rest, const Budget &budget, ErrorBands &bands)
+void use_reported_values(const LoadReport &at_rest, const Budget &budget, ErrorBands &bands)
 {
   std::vector<QuantityOfInterest> reported = load_quantities(at_rest);
   if (const std::optional<double> &at_half = budget.rows.back().torques[1])

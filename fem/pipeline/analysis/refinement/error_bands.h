@@ -46,7 +46,7 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
 /// Puts the numbers that a study reports into the place of those that the contacts of the bands have found,
 /// which are the same up to the solver's tolerance: of the load @p at_rest, and of the torque at half the
 /// terminal spin in the last row of @p budget.
-void take_reported_numbers(const LoadReport &at_rest, const Budget &budget, ErrorBands &bands);
+void use_reported_values(const LoadReport &at_rest, const Budget &budget, ErrorBands &bands);
 
 /// Gives every one of the @p rows of a budget that comes from the contact and has a terminal spin its band,
 /// from those of the last row, @p of_all, and of the first harmonic alone, @p of_first [rad/s]: the wider of

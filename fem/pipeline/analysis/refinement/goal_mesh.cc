@@ -67,7 +67,7 @@ GoalError error_of(const Study &study, const Executor &executor)
   const auto error = [&](const Variant &, const std::shared_ptr<ElasticFoot> &foot)
   {
     require(
-      foot->body().capabilities().period_of_glass == 0,
+      foot->body().capabilities().glass_period == 0,
       "Contact/Goal needs a foot whose load does not depend on where the moment points, which that of this "
       "Contact/Mesh file does; set Contact/Goal = none.");
     const SharedLoad load = find_load(study, foot);
@@ -113,7 +113,7 @@ std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot,
                                     double omega_terminal, Goal goal, bool with_cells)
 {
   if (abilities(study.contact.body).is_of_revolution || !load.contact(0) || foot.ring_radii().empty() ||
-      foot.body().capabilities().period_of_glass > 0 || goal == Goal::none)
+      foot.body().capabilities().glass_period > 0 || goal == Goal::none)
     return std::nullopt;
   const ring::Motion &motion = study.motion.orbit;
   const double omega = goal == Goal::terminal_spin ? omega_terminal
@@ -141,7 +141,7 @@ MeshForGoal mesh_for_goal(const Study &study, const Executor &executor, Progress
 {
   if (study.contact.goal == Goal::none || !study.load.is_from_contact())
     return { study, std::nullopt };
-  constexpr unsigned int most_meshes = 20;
+  constexpr unsigned int max_meshes = 20;
   constexpr double allowed_cancelling = 5;
   Study meshed = study;
   for (unsigned int n_meshes = 1;; ++n_meshes)
@@ -158,11 +158,11 @@ MeshForGoal mesh_for_goal(const Study &study, const Executor &executor, Progress
                                         n_cells, n_meshes, std::abs(found.error.correction / found.value)));
       return { std::move(meshed), GoalOutcome{ found.value, found.error.correction, n_meshes, n_cells } };
     }
-    if (n_meshes == most_meshes)
+    if (n_meshes == max_meshes)
       throw std::runtime_error(fmt::format(
         FMT_STRING("The goal's error is still {:.1e} of its value after {} meshes, more than "
                    "Contact/Goal tolerance = {:g}; give a larger tolerance."),
-        std::abs(found.error.correction / found.value), most_meshes, study.contact.goal_tolerance));
+        std::abs(found.error.correction / found.value), max_meshes, study.contact.goal_tolerance));
     meshed.contact.halved.push_back(found.error.mark(marked_share));
     require_memory(meshed, found);
   }

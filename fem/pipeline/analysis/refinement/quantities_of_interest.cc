@@ -59,7 +59,7 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
 {
   const ring::Motion &motion = study.motion.orbit;
   ring::Question question = { motion };
-  question.expected = near.value_or(0);
+  question.initial_guess = near.value_or(0);
   question.with_slope = true;
   question.with_minima = false;
   question.spins = spins;
@@ -106,7 +106,7 @@ std::string key_of(Goal goal)
   return keys[static_cast<std::size_t>(goal)];
 }
 
-double move_at_several_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
+double max_change_over_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
                              const std::vector<QuantityOfInterest> &after, double yaw_inertia)
 {
   const auto move_of = [&](const std::string &name)

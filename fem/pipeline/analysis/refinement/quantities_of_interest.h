@@ -88,7 +88,7 @@ const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &qua
 /// spin are judged together, by the largest change of torque at half, at all and at one and a half times the
 /// terminal spin; NaN where one of the three has no value. What a mesh does to different harmonics may cancel
 /// at one spin, hardly at all three. @p yaw_inertia [kg m^2]. Throws as quantity_of().
-double move_at_several_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
+double max_change_over_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
                              const std::vector<QuantityOfInterest> &after, double yaw_inertia);
 
 /// Key of the quantity that is the goal of a mesh; empty for none.

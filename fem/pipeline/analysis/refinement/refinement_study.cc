@@ -81,7 +81,7 @@ std::vector<RefinementAxis> refinement_axes(Study study, unsigned int n_levels)
   return axes;
 }
 
-RefinementSequence judge_refinement(const std::vector<double> &values, AxisKind kind, double rounding)
+RefinementSequence assess_convergence(const std::vector<double> &values, AxisKind kind, double rounding)
 {
   const auto is_finite = [](double value) { return std::isfinite(value); };
   if (values.empty() || !std::all_of(values.begin(), values.end(), is_finite))
@@ -123,7 +123,8 @@ ErrorBands refine(const std::vector<QuantityOfInterest> &own, const std::vector<
         open.push_back(axis.levels[l]);
   const auto quantities_at = [&](const Variant &level, const std::shared_ptr<ElasticFoot> &foot)
   { return quantities_of_load(level.study, *find_load(level.study, foot), spins, near); };
-  const auto solved = solve(open, nullptr, quantities_at, executor, counted(progress, "levels", open.size()));
+  const auto solved =
+    solve(open, nullptr, quantities_at, executor, counting_callback(progress, "levels", open.size()));
   for (std::size_t i = 0; i < open.size(); ++i)
     if (solved[i].failure)
       throw ring::NoBalance("Level " + open[i].name + " of the refinement in " + open[i].key + ": " +
@@ -146,7 +147,7 @@ ErrorBands refine(const std::vector<QuantityOfInterest> &own, const std::vector<
         rounding = std::max(rounding, quantity.rounding);
       }
       const RefinementSequence &judged =
-        axis.quantities.emplace_back(judge_refinement(values, axis.kind, rounding));
+        axis.quantities.emplace_back(assess_convergence(values, axis.kind, rounding));
       const bool has_finer = axis.own + 1 < axis.levels.size();
       if (axis.kind == AxisKind::degree)
         degree = has_finer ? judged.bands[axis.own] : 0;

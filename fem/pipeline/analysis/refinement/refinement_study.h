@@ -47,7 +47,7 @@ std::vector<RefinementAxis> refinement_axes(Study study, unsigned int n_levels);
 /// Judges @p values, from the coarsest level to the finest, as docs/method/error_bands.md says: grid
 /// convergence index and Richardson's limit where cells show an order. @p rounding is the size of differences
 /// that say nothing (solver tolerances). Throws std::invalid_argument unless there are finite values.
-RefinementSequence judge_refinement(const std::vector<double> &values, AxisKind kind, double rounding);
+RefinementSequence assess_convergence(const std::vector<double> &values, AxisKind kind, double rounding);
 
 /// Solves @p axes around the study whose own quantities are @p own, with the torque followed at @p spins, and
 /// returns the bands of these quantities: the sum of the study's own bands over the axes of cells, or the

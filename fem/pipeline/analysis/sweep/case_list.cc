@@ -70,9 +70,9 @@ std::vector<std::string> range_values(const std::string &origin, const std::vect
   check(parts.size() == 3 || is_log, "is not a range");
   const std::vector<std::string> ends = with_shared_unit({ parts[0], parts[1] });
   for (const std::string &end : ends)
-    if (const std::string trouble = trouble_with_unit(end, unit); !trouble.empty())
+    if (const std::string trouble = unit_error(end, unit); !trouble.empty())
       throw BadInput(origin + ": " + shortened(end) + trouble);
-  check(unit_behind(ends[0]).empty() == unit_behind(ends[1]).empty(),
+  check(trailing_unit(ends[0]).empty() == trailing_unit(ends[1]).empty(),
         "has a unit behind its first number only");
   const auto first = parse_quantity(ends[0], unit), last = parse_quantity(ends[1], unit);
   const auto n = parse_count(parts[2]);
@@ -132,7 +132,7 @@ void require_different(const CaseList &list)
 std::string unit_of_heading(const StudyEntry &entry, const ColumnHeading &heading, const std::string &place)
 {
   const bool is_plain = heading.unit.empty() || entry.unit.empty();
-  const std::string trouble = is_plain ? "" : trouble_with_unit("1 " + heading.unit, entry.unit);
+  const std::string trouble = is_plain ? "" : unit_error("1 " + heading.unit, entry.unit);
   require(trouble.empty() && (heading.unit.empty() || !entry.unit.empty()),
           place + heading.name + " (" + shortened(heading.unit) + ")" +
             (trouble.empty() ? " is words; leave the unit out." : trouble));
@@ -198,7 +198,7 @@ CaseList cases_from_file(const std::string &file)
   for (std::size_t i = 0; i < header.cells.size(); ++i)
   {
     const ColumnHeading heading = parse_heading(header.cells[i]);
-    std::string place = place_in_table(list.origin, header, i);
+    std::string place = position_in_table(list.origin, header, i);
     place.resize(place.size() - 2); // without the colon, which find_entry() adds
     entries.push_back(find_entry(place, heading.name));
     units.push_back(unit_of_heading(entries.back(), heading, place + ": "));
@@ -218,7 +218,7 @@ CaseList cases_from_file(const std::string &file)
       std::string cell = is_number ? table.with_point(row->cells[i]) : row->cells[i];
       if (is_number && parse_number(cell) && !units[i].empty())
         cell += ' ' + units[i];
-      values.push_back(canonical(entries[i], place_in_table(list.origin, *row, i), cell));
+      values.push_back(canonical(entries[i], position_in_table(list.origin, *row, i), cell));
     }
   }
   require(list.cases.size() <= max_cases,

@@ -178,7 +178,7 @@ TEST(Budget, RowsOfAFirstHarmonic)
 
   study.load.moment_ratio = 1.3;
   EXPECT_EQ(rows_of(budget_of(study)).back(), "2 given moment 1");
-  EXPECT_EQ(budget_of(study).rows.back().standing, ring::Standing::formal);
+  EXPECT_EQ(budget_of(study).rows.back().status, ring::Status::formal);
 
   study.load.moment_ratio = -1;
   study.motion.grip_torque = 2e-4;
@@ -349,7 +349,7 @@ TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
   LoadedRow &second = rows.by_harmonics[1];
   second = {};
   second.row.harmonics = 2;
-  second.row.standing = ring::Standing::tips;
+  second.row.status = ring::Status::tips;
   second.row.reason = "it tips";
   const Budget budget = find_budget(study, rows, cache);
   const BudgetRow &failed = budget.rows[2];
@@ -357,7 +357,7 @@ TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
   EXPECT_FALSE(failed.omega_terminal);
   EXPECT_FALSE(failed.difference);
   EXPECT_FALSE(failed.torques[0]);
-  EXPECT_EQ(failed.standing, ring::Standing::tips);
+  EXPECT_EQ(failed.status, ring::Status::tips);
   EXPECT_EQ(failed.reason, "it tips");
   EXPECT_TRUE(budget.rows[3].omega_terminal);
   EXPECT_FALSE(budget.rows[3].difference); // to nothing
@@ -377,7 +377,7 @@ TEST(Budget, AStudyThatTipsIsARowThatSaysSo)
   study.motion.orbit.centre_of_mass_height = 0.16; // a moment ratio above 2
   fem::ComplianceCache cache;
   const ring::Answer row = solve_rows({ { "", "", study, all_harmonics } }, nullptr, {}, cache).front().row;
-  EXPECT_EQ(row.standing, ring::Standing::tips);
+  EXPECT_EQ(row.status, ring::Status::tips);
   EXPECT_FALSE(row.reason.empty());
   EXPECT_FALSE(row.terminal);
 }
@@ -390,13 +390,13 @@ TEST(Budget, LoadsThatWouldHaveToPullAreFormal)
   for (const BudgetRow &row : budget.rows)
   {
     const bool is_cut = row.step.number != 1 && row.harmonics.value_or(4) < 3;
-    EXPECT_TRUE(!is_cut || row.standing == ring::Standing::formal) << row.name;
+    EXPECT_TRUE(!is_cut || row.status == ring::Status::formal) << row.name;
   }
-  EXPECT_EQ(budget.rows.front().standing, ring::Standing::full_contact);
-  EXPECT_EQ(budget.rows.back().standing, ring::Standing::lift_off); // a pressure does not pull
+  EXPECT_EQ(budget.rows.front().status, ring::Status::full_contact);
+  EXPECT_EQ(budget.rows.back().status, ring::Status::lift_off); // a pressure does not pull
   // A load from a file is what its series says.
-  EXPECT_EQ(budget_of(study_of_given_load(), { { 0.47, 0, 0.5 }, { 0, -0.3, 0 }, 0.03 }).rows.back().standing,
-            ring::Standing::formal);
+  EXPECT_EQ(budget_of(study_of_given_load(), { { 0.47, 0, 0.5 }, { 0, -0.3, 0 }, 0.03 }).rows.back().status,
+            ring::Status::formal);
 }
 
 TEST(Budget, RowsOfAWavyFootAreOfMeanSpins)

@@ -31,9 +31,9 @@ struct SolvedRun
     spin = study_spin(study, foot, *load, cache);
     report = describe(study, foot, *load, spin.all().last_spin().value());
     bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache);
-    take_reported_numbers(report.load, spin.budget, bands);
+    use_reported_values(report.load, spin.budget, bands);
     add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
-    summary = tabulate(study, report, spin, bands, std::nullopt).findings.summary;
+    summary = make_document(study, report, spin, bands, std::nullopt).findings.summary;
   }
 
   Study study;
@@ -146,7 +146,7 @@ TEST(Fall, OfARigidFootIsWhereARefereeFindsIt)
   for (const auto &[height, spin] : { std::pair(0.13458, -9.19), std::pair(0.1346, -9.09) })
   {
     const ring::Answer falls = row_at_height(height, true);
-    EXPECT_EQ(falls.standing, ring::Standing::tips) << height;
+    EXPECT_EQ(falls.status, ring::Status::tips) << height;
     ASSERT_TRUE(falls.fall) << height;
     EXPECT_NEAR(falls.fall->omega, spin, 0.015) << height;
     EXPECT_GT(falls.fall->state.moment_ratio, falls.at_rest->moment_ratio);
@@ -177,7 +177,7 @@ TEST(Fall, ComesAfterAllSpinsAsTheGlassGrows)
 TEST(Fall, OfTheElasticFootInANarrowRangeOfSpins)
 {
   const ring::Answer falls = row_at_height(0.1346, false);
-  EXPECT_EQ(falls.standing, ring::Standing::tips);
+  EXPECT_EQ(falls.status, ring::Status::tips);
   ASSERT_TRUE(falls.fall);
   EXPECT_NEAR(falls.fall->omega, -9, 0.1);
 }

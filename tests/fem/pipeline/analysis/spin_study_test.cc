@@ -194,7 +194,7 @@ TEST(SpinStudy, AGlassThatFallsOverOnTheWay)
   fem::ComplianceCache cache;
   const SpinStudy fallen = study_spin(study, nullptr, *tipping_beyond(2.5), cache);
   const ring::Answer &row = fallen.all();
-  EXPECT_EQ(row.standing, ring::Standing::tips);
+  EXPECT_EQ(row.status, ring::Status::tips);
   EXPECT_FALSE(row.terminal);
   ASSERT_TRUE(row.fall);
   EXPECT_NEAR(row.fall->omega, -2.5, 0.35 / 0.03 / 4096);
@@ -203,7 +203,7 @@ TEST(SpinStudy, AGlassThatFallsOverOnTheWay)
   EXPECT_FALSE(fallen.spins_up());
   EXPECT_TRUE(fallen.terminal_spins.empty());
   EXPECT_FALSE(fallen.budget.rows.back().omega_terminal);
-  EXPECT_EQ(fallen.budget.rows.back().standing, ring::Standing::tips);
+  EXPECT_EQ(fallen.budget.rows.back().status, ring::Status::tips);
   EXPECT_FALSE(fallen.budget.harmonics.absolute);
 
   const auto time_per_spin = [&](double omega)
@@ -244,13 +244,13 @@ TEST(Answer, SaysWhyThereIsNone)
   };
   const ring::Question question = { ring::Motion() };
   const ring::Answer tips = ring::answer(*refusing(ring::Tipping("it tips")), question);
-  EXPECT_EQ(tips.standing, ring::Standing::tips);
+  EXPECT_EQ(tips.status, ring::Status::tips);
   EXPECT_EQ(tips.reason,
             "the glass stands at rest and falls over on the way, at 0 rad/s and a moment ratio of 0.673");
   EXPECT_TRUE(tips.at_rest);
   EXPECT_FALSE(tips.terminal);
   const ring::Answer none = ring::answer(*refusing(ring::NoBalance("none")), question);
-  EXPECT_EQ(none.standing, ring::Standing::no_balance);
+  EXPECT_EQ(none.status, ring::Status::no_balance);
   EXPECT_THAT(none.reason, testing::HasSubstr("none"));
   // A fault of the program is no property of the load.
   EXPECT_THROW(ring::answer(*refusing(std::runtime_error("a fault")), question), std::runtime_error);
@@ -262,9 +262,9 @@ TEST(Answer, SaysWhyThereIsNone)
   { return with_ratio(4 + 10 * std::pow(std::abs(omega) * 0.03 / 0.35, 3)); };
   const ring::Answer endless =
     ring::answer(GivenLoad(report_of(with_ratio(4)), all_harmonics, growing), question);
-  EXPECT_EQ(endless.standing, ring::Standing::no_terminal_spin);
-  EXPECT_EQ(ring::answer(*given_load(with_ratio(1.5)), question).standing, ring::Standing::formal);
-  EXPECT_EQ(ring::answer(*given_load(rich_load()), question).standing, ring::Standing::full_contact);
+  EXPECT_EQ(endless.status, ring::Status::no_terminal_spin);
+  EXPECT_EQ(ring::answer(*given_load(with_ratio(1.5)), question).status, ring::Status::formal);
+  EXPECT_EQ(ring::answer(*given_load(rich_load()), question).status, ring::Status::full_contact);
 }
 
 } // namespace

@@ -187,7 +187,7 @@ Json results_of(const Study &study, const test::ScratchFolder &scratch)
     const SharedLoad load = find_load(study, foot);
     const SpinStudy spin = study_spin(study, foot, *load, cache, silent_progress(), Depth::answer);
     const Results results =
-      tabulate(study, describe(study, foot, *load, spin.all().terminal->omega), spin, {});
+      make_document(study, describe(study, foot, *load, spin.all().terminal->omega), spin, {});
     Json all = results.findings.summary;
     for (const ResultFile &file : results.files)
       if (file.name == "spin_up.csv")
@@ -302,7 +302,7 @@ std::string another_value(const StudyEntry &entry)
 {
   if (entry.quantity != nullptr)
     return to_text(*entry.quantity != 0 || !entry.plausible ? 1.1 * *entry.quantity
-                                                            : entry.plausible->most / 10);
+                                                            : entry.plausible->max / 10);
   const EntryValue present = entry.value();
   if (const auto *count = std::get_if<unsigned int>(&present))
     return std::to_string(std::max(1u, 2 * *count));

@@ -67,7 +67,7 @@ TEST(NewStudy, EveryPairOfPresetsIsAStudyWithoutIdleOrStrangeEntries)
       EXPECT_EQ(count_entries(text).first, 12u) << text;
       scratch.write("a.prm", text);
       const pipeline::Study study = pipeline::read_study(scratch / "a.prm");
-      EXPECT_EQ(pipeline::idle_entries(study), std::vector<std::string>()) << text;
+      EXPECT_EQ(pipeline::unused_entries(study), std::vector<std::string>()) << text;
       EXPECT_EQ(pipeline::implausible_notes(study), std::vector<std::string>()) << text;
       EXPECT_NO_THROW(study.required_resultants());
     }

@@ -157,7 +157,7 @@ TEST(ContactReport, FrictionThatDeformsTheFootFollowsTheSpinOverTheSpeed)
     const auto foot = study_foot(study, cache);
     const fem::ContactState pressed = foot->solve(
       { balanced.normal_force(), balanced.moment().x(), balanced.moment().y() }, { spin_per_speed, {} });
-    const fem::ContactLoad load = foot->body().gather(pressed, balanced.radii(), 4);
+    const fem::ContactLoad load = foot->body().project_onto_rings(pressed, balanced.radii(), 4);
     double largest = 0;
     for (unsigned int n = 0; n <= 4; ++n)
     {

@@ -34,7 +34,7 @@ ring::CurveTolerance to(double wanted)
 {
   ring::CurveTolerance tolerance;
   tolerance.wanted = tolerance.enough = tolerance.coarsest = wanted;
-  tolerance.most_samples = 1000;
+  tolerance.max_samples = 1000;
   return tolerance;
 }
 
@@ -104,7 +104,7 @@ TEST(SpinCurve, FindsWhereTheRimLiftsOff)
 TEST(SpinCurve, SaysWhenSamplesDoNotSuffice)
 {
   ring::CurveTolerance tolerance = to(1e-12);
-  tolerance.most_samples = 60;
+  tolerance.max_samples = 60;
   const ring::SpinCurve curve({ rim_load }, 0, 1.5, tolerance);
   EXPECT_GT(curve.error(), 1e-12);
   EXPECT_LT(curve.n_samples(), 100u);

@@ -114,9 +114,9 @@ TEST(PeriodicGrid, IsExactForTrigonometricPolynomials)
     EXPECT_NEAR(grid.weights(angle).dot(nodes), value(angle), 1e-12) << angle;
 }
 
-TEST(SpinInterval, IsExactForPolynomials)
+TEST(ChebyshevInterval, IsExactForPolynomials)
 {
-  const SpinInterval interval(-3, 1, 4);
+  const ChebyshevInterval interval(-3, 1, 4);
   ASSERT_EQ(interval.size(), 5u);
   const auto value = [](double x) { return 1 + x - 0.3 * x * x * x * x; };
   Eigen::VectorXd nodes(5);
@@ -124,7 +124,7 @@ TEST(SpinInterval, IsExactForPolynomials)
     nodes(k) = value(interval.node(k));
   for (const double x : { -3., -2.2, -1., 0.3, 1. })
     EXPECT_NEAR(interval.weights(x).dot(nodes), value(x), 1e-12) << x;
-  const SpinInterval refined = interval.refined();
+  const ChebyshevInterval refined = interval.refined();
   ASSERT_EQ(refined.size(), 9u);
   for (unsigned int k = 0; k < 4; ++k)
     EXPECT_DOUBLE_EQ(refined.node(2 * k + 1), interval.between()[k]);
@@ -155,13 +155,13 @@ const PhasePeriods periods = { two_pi / 3, two_pi / 2 };
 
 } // namespace
 
-TEST(PhaseLoads, InterpolateWithinTheStatedError)
+TEST(PhaseSampledLoad, InterpolateWithinTheStatedError)
 {
-  const PhaseSamples at_rest = find_phases(made_up_load, periods, 1024);
+  const PhaseSamples at_rest = sample_phases(made_up_load, periods, 1024);
   EXPECT_LE(at_rest.error().mean, 1e-5);
   EXPECT_LE(at_rest.error().between, 1e-3);
   EXPECT_GT(at_rest.phases().glass.size(), 4u);
-  const PhaseLoads loads(made_up_load, periods, at_rest, { 3. });
+  const PhaseSampledLoad loads(made_up_load, periods, at_rest, { 3. });
   double off = 0;
   for (const double omega : { -10., -4.4, 0., 0.3, 7.7 })
     for (const ring::Orientation &phase : { ring::Orientation{ 0.1, 3.3 }, ring::Orientation{ -12.2, 0.5 } })
@@ -173,7 +173,7 @@ TEST(PhaseLoads, InterpolateWithinTheStatedError)
   EXPECT_GT(loads.n_spins(), 1u + 4u * 3u); // rest, and more than three to begin with in each interval
 }
 
-TEST(PhaseLoads, HaveTheMeanOfPlainQuadrature)
+TEST(PhaseSampledLoad, HaveTheMeanOfPlainQuadrature)
 {
   std::vector<double> a(3, 0.), b(3, 0.);
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
@@ -189,7 +189,7 @@ TEST(PhaseLoads, HaveTheMeanOfPlainQuadrature)
         b[k] += load.b(k) / (n * n);
       }
     }
-  const PhaseLoads loads(made_up_load, periods, find_phases(made_up_load, periods, 1024), { 3. });
+  const PhaseSampledLoad loads(made_up_load, periods, sample_phases(made_up_load, periods, 1024), { 3. });
   const ring::RingStack mean = loads.mean(1.7);
   for (unsigned int k = 0; k <= 2; ++k)
   {
@@ -215,11 +215,12 @@ LoadAtPhase jumping_load(double jump)
 
 // Between two phases a jump may lie anywhere; its mean is known to a share of their distance. Reference: the
 // share of the phases with sin > 0.1.
-TEST(PhaseLoads, KnowTheMeanOfAJump)
+TEST(PhaseSampledLoad, KnowTheMeanOfAJump)
 {
   const double jump = 0.1, share = 0.5 - std::asin(0.1) / M_PI;
   const PhasePeriods of_glass = { two_pi / 2, 0 };
-  const PhaseLoads loads(jumping_load(jump), of_glass, find_phases(jumping_load(jump), of_glass, 128));
+  const PhaseSampledLoad loads(jumping_load(jump), of_glass,
+                               sample_phases(jumping_load(jump), of_glass, 128));
   EXPECT_GT(loads.error().between, 0.2 * jump);
   const ring::RingStack truth({ 1., 0.1 }, { 0., share * jump }, 0.03);
   const double off = torque_difference(loads.mean(0), truth);
@@ -229,7 +230,7 @@ TEST(PhaseLoads, KnowTheMeanOfAJump)
 
 // A kink in the spin is not met by polynomials; the mean is off by as much as each phase. Reference: the load
 // itself, whose dependence on the phase has no mean.
-TEST(PhaseLoads, HaveWhatIsBetweenSpinsInTheErrorOfTheMean)
+TEST(PhaseSampledLoad, HaveWhatIsBetweenSpinsInTheErrorOfTheMean)
 {
   const auto kinked = [](double omega, double phase)
   {
@@ -239,7 +240,7 @@ TEST(PhaseLoads, HaveWhatIsBetweenSpinsInTheErrorOfTheMean)
   const LoadAtPhase load = [=](double omega, const ring::Orientation &phase)
   { return kinked(omega, phase.glass); };
   const PhasePeriods of_glass = { two_pi / 2, 0 };
-  const PhaseLoads loads(load, of_glass, find_phases(load, of_glass, 128), { 3. });
+  const PhaseSampledLoad loads(load, of_glass, sample_phases(load, of_glass, 128), { 3. });
   double off = 0;
   for (const double omega : { 0.9, 1.2, 1.28, 1.32, 1.5, 2.2 })
     off = std::max(off, torque_difference(loads.mean(omega), kinked(omega, 0)));
@@ -248,13 +249,13 @@ TEST(PhaseLoads, HaveWhatIsBetweenSpinsInTheErrorOfTheMean)
   EXPECT_LE(loads.error().mean, 1e-2);
 }
 
-TEST(PhaseLoads, SayThatALargeJumpIsNotResolved)
+TEST(PhaseSampledLoad, SayThatALargeJumpIsNotResolved)
 {
-  EXPECT_THROW(find_phases(jumping_load(2.), { two_pi / 2, 0 }, 128), ring::NoBalance);
+  EXPECT_THROW(sample_phases(jumping_load(2.), { two_pi / 2, 0 }, 128), ring::NoBalance);
 }
 
 // A search for a spin asks again; contacts that fail take the longest.
-TEST(PhaseLoads, FailAgainWithoutSolvingAgain)
+TEST(PhaseSampledLoad, FailAgainWithoutSolvingAgain)
 {
   unsigned int n_failed = 0;
   const LoadAtPhase load = [&](double omega, const ring::Orientation &phase) -> LeaningLoad
@@ -267,7 +268,7 @@ TEST(PhaseLoads, FailAgainWithoutSolvingAgain)
     return made_up_load(omega, phase);
   };
   const PhasePeriods of_glass = { two_pi / 3, 0 };
-  const PhaseLoads loads(load, of_glass, find_phases(load, of_glass, 128), { 3. });
+  const PhaseSampledLoad loads(load, of_glass, sample_phases(load, of_glass, 128), { 3. });
   EXPECT_NO_THROW(loads.mean(2.));
   for (const double omega : { 3.5, 4.5, 3.2 })
     EXPECT_THROW(loads.mean(omega), std::runtime_error) << omega;

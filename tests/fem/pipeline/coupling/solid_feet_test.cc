@@ -18,7 +18,7 @@ const void *mesh_of(const ElasticFoot &foot)
 
 // Rows without one thing take no second hierarchy of meshes: they are made like the study's own foot. Nothing
 // else decides on that, least of all which feet there are.
-TEST(SolidFeet, ShareTheMeshOfTheSimilarFootAlone)
+TEST(SolidFootFunctions, ShareTheMeshOfTheSimilarFootAlone)
 {
   Study study;
   study.contact.body = BodyKind::solid;

@@ -37,12 +37,12 @@ protected:
   std::string text() const { return mesh_text(mesh, GetParam()); }
 
   /// The sentence about @p text as a mesh file; empty where it can be used.
-  static std::string sentence(const std::string &text, const fem::MeshMarks &marks = {})
+  static std::string sentence(const std::string &text, const fem::MeshFileOptions &marks = {})
   {
     const TemporaryFile file(text, GetParam());
     Study study;
     study.contact.mesh_file = file.name;
-    study.contact.mesh_marks = marks;
+    study.contact.mesh_file_options = marks;
     const std::string message = test::sentence_of([&] { require_usable_mesh(study); });
     EXPECT_THAT(message, testing::Not(testing::HasSubstr("\n")));
     EXPECT_LT(message.size(), 330u) << message;
@@ -51,7 +51,7 @@ protected:
   }
 
   static void expect_sentence(const std::string &text, const std::string &part,
-                              const fem::MeshMarks &marks = {})
+                              const fem::MeshFileOptions &marks = {})
   {
     const std::string found = sentence(text, marks);
     EXPECT_THAT(found, testing::HasSubstr(part));
@@ -68,11 +68,11 @@ TEST_P(ForeignMesh, IsTheFootThatWasWritten)
   EXPECT_EQ(report.n_cells, mesh.n_active_cells());
   EXPECT_EQ(report.n_contact_faces, 24u);
   EXPECT_TRUE(report.round_rim);
-  EXPECT_EQ(report.n_repetitions, 12u);
+  EXPECT_EQ(report.n_symmetry_sectors, 12u);
   const fem::MeshCheck expected = fem::check_mesh(mesh), check = fem::check_mesh(read);
   EXPECT_EQ(check.n_faces, expected.n_faces);
   EXPECT_NEAR(check.contact_area, expected.contact_area, 1e-13 * expected.contact_area);
-  EXPECT_NEAR(check.least_jacobian, expected.least_jacobian, 1e-12);
+  EXPECT_NEAR(check.min_jacobian, expected.min_jacobian, 1e-12);
   EXPECT_EQ(sentence(text()), "");
 }
 
@@ -130,7 +130,7 @@ TEST_P(ForeignMesh, IsReadInItsUnit)
   move([](const dealii::Point<3> &x) { return dealii::Point<3>(1000 * x); });
   const std::string millimetres = text();
   expect_sentence(millimetres, "Contact/Mesh unit = mm");
-  fem::MeshMarks marks;
+  fem::MeshFileOptions marks;
   marks.unit = 1e-3;
   EXPECT_EQ(sentence(millimetres, marks), "");
   marks.unit = 0.0254;

@@ -39,9 +39,9 @@ void open_page(const Values &values, const LiveBodies &bodies)
   explore_begin();
   for (const auto &[path, value] : values)
     EXPECT_STREQ(explore_set(path.c_str(), value.c_str()), "{}");
-  explore_take(packed(bodies.foot).data(), 0);
+  explore_take(serialized(bodies.foot).data(), 0);
   if (bodies.disc)
-    explore_take(packed(*bodies.disc).data(), 1);
+    explore_take(serialized(*bodies.disc).data(), 1);
   explore_ready(1);
 }
 
@@ -143,7 +143,7 @@ TEST(Live, OnAMeshOfAnotherWidthWithinTheBand)
       ASSERT_EQ(answer["fit"], "near") << path << " = " << value;
       const double spin = spin_by_the_program(study_of(moved)),
                    error = answer["all"]["omega"].get<double>() - spin;
-      EXPECT_LT(std::abs(error), near_band) << path << " = " << value;
+      EXPECT_LT(std::abs(error), close_mesh_band) << path << " = " << value;
       EXPECT_STREQ(explore_set(path, back), "{}");
     }
   }

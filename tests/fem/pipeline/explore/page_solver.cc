@@ -15,7 +15,7 @@ int main(int n_arguments, char **arguments)
   fem::ComplianceCache cache;
   const pipeline::LiveBodies bodies = pipeline::live_bodies(pipeline::Study(), cache);
   explore_begin();
-  explore_take(pipeline::packed(bodies.foot).data(), 0);
+  explore_take(pipeline::serialized(bodies.foot).data(), 0);
   explore_ready(1);
   for (int i = 1; i < n_arguments; ++i)
   {

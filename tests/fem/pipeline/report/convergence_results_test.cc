@@ -14,7 +14,7 @@ using namespace test;
 Results made_convergence()
 {
   const RefinementByHand by_hand;
-  return tabulate(Study(), by_hand.axes, by_hand.bands);
+  return make_document(Study(), by_hand.axes, by_hand.bands);
 }
 
 TEST(ConvergenceByHand, DataFile)

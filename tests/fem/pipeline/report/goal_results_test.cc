@@ -22,7 +22,7 @@ TEST(RunByHand, GoalOfTheMesh)
   goal.n_meshes = 4;
   goal.n_cells = 1000;
   by_hand.bands.back().parts["mesh"] = 6e-5;
-  const Results results = tabulate(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands, goal);
+  const Results results = make_document(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands, goal);
   const auto &summary = results.findings.summary["goal"];
   EXPECT_EQ(summary["name"], "terminal spin");
   EXPECT_EQ(summary["value"], -3.5);

@@ -74,7 +74,7 @@ inline ring::Answer hand_made_row(Numbers &next, unsigned int harmonics)
   row.band = next() / 1000;
   next();
   next();
-  row.standing = ring::Standing::lift_off;
+  row.status = ring::Status::lift_off;
   row.relative_change = next() / 100;
   row.bound = next() / 1e6;
   for (int i = 0; i < 4; ++i) // numbers that no row has
@@ -87,7 +87,7 @@ inline ring::Answer missing_row(unsigned int harmonics)
 {
   ring::Answer row;
   row.harmonics = harmonics;
-  row.standing = ring::Standing::no_balance;
+  row.status = ring::Status::no_balance;
   row.reason = "No balance of moments was found";
   return row;
 }

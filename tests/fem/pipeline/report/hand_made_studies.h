@@ -50,16 +50,16 @@ inline pipeline::Budget hand_made_budget(Numbers &next)
       row.difference = *row.omega_terminal - budget.rows.back().omega_terminal.value_or(-1);
     row.band = next() / 1000;
     row.torques = { next(), next(), next() };
-    row.standing = ring::Standing::full_contact;
+    row.status = ring::Status::full_contact;
     budget.rows.push_back(row);
   };
   add({ 1 }, "paper", 1);
   add({ 2 }, "moment balance", 1);
-  budget.rows.back().standing = ring::Standing::formal;
+  budget.rows.back().status = ring::Status::formal;
   add({ 2, true }, "grip", 1);
   add({ 3 }, "where the foot touches", 1);
   budget.rows.push_back({ { 3, true }, "tilt", 1 });
-  budget.rows.back().standing = ring::Standing::tips;
+  budget.rows.back().status = ring::Status::tips;
   budget.rows.back().reason = "The foot tips";
   add({ 4 }, "harmonics", 2);
   budget.rows.back().difference.reset();
@@ -138,7 +138,7 @@ struct RunByHand
 inline pipeline::Results made_run()
 {
   const RunByHand by_hand;
-  return tabulate(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
+  return make_document(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
 }
 
 struct RefinementByHand
@@ -178,7 +178,7 @@ inline pipeline::MeshFindings mesh_by_hand()
   check.highest = next();
   check.contact_area = next();
   check.centre = { next(), next() };
-  check.least_jacobian = next() / 20;
+  check.min_jacobian = next() / 20;
   check.mean_jacobian = next();
   check.worst_place = { next(), next(), next() };
   findings.report = fem::MeshReport();

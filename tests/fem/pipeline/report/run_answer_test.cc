@@ -59,7 +59,7 @@ TEST(RunAnswer, HasTheNumbersOfItsRows)
   all.at_rest->friction.torque = -0.0012345;
   all.terminal.reset();
   all.at_terminal.reset();
-  all.standing = ring::Standing::tips;
+  all.status = ring::Status::tips;
   expect_all(falling.answer(), { "9.12 rad/s", "1.68", "1.432", "-0.001234 N m", "2.09 s" });
 }
 
@@ -173,7 +173,7 @@ TEST(Remarks, ALayerThickerThanTheContactIsNoWinklerInterface)
   {
     run.report.load.inner_radius = 0.03 - half_width;
     run.report.load.outer_radius = 0.03 + half_width;
-    return tabulate(run.study, run.report, run.spin, run.bands)
+    return make_document(run.study, run.report, run.spin, run.bands)
              .console.front()
              .text.find("(Table/Layer thickness)") != std::string::npos;
   };

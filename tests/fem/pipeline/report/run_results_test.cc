@@ -30,7 +30,7 @@ TEST(RunByHand, OneRing)
   RunByHand by_hand;
   Numbers next;
   by_hand.spin.one_ring = hand_made_row(next, 2);
-  const Results results = tabulate(by_hand.study, by_hand.report, by_hand.spin, {});
+  const Results results = make_document(by_hand.study, by_hand.report, by_hand.spin, {});
   EXPECT_EQ(
     results.findings.summary["one_ring"].dump(),
     R"({"tau_at_rest":1.0701234567,"omega_terminal":-1.1301234567,"relative_change":0.013201234567})");
@@ -44,7 +44,7 @@ TEST(RunByHand, NoLiftOffIsDecidedByTheLoadItself)
   RunByHand by_hand;
   const auto decided = [&]
   {
-    return tabulate(by_hand.study, by_hand.report, by_hand.spin, {})
+    return make_document(by_hand.study, by_hand.report, by_hand.spin, {})
       .findings.summary["ring"]["no_lift_off"]
       .get<bool>();
   };
@@ -140,7 +140,7 @@ TEST(RunByHand, WithoutAContactThereIsNothingAboutOne)
   ContactReport report = by_hand.report;
   report.foot.reset();
   report.coupling.reset();
-  const Results without = tabulate(by_hand.study, report, by_hand.spin, {});
+  const Results without = make_document(by_hand.study, report, by_hand.spin, {});
   for (const char *key : { "contact", "coupling" })
     EXPECT_TRUE(without.findings.summary[key].is_null()) << key;
   EXPECT_FALSE(without.findings.summary.contains("error_bands"));

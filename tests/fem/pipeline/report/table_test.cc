@@ -82,7 +82,7 @@ TEST(Table, AsCsv)
 TEST(Table, OnTheConsole)
 {
   Json rows = rows_of_everything();
-  leave_out_rounding(rows, "spin at", 1e-12);
+  zero_rounding_errors(rows, "spin at", 1e-12);
   Table table = table_of_everything(rows);
   table.title = "";
   table.columns.erase(table.columns.begin() + 4);
@@ -119,15 +119,16 @@ TEST(Table, TooWideForTheConsoleGoesOnBelow)
 
 TEST(Table, PartsOfItsRowsInJson)
 {
-  EXPECT_EQ(picked(rows_of_everything(), "spin who").dump(),
+  EXPECT_EQ(selected_keys(rows_of_everything(), "spin who").dump(),
             R"([{"spin":-1.23456789,"who":"a, \"b\""},{"spin":1e-15,"who":"c < d"}])");
-  EXPECT_EQ(picked(rows_of_everything()[1], "at").dump(), R"({"at":[2.5,4.5]})");
+  EXPECT_EQ(selected_keys(rows_of_everything()[1], "at").dump(), R"({"at":[2.5,4.5]})");
 }
 
 TEST(Table, OneObjectAsAList)
 {
   EXPECT_EQ(
-    as_list(table_of({ { "spin", 1.23456 }, { "at", { 1.5, 2 } } }, "spin at[]", "all", "", own)).dump(),
+    name_value_list(table_of({ { "spin", 1.23456 }, { "at", { 1.5, 2 } } }, "spin at[]", "all", "", own))
+      .dump(),
     R"=([{"what":"ω_∞ (rad/s)","is":"1.23"},{"what":"at 1 (s)","is":"1.5"},{"what":"at 2 (s)","is":"2"}])=");
 }
 
@@ -142,7 +143,7 @@ TEST(Table, ANumberThatIsNotFiniteIsNoneForPeopleAndIsLeftToPublishInJson)
 TEST(Table, AMissingColumnIsNamed)
 {
   EXPECT_THROW(table_of(rows_of_everything(), "who omega"), std::out_of_range);
-  EXPECT_THROW(picked(rows_of_everything(), "who omega"), Json::out_of_range);
+  EXPECT_THROW(selected_keys(rows_of_everything(), "who omega"), Json::out_of_range);
 }
 
 TEST(Quantities, OfASectionStandBeforeThoseOfAll)
@@ -217,7 +218,7 @@ TEST(Quantities, ListedOnesOfAPartStandInTheOrderOfTheSchema)
                          { "body", "solid" } };
   const Json list = listed(contact, "contact");
   EXPECT_EQ(list.dump(), R"=({"body":"solid","cells":9,"unknowns":7,"table_motion":[1e-06,0.0,2e-06]})=");
-  EXPECT_EQ(as_list(table_of(list, "", "contact")).back()["what"], "table tilted by q_2 (rad)");
+  EXPECT_EQ(name_value_list(table_of(list, "", "contact")).back()["what"], "table tilted by q_2 (rad)");
   EXPECT_TRUE(listed(contact, "no part").empty());
 }
 

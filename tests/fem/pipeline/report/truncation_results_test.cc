@@ -19,7 +19,7 @@ Results made_truncation()
   const LoadReport load = hand_made_load_report(next);
   std::vector<ring::Answer> rows = { hand_made_row(next, 1), missing_row(2), hand_made_row(next, 3) };
   rows.back().relative_change = 0;
-  return tabulate_truncations(study, load, rows);
+  return make_truncation_document(study, load, rows);
 }
 
 TEST(TruncationByHand, SaysHowManyHarmonicsAreEnough)

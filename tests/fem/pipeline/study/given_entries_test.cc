@@ -21,7 +21,7 @@ using Names = std::vector<std::string>;
 
 Names idle_with(const Settings &settings)
 {
-  return idle_entries(with_values(Study(), "the test", settings));
+  return unused_entries(with_values(Study(), "the test", settings));
 }
 
 std::string refusal_of(const std::string &file, const std::vector<std::string> &overrides = {})
@@ -96,13 +96,13 @@ TEST(IdleEntries, AFileOfAllEntriesGivesThoseThatDifferFromTheirDefaults)
 {
   const test::ScratchFolder scratch;
   const std::string all = scratch.write("all.prm", commented_defaults());
-  EXPECT_EQ(idle_entries(read_study(all)), Names());
-  EXPECT_EQ(idle_entries(read_study(all, { "Table/Disc radius=0.15" })), Names({ "Table/Disc radius" }));
+  EXPECT_EQ(unused_entries(read_study(all)), Names());
+  EXPECT_EQ(unused_entries(read_study(all, { "Table/Disc radius=0.15" })), Names({ "Table/Disc radius" }));
   Study study;
   study.table.disc.thickness = 0.01;
-  EXPECT_EQ(idle_entries(read_study(scratch.write("changed.prm", study_as_prm(study)))),
+  EXPECT_EQ(unused_entries(read_study(scratch.write("changed.prm", study_as_prm(study)))),
             Names({ "Table/Disc thickness" }));
-  EXPECT_EQ(idle_entries(read_study(scratch.write("one.json", R"({"Table": {"Disc thickness": 0.05}})"))),
+  EXPECT_EQ(unused_entries(read_study(scratch.write("one.json", R"({"Table": {"Disc thickness": 0.05}})"))),
             Names({ "Table/Disc thickness" }));
 }
 
@@ -112,7 +112,7 @@ TEST(IdleEntries, ThereAreNoneInTheCookbooks)
   for (const auto &item : std::filesystem::directory_iterator(STEMWARE_COOKBOOKS))
     if (item.path().extension() == ".prm")
     {
-      EXPECT_EQ(idle_entries(read_study(item.path())), Names()) << item.path();
+      EXPECT_EQ(unused_entries(read_study(item.path())), Names()) << item.path();
       ++n_studies;
     }
   EXPECT_GE(n_studies, 9u);

@@ -62,8 +62,8 @@ TEST(PlausibleValues, DefaultsAndRangesAreThemselvesPlausible)
     }
     if (!entry.plausible)
       continue;
-    EXPECT_LT(entry.plausible->least, entry.plausible->most) << entry.path();
-    EXPECT_NE(implausible_note(entry.path(), 1.01 * entry.plausible->most), "") << entry.path();
+    EXPECT_LT(entry.plausible->min, entry.plausible->max) << entry.path();
+    EXPECT_NE(implausible_note(entry.path(), 1.01 * entry.plausible->max), "") << entry.path();
     EXPECT_FALSE(entry.plausible_reason.empty()) << entry.path();
     ++n_ranges;
   }

@@ -132,8 +132,8 @@ TEST(ProfileFile, EntriesOfOtherShapesAreIdle)
   const Study study =
     study_of(millimetres + plain_foot,
              { "Glass/Crown radius=0.003", "Glass/Foot radius=0.05", "Glass/Fillet radius=0.002" });
-  EXPECT_EQ(idle_entries(study), (std::vector<std::string>{ "Glass/Foot radius", "Glass/Fillet radius" }));
-  EXPECT_EQ(idle_entries(read_study("", { "Glass/Profile file=missing.csv" })),
+  EXPECT_EQ(unused_entries(study), (std::vector<std::string>{ "Glass/Foot radius", "Glass/Fillet radius" }));
+  EXPECT_EQ(unused_entries(read_study("", { "Glass/Profile file=missing.csv" })),
             std::vector<std::string>{ "Glass/Profile file" });
 }
 

@@ -32,11 +32,11 @@ TEST(Numbers, ShortTextHasSixDigits)
 TEST(Numbers, ThatAreComparedHaveTheDigitsThatTellThemApart)
 {
   using Texts = std::pair<std::string, std::string>;
-  EXPECT_EQ(told_apart(2.5, 2), Texts("2.5", "2"));
-  EXPECT_EQ(told_apart(2.0000004, 2), Texts("2.0000004", "2"));
-  EXPECT_EQ(told_apart(2, 2), Texts("2", "2"));
-  EXPECT_EQ(told_apart(8.04e9, 8e9, 2), Texts("8.04e9", "8e9"));
-  const auto [next, one] = told_apart(std::nextafter(1., 2), 1);
+  EXPECT_EQ(distinct_texts(2.5, 2), Texts("2.5", "2"));
+  EXPECT_EQ(distinct_texts(2.0000004, 2), Texts("2.0000004", "2"));
+  EXPECT_EQ(distinct_texts(2, 2), Texts("2", "2"));
+  EXPECT_EQ(distinct_texts(8.04e9, 8e9, 2), Texts("8.04e9", "8e9"));
+  const auto [next, one] = distinct_texts(std::nextafter(1., 2), 1);
   EXPECT_EQ(std::stod(next), std::nextafter(1., 2));
   EXPECT_EQ(one, "1");
 }

@@ -18,11 +18,11 @@ TEST(Text, WrapsAtTheConsolesWidth)
 TEST(Text, LikeliestWordIsTheClosest)
 {
   const std::vector<std::string> words = { "run", "truncate", "converge", "sweep" };
-  EXPECT_EQ(likeliest("rum", words), "run");
-  EXPECT_EQ(likeliest("CONVEGRE", words), "converge");
-  EXPECT_EQ(likeliest("xyz", words), std::nullopt); // no letter of run is left
-  EXPECT_EQ(likeliest("frobnicate", words), std::nullopt);
-  EXPECT_EQ(likeliest(std::string(10000000, 'r'), words), std::nullopt);
+  EXPECT_EQ(closest_match("rum", words), "run");
+  EXPECT_EQ(closest_match("CONVEGRE", words), "converge");
+  EXPECT_EQ(closest_match("xyz", words), std::nullopt); // no letter of run is left
+  EXPECT_EQ(closest_match("frobnicate", words), std::nullopt);
+  EXPECT_EQ(closest_match(std::string(10000000, 'r'), words), std::nullopt);
 }
 
 TEST(Text, MessagesRepeatEightyCharactersAtMost)

@@ -74,7 +74,7 @@ TEST(Solve, AVariantThatFailsSaysWhyAndTheOthersGoOn)
     [&](std::size_t i, const auto &) { done.push_back(i); });
   EXPECT_EQ(done, (std::vector<std::size_t>{ 0, 1, 2 }));
   EXPECT_EQ(failed_row(solved[0].failure).reason, "not defined");
-  EXPECT_EQ(failed_row(solved[1].failure).standing, ring::Standing::tips);
+  EXPECT_EQ(failed_row(solved[1].failure).status, ring::Status::tips);
   EXPECT_EQ(solved[2].value(), study.glass.profile.contact_radius);
 }
 

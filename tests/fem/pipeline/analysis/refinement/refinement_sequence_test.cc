@@ -27,7 +27,7 @@ TEST(RefinementSequence, OrderAndLimitOfAPureOrder)
     for (const double constant : { 0.3, -0.02 })
     {
       const RefinementSequence judged =
-        judge_refinement(algebraic(-3.1, constant, order, 3), AxisKind::cells, 0);
+        assess_convergence(algebraic(-3.1, constant, order, 3), AxisKind::cells, 0);
       ASSERT_TRUE(judged.order) << order;
       EXPECT_NEAR(*judged.order, order, 1e-9);
       EXPECT_NEAR(judged.limit, -3.1, 1e-12);
@@ -37,10 +37,10 @@ TEST(RefinementSequence, OrderAndLimitOfAPureOrder)
 TEST(RefinementSequence, BandIsTheGridConvergenceIndex)
 {
   // v = 1 + sqrt(h) on h = 1, 1/2, 1/4: the finest value is 1/2 off, which the index multiplies by 1.25.
-  const RefinementSequence low = judge_refinement(algebraic(1, 1, 0.5 + 1e-9, 3), AxisKind::cells, 0);
+  const RefinementSequence low = assess_convergence(algebraic(1, 1, 0.5 + 1e-9, 3), AxisKind::cells, 0);
   EXPECT_NEAR(low.bands.back(), 1.25 / 2, 1e-8);
   // Above the first order it is the last step times 1.25. Coarser levels add their distance from the finest.
-  const RefinementSequence second = judge_refinement(algebraic(1, 1, 2, 3), AxisKind::cells, 0);
+  const RefinementSequence second = assess_convergence(algebraic(1, 1, 2, 3), AxisKind::cells, 0);
   EXPECT_NEAR(second.bands.back(), 1.25 * 3 / 16, 1e-14);
   ASSERT_EQ(second.bands.size(), 3u);
   EXPECT_NEAR(second.bands[2], 1.25 * 3 / 16, 1e-14);
@@ -59,7 +59,7 @@ TEST(RefinementSequence, BandHoldsForMixedOrders)
     std::vector<double> values;
     for (unsigned int level = 0; level < 3; ++level)
       values.push_back(2 + std::exp2(-p * level) * (1 + e * std::exp2(-q * level)));
-    const RefinementSequence judged = judge_refinement(values, AxisKind::cells, 0);
+    const RefinementSequence judged = assess_convergence(values, AxisKind::cells, 0);
     for (unsigned int level = 0; level < 3; ++level)
       EXPECT_LE(std::abs(values[level] - 2), judged.bands[level])
         << "p = " << p << ", q = " << q << ", e = " << e;
@@ -68,7 +68,7 @@ TEST(RefinementSequence, BandHoldsForMixedOrders)
 
 TEST(RefinementSequence, ValuesThatTurnRoundGetAWideBandAndNoOrder)
 {
-  const RefinementSequence judged = judge_refinement({ 1, 1.2, 1.19 }, AxisKind::cells, 0);
+  const RefinementSequence judged = assess_convergence({ 1, 1.2, 1.19 }, AxisKind::cells, 0);
   EXPECT_FALSE(judged.order);
   EXPECT_EQ(judged.limit, 1.19);
   EXPECT_NEAR(judged.bands.back(), 3 * 0.2, 1e-14);
@@ -80,7 +80,7 @@ TEST(RefinementSequence, ImplausibleOrdersGetAWideBand)
   for (const std::vector<double> &values :
        { std::vector<double>{ 0, 1, 1.9 }, std::vector<double>{ 0, 1, 1 + 1e-6 } })
   {
-    const RefinementSequence judged = judge_refinement(values, AxisKind::cells, 0);
+    const RefinementSequence judged = assess_convergence(values, AxisKind::cells, 0);
     EXPECT_FALSE(judged.order);
     EXPECT_NEAR(judged.bands.back(), 3 * (values[2] - values[0]), 1e-12);
   }
@@ -89,14 +89,15 @@ TEST(RefinementSequence, ImplausibleOrdersGetAWideBand)
 TEST(RefinementSequence, DifferencesBelowRoundingShowNoOrder)
 {
   const double rounding = 1e-9;
-  const RefinementSequence judged = judge_refinement({ 1, 1 + 4e-10, 1 + 6e-10 }, AxisKind::cells, rounding);
+  const RefinementSequence judged =
+    assess_convergence({ 1, 1 + 4e-10, 1 + 6e-10 }, AxisKind::cells, rounding);
   EXPECT_FALSE(judged.order);
   EXPECT_NEAR(judged.bands.back(), 3 * 6e-10 + rounding, 1e-15);
 }
 
 TEST(RefinementSequence, TwoLevelsCountAsFirstOrder)
 {
-  const RefinementSequence judged = judge_refinement({ 1, 1.5 }, AxisKind::cells, 0);
+  const RefinementSequence judged = assess_convergence({ 1, 1.5 }, AxisKind::cells, 0);
   EXPECT_FALSE(judged.order);
   EXPECT_EQ(judged.limit, 1.5);
   EXPECT_NEAR(judged.bands.back(), 1.5 * 0.5, 1e-15);
@@ -105,20 +106,20 @@ TEST(RefinementSequence, TwoLevelsCountAsFirstOrder)
 
 TEST(RefinementSequence, SpectralBandIsTheLastDifference)
 {
-  const RefinementSequence judged = judge_refinement({ 1, 1.1, 1.11 }, AxisKind::degree, 0);
+  const RefinementSequence judged = assess_convergence({ 1, 1.1, 1.11 }, AxisKind::degree, 0);
   EXPECT_FALSE(judged.order);
   EXPECT_EQ(judged.limit, 1.11);
   EXPECT_NEAR(judged.bands.back(), 1.25 * 0.1 / 4, 1e-14); // a quarter of the first difference is larger
-  const RefinementSequence slow = judge_refinement({ 1, 1.1, 1.15 }, AxisKind::degree, 0);
+  const RefinementSequence slow = assess_convergence({ 1, 1.1, 1.15 }, AxisKind::degree, 0);
   EXPECT_NEAR(slow.bands.back(), 1.25 * 0.05, 1e-14);
-  const RefinementSequence one = judge_refinement({ 2 }, AxisKind::degree, 1e-9);
+  const RefinementSequence one = assess_convergence({ 2 }, AxisKind::degree, 1e-9);
   EXPECT_EQ(one.bands.back(), 1e-9);
 }
 
 TEST(RefinementSequence, RefusesWhatIsNoSequence)
 {
-  EXPECT_THROW(judge_refinement({}, AxisKind::cells, 0), std::invalid_argument);
-  EXPECT_THROW(judge_refinement({ 1, NAN }, AxisKind::degree, 0), std::invalid_argument);
+  EXPECT_THROW(assess_convergence({}, AxisKind::cells, 0), std::invalid_argument);
+  EXPECT_THROW(assess_convergence({ 1, NAN }, AxisKind::degree, 0), std::invalid_argument);
 }
 
 } // namespace

@@ -277,7 +277,8 @@ public:
     throw ring::NoBalance("no balance here");
   }
   unsigned int n_resolved_harmonics() const override { return 16; }
-  fem::ContactLoad gather(const fem::ContactState &, const std::vector<double> &, unsigned int) const override
+  fem::ContactLoad project_onto_rings(const fem::ContactState &, const std::vector<double> &,
+                                      unsigned int) const override
   {
     throw std::logic_error("there is no contact");
   }
@@ -305,7 +306,7 @@ TEST(ErrorBands, OfEveryRowOfTheContact)
   fem::ComplianceCache cache;
   const StudyRows answers = rows_by_harmonics(study, solved.foot, solved.load, spin_question(study), cache,
                                               silent_progress(), Depth::full, model_chain(study));
-  std::vector<BudgetRow> rows = judge_chain(study, answers);
+  std::vector<BudgetRow> rows = assess_chain(study, answers);
   ASSERT_EQ(rows.back().step.number, 11u); // 1, 2, 3, 3a, 4 ... 11
   const ErrorBands bands =
     estimate_bands(study, solved.foot, solved.row, answers.by_harmonics.front().row.omega_terminal(), cache);
@@ -355,16 +356,16 @@ TEST(ErrorBands, JudgeTheSpinByTheLargestMoveOfTorque)
                                             { "time_constant", "", "s", 0.5 } };
   };
   const std::vector<QuantityOfInterest> before = quantities(-3, 1, -1), after = quantities(-3.1, 1.3, -0.9);
-  EXPECT_NEAR(move_at_several_spins("omega_terminal", before, after, 1), 0.15, 1e-12);
-  EXPECT_NEAR(move_at_several_spins("tau_at_spin_2", before, after, 1), 0.3, 1e-12);
-  EXPECT_NEAR(move_at_several_spins("time_constant", before, after, 1), 0, 1e-12);
+  EXPECT_NEAR(max_change_over_spins("omega_terminal", before, after, 1), 0.15, 1e-12);
+  EXPECT_NEAR(max_change_over_spins("tau_at_spin_2", before, after, 1), 0.3, 1e-12);
+  EXPECT_NEAR(max_change_over_spins("time_constant", before, after, 1), 0, 1e-12);
   // Without one of the three nobody knows the largest.
   const double none = std::nan("");
   for (const auto &lost :
        { quantities(none, 1.3, -0.9), quantities(-3.1, none, -0.9), quantities(-3.1, 1.3, none) })
     for (const char *key : { "omega_terminal", "tau_at_spin_1", "tau_at_spin_2" })
-      EXPECT_TRUE(std::isnan(move_at_several_spins(key, before, lost, 1))) << key;
-  EXPECT_NEAR(move_at_several_spins("tau_at_rest", before, quantities(-3.1, 1.3, none), 1), 0.3, 1e-12);
+      EXPECT_TRUE(std::isnan(max_change_over_spins(key, before, lost, 1))) << key;
+  EXPECT_NEAR(max_change_over_spins("tau_at_rest", before, quantities(-3.1, 1.3, none), 1), 0.3, 1e-12);
 }
 
 TEST(ErrorBands, SayWhichLevelFailed)

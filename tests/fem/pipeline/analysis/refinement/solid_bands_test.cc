@@ -166,9 +166,9 @@ TEST(SolidBands, TakeOneRingLessThanTheFootHas)
       band_changes(study, *foot, find_load(study, foot)->report(), false);
     const std::vector<double> expected = chebyshev_radii(inner, outer, other);
     ASSERT_EQ(changes.back().key, "rings");
-    ASSERT_EQ(changes.back().gathering->radii.size(), other);
+    ASSERT_EQ(changes.back().ring_projection->radii.size(), other);
     for (unsigned int j = 0; j < other; ++j)
-      EXPECT_NEAR(changes.back().gathering->radii[j], expected[j], 1e-12);
+      EXPECT_NEAR(changes.back().ring_projection->radii[j], expected[j], 1e-12);
   }
 }
 

@@ -6,7 +6,7 @@
 namespace stemware::ring
 {
 /// @p value with @p n_digits significant digits, for sentences.
-inline std::string in_digits(double value, int n_digits)
+inline std::string to_precision(double value, int n_digits)
 {
   std::ostringstream text;
   text.precision(n_digits);

@@ -1,4 +1,4 @@
-#include "fem/solid/revolved_body.h"
+#include "fem/solid/axisymmetric_coarse_space.h"
 
 #include "fem/solid/solid_contact_zone.h"
 
@@ -30,8 +30,8 @@ Eigen::SparseMatrix<double> matrix_of(const Triplets &entries, std::size_t n_row
 
 } // namespace
 
-RevolvedBody::RevolvedBody(const SolidLevel &level, const ElasticMaterial &material,
-                           const std::shared_ptr<const ContactNodes> &contact_nodes)
+AxisymmetricCoarseSpace::AxisymmetricCoarseSpace(const SolidLevel &level, const ElasticMaterial &material,
+                                                 const std::shared_ptr<const ContactNodes> &contact_nodes)
     : communicator(level.dof_handler.get_communicator())
     , grid(level)
     , contact_nodes(contact_nodes)
@@ -41,13 +41,13 @@ RevolvedBody::RevolvedBody(const SolidLevel &level, const ElasticMaterial &mater
   factorize(level, material, clamped_height);
 }
 
-void RevolvedBody::describe_contact(const SolidLevel &level)
+void AxisymmetricCoarseSpace::describe_contact(const SolidLevel &level)
 {
   const ContactSurface surface = describe_contact_zone(level.mapping, level.dof_handler, level.constraints,
                                                        contact_nodes, [](double, double) { return 0.; })
                                    .surface;
-  n_max =
-    std::clamp(surface.n_sectors / revolved_numbers.cells_per_wave, 2u, revolved_numbers.most_harmonics);
+  n_max = std::clamp(surface.n_sectors / coarse_space_parameters.cells_per_wave, 2u,
+                     coarse_space_parameters.max_harmonics);
   std::vector<std::vector<std::pair<unsigned int, double>>> functions; // of the grid, at each contact node
   std::vector<double> seen;                                            // nodes of the grid
   contact_cosines.resize(surface.n_nodes(), n_max + 1);
@@ -70,7 +70,7 @@ void RevolvedBody::describe_contact(const SolidLevel &level)
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   };
   make_unique_and_sorted(seen);
-  seen = surface.parts.gather_everywhere(std::move(seen));
+  seen = surface.parts.all_gather(std::move(seen));
   make_unique_and_sorted(seen);
   contact_grid_nodes.assign(seen.begin(), seen.end());
   Triplets entries;
@@ -83,7 +83,7 @@ void RevolvedBody::describe_contact(const SolidLevel &level)
 }
 
 /// Returns the height of the lowest clamped node [m].
-double RevolvedBody::describe_nodes(const SolidLevel &level)
+double AxisymmetricCoarseSpace::describe_nodes(const SolidLevel &level)
 {
   const IndexSet &owned = level.dof_handler.locally_owned_dofs();
   const Quadrature<3> unit_points(level.element.base_element(0).get_unit_support_points());
@@ -137,7 +137,8 @@ double RevolvedBody::describe_nodes(const SolidLevel &level)
 
 /// Held are hanging nodes, those no lower than the clamp, and on the axis what would have many values there:
 /// n = 0 moves along it, n = 1 across it (u_theta = -u_r), higher harmonics not at all.
-Eigen::SparseMatrix<double> RevolvedBody::free_amplitudes(unsigned int harmonic, double clamped_height) const
+Eigen::SparseMatrix<double> AxisymmetricCoarseSpace::free_amplitudes(unsigned int harmonic,
+                                                                     double clamped_height) const
 {
   Triplets entries;
   int n_free = 0;
@@ -160,7 +161,8 @@ Eigen::SparseMatrix<double> RevolvedBody::free_amplitudes(unsigned int harmonic,
   return matrix_of(entries, 3 * grid.n_nodes(), static_cast<std::size_t>(n_free));
 }
 
-void RevolvedBody::factorize(const SolidLevel &level, const ElasticMaterial &material, double clamped_height)
+void AxisymmetricCoarseSpace::factorize(const SolidLevel &level, const ElasticMaterial &material,
+                                        double clamped_height)
 {
   const std::array<Eigen::SparseMatrix<double>, 3> parts = grid.stiffness(level, material);
   // The top line of the grid is where the clamp is, but for rounding.
@@ -190,13 +192,13 @@ void RevolvedBody::factorize(const SolidLevel &level, const ElasticMaterial &mat
   }
 }
 
-Eigen::Index RevolvedBody::contact_block(unsigned int harmonic, unsigned int turn) const
+Eigen::Index AxisymmetricCoarseSpace::contact_block(unsigned int harmonic, unsigned int turn) const
 {
   const Eigen::Index mode = harmonic == 0 ? 0 : 2 * harmonic - 1 + turn;
   return mode * static_cast<Eigen::Index>(contact_grid_nodes.size());
 }
 
-Eigen::MatrixXd RevolvedBody::at_contact(const Eigen::MatrixXd &amplitudes) const
+Eigen::MatrixXd AxisymmetricCoarseSpace::at_contact(const Eigen::MatrixXd &amplitudes) const
 {
   Eigen::MatrixXd values(static_cast<Eigen::Index>(contact_grid_nodes.size()), amplitudes.cols());
   for (Eigen::Index i = 0; i < values.rows(); ++i)
@@ -204,7 +206,7 @@ Eigen::MatrixXd RevolvedBody::at_contact(const Eigen::MatrixXd &amplitudes) cons
   return values;
 }
 
-void RevolvedBody::set_contact(const Eigen::SparseMatrix<double> &tangent)
+void AxisymmetricCoarseSpace::set_contact(const Eigen::SparseMatrix<double> &tangent)
 {
   const Eigen::Index n_all = contact_block(n_max, 1) + static_cast<Eigen::Index>(contact_grid_nodes.size());
   std::vector<Eigen::Index> loaded;
@@ -243,7 +245,7 @@ void RevolvedBody::set_contact(const Eigen::SparseMatrix<double> &tangent)
                              "definite.");
 }
 
-RevolvedBody::Amplitudes<double> RevolvedBody::restrict(const FloatVector &src) const
+AxisymmetricCoarseSpace::Amplitudes<double> AxisymmetricCoarseSpace::restrict(const FloatVector &src) const
 {
   Amplitudes<float> sums = Amplitudes<float>::Zero(6 * grid.n_nodes(), n_max + 1);
   for (Eigen::Index i = 0; i < interpolation.rows(); ++i)
@@ -273,7 +275,7 @@ RevolvedBody::Amplitudes<double> RevolvedBody::restrict(const FloatVector &src) 
   return result;
 }
 
-void RevolvedBody::prolongate_add(const Amplitudes<double> &amplitudes, FloatVector &dst) const
+void AxisymmetricCoarseSpace::prolongate_add(const Amplitudes<double> &amplitudes, FloatVector &dst) const
 {
   const Amplitudes<float> values = amplitudes.cast<float>();
   for (Eigen::Index i = 0; i < interpolation.rows(); ++i)
@@ -295,7 +297,7 @@ void RevolvedBody::prolongate_add(const Amplitudes<double> &amplitudes, FloatVec
   }
 }
 
-void RevolvedBody::add_correction(FloatVector &dst, const FloatVector &src) const
+void AxisymmetricCoarseSpace::add_correction(FloatVector &dst, const FloatVector &src) const
 {
   // x = K^-1 g - K^-1 B' L'^-1 (1 - (1 + L' T L)^-1) L^-1 B K^-1 g, the compliance B K^-1 B' being L L'.
   Amplitudes<double> amplitudes = restrict(src);

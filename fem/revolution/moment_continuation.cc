@@ -1,4 +1,4 @@
-#include "fem/revolution/path_of_moments.h"
+#include "fem/revolution/moment_continuation.h"
 
 #include "fem/geometry/require.h"
 
@@ -45,13 +45,13 @@ struct Path
 
 } // namespace
 
-ContactSolution solve_along_moment(BodyOfRevolution &body, TableLaw &law, const LinearConditions &conditions,
+ContactSolution continue_in_moment(BodyOfRevolution &body, TableLaw &law, const LinearConditions &conditions,
                                    double radius, const ContactControl &usual, const ContactSolution &even)
 {
   constexpr double shortest_step = 1. / 512;
   const ContactSurface &surface = body.contact_surface();
   ContactControl control = usual;
-  control.whole_steps = true;
+  control.full_steps = true;
   control.max_steps = 20;
 
   Path path = { even, even };
@@ -62,7 +62,7 @@ ContactSolution solve_along_moment(BodyOfRevolution &body, TableLaw &law, const 
       const double next = std::min(1., path.share + step);
       const ContactStart start = path.start(next);
       body.set_forces(path.last.forces);
-      path.append(next, solve_contact(body, law, conditions.with_share_of_moment(surface, next), radius,
+      path.append(next, solve_contact(body, law, conditions.with_scaled_moment(surface, next), radius,
                                       control, &start));
       step *= 1.5;
     }

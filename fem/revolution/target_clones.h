@@ -3,7 +3,7 @@
 /// Attribute of functions whose loops are compiled for several processors; the program selects the variant
 /// at run time.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__)
-#define STEMWARE_FOR_EACH_PROCESSOR __attribute__((target_clones("avx512f", "fma", "default")))
+#define STEMWARE_TARGET_CLONES __attribute__((target_clones("avx512f", "fma", "default")))
 #else
-#define STEMWARE_FOR_EACH_PROCESSOR
+#define STEMWARE_TARGET_CLONES
 #endif

@@ -11,7 +11,7 @@ namespace stemware::fem
 /// failed step is halved. If the path ends, throws ContactFailure: tipping, if the glass leant over faster
 /// and faster under a moment that grows with its lean or with the friction of the load; else the failure of
 /// the last step.
-ContactSolution solve_along_moment(BodyOfRevolution &body, TableLaw &law, const LinearConditions &conditions,
+ContactSolution continue_in_moment(BodyOfRevolution &body, TableLaw &law, const LinearConditions &conditions,
                                    double radius, const ContactControl &control, const ContactSolution &even);
 
 } // namespace stemware::fem

@@ -20,12 +20,12 @@ namespace stemware::fem
 /// whatever its shape: Galerkin's matrix without what couples harmonics and without the difference of sine
 /// and cosine. The table, which couples all of them, is added by the compliances between the grid's nodes in
 /// the contact.
-class RevolvedBody
+class AxisymmetricCoarseSpace
 {
 public:
   /// @p contact_nodes: of the level.
-  RevolvedBody(const SolidLevel &level, const ElasticMaterial &material,
-               const std::shared_ptr<const ContactNodes> &contact_nodes);
+  AxisymmetricCoarseSpace(const SolidLevel &level, const ElasticMaterial &material,
+                          const std::shared_ptr<const ContactNodes> &contact_nodes);
 
   /// @p tangent T between the contact nodes of the level, this rank's part of it.
   void set_contact(const Eigen::SparseMatrix<double> &tangent);
