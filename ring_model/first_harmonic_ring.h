@@ -15,7 +15,7 @@ namespace stemware::ring
  *
  *   a_1 = (a' + kappa (a_0 U_0 + b' U_1)) / (1 + kappa^2 U_1 P_1),   b_1 = b' - kappa a_1 P_1.
  *
- * The load is formal: it turns negative where the moment ratio exceeds 1. docs/theory/closures.md.
+ * The load is formal: negative somewhere (tensile) if the moment ratio exceeds 1. docs/theory/closures.md.
  */
 class FirstHarmonicRing
 {

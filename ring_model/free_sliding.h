@@ -23,11 +23,11 @@ struct FreeSlider
   void validate() const;
 };
 
-/// Friction of the table on a sliding body, in the slip frame, at the speed v >= 0 [m/s] and the spin omega
-/// [rad/s], one of them not 0. It depends on their ratio only, as Coulomb's does.
+/// Friction of the table on a sliding body in the slip frame, at the speed v >= 0 [m/s] and the spin omega
+/// [rad/s], not both 0. A function of the ratio omega / v only (Coulomb).
 using SlidingFriction = std::function<Wrench(double speed, double omega)>;
 
-/// Inertia of a sliding body, which friction has to stop; SI units.
+/// Inertia of a sliding body; SI units.
 struct SlidingInertia
 {
   double mass;         ///< m [kg]
@@ -46,7 +46,7 @@ struct SlidingState
   double y;       ///< [m]
   double yaw;     ///< angle turned about z [rad]
   double speed;   ///< |v| [m/s]
-  double heading; ///< direction of v from x [rad]; NaN where there is none, see slide_to_stop()
+  double heading; ///< direction of v from x [rad]; NaN if undefined, see slide_to_stop()
   double omega;   ///< spin [rad/s]
   /// Work of friction so far [J], the integral of its power -(T.v + tau_z omega) over time.
   double friction_loss;
@@ -61,21 +61,22 @@ struct SlidingPath
 };
 
 /**
- * Friction on the body in the slip frame at @p speed [m/s] and @p omega [rad/s], with the quasi-static
- * forward tilt of the pressure p ~ 1 + r (alpha cos theta + beta sin theta) that balances the friction's
- * moment about the centre of mass.
+ * Returns the friction on the body in the slip frame at @p speed [m/s] and @p omega [rad/s], with the
+ * quasi-static forward tilt of the pressure p ~ 1 + r (alpha cos theta + beta sin theta) that balances the
+ * friction's moment about the centre of mass.
  * @throws std::invalid_argument if the body neither slides nor spins.
  */
 Wrench sliding_friction(const FreeSlider &slider, double speed, double omega);
 
 /**
- * Slides from @p speed >= 0 [m/s] and @p omega [rad/s], one of them not 0, to the stop. Without speed the
- * body spins on its place, also where that is unstable.
+ * Computes the slide from @p speed >= 0 [m/s] and @p omega [rad/s], not both 0, to the stop. Without speed
+ * the body spins in place, even if that is unstable.
  *
- * The equations are singular at the stop, where v and omega vanish together. Integrated are therefore the
- * ratio of the two and the direction over sigma = -ln S, S^2 = v^2 + I omega^2 / m, which friction can only
- * lower; time and path follow. docs/theory/free_sliding.md. Where friction keeps a share across the motion up
- * to the stop, the direction turns on with sigma without end: at the stop there is no heading (NaN).
+ * The equations are singular at the stop, where v and omega vanish together. The integration variable is
+ * therefore sigma = -ln S with S^2 = v^2 + I omega^2 / m, which friction can only lower; the unknowns are
+ * omega / v and the direction, and time and path follow. docs/theory/free_sliding.md. If a share of the
+ * friction stays perpendicular to the motion, the direction turns without limit as sigma grows, and the
+ * heading at the stop is NaN.
  *
  * @param accuracy Requested relative accuracy of a step.
  * @throws std::invalid_argument for values that are not allowed, std::runtime_error if the step control gives
@@ -84,16 +85,16 @@ Wrench sliding_friction(const FreeSlider &slider, double speed, double omega);
 SlidingPath slide_to_stop(const SlidingInertia &inertia, const SlidingFriction &friction, double speed,
                           double omega, double accuracy = 1e-12);
 
-/// Path to the stop of a body of rings under its sliding_friction().
+/// Returns the path to the stop of a body of rings under its sliding_friction().
 SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, double accuracy = 1e-12);
 
 /**
- * Slip ratio eps = omega R / v (R the outer radius) at the stop of a body that starts with @p slip_ratio:
- * the next one, in the direction in which the ratio moves, that the body keeps while it comes to rest (of a
- * FreeSlider with untilted pressure eps f(eps) = t(eps) / gamma, gamma = I / (m R^2)); 0 if the spin dies
- * first, +-infinity if the sliding does. The first root after @p slip_ratio on a grid of @p n_intervals in
- * each of 0 < |eps| < 1 and 1 < |eps| < infinity, polished to rounding; two roots in one interval are not
- * seen.
+ * Returns the slip ratio eps = omega R / v (R the outer radius) at the stop of a body that starts with @p
+ * slip_ratio: the next stationary ratio in the direction in which the ratio changes. For a FreeSlider with
+ * untilted pressure, stationary ratios solve eps f(eps) = t(eps) / gamma, gamma = I / (m R^2). Returns 0 if
+ * the spin dies first, +-infinity if the sliding does. The root is bracketed on a grid of @p n_intervals in
+ * each of 0 < |eps| < 1 and 1 < |eps| < infinity and polished to rounding; two roots in one interval are
+ * missed.
  */
 double final_slip_ratio(const SlidingInertia &inertia, const SlidingFriction &friction, double slip_ratio,
                         unsigned int n_intervals = 200);

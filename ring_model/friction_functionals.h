@@ -14,7 +14,7 @@ struct Wrench
   double force_y; ///< T_y [N], to the left of the motion
 };
 
-/// Friction of the table on a stack of rings as functions of its load: those of a Wrench.
+/// Components of the Wrench of a stack of rings as linear functionals of its load.
 struct FrictionFunctionals
 {
   LoadFunctional drag;   ///< T_x [N]
@@ -33,10 +33,10 @@ struct FrictionFunctionals
  *
  *   tau_z = mu r int lambda (v sin theta - omega r) / |v_rel| dtheta
  *
- * and likewise T_x, T_y; those of a stack are the sums over its rings. (The paper prints tau_z with the
- * opposite sign; docs/theory/model.md.) All of it is linear in lambda, and exact to rounding at every slip
- * ratio eps_j = omega r_j / v. With the kernels P_n, K_n, U_n of FrictionKernels, c_n = cos(n pi / 2) and s_n
- * = sin(n pi / 2):
+ * and likewise T_x, T_y; a stack sums over its rings. (The paper prints tau_z with the opposite sign;
+ * docs/theory/model.md.) All three are linear in lambda, and exact to rounding at every slip ratio eps_j =
+ * omega r_j / v. With the kernels P_n, K_n, U_n of FrictionKernels, c_n = cos(n pi / 2) and s_n = sin(n pi /
+ * 2):
  *
  *   T_x   = -mu sum_j     sum_n   (c_n a_{j,n} + s_n b_{j,n}) U_n(eps_j)
  *   T_y   = -mu sum_j     sum_n n (c_n b_{j,n} - s_n a_{j,n}) P_n(eps_j)
@@ -52,6 +52,6 @@ struct FrictionFunctionals
 FrictionFunctionals friction_functionals(double mu, const std::vector<double> &radii, unsigned int n_max,
                                          double omega, double speed);
 
-/// Returns the wrench of friction_functionals() on @p load. Throws as these.
+/// Returns the wrench of friction_functionals() on @p load. Throws as friction_functionals().
 Wrench coulomb_wrench(double mu, const RingStack &load, double omega, double speed);
 } // namespace stemware::ring

@@ -50,15 +50,15 @@ public:
 
 private:
   /**
-   * Fills `values` with the kernels for 0 <= eps <= 1; @p complement is 1 - eps^2 without cancellation. If @p
-   * divided, P_n / eps takes the place of P_n for n >= 1: what duality needs, finite at eps = 0.
+   * Fills `values` with the kernels for 0 <= eps <= 1; @p complement is 1 - eps^2 without cancellation. With
+   * @p divided, P_n / eps replaces P_n for n >= 1: finite at eps = 0, as apply_duality() requires.
    */
   void evaluate_slow_spin(double eps, double complement, bool divided);
 
-  /// Turns the kernels (divided) of 1/eps into those of eps = 1 / @p inverse > 1.
+  /// Converts the kernels (divided) of 1/eps to the kernels of eps = 1 / @p inverse > 1.
   void apply_duality(double inverse);
 
-  /// Turns the kernels of |eps| into those of -|eps|.
+  /// Converts the kernels of |eps| to the kernels of -|eps|.
   void apply_parity();
 
   unsigned int highest;

@@ -54,10 +54,9 @@ private:
 StribeckLaw friction_law_of(const Motion &motion);
 
 /**
- * T_x, T_y and tau_z of a stack as functions of its load under @p law: friction stays linear in the load when
- * its coefficient depends on the slip. By the kernels where the law is constant, else by quadrature of all
- * harmonics at once, refined until the coefficients agree to 1e-12 of the largest.
- * docs/theory/friction_laws.md.
+ * Functionals T_x, T_y and tau_z of a stack under @p law: friction is linear in the load even if its
+ * coefficient depends on the slip. Exact kernels for a constant coefficient, else quadrature of all harmonics
+ * at once, refined until the coefficients agree to 1e-12 of the largest. docs/theory/friction_laws.md.
  *
  * @throws std::invalid_argument as friction_functionals() of a constant coefficient, std::runtime_error where
  * the refinement does not end.
@@ -69,14 +68,14 @@ FrictionFunctionals friction_functionals(const FrictionLaw &law, const std::vect
 FrictionFunctionals friction_functionals(const Motion &motion, const std::vector<double> &radii,
                                          unsigned int n_max, double omega);
 
-/// Friction on a stack of rings under the law of @p motion, at its orbit speed: the one place where a load
-/// becomes a torque and a force. @throws as friction_functionals().
+/// Returns the friction on a stack of rings under the law of @p motion, at its orbit speed. @throws as
+/// friction_functionals().
 Wrench wrench(const Motion &motion, const RingStack &load, double omega);
 
 /**
- * A-priori bound [N m] on the change of tau_z under the law of @p motion when the harmonics above @p n_max
- * are left out: sum_j sum_{n > n_max} sqrt(a_{j,n}^2 + b_{j,n}^2) times those of the torque's functional,
- * which are mu r_j |K_n(eps_j)| under Coulomb's.
+ * A-priori bound [N m] on the change of tau_z under the law of @p motion if the harmonics above @p n_max are
+ * left out: sum_j sum_{n > n_max} |lambda_{j,n}| |K_{j,n}|, where |lambda_{j,n}| = sqrt(a_{j,n}^2 +
+ * b_{j,n}^2) and |K_{j,n}| is the torque functional's coefficient, mu r_j |K_n(eps_j)| for Coulomb.
  */
 double truncation_bound(const Motion &motion, const RingStack &load, unsigned int n_max, double omega);
 } // namespace stemware::ring

@@ -7,9 +7,9 @@
 namespace stemware::ring
 {
 /**
- * Yaw torque for yaw_motion() while the orbit speed follows a table: the quasi-static balances of the moment,
- * with the hand's tangential force m dv/dt in them (closures `hand` and `full`). First-harmonic load, in
- * closed form if friction has one coefficient.
+ * Returns the yaw torque for yaw_motion() under an orbit speed table: quasi-static moment balances including
+ * the hand's tangential force m dv/dt (closures `hand` and `full`). First-harmonic load, in closed form for a
+ * constant friction coefficient.
  *
  * @param radius Ring radius [m]. @throws std::invalid_argument if the motion or the radius is not allowed.
  */

@@ -16,7 +16,7 @@ public:
   virtual ~LoadModel() = default;
 
   /**
-   * Load with the resultants N = @p normal_force [N] and M_N = @p moment [N m] in the slip frame.
+   * Returns the load with the resultants N = @p normal_force [N] and M_N = @p moment [N m] in the slip frame.
    * @throws Tipping if no load that only pushes can carry the moment, std::invalid_argument for values that
    * are not finite or not allowed.
    */
@@ -29,8 +29,7 @@ public:
   virtual double moment_ratio_limit() const { return 2.; }
 };
 
-/// First harmonic: exact for a linear support that holds the whole ring, formal (negative load) for m
-/// > 1.
+/// First harmonic: exact for a linear support in full contact, formal (negative load) for m > 1.
 class FirstHarmonicModel : public LoadModel
 {
 public:

@@ -13,7 +13,7 @@ enum class Closure
 {
   paper, ///< the moment of the centripetal part of the hand force only
   hand,  ///< the moment of the whole hand force F = m a - T
-  full   ///< the same, and the moment of the friction T about the centre of mass
+  full   ///< as hand, plus the moment of the friction T about the centre of mass
 };
 
 /// "paper", "hand" or "full".
@@ -27,13 +27,13 @@ std::string to_string(Closure closure);
 double friction_arm(Closure closure, const Motion &motion);
 
 /**
- * Moment M_N of the normal forces about the ring's centre [N m], in the slip frame, that keeps the glass
- * from tilting when the table's friction is @p friction = (T_x, T_y) [N]: M_N = -Delta z k x F + z_CM k x T
- * with F = m a - T, cut down to what @p closure keeps, and the moment of a liquid whose surface leans. At
+ * Returns the moment M_N of the normal forces about the ring's centre [N m] in the slip frame that keeps the
+ * glass from tilting under the table's friction @p friction = (T_x, T_y) [N]: M_N = -Delta z k x F + z_CM k x
+ * T with F = m a - T, reduced to the terms of @p closure, plus the moment of a liquid whose surface leans. At
  * omega = 0 the friction is exactly (-mu(v) N, 0).
  */
 Eigen::Vector2d required_moment(Closure closure, const Motion &motion, const Eigen::Vector2d &friction);
 
-/// required_moment() at omega = 0: the moment of a "frozen" load.
+/// Returns required_moment() at omega = 0, the moment of a load that stays constant over the spin (one-way).
 Eigen::Vector2d required_moment_at_rest(Closure closure, const Motion &motion);
 } // namespace stemware::ring

@@ -20,8 +20,8 @@ enum class FrictionLawKind
   stribeck ///< mu = mu_k + (mu_s - mu_k) exp(-(|v_rel| / v_s)^2) + c |v_rel|
 };
 
-/// Glass and how the hand leads it round the table; SI units. The defaults are the paper's, where it has
-/// them. Mass, inertia and centre of mass are those of the glass without the liquid.
+/// Glass, orbit and friction; SI units. The defaults are the paper's values where the paper gives them. Mass,
+/// inertia and centre of mass are those of the glass without the liquid.
 struct Motion
 {
   double mass = 0.30;                  ///< m [kg]

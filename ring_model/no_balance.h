@@ -5,14 +5,14 @@
 
 namespace stemware::ring
 {
-/// Failure of a balance of forces, moments or torques: there is no value to report. All other exceptions
-/// are bad input or faults of the program.
+/// Failure of a balance of forces, moments or torques: the result does not exist. All other exceptions are
+/// bad input or program errors.
 class NoBalance : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 
-  /// Returns whether the glass tips: no load that only pushes carries the moment.
+  /// Returns whether the glass tips: no compressive load has the required moment.
   virtual bool tips() const { return false; }
 };
 
@@ -24,14 +24,15 @@ public:
   bool tips() const override { return true; }
 };
 
-/// Torque without a zero in the searched range: the spin-up does not end.
+/// Exception for a torque without a zero in the searched range: the spin-up does not end.
 class NoTerminalSpin : public NoBalance
 {
 public:
   using NoBalance::NoBalance;
 };
 
-/// Spin-up that reaches a spin without a balance. The failure is nested (std::rethrow_if_nested).
+/// Spin-up that ends at a spin without a balance of moments. The original failure is nested
+/// (std::rethrow_if_nested).
 class BalanceLost : public NoBalance
 {
 public:

@@ -8,9 +8,9 @@
 namespace stemware::ring
 {
 /**
- * Orbit speed v(t) of a hand that is not a motor: a table, interpolated by the monotone cubic of Fritsch
- * and Carlson (SIAM J. Numer. Anal. 17 (1980) 238), which never leaves the range of its two neighbouring
- * entries and has a continuous acceleration dv/dt. Fewer than four entries are joined by straight lines.
+ * Orbit speed v(t) from a table, interpolated by the monotone cubic of Fritsch and Carlson (SIAM J. Numer.
+ * Anal. 17 (1980) 238): values stay within the range of the two neighbouring entries, and the acceleration
+ * dv/dt is continuous. Fewer than four entries are joined by straight lines.
  */
 class OrbitSpeedTable
 {
@@ -22,18 +22,18 @@ public:
    */
   OrbitSpeedTable(std::vector<double> times, std::vector<double> speeds);
 
-  /// Table of these entries joined by straight lines: another reading of what lies between them. Its
-  /// acceleration jumps at the entries, where it is that of the line before.
+  /// Returns the table with piecewise linear interpolation, to measure the effect of the interpolation. The
+  /// acceleration jumps at the entries, where it is the value of the interval before.
   OrbitSpeedTable joined_by_lines() const;
 
-  /// v(t) [m/s]. @throws std::out_of_range outside the table: it is not extrapolated.
+  /// Returns v(t) [m/s]. @throws std::out_of_range outside the table (no extrapolation).
   double speed(double time) const;
 
   /// dv/dt [m/s^2]. @throws std::out_of_range outside the table.
   double acceleration(double time) const;
 
-  /// @p motion with the orbit speed and acceleration of that time. A hand at rest has a speed of a billionth
-  /// of its largest: friction then has the direction of the motion to come.
+  /// Returns @p motion with the orbit speed and acceleration at @p time. A hand at rest gets a billionth of its
+  /// largest speed: friction then has the direction of the motion to come.
   Motion motion_at(const Motion &motion, double time) const;
 
   bool starts_from_rest() const { return speeds.front() == 0.; }

@@ -26,10 +26,9 @@ struct RingEquilibrium
  * lambda enters T. Solved for M_N by Broyden's method, started from the closed form of the first harmonic and
  * its Jacobian, so that a first-harmonic load takes one step. docs/theory/closures.md.
  *
- * Without its harmonics above n_max it is what a ring would do that feels only these. The normal force and
- * M_N lie in the harmonics 0 and 1, which stay, so a truncated load carries what it is asked to carry; its
- * friction differs, and acts back on M_N and so on the harmonics that are kept. With n_max = 1 and a thin
- * ring it is the formal first harmonic.
+ * Truncated to n_max, it is the balance of a ring that feels only these harmonics. Normal force and M_N lie
+ * in the harmonics 0 and 1, so the truncated load still carries them; its friction differs and acts back on
+ * M_N and on the harmonics that are kept. With n_max = 1 and a thin ring it is the formal first harmonic.
  */
 class SelfConsistentRing
 {
@@ -40,7 +39,7 @@ public:
                      unsigned int n_max = std::numeric_limits<unsigned int>::max());
 
   /**
-   * Equilibrium at the spin @p omega [rad/s], sought to rounding.
+   * Returns the equilibrium at the spin @p omega [rad/s], converged to rounding.
    * @throws Tipping if the required moment is more than the ring can carry, std::runtime_error if the
    * iteration does not converge.
    */
@@ -53,16 +52,16 @@ public:
   TerminalSpin terminal_spin() const;
 
 private:
-  /// Required minus carried moment if the friction is that of the load of @p moment.
+  /// Residual of one Broyden step: required minus carried moment, with the friction of the load of @p moment.
   struct Trial;
   Trial attempt(double omega, const Eigen::Vector2d &moment) const;
 
   /// M_N [N m] of a trial, and the Jacobian of its residual.
   struct Point;
-  /// First harmonic in balance at @p omega, in closed form.
+  /// Returns the first harmonic in balance at @p omega, in closed form: the initial guess.
   Point first_harmonic(double omega) const;
 
-  /// Returns @p moment, or the largest part of the way from @p from to it that the load model supports.
+  /// Returns @p moment, or the point closest to it on the line from @p from that the load model supports.
   Eigen::Vector2d within_limits(const Eigen::Vector2d &from, const Eigen::Vector2d &moment) const;
 
   /// Unit of moments, N R [N m].

@@ -38,10 +38,10 @@ public:
   static SlidingBody with_pressure(Pressure pressure, double inner_radius, double outer_radius);
 
   /**
-   * Rings that stand for the body when the radius @p still = v / |omega| [m] has a point at rest. For an
-   * annulus they are the nodes of Gauss rules on both sides of that radius, clustered there because friction
-   * is singular (like x ln x): integrals over the annulus are then exact to rounding. Those of any other
-   * pressure are clustered at its two radii too.
+   * Returns the rings that represent the body if the radius @p still = v / |omega| [m] contains a point at
+   * rest. An annulus is represented by Gauss nodes on both sides of that radius, clustered there because
+   * friction is singular (like x ln x); integrals over the annulus are then exact to rounding. For any other
+   * pressure the nodes are clustered at its two radii too.
    */
   std::vector<WeightedRing> rings(double still) const;
 

@@ -8,7 +8,7 @@
 
 namespace stemware::ring
 {
-/// A spin at which the yaw torque vanishes.
+/// Spin at which the yaw torque vanishes.
 struct TerminalSpin
 {
   double omega;         ///< [rad/s]
@@ -18,28 +18,28 @@ struct TerminalSpin
   bool held = false;    ///< the fingers hold the glass at rest (SpinZero::held): slope and time are NaN
 };
 
-/// Step [rad/s] for differences of the torque at @p omega: 1/32 of the distance to |omega| = @p spin_scale,
-/// where the torque bends sharply, between 1/4096 and 1/64 of @p spin_scale. A step this wide averages over
-/// several azimuth lines while the edges of a contact with lift-off move across them.
+/// Returns the step [rad/s] for differences of the torque at @p omega: 1/32 of the distance to |omega| = @p
+/// spin_scale, where the torque has a kink, limited to 1/4096 ... 1/64 of @p spin_scale. A step this wide
+/// averages over several azimuth lines while the edges of a contact with lift-off move across them.
 double slope_step(double omega, double spin_scale);
 
-/// Slope of fourth order [N m s] from the change of the torque between -@p step and @p step and the change
-/// between -2 @p step and 2 @p step.
+/// Returns the fourth-order slope [N m s] from the changes of the torque between -+@p step (@p change) and
+/// between -+2 @p step.
 double slope_of_differences(double change, double change_of_two_steps, double step);
 
-/// d tau_z / d omega [N m s] at @p omega by differences of fourth order: four torques within 2 @p step.
+/// Returns d tau_z / d omega [N m s] at @p omega by fourth-order differences: four torques within 2 @p step.
 double torque_slope(const TorqueFunction &torque, double omega, double step);
 
 /**
- * The terminal spin by find_terminal_spin(), and its torque_slope() with slope_step(). If a torque there
- * fails, as next to a fall, the step is 1/2048 spin_scale. Throws as find_terminal_spin(), and if
- * @p yaw_inertia is not positive.
+ * Returns the terminal spin of find_terminal_spin() with its torque_slope() for slope_step(). If a torque of
+ * the difference fails, as near tipping, the step is 1/2048 spin_scale. Throws as find_terminal_spin(), and
+ * if @p yaw_inertia is not positive.
  */
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, const SpinSearch &search);
 
 /**
- * The terminal spin that the ring reaches from rest: the first zero of @p torque in the direction in which
- * the torque pushes, as find_terminal_spin() sees it, to rounding; with a slope of eighth order.
+ * Returns the terminal spin reached from rest, to rounding: the first zero of @p torque in the direction of
+ * the torque at rest, by find_terminal_spin(), with an eighth-order slope.
  *
  * @param spin_scale Spin at which the torque varies, v / R [rad/s].
  * @throws std::invalid_argument if @p yaw_inertia or @p spin_scale is not positive,
@@ -47,14 +47,13 @@ TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, con
  */
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, double spin_scale);
 
-/// terminal_spin() from rest under a load that does not react to the spin (a frozen load).
+/// Returns terminal_spin() from rest under a load that does not depend on the spin.
 TerminalSpin terminal_spin(const RingStack &load, const Motion &motion);
 
 /**
- * All zeros of @p torque in [@p lower, @p upper] in increasing order, each with its stability. Sign changes
- * over
- * @p n_intervals equal intervals are bracketed; intervals where |torque| has a minimum are searched for pairs
- * of zeros that such a scan steps over.
+ * Returns all zeros of @p torque in [@p lower, @p upper] in ascending order, each with its stability. Sign
+ * changes over @p n_intervals equal intervals are bracketed; intervals in which |torque| has a minimum are
+ * searched for pairs of zeros.
  *
  * @throws std::invalid_argument for an empty range or no intervals.
  */

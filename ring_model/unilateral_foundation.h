@@ -7,12 +7,12 @@
 namespace stemware::ring
 {
 /**
- * Rigid ring pressed on a foundation that only pushes, with a pressure law of exponent p:
+ * Rigid ring pressed on a unilateral foundation (no tension) with a pressure law of exponent p:
  *
  *   lambda(theta) = A max(0, cos(theta - beta) - c)^p.
  *
- * p = 1 is a flat rim on a linear elastic mat (Winkler), p = 3/2 a rim of circular cross-section on it. The
- * whole ring carries (c < -1) up to the moment ratio 2p/(p+1), a part of it up to tipping at m = 2.
+ * p = 1: flat rim on a linear elastic mat (Winkler); p = 3/2: rim of circular cross-section on a mat. The
+ * whole ring is loaded (c < -1) up to the moment ratio 2p/(p+1), a part of it up to tipping at m = 2.
  * Derivation, closed forms and recurrences: docs/theory/load_models.md.
  */
 class UnilateralFoundation : public LoadModel
@@ -29,7 +29,7 @@ public:
 
   RingStack rings(double normal_force, const Eigen::Vector2d &moment) const override;
   double radius() const override { return ring_radius; }
-  /// Moment ratio above which a part of the ring carries no load.
+  /// Returns the moment ratio above which a part of the ring is unloaded.
   double lift_off_ratio() const { return 2. * p / (p + 1.); }
 
   /**

@@ -18,8 +18,8 @@ struct YawSample
 };
 
 /**
- * I_z d omega/dt = tau_z(t, psi, omega), d psi/dt = omega from psi = 0 at t = 0 by the Dormand-Prince pair
- * with step control and dense output (Boost.Odeint), sampled at @p times.
+ * Integrates I_z d omega/dt = tau_z(t, psi, omega), d psi/dt = omega from psi = 0 at t = 0 by the
+ * Dormand-Prince pair with step control and dense output (Boost.Odeint), sampled at @p times.
  *
  * @param times    Output times [s], increasing, the first one >= 0.
  * @param accuracy Requested accuracy of psi in radians and of omega relative to @p spin_scale; relative to
@@ -32,8 +32,8 @@ std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw
                                   const std::vector<double> &times, double accuracy, double spin_scale);
 
 /**
- * yaw_motion() by the paper's forward Euler, from t = 0 and psi = 0 in @p n_steps steps [s]; n_steps + 1
- * samples. First order in @p time_step.
+ * Integrates the same equations by forward Euler, as in the paper, from t = 0 and psi = 0 in @p n_steps steps
+ * of @p time_step [s]. Returns n_steps + 1 samples. First order in @p time_step.
  *
  * @throws std::invalid_argument if the inertia or the step is not positive.
  */

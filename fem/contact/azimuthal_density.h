@@ -20,15 +20,15 @@ struct AzimuthLoad
 /// begins at @p begin.
 unsigned int sector_of(double azimuth, double begin, unsigned int n_sectors);
 
-/// Value of a cut of the whole surface at one azimuth.
+/// Value of one cut (contact lines of equal azimuth) of the whole surface.
 struct CutValue
 {
   double azimuth = 0; ///< theta [rad]
   double value = 0;
 };
 
-/// Returns a value for each cut of the whole @p surface, sorted by azimuth, from a value for each of its own
-/// lines, which are radial: @p combine gives one value for two lines of one cut. Collective over all ranks.
+/// Returns one value per cut of the whole @p surface, sorted by azimuth, from one value per own line
+/// (radial); @p combine merges the values of two lines of a cut. Collective over all ranks.
 std::vector<CutValue> values_of_cuts(const ContactSurface &surface, const std::vector<double> &line_values,
                                      double (*combine)(double, double));
 

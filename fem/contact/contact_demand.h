@@ -8,13 +8,12 @@
 namespace stemware::fem
 {
 
-/// Resultants that the contact has to carry: a normal force N, and the moment
+/// Required resultants of the contact: a normal force N and the moment
 ///
 ///   M_N = moment + (friction_x, friction_y)(load) + tilt_moment (-q2, +q1),
 ///
-/// the sum of what is prescribed, of what the friction of the load itself adds, and of the weight of a glass
-/// that leans by the table motions q1, q2 (docs/theory/closures.md). Plain resultants are the case without
-/// the last two.
+/// with the prescribed moment, the moment of the load's own friction, and the moment of the weight of a glass
+/// tilted by the table motions q1, q2 (docs/theory/closures.md). Plain resultants lack the last two terms.
 struct ContactDemand : Resultants
 {
   ContactDemand() = default;
@@ -27,18 +26,18 @@ struct ContactDemand : Resultants
   {
   }
 
-  /// Radii of the rings that represent the load, ascending [m]. Empty: one ring with the load's moment and
-  /// first harmonic.
+  /// Radii of the rings that represent the load, ascending [m]. Empty: a single ring with the load's moment
+  /// and first harmonic.
   std::vector<double> ring_radii;
   unsigned int n_harmonics = 0; ///< of the load; 0: as many as the contact resolves
   /// Moment of the load's friction [N m] as functions of the load on `ring_radii`; empty: none.
   ring::LoadFunctional friction_x;
   ring::LoadFunctional friction_y;
-  double tilt_moment = 0; ///< N z_CM [N m], of a filled glass N times ring::Motion::overturning_height()
+  double tilt_moment = 0; ///< N z_CM [N m]; for a filled glass N times ring::Motion::overturning_height()
 
   bool has_friction() const { return !friction_x.a.empty(); }
 
-  /// Returns this demand in axes turned counter-clockwise by @p angle [rad].
+  /// Returns this demand in axes rotated counter-clockwise by @p angle [rad].
   ContactDemand in_rotated_axes(double angle) const;
 };
 

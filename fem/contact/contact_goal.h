@@ -13,7 +13,7 @@ namespace stemware::fem
 /// of_motion' dq. J has any unit [J].
 struct ContactGoal
 {
-  std::vector<double> ring_radii;                      ///< on which the load is gathered, ascending [m]
+  std::vector<double> ring_radii;                      ///< of the projected load, ascending [m]
   ring::LoadFunctional of_load;                        ///< [J rad/N]
   Eigen::Vector2d of_moment = Eigen::Vector2d::Zero(); ///< [J/(N m)]
   Eigen::Vector3d of_motion = Eigen::Vector3d::Zero(); ///< of the table motions [J/m, J/rad, J/rad]
@@ -22,12 +22,12 @@ struct ContactGoal
 /// Discretisation error of a quantity of interest of a solved contact, to first order.
 struct MeshError
 {
-  double correction = 0; ///< added to the number it gives that of the exact displacement, as estimated
+  double correction = 0; ///< estimate of exact minus computed value [J]
   /// Shares of the mesh's active cells in the error, all >= 0: refinement indicators.
   std::vector<double> cells;
 
-  /// Returns the smallest set of cells that has @p share of the sum of all shares, with all cells of equal
-  /// share, so that rings of equal cells stay whole.
+  /// Returns the smallest set of cells with @p share of the total error. Cells of equal share are all
+  /// included, so that refinement stays axisymmetric.
   std::vector<unsigned int> mark(double share) const;
 };
 

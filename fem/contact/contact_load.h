@@ -13,8 +13,8 @@ namespace stemware::fem
 /// Load lambda(theta) of a contact on the table: harmonics on concentric rings, theta in the slip frame,
 /// with extent and pointwise load.
 ///
-/// One ring has the radius and the direction of the load's moment M_N: |M_N| / (pi sqrt(a_1^2 + b_1^2)), or
-/// sum f r^2 / sum f r without a moment. Several rings represent M_N by their radii.
+/// A single ring has the radius and the direction that give the load's moment M_N: radius |M_N| / (pi
+/// sqrt(a_1^2 + b_1^2)), or sum f r^2 / sum f r without a moment. Several rings represent M_N by their radii.
 struct ContactLoad : ring::RingStack
 {
   /// Placeholder: one newton per radian on a ring of one metre.
@@ -27,21 +27,21 @@ struct ContactLoad : ring::RingStack
   {
   }
 
-  double rotation = 0; ///< by which the one ring has been turned to the direction of M_N [rad]; 0 by symmetry
-                       ///< but for friction that deforms the foot
-  double mean_radius = 0;                      ///< sum f r / sum f [m]
+  double rotation = 0;    ///< rotation of the single ring to the direction of M_N [rad]; 0 by symmetry unless
+                          ///< friction deforms the foot
+  double mean_radius = 0; ///< sum f r / sum f [m]
   double contact_fraction = 0;                 ///< ContactExtent::area_share
   std::optional<double> azimuth_fraction = {}; ///< ContactExtent::azimuth_share
   double peak_pressure = 0;                    ///< [Pa]
   double least = 0;                            ///< least_load() [N/rad]
-  std::vector<AzimuthLoad> pointwise; ///< lambda itself by azimuth, sorted; what the series stand for
+  std::vector<AzimuthLoad> pointwise; ///< lambda by azimuth, sorted, not truncated to a Fourier series
 
-  /// Returns the load turned counter-clockwise by @p angle [rad].
+  /// Returns the load rotated counter-clockwise by @p angle [rad].
   ContactLoad rotated(double angle) const;
 };
 
-/// Distribution of a force over rings by its radius: values of the Lagrange polynomials of the rings'
-/// radii. Radial moments of orders below the number of rings are exact. One ring gets the whole force.
+/// Weights of a point force on rings: Lagrange polynomials of the rings' radii at the radius of the force.
+/// Radial moments of orders below the number of rings are exact. A single ring gets the whole force.
 class RingWeights
 {
 public:
@@ -53,7 +53,8 @@ public:
 
 private:
   std::vector<double> radii;
-  const double per_unit;   ///< of distances, in which their products neither vanish nor overflow [1/m]
+  const double per_unit;   ///< scale of the distances that keeps their products within floating-point range
+                           ///< [1/m]
   Eigen::VectorXd factors; ///< 1 / prod_k (r_j - r_k) per_unit
   mutable Eigen::VectorXd shares;
 };
@@ -68,11 +69,12 @@ ContactLoad extract_load(const TableLaw &law, const ContactSolution &solution, u
 /// the parabola through the lowest value and its neighbours; 0 if the lowest value is 0.
 double least_load(const std::vector<AzimuthLoad> &pointwise);
 
-/// Returns the number of parts of a contact line whose quadrature points resolve the radial moments of @p
-/// n_rings rings (TableLaw::load()).
+/// Returns the number of parts into which TableLaw::load() divides each contact line so that its quadrature
+/// points resolve the radial moments of @p n_rings rings.
 unsigned int n_line_parts(std::size_t n_rings);
 
-/// Returns the smallest and largest radius [m] of the points of @p load above rounding of the largest.
+/// Returns the smallest and largest radius [m] of the points of @p load whose force exceeds rounding of the
+/// largest.
 std::pair<double, double> loaded_band(const TableLoad &load);
 
 /// Returns the harmonics 0 ... @p n_harmonics of @p forces: a_n = sum f_i cos(n theta_i) / pi (half of that

@@ -14,7 +14,7 @@ struct ContactIteration
 {
   unsigned int number = 0;
   unsigned int n_loaded = 0;  ///< size of the active set
-  unsigned int n_changed = 0; ///< how many of its members differ from the iteration before
+  unsigned int n_changed = 0; ///< members of the active set that changed in this iteration
   double residual = 0; ///< relative residual: of the body's forces and of the resultants, whichever is larger
   double step_length = 0; ///< share of the Newton step that was taken
   unsigned int linear_iterations = 0;
@@ -27,10 +27,10 @@ struct ContactStart
 {
   Eigen::Vector3d motion;
   Eigen::VectorXd normal_displacement;  ///< at the contact nodes [m]
-  unsigned int n_steps = 0;             ///< Newton steps taken before, of a solve that goes on
-  unsigned int n_linear_iterations = 0; ///< and what they took
-  /// Expected elastic forces of the body [N]. Empty: the present ones. The error of an inexact Newton step
-  /// is a share of the distance between these forces and the solution.
+  unsigned int n_steps = 0;             ///< Newton steps already taken by a continued solve
+  unsigned int n_linear_iterations = 0; ///< linear iterations of those steps
+  /// Expected elastic forces of the body [N]; empty: the present forces. The error of an inexact Newton step
+  /// is limited to a share of the distance between these forces and the solution.
   Eigen::VectorXd forces = {};
 };
 
@@ -44,20 +44,21 @@ struct ContactControl
   /// Final check of the conditions: |sum f - N| / N and the other two over N R.
   double resultant_tolerance = 1e-9;
   unsigned int max_steps = 100; ///< Newton steps in all
-  /// Residual after six steps above which a start is given up, with the outcome of too many steps.
+  /// Residual above which a start is abandoned after six steps (outcome too_many_steps).
   double divergence_residual = std::numeric_limits<double>::infinity();
-  /// True if every step has full length: for starts close to the solution, or if no energy exists.
+  /// Disables the line search: for starts close to the solution, and for conditions without an energy.
   bool full_steps = false;
-  /// True if convergence needs an unchanged active set that may not recur: complementarity at nodes. A
-  /// pressure integrated along lines depends smoothly on its edges.
+  /// True if convergence requires an unchanged active set and a recurring set is a failure (complementarity
+  /// at nodes); false for a pressure integrated along lines, which depends smoothly on the edges of the
+  /// contact.
   bool requires_unchanged_set = true;
   std::function<void(const ContactIteration &)> progress; ///< called after each step, may be empty
-  /// Callback after each step that accepts the iterate, whatever its residual. May be empty.
+  /// Callback after each step; true accepts the iterate with any residual. May be empty.
   std::function<bool(const ContactSolution &)> accepts_iterate;
 };
 
-/// Stopping rule for a penalty law that approximates a hard interface, integrated along contact lines. Its
-/// resultants are as exact as the final check.
+/// Stopping rule for a penalty law that approximates a hard interface, integrated along contact lines: the
+/// tolerance of the resultants decides.
 inline ContactControl penalty_control()
 {
   ContactControl control;

@@ -13,15 +13,14 @@ namespace stemware::fem
 enum class ContactOutcome
 {
   converged,
-  narrow_contact, ///< converged, but fewer than four nodes carry load side by side: the pressure across the
-                  ///< rim is not resolved
-  tipping,        ///< no distribution of pushing forces on the contact zone has these resultants
-  repeated_set,   ///< the active set came back without the residual falling
-  singular_set,   ///< the loaded places no longer support the foot (fewer than three, or on one line)
-  too_many_steps, ///< the allowed number of Newton steps was not enough
-  unbalanced,     ///< the resultants of the normal forces miss the prescribed ones
+  narrow_contact,       ///< converged, but fewer than four loaded nodes across the rim: pressure not resolved
+  tipping,              ///< no compressive forces on the contact zone have these resultants
+  repeated_set,         ///< the active set recurred without a smaller residual
+  singular_set,         ///< the loaded points no longer support the foot (fewer than three, or collinear)
+  too_many_steps,       ///< no convergence within the allowed number of Newton steps
+  unbalanced,           ///< the resultants of the normal forces miss the prescribed ones
   linear_solver_failed, ///< the body could not solve its linear system
-  inverted_cells,       ///< halving cells of the mesh turns others inside out
+  inverted_cells,       ///< refining cells of the mesh inverts others
   overflow              ///< forces or displacements left the range of floating-point numbers
 };
 
@@ -53,7 +52,7 @@ public:
   const ContactOutcome outcome;
 };
 
-/// Exception of a demand whose centre of pressure lies beyond the foot: no foot there stands, elastic or not.
+/// Exception for a centre of pressure outside the foot: the glass tips, with any elasticity.
 class TippingDemand : public ContactFailure
 {
 public:
@@ -68,16 +67,15 @@ struct ContactSolution
 {
   ContactOutcome outcome = ContactOutcome::converged; ///< converged or narrow_contact
   Eigen::VectorXd forces;                             ///< upward forces on the foot at the contact nodes [N]
-  Eigen::VectorXd
-    force_mismatch; ///< what these have more than the table law's: its balance with the body is not exact [N]
-  Eigen::VectorXd normal_displacement;              ///< u_z + Q q at the contact nodes [m]
+  Eigen::VectorXd force_mismatch;      ///< forces minus the table law's forces, the final residual [N]
+  Eigen::VectorXd normal_displacement; ///< u_z + Q q at the contact nodes [m]
   Eigen::Vector3d motion = Eigen::Vector3d::Zero(); ///< q0 [m], q1, q2 [rad] of the table
   unsigned int n_iterations = 0;
   unsigned int n_linear_iterations = 0;
   unsigned int n_loaded_nodes = 0; ///< contact nodes under pressure
   unsigned int n_nodes_across = 0; ///< ContactSurface::n_nodes_across()
   double force_residual = 0;       ///< |sum f - N| / N
-  double moment_residual = 0;      ///< |sum r x f - M_N| / (N R), or that of the conditions in its place
+  double moment_residual = 0;      ///< |sum r x f - M_N| / (N R), or the residual of the conditions
   double equilibrium_residual = 0; ///< |B'f - K u| / |B'f|
   double stability_margin = 1;     ///< NewtonIncrement::stability_margin of the last step
 };

@@ -20,7 +20,7 @@ struct ContactLine
   std::vector<unsigned int> nodes; ///< contact nodes whose displacement acts on this line
   /// [sample, node]: displacement at a sample = shape * nodal displacements.
   Eigen::Matrix<double, 3, Eigen::Dynamic> shape;
-  bool samples_are_nodes = false;       ///< three nodes, and shape is the identity: no product is needed
+  bool samples_are_nodes = false;       ///< true if there are three nodes and shape is the identity
   Eigen::Matrix<double, 3, 2> position; ///< (x, y) of the samples [m]
   /// Transverse vector at the samples, quadrature weight included [m].
   Eigen::Matrix<double, 3, 2> transverse_tangent;
@@ -41,18 +41,18 @@ struct ContactSurface
   Eigen::VectorXd node_gap;       ///< distance of the undeformed nodes from the plane z = 0 [m]
   Eigen::VectorXd node_area;      ///< int N_i dA of the whole surface, projected on the table [m^2]
   std::vector<ContactLine> lines;
-  std::vector<std::size_t> mirrored_lines; ///< of every line the one that is its mirror image at y = 0 to the
-                                           ///< last bit, gap aside; empty where there are none
+  std::vector<std::size_t> mirrored_lines; ///< index of the mirror image of each line at y = 0, equal to the
+                                           ///< last bit, gap aside; empty: no symmetry
   /// True if every line has one azimuth; lines of equal azimuth form a cut at theta = const.
   bool lines_are_radial = false;
-  unsigned int n_sectors = 0; ///< number of cells round the rim (mean, where the mesh is not regular)
+  unsigned int n_sectors = 0; ///< number of cells round the rim (mean of an irregular mesh)
   /// True if the land is rounded across the rim: the contact is a band whose width follows from the load.
   bool is_crowned = false;
   /// True if the land is a ring with a hole at the axis.
   bool is_ring = true;
 
-  unsigned int n_ghost_nodes = 0; ///< those at the end that belong to other parts
-  SurfaceParts parts;             ///< of which this is one
+  unsigned int n_ghost_nodes = 0; ///< nodes of other parts, at the end of the lists
+  SurfaceParts parts;             ///< communication with the other parts
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(node_gap.size()); }
   unsigned int n_owned_nodes() const { return n_nodes() - n_ghost_nodes; }
@@ -62,8 +62,8 @@ struct ContactSurface
   double area() const { return parts.sum(node_area.head(n_owned_nodes()).sum()); }
   /// Columns (1, x, y) at the nodes: effect of the table motions q0, q1, q2 on the gap. Shape [n_nodes, 3].
   Eigen::MatrixX3d motion_modes() const;
-  /// Returns the largest number of nodes under pressure side by side across the rim, over the whole zone.
-  /// Nodes within an eighth of a sector count as side by side. @p pressure has the shape [n_nodes].
+  /// Returns the largest number of neighbouring nodes across the rim that are under pressure, over the whole
+  /// zone. Nodes within an eighth of a sector count as one radial row. @p pressure has the shape [n_nodes].
   unsigned int n_nodes_across(const Eigen::VectorXd &pressure) const;
 };
 
@@ -75,7 +75,7 @@ struct PointForce
   double force = 0; ///< upward on the foot [N], >= 0
 };
 
-/// Returns @p forces turned counter-clockwise by @p angle [rad].
+/// Returns @p forces rotated counter-clockwise by @p angle [rad].
 std::vector<PointForce> rotated_by(std::vector<PointForce> forces, double angle);
 
 } // namespace stemware::fem

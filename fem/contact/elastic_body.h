@@ -16,16 +16,16 @@ struct NewtonIncrement
   double energy_slope = 0;
   double energy_curvature = 0; ///< du . K du [J]
   unsigned int linear_iterations = 0;
-  /// Steadiness of the balance: det(R - H) / det R, with the stiffness R = L'T(Q - B(K + B'TB)^-1 B'TQ) of
-  /// body and table against table motions and the weight's part H of the conditions. Negative beyond the
-  /// stable balance of a leaning glass; 1 if nothing leans or the body does not compute it.
+  /// Stability margin of the balance: det(R - H) / det R, with the stiffness R = L'T(Q - B(K + B'TB)^-1 B'TQ)
+  /// of body and table against table motions and the weight's part H of the conditions. Negative: the tilted
+  /// glass is beyond its stable balance. 1 without tilt, or if the body does not compute it.
   double stability_margin = 1;
 };
 
-/// Elastic foot with clamped stem cut, as its contact nodes respond (docs/method.md, "Newton's method").
+/// Elastic foot with clamped stem cut, seen from its contact nodes (docs/method.md, "Newton's method").
 ///
 /// Nodal values come in the two layouts of ContactSurface. The state is the displacement u with the elastic
-/// forces K u. The contact driver asks for increments and accepts a part of each. B selects the vertical
+/// forces K u. The contact driver requests an increment and applies a part of it. B selects the vertical
 /// displacement of the contact nodes; Q = (1, x, y) there.
 class ElasticBody
 {
@@ -34,7 +34,7 @@ public:
 
   virtual const ContactSurface &contact_surface() const = 0;
 
-  /// B u: vertical displacement of the contact nodes, upward > 0 [m].
+  /// Returns B u, the vertical displacement of the contact nodes, upward > 0 [m].
   virtual Eigen::VectorXd contact_displacement() const = 0;
 
   /// Solves [K + B'TB, B'TQ; L'TB, L'TQ - H] [du; dq] = [B' forces - K u; L' forces + H q - t], with @p
@@ -50,7 +50,7 @@ public:
   /// Resets the state: u = 0.
   virtual void reset() = 0;
 
-  /// Returns the nodal forces whose elastic response is the displacement, if the body knows them; they
+  /// Returns the nodal forces whose elastic response is the displacement, if the body stores them; these
   /// fulfil the conditions to rounding after a full step. Otherwise returns the forces of the table law, @p
   /// forces.
   virtual Eigen::VectorXd elastic_forces(const Eigen::VectorXd &forces) const { return forces; }

@@ -32,16 +32,16 @@ struct ContactState
   double outer_radius = 0;
 
   // For the foot itself:
-  unsigned int zone = 0;                        ///< which of the foot's contact zones the solution is of
-  bool start_rotated_with_waviness = false;     ///< true if the start was rotated together with the waviness
-  std::shared_ptr<const std::string> body = {}; ///< of a solid body, this rank's part of its state
+  unsigned int zone = 0;                        ///< index of the foot's contact zone of the solution
+  bool start_rotated_with_waviness = false;     ///< true if the initial guess was rotated with the waviness
+  std::shared_ptr<const std::string> body = {}; ///< state of a solid body, this rank's part
 };
 
-/// Initial guesses of a contact solve.
+/// Initial guesses of a contact solve, in order of preference `predicted`, `previous`.
 struct ContactGuess
 {
-  const ContactState *previous = nullptr; ///< a contact of the same foot that is near; nothing: none is known
-  /// Predicted contact in the slip frame, at the nodes of `before`'s zone or of the first zone.
+  const ContactState *previous = nullptr; ///< nearby contact of the same foot; nullptr: none
+  /// Predicted contact in the slip frame, at the nodes of the zone of `previous` or of the first zone.
   std::optional<ContactStart> predicted = {};
 };
 
@@ -64,7 +64,7 @@ struct FootCapabilities
   /// Angle of rotation of the glass (Slip::orientation) that leaves the load unchanged, apart from the
   /// study's waviness [rad]. 0: any angle.
   double glass_period = 0;
-  /// True if all MPI ranks have to solve together, so that two feet cannot be solved side by side.
+  /// True if all MPI ranks must solve together; two such feet cannot be solved in parallel.
   bool is_collective = false;
 };
 
@@ -92,22 +92,21 @@ public:
   Foot &operator=(const Foot &) = delete;
   virtual ~Foot() = default;
 
-  /// Returns a copy of the foot for another thread, with the same results; nullptr if the foot is
-  /// collective.
+  /// Returns a copy of the foot with the same results, for another thread; nullptr if the foot is collective.
   virtual std::shared_ptr<const Foot> clone() const { return nullptr; }
 
   virtual FootDescription description() const = 0;
   virtual FootCapabilities capabilities() const = 0;
 
-  /// Solves the contact under @p demand at @p slip, starting from @p guess. @p progress is called after
-  /// each Newton step of a long solve (a solid foot), and the state's history keeps these steps; may be
-  /// empty. Throws ContactFailure.
+  /// Solves the contact under @p demand at @p slip, starting from @p guess. @p progress, if not empty, is
+  /// called after each Newton step of a long solve (a solid foot), whose steps are then in the state's
+  /// history. Throws ContactFailure.
   virtual ContactState solve(const ContactDemand &demand, const ring::Slip &slip = {},
                              const ContactGuess &guess = {},
                              const std::function<void(const ContactIteration &)> &progress = {}) const = 0;
 
-  /// Predicts the contact after @p start, a contact in zone @p zone of the slightly different foot @p
-  /// similar. Returns nothing if @p start is not informative.
+  /// Predicts a contact of this foot from @p start, a contact of the slightly different foot @p similar in
+  /// its zone @p zone. Returns std::nullopt if @p start is not informative.
   virtual std::optional<ContactStart> predict_from(const ContactStart & /*start*/, unsigned int /*zone*/,
                                                    const Foot & /*similar*/) const
   {
@@ -117,7 +116,7 @@ public:
   /// Returns the highest harmonic that the contact resolves.
   virtual unsigned int n_resolved_harmonics() const = 0;
 
-  /// Returns the load of a state of this foot, with rings and harmonics as in ContactDemand.
+  /// Projects the load of a state of this foot onto rings; radii and harmonics as in ContactDemand.
   virtual ContactLoad project_onto_rings(const ContactState &state, const std::vector<double> &ring_radii,
                                          unsigned int n_harmonics) const = 0;
 
@@ -140,8 +139,8 @@ public:
     return {};
   }
 
-  /// Estimates the error of @p goal in @p state due to the mesh. Returns nothing if this foot cannot
-  /// estimate it. @p with_cells: with the shares of the cells.
+  /// Estimates the discretisation error of @p goal in @p state; std::nullopt if the foot cannot. @p
+  /// with_cells: also the shares of the cells.
   virtual std::optional<MeshError> mesh_error(const ContactState & /*state*/, const ContactGoal & /*goal*/,
                                               bool /*with_cells*/) const
   {

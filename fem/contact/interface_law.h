@@ -9,8 +9,8 @@
 namespace stemware::fem
 {
 
-/// Law between foot and table: its parameters, independent of a contact surface. Each law is one derived
-/// class; no other code asks for the type.
+/// Parameters of the law between foot and table, independent of a contact surface. Each law is a derived
+/// class; no other code depends on the type.
 ///
 ///     const WinklerInterface law(1e10);              // [Pa/m]
 ///     law.half_width(line_load, crown_radius);       // of the contact of a rigid rim [m]

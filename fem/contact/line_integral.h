@@ -12,7 +12,7 @@
 namespace stemware::fem
 {
 
-/// Quadratic Lagrange polynomials of the nodes -1, 0, 1 at @p xi.
+/// Returns the quadratic Lagrange polynomials of the nodes -1, 0, 1 at @p xi.
 inline Eigen::Vector3d line_shape(double xi)
 {
   return { xi * (xi - 1) / 2, 1 - xi * xi, xi * (xi + 1) / 2 };
@@ -25,8 +25,7 @@ struct LineSegment
   double end = 0;
 };
 
-/// Returns the segments (two at most) of [-1, 1] where the quadratic through @p samples (at -1, 0, 1) is
-/// positive.
+/// Segments (two at most) of [-1, 1] on which the quadratic through @p samples (at -1, 0, 1) is positive.
 struct PositiveSegments
 {
   explicit PositiveSegments(const Eigen::Vector3d &samples);
@@ -34,13 +33,13 @@ struct PositiveSegments
   unsigned int n_segments = 0;
 };
 
-/// Quadratic along a line by its coefficients: c(0) + c(1) xi + c(2) xi^2.
+/// Returns the coefficients of the quadratic through @p samples: c(0) + c(1) xi + c(2) xi^2.
 inline Eigen::Vector3d quadratic_through(const Eigen::Vector3d &samples)
 {
   return { samples(1), (samples(2) - samples(0)) / 2, (samples(0) + samples(2)) / 2 - samples(1) };
 }
 
-/// Returns the value at @p xi.
+/// Returns the value of the quadratic with @p coefficients at @p xi.
 inline double value_at(const Eigen::Vector3d &coefficients, double xi)
 {
   return coefficients(0) + xi * (coefficients(1) + xi * coefficients(2));
@@ -50,7 +49,7 @@ inline double value_at(const Eigen::Vector3d &coefficients, double xi)
 struct LinePoint
 {
   double xi = 0;   ///< local coordinate
-  double area = 0; ///< table area that it stands for, > 0 [m^2]
+  double area = 0; ///< weight: table area, > 0 [m^2]
 };
 
 /// Table area along a contact line per local coordinate and quadrature weight, d(x, y)/dxi times the
@@ -71,7 +70,7 @@ public:
     }
   }
 
-  /// [m^2]
+  /// Returns the area element at @p xi [m^2].
   double operator()(double xi) const
   {
     return std::abs(cubic(0) + xi * (cubic(1) + xi * (cubic(2) + xi * cubic(3))));
@@ -81,8 +80,8 @@ private:
   Eigen::Vector4d cubic = Eigen::Vector4d::Zero();
 };
 
-/// Part of @p line and of the @p depth at its samples between two of its local coordinates: positions,
-/// transverse tangents, gap and depth, all of which are quadratic along the line. The part has no nodes.
+/// Returns the part @p range of @p line and the @p depth at the samples of the part: positions, transverse
+/// tangents, gap and depth are quadratic along the line. The part has no nodes.
 inline std::pair<ContactLine, Eigen::Vector3d> part_of(const ContactLine &line, const Eigen::Vector3d &depth,
                                                        const LineSegment &range)
 {
@@ -96,8 +95,8 @@ inline std::pair<ContactLine, Eigen::Vector3d> part_of(const ContactLine &line, 
   return { part, at_samples * depth };
 }
 
-/// Calls visit(const LinePoint &) at the Gauss points, an even number of them, of one segment of a line:
-/// exact for polynomials in the local coordinate of degree 2 n_points - 1, the area element included.
+/// Calls visit(const LinePoint &) at the @p n_points Gauss points (an even number) of one segment of a line;
+/// exact for polynomials of degree 2 n_points - 1 in the local coordinate, area element included.
 template <unsigned int n_points = 4, typename Visitor>
 void for_each_point(const AreaElement &area, const LineSegment &segment, const Visitor &visit)
 {
@@ -111,9 +110,8 @@ void for_each_point(const AreaElement &area, const LineSegment &segment, const V
     }
 }
 
-/// Calls visit(const LinePoint &) at the four Gauss points of every segment where the quadratic through @p
-/// penetration is positive: exact for (shape)^2 times a penetration and a cubic area element, i.e. closed
-/// form on a straight line.
+/// Calls visit(const LinePoint &) at the four Gauss points of every segment on which the quadratic through @p
+/// penetration is positive: exact for shape^2 times a penetration times a cubic area element.
 template <typename Visitor>
 void for_each_loaded_point(const AreaElement &area, const Eigen::Vector3d &penetration, const Visitor &visit)
 {
@@ -122,8 +120,8 @@ void for_each_loaded_point(const AreaElement &area, const Eigen::Vector3d &penet
     for_each_point(area, loaded.segments[s], visit);
 }
 
-/// Penetration at the samples of @p line [m], from the normal displacement of the contact nodes relative to
-/// the table, as in TableLaw.
+/// Returns the penetration at the samples of @p line [m], from the normal displacement of the contact nodes
+/// relative to the table, as in TableLaw.
 inline Eigen::Vector3d penetration(const ContactLine &line, const Eigen::VectorXd &normal_displacement)
 {
   Eigen::Vector3d depth = -line.gap;

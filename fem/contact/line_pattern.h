@@ -17,18 +17,18 @@ public:
   /// Takes the lines of @p surface, whose nodes and shapes do not change; keeps a reference to it.
   explicit LinePattern(const ContactSurface &surface);
 
-  /// Gives @p tangent all couplings of nodes on common lines, all zero. It is empty or was filled by this
-  /// pattern before.
+  /// Sets @p tangent to the sparsity pattern of nodes on common lines, with zero entries. @p tangent must be
+  /// empty or have been filled by this pattern.
   void set_zero(Eigen::SparseMatrix<double> &tangent) const;
 
-  /// Adds the forces [N] and the tangent [N/m] of @p line, given at its samples, to those of its nodes, and
-  /// to those of its mirror @p image if that is another line. @p tangent must have come from set_zero().
+  /// Adds the forces [N] and the tangent [N/m] of @p line, given at its samples, to the nodes of @p line, and
+  /// to the nodes of its mirror @p image if that is another line. @p tangent must come from set_zero().
   void add(std::size_t line, std::size_t image, const Eigen::Vector3d &sample_forces,
            const Eigen::Matrix3d &sample_tangent, Eigen::VectorXd &forces,
            Eigen::SparseMatrix<double> &tangent) const;
 
 private:
-  /// Adds what a line's nodes get to the nodes themselves.
+  /// Adds the forces and the tangent of a line's nodes to the surface's.
   template <typename Forces, typename Tangent>
   void add_at_nodes(std::size_t line, const Forces &line_forces, const Tangent &line_tangent,
                     Eigen::VectorXd &forces, Eigen::SparseMatrix<double> &tangent) const;

@@ -14,9 +14,9 @@ struct Resultants
 };
 
 /// Three linear conditions L'f + H q = t on the nodal forces f of a contact and the table motions q. The
-/// first column of L is 1, so that t_0 is the normal force N; the other two are lengths. L = Q = (1, x, y)
-/// and H = 0 prescribe the resultants. A moment balance adds to x and y the arm of the friction of the
-/// normal forces; H is the moment of the weight of a leaning glass (docs/theory/closures.md).
+/// first column of L is 1, so that t_0 is the normal force N; the other columns are lengths. L = Q = (1, x,
+/// y) and H = 0 prescribe the resultants. A moment balance adds to x and y the lever arm of the friction; H
+/// is the moment of the weight of a tilted glass (docs/theory/closures.md).
 class LinearConditions
 {
 public:
@@ -35,8 +35,8 @@ public:
   /// matrix is symmetric.
   bool are_resultants() const { return symmetric; }
 
-  /// Returns these conditions with moments, friction's arm and leaning weight multiplied by @p share (0: an
-  /// even press), for continuation. @p surface belongs to the conditions.
+  /// Returns these conditions with moments, friction arm and weight of the tilted glass multiplied by @p
+  /// share (0: axisymmetric load), for continuation. @p surface: the surface of the conditions.
   LinearConditions with_scaled_moment(const ContactSurface &surface, double share) const;
 
   /// Returns L'f + H q - t for nodal @p forces [N] and table motions @p motion [m, rad, rad], over the
@@ -46,8 +46,8 @@ public:
     return parts.sum(L.transpose() * forces) + H * motion - t;
   }
 
-  /// Returns the largest component of the second and third weights of a node in @p direction, over the
-  /// whole surface [m].
+  /// Returns the largest component in @p direction of the second and third weights of a node, over the whole
+  /// surface [m].
   double reach(const Eigen::Vector2d &direction) const
   {
     return parts.max_entry(L.rightCols<2>() * direction);

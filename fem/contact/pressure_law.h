@@ -14,13 +14,13 @@
 namespace stemware::fem
 {
 
-/// Table whose pressure depends on the local penetration alone, integrated along the contact lines.
+/// Table whose pressure depends on the local penetration only, integrated along the contact lines.
 ///
-/// @p Pressure offers, for a penetration d [m], `pressure(d)` [Pa], not decreasing, and `stiffness(d)` =
-/// dp/dd [Pa/m]; `has_edge()` as InterfaceLaw; `integrate(area, depth, visit)`, which calls visit(const
-/// LinePoint &) at the quadrature points of a line that carry load, from its area element and the penetration
-/// at its samples; and `cutoff_depth(deepest)`, below which a
-/// place carries nothing that counts where another one has the penetration `deepest` [m].
+/// @p Pressure has, for a penetration d [m], `pressure(d)` [Pa], not decreasing; `stiffness(d)` = dp/dd
+/// [Pa/m]; `has_edge()` as InterfaceLaw; `integrate(area, depth, visit)`, which calls visit(const LinePoint
+/// &) at the loaded quadrature points of a line, given its area element and the penetration at its samples;
+/// and `cutoff_depth(deepest)`, the depth below which the load is negligible if the largest penetration is
+/// `deepest` [m].
 template <typename Pressure>
 class PressureLaw : public TableLaw
 {
@@ -125,7 +125,7 @@ private:
     return depths;
   }
 
-  /// Upper bound of the penetration on a line: a quadratic lies below its control points.
+  /// Returns an upper bound of the penetration on a line: a quadratic lies below its control points.
   static double greatest(const Eigen::Vector3d &depth)
   {
     return std::max({ depth(0), depth(2), 2 * depth(1) - (depth(0) + depth(2)) / 2 });
@@ -139,8 +139,8 @@ private:
     return law.cutoff_depth(surface.parts.max(deepest));
   }
 
-  /// Returns the mirror image of line @p l at y = 0, with equal geometry, gap and normal displacement to
-  /// the last bit; @p l itself without such a line.
+  /// Returns the mirror image of line @p l at y = 0 if geometry, gap and normal displacement are equal to the
+  /// last bit, else @p l.
   std::size_t mirror_image(std::size_t l, const Eigen::VectorXd &normal_displacement) const
   {
     if (surface.mirrored_lines.empty())
@@ -154,8 +154,8 @@ private:
     return alike ? image : l;
   }
 
-  /// Adds the forces and the tangent of line @p l under @p depth to its nodes, and to the nodes of another
-  /// @p image.
+  /// Adds the forces and the tangent of line @p l under @p depth to its nodes, and to the nodes of @p image
+  /// if that is another line.
   void add_line(std::size_t l, std::size_t image, const Eigen::Vector3d &depth, ContactForces &contact) const
   {
     const Eigen::Vector3d along = quadratic_through(depth);

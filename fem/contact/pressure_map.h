@@ -22,10 +22,11 @@ struct PressurePoint
 struct PressureMap
 {
   std::vector<std::vector<PressurePoint>> cuts;
-  bool is_grid = false; ///< all cuts have equally many points, each at one azimuth, and azimuths increase
-  bool has_edge = true; ///< the pressure ends somewhere, and does not only fade as on a rough table
+  bool is_grid = false; ///< true if all cuts have equally many points, each cut has one azimuth, and azimuths
+                        ///< increase
+  bool has_edge = true; ///< the pressure ends at an edge; false: it decays (rough interface)
 
-  /// Returns the map turned counter-clockwise by @p angle, with azimuths in [0, 2 pi).
+  /// Returns the map rotated counter-clockwise by @p angle, with azimuths in [0, 2 pi).
   PressureMap rotated(double angle) const;
 };
 
@@ -36,9 +37,9 @@ struct ContactWidth
   double outer = 0;
 };
 
-/// Returns the contact width of @p cut, the definition of all results. A pressure with an edge is cut
-/// there, interpolated between the points. For a decaying pressure half a per cent of the cut's load lies
-/// on either side, so that 99 % lie within. Empty if the cut has no load. The radii of the cut must ascend.
+/// Returns the contact width of @p cut, as used in all results. With an edge: the interpolated zero of the
+/// pressure. Decaying pressure: the radii that enclose 99 % of the cut's load, half a per cent outside on
+/// either side. std::nullopt without load. The radii of the cut must ascend.
 std::optional<ContactWidth> contact_width(const std::vector<PressurePoint> &cut, bool has_edge);
 
 /// Returns the map of a law @p pressure(penetration [m]) [Pa], at @p normal_displacement as in TableLaw: a

@@ -11,7 +11,7 @@ namespace stemware::fem
 Eigen::Matrix3d motion_stiffness(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &weights,
                                  const Eigen::MatrixX3d &modes);
 
-/// Rigid body: only the table moves. Initial guess of every cold elastic solve, and an oracle.
+/// Rigid foot on a moving table. Initial guess of every cold elastic solve, and reference in tests.
 class RigidFoot : public ElasticBody
 {
 public:

@@ -9,13 +9,13 @@
 namespace stemware::fem
 {
 
-/// Asperities of a nominally flat rough surface on a smooth one: pressure p = p0 exp(d / s), -d being the
-/// separation of the mean planes. Where these meet, d = 0, the asperities are flat and the law goes on as its
+/// Exponential pressure law of a nominally flat rough surface on a smooth one: p = p0 exp(d / s), -d the
+/// separation of the mean planes. For d > 0 the asperities are flattened, and the law continues as its
 /// tangent p0 (1 + d / s).
 ///
 /// Greenwood & Williamson, Proc. R. Soc. A 295 (1966) 300, for exponentially distributed summits; Persson,
 /// Phys. Rev. Lett. 99 (2007) 125502, for self-affine surfaces at low pressure. A factor in p0 is an offset
-/// of the table, so the load depends on the decay length alone as long as the mean planes do not meet.
+/// of the table: for d < 0 everywhere the load depends on the decay length only.
 struct RoughInterface : PressureInterface<RoughInterface>
 {
   RoughInterface() = default;
@@ -30,7 +30,7 @@ struct RoughInterface : PressureInterface<RoughInterface>
   {
     return std::min(pressure, reference_pressure) / decay_length;
   }
-  /// Two and a half standard deviations of the bell exp(-x^2 / (2 rho s)).
+  /// Returns 2.5 standard deviations of the Gaussian exp(-x^2 / (2 rho s)).
   double half_width(double, double crown_radius) const override
   {
     return 2.5 * std::sqrt(crown_radius * decay_length);
@@ -57,19 +57,19 @@ struct RoughInterface : PressureInterface<RoughInterface>
   {
     return reference_pressure / decay_length * (depth < 0 ? std::exp(depth / decay_length) : 1);
   }
-  /// Computes both with one exponential.
+  /// Returns p [Pa] and dp/dd [Pa/m], computed with one exponential.
   std::pair<double, double> pressure_and_stiffness(double depth) const
   {
     const double ratio = depth / decay_length, factor = ratio < 0 ? std::exp(ratio) : 1;
     return { reference_pressure * (factor + std::max(ratio, 0.)),
              reference_pressure / decay_length * factor };
   }
-  /// Depth at which the pressure is 1e-20 of the greatest.
+  /// Returns the depth at which the pressure is 1e-20 of the largest.
   double cutoff_depth(double deepest) const { return std::min(deepest, 0.) - 46 * decay_length; }
 
-  /// Along a line the exponent d / s is a quadratic. Gauss quadrature on panels so short that it changes
-  /// little from one to the next, where the pressure is more than rounding of the line's largest; the law's
-  /// second derivative jumps where the mean planes meet, so panels end there.
+  /// Integrates by Gauss quadrature on panels along a line, on which the exponent d / s is quadratic. Panels
+  /// are short enough that the exponent changes little; they cover the range in which the pressure exceeds
+  /// rounding of the line's maximum, and end at d = 0, where the second derivative of the law jumps.
   template <typename Visitor>
   void integrate(const AreaElement &area, const Eigen::Vector3d &depth, const Visitor &visit) const
   {

@@ -18,7 +18,8 @@ struct SlidingTraction
   double friction_coefficient = 0; ///< mu, >= 0
   /// omega / v [1/m], counter-clockwise > 0; 0: at rest in yaw. eps = spin_per_speed * R.
   double spin_per_speed = 0;
-  double axes_rotation = 0; ///< azimuths count from this direction, counter-clockwise from that of travel
+  double axes_rotation = 0; ///< direction from which azimuths are measured, counter-clockwise from travel
+                            ///< [rad]
   /// mu as a function of |v_rel| / v. Empty: friction_coefficient everywhere.
   std::function<double(double relative_slip)> coefficient_by_slip = {};
 

@@ -34,12 +34,13 @@ struct ContactForces
   }
 };
 
-/// Load on a table, point by point on a part of the surface and along the azimuth of the whole.
+/// Load on a table: point forces on a part of the surface, and load per radian along the azimuth of the
+/// whole.
 struct TableLoad
 {
   SurfaceParts parts; ///< of the surface
-  /// Point forces that resolve the harmonics: quadrature points of the pressure, or nodal forces without a
-  /// pressure.
+  /// Point forces that resolve the harmonics: at quadrature points of the pressure, or at the nodes if the
+  /// law has only nodal forces.
   std::vector<PointForce> points;
   /// Load per radian at the azimuth of each line, sorted by azimuth; means of sectors if the lines are not
   /// radial.
@@ -49,8 +50,8 @@ struct TableLoad
 /// Part of the land that is under pressure. A pressure below 1e-11 of the largest is rounding.
 struct ContactExtent
 {
-  /// Share of the land's area. A crowned land (ContactSurface::is_crowned) touches along a band; an azimuth
-  /// of it counts with its whole area if any point of the azimuth is under pressure.
+  /// Share of the land's area. On a crowned land (ContactSurface::is_crowned), whose contact is a band, an
+  /// azimuth counts with its whole area if any of its points is under pressure.
   double area_share = 0;
   /// Share of the azimuths with a point under pressure; std::nullopt unless the land is a ring.
   std::optional<double> azimuth_share = {};
@@ -72,8 +73,8 @@ public:
   /// empty or was filled by this law before; its memory is reused.
   virtual void evaluate(const Eigen::VectorXd &normal_displacement, ContactForces &contact) const = 0;
 
-  /// Returns the load on the table of a solution on this surface, from forces and normal displacement. @p
-  /// n_parts >= 1: parts of a line with quadrature points of their own, if the law has them.
+  /// Returns the load on the table of a solution on this surface. @p n_parts >= 1: number of parts of each
+  /// line with quadrature points of their own, for laws that integrate along lines.
   virtual TableLoad load(const ContactSolution &solution, unsigned int n_parts) const = 0;
 
   /// Returns the extent of the contact of a solution, on the whole surface.

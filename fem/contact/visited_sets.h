@@ -18,8 +18,8 @@ public:
   {
   }
 
-  /// Returns true if @p set (this rank's part) is new, or recurs with less than half of the last @p
-  /// residual. Collective over the parts.
+  /// Returns true if @p set (this rank's part) is new, or recurs with less than half of the @p residual of
+  /// its last visit. Collective over the parts.
   bool makes_progress(const ActiveSet &set, double residual);
 
 private:

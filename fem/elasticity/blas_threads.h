@@ -3,8 +3,8 @@
 namespace stemware::fem
 {
 
-/// Restricts the system's BLAS to the calling thread, in the whole program: the program's own threads share
-/// the work, and sums do not depend on the number of threads. May be called repeatedly.
+/// Restricts the system's BLAS to one thread, in the whole program: the program has its own threads, and
+/// results do not depend on their number. May be called repeatedly.
 void hold_blas_to_one_thread();
 
 /// Returns whether several threads may use the system's BLAS together. False for OpenBLAS built for one

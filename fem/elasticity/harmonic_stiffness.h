@@ -12,8 +12,8 @@ namespace stemware::fem
 /// Element stiffness of the displacement harmonics u_r cos(n theta), u_theta sin(n theta), u_z cos(n theta)
 /// (docs/method/revolution.md, "Harmonics").
 ///
-/// Their strains are sums of three fields of a shape function N: dN/dr, dN/dz and N/r. So the stiffness of
-/// every harmonic follows from the integrals of these fields' products.
+/// The strains are combinations of three fields of a shape function N: dN/dr, dN/dz and N/r. The stiffness of
+/// every harmonic therefore follows from the integrals of products of these fields.
 class HarmonicStiffness
 {
 public:

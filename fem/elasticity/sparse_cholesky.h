@@ -23,8 +23,8 @@ LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix);
 /// Factors L L' of a sparse symmetric positive definite matrix (CHOLMOD, ordered by approximate minimum
 /// degree).
 ///
-/// Simplicial, that is without BLAS: harmonics are factorised by several threads at once, and Debian's serial
-/// OpenBLAS gives wrong numbers to threads that enter it together.
+/// Simplicial (without BLAS), because several threads factorise harmonics simultaneously and Debian's serial
+/// OpenBLAS is not thread-safe.
 class SparseCholesky
 {
 public:
@@ -40,8 +40,8 @@ private:
   std::unique_ptr<Factors> factors;
 };
 
-/// Factors L L' of symmetric positive definite matrices that share their pattern, by blocks, with BLAS on one
-/// thread: several times as fast as SparseCholesky from some 5 000 unknowns.
+/// Supernodal factors L L' of symmetric positive definite matrices of equal pattern, with BLAS on one thread:
+/// several times as fast as SparseCholesky above about 5 000 unknowns.
 class BlockCholesky
 {
 public:
@@ -61,10 +61,9 @@ private:
   std::unique_ptr<Factors> factors;
 };
 
-/// Parts of the inverses of symmetric positive definite matrices of equal pattern, in a few rows and
-/// columns. The order of elimination is computed once, with the kept rows last, so that the end of the
-/// triangular factor suffices. Several threads may call it together; large matrices are factorised by
-/// blocks, with BLAS, one after the other.
+/// Selected rows and columns of the inverses of symmetric positive definite matrices of equal pattern. The
+/// order of elimination is computed once, with the selected rows last, so that only the end of the triangular
+/// factor is needed. Thread-safe; large matrices are factorised by blocks, with BLAS, one after the other.
 class BlockInverse
 {
 public:

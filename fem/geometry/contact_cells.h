@@ -13,16 +13,16 @@ namespace stemware::fem
 struct MeridianResolution
 {
   unsigned int land_cells = 4; ///< across the land, even; before any refinement
-  double land_grading = 3; ///< size ratio of neighbours on the land, finest at the contact radius; 1 means
-                           ///< equal cells. Not read where there is a focus
+  double land_grading = 3; ///< size ratio of neighbours on the land, finest at the contact radius; 1: equal
+                           ///< cells. Ignored with a focus
   unsigned int refinements = 0; ///< halvings of every cell
 
   /// Size of the contact cells in the focus, the band focus_radius -/+ focus_width [m]; 0: no focus. Outside
-  /// the band they grow with their distance from it, and so do the cells behind them.
+  /// the band the cell size grows with the distance from the band, also above the land.
   double focus_size = 0;
   double focus_radius = 0;    ///< [m]; 0 means the contact radius
   double focus_width = 0;     ///< half the width of the band [m]; 0: the cells next to focus_radius
-  double focus_growth = 1.75; ///< a cell is at most growth - 1 times its distance from the band large
+  double focus_growth = 1.75; ///< bound of the cell size: (growth - 1) times the distance from the band
 
   bool has_focus() const { return focus_size > 0; }
   /// Largest cell at @p distance from the focus [m].
@@ -32,28 +32,30 @@ struct MeridianResolution
   void validate() const;
 };
 
-/// Division of the land into contact cells, common to all bodies that touch it.
+/// Division of the land into contact cells, shared by foot and disc.
 struct ContactCells
 {
-  std::vector<double> coarse;           ///< borders of the cells that a mesh begins with, ascending [m]
+  std::vector<double> coarse;           ///< borders of the cells of the unrefined mesh, ascending [m]
   std::vector<double> borders;          ///< after the halvings towards the focus; contains `coarse`
-  std::vector<unsigned int> n_halvings; ///< of the coarse cell that each contact cell is a part of
-  double coarse_size = 0;               ///< of the smallest, or with a focus of most of the coarse cells [m]
+  std::vector<unsigned int> n_halvings; ///< number of halvings from coarse cell to contact cell, for each
+                                        ///< contact cell
+  double coarse_size = 0; ///< size of the smallest coarse cell, with a focus of most coarse cells [m]
   bool has_focus = false;
-  double focus_begin = 0; ///< the band that MeridianResolution::focus_size holds in [m]
+  double focus_begin = 0; ///< band of the size MeridianResolution::focus_size [m]
   double focus_end = 0;
 };
 
-/// Contact cells of a land before MeridianResolution::refinements: land_cells graded towards the contact
-/// radius, or, with a focus, about equal cells halved until there are at least land_cells and until the cells
-/// in the focus have its size and no neighbours differ by more than one halving. Throws std::invalid_argument
-/// as both validate(), and for a focus outside the land.
+/// Returns the contact cells of a land before MeridianResolution::refinements: land_cells graded towards the
+/// contact radius, or, with a focus, nearly equal cells that are halved until there are at least land_cells,
+/// the cells in the focus have its size, and neighbours differ by at most one halving. Throws
+/// std::invalid_argument as both validate(), and for a focus outside the land.
 ContactCells contact_cells(const GlassProfile &profile, const MeridianResolution &resolution);
 
-/// Share of a foot's thickness that the lowest row of cells takes where there is no focus (GlassShape::foot).
+/// Height of the lowest row of cells over the thickness of the foot, without a focus (GlassShape::foot).
 constexpr double lowest_level = 0.3;
 
-/// Height of that row at the contact radius [m]; in a step the height of the land.
+/// Returns the height of the lowest row of cells at the contact radius [m]; for a step the height of the
+/// land.
 double lowest_cell_height(const GlassProfile &profile);
 
 } // namespace stemware::fem

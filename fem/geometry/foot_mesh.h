@@ -19,7 +19,7 @@ struct FootResolution
   unsigned int radial_cells = 4;     ///< across the land; even, so that r = contact_radius is a mesh line
   unsigned int foot_layers = 2;      ///< through the thickness of the foot
   unsigned int refinements = 0;      ///< halvings of every cell of the mesh with these counts
-  unsigned int land_refinements = 0; ///< further ones of the cells that touch the land, with hanging nodes
+  unsigned int land_refinements = 0; ///< further halvings of the cells at the land, with hanging nodes
   /// Additional halvings of the cells at the land's inner side, where a flat land on a hard table has most
   /// pressure. In a step they reach up to the re-entrant corner, otherwise one cell's width.
   unsigned int edge_halvings = 0;
@@ -28,10 +28,10 @@ struct FootResolution
   void validate() const;
 };
 
-/// Hexahedral mesh of @p profile: O-grid core under the stem, rings outside it, the land below, the stem
-/// above. A multiple of 12 sectors lets the core have a third of them (one ring passes from 1 to 3 cells).
-/// Halved cells keep the shape of those they come from, and the triangulation the meshes between. Cylindrical
-/// manifold outside the core's square, boundary ids as in FootBoundary. @p triangulation must be
+/// Makes the hexahedral mesh of @p profile: O-grid core under the stem, rings around it, the land below, the
+/// stem above. With a multiple of 12 sectors the core has a third of them (one ring changes from 1 to 3
+/// cells). Halved cells keep the shape of their parents, and the triangulation keeps the coarser meshes.
+/// Cylindrical manifold outside the core's square; boundary ids of FootBoundary. @p triangulation must be
 /// empty.
 void make_foot_mesh(const GlassProfile &profile, const FootResolution &resolution,
                     dealii::Triangulation<3, 3> &triangulation);

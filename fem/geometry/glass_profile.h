@@ -12,7 +12,7 @@ enum class GlassShape
 {
   step,   ///< three cylinders: land, foot, stem; every corner is sharp
   foot,   ///< the foot of a wine glass: concave below, tapering to its edge, rounded into the stem
-  profile ///< drawn by its user: GlassProfile::section
+  profile ///< polyline given by the user: GlassProfile::section
 };
 
 /// Rounding between the top of a foot and its stem: an arc of the fillet's radius whose centre lies outside
@@ -29,9 +29,9 @@ struct Fillet
 
 /// Foot of the glass as a profile of revolution, SI units (m); formulas in docs/method/profile.md.
 ///
-/// Land, in every shape: r within contact_radius -/+ land_width/2, its lower face at z = 0. It carries the
-/// crown only as a gap (see gap()), not as geometry: a crown of 3 mm rises 0.7 mm at the border of a 4 mm
-/// land, where contact never comes.
+/// Land, in every shape: r within contact_radius -/+ land_width/2, lower face at z = 0. The crown is a gap
+/// (see gap()), not geometry: a crown of 3 mm rises 0.7 mm at the border of a 4 mm land, where contact never
+/// occurs.
 ///
 /// GlassShape::step: the land is land_height high, the foot (r <= foot_radius) lies foot_thickness thick upon
 /// it, the stem (r <= stem_radius) stands on that.
@@ -42,10 +42,9 @@ struct Fillet
 ///
 /// In both the stem ends stem_height above the top of the foot, at the stem cut.
 ///
-/// GlassShape::profile: the underside, the top and the stem are those of section, which also says where the
-/// foot and the stem end; of the lengths only contact_radius, land_width and crown_radius are read. On the
-/// land the underside is flat at z = 0 as in the other shapes; beside it what it was lowered by fades out
-/// over half a land width.
+/// GlassShape::profile: underside, top and stem come from `section`, which also gives the outer radius and
+/// the height of the cut; of the lengths only contact_radius, land_width and crown_radius are used. On the
+/// land the underside is lowered to z = 0; beside the land the lowering fades out over half a land width.
 struct GlassProfile
 {
   GlassShape shape = GlassShape::step;
@@ -77,29 +76,27 @@ struct GlassProfile
   /// Thickness of the foot near the stem [m], the length scale of its cells.
   double thickness() const;
 
-  /// Height of the lower surface at @p radius <= outer_radius() [m]. A step jumps at the borders of the land,
-  /// which count as land.
+  /// Height of the lower surface at @p radius <= outer_radius() [m]. The borders of a step's land belong to
+  /// the land.
   double underside(double radius) const;
   /// Height of the upper surface at @p radius <= outer_radius() [m]; above the stem (r < stem_radius) the
   /// stem cut's.
   double topside(double radius) const;
-  /// Returns the rounding between foot and stem; a point (the corner) if fillet_radius is 0 and in a step.
-  /// In a profile it is the part near 45 degrees between foot and stem, which need not be an arc (radius
-  /// 0).
+  /// Returns the rounding between foot and stem; a point (the corner) for a step or if fillet_radius is 0.
+  /// For a profile: the part near 45 degrees between foot and stem, not necessarily an arc (radius 0).
   Fillet fillet() const;
   /// Radius of the stem at @p height [m], from the middle of the fillet up to the cut.
   double stem_surface(double height) const;
 
   /// Distance of the unloaded rim from a plane table [m]: (r - contact_radius)^2 / (2 crown_radius), 0 for a
-  /// flat land (docs/method.md, "The gap"). A parabola on purpose: along r the penetration of a quadratic
-  /// element stays a polynomial.
+  /// flat land (docs/method.md, "The gap"). With a parabola, the penetration of quadratic elements is a
+  /// polynomial along r.
   double gap(double radius) const;
 
-  /// Throws std::invalid_argument with one sentence, which calls lengths by their entries in a study file,
-  /// when a length is not positive and finite (crown, rise and fillet may be 0) or when the parts do not fit:
-  /// stem_radius < land_inner_radius(), land_outer_radius() < foot_radius; in a foot also a fillet that ends
-  /// between stem and land and below the cut, and glass between underside and top everywhere;
-  /// in a profile a lowest part that lies on the land.
+  /// Throws std::invalid_argument, with lengths named as in a study file, if a length is not positive and
+  /// finite (crown, rise and fillet may be 0) or the parts do not fit: stem_radius < land_inner_radius(),
+  /// land_outer_radius() < foot_radius; for a foot also a fillet that ends between stem and land and below
+  /// the cut, and a positive thickness everywhere; for a profile a lowest part that lies on the land.
   void validate() const;
 
 private:

@@ -11,8 +11,7 @@ class Triangulation;
 namespace stemware::fem
 {
 
-/// Thick disc under the glass, a body of revolution about the axis of the ring: its upper side is the table,
-/// its bottom is held.
+/// Thick disc under the glass, coaxial with the ring: its upper side is the table, its bottom is fixed.
 struct TableDisc
 {
   double radius = 0.150;    ///< [m], larger than the land's outer radius
@@ -23,15 +22,16 @@ struct TableDisc
   void validate(const GlassProfile &profile) const;
 };
 
-/// Meridional section of the foot in (r, z), boundary ids as in FootBoundary (1 stem cut, 2 contact zone, 0
-/// elsewhere, the axis included). Its contact cells are those of contact_cells(), each halved
-/// MeridianResolution::refinements times; the others follow by halving, with hanging nodes. @p triangulation
-/// must be empty.
+/// Makes the meridional section of the foot in (r, z), boundary ids as in FootBoundary (1 stem cut, 2 contact
+/// zone, 0 elsewhere, the axis included). Contact cells: contact_cells(), each halved
+/// MeridianResolution::refinements times; the other cells follow by halving, with hanging nodes. @p
+/// triangulation must be empty.
 void make_meridian_mesh(const GlassProfile &profile, const MeridianResolution &resolution,
                         dealii::Triangulation<2, 2> &triangulation);
 
-/// Meridional section of the table's disc, 0 <= r <= radius, -thickness <= z <= 0: id 1 on the held bottom, 2
-/// on the part of the top under the land of @p profile, cut into the contact cells of the foot.
+/// Makes the meridional section of the table's disc, 0 <= r <= radius, -thickness <= z <= 0: id 1 on the
+/// fixed bottom, 2 on the part of the top under the land of @p profile, divided into the contact cells of the
+/// foot.
 void make_meridian_mesh(const TableDisc &disc, const GlassProfile &profile,
                         const MeridianResolution &resolution, dealii::Triangulation<2, 2> &triangulation);
 

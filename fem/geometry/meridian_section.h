@@ -5,19 +5,19 @@
 namespace stemware::fem
 {
 
-/// Point of a drawn meridian [m].
+/// Point of a meridian given by the user [m].
 struct SectionVertex
 {
   double radius = 0;
   double height = 0;
-  unsigned int line = 0; ///< where it stands in its file, for messages
+  unsigned int line = 0; ///< line in the file, for messages
 };
 
-/// y over x, straight between points of strictly increasing x.
+/// Piecewise linear function y(x) with strictly increasing x.
 struct PiecewiseLinear
 {
   std::vector<double> x, y;
-  std::vector<unsigned int> lines; ///< of a file, where the points stand
+  std::vector<unsigned int> lines; ///< lines of the points in the file
 
   void add(double at, double value, unsigned int line);
 
@@ -29,10 +29,10 @@ struct PiecewiseLinear
 /// the foot over r, the stem's surface over z. Heights count from the lowest point of the polyline.
 ///
 /// The polyline begins on the axis under the foot, runs outwards along the underside, round the edge, back
-/// over the top, up the stem, and ends on the axis with the horizontal cut through the stem; the other way
-/// round is as good. Where the foot turns into the stem is the last place, seen from the edge, below which it
-/// rises by less than 45 degrees. An edge is cut off where the foot is thinner than a twentieth of its
-/// thickness above its lowest point.
+/// over the top, up the stem, and ends on the axis with the horizontal cut; the reverse order is allowed too.
+/// Foot and stem meet at the innermost point up to which the top, seen from the edge, rises by less than 45
+/// degrees. The edge is cut off where the foot is thinner than a twentieth of its thickness above its lowest
+/// point.
 class MeridianSection
 {
 public:
@@ -48,24 +48,24 @@ public:
   /// Radius of the stem at @p height >= middle_height() [m].
   double stem_surface(double height) const { return stem(height); }
 
-  /// Radius at which the foot ends [m].
+  /// Outer radius of the foot [m].
   double outer_radius() const { return edge; }
   /// Height of the cut [m].
   double height() const { return stem.x.back(); }
-  /// Thickness where the top of the foot begins to turn into the stem [m].
+  /// Thickness of the foot at the beginning of the fillet [m].
   double thickness() const { return upper(fillet_end) - lower(fillet_end); }
   /// Point between foot and stem [m].
   double middle_radius() const { return upper.x.front(); }
   double middle_height() const { return upper.y.front(); }
-  /// Radius where the top of the foot begins to turn into the stem, and height where the stem begins to be
-  /// steep [m]; those of the meeting point where there is no rounding.
+  /// Radius at which the fillet begins on the foot, and height at which it ends on the stem [m]; the meeting
+  /// point if there is no fillet.
   double fillet_end_radius() const { return fillet_end; }
   double stem_begin() const { return stem_start; }
 
-  /// Radii outside the rounding where underside or top bend by more than 0.2 rad, ascending [m].
+  /// Radii outside the fillet at which underside or top bend by more than 0.2 rad, ascending [m].
   std::vector<double> corner_radii() const;
 
-  /// Points of the underside no higher than @p height [m]: of the lowest part.
+  /// Points of the lowest part of the underside, up to @p height [m].
   std::vector<SectionVertex> points_below(double height) const;
 
 private:

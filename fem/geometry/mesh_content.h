@@ -19,7 +19,7 @@ class Triangulation;
 namespace stemware::fem
 {
 
-/// Exception for an unreadable mesh file; what() is the end of a sentence that begins with the file.
+/// Exception for an unreadable mesh file; what() continues a sentence that begins with the file name.
 class UnreadableMesh : public std::runtime_error
 {
 public:
@@ -35,11 +35,11 @@ inline constexpr char meshio_command[] =
 constexpr unsigned int faces_of_hexahedron[6][4] = { { 0, 1, 2, 3 }, { 4, 7, 6, 5 }, { 0, 4, 5, 1 },
                                                      { 1, 5, 6, 2 }, { 2, 6, 7, 3 }, { 3, 7, 4, 0 } };
 
-/// Nodes and corners of the elements of a type, corners first; none of those that have no faces.
+/// Number of nodes and corners of an element type, corners first; zero for types without faces.
 struct ElementType
 {
   unsigned int n_nodes = 0;
-  unsigned int n_corners = 0; ///< 8: hexahedron, 4: quadrilateral, 0: of no use
+  unsigned int n_corners = 0; ///< 8: hexahedron, 4: quadrilateral, 0: ignored
 };
 
 /// Face of the surface that the file marks.
@@ -57,7 +57,7 @@ struct FaceNames
 {
   std::map<unsigned int, std::string> of_ids = {};
   std::vector<std::string> without_ids = {}; ///< of sets and surfaces
-  std::string id_instructions = {};          ///< how somebody gives ids to faces in this format
+  std::string id_instructions = {};          ///< instruction for giving ids to faces in this format
 };
 
 /// Hexahedra of a mesh file by their corners.
@@ -114,11 +114,11 @@ private:
 /// ASCII.
 std::string printable(std::string_view text, std::size_t max_length = 30);
 
-/// Returns the number that @p word spells.
+/// Returns the number in @p word; std::nullopt if it is none.
 std::optional<double> number_in(std::string_view word);
 std::optional<long> whole_number_in(std::string_view word);
 
-/// Points of a file by the numbers that it gives them.
+/// Points of a file by their numbers in the file.
 class NumberedPoints
 {
 public:
@@ -134,8 +134,8 @@ private:
   std::unordered_map<long, unsigned int> index;
 };
 
-/// Read the content of a file in one of the formats of read_hexahedra(). Time and memory grow with the text,
-/// whatever numbers are in it. Throw UnreadableMesh.
+/// Reads a file in one of the formats of read_hexahedra(). Time and memory are linear in the size of the
+/// text, whatever the numbers. Throws UnreadableMesh.
 MeshContent read_gmsh(const std::string &text);
 MeshContent read_abaqus(const std::string &text);
 

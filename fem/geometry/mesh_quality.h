@@ -24,8 +24,8 @@ struct MeshCheck
   double inner_radius = 0, outer_radius = 0; ///< of the contact zone's vertices, from the axis
   double lowest = 0, highest = 0;            ///< z of the contact zone's vertices
   double contact_area = 0;                   ///< of its faces, edges taken as straight [m^2]
-  double upward_share = 0;                   ///< share of that area that looks up, away from the table
-  double sideways_share = 0;                 ///< share that looks neither up nor down
+  double upward_share = 0;                   ///< share of that area that faces up, away from the table
+  double sideways_share = 0;                 ///< share of that area that faces neither up nor down
   unsigned int n_zones = 0;                  ///< parts of the contact zone that share no edge
   std::array<double, 2> centre = {};         ///< its centre of area in (x, y)
   std::array<double, 2> rim_centre = {};     ///< of the circle nearest to its outer border
@@ -37,9 +37,9 @@ struct MeshCheck
   unsigned int n_disconnected = 0;               ///< cells that are not joined to the stem cut by faces
   std::array<double, 3> disconnected_place = {}; ///< centre of one of them
 
-  double min_jacobian = 1; ///< least scaled Jacobian of all cells
+  double min_jacobian = 1; ///< smallest scaled Jacobian of all cells
   double mean_jacobian = 1;
-  std::array<double, 3> worst_place = {}; ///< centre of the cell with the least one
+  std::array<double, 3> worst_place = {}; ///< centre of the cell with the smallest scaled Jacobian
   unsigned int n_inverted = 0;            ///< cells with a scaled Jacobian of 0 or less
 };
 

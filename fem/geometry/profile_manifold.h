@@ -20,17 +20,16 @@ struct SectionPoint
   double height = 0; ///< above the land
 };
 
-/// Point of the straightened section: radius [m] and level. The foot is the rectangle radius <=
-/// foot_radius, 0 <= level <= 1, the stem above it the rectangle radius <= Fillet::middle_radius, 1 <= level
-/// <= 2.
+/// Point in chart coordinates: radius [m] and level. The foot is the rectangle radius <= foot_radius, 0 <=
+/// level <= 1, the stem above it the rectangle radius <= Fillet::middle_radius, 1 <= level <= 2.
 struct ChartPoint
 {
   double radius = 0;
   double level = 0;
 };
 
-/// Coordinates in which the section of a GlassShape::foot is straight, so that meshes can be made and refined
-/// there (docs/method/profile.md, "Mesh").
+/// Coordinates in which the section of a GlassShape::foot is rectangular, for making and refining meshes
+/// (docs/method/profile.md, "Mesh").
 ///
 /// In the foot level runs from the underside to the top; under the stem the top is the height of the fillet's
 /// middle. In the stem level runs from there to the cut, and radii stretch with the stem's surface. Smooth
@@ -52,16 +51,16 @@ private:
   Fillet fillet;
 };
 
-/// Manifold of the section in (r, z), chart coordinates radius and level: points lie on straight lines of the
-/// chart, those of the boundary on the profile.
+/// Returns the manifold of the section in (r, z) with chart coordinates radius and level: points lie on
+/// straight lines of the chart, boundary points on the profile.
 std::unique_ptr<dealii::ChartManifold<2, 2, 2>> make_section_manifold(const GlassProfile &profile);
 
-/// Manifold of the foot in (x, y, z) where cells run round the axis: straight lines in straight radius,
+/// Manifold of the foot in (x, y, z) for the rings of cells round the axis: straight lines in chart radius,
 /// azimuth and level.
 std::unique_ptr<dealii::ChartManifold<3, 3, 3>> make_ring_manifold(const GlassProfile &profile);
 
-/// Manifold of the foot in (x, y, z) round the axis, where the plan view is Cartesian: straight lines in
-/// level and in x and y stretched with the straight radius.
+/// Manifold of the foot in (x, y, z) for the Cartesian core at the axis: straight lines in level and in x and
+/// y stretched with the chart radius.
 std::unique_ptr<dealii::ChartManifold<3, 3, 3>> make_core_manifold(const GlassProfile &profile);
 
 } // namespace stemware::fem

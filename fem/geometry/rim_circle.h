@@ -18,10 +18,10 @@ struct RimCircle
   std::size_t n_points = 0; ///< of the land, each counted once
 };
 
-/// Returns the circle of least squares through the points of the underside of @p polyline near its lowest
-/// place. A point counts fully up to 0.85 of @p land_width / 2 from the circle's own lowest place and not at
-/// all from 1.15 on, so that none enters by a jump (docs/method/profile.md). Returns std::nullopt for fewer
-/// than three points, a bulge below a thousandth of its width, and if no circle that is open upwards fits.
+/// Returns the least-squares circle through the points of the underside of @p polyline near its lowest point.
+/// Points have weight 1 up to 0.85 of @p land_width / 2 from the circle's lowest point and weight 0 from 1.15
+/// on, so that the result is continuous (docs/method/profile.md). Returns std::nullopt for fewer than three
+/// points, a bulge below a thousandth of its width, or if no circle that is open upwards fits.
 std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyline, double land_width);
 
 } // namespace stemware::fem

@@ -12,7 +12,7 @@ class Triangulation;
 namespace stemware::fem
 {
 
-/// Corners (r, z) of a piece of a section [m], in turn.
+/// Corners (r, z) of a polygon of a section [m], in cyclic order.
 using SectionPolygon = std::vector<std::array<double, 2>>;
 
 /// Lengths of a foot, measured on the cells of its section [m].
@@ -21,14 +21,14 @@ struct SectionLengths
   double outer_radius = 0;
   double height = 0;      ///< of the stem's cut
   double stem_radius = 0; ///< at the stem's cut
-  double thickness = 0;   ///< of the glass above some radius
+  double thickness = 0;   ///< of the glass at the radius of lengths_of()
 };
 
-/// Lengths of a section of one cell or more, its thickness above @p radius [m].
+/// Returns the lengths of a section of one or more cells, with the thickness at @p radius [m].
 SectionLengths lengths_of(const std::vector<SectionPolygon> &cells, double radius);
 
-/// Place of a loaded section: its coordinate across the axis and height, how far it goes [m], and the
-/// stress of von Mises [Pa].
+/// Point of a loaded section: coordinate across the axis, height, displacement [m], and von Mises stress
+/// [Pa].
 struct StressedPoint
 {
   double x = 0, z = 0;
@@ -36,14 +36,14 @@ struct StressedPoint
   double von_mises = 0;
 };
 
-/// Grid of places over a cell of a loaded section, row by row.
+/// Grid of points over a cell of a loaded section, row by row.
 using StressedPatch = std::vector<std::vector<StressedPoint>>;
 
 /// Cells of a meridional mesh, edges straight.
 std::vector<SectionPolygon> section_cells(const dealii::Triangulation<2, 2> &triangulation);
 
-/// Section of the cells of a foot, edges straight, with the half-plane at @p azimuth [rad] through the axis.
-/// A mesh that is spread over ranks is cut whole on each of them.
+/// Returns the section of the cells of a foot (straight edges) with the half-plane at @p azimuth [rad]
+/// through the axis. A distributed mesh is cut as a whole on each rank.
 std::vector<SectionPolygon> section_cells(const dealii::Triangulation<3, 3> &triangulation, double azimuth);
 
 } // namespace stemware::fem

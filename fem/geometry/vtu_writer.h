@@ -8,8 +8,8 @@ namespace stemware::fem
 {
 
 /// VTU file of one piece: points, hexahedra with 8 or 27 nodes, and fields at the points, in single
-/// precision, as base64. (Raw bytes at the end are a quarter shorter, but Debian 12's ParaView cannot
-/// read them: its parser of XML goes on into them.)
+/// precision, base64-encoded. (Appended raw data would be a quarter shorter, but the XML parser of Debian
+/// 12's ParaView cannot read it.)
 class VtuWriter
 {
 public:

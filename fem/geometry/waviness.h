@@ -13,11 +13,11 @@ struct WavinessHarmonic
 {
   unsigned int n = 2;
   double amplitude = 0; ///< [m]
-  double azimuth = 0;   ///< of a crest: a place that is farthest from a flat counterpart [rad]
+  double azimuth = 0;   ///< of a crest, the point of largest gap [rad]
 };
 
-/// Out-of-flat rim and table: distance between them on top of the crown's. Harmonics 0 and 1 are an offset
-/// and a tilt, which the table motions absorb.
+/// Out-of-flat rim and table: gap in addition to the crown's gap. Harmonics 0 and 1 are an offset and a tilt,
+/// which the table motions absorb.
 struct RimImperfection
 {
   std::vector<WavinessHarmonic>

@@ -29,8 +29,7 @@ public:
 
   virtual ~ElasticOperator() = default;
 
-  /// @p dst = K @p src. Constrained unknowns are cut off: their rows and columns are those of the unit
-  /// matrix.
+  /// Computes @p dst = K @p src. Rows and columns of constrained unknowns are those of the identity.
   virtual void vmult(Vector &dst, const Vector &src) const = 0;
 
   /// The diagonal of K [N/m], 1 for constrained unknowns.
@@ -40,8 +39,8 @@ public:
   virtual void initialize_dof_vector(Vector &vector) const = 0;
 };
 
-/// K of a DoFHandler whose element is an FESystem of three FE_Q of degree 1, 2 or 3. All arguments but the
-/// material must outlive it. Throws std::invalid_argument for another degree.
+/// Makes the operator of a DoFHandler whose element is an FESystem of three FE_Q of degree 1, 2 or 3. All
+/// arguments but the material must outlive it. Throws std::invalid_argument for another degree.
 template <typename Number>
 std::unique_ptr<ElasticOperator<Number>>
 make_elastic_operator(const dealii::Mapping<3, 3> &mapping, const dealii::DoFHandler<3, 3> &dof_handler,

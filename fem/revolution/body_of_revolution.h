@@ -22,14 +22,14 @@ public:
   /// Distance of the undeformed contact zone from a plane table at (r, theta) [m].
   using Gap = std::function<double(double radius, double azimuth)>;
 
-  /// @p compliance of the foot, with that of an elastic table added if there is one. The penetration is
-  /// integrated in closed form where it is a quadratic in r: the gap has to be one, and elements of degree 3
-  /// and 4 are cut into two pieces of degree 2. Throws std::invalid_argument when @p n_lines is too small for
-  /// the harmonics.
+  /// @p compliance of the foot, plus the compliance of an elastic table if there is one. The penetration is
+  /// integrated in closed form as a quadratic in r: the gap must be quadratic, and elements of degree 3 and 4
+  /// are divided into two pieces of degree 2. Throws std::invalid_argument if @p n_lines is too small for the
+  /// harmonics.
   BodyOfRevolution(ContactCompliance compliance, const Gap &gap, unsigned int n_lines = 256);
 
-  /// Sets another gap over the same circles, also on copies: waviness that turns with the glass or with the
-  /// ground. Keeps the state.
+  /// Sets another gap over the same circles, also for copies (waviness that rotates with the glass or the
+  /// ground). Keeps the state.
   void set_gap(const Gap &gap);
 
   /// Sets the friction that deforms the foot, or none. Keeps the state as initial guess of the next
@@ -60,7 +60,7 @@ public:
   const Eigen::MatrixXd &forces() const { return state; }
 
 private:
-  /// Surface without its gaps.
+  /// Returns the contact surface without gaps.
   std::shared_ptr<ContactSurface> lines() const;
 
   ElasticResponse response;
@@ -68,7 +68,7 @@ private:
   Eigen::MatrixXd state;           ///< forces on the lines, shape [n_radii, n_lines]
   Eigen::MatrixXd displacement;    ///< their elastic response
   Eigen::MatrixXd increment;       ///< of the forces, by the last solve()
-  Eigen::MatrixXd moved;           ///< of the displacement
+  Eigen::MatrixXd moved;           ///< increment of the displacement
   LineNewton::Functions functions; ///< of the last solve()
 };
 

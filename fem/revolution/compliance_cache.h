@@ -16,8 +16,8 @@ namespace stemware::fem
 
 /// Cache of the compliances of bodies of revolution by mesh, material and options.
 ///
-/// Several threads may ask together; a thread waits for a compliance that another one computes. Compliances
-/// in use stay alive whatever the cache does.
+/// Thread-safe; a thread waits for a compliance that another thread computes. Compliances in use stay alive
+/// when the cache is emptied.
 class ComplianceCache
 {
 public:
@@ -38,7 +38,8 @@ public:
   unsigned int n_computed() const;
 
 private:
-  /// Returns the part of a compliance that is known with @p factor times as many harmonics, if any.
+  /// Returns a compliance truncated from a cached one with @p factor times as many harmonics; nullptr if
+  /// there is none.
   std::shared_ptr<const ContactCompliance>
   with_more_harmonics(std::vector<double> key, const MeridianOptions &options, unsigned int factor);
 

@@ -18,8 +18,8 @@ class Triangulation;
 namespace stemware::fem
 {
 
-/// Returns first index and number of the nodes at @p radii of elements of degree @p degree that are not
-/// wholly inside @p inner or outside @p outer; at least one element.
+/// Returns first index and number of the nodes at @p radii whose elements of degree @p degree overlap the
+/// band from @p inner to @p outer; at least one element.
 std::pair<Eigen::Index, Eigen::Index> nodes_between(const Eigen::VectorXd &radii, Eigen::Index degree,
                                                     double inner, double outer);
 
@@ -49,9 +49,10 @@ struct ContactCompliance
   Eigen::VectorXd radii;                     ///< of the contact nodes, ascending [m]
   unsigned int degree = 0;                   ///< of the displacement along r within an element
   std::vector<HarmonicCompliance> harmonics; ///< n = 0 ... n_harmonics()
-  HarmonicCompliance tail; ///< of all harmonics above n_harmonics(), see MeridianOptions::tail_harmonic()
-  unsigned int n_meridian_unknowns = 0; ///< degrees of freedom of one meridional problem
-  Eigen::Index n_inside = 0;  ///< contact nodes of the land inside the first node: of a part() of the land
+  HarmonicCompliance tail;                   ///< compliance of all harmonics above n_harmonics(), see
+                                             ///< MeridianOptions::tail_harmonic()
+  unsigned int n_meridian_unknowns = 0;      ///< degrees of freedom of one meridional problem
+  Eigen::Index n_inside = 0;  ///< for a part(): number of the land's contact nodes inside the first node
   Eigen::Index n_outside = 0; ///< likewise outside the last one
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(radii.size()); }
@@ -61,12 +62,12 @@ struct ContactCompliance
   /// it. Outside the contact zone the nearest element's polynomials are extrapolated. Shape [n_nodes].
   Eigen::VectorXd shape_at(double radius) const;
 
-  /// Returns @p values at the nodes (one row each) with zeros at the other nodes of the land; empty for
-  /// empty @p values.
+  /// Returns @p values (one row per node) extended by zero to all nodes of the land; empty if @p values is
+  /// empty.
   Eigen::MatrixXd extended_to_land(const Eigen::MatrixXd &values) const;
 
-  /// Returns the part of the contact nodes @p first ... @p first + @p size - 1, which begin and end an
-  /// element. There are no forces elsewhere, and no displacements are needed there.
+  /// Returns the compliance restricted to the contact nodes @p first ... @p first + @p size - 1, whole
+  /// elements. Outside them there are no forces.
   ContactCompliance part(Eigen::Index first, Eigen::Index size) const;
 
   /// Returns the compliance without the response to friction tractions.
@@ -75,8 +76,8 @@ struct ContactCompliance
   /// Returns all compliances times @p factor: a body with 1 / @p factor of the Young modulus.
   ContactCompliance scaled(double factor) const { return times(factor, factor); }
 
-  /// Adds the compliances of the body pressed against this one; @p other is the body below, with z
-  /// upward in both. Throws std::invalid_argument unless nodes, degree and number of harmonics agree.
+  /// Adds the compliances of @p other, the body below, with z upward in both. Throws std::invalid_argument
+  /// unless nodes, degree and number of harmonics agree.
   ContactCompliance &operator+=(const ContactCompliance &other);
 
 private:
@@ -89,23 +90,22 @@ struct MeridianOptions
 {
   unsigned int degree = 2;       ///< of the elements, 1 to 4
   unsigned int n_harmonics = 16; ///< highest harmonic of the elastic response
-  /// Radii between which the land's elements are kept, whole elements [m]; there are no forces elsewhere.
+  /// Radii between which whole elements of the land are kept [m]; no forces outside.
   double inner_radius = 0;
   double outer_radius = std::numeric_limits<double>::infinity();
 
-  /// Harmonic whose compliance represents all above n_harmonics: half an octave up.
+  /// Returns the harmonic whose compliance represents all harmonics above n_harmonics: half an octave higher.
   unsigned int tail_harmonic() const { return n_harmonics + (n_harmonics + 1) / 2; }
 };
 
-/// Compliances of the contact zone (boundary id 2) of the body of revolution with the meridional section @p
-/// triangulation, held at its boundary id 1 (docs/method/revolution.md, "One meridional problem per
+/// Computes the compliances of the contact zone (boundary id 2) of the body of revolution with the meridional
+/// section @p triangulation, fixed at boundary id 1 (docs/method/revolution.md, "One meridional problem per
 /// harmonic").
 ///
-/// The displacement (u_r cos, u_theta sin, u_z cos)(n theta) makes the strain a polynomial of degree one in
-/// n, so that K_n = K_0 + n K_1 + n^2 K_2 is integrated once; each harmonic is factorised (Cholesky) under
-/// its own conditions on the axis, several at a time where deal.II may use several threads. @p interruption
-/// is called before each harmonic, from any of the threads; what it throws ends the work. Throws
-/// std::invalid_argument for a degree or a mesh that cannot be used.
+/// The displacement (u_r cos, u_theta sin, u_z cos)(n theta) has a strain of degree one in n, so that K_n =
+/// K_0 + n K_1 + n^2 K_2 is integrated once. Each harmonic is factorised (Cholesky) with its own conditions
+/// on the axis, several at a time if deal.II may use threads. @p interruption is called before each harmonic,
+/// from any thread; its exceptions end the work. Throws std::invalid_argument for an unusable degree or mesh.
 ContactCompliance compute_compliance(const dealii::Triangulation<2, 2> &triangulation,
                                      const ElasticMaterial &material, const MeridianOptions &options = {},
                                      const std::function<void()> &interruption = {});

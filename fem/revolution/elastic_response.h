@@ -17,22 +17,21 @@ struct ForceModes
 {
   Eigen::MatrixXd normal;
   Eigen::MatrixXd radial;    ///< empty without friction, `azimuthal` too
-  Eigen::MatrixXd azimuthal; ///< against the conjugates of the modes
+  Eigen::MatrixXd azimuthal; ///< projected onto the conjugates of the modes
 };
 
-/// Displacement of the contact circles of foot and table under normal forces on the azimuth lines, and under
-/// the friction that these bring along (docs/method/revolution.md, "Harmonics and lines").
+/// Displacement of the contact circles of foot and table under normal forces on the azimuth lines and the
+/// friction of these forces (docs/method/revolution.md, "Harmonics and lines").
 ///
-/// The compliance C_n of harmonic n acts up to n_harmonics(). All harmonics beyond, which only the lines
-/// resolve, have one compliance, that of ContactCompliance::tail: at wave lengths that are short beside the
-/// foot and long beside the contact's width it is that of a line contact, so each line answers to its own
-/// force. In sum
+/// Harmonic n has the compliance C_n up to n_harmonics(). Higher harmonics, resolved by the lines only, share
+/// one compliance, ContactCompliance::tail: at wave lengths between the width of the contact and the size of
+/// the foot it is the compliance of line contact, where each line responds to its own force only. The sum is
 ///
 ///   u_j = D f_j + sum_{n <= n_max} (C_n - C_beyond) f_n cos n(theta - theta_n) ...,  D = C_beyond n_lines /
 ///   2 pi,
 ///
-/// which is positive definite on every line, however many there are. Friction tractions t = s f with the
-/// direction s(r, theta) of sliding add C^zr and C^ztheta; the latter up to n_max alone.
+/// positive definite on every line for any number of lines. Friction tractions t = s f with the sliding
+/// direction s(r, theta) add C^zr and C^ztheta, the latter up to n_max only.
 ///
 /// Forces and displacements on the lines have the shape [n_radii, n_lines].
 class ElasticResponse
@@ -61,12 +60,12 @@ public:
   /// Returns the harmonics of the forces up to n_max.
   ForceModes force_modes(const Eigen::MatrixXd &forces) const;
 
-  /// D on the circles @p first ... @p first + @p size - 1: displacement there under forces on the same line
-  /// [m/N], `normal`; that under friction adds `radial` times the radial traction of the force, and is empty
-  /// without friction. There is no azimuthal part.
+  /// Returns D on the circles @p first ... @p first + @p size - 1: `normal`, displacement under forces on the
+  /// same line [m/N]; `radial`, to be multiplied by the radial traction, empty without friction. The
+  /// azimuthal part is zero.
   HarmonicCompliance local(Eigen::Index first, Eigen::Index size) const;
 
-  /// C_n - C_beyond on a range of circles; the azimuthal part is C_n itself.
+  /// Returns C_n - C_tail on a range of circles; the azimuthal part is C_n itself.
   HarmonicCompliance difference(unsigned int harmonic, Eigen::Index first, Eigen::Index size) const;
 
 private:

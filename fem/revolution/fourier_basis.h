@@ -10,12 +10,11 @@ namespace stemware::fem
 /// Trigonometric functions of theta on equidistant azimuth lines theta_j = 2 pi j / n_lines.
 ///
 /// Mode 0 is 1, mode 2n - 1 is cos(n theta), mode 2n is sin(n theta), n = 1 ... n_harmonics. Values are
-/// exactly even and odd in theta, so that what is mirror-symmetric stays so to the last bit.
+/// exactly even and odd in theta, so that mirror symmetry is preserved to the last bit.
 class FourierBasis
 {
 public:
-  /// Throws std::invalid_argument unless n_lines >= 2 n_harmonics + 1 (fewer lines cannot tell the modes
-  /// apart) and n_harmonics >= 1.
+  /// Throws std::invalid_argument unless n_harmonics >= 1 and n_lines >= 2 n_harmonics + 1 (no aliasing).
   FourierBasis(unsigned int n_harmonics, unsigned int n_lines);
 
   unsigned int n_harmonics() const { return n; }
@@ -34,16 +33,16 @@ public:
   }
   double sine(unsigned int harmonic, unsigned int line) const { return sines[harmonic * line % n_lines()]; }
 
-  /// Sums over the lines of samples times each mode, sum_j samples(i, j) mode(theta_j): shape [n_rows,
-  /// n_lines] to [n_rows, n_modes]. Samples that are even to the last bit have no sine modes to the last bit.
+  /// Returns the projections sum_j samples(i, j) mode(theta_j): shape [n_rows, n_lines] to [n_rows, n_modes].
+  /// Samples that are exactly even give exactly zero sine modes.
   Eigen::MatrixXd project(const Eigen::Ref<const Eigen::MatrixXd> &samples) const;
-  /// Sums over the lines of samples times the conjugate of each mode, shapes as project().
+  /// Returns the projections onto the conjugate of each mode; shapes as project().
   Eigen::MatrixXd project_on_conjugates(const Eigen::Ref<const Eigen::MatrixXd> &samples) const;
-  /// Sums over the modes, sum_mode amplitudes(i, mode) mode(theta_j): shape [n_rows, n_modes] to [n_rows,
-  /// n_lines]. Without sine modes the values are even to the last bit.
+  /// Returns sum_mode amplitudes(i, mode) mode(theta_j): shape [n_rows, n_modes] to [n_rows, n_lines].
+  /// Without sine modes the values are exactly even.
   Eigen::MatrixXd evaluate(const Eigen::MatrixXd &amplitudes) const;
-  /// evaluate() with each mode's conjugate in its place: -(1/n) d/dtheta of it, sin for cos and -cos for sin
-  /// (0 for mode 0), the azimuthal component that goes with it.
+  /// Evaluates with the conjugates of the modes, -(1/n) d/dtheta of each mode: sin for cos, -cos for sin, 0
+  /// for mode 0. Azimuthal components use the conjugates.
   Eigen::MatrixXd evaluate_conjugates(const Eigen::MatrixXd &amplitudes) const;
 
   /// cos(p theta_j), p = 0 ... 2 n_harmonics, shape [n_lines, 2 n_harmonics + 1]; `sine_table` likewise.
@@ -62,11 +61,11 @@ private:
   Eigen::MatrixXd sine_values;
 };
 
-/// Sums over the lines of a product of two modes with given functions: sum_j row(theta_j) column(theta_j)
+/// Sums over the lines of products of two modes with given functions, sum_j row(theta_j) column(theta_j)
 /// f(theta_j).
 ///
-/// cos cos, sin cos and sin sin are half the sums of harmonics n -/+ m of f, so these are all that is
-/// computed.
+/// Products of two modes are half-sums of the harmonics n -/+ m, so only the sums of f with cos(p theta) and
+/// sin(p theta) are computed.
 class FourierProducts
 {
 public:
@@ -85,7 +84,7 @@ public:
   private:
     friend class FourierProducts;
     const double *differences; ///< by function, with the difference of the harmonics
-    const double *sums;        ///< the same with their sum
+    const double *sums;        ///< by function, with the sum of the harmonics
     double difference_factor;
     double sum_factor;
   };

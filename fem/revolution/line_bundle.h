@@ -8,7 +8,7 @@
 namespace stemware::fem
 {
 
-/// One number for each line of a bundle: one or two SIMD registers.
+/// One number per line of a bundle, in one or two SIMD registers.
 struct alignas(64) Lanes
 {
   static constexpr int n = 8;
@@ -46,12 +46,12 @@ private:
 /// Row-major matrix common to all lines of a bundle.
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Systems (1 + T D) x = b on Lanes::n lines at a time, each with several right-hand sides: D the
-/// compliance of a line's circles, T the banded tangent of the table law on it. Rows of circles that a line
-/// leaves out are those of the identity.
+/// Systems (1 + T D) x = b on Lanes::n lines simultaneously, each with several right-hand sides: D the
+/// compliance of a line's circles, T the banded tangent of the table law on the line. Rows of unused circles
+/// are rows of the identity.
 ///
-/// Elimination without pivots: D is positive definite and T that of a pressure that increases, next to
-/// diagonal, so that the steps are those of D itself but for the scales of the rows.
+/// Elimination without pivoting: D is positive definite and T nearly diagonal with non-negative entries, so
+/// the elimination behaves like that of D with scaled rows.
 class LineBundle
 {
 public:
@@ -61,15 +61,16 @@ public:
 
   /// T(i, k), |i - k| <= band.
   double &tangent(Eigen::Index i, Eigen::Index k, int lane) { return bands(i, k - i + n_band, lane); }
-  /// Factor of the second part of D at column @p i.
+  /// Factor of `radial` in D at column @p i, see solve().
   double &slide(Eigen::Index i, int lane) { return slides(i, 0, lane); }
-  /// All right-hand sides but the last one, before T is applied to them.
+  /// Right-hand sides except the last one, before multiplication by T.
   double &shape(Eigen::Index i, Eigen::Index column, int lane) { return shapes(i, column, lane); }
   /// Last right-hand side.
   double &unbalanced(Eigen::Index i, int lane) { return system(i, n_unknowns + n_rhs - 1, lane); }
 
-  /// Solutions with D = @p normal + @p radial diag(slide), shape [n_circles, n_columns]; @p normal and @p
-  /// radial have the shape [n_circles, n_circles], the latter may be empty. To be called once after reset().
+  /// Returns the solutions with D = @p normal + @p radial diag(slide), shape [n_circles, n_columns]; @p
+  /// normal and @p radial have the shape [n_circles, n_circles], @p radial may be empty. May be called once
+  /// after reset().
   LaneTable solve(const RowMatrix &normal, const RowMatrix &radial);
 
 private:

@@ -13,12 +13,12 @@ namespace stemware::fem
 
 /// Newton step of a body of revolution on its azimuth lines.
 ///
-/// The elastic forces change by df with (1 + T C) df = r - T Q dq: T is the tangent of the table law, block
-/// diagonal in the lines, C the elastic response, r the law's forces less the elastic ones. C is local to
-/// the lines but for few smooth functions of r times the modes up to n_max (ElasticResponse). The lines are
-/// eliminated one by one; a small dense system remains for the amplitudes of these functions and the table
-/// motions. Polynomials in r approximate the smooth functions: the step is accurate to 1e-4 or better, the
-/// converged solution is exact.
+/// The increment df of the elastic forces solves (1 + T C) df = r - T Q dq: T is the tangent of the table
+/// law, block diagonal in the lines, C the elastic response, r the law's forces minus the elastic forces. C
+/// is the sum of a part local to the lines and of a few smooth functions of r times the modes up to n_max
+/// (ElasticResponse). The lines are eliminated one by one; a small dense system remains for the amplitudes of
+/// these functions and the table motions. Polynomials in r approximate the smooth functions: the step is
+/// accurate to 1e-4 or better, the converged solution is exact.
 class LineNewton
 {
 public:
@@ -32,9 +32,9 @@ public:
     std::vector<HarmonicCompliance> reduced;
   };
 
-  /// @p tangent as in ContactForces, @p unbalanced r on the lines, shape [n_radii, n_lines] [N]; places
-  /// without tangent where it is @p negligible [N] or less are left alone. The functions are those of
-  /// @p known where these are of the same circles, and are left there.
+  /// @p tangent as in ContactForces, @p unbalanced r on the lines, shape [n_radii, n_lines] [N]. Points
+  /// without tangent are skipped if |r| is at most @p negligible [N]. Functions of @p known are reused if
+  /// they belong to the same circles, and are replaced otherwise.
   LineNewton(const ElasticResponse &response, const Eigen::SparseMatrix<double> &tangent,
              const Eigen::MatrixXd &unbalanced, Functions &known, double negligible = 0);
 
@@ -42,23 +42,23 @@ public:
   {
     Eigen::MatrixXd forces; ///< df [N], shape [n_radii, n_lines]
     Eigen::Vector3d motion; ///< dq
-    /// Resistance of body and table to motions of the table: the residuals of the conditions by
-    /// motion, as columns, without LinearConditions::motion_weights().
+    /// Derivative of the residuals of the conditions with respect to the table motions, as columns, without
+    /// LinearConditions::motion_weights().
     Eigen::Matrix3d resistance;
   };
 
-  /// Returns the step to forces that fulfil @p conditions with the residual @p residual of the law's
-  /// forces. Throws std::runtime_error if the system is singular.
+  /// Returns the step to forces that fulfil @p conditions; @p residual is the residual of the law's forces.
+  /// Throws std::runtime_error if the system is singular.
   Increment solve(const LinearConditions &conditions, const Eigen::Vector3d &residual) const;
 
 private:
-  /// Circles with force, present or expected.
+  /// Range of circles with present or expected forces.
   struct Range
   {
     Eigen::Index first = 0;
     Eigen::Index size = 0;
   };
-  /// Lines that are eliminated together, on the circles of all of them.
+  /// Lines that are eliminated together, on the union of their circles.
   struct Bundle
   {
     Eigen::Index first_line;
@@ -71,17 +71,17 @@ private:
                   double negligible);
   Functions chosen_functions() const;
   void eliminate_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced);
-  /// Sums over the circles of a bundle of its solution with the functions, these times the tractions, and @p
-  /// weights of the conditions, shape [n_kinds n_functions + 3, n_functions + 4].
+  /// Returns the sums over the circles of a bundle of its solution times the functions, times functions and
+  /// tractions, and times @p weights of the conditions; shape [n_kinds n_functions + 3, n_functions + 4].
   LaneTable tested(const Bundle &bundle, const Eigen::MatrixX3d &weights) const;
-  /// tested() of each line as a column, rows running fastest: for each kind of force its answers to the p
-  /// functions, to the table's motions and to what is unbalanced, shapes [p * (p + 4), n_lines]; at last
-  /// those of the conditions, shape [3 * (p + 4), n_lines].
+  /// Returns tested() of each line as a column, rows running fastest: for each kind of force the responses to
+  /// the p functions, the table motions and the residual, shape [p * (p + 4), n_lines]; last those of the
+  /// conditions, shape [3 * (p + 4), n_lines].
   std::vector<Eigen::MatrixXd> sums_on_lines(const LinearConditions &conditions) const;
-  /// System of the amplitudes with the table held, and beside it the columns of the motions and of what
-  /// is unbalanced: shape [n_modes * p, n_modes * p + 4].
+  /// Returns the system of the amplitudes for a fixed table, followed by the columns of the motions and of
+  /// the residual: shape [n_modes * p, n_modes * p + 4].
   RowMatrix system_of_amplitudes(const std::vector<Eigen::MatrixXd> &on_lines) const;
-  /// df under @p amplitudes, shape [p, n_modes], and a @p motion of the table.
+  /// Returns df for @p amplitudes, shape [p, n_modes], and the table @p motion.
   Eigen::MatrixXd forces_of(const Eigen::MatrixXd &amplitudes, const Eigen::Vector3d &motion) const;
   /// Normal, radial and azimuthal forces.
   Eigen::Index n_kinds() const { return response.has_sliding() ? 3 : 1; }

@@ -22,15 +22,15 @@ struct MeridianMeshes
   void refine();
 
   /// Halves the cells farther from the contact circle than RevolutionSetup::zone_half_width(), except contact
-  /// cells that lie in the focus of @p setup or are as small.
+  /// cells that are in the focus of @p setup or as small as the cells in the focus.
   void refine_beyond_zone(const RevolutionSetup &setup);
 
   dealii::Triangulation<2> foot;
   dealii::Triangulation<2> disc;
 };
 
-/// Returns the compliance of the foot and substrate of @p setup on @p meshes, with elements and harmonics
-/// of @p options, without the parts that the setup switches off. Throws as ComplianceCache::get().
+/// Returns the compliance of foot and substrate of @p setup on @p meshes, with degree and harmonics of @p
+/// options, without the parts that the setup disables. Throws as ComplianceCache::get().
 std::shared_ptr<const ContactCompliance> compliance_of(const RevolutionSetup &setup,
                                                        const MeridianMeshes &meshes,
                                                        const MeridianOptions &options,

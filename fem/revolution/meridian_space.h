@@ -57,26 +57,26 @@ public:
     const SparseCholesky factors;
   };
 
-  /// Factors of a harmonic, made once. May be asked for different harmonics by several threads at once.
+  /// Returns the factors of a harmonic, computed once. Thread-safe.
   const Factors &factors(unsigned int harmonic) const;
 
-  /// Contact compliances of the harmonics that have their conditions on the axis, and with them the order of
-  /// elimination, in common: 0, 1, and all others. May be asked by several threads at once.
+  /// Contact compliances of all harmonics with the same conditions on the axis, and therefore the same order
+  /// of elimination: n = 0, n = 1, or n >= 2. Thread-safe.
   class Compliances
   {
   public:
-    /// Serves all harmonics with the axis conditions of @p harmonic, for the contact nodes from @p first on,
-    /// @p size of them.
+    /// Prepares all harmonics with the axis conditions of @p harmonic; contact nodes @p first ... @p first +
+    /// @p size - 1.
     Compliances(const MeridianSpace &space, unsigned int harmonic, Eigen::Index first, Eigen::Index size);
-    /// Displacements of the contact nodes under a vertical unit force per radian on each of them; by
-    /// reciprocity also the vertical displacements under radial and azimuthal ones.
+    /// Returns the displacements of the contact nodes under a vertical unit force per radian on each node; by
+    /// reciprocity also the vertical displacements under radial and azimuthal forces.
     HarmonicCompliance operator()(unsigned int harmonic) const;
 
   private:
     const dealii::AffineConstraints<double> constraints;
     const Eigen::Index n_nodes;
     std::vector<unsigned int> of_contact; ///< dofs: u_z of the contact nodes, then u_r, then u_theta
-    /// Entries of K_0, K_1 and K_2; of the harmonics 0 and 1, which are alone, those of their K.
+    /// Entries of K_0, K_1 and K_2; for n = 0 or 1 the entries of that K_n only.
     std::vector<Eigen::VectorXd> parts;
     std::unique_ptr<const BlockInverse> inverse;
   };
@@ -85,8 +85,8 @@ private:
   void find_contact_nodes();
   /// Nodes at r = 0; none for an annular section.
   void find_axis();
-  /// Clamp, hanging nodes, and what keeps the displacement single-valued on the axis: n = 0 moves along it,
-  /// n = 1 across it (u_theta = -u_r), higher harmonics not at all.
+  /// Constraints of the clamp, of hanging nodes, and of a single-valued displacement on the axis: n = 0 moves
+  /// along the axis, n = 1 across it (u_theta = -u_r), higher harmonics vanish.
   dealii::AffineConstraints<double> make_constraints(unsigned int harmonic) const;
   /// Entries of K_n with @p constraints eliminated.
   void make_pattern(const dealii::AffineConstraints<double> &constraints,

@@ -17,8 +17,8 @@ namespace stemware::fem
 
 /// Stiffness of a body of revolution for every harmonic at once.
 ///
-/// Components 0, 1, 2 are u_r cos(n theta), u_theta sin(n theta), u_z cos(n theta). The integral over theta,
-/// pi (1 + delta_n0), is left out: forces that go with it are amplitudes per radian.
+/// Components 0, 1, 2 are u_r cos(n theta), u_theta sin(n theta), u_z cos(n theta). The factor pi (1 +
+/// delta_n0) of the integral over theta is left out: the corresponding forces are amplitudes per radian.
 class MeridianStiffness
 {
 public:

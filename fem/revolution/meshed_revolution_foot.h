@@ -12,7 +12,7 @@ namespace stemware::fem
 
 class MeridianField;
 
-/// Foot of revolution with the meridional meshes of its compliance, and therefore with fields.
+/// Foot of revolution with meridional meshes: computes its compliance and fields.
 class MeshedRevolutionFoot : public RevolutionFoot
 {
 public:
@@ -22,7 +22,7 @@ public:
   /// Takes the compliances from @p cache, which other feet share.
   MeshedRevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache);
 
-  /// Returns the same foot with its own state.
+  /// Copies the foot with its own state.
   MeshedRevolutionFoot(const MeshedRevolutionFoot &other);
 
   std::shared_ptr<const Foot> clone() const override;
@@ -30,7 +30,7 @@ public:
   std::vector<StressedPatch> section(const ContactState &state, double theta) const override;
 
 private:
-  /// Compliance of the whole land, once for a foot and its twins.
+  /// Compliance of the whole land, computed once for a foot and its clones.
   struct WholeLand
   {
     std::once_flag once;
@@ -41,13 +41,13 @@ private:
 
   std::shared_ptr<WholeLand> whole_land = std::make_shared<WholeLand>();
 
-  /// Meshes, and the meridional problems on that of the foot.
+  /// Meshes, and the meridional problems on the foot's mesh.
   struct Meridian;
   const Meridian &meridian() const;
   /// Displacement of the foot in @p state.
   MeridianField field(const ContactState &state) const;
 
-  mutable std::shared_ptr<const Meridian> made_meridian; ///< of meridian(), when it was asked for
+  mutable std::shared_ptr<const Meridian> made_meridian; ///< cache of meridian()
 };
 
 } // namespace stemware::fem

@@ -6,11 +6,10 @@
 namespace stemware::fem
 {
 
-/// Returns the contact of @p body and @p law under @p conditions by continuation in the moment, from the
-/// moment-free contact @p even: for conditions from which Newton's method does not converge at once. A
-/// failed step is halved. If the path ends, throws ContactFailure: tipping, if the glass leant over faster
-/// and faster under a moment that grows with its lean or with the friction of the load; else the failure of
-/// the last step.
+/// Returns the contact of @p body and @p law under @p conditions by continuation in the moment from the
+/// moment-free contact @p even, for conditions from which Newton's method does not converge directly. A
+/// failed step is halved. If the continuation ends, throws ContactFailure: tipping, if the tilt diverged
+/// under a moment that grows with tilt or friction; else the failure of the last step.
 ContactSolution continue_in_moment(BodyOfRevolution &body, TableLaw &law, const LinearConditions &conditions,
                                    double radius, const ContactControl &control, const ContactSolution &even);
 

@@ -6,8 +6,8 @@
 namespace stemware::fem
 {
 
-/// Contact pressure of a pressed body of revolution, anywhere on its contact zone: by the table law on the
-/// azimuth lines, interpolated linearly between them.
+/// Contact pressure of a body of revolution at any point of its contact zone: by the table law on the azimuth
+/// lines, linearly interpolated between the lines.
 class PressureField
 {
 public:

@@ -14,26 +14,25 @@ namespace stemware::fem
 struct RevolutionGuesses
 {
   std::optional<ContactStart> predicted = {};
-  std::vector<ContactStart> previous = {}; ///< contacts nearby, the most promising first
-  bool waviness_has_rotated = false;       ///< since those
+  std::vector<ContactStart> previous = {}; ///< previous contacts, the most promising first
+  bool waviness_has_rotated = false;       ///< true if the waviness has rotated since the previous contacts
 };
 
-/// Contact of a body of revolution under conditions on its forces: Newton's method from one initial guess
-/// after the other, until a stable contact is found.
+/// Contact of a body of revolution under conditions on its forces: Newton's method from a sequence of initial
+/// guesses until a stable contact is found.
 ///
-/// The order is: the predicted contact, the contacts nearby, these on a softened interface, and a cold
-/// start. The cold start softens the interface until the loaded band is wide, and stiffens it step by step.
-/// The last resort is continuation in the moment; a leaning glass whose path ends before the full moment
-/// tips.
+/// The order is: predicted contact, previous contacts, previous contacts on a softened interface, cold start.
+/// The cold start softens the interface until the loaded band is wide, and stiffens it step by step. The last
+/// resort is continuation in the moment; if it ends before the full moment, the tilted glass tips.
 class RevolutionContact
 {
 public:
-  /// Keeps references to all arguments. @p interface and @p law are the table under @p body; a hard one is
-  /// a stiff spring.
+  /// Keeps references to all arguments. @p interface and @p law: table under @p body, a penalty law if the
+  /// table is hard.
   RevolutionContact(const RevolutionSetup &setup, const InterfaceLaw &interface, BodyOfRevolution &body,
                     TableLaw &law, const LinearConditions &conditions);
 
-  /// Solves the contact; the body's state is that of the contacts nearby. Throws ContactFailure.
+  /// Solves the contact; the body must have the state of the previous contacts. Throws ContactFailure.
   ContactSolution solve(const RevolutionGuesses &starts);
 
   /// Returns the Newton steps of the last solve on the unsoftened interface.
@@ -46,14 +45,15 @@ public:
 private:
   /// Returns the stopping rule; steps are recorded in history().
   ContactControl contact_control();
-  /// Calls solve_contact() from @p start, which is given up soon if it is not near.
+  /// Calls solve_contact() from @p start, with an early stop if the residual stays large.
   ContactSolution solve_near(const ContactStart &start);
   /// Returns the solution from @p start on a softened interface.
   ContactSolution solve_softened(const ContactStart &start);
-  /// Returns the cold solution under @p under; @p largest_step: largest factor of stiffening at once.
+  /// Returns the solution under the conditions @p under from a cold start; @p largest_step: largest factor of
+  /// one stiffening step.
   ContactSolution solve_cold(const LinearConditions &under, double largest_step);
-  /// Solution from @p at on the interface softened by @p softness, in few steps, to the interface as it is;
-  /// @p divergence_residual as in ContactControl.
+  /// Returns the solution from @p at by stiffening the interface from the factor @p softness to its own
+  /// stiffness in few steps; @p divergence_residual as in ContactControl.
   ContactSolution stiffen(const LinearConditions &under, double softness, ContactStart at,
                           double largest_step,
                           double divergence_residual = std::numeric_limits<double>::infinity());

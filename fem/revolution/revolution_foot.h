@@ -14,8 +14,8 @@
 namespace stemware::fem
 {
 
-/// Foot as a body of revolution on its table, defined by its compliance only; RevolutionContact finds its
-/// contacts. Solving is not collective.
+/// Foot as a body of revolution on its table, defined by its compliance only; contacts by RevolutionContact.
+/// Not collective.
 ///
 ///     RevolutionSetup setup;                                       // glass, table and resolution
 ///     setup.table.interface = std::make_shared<RoughInterface>();
@@ -24,12 +24,12 @@ namespace stemware::fem
 class RevolutionFoot : public Foot
 {
 public:
-  /// Creates a foot with @p compliance of the foot and substrate of @p setup, on the whole land or on a
-  /// part of it. A contact that leaves the part throws std::out_of_range. Throws std::invalid_argument for
-  /// an inadmissible setup.
+  /// Creates a foot with @p compliance of the foot and substrate of @p setup, on the whole land or on a part
+  /// of it. A contact that reaches the border of the part throws std::out_of_range. Throws
+  /// std::invalid_argument for an inadmissible setup.
   RevolutionFoot(const RevolutionSetup &setup, std::shared_ptr<const ContactCompliance> compliance);
 
-  /// Returns the same foot with its own state.
+  /// Copies the foot with its own state.
   RevolutionFoot(const RevolutionFoot &other);
 
   std::shared_ptr<const Foot> clone() const override;
@@ -37,7 +37,7 @@ public:
   FootCapabilities capabilities() const override;
   ContactState solve(const ContactDemand &demand, const ring::Slip &slip = {}, const ContactGuess &guess = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) const override;
-  /// Predicts if both feet are even and have the same bodies and hardness; otherwise returns nothing.
+  /// Returns std::nullopt unless both feet are without waviness and have the same bodies and hardness.
   std::optional<ContactStart> predict_from(const ContactStart &start, unsigned int zone,
                                            const Foot &similar) const override;
   unsigned int n_resolved_harmonics() const override;
@@ -50,52 +50,54 @@ public:
   const BodyOfRevolution &elastic_body() const { return zones.front()->body; }
 
 protected:
-  /// Part of the land with the body that is loaded there alone: what a contact is worked out on.
+  /// Part of the land with the body restricted to forces on this part.
   struct Zone
   {
     Zone(const RevolutionFoot &foot, ContactCompliance compliance);
 
     BodyOfRevolution body;
     const std::shared_ptr<TableLaw> law; ///< has no state; copies share it
-    ring::Orientation marks;             ///< that the gaps stand at
+    ring::Orientation marks;             ///< orientation for which the gaps are set
   };
 
-  /// Zone of @p state with its body as the state has it.
+  /// Returns the zone of @p state with its body in that state.
   Zone &zone_of(const ContactState &state) const;
   BodyOfRevolution::Gap gap_at(const ring::Orientation &marks) const;
   SlidingTraction sliding_at(const ring::Slip &slip) const;
-  /// Azimuth of the first line [rad]: crest() less whole lines, at most half a line from that of travel.
+  /// Azimuth of the first line [rad]: crest() minus whole line spacings, within half a spacing of the
+  /// direction of travel.
   double axis(const ring::Orientation &marks) const;
 
   const RevolutionSetup setup;
   const std::shared_ptr<const ContactCompliance> compliance; ///< of the land, or of a part of it
-  const std::shared_ptr<const InterfaceLaw> interface;       ///< a hard one as a stiff spring
+  const std::shared_ptr<const InterfaceLaw> interface;       ///< penalty law if the table is hard
 
 private:
-  /// Compliance of the whole land, for contacts that leave the part. Throws std::out_of_range where it is
-  /// not known.
+  /// Returns the compliance of the whole land, for contacts beyond the part. Throws std::out_of_range if it
+  /// is unknown.
   virtual std::shared_ptr<const ContactCompliance> whole_land_compliance() const;
-  /// Zone with its gaps at @p marks; the body's state is anything.
+  /// Returns the zone with its gaps at @p marks; the body's state is undefined.
   Zone &zone_at(unsigned int zone, const ring::Orientation &marks) const;
-  /// Returns whether the contact on @p zone has reached a border of it inside the land.
+  /// Returns whether the contact on @p zone has reached a border of the zone inside the land.
   bool has_left(const Zone &zone) const;
   /// Solves the contact of @p state on its zone, in the axes of the lines.
   void press(const ContactGuess &guess, ContactState &state) const;
-  /// @p guess in the axes of the lines, with the marks at @p marks. The contact before presses in as far as
-  /// it did, where it was and, if the crests have moved on by lines, turned with them; first comes what was
-  /// right the last time.
+  /// Returns @p guess in the axes of the lines, with the marks at @p marks. The previous contact keeps its
+  /// penetration at its old position and, if the crests have moved by whole lines, also at the rotated
+  /// position; the variant that led to the last solution comes first.
   RevolutionGuesses starts_from(const ContactGuess &guess, const ring::Orientation &marks) const;
 
-  /// Nodal values turned counter-clockwise by @p n lines.
+  /// Returns nodal values rotated counter-clockwise by @p n lines.
   Eigen::VectorXd rotated_by_lines(const Eigen::VectorXd &nodal, long n) const;
   double line_spacing() const; ///< [rad]
-  /// Azimuth of the crests, of the rim's waviness, else of the table's; 0 where there is none [rad].
+  /// Azimuth of the crests of the rim's waviness, else of the table's; 0 without waviness [rad].
   double crest(const ring::Orientation &marks) const;
-  /// Line that the crests are next to. The lines go with the crests: else a narrow contact at a crest,
-  /// between lines at one phase and on a line at the next, would not depend smoothly on the phase. Whole
-  /// lines are no change.
+  /// Index of the line nearest to the crests. Lines follow the crests, because a narrow contact at a crest
+  /// would otherwise lie between lines at one phase and on a line at the next, and would not depend smoothly
+  /// on the phase. A rotation by whole lines changes nothing.
   long crest_line(const ring::Orientation &marks) const;
-  /// Band about the contact radius, and the whole land for contacts that leave it, made when one does.
+  /// Zone of the band about the contact radius, and of the whole land for contacts beyond the band, created
+  /// on demand.
   mutable std::array<std::unique_ptr<Zone>, 2> zones;
 };
 

@@ -37,33 +37,34 @@ struct RevolutionSetup
   /// Number of halvings of the cells at re-entrant corners.
   unsigned int corner_halvings = 0;
   unsigned int n_lines = 256; ///< azimuth lines
-  /// Stiffness of the spring that represents a hard interface, over the stiffness of the contact.
+  /// Penalty that represents a hard interface, over the stiffness of the contact.
   double hardness = 1000;
-  double fineness = 1;                   ///< of the cells in the contact, over the usual
+  double fineness = 1;                   ///< refinement of the cells in the contact, over the default
   unsigned int halvings_beyond_zone = 0; ///< of the cells beyond zone_half_width()
-  double normal_force = 1;               ///< N that the contact is resolved for [N], see resolved_for()
-  double contact_half_width = 0;         ///< of a crowned rim under it, expected_half_width() [m]
+  double normal_force = 1;       ///< N for which the mesh resolves the contact [N], see resolved_for()
+  double contact_half_width = 0; ///< of a crowned rim under it, expected_half_width() [m]
 
   /// Returns this setup with a meridional mesh that resolves the contact under @p normal_force [N]. If the
-  /// bodies' own elasticity shapes the pressure, cells are a sixth of the contact's half-width, and a third
-  /// of a thin layer. If the interface is a thousand times more compliant, all cells are halved once, equal
-  /// ones on a flat land. Under a hard interface, cells are halved towards the inner edge of a flat land.
+  /// elasticity of the bodies shapes the pressure, cells are a sixth of the contact's half-width and a third
+  /// of a thin layer. If the interface is a thousand times more compliant, all cells are halved once; a flat
+  /// land then has equal cells. Under a hard interface, cells are refined towards the inner edge of a flat
+  /// land.
   RevolutionSetup resolved_for(double normal_force) const;
 
-  /// Returns the table's interface; a hard one as a spring whose penetration is 1 / hardness of the
-  /// contact's own. Throws std::invalid_argument if no part is compliant.
+  /// Returns the table's interface; for a hard table a penalty law whose penetration is 1 / hardness of the
+  /// contact's deformation. Throws std::invalid_argument if no part is compliant.
   std::shared_ptr<const InterfaceLaw> interface() const;
 
-  /// Compliance of foot and substrate together, without what is switched off; @p disc: nothing without a
-  /// substrate.
+  /// Returns the compliance of foot and substrate together, without disabled parts; @p disc: nullptr without
+  /// a substrate.
   ContactCompliance total_compliance(const ContactCompliance &foot, const ContactCompliance *disc) const;
 
-  /// Distance from the contact circle up to which it may have pressure [m]: ten half-widths of a narrow
-  /// contact, room for a load that gathers on a part of the rim; 0 for a flat land.
+  /// Half-width of the zone that may carry pressure [m]: ten half-widths of a narrow contact, which allows
+  /// for a load concentrated on a part of the rim; 0 for a flat land.
   double zone_half_width() const { return 10 * contact_half_width; }
 
-  /// Meridional problems with forces on the elements within zone_half_width() alone; on the whole land where
-  /// that is 0.
+  /// Returns the options of meridional problems with forces within zone_half_width() only; on the whole land
+  /// if that is 0.
   MeridianOptions meridian_of_zone() const;
 
   /// Returns the load per length of the rim under @p normal_force [N/m].
@@ -77,14 +78,14 @@ struct RevolutionSetup
 /// q = N / (2 pi R) [m]; 0 for a flat land.
 double hertz_half_width(const RevolutionSetup &setup, double normal_force);
 
-/// Half-width across the rim of Hertz's contact on one of three crests of a wavy, rigid, crowned rim [m], 0
-/// without waviness: the short semiaxis of the ellipse (Johnson, Contact Mechanics, 1985, section 4.2). The
-/// curvature along the rim is the root of the sum of the squares of all harmonics'.
+/// Half-width across the rim of the Hertz contact on one of three crests of a wavy, rigid, crowned rim [m],
+/// the short semiaxis of the ellipse; 0 without waviness (Johnson, Contact Mechanics, 1985, section 4.2). The
+/// curvature along the rim is the root of the sum of squares of the harmonics' curvatures.
 double crest_half_width(const RevolutionSetup &setup, double normal_force);
 
-/// Returns the half-width of the contact of a crowned rim pressed evenly: the larger one of bodies and
-/// interface [m]; 0 for a flat land. On hard crests, flattened by an unknown bending of the foot, the
-/// geometric mean of crest_half_width() and that of an even rim, if it is larger.
+/// Returns the half-width of the contact of a crowned rim without moment [m]: the larger of the half-widths
+/// due to bodies and interface; 0 for a flat land. On hard crests, which the foot's unknown bending flattens,
+/// the geometric mean of crest_half_width() and the half-width of an even rim, if larger.
 double expected_half_width(const RevolutionSetup &setup, double normal_force);
 
 } // namespace stemware::fem

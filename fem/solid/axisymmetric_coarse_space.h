@@ -13,21 +13,20 @@
 namespace stemware::fem
 {
 
-/// Body of revolution that a mesh is on average round its axis: a coarse space for the mesh's equations.
+/// Coarse space of a mesh: displacement harmonics of its azimuthal average, a body of revolution.
 ///
-/// Its functions are u_r cos(n theta), u_theta sin(n theta), u_z cos(n theta) and the same turned by a
-/// quarter of a wave, n = 0 ... n_max, u of a SectionGrid. K_n is integrated over the mesh itself,
-/// whatever its shape: Galerkin's matrix without what couples harmonics and without the difference of sine
-/// and cosine. The table, which couples all of them, is added by the compliances between the grid's nodes in
-/// the contact.
+/// Functions: u_r cos(n theta), u_theta sin(n theta), u_z cos(n theta) and the same rotated by a quarter
+/// wave, n = 0 ... n_max, with u from a SectionGrid. K_n is integrated over the mesh itself: the Galerkin
+/// matrix without coupling of harmonics and without the difference between sine and cosine. The table couples
+/// all harmonics; it is added through the compliances between the grid's nodes in the contact.
 class AxisymmetricCoarseSpace
 {
 public:
-  /// @p contact_nodes: of the level.
+  /// @p contact_nodes: contact nodes of the level.
   AxisymmetricCoarseSpace(const SolidLevel &level, const ElasticMaterial &material,
                           const std::shared_ptr<const ContactNodes> &contact_nodes);
 
-  /// @p tangent T between the contact nodes of the level, this rank's part of it.
+  /// Sets @p tangent T of the level's contact nodes, this rank's part.
   void set_contact(const Eigen::SparseMatrix<double> &tangent);
 
   /// Adds P A^-1 P' @p src to @p dst: P interpolates at the mesh's nodes, A is the stiffness of body and
@@ -35,8 +34,8 @@ public:
   void add_correction(FloatVector &dst, const FloatVector &src) const;
 
 private:
-  /// Rows 6 i + component (u_r, u_theta, u_z, then the same turned) of node i of the grid; a column for each
-  /// harmonic.
+  /// Amplitudes: row 6 i + component (u_r, u_theta, u_z, then the rotated ones) of node i of the grid; one
+  /// column per harmonic.
   template <typename Number>
   using Amplitudes = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -50,7 +49,7 @@ private:
   /// One harmonic of the body without the table.
   struct Harmonic
   {
-    Eigen::SparseMatrix<double> selection; ///< amplitudes at all nodes of the grid, of the free ones
+    Eigen::SparseMatrix<double> selection; ///< maps free amplitudes to amplitudes at all nodes of the grid
     std::unique_ptr<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>> factors; ///< of K_n
     Eigen::MatrixXd contact_response; ///< free amplitudes under unit forces on the grid's contact nodes
     Eigen::MatrixXd contact_factor;   ///< L of the compliance L L' between these
@@ -63,11 +62,11 @@ private:
   Amplitudes<double> restrict(const FloatVector &src) const;
   void prolongate_add(const Amplitudes<double> &amplitudes, FloatVector &dst) const;
 
-  /// Cosine and, but for n = 0, sine.
+  /// Returns 1 (cosine) for n = 0, else 2 (cosine and sine).
   static unsigned int n_turns(unsigned int harmonic) { return harmonic == 0 ? 1 : 2; }
-  /// Offset of a harmonic's amplitudes at the contact.
+  /// Returns the offset of a harmonic in the contact unknowns.
   Eigen::Index contact_block(unsigned int harmonic, unsigned int turn) const;
-  /// Vertical amplitudes at the grid's contact nodes.
+  /// Returns the vertical amplitudes at the grid's contact nodes.
   Eigen::MatrixXd at_contact(const Eigen::MatrixXd &amplitudes) const;
 
   const MPI_Comm communicator;
@@ -79,7 +78,7 @@ private:
   Eigen::SparseMatrix<float, Eigen::RowMajor> interpolation; ///< shape [nodes.size(), grid.n_nodes()]
   Eigen::MatrixXf cosines, sines; ///< of n theta of the nodes, shape [n_max + 1, nodes.size()]
 
-  std::vector<unsigned int> contact_grid_nodes;                       ///< that the contact nodes see
+  std::vector<unsigned int> contact_grid_nodes; ///< grid nodes that influence contact nodes
   Eigen::SparseMatrix<double, Eigen::RowMajor> contact_interpolation; ///< from these to the contact nodes
   Eigen::MatrixXd contact_cosines, contact_sines; ///< of n theta, shape [contact nodes, n_max + 1]
 

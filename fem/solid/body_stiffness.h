@@ -11,8 +11,8 @@
 namespace stemware::fem
 {
 
-/// Stiffness K of a body, and an approximate inverse of K + B' T B with the tangent T of the table between
-/// its contact nodes: the linear algebra of a SolidBody.
+/// Stiffness K of a body, and an approximate inverse of K + B' T B with the tangent T of the table at its
+/// contact nodes: the linear algebra of a SolidBody.
 class BodyStiffness
 {
 public:
@@ -32,13 +32,13 @@ public:
   virtual void set_contact(const Eigen::SparseMatrix<double> &tangent) = 0;
   /// Computes an approximate solution @p dst of (K + B' T B) dst = @p src; symmetric and positive definite.
   virtual void precondition(Vector &dst, const Vector &src) const = 0;
-  /// Returns the same stiffness for another system, solved in turn with this one; nullptr if the systems
-  /// would share T.
+  /// Returns a stiffness that shares the memory of this one, for a second system solved alternately; nullptr
+  /// if the two systems would share T.
   virtual std::unique_ptr<BodyStiffness> shared() const { return nullptr; }
-  /// Reports the iterations of the last system to set_contact().
+  /// Reports the iterations of the last solve, for set_contact() to decide whether to factorise again.
   virtual void report_iterations(unsigned int /*n_iterations*/) {}
 
-  /// Returns whether the mesh has coarser ones that it was refined from.
+  /// Returns whether the mesh was refined from a coarser mesh.
   virtual bool has_coarser_mesh() const { return false; }
   /// Returns the stiffness of this body on the next coarser mesh, if any.
   virtual std::unique_ptr<BodyStiffness> coarser() const { return nullptr; }

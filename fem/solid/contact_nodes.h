@@ -14,11 +14,11 @@
 namespace stemware::fem
 {
 
-/// SurfaceParts, one on each rank of @p communicator.
+/// Returns SurfaceParts with one part on each rank of @p communicator.
 SurfaceParts parts_on_ranks(const MPI_Comm &communicator);
 
-/// Contact nodes known to a rank, among the dofs of a mesh: its own nodes, then nodes of other ranks, both
-/// in the order of their dofs. All ranks call every function together.
+/// Contact nodes of a rank: its owned nodes, then ghost nodes of other ranks, each in the order of their
+/// dofs. Collective.
 ///
 /// Nodal values come in the two layouts of ContactSurface: own nodes, and own plus ghost nodes.
 class ContactNodes
@@ -26,15 +26,15 @@ class ContactNodes
 public:
   using Dof = dealii::types::global_dof_index;
 
-  /// Nodes of this rank's part of the surface, @p dofs of any order, and of those with dofs in @p owned
-  /// the ones that other ranks ask for.
+  /// @p dofs: dofs of the nodes of this rank's part of the surface, in any order. Owned nodes (dofs in @p
+  /// owned) requested by other ranks are added.
   ContactNodes(const dealii::IndexSet &owned, std::vector<Dof> dofs, const MPI_Comm &communicator);
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(all_dofs.size()); }
   unsigned int n_owned_nodes() const { return static_cast<unsigned int>(places.size()); }
   /// Vertical displacement of the nodes, shape [n_nodes].
   const std::vector<Dof> &dofs() const { return all_dofs; }
-  /// Positions of the own nodes among this rank's dofs, shape [n_owned_nodes].
+  /// Positions of the owned nodes among this rank's dofs, shape [n_owned_nodes].
   const std::vector<unsigned int> &owned_positions() const { return places; }
   /// Returns the number of the node with @p dof; n_nodes() if this rank does not know it.
   unsigned int find(Dof dof) const;
@@ -46,14 +46,15 @@ public:
   template <typename Number>
   Eigen::VectorXd gather(const dealii::LinearAlgebra::distributed::Vector<Number> &vector) const;
 
-  /// Values at all nodes from those that the ranks have at their own, @p own of shape [n_owned_nodes].
+  /// Returns the values at all nodes, ghosts included, from the values @p own at owned nodes, shape
+  /// [n_owned_nodes].
   Eigen::VectorXd spread(const Eigen::VectorXd &own) const;
-  /// Sums at the own nodes of the values that all parts have there, @p parts of shape [n_nodes].
+  /// Returns the sums over all parts at the owned nodes; @p parts has the shape [n_nodes].
   Eigen::VectorXd summed(const Eigen::VectorXd &parts) const;
   /// Euclidean norm of these sums over all nodes.
   double norm(const Eigen::VectorXd &parts) const;
 
-  /// Adds the sums of what all parts have at the nodes.
+  /// Adds the sums over all parts to the entries of the nodes in @p vector.
   template <typename Number>
   void scatter_add(const Eigen::VectorXd &parts,
                    dealii::LinearAlgebra::distributed::Vector<Number> &vector) const;
@@ -64,8 +65,8 @@ public:
     Dof row, column;
     double value;
   };
-  /// Rows of own nodes of the matrix that is the sum of all parts' @p parts, shape [n_nodes, n_nodes];
-  /// places may occur several times.
+  /// Returns the rows of the owned nodes of the sum of @p parts over all ranks, shape [n_nodes, n_nodes]; an
+  /// entry may occur several times.
   std::vector<Entry> owned_rows(const Eigen::SparseMatrix<double> &parts) const;
 
 private:
@@ -74,7 +75,7 @@ private:
   std::vector<Dof> all_dofs;
   std::vector<unsigned int> places;
   std::vector<unsigned int> other_ranks;
-  /// Numbers at the nodes, those of the own first.
+  /// Work vector of nodal values, owned nodes first.
   mutable dealii::LinearAlgebra::distributed::Vector<double> values;
 };
 

@@ -23,7 +23,7 @@ public:
 
   const ContactNodes &nodes() const { return *contact_nodes; }
 
-  /// T of ContactForces [N/m], this rank's part of it, shape [n_nodes, n_nodes].
+  /// Sets this rank's part of T of ContactForces [N/m], shape [n_nodes, n_nodes].
   void set(const Eigen::SparseMatrix<double> &tangent);
   /// Part of T without the entries that are 0.
   const RowMatrix &matrix() const { return stiffness; }
@@ -33,7 +33,7 @@ public:
   void vmult_add(dealii::LinearAlgebra::distributed::Vector<Number> &dst,
                  const dealii::LinearAlgebra::distributed::Vector<Number> &src) const;
 
-  /// Adds the sums of the absolute values in the rows of all parts: a diagonal that T does not exceed.
+  /// Adds the row sums of |T| over all parts: a diagonal bound of T.
   void add_row_sums(dealii::LinearAlgebra::distributed::Vector<float> &diagonal) const;
 
 private:
@@ -49,15 +49,16 @@ struct ContactElements
   const dealii::AffineConstraints<double> &constraints;
 };
 
-/// Contact nodes of a coarse mesh, and the interpolation from them to those of a finer one.
+/// Contact nodes of a coarse mesh, and their interpolation to the contact nodes of a finer mesh.
 struct ContactInterpolation
 {
-  std::shared_ptr<const ContactNodes> coarse_nodes; ///< those of contact_dofs(), and what the rows need
+  std::shared_ptr<const ContactNodes> coarse_nodes; ///< nodes of contact_dofs() and further nodes used by the
+                                                    ///< rows
   Eigen::SparseMatrix<double> matrix;               ///< shape [n fine, n coarse]
 };
 
-/// Values at @p fine_nodes, contact nodes of @p fine, of functions given at those of @p coarse. The cells of
-/// the two are the same or parent and child; elements and ranks may differ.
+/// Returns the interpolation from contact nodes of @p coarse to @p fine_nodes, contact nodes of @p fine.
+/// Cells of the two meshes are equal or parent and child; elements and ranks may differ.
 ContactInterpolation interpolation_between(const ContactElements &coarse, const ContactElements &fine,
                                            const ContactNodes &fine_nodes);
 

@@ -8,9 +8,9 @@
 namespace stemware::fem
 {
 
-/// Copies of @p mesh, each with more cells halved once than the one before: all contact faces between the
-/// radii @p inner and @p outer [m], and along the edges of the boundary where the body fills more than a
-/// half-space. @p mesh is distributed over its communicator. Collective.
+/// Returns copies of @p mesh, each finer than the one before: halved are the contact faces between the radii
+/// @p inner and @p outer [m] and the cells along re-entrant edges of the boundary. @p mesh is distributed
+/// over its communicator. Collective.
 std::vector<std::shared_ptr<const dealii::Triangulation<3>>>
 enriched_meshes(const dealii::Triangulation<3> &mesh, double inner, double outer);
 

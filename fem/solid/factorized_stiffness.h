@@ -8,8 +8,8 @@
 namespace stemware::fem
 {
 
-/// Stiffness as a sparse matrix, with factors of a recent K + B' T B by MUMPS: for any mesh that is not
-/// too large.
+/// Stiffness as a sparse matrix, preconditioned by MUMPS factors of a recent K + B' T B; for any mesh of
+/// moderate size.
 class FactorizedStiffness : public BodyStiffness
 {
 public:
@@ -25,7 +25,7 @@ public:
   /// Factorises if there are no factors. Throws ContactFailure if the factorisation fails.
   void set_contact(const Eigen::SparseMatrix<double> &tangent) override;
   void precondition(Vector &dst, const Vector &src) const override;
-  /// Discards factors of a T so different that they cost more than new ones.
+  /// Discards the factors if the iterations cost more than a new factorisation.
   void report_iterations(unsigned int n_iterations) override;
 
 private:
@@ -35,7 +35,7 @@ private:
   const std::shared_ptr<const ContactNodes> nodes;
   dealii::TrilinosWrappers::SparseMatrix stiffness; ///< K
   std::unique_ptr<const Factors> factors;
-  bool are_fresh = false; ///< the factors, made for the present T
+  bool are_fresh = false; ///< true if the factors belong to the present T
 };
 
 } // namespace stemware::fem

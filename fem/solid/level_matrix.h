@@ -21,7 +21,7 @@ public:
   /// @p nodes: contact nodes of the level.
   void reinit(const SolidLevel &level, const ElasticMaterial &material,
               const std::shared_ptr<const ContactNodes> &nodes);
-  /// @p tangent T between the contact nodes, this rank's part of it.
+  /// Sets @p tangent T of the contact nodes, this rank's part.
   void set_contact(const Eigen::SparseMatrix<double> &tangent);
 
   void vmult(FloatVector &dst, const FloatVector &src) const;
@@ -47,16 +47,16 @@ private:
 using LevelSmoother =
   dealii::PreconditionChebyshev<LevelMatrix, FloatVector, dealii::DiagonalMatrix<FloatVector>>;
 
-/// Numbers of multigrid that were tuned on feet of 48 x 2 x 2 to 192 x 8 x 8 cells
+/// Parameters of multigrid, tuned on feet of 48 x 2 x 2 to 192 x 8 x 8 cells
 /// (docs/method/solid_measurements.md).
 struct MultigridParameters
 {
-  /// Degree of the smoother's polynomial, and the share of the spectrum, from above, that it reduces: any
-  /// other takes as long for a linear solve.
+  /// Degree of the smoother's polynomial, and the ratio of the largest eigenvalue to the lower end of the
+  /// smoothed range; the cost of a linear solve depends little on either.
   unsigned int degree = 5;
   double smoothing_range = 40;
   unsigned int n_eigenvalue_iterations = 15; ///< for the largest eigenvalue
-  /// Factors of a coarsest level with more unknowns cost more than a cycle with its mean body of revolution.
+  /// Size of the coarsest level above which factors cost more than the axisymmetric coarse space.
   dealii::types::global_dof_index max_factorized_unknowns = 10000;
 };
 inline constexpr MultigridParameters multigrid_parameters = {};

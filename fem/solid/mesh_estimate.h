@@ -11,7 +11,7 @@ namespace stemware::fem
 /// Solved contact of a solid foot, in the axes of its mesh.
 struct SolvedSolidContact
 {
-  const SolidBody &body; ///< whose displacement is that of the contact
+  const SolidBody &body; ///< in the state of the contact
   const InterfaceLaw &interface;
   SolidGap gap;
   SlidingTraction sliding;
@@ -23,19 +23,17 @@ struct SolvedSolidContact
   bool straight_edges = false; ///< SolidOptions::straight_edges
 };
 
-/// Error of @p goal, in the axes of @p contact, that is due to the contact's mesh
-/// (docs/method/error_bands.md, "The error of one number").
+/// Returns the discretisation error of @p goal, in the axes of @p contact (docs/method/error_bands.md, "The
+/// error of one number").
 ///
-/// The contact is found again from the mesh's own displacement, on elements of one degree more that are
-/// halved under the load and at re-entrant edges, friction and conditions included: the correction is what
-/// that changes in the goal. The cells' shares are the residual of the mesh's own displacement under the
-/// forces found, times what the own elements leave out of the dual displacement, unknown by unknown; the dual
-/// system is taken without friction and with resultants in the place of other conditions. Cells are numbered
-/// by CellNumbers.
+/// The contact is solved again from the present displacement, on elements of one degree more that are halved
+/// under the load and at re-entrant edges, friction and conditions included: the correction is the change of
+/// the goal. The cells' shares are the residual of the present displacement under the new forces times the
+/// difference of the dual displacement to its interpolant, unknown by unknown; the dual system is taken
+/// without friction and with prescribed resultants. Cells are numbered by CellNumbers.
 ///
-/// Multigrid solves both systems (MeshHierarchy), whatever the own system is solved by. Collective. Throws
-/// std::invalid_argument where the coarsest mesh is too large for it, std::runtime_error where it does not
-/// converge, and ContactFailure.
+/// Both systems are solved by multigrid (MeshHierarchy). Collective. Throws std::invalid_argument if the
+/// coarsest mesh is too large for multigrid, std::runtime_error if it does not converge, and ContactFailure.
 MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGoal &goal, bool with_cells);
 
 } // namespace stemware::fem

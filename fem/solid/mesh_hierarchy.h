@@ -39,17 +39,17 @@ struct LevelElements
   unsigned int degree;
 };
 
-/// Levels of elements of @p degree on @p triangulation, which has to outlive them, and on the meshes that
-/// it was refined from: the coarsest of them with linear elements, then all of them with those of @p degree.
+/// Returns the levels of a hierarchy for elements of @p degree on @p triangulation, which must outlive them:
+/// linear elements on its coarsest mesh, then elements of @p degree on all meshes from the coarsest to the
+/// finest.
 std::vector<LevelElements> levels_of(const dealii::Triangulation<3> &triangulation, unsigned int degree);
 
-/// Geometric multigrid for an elastic foot: V-cycles in single precision over the meshes that a triangulation
-/// was refined from, each with the table's stiffness on it (docs/method/solid_at_scale.md).
+/// Geometric multigrid for an elastic foot: V-cycles in single precision over the refinement history of a
+/// triangulation, each level with the table's stiffness (docs/method/solid_at_scale.md).
 ///
-/// Level 0 has linear elements and is factorised where it is small, else solved with the help of its mean
-/// body of revolution (make_coarse_solver()). From one level to the next either all cells are those of before
-/// or halved, or the degree rises. Cells are multiplied on the fly; Chebyshev polynomials of the
-/// Jacobi-scaled operator smooth.
+/// Level 0 has linear elements and is solved by make_coarse_solver(). From one level to the next, cells are
+/// kept or halved, or the degree rises. Matrix-free; smoothed by Chebyshev polynomials of the Jacobi-scaled
+/// operator.
 class MeshHierarchy
 {
 public:
@@ -64,17 +64,18 @@ public:
   /// Returns the lowest level with the elements of the finest.
   unsigned int coarsest_mesh() const;
   const SolidLevel &level(unsigned int l) const;
-  /// Contact nodes of level @p l: those of this rank's cells, and what those of the level above follow from.
+  /// Contact nodes of level @p l: nodes of this rank's cells and nodes needed to interpolate to the level
+  /// above.
   const std::shared_ptr<const ContactNodes> &contact_nodes(unsigned int l) const;
 
-  /// Prepares V-cycles from level @p l down for K + B' T B, @p tangent T between that level's contact
-  /// nodes, this rank's part of it.
+  /// Prepares V-cycles from level @p l down for K + B' T B; @p tangent: this rank's part of T at the contact
+  /// nodes of level @p l.
   void set_contact(unsigned int l, const Eigen::SparseMatrix<double> &tangent);
 
   /// One V-cycle from level @p l down: @p dst is an approximate solution of (K + B' T B) dst = @p src.
   void v_cycle(unsigned int l, Vector &dst, const Vector &src) const;
 
-  /// @p fine, a vector of level @p l, becomes the function that @p coarse is on the level below, to single
+  /// Interpolates @p coarse, a vector of the level below, to @p fine, a vector of level @p l, in single
   /// precision; constrained unknowns are 0.
   template <typename Number>
   void prolongate(unsigned int l, dealii::LinearAlgebra::distributed::Vector<Number> &fine,

@@ -32,7 +32,7 @@ public:
     hierarchy->set_contact(level, tangent);
   }
   void precondition(Vector &dst, const Vector &src) const override { hierarchy->v_cycle(level, dst, src); }
-  /// Every system sets its T before it is solved.
+  /// Returns a copy: each system sets its T before it is solved.
   std::unique_ptr<BodyStiffness> shared() const override
   {
     return std::make_unique<MultigridStiffness>(*this);

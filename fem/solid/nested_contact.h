@@ -10,13 +10,12 @@
 namespace stemware::fem
 {
 
-/// Finds the contact under @p interface, which is not hard, on the coarser meshes of @p body, from the
-/// coarsest up, and takes it over: returns where solve_contact() on @p body begins, at its new displacement.
-/// Nothing, and the body at rest, when there is no coarser mesh or when the next coarser one does not find
-/// the contact.
+/// Solves the contact under @p interface (not hard) on the coarser meshes of @p body, from the coarsest up
+/// (nested iteration). Sets the displacement of @p body and returns the start of solve_contact(). Returns
+/// std::nullopt, with @p body at rest, if there is no coarser mesh or its contact fails.
 ///
-/// Each coarser mesh has an interface @p softening times softer: 1 for a table that yields by itself, more
-/// for a spring that stands for a hard one and can be found by hardening only.
+/// Each coarser mesh has an interface @p softening times softer: 1 for a compliant table, more for a penalty
+/// law of a hard table, whose contact is found by stiffening only.
 std::optional<ContactStart> start_from_coarser_mesh(SolidBody &body, const InterfaceLaw &interface,
                                                     double softening, const ContactDemand &demand,
                                                     double radius);

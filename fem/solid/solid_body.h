@@ -19,25 +19,24 @@ struct SolidIncrement;
 /// Three-dimensional elastic foot: hexahedra of degree 1 or 2, distributed over MPI ranks, under three
 /// conditions on its contact forces.
 ///
-/// The border of its equations, the table's motions, is eliminated before: with G = B' T Q and C = Q' T Q,
-/// conjugate gradients see K + B' T B - G C^-1 G', so that every iterate fulfils the conditions on the forces
-/// to rounding. The BodyStiffness inverts K + B' T B only, approximately; W ~ (K + B' T B)^-1 G brings in the
-/// rest. Other conditions than resultants are fulfilled in the end, by a motion W that the body answers.
+/// The table motions border the equations and are eliminated: with G = B' T Q and C = Q' T Q, conjugate
+/// gradients act on K + B' T B - G C^-1 G', so that every iterate fulfils the conditions on the forces to
+/// rounding. The BodyStiffness inverts K + B' T B approximately; W ~ (K + B' T B)^-1 G accounts for the
+/// border. Conditions other than resultants are fulfilled at the end by a table motion and its response W.
 class SolidBody : public ElasticBody
 {
 public:
   using Vector = BodyStiffness::Vector;
 
-  /// Sets up dofs, clamps FootBoundary::stem_cut, prepares K and describes the contact zone, which lies @p
-  /// gap above the table. The triangulation must be one that deal.II distributes over its communicator or a
-  /// serial one, and must outlive the body. Throws std::invalid_argument when the mesh has no stem cut or no
-  /// contact zone.
+  /// Sets up dofs, clamps FootBoundary::stem_cut, prepares K and describes the contact zone, @p gap above the
+  /// table. The triangulation is serial or distributed over its communicator, and must outlive the body.
+  /// Throws std::invalid_argument if the mesh has no stem cut or no contact zone.
   ///
-  /// @p similar is a body of the same triangulation, material and options, solved in turn with this one: they
-  /// share the elements of a multigrid method.
+  /// @p similar: body of the same triangulation, material and options, solved alternately with this one; the
+  /// two share the elements of a multigrid method.
   SolidBody(const dealii::Triangulation<3> &triangulation, const ElasticMaterial &material,
             const SolidGap &gap, const SolidOptions &options = {}, const SolidBody *similar = nullptr);
-  /// Creates a body of the given stiffness; @p linear_tolerance is SolidOptions::linear_tolerance.
+  /// Creates a body with the given stiffness; @p linear_tolerance as SolidOptions::linear_tolerance.
   SolidBody(std::unique_ptr<BodyStiffness> stiffness, const ElasticMaterial &material, const SolidGap &gap,
             double linear_tolerance);
 
@@ -52,20 +51,20 @@ public:
 
   const dealii::DoFHandler<3> &dofs() const { return mesh().dof_handler; }
   const ElasticMaterial &glass() const { return material; }
-  /// Smallest extent of a contact cell [m]: E over it is the natural penalty of a rigid table.
+  /// Smallest extent h of a contact cell [m]; E / h is the natural penalty of a rigid table.
   double contact_cell_size() const { return zone.smallest_cell; }
 
-  /// Sets the friction of the contact forces along @p traction, in the axes of the mesh, which deforms the
-  /// body. Throws as SlidingTraction::validate().
+  /// Sets the friction that deforms the body, proportional to the contact forces, by @p traction in the axes
+  /// of the mesh. Throws as SlidingTraction::validate().
   void set_sliding(const SlidingTraction &traction);
   /// Sets SolidOptions::linear_tolerance.
   void set_linear_tolerance(double tolerance) { linear_tolerance = tolerance; }
 
-  /// Returns whether the mesh has coarser ones for its multigrid.
+  /// Returns whether multigrid has a coarser mesh.
   bool has_coarser_mesh() const { return stiffness->has_coarser_mesh(); }
   /// Returns this foot on the next coarser mesh, for cheap initial guesses; nullptr if there is none.
   std::unique_ptr<SolidBody> coarser() const;
-  /// Takes the displacement of coarser() as its own.
+  /// Interpolates the displacement of coarser() to this body.
   void interpolate_from(const SolidBody &coarse);
 
   /// Binary state of this rank for the next solve; readable by a body on the same mesh and number of ranks.
@@ -73,19 +72,19 @@ public:
   void read_state(std::istream &stream);
 
   void set_displacement(const Vector &vector);
-  /// Displacement with the values of all cells that this rank owns or sees.
+  /// Returns the displacement with ghost values.
   Vector displacement_for_output() const;
-  /// Load of nodal @p forces, with the friction that they bring along, less K u.
+  /// Returns the load of nodal @p forces with their friction, minus K u.
   Vector residual(const Eigen::VectorXd &forces) const;
-  /// x of [K + B'TB, B'TQ; Q'TB, Q'TQ] [x; q] = [B' @p nodal; @p on_motions], T the @p tangent, to @p
-  /// reduction of the residual. The increment of the last solve() is gone then. Throws as solve().
+  /// Returns x of [K + B'TB, B'TQ; Q'TB, Q'TQ] [x; q] = [B' @p nodal; @p on_motions], T the @p tangent, with
+  /// the residual reduced by @p reduction. Overwrites the increment of the last solve(). Throws as solve().
   Vector solve_symmetric(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &nodal,
                          const Eigen::Vector3d &on_motions, double reduction);
 
-  /// Fields in files that this rank has to write: displacement [m] in the slip frame with the table at
-  /// rest (the rigid motion @p motion is put back on the glass), stress [Pa], contact pressure [Pa] of
-  /// @p nodal_pressure. On one rank contact.vtu; on several contact_<rank>.vtu with the cells of that rank,
-  /// of each that has some, and on the first contact.pvtu, which names them.
+  /// Returns the field files of this rank: displacement [m] in the slip frame with the table at rest (the
+  /// rigid motion @p motion is transferred to the glass), stress [Pa], contact pressure [Pa] of @p
+  /// nodal_pressure. One rank: contact.vtu. Several ranks: contact_<rank>.vtu on each rank with cells, and on
+  /// the first rank contact.pvtu, which lists them.
   std::vector<FieldFile> fields(const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const;
 
 private:
@@ -97,19 +96,19 @@ private:
 
   const SolidLevel &mesh() const { return stiffness->mesh(); }
   bool has_friction() const { return sliding.friction_coefficient != 0; }
-  /// B' @p forces with the friction that they bring along.
+  /// Returns B' @p forces with the friction of these forces.
   Vector contact_load(const Eigen::VectorXd &forces) const;
-  /// Takes over @p tangent; @p closed: conditions other than resultants.
+  /// Sets @p tangent and starts a step; @p closed: conditions other than resultants, else nullptr.
   SymmetricStep begin_step(const Eigen::SparseMatrix<double> &tangent, const LinearConditions *closed);
-  /// Border of the present contact stiffness; W solves its equations to @p tolerance.
+  /// Returns the border of the present contact stiffness with W solved to @p tolerance.
   Border make_border(const Eigen::MatrixX3d &modes, double tolerance);
-  /// Residual [N] down to which a system that starts from @p residual is worth solving under contact
+  /// Returns the useful target residual [N] of a system with the initial residual @p residual under contact
   /// forces of norm @p force.
   double target_residual(double residual, double force);
-  /// Changes a solution under prescribed resultants into one under @p conditions.
+  /// Converts a solution under prescribed resultants to @p conditions.
   void close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
                         const Eigen::Vector3d &missing, SolidIncrement &solution) const;
-  /// Calls @p use(numbers, how many) for all that the next solve depends on.
+  /// Calls @p use(data, size) for each array on which the next solve depends.
   template <typename Body, typename Use>
   static void for_each_state(Body &body, const Use &use);
 
@@ -121,8 +120,8 @@ private:
   const SolidContactZone zone;
   const std::vector<HorizontalPlaces> horizontal;
   SlidingTraction sliding;
-  /// Friction (x, y) at the contact nodes per normal force there, where there is any: a force on the foot,
-  /// shape [n_nodes, 2].
+  /// Friction force (x, y) on the foot per normal force at the contact nodes, shape [n_nodes, 2]; empty
+  /// without friction.
   Eigen::MatrixX2d friction;
 
   Vector displacement;

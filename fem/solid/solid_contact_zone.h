@@ -12,8 +12,7 @@
 namespace stemware::fem
 {
 
-/// Distance of the undeformed contact zone from a plane table at (x, y), on top of what the mesh's own z says
-/// [m].
+/// Gap between the undeformed contact zone and a plane table at (x, y), in addition to the z of the mesh [m].
 using SolidGap = std::function<double(double x, double y)>;
 
 /// Part of the contact zone of a hexahedral mesh on this rank, with the dofs of its nodes.
@@ -31,19 +30,19 @@ struct HorizontalPlaces
   unsigned int x, y;
 };
 
-/// Places of the horizontal displacements of the own contact @p nodes.
+/// Returns the places of the horizontal displacements of the owned contact @p nodes.
 std::vector<HorizontalPlaces> horizontal_places(const dealii::DoFHandler<3> &dof_handler,
                                                 const ContactNodes &nodes);
 
-/// Dofs of the vertical displacement on this rank's faces with FootBoundary::contact_zone. Hanging nodes are
-/// replaced by those that they hang on.
+/// Returns the dofs of the vertical displacement on this rank's faces with FootBoundary::contact_zone.
+/// Hanging nodes are replaced by their parent nodes.
 std::vector<dealii::types::global_dof_index>
 contact_dofs(const dealii::DoFHandler<3> &dof_handler, const dealii::AffineConstraints<double> &constraints);
 
-/// Describes this rank's faces with FootBoundary::contact_zone; @p nodes are those of contact_dofs(), or
-/// more. Every face carries lines at Gauss points of its more azimuthal direction; nodes that hang on others
-/// are replaced by these; the gap of a point is its own z plus @p gap(x, y). Throws std::invalid_argument
-/// when no rank has such a face.
+/// Describes this rank's faces with FootBoundary::contact_zone; @p nodes contain the nodes of contact_dofs().
+/// Every face has lines at Gauss points of its more azimuthal direction; hanging nodes are replaced by their
+/// parents; the gap of a point is its z plus @p gap(x, y). Throws std::invalid_argument if no rank has such a
+/// face.
 SolidContactZone describe_contact_zone(const dealii::Mapping<3> &mapping,
                                        const dealii::DoFHandler<3> &dof_handler,
                                        const dealii::AffineConstraints<double> &constraints,

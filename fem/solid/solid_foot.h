@@ -28,17 +28,16 @@ class SolidBody;
 struct SolidMesh
 {
   std::shared_ptr<dealii::Triangulation<3, 3>> triangulation;
-  std::optional<MeshReport> report; ///< of a mesh file; nothing for a generated mesh
+  std::optional<MeshReport> report; ///< of a mesh file; std::nullopt for a generated mesh
 };
 
-/// Halves the cells of @p mesh that have the numbers @p marked, as MeshError::mark() of a foot on it gives
-/// them.
+/// Halves the cells @p marked of @p mesh, numbered as in MeshError::mark() of a foot on this mesh.
 void halve(SolidMesh &mesh, const std::vector<unsigned int> &marked);
 
 /// Returns the mesh of make_foot_mesh(): a flat land, whose crown is a gap.
 SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution &resolution);
 
-/// Mesh of a file, which says all about its rim itself, with all cells halved @p refinements times.
+/// Returns the mesh of a file, whose geometry includes the crown, with all cells halved @p refinements times.
 /// Throws as read_foot_mesh().
 SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements = 0,
                           const MeshFileOptions &marks = {});
@@ -54,12 +53,13 @@ struct SolidSetup
   /// mu as a function of |v_rel| / v. Empty: friction_coefficient everywhere.
   std::function<double(double relative_slip)> friction_by_slip;
   SolidOptions options; ///< its straight_edges follow from the mesh
-  double hardness = 1; ///< of a hard interface's spring over the usual; below 1 of any interface over its own
+  double hardness = 1;  ///< of the penalty law of a hard interface, over the default; below 1 for any
+                        ///< interface, over its own stiffness
 };
 
-/// Foot as three-dimensional finite elements on all MPI ranks. A mesh file's x axis is the azimuth 0 of the
-/// glass: the foot turns with ring::Slip::orientation. A generated mesh is a body of revolution and does
-/// not turn.
+/// Foot as three-dimensional finite elements on all MPI ranks. The x axis of a mesh file is the azimuth 0 of
+/// the glass, and the foot rotates with ring::Slip::orientation. A generated mesh is axisymmetric and does
+/// not rotate.
 ///
 ///     SolidSetup setup;
 ///     setup.table.interface = std::make_shared<WinklerInterface>(1e10);       // [Pa/m]
@@ -68,9 +68,8 @@ struct SolidSetup
 class SolidFoot : public Foot
 {
 public:
-  /// Throws std::invalid_argument for a mesh or a setup that is not allowed; its table stands on a rigid
-  /// substrate. @p similar is a foot of the same mesh, material and options that is not asked while this one
-  /// solves: they share what they can.
+  /// Throws std::invalid_argument for an inadmissible mesh or setup; the substrate must be rigid. @p similar:
+  /// foot of the same mesh, material and options, not used while this one solves; the two share data.
   SolidFoot(const SolidMesh &mesh, const SolidSetup &setup, const SolidFoot *similar = nullptr);
 
   ~SolidFoot() override;
@@ -88,9 +87,9 @@ public:
   std::vector<PointForce> point_forces(const ContactState &state) const override;
   PressureMap pressure_map(const ContactState &state) const override;
   std::vector<FieldFile> fields(const ContactState &state) const override;
-  /// Error by estimate_mesh_error(). Nothing for a hard table under a mesh without a hierarchy, whose nodal
-  /// multipliers have no counterpart on other elements, nor where its contact is narrower than two cells, of
-  /// which the finer elements see too little; they see enough at the right angle beside a step's flat land.
+  /// Estimates the error by estimate_mesh_error(). Returns std::nullopt for a hard table on a mesh without a
+  /// hierarchy (nodal multipliers have no counterpart on other elements), and for a contact narrower than two
+  /// cells, which finer elements resolve too little, except beside the right angle of a step's flat land.
   std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
                                       bool with_cells) const override;
 
@@ -102,9 +101,9 @@ private:
   ContactSolution in_mesh_axes(const ContactState &state) const;
   /// Azimuth of the mesh's x axis in the slip frame [rad].
   double axis_of(const ring::Slip &slip) const { return mesh.report ? slip.orientation.glass : 0; }
-  /// Returns whether a hard table acts by nodal multipliers, because the mesh has no coarser one.
+  /// Returns whether a hard table uses nodal multipliers: on a mesh without a coarser mesh.
   bool has_multipliers() const { return setup.table.interface->is_hard() && softening_of_coarser == 1; }
-  /// Calls solve_contact() on this body; multipliers are found to one tolerance after the other.
+  /// Calls solve_contact() on this body; multipliers with a sequence of decreasing tolerances.
   ContactSolution find_contact(const LinearConditions &conditions, ContactControl control,
                                std::optional<ContactStart> start) const;
   ContactSolution press(const ContactDemand &demand, const ring::Slip &slip, const ContactState *before,
@@ -112,8 +111,9 @@ private:
 
   const SolidSetup setup;
   const SolidMesh mesh;
-  const std::unique_ptr<SolidBody> body; ///< what a contact is worked out on: its state is that of any
-  const std::shared_ptr<const InterfaceLaw> interface; ///< a stiff spring for a hard one on a mesh hierarchy
+  const std::unique_ptr<SolidBody> body; ///< work space of contacts; its state between calls is undefined
+  const std::shared_ptr<const InterfaceLaw> interface; ///< a penalty law for a hard interface on a mesh
+                                                       ///< hierarchy
   const double softening_of_coarser;                   ///< see start_from_coarser_mesh()
   const std::unique_ptr<TableLaw> law;
   const unsigned int n_contact_nodes; ///< of all ranks

@@ -16,12 +16,12 @@ struct LoadFunctional
   std::vector<std::vector<double>> b; ///< of the sines, as many; b[ring][0] = 0
 
   /**
-   * Value for @p load. Harmonics that only one of the two has do not count.
+   * Returns the value for @p load. Harmonics missing in the load or in the functional count as 0.
    * @throws std::invalid_argument if the load has another number of rings.
    */
   double operator()(const RingStack &load) const;
 
-  /// Returns the functional whose value is that of this one for the load rotated counter-clockwise by @p
+  /// Returns the functional that gives this functional's value for the load rotated counter-clockwise by @p
   /// angle [rad].
   LoadFunctional of_rotated(double angle) const;
 };

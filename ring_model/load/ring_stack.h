@@ -46,8 +46,8 @@ public:
   RingStack(std::vector<double> a, std::vector<double> b, double radius);
 
   /**
-   * One ring whose first harmonic carries @p normal_force N [N] with the moment @p moment = M_N [N m]:
-   * b_1 = M_{N,x} / (pi R), a_1 = -M_{N,y} / (pi R). Formal: it turns negative where |M_N| > N R / 2.
+   * Returns one ring with a first harmonic of normal force @p normal_force N [N] and moment @p moment = M_N
+   * [N m]: b_1 = M_{N,x} / (pi R), a_1 = -M_{N,y} / (pi R). Formal: negative somewhere if |M_N| > N R / 2.
    * @throws std::invalid_argument if a value is not finite or N, R are not positive.
    */
   static RingStack first_harmonic(double normal_force, const Eigen::Vector2d &moment, double radius);
@@ -66,9 +66,9 @@ public:
   /// b_n [N/rad]; zero beyond n_harmonics().
   double b(unsigned int n) const { return n < sine.size() ? sine[n] : 0.; }
 
-  /// Radius of the one ring that has the same N, M_N and first harmonic, |M_N| / (pi sqrt(a_1^2 + b_1^2))
-  /// [m]: R itself where there is one ring. Several rings without a moment (below 1e-9 N R, which is
-  /// rounding) have their mean, weighted with |a_{j,0}|.
+  /// Radius of the single ring with the same N, M_N and first harmonic, |M_N| / (pi sqrt(a_1^2 + b_1^2)) [m];
+  /// R itself for one ring. For several rings without a moment (below 1e-9 N R, rounding): the mean radius
+  /// weighted with |a_{j,0}|.
   double radius() const;
 
   /// N = 2 pi a_0 [N].
@@ -77,8 +77,8 @@ public:
   /// M_N = (sum y f, -sum x f) = sum_j pi r_j (b_{j,1}, -a_{j,1}) [N m], about the rings' centre.
   Eigen::Vector2d moment() const;
 
-  /// m = |M_N| / (N R / 2) with the nominal contact radius R = @p contact_radius > 0 [m]. One ring of that
-  /// radius that cannot pull lifts off at m = 1 under a first harmonic, and tips at m = 2.
+  /// Returns m = |M_N| / (N R / 2) with the nominal contact radius R = @p contact_radius > 0 [m]. A single
+  /// ring of this radius without tension lifts off at m = 1 under a first harmonic, and tips at m = 2.
   double moment_ratio(double contact_radius) const;
 
   /// lambda(theta) [N/rad], theta in rad.
@@ -88,21 +88,21 @@ public:
   double derivative(double theta) const;
 
   /**
-   * Least value of lambda over all theta [N/rad]. Every local minimum found among 32 samples per wave
-   * length of the highest harmonic is polished to rounding.
+   * Returns the minimum of lambda over theta [N/rad]. Every local minimum among 32 samples per wave length of
+   * the highest harmonic is polished to rounding.
    */
   double minimum() const;
 
   /**
-   * Pull that the table would have to exert, int max(0, -lambda) dtheta [N]: 0 unless minimum() is negative.
-   * Between the changes of sign, found as the minimum is, the integral is exact.
+   * Tension that the table would have to carry, int max(0, -lambda) dtheta [N]; 0 unless minimum() is
+   * negative. The integral is exact between the sign changes, which are polished like minimum().
    */
   double pulling_force() const;
 
   /// Returns the load truncated to the harmonics up to @p n_max.
   RingStack truncated(unsigned int n_max) const;
 
-  /// Returns the load turned counter-clockwise by @p angle [rad]: lambda'(theta) = lambda(theta - angle).
+  /// Returns the load rotated counter-clockwise by @p angle [rad]: lambda'(theta) = lambda(theta - angle).
   RingStack rotated(double angle) const;
 
   /// Returns all coefficients as a row, ring by ring: r_j, a_{j,0}...a_{j,n}, b_{j,1}...b_{j,n} with n = @p
@@ -112,16 +112,16 @@ public:
   /// Stack of @p n_rings rings whose coefficients() are @p row. Throws as the constructor.
   static RingStack from_coefficients(const std::vector<double> &row, std::size_t n_rings = 1);
 
-  /// Returns the largest difference between coefficients of the sums over a_0 of @p other, or of radius()
-  /// over that of @p other.
+  /// Returns the largest relative difference to @p other: of the coefficients a_n, b_n of the sum over the
+  /// rings, divided by a_0 of @p other, and of radius(), divided by the radius of @p other.
   double difference(const RingStack &other) const;
 
 private:
   /// lambda at 32 n_max angles, evenly spaced from 0 [N/rad].
   std::vector<double> evenly_spaced_values() const;
 
-  /// Local minima by their angle, polished to rounding, and the samples next to them; an angle may be a
-  /// little outside [0, 2 pi).
+  /// Local minima of lambda by their angle, polished to rounding, and the samples next to them. Angles may
+  /// lie slightly outside [0, 2 pi).
   std::map<double, double> local_minima() const;
 
   /// Integral of lambda from one angle to another [N].

@@ -10,8 +10,8 @@ struct Orientation
   double table = 0;
 };
 
-/// Slip of the ring, as far as the normal load may depend on it: friction that deforms the foot has the
-/// direction of the slip, and waviness of rim or table turns under the load.
+/// Slip state that the normal load may depend on: friction that deforms the foot acts along the slip, and
+/// waviness of rim or table rotates under the load.
 struct Slip
 {
   double spin_per_speed = 0; ///< omega / v [1/m], counter-clockwise > 0

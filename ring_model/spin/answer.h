@@ -26,30 +26,30 @@ struct Question
 {
   Motion motion;
   double grip_torque = 0.; ///< of the fingers, against the spin [N m]
-  /// Nominal radius R of moment ratios [m]; std::nullopt: that of the load's one ring.
+  /// Nominal radius R of moment ratios [m]; std::nullopt: the radius of the load's single ring.
   std::optional<double> contact_radius = {};
-  double initial_guess = 0.; ///< initial guess of the terminal spin [rad/s]; 0: that of the load of rest
-  /// Terminal spin of a similar load, if it is known.
+  double initial_guess = 0.; ///< initial guess of the terminal spin [rad/s]; 0: from the load at rest
+  /// Terminal spin of a similar load, for a local search; std::nullopt: search from rest.
   std::optional<ZeroGuess> near = {};
-  bool with_slope = false; ///< whether slope and time constant are wanted: they take four more loads
-  bool with_minima = true; ///< whether least loads and pulling forces are wanted: they take a while
+  bool with_slope = false; ///< compute slope and time constant: four more loads
+  bool with_minima = true; ///< compute minima and pulling forces of the loads
 
-  /// Answer about the same load, for which the questions below are asked; nullptr: the terminal spin is
-  /// searched for first.
+  /// Earlier answer about the same load, to which the quantities below are added; nullptr: the terminal spin
+  /// is searched first.
   const Answer *known = nullptr;
-  std::vector<double> spins = {}; ///< at which the torques are wanted [rad/s]
-  bool all_spins = false;         ///< whether Answer::all_spins is wanted
-  std::vector<double> times = {}; ///< equally spaced, at which the spin-up from rest is wanted [s]
-  double euler_step = 0.;         ///< longest step of Answer::euler [s]; 0: not wanted
+  std::vector<double> spins = {}; ///< spins of Answer::torques [rad/s]
+  bool all_spins = false;         ///< compute Answer::all_spins
+  std::vector<double> times = {}; ///< equally spaced times of Answer::spin_up [s]
+  double euler_step = 0.;         ///< longest step of Answer::euler [s]; 0: no Euler curve
 };
 
-/// State of the ring under a load, or why there is no answer.
+/// Status of an answer: state of the contact, or the kind of failure.
 enum class Status
 {
   full_contact,    ///< the whole land is under pressure
   lift_off,        ///< a part of the land is not under pressure
-  formal,          ///< the load, or what is left of it, would have to pull on the table
-  tips,            ///< no load that only pushes carries the moment
+  formal,          ///< the load, or its truncation, is negative somewhere (tensile, not physical)
+  tips,            ///< no compressive load has the required moment
   no_balance,      ///< no balance of moments was found
   no_terminal_spin ///< the torque does not vanish
 };
@@ -62,7 +62,7 @@ struct Torques
 {
   Wrench friction = {};    ///< T and tau_z
   double lean_torque = 0.; ///< of the normal forces on the leaning glass, LeaningLoad::lean_torque() [N m]
-  double grip_torque = 0.; ///< of the fingers: at rest as much as there is to resist [N m]
+  double grip_torque = 0.; ///< of the fingers; at rest it cancels the other torques up to its limit [N m]
 
   /// Friction, lean and grip torque together: I d omega / dt, zero at a terminal spin [N m].
   double torque() const { return friction.torque + lean_torque + grip_torque; }
@@ -71,63 +71,66 @@ struct Torques
 /// One load at one spin.
 struct RingState : Torques
 {
-  RingStack load;            ///< its harmonics that act on the ring
+  RingStack load;            ///< truncated to the harmonics that act on the ring
   double moment_ratio = 0.;  ///< |M_N| / (N R / 2) with Question::contact_radius
-  double minimum = 0.;       ///< least value of lambda [N/rad]
-  double pulling_share = 0.; ///< what the table would have to pull with, over N
+  double minimum = 0.;       ///< minimum of lambda [N/rad]
+  double pulling_share = 0.; ///< RingStack::pulling_force() over N
 };
 
-/// State of the ring under @p load, that of the spin @p omega [rad/s].
+/// Returns the state of the ring under @p load, the load at the spin @p omega [rad/s].
 RingState ring_state(const LeaningLoad &load, const Question &question, double omega);
 
-/// Fall of a glass that stands at rest.
+/// Spin at which a glass that stands at rest tips over.
 struct Fall
 {
   double omega;    ///< the last spin in balance, known to v / (4096 R) [rad/s]
   RingState state; ///< at that spin
 };
 
-/// Answer to a Question: the spin under a load, with these of its harmonics. What does not exist is missing,
-/// and `status` says why.
+/// Answer to a Question about a load or its truncation. Quantities that do not exist are std::nullopt or
+/// empty; `status` and `reason` say why.
 struct Answer
 {
   unsigned int harmonics = 0; ///< that act on the ring
 
   std::optional<RingState> at_rest;
-  std::optional<TerminalSpin> terminal; ///< if the phase matters the mean of the spin in the long run
-  double ripple = 0.; ///< half of largest minus smallest spin in the long run [rad/s]; 0 without phases
-  /// Uncertainty of the mean spin in the long run [rad/s]: by its average, by the mean of the sampled loads,
-  /// and by the loads between samples as far as ripple makes the glass stay longer at some phases.
+  std::optional<TerminalSpin> terminal; ///< if the phase matters the mean spin after the transient
+  double ripple = 0.; ///< half of the largest minus the smallest spin after the transient [rad/s]; 0 without
+                      ///< phases
+  /// Uncertainty of the mean spin after the transient [rad/s]: error of the average, error of the mean of the
+  /// sampled loads, and error of the loads between samples, weighted by the ripple.
   double spin_uncertainty = 0.;
   double zero_of_mean_torque = 0.; ///< [rad/s]; the terminal spin itself if the phase does not matter
   std::optional<RingState> at_terminal;
-  std::optional<Fall> fall; ///< only if the glass stands at rest and tips on its way to a terminal spin
+  std::optional<Fall> fall; ///< only if the glass stands at rest and tips before it reaches a terminal spin
   std::optional<double> band = {}; ///< half-width of the error band of the terminal spin [rad/s]
   Status status = Status::no_balance;
-  std::string reason = {};              ///< why something is missing; empty if nothing is
-  std::exception_ptr failure = nullptr; ///< behind the reason; nullptr for a fall
+  std::string reason = {};              ///< cause of missing quantities; empty if none is missing
+  std::exception_ptr failure = nullptr; ///< exception behind the reason; nullptr if the glass tips on the way
 
   // Relative to the answer of all harmonics, compared_with_all():
-  std::optional<double> relative_change = {}; ///< of the terminal spin; std::nullopt if that of all is 0
-  /// A priori, on the change of tau_z at the terminal spin of all harmonics [N m].
+  std::optional<double> relative_change = {}; ///< of the terminal spin; std::nullopt if the full load's spin
+                                              ///< is 0
+  /// A-priori bound on the change of tau_z at the full load's terminal spin [N m].
   std::optional<double> bound = {};
 
   std::vector<Torques> torques = {}; ///< at Question::spins
-  /// All spins within 1.5 v / R of rest at which the torques on the glass balance, lowest first, each with
-  /// its stability; `terminal` and a glass held at rest included. Two that lie closer together than v / 32 R
-  /// may be missed. The search ends on either side if the load has no balance, and at 1.05 v / R if friction
-  /// brakes under any load from there on. Empty if the load depends on the phase.
+  /// All spins within 1.5 v / R of rest at which the torques balance, in ascending order, each with its
+  /// stability; includes `terminal` and a glass held at rest. Two spins closer together than v / (32 R) may
+  /// be missed. The search ends where the load has no balance, and at 1.05 v / R if friction brakes under
+  /// every load beyond. Empty if the load depends on the phase.
   std::vector<TerminalSpin> all_spins = {};
-  /// Spin-up from rest at Question::times, with error control and by forward Euler steps; NaN beyond a fall,
-  /// empty without a balance.
+  /// Spin-up from rest at Question::times, with error control (spin_up) and by forward Euler (euler). NaN
+  /// after tipping, empty without a balance.
   std::vector<YawSample> spin_up = {}, euler = {};
 
   std::optional<double> omega_terminal() const; ///< [rad/s]
-  /// The terminal spin, or that of the fall [rad/s]; std::nullopt without either.
+  /// Returns the terminal spin, or the spin at which the glass tips [rad/s]; std::nullopt without either.
   std::optional<double> last_spin() const;
   /// I_z / |d tau_z / d omega| at the terminal spin [s]; std::nullopt without one, or if the slope is 0.
   std::optional<double> time_constant() const;
-  /// The terminal spin as an initial guess for similar loads; std::nullopt without one, or without a slope.
+  /// Returns the terminal spin as an initial guess for similar loads; std::nullopt without a terminal spin or
+  /// a slope.
   std::optional<ZeroGuess> zero_guess() const;
   /// Returns whether the load is negative somewhere, at rest or at the terminal spin.
   bool pulls() const;
@@ -135,36 +138,36 @@ struct Answer
   const Answer &value() const;
 };
 
-/// Answers @p question about @p load. Does not throw NoBalance: the answer has what there is. A glass that
-/// stands at rest and tips on the way is an answer without a terminal spin but with a fall.
+/// Answers @p question about @p load. Does not throw NoBalance: a failed balance is reported in
+/// Answer::reason. A glass that stands at rest and tips on the way has no terminal spin but a `fall`.
 Answer answer(const LoadAtSpin &load, const Question &question);
 
-/// Returns @p answer, as far as it has got, with @p failure as the reason why it got no further.
+/// Returns the incomplete @p answer with @p failure as the reason for its missing quantities.
 Answer failed_answer(const std::exception_ptr &failure, Answer answer = {});
 
-/// Relates @p answer, that of the first Answer::harmonics of @p load, to @p all, that of all of them: change
-/// of the terminal spin and a-priori bound. If the phase matters, bound and least load are those of the worst
-/// phase.
+/// Returns @p answer, the answer of a truncation of @p load, with the change of the terminal spin relative to
+/// the full answer @p all and the a-priori bound. If the phase matters, bound and minimum are the worst over
+/// the phases.
 Answer compared_with_all(Answer answer, const Answer &all, const LoadAtSpin &load, const Motion &motion);
 
-/// Returns whether the harmonics above @p n_harmonics of the load of @p all change neither torque nor balance
-/// at its terminal spin: by a tenth of the tolerance of the search, as the bound of their torque tells.
+/// Returns whether the harmonics above @p n_harmonics are negligible at the terminal spin of @p all: the
+/// bound on their torque is below a tenth of the search's tolerance.
 bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Motion &motion);
 
-/// Friction's tau_z of @p answer at Question::spins [N m].
+/// Returns tau_z of friction of @p answer at Question::spins [N m].
 std::vector<double> friction_torques(const Answer &answer);
 /// Spins of @p samples [rad/s].
 std::vector<double> spins_of(const std::vector<YawSample> &samples);
 
-/// Torque of fingers that resist @p torque, or the spin @p omega [rad/s], with up to @p grip [N m]: at rest
-/// as much as there is to resist.
+/// Returns the torque of fingers that resist @p torque or the spin @p omega [rad/s] with up to @p grip [N m];
+/// at rest it cancels @p torque up to that limit.
 double grip_torque(double torque, double omega, double grip);
 
-/// Sum of friction's tau_z and the lean torque with the marks at @p marks, the mean over the phases if they
-/// are not given; the grip is not included [N m].
+/// Returns tau_z of friction plus the lean torque with the marks at @p marks, or the mean over the phases
+/// without @p marks; the grip is not included [N m].
 double yaw_torque(const LoadAtSpin &load, const Motion &motion, double omega,
                   const std::optional<Orientation> &marks = {});
 
-/// Equally spaced times from 0 to @p end [s]: 201 of them.
+/// Returns 201 equally spaced times from 0 to @p end [s].
 std::vector<double> output_times(double end);
 } // namespace stemware::ring

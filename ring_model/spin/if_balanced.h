@@ -7,9 +7,8 @@
 
 namespace stemware::ring
 {
-/// Returns the result of @p find; std::nullopt if a balance does not exist or was not found, and writes the
-/// reason to @p reason, if given. NoBalance is the only failure that means "no value": all others are thrown
-/// on.
+/// Returns the result of @p find, or std::nullopt if it throws NoBalance; then writes the reason to @p
+/// reason, if given. All other exceptions pass.
 template <typename Find>
 auto if_balanced(const Find &find, std::string *reason = nullptr) -> std::optional<decltype(find())>
 {

@@ -10,7 +10,7 @@
 
 namespace stemware::ring
 {
-/// The load on the rings at one spin, and how the glass leans under it.
+/// Load on the rings at one spin, and the tilt of the glass under that load.
 struct LeaningLoad : RingStack
 {
   LeaningLoad(RingStack rings, const Eigen::Vector2d &tilt = Eigen::Vector2d::Zero()) // NOLINT
@@ -19,16 +19,16 @@ struct LeaningLoad : RingStack
   {
   }
 
-  /// (q1, q2): the table's tilts in the frame of the glass, whose axis leans by (-q1, -q2) [rad]; 0 where the
-  /// tilt is left out of the moment balance.
+  /// (q1, q2): tilts of the table in the frame of the glass, whose axis tilts by (-q1, -q2) [rad]; 0 if the
+  /// moment balance neglects the tilt.
   Eigen::Vector2d tilt;
 
-  /// Moment of the normal forces about the leaning axis, -q1 M_Nx - q2 M_Ny [N m]: it turns the glass as
-  /// tau_z does (docs/theory/closures.md).
+  /// Returns the moment of the normal forces about the tilted axis, -q1 M_Nx - q2 M_Ny [N m]; it turns the
+  /// glass like tau_z (docs/theory/closures.md).
   double lean_torque() const { return -tilt.dot(moment()); }
 
-  /// All numbers in a row, RingStack::coefficients() and the tilt: rows of equally many rings and harmonics
-  /// may be added and interpolated.
+  /// Returns RingStack::coefficients() followed by the tilt. Rows of equally many rings and harmonics may be
+  /// added and interpolated.
   Eigen::VectorXd coefficients(unsigned int n_harmonics) const
   {
     const std::vector<double> of_rings = RingStack::coefficients(n_harmonics);

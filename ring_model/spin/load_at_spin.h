@@ -15,10 +15,10 @@ namespace stemware::ring
 class LoadAtSpin;
 class PhaseSampledLoad;
 
-/// Loads are shared: the balances that one owner finds are known to all.
+/// Shared load: balances solved for one owner are cached for all owners.
 using SharedLoad = std::shared_ptr<const LoadAtSpin>;
 
-/// Load on the ring at every spin, wherever it comes from: the load of a Question.
+/// Load on the ring as a function of the spin; the load of a Question.
 class LoadAtSpin : public std::enable_shared_from_this<LoadAtSpin>
 {
 public:
@@ -30,18 +30,18 @@ public:
 
   /// Highest harmonic of at().
   virtual unsigned int n_harmonics() const { return at(0.).n_harmonics(); }
-  /// Radius of friction [m]: that of the load at rest.
+  /// Radius of friction [m]: the radius of the load at rest.
   virtual double radius() const { return at(0.).radius(); }
-  /// Returns whether a load takes contact solutions.
+  /// Returns whether at() needs contact solutions.
   virtual bool is_costly() const { return false; }
-  /// Returns whether the load is a pressure, which nowhere pulls.
+  /// Returns whether the load comes from a contact pressure and is nowhere negative.
   virtual bool is_pressure() const { return false; }
-  /// nullptr unless the phase matters.
+  /// Returns the load by phase; nullptr if the load does not depend on the phase.
   virtual const PhaseSampledLoad *phases() const { return nullptr; }
   /// Spins at which the load is known without a contact solution [rad/s], ascending.
   virtual std::vector<double> known_spins() const { return {}; }
-  /// Distance of the rim from lift-off at @p omega, one of known_spins(): the least pointwise load over a_0;
-  /// after lift-off minus the least load, estimated from the free arc, to which a first harmonic continues.
+  /// Margin to lift-off at @p omega, one of known_spins(): the minimum of the pointwise load over a_0;
+  /// negative after lift-off, estimated from the free arc by continuing the first harmonic.
   virtual double lift_off_margin(double /*omega*/) const { return 1.; }
   /// SpinSearch::stability_margin at @p omega, a spin for which at() has been called; 1 if unknown.
   virtual double stability_margin(double /*omega*/) const { return 1.; }
@@ -50,7 +50,7 @@ public:
   /// Bound on the interpolation error of at() over a_0; std::nullopt if the load is not interpolated.
   virtual std::optional<double> interpolation_error() const { return std::nullopt; }
 
-  /// The spin v / R at which the ring at rest is as fast as the glass [rad/s].
+  /// Spin v / R at which the rim speed equals the orbit speed, R the radius at rest [rad/s].
   double spin_scale(const Motion &motion) const { return motion.orbit_speed / radius(); }
 };
 
@@ -73,7 +73,7 @@ private:
   const std::function<LeaningLoad(double omega)> load;
 };
 
-/// Another load but for what a derived class changes.
+/// Decorator: forwards all calls to another load; derived classes override some of them.
 class LoadDecorator : public LoadAtSpin
 {
 public:
@@ -100,15 +100,13 @@ protected:
   const SharedLoad whole;
 };
 
-/// Returns @p load cut off after @p n_harmonics; neither contact nor friction is solved again.
+/// Returns @p load truncated after @p n_harmonics; neither contact nor friction is solved again.
 SharedLoad truncated(const SharedLoad &load, unsigned int n_harmonics);
 
-/// Returns @p load for curves of thousands of values on spins from @p lower to @p upper [rad/s], if each
-/// value would be a balance of its own: interpolated by a SpinCurve to 1e-6 of a_0 if few samples suffice,
-/// else to
-/// @p enough, else to 1e-3, else exact; outside exact. A load that is not costly is returned as it is. If
-/// @p like, another interpolated load on the same rings, is one polynomial, the difference to it is
-/// interpolated.
+/// Returns @p load interpolated between the spins @p lower and @p upper [rad/s], for curves of thousands of
+/// values: by a SpinCurve to 1e-6 of a_0 if few samples suffice, else to @p enough, else to 1e-3, else exact;
+/// exact outside the interval. A load that is not costly is returned unchanged. If @p like, another
+/// interpolated load on the same rings, is one polynomial, the difference to @p like is interpolated.
 SharedLoad interpolated(const SharedLoad &load, double lower, double upper, double enough = 2e-5,
                         const LoadAtSpin *like = nullptr);
 } // namespace stemware::ring

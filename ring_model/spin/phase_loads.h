@@ -11,51 +11,53 @@
 namespace stemware::ring
 {
 
-/// The load at a spin [rad/s] with the marks at a phase; each is a contact solution, or several.
+/// Load at a spin [rad/s] with the marks at a phase; each call is one contact solution or several.
 using LoadAtPhase = std::function<LeaningLoad(double omega, const Orientation &phase)>;
 
-/// Samples at rest, as many as their mean takes: 8 of one angle or 4 of each of two, doubled in the angle in
-/// which half of them have a mean farther off, until the mean of half is within 1e-5,
-/// PhaseSamples::error(); at most 128 in each angle and @p max_samples together. Throws NoBalance, with a
-/// sentence, where the error of the mean stays above 3e-2 or that between phases above 0.3.
+/// Samples the load at rest over the phases until the mean of half the samples agrees with the mean of all
+/// within 1e-5 (PhaseSamples::error()). Begins with 8 phases of one angle or 4 of each of two and doubles the
+/// angle with the larger error, up to 128 in each angle and @p max_samples in all. Throws NoBalance if the
+/// error of the mean stays above 3e-2 or the error between phases above 0.3.
 PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int max_samples);
 
 /// Sampling of a load that depends on the spin.
 struct SpinSampling
 {
-  double unit = 0; ///< length of the intervals of spins, which begin at 0 [rad/s]; 0: no dependence
-  unsigned int max_steps = 16; ///< on an interval, a power of two
+  double unit = 0; ///< length of the intervals of spins from 0 on [rad/s]; 0: the load does not depend on the
+                   ///< spin
+  unsigned int max_steps = 16; ///< per interval, a power of two
 };
 
-/// The worst of all sampled phases, at rest.
+/// Extremes over all sampled phases, at rest.
 struct PhaseExtremes
 {
   double least_load = 0;             ///< pointwise [N/rad]
   double least_contact_fraction = 0; ///< LoadReport::contact_fraction
 };
 
-/// A load that depends on where the marks of glass and table stand, and maybe on the spin: sampled at rest on
-/// a grid of phases; what the spin changes is sampled at some of these phases and, interval by interval as
-/// spins are asked for, on Chebyshev points; interpolated in between, trigonometrically in the phases and by
-/// polynomials in the spin.
+/// Load that depends on the phases of glass and table, and possibly on the spin. At rest it is sampled on a
+/// grid of phases. The change with the spin is sampled at some of these phases, on Chebyshev points of each
+/// interval of spins that is requested. Interpolation is trigonometric in the phases and polynomial in the
+/// spin.
 class PhaseSampledLoad
 {
 public:
-  /// @p load is kept.
+  /// Keeps a copy of @p load.
   PhaseSampledLoad(LoadAtPhase load, const PhasePeriods &periods, const PhaseSamples &at_rest,
                    const SpinSampling &spins = {}, const PhaseExtremes &extremes = {});
 
-  /// Throws NoBalance, as sample_phases(), where the samples round @p omega leave as large an error.
+  /// Returns the load at a spin and phase. Throws NoBalance, as sample_phases(), if the samples around @p
+  /// omega are not accurate enough.
   LeaningLoad at(double omega, const Orientation &phase) const;
 
-  /// Mean over all phases. It carries the mean moment.
+  /// Returns the mean over all phases, which has the mean moment.
   LeaningLoad mean(double omega) const { return at_spin(omega).mean(); }
 
-  /// The load with the marks at the first of phases(), asked for itself, not interpolated.
+  /// Returns the load at the first of phases(), solved and not interpolated.
   LeaningLoad at_first_phase(double omega) const { return load(omega, phases().phase(0)); }
 
-  /// Returns the spins [rad/s] between which at() is one polynomial of the same samples as at @p omega:
-  /// without bounds if the load does not depend on the spin.
+  /// Returns the interval of spins [rad/s] around @p omega on which at() is one polynomial; infinite if the
+  /// load does not depend on the spin.
   std::pair<double, double> polynomial_range(double omega) const;
 
   /// The loads at all sampled phases.
@@ -63,10 +65,10 @@ public:
   const PhaseGrids &phases() const { return at_rest.phases(); }
   const PhasePeriods &periods() const { return phase_periods; }
 
-  std::size_t n_spins() const; ///< sampled so far; 1 where the load does not depend on the spin
-  /// Largest error so far of mean() and of at(): PhaseSamples::error() at rest, that of the change to the
-  /// farther end of each interval of spins, and what interpolation between spins leaves, at one phase or, for
-  /// the mean, if that is less, what half of the spins say otherwise.
+  std::size_t n_spins() const; ///< sampled so far; 1 if the load does not depend on the spin
+  /// Largest error so far of mean() and at(): PhaseSamples::error() at rest, plus the error of the change
+  /// with the spin at the far end of each interval, plus the interpolation error in the spin (for the mean,
+  /// at most the difference to half of the spins).
   const SampleError &error() const { return largest_error; }
   const PhaseExtremes &at_rest_extremes() const { return extremes; }
 
@@ -82,21 +84,22 @@ private:
 
   bool varies_with_spin(double omega) const { return spins_asked.unit > 0 && omega != 0; }
   PhaseSamples at_spin(double omega) const;
-  /// Spins of an interval, as many as it takes, and the error between them, torque_difference(); where the
-  /// load has kinks in the spin, as many as it takes below 3e-2 until twice as many leave over a third of it.
+  /// Chooses the nodes of an interval and returns their interpolation error, torque_difference(). For a load
+  /// with kinks in the spin, refinement stops below 3e-2 when doubling leaves more than a third of the error.
   std::pair<ChebyshevInterval, double> find_spins(long interval) const;
-  /// Changes that the spins @p omegas make in the loads at rest, at the phases of @p grids: a matrix for each
-  /// spin, with a column for each phase.
+  /// Returns the change of the loads between rest and each of @p omegas at the phases of @p grids: one matrix
+  /// per spin, one column per phase.
   std::vector<Eigen::MatrixXd> changes_from_rest(const std::vector<double> &omegas,
                                                  const PhaseGrids &grids) const;
-  /// Some of phases(), as many as it takes to know what the spin @p omega changes in the mean, and the error
-  /// that they leave of that change.
+  /// Returns the smallest subset of phases() that resolves the mean change at the spin @p omega, and its
+  /// error.
   std::pair<PhaseGrids, SampleError> sample_phases_of_change(double omega) const;
-  /// The loads at rest and, interpolated between the phases of @p grids, @p changes: a column for each.
+  /// Returns the loads at rest plus @p changes (one column per phase of @p grids), interpolated to phases().
   PhaseSamples changed(const PhaseGrids &grids, const Eigen::MatrixXd &changes) const;
   const Samples &samples_around(double omega) const;
   Samples samples_of(long interval) const;
-  /// Largest torque_difference() of mean() at every other spin of @p samples from what the others say.
+  /// Returns the largest torque_difference() between mean() at every other spin of @p samples and its
+  /// interpolation from the remaining spins.
   double error_of_halved_spins(const Samples &samples) const;
 
   const LoadAtPhase load;

@@ -12,17 +12,16 @@
 namespace stemware::ring
 {
 
-/// Torque of friction and lean on a glass whose load depends on the phase, for integrators, which ask some
-/// hundred thousand times next to one spin. The torque at each sampled phase is a polynomial in the spin;
-/// between phases it is interpolated as the load is, on which it depends linearly.
+/// Torque of friction and lean for a load that depends on the phase, tabulated for integrators, which
+/// evaluate it some hundred thousand times near one spin. At each sampled phase the torque is a polynomial in
+/// the spin; between phases it is interpolated like the load, on which it depends linearly.
 class PhaseTorque
 {
 public:
-  /// Tabulates the torque of @p load, which has phases(), at spins up to @p reach [rad/s] from @p middle, as
-  /// far as the load is known around it (PhaseSampledLoad::polynomial_range()).
-  /// If polynomials leave more than @p tolerance [N m], as across the spin v / R of a ring, at which the
-  /// torque has a kink, half of @p reach is tried, and a quarter; then there is no table. @p load and @p
-  /// motion are kept by reference.
+  /// Tabulates the torque of @p load, which has phases(), for spins within @p reach [rad/s] of @p middle,
+  /// limited to the load's PhaseSampledLoad::polynomial_range(). If the polynomials are less accurate than @p
+  /// tolerance [N m], as across the kink of the torque at the spin v / R of a ring, half and then a quarter
+  /// of @p reach is tried; if both fail there is no table. Keeps references to @p load and @p motion.
   PhaseTorque(const LoadAtSpin &load, const Motion &motion, double middle, double reach, double tolerance);
 
   /// Returns the torque [N m] at a time [s], yaw angle [rad] and spin [rad/s]: from the table if it covers
@@ -33,7 +32,8 @@ public:
   bool is_tabulated() const { return spins.has_value(); }
 
 private:
-  /// Makes the table from `lower` to `upper`, unless polynomials leave more than @p tolerance [N m].
+  /// Makes the table from `lower` to `upper`, unless the polynomials are less accurate than @p tolerance [N
+  /// m].
   void tabulate(double tolerance);
   /// Torques at all phases. Shape [number of phases, number of spins].
   Eigen::MatrixXd at_phases(const std::vector<double> &omegas) const;

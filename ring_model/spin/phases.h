@@ -17,7 +17,7 @@ namespace stemware::ring
 /// orbit angle phi = +/- v t / rho, upper signs for a counter-clockwise orbit.
 Orientation orientation_of_marks(const Motion &motion, double time, double yaw_angle);
 
-/// The periods [rad] with which the load repeats itself when glass or table turn; 0 for a perfect surface.
+/// Periods [rad] of the load in the angles of glass and table; 0 for a perfect surface.
 struct PhasePeriods
 {
   double glass = 0;
@@ -26,8 +26,8 @@ struct PhasePeriods
   bool any() const { return glass > 0 || table > 0; }
 };
 
-/// Equidistant nodes over one period of an angle, with the trigonometric interpolation between them. One node
-/// stands for a function that does not depend on the angle.
+/// Equidistant nodes over one period of an angle, with trigonometric interpolation. A single node represents
+/// a function that does not depend on the angle.
 class PeriodicGrid
 {
 public:
@@ -38,9 +38,9 @@ public:
   double node(unsigned int i) const { return period * i / n_nodes; }
   double step() const { return period / n_nodes; }
   PeriodicGrid refined() const { return PeriodicGrid(period, 2 * n_nodes); }
-  /// Returns the grid with half the nodes; one remains one.
+  /// Returns the grid with half the nodes, at least one.
   PeriodicGrid halved() const;
-  /// Returns the grid with every so many-th node that at most @p max_nodes are left, a power of two.
+  /// Returns the coarsest power-of-two subset of the nodes with at most @p max_nodes nodes.
   PeriodicGrid coarsened(unsigned int max_nodes) const;
   /// Weights of the nodes' values in the interpolant at @p angle. Shape [size()].
   Eigen::VectorXd weights(double angle) const;
@@ -48,7 +48,7 @@ public:
 private:
   double period;
   unsigned int n_nodes;
-  Eigen::ArrayXd cosine, sine; ///< of half the nodes' angles, as parts of a full circle. Shape [size()].
+  Eigen::ArrayXd cosine, sine; ///< of half the nodes' angles, scaled to a full circle; shape [size()]
 };
 
 /// Chebyshev points on an interval of spins, both ends included, with the polynomial interpolation between
@@ -65,7 +65,7 @@ public:
   /// Weights of the nodes' values in the interpolant at @p omega. Shape [size()].
   Eigen::VectorXd weights(double omega) const;
 
-  /// The points halfway between the nodes: what refined() adds.
+  /// Returns the nodes that refined() adds.
   std::vector<double> between() const;
   ChebyshevInterval refined() const { return ChebyshevInterval(lower, upper, 2 * n_steps); }
 
@@ -87,56 +87,58 @@ struct PhaseGrids
 
   unsigned int size() const { return glass.size() * table.size(); }
   Orientation phase(unsigned int i) const;
-  /// Number of the node of one angle that phase @p i stands on.
+  /// Returns the index of the node of one angle at phase @p i.
   unsigned int node(Angle angle, unsigned int i) const;
-  /// The same with every other node of one angle.
+  /// Returns the grids with every other node of one angle.
   PhaseGrids halved(Angle angle) const;
   /// Weights of the phases in the interpolant at @p phase. Shape [size()].
   Eigen::VectorXd weights(const Orientation &phase) const;
-  /// The column at @p phase between @p columns, of which there is one for each phase.
+  /// Returns the column interpolated at @p phase from @p columns, one for each phase.
   Eigen::VectorXd interpolated(const Eigen::MatrixXd &columns, const Orientation &phase) const;
 };
 
-/// Returns the distance of two loads as friction sees them: the largest difference of tau_z over mu N R among
-/// the slip ratios 0, +-1/4 ... +-1, R the ring radius of @p other. Harmonics count as much as they turn the
-/// glass: those of a load that is gathered at crests reach far up, where the kernels have vanished.
+/// Returns the distance of two loads: the largest difference of tau_z over mu N R among the slip ratios 0,
+/// +-1/4 ... +-1, R the ring radius of @p other. High harmonics of a load concentrated at crests count only
+/// as far as the kernels let them turn the glass.
 double torque_difference(const LeaningLoad &one, const LeaningLoad &other);
 
-/// Errors of a load that is sampled, torque_difference().
+/// Errors of a sampled load, measured by torque_difference().
 struct SampleError
 {
   double mean = 0;    ///< of its mean
   double between = 0; ///< largest between samples
 };
 
-/// The load at one spin, or a sum of such, sampled at phases.
+/// Load at one spin, or a sum of loads, sampled at phases.
 class PhaseSamples
 {
 public:
-  /// @p columns has one column per phase of @p grids: LeaningLoad::coefficients() of @p n_rings rings.
+  /// @p columns: LeaningLoad::coefficients() of @p n_rings rings, one column per phase of @p grids.
   PhaseSamples(const PhaseGrids &grids, const Eigen::MatrixXd &columns, std::size_t n_rings);
 
   const PhaseGrids &phases() const { return grids; }
   const Eigen::MatrixXd &columns() const { return loads; }
   std::size_t n_rings() const { return rings_per_load; }
 
-  /// The load at phase @p i, and by trigonometric interpolation at any.
+  /// Returns the load at phase @p i, or at any phase by trigonometric interpolation.
   LeaningLoad sample(unsigned int i) const { return load_of(loads.col(i)); }
   LeaningLoad at(const Orientation &phase) const { return load_of(grids.interpolated(loads, phase)); }
 
-  /// Mean over all phases, the trapezoidal rule. It carries the mean moment.
+  /// Returns the mean over all phases (trapezoidal rule), which has the mean moment.
   LeaningLoad mean() const;
 
-  /// Error in one angle, as the samples tell it. Of the mean: what half of the phases say otherwise; between:
-  /// what half and a quarter of them leave at the others, extrapolated to all.
+  /// Estimates the error in one angle. Mean: difference to the mean of half of the phases. Between phases:
+  /// interpolation error of a half and of a quarter of the phases at the others, extrapolated to all.
   SampleError error(PhaseGrids::Angle angle) const;
-  /// Error in both angles: the sum of those of the mean, the larger of those between.
+  /// Returns the error in both angles: the sum of the errors of the mean, the larger of the errors between
+  /// phases.
   SampleError error() const;
 
 private:
   LeaningLoad load_of(const Eigen::VectorXd &column) const;
   PhaseSamples halved(PhaseGrids::Angle angle) const;
-  /// Largest torque_difference() that half of the phases of an angle leave at the others.
+  /// Returns the largest torque_difference() between the loads at every other phase of an angle and their
+  /// interpolation from the remaining phases.
   double error_of_half(PhaseGrids::Angle angle) const;
 
   PhaseGrids grids;

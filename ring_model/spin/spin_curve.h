@@ -12,19 +12,19 @@
 namespace stemware::ring
 {
 
-/// A load that depends on one number, such as the spin or the moment ratio.
+/// Load as a function of one number, such as the spin or the moment ratio.
 using LoadFunction = std::function<LeaningLoad(double x)>;
 
-/// A load that is costly to find, and what a curve of it has to know.
+/// Costly load with the data that an interpolating curve needs.
 struct CurveSource
 {
   LoadFunction load;
-  /// Positive where the rim carries load all round, negative where it has lifted off in part; changes sign
-  /// where it begins to. Asked only where the load is known. Empty: the rim never lifts off.
+  /// Margin to lift-off: positive if the whole rim is loaded, negative after partial lift-off; evaluated at
+  /// known x only. Empty: the rim never lifts off.
   std::function<double(double x)> lift_off_margin = {};
-  std::vector<double> known = {}; ///< where the load costs nothing, ascending
-  /// A load that is known everywhere and differs from this one by less than that varies, of the same rings:
-  /// the difference is interpolated. Empty: the load itself is.
+  std::vector<double> known = {}; ///< x at which the load is already known, ascending
+  /// Load that is known everywhere, on the same rings, and close to this load: the difference, which varies
+  /// less, is interpolated. Empty: the load itself is interpolated.
   LoadFunction reference = {};
 };
 
@@ -38,38 +38,38 @@ struct CurveTolerance
   std::size_t max_samples = 200;
 };
 
-/// A load interpolated between samples, piece by piece: a new piece begins where the rim lifts off, and where
-/// one polynomial would need too many.
+/// Piecewise interpolation of a load. Pieces end where the rim lifts off, and where one polynomial would need
+/// too many samples.
 class SpinCurve
 {
 public:
-  /// Samples @p source on [@p lower, @p upper]. Where the rim begins to lift off is found first. The
-  /// polynomial on each piece is given sample after sample at Leja's points (or next to them, where the load
-  /// is known), each of which tells the error of the polynomial before it; a piece for which 17 do not do is
-  /// halved. The worst piece comes first, until @p tolerance is reached or the samples are used up: error()
-  /// tells. @p source is not asked afterwards, but for its reference.
+  /// Samples @p source on [@p lower, @p upper]. Lift-off points are located first. On each piece, samples are
+  /// added at Leja points (or nearby points where the load is known); each new sample measures the error of
+  /// the previous polynomial. A piece that needs more than 17 samples is halved. The piece with the largest
+  /// error is refined first, until @p tolerance is reached or the samples are used up; error() gives the
+  /// result. Afterwards only the reference of @p source is evaluated.
   SpinCurve(const CurveSource &source, double lower, double upper, const CurveTolerance &tolerance = {});
 
-  /// The load between the samples, at a sample the very load, and beyond the first and the last as there.
+  /// Returns the interpolated load; exact at a sample, constant beyond the first and the last.
   LeaningLoad operator()(double x) const;
 
   std::size_t n_pieces() const { return pieces.size(); }
-  /// Samples that were not known.
+  /// Number of samples that were not known beforehand.
   std::size_t n_samples() const { return n_new; }
-  /// Bound on the interpolation's error that checks have confirmed.
+  /// Bound on the interpolation error, confirmed by the last samples.
   double error() const;
-  /// Returns the places at which the rim lifts off, ascending.
+  /// Returns the x at which the rim lifts off, ascending.
   const std::vector<double> &lift_offs() const { return kinks; }
 
 private:
-  /// One polynomial, in a coordinate in which the load is smooth. Where a rim lifts off, or stands again, a
-  /// load has half powers of the distance to that place, or logarithms: towards it the coordinate is the root
-  /// of the distance.
+  /// Polynomial in a coordinate in which the load is smooth. At lift-off the load has half powers (or
+  /// logarithms) of the distance to the lift-off point; the coordinate is then the square root of that
+  /// distance.
   struct Piece
   {
     /// Returns the smooth coordinate, from 0 to 1.
     double coordinate(double x) const;
-    /// The inverse of coordinate().
+    /// Returns x at a smooth coordinate, the inverse of coordinate().
     double place(double coordinate) const;
     /// Weights of the nodes' values in the polynomial.
     Eigen::VectorXd weights(double coordinate) const;
@@ -81,21 +81,21 @@ private:
     bool kink_at_begin, kink_at_end;
     LoadFunction reference;                   ///< CurveSource::reference
     std::map<double, LeaningLoad> nodes = {}; ///< by coordinate()
-    double estimate = 0;                      ///< of its error, by what its nodes have told
+    double estimate = 0;                      ///< of the interpolation error, from its nodes
     unsigned int n_harmonics = 0;
-    Eigen::MatrixXd rows = {}; ///< LeaningLoad::coefficients() of the nodes, less those of the reference
+    Eigen::MatrixXd rows = {}; ///< LeaningLoad::coefficients() of the nodes minus the reference's
   };
 
   const LeaningLoad &sample(const CurveSource &source, double x);
-  /// Finds the places at which the rim begins to lift off, or stands again, between the known ones.
+  /// Finds the points between the known ones at which the rim lifts off or comes back into contact.
   void find_kinks(const CurveSource &source);
   Piece through_ends(const CurveSource &source, double begin, double end, bool kink_at_begin,
                      bool kink_at_end);
-  /// Adds a sample where the polynomial through the others is worst known: what it is off by there tells its
-  /// error, and bounds that of the polynomial through all.
+  /// Adds a sample at the next Leja point. Its deviation from the previous polynomial measures that
+  /// polynomial's error and bounds the new one's.
   void refine(const CurveSource &source, Piece &piece);
-  /// Returns the place of the largest product of the distances to all nodes (Leja's points), or one at which
-  /// the load is known and that product is not much smaller.
+  /// Returns the next Leja point (largest product of the distances to all nodes), or a known point whose
+  /// product is not much smaller.
   double next_place(const Piece &piece) const;
 
   std::map<double, LeaningLoad> samples; ///< by x

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-/// One function for each question about a study: the verbs of the program and Python call the same.
+/// One function for each question about a study, shared by the program's verbs and Python.
 namespace stemware::pipeline
 {
 
@@ -23,9 +23,9 @@ struct StudyAnswer
   ErrorBands bands = {}; ///< empty with Depth::answer
 };
 
-/// Answers @p given, a checked study. @p with_fields: with fields and stressed section of the foot.
-/// Collective where the body is. Throws BadInput, fem::ContactFailure, and ring::NoBalance where there is no
-/// balance or no terminal spin.
+/// Answers @p given, a checked study. @p with_fields: also fields and stressed section of the foot.
+/// Collective if the body is. Throws BadInput, fem::ContactFailure, and ring::NoBalance without a balance or
+/// a terminal spin.
 StudyAnswer answer_study(const Study &given, Depth depth, const Executor &executor, Progress &progress,
                          bool with_fields);
 
@@ -37,7 +37,7 @@ struct TruncatedStudy
   std::vector<ring::Answer> rows = {}; ///< rows_by_harmonics()
 };
 
-/// Solves @p given with fewer and fewer harmonics. Throws as answer_study(), and ring::NoBalance if all
+/// Solves @p given with decreasing numbers of harmonics. Throws as answer_study(), and ring::NoBalance if all
 /// harmonics have no terminal spin.
 TruncatedStudy truncate_study(const Study &given, const Executor &executor, Progress &progress);
 

@@ -12,8 +12,8 @@
 namespace stemware::pipeline
 {
 
-/// Shows on the console how far the work is: the steps of Newton's method as a table, pieces of known number
-/// as a bar, balances as a line every few seconds; stages end on a stopwatch.
+/// Progress on the console: Newton steps as a table, work of known size as a bar, balances as a line every
+/// few seconds; stages end on a stopwatch.
 class ConsoleProgress : public Progress
 {
 public:
@@ -32,7 +32,7 @@ private:
   std::chrono::steady_clock::time_point last_line = std::chrono::steady_clock::now();
 };
 
-/// Says what the table has to carry at rest, and where that comes from.
+/// Reports the required resultants at rest and their origin to @p progress.
 void note_load_source(const Study &study, Progress &progress);
 
 } // namespace stemware::pipeline

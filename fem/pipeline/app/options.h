@@ -12,18 +12,18 @@
 namespace stemware::pipeline
 {
 
-/// Declares STUDY alone, to be stored in @p options; @p role says what the study is for.
+/// Declares the argument STUDY, stored in @p options; @p role: purpose of the study, for the help.
 void add_study_option(CLI::App &verb, StudyOptions &options, const std::string &role = "");
 
-/// Declares --output alone, with that help.
+/// Declares --output with the text @p help.
 void add_output_option(CLI::App &verb, StudyOptions &options, const std::string &help);
 
 /// Declares STUDY, --output, --set, --threads, --quiet and --json on @p verb, to be
 /// stored in @p options.
 void add_study_options(CLI::App &verb, StudyOptions &options);
 
-/// Adds a verb that works on studies, as add_verb(): with add_study_options(), stored in Options, which are
-/// derived from StudyOptions. The verb and its options come back, for those of its own.
+/// Adds a verb that works on studies: add_verb() and add_study_options(), stored in Options (derived from
+/// StudyOptions). Returns the verb and its options, for further options.
 template <typename Options>
 std::pair<CLI::App *, std::shared_ptr<Options>>
 add_study_verb(CLI::App &program, Verb &chosen, const std::string &name, const std::string &words,
@@ -35,25 +35,25 @@ add_study_verb(CLI::App &program, Verb &chosen, const std::string &name, const s
   return { verb, options };
 }
 
-/// Declares --threads alone, with that help.
+/// Declares --threads with the text @p help.
 void add_threads_option(CLI::App &verb, StudyOptions &options,
                         const std::string &help = "Threads that share the work");
 
-/// Number of threads: the option --threads, else the variable OMP_NUM_THREADS, else the number of cores, or 1
+/// Returns the number of threads: option --threads, else variable OMP_NUM_THREADS, else number of cores, or 1
 /// with MPI.
 unsigned int n_threads_of(const StudyOptions &options);
 
-/// Declares --set alone.
+/// Declares --set.
 void add_override_option(CLI::App &verb, StudyOptions &options);
 
-/// Declares --quiet and --json alone.
+/// Declares --quiet and --json.
 void add_console_options(CLI::App &verb, StudyOptions &options);
 
-/// Says @p note on the console behind @p label; nothing where it is empty.
+/// Prints @p note on the console after @p label; nothing if the note is empty.
 void print_note(const std::string &label, const std::string &note);
 
-/// Begins a verb: directs the console, reads and checks the study, and loads the modules of its foot. Refuses
-/// everything that can be refused before the work; throws BadInput.
+/// Begins a verb: directs the console, reads and checks the study, loads the modules of its foot, and makes
+/// all checks that are possible before the work. Throws BadInput.
 Study begin_study(const StudyOptions &options);
 
 } // namespace stemware::pipeline

@@ -3,8 +3,8 @@
 namespace stemware::pipeline
 {
 
-/// The program `stemware`, from its arguments (the first is its name) to its exit code; to be called once in
-/// a process, which is then over but for its end: signals, MPI and the streams are the program's.
+/// Runs the program `stemware` with its arguments (the first is its name) and returns the exit code. Call
+/// once per process: it takes over signals, MPI and the standard streams.
 int run_program(int argc, char *argv[]);
 
 } // namespace stemware::pipeline

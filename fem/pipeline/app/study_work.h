@@ -10,12 +10,12 @@
 namespace stemware::pipeline
 {
 
-/// The beginning that verbs have in common which solve one study, and the means of their work. Collective
+/// Common beginning of the verbs that solve one study, with the objects that their work needs. Collective
 /// over all ranks.
 struct StudyWork
 {
-  /// Everything that can be refused is refused here: by begin_study(), by @p refuse, which throws BadInput,
-  /// and by the folder of the results. Then says, if it @p notes_load, what the table has to carry.
+  /// Makes all checks before the work: begin_study(), @p refuse, which throws BadInput, and the folder of the
+  /// results. Then reports the required resultants if @p notes_load.
   StudyWork(const StudyOptions &options, bool notes_load,
             const std::function<void(const Study &)> &refuse = {});
 

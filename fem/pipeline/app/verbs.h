@@ -12,14 +12,13 @@ class App;
 namespace stemware::pipeline
 {
 
-/// The work of the verb that was chosen on the command line, its options included.
+/// Work of the verb chosen on the command line, bound to its options.
 using Verb = std::function<void()>;
 
-/// The examples and explanations help/@p name.txt that end the help of a verb.
+/// Returns the examples and explanations of help/@p name.txt, the end of a verb's help.
 std::string help_of(const std::string &name);
 
-/// Adds a verb, with the examples and explanations that end its help. When it is chosen, @p chosen becomes
-/// its @p work.
+/// Adds a verb with help_of() its name. If the verb is chosen, @p chosen becomes its @p work.
 CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, const std::string &words,
                    const Verb &work);
 

@@ -20,13 +20,13 @@ namespace stemware::pipeline
 /// No truncation.
 inline constexpr unsigned int all_harmonics = std::numeric_limits<unsigned int>::max();
 
-/// Load of a study at every spin, with the contact behind it.
+/// Load of a study as a function of the spin, with its contact.
 class BalancedLoad : public ring::LoadAtSpin
 {
 public:
-  /// The whole load at rest.
+  /// Returns the full load at rest.
   virtual const LoadReport &report() const = 0;
-  /// Contact at the spin @p omega; std::nullopt if the load does not come from one.
+  /// Returns the contact at the spin @p omega; std::nullopt for a load without a contact.
   virtual std::optional<fem::ContactState> contact(double /*omega*/) const { return std::nullopt; }
   /// Returns the statistics of the solved loads; std::nullopt if the load does not depend on the spin.
   virtual std::optional<CouplingStatistics> statistics() const { return std::nullopt; }
@@ -35,10 +35,10 @@ public:
   bool is_pressure() const override { return contact(0).has_value(); }
 };
 
-/// Loads are shared: the balances that one owner finds are known to all.
+/// Shared load: balances solved for one owner are cached for all owners.
 using SharedLoad = std::shared_ptr<const BalancedLoad>;
 
-/// The first @p n_harmonics of a load that a function of the spin gives, or that is the same at every spin.
+/// Load given by a function of the spin, or constant, truncated to n_harmonics.
 class GivenLoad : public BalancedLoad
 {
 public:
@@ -49,7 +49,7 @@ public:
       , function(std::move(function))
   {
   }
-  /// The same at every spin, from the contact @p state.
+  /// Constant load of the contact @p state.
   GivenLoad(LoadReport at_rest, unsigned int n_harmonics, const fem::ContactState &state)
       : GivenLoad(std::move(at_rest), n_harmonics)
   {
@@ -71,15 +71,15 @@ private:
   std::optional<fem::ContactState> state;
 };
 
-/// The load of @p model in balance with the friction of its own first @p n_harmonics at every spin; @p
-/// at_rest is the load at omega = 0, where the friction, (-mu N, 0), is known beforehand. @p n_harmonics cuts
-/// what enters T and tau_z; friction in an elastic foot feels the whole pressure.
+/// Returns the load of @p model in balance with the friction of its first @p n_harmonics at every spin; @p
+/// at_rest is the load at omega = 0, where the friction is (-mu N, 0). @p n_harmonics limits T and tau_z
+/// only; friction in an elastic foot follows the whole pressure.
 ///
-/// The load throws as ring::SelfConsistentRing::at() and the model do.
+/// The load throws as ring::SelfConsistentRing::at() and the model.
 SharedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const ring::Motion &motion,
                    ring::Closure closure, LoadReport at_rest, unsigned int n_harmonics = all_harmonics);
 
-/// A load that a formula gives, as a report: pointwise quantities are those of the series.
+/// Returns the report of a load given by a formula; pointwise quantities are evaluated from the series.
 LoadReport report_of(const ring::RingStack &load);
 
 } // namespace stemware::pipeline

@@ -8,49 +8,50 @@
 namespace stemware::pipeline
 {
 
-/// The contacts of one foot as they follow each other, from which the next one is expected. It belongs to
-/// whoever asks for them: a foot itself remembers nothing.
+/// Sequence of the contacts of one foot, from which the next contact is predicted. It belongs to the caller;
+/// a foot has no memory.
 class ContactPath
 {
 public:
-  /// Returns the initial guess of the contact under @p demand at @p slip: @p before, or the last contact if
-  /// @p before is nullptr. What is expected is the polynomial in the spin through the nearest contacts under
-  /// the same demand or at rest; where fewer than two are near enough, or those of the similar foot are much
-  /// nearer, that of the similar foot; without one, the nearest contact. Only contacts with the same marks
-  /// count.
+  /// Returns the initial guess of the contact under @p demand at @p slip: `previous` is @p before, or the
+  /// last contact if @p before is nullptr. `predicted` is the polynomial in the spin through the nearest
+  /// contacts under the same demand or at rest; if fewer than two are near, or if contacts of the similar
+  /// foot are much nearer, the prediction from the similar foot; without one, the nearest contact. Only
+  /// contacts with the same marks are used.
   fem::ContactGuess guess(const fem::ContactDemand &demand, const ring::Slip &slip,
                           const fem::ContactState *before = nullptr) const;
 
-  /// Goes on to @p state.
+  /// Appends @p state.
   void append(const fem::ContactState &state);
 
-  /// Expects of @p own what the contacts of @p similar, a path of the foot @p other, tell of it.
+  /// Adds predictions of the foot @p own from the contacts of @p similar, the path of the foot @p other.
   void predict_from_similar(const ContactPath &similar, const fem::Foot &own, const fem::Foot &other);
 
 private:
-  /// A contact, and what it was found for.
+  /// Contact with the demand and slip that it was solved for.
   struct Found
   {
     explicit Found(const fem::ContactState &state);
 
-    /// Normal force, moment and tilt moment; the friction's moment depends on the spin and is left out.
+    /// Normal force, moment and tilt moment; without the moment of friction, which depends on the spin.
     Eigen::Vector4d demand;
     ring::Slip slip;
     unsigned int zone; ///< ContactState::zone
     fem::ContactStart start;
   };
 
-  /// The polynomial through those of @p points that are nearest to @p spin, at least @p n_least of them.
+  /// Returns the polynomial through the nearest of @p points at @p spin; std::nullopt for fewer than @p
+  /// n_least points.
   static std::optional<fem::ContactStart> between(std::vector<const Found *> points, double spin,
                                                   std::size_t n_least);
 
-  /// Start at @p slip that @p own contacts and those of the similar foot let expect.
+  /// Returns the start predicted at @p slip from @p own contacts and those of the similar foot.
   std::optional<fem::ContactStart> expected(const std::vector<const Found *> &own,
                                             const ring::Slip &slip) const;
 
   std::optional<fem::ContactState> last;
   std::vector<Found> recent;            ///< oldest first
-  std::vector<Found> from_similar_foot; ///< those of predict_from_similar()
+  std::vector<Found> from_similar_foot; ///< predictions added by predict_from_similar()
 };
 
 } // namespace stemware::pipeline

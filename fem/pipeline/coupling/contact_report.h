@@ -16,7 +16,7 @@
 namespace stemware::pipeline
 {
 
-/// A load as the ring is given it and as the table carries it.
+/// Load on the rings, with the resultants and the extent of the contact.
 struct LoadReport
 {
   ring::RingStack rings = ring::RingStack({ 1. }, { 0. }, 1.);
@@ -24,12 +24,12 @@ struct LoadReport
   Eigen::Vector2d moment = Eigen::Vector2d::Zero(); ///< M_N = (sum y f, -sum x f) [N m]
   double moment_ratio = 0;                          ///< |M_N| / (N R / 2), R the contact radius
   double mean_radius = 0;                           ///< sum f r / sum f [m]
-  /// Share of the land's area under pressure (fem::ContactExtent); of a load without a contact the share of
+  /// Share of the land's area under pressure (fem::ContactExtent); for a load without a contact the share of
   /// the azimuths with a positive load.
   double contact_fraction = 0;
   std::optional<double> azimuth_fraction = {}; ///< share of the azimuths under pressure; empty unless a ring
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero(); ///< LeaningLoad::tilt [rad]
-  double inner_radius = 0;                        ///< between which the load lies [m]
+  double inner_radius = 0;                        ///< radii that enclose the load [m]
   double outer_radius = 0;
   double minimum = 0;                       ///< least pointwise load [N/rad]
   std::optional<double> peak_pressure = {}; ///< [Pa]; empty unless from a contact
@@ -42,7 +42,7 @@ struct LoadReport
   double half_width() const { return (outer_radius - inner_radius) / 2; } ///< of the loaded band [m]
 };
 
-/// The finite-element side of a study.
+/// Finite-element results of a study.
 struct FootReport
 {
   fem::FootDescription foot;
@@ -55,38 +55,39 @@ struct FootReport
   std::optional<fem::PressureMap> footprint_at_end = {};
   /// Section at rest along the line to the orbit's centre, x > 0 outside; empty if the foot has none.
   std::vector<fem::StressedPatch> stressed_section = {};
-  std::vector<fem::FieldFile> fields = {};       ///< of both states; those that this rank writes
-  std::vector<fem::SectionPolygon> section = {}; ///< of the foot with its cells; on the first rank
+  std::vector<fem::FieldFile> fields = {};       ///< field files of both states to be written by this rank
+  std::vector<fem::SectionPolygon> section = {}; ///< meridional section of the foot with its cells; on the
+                                                 ///< first rank
 };
 
 /// Statistics of the solves of a load that is in balance with friction at every spin.
 struct CouplingStatistics
 {
   std::size_t n_balances = 0;          ///< spins at which contact, friction and moments are in balance
-  std::size_t n_contact_solutions = 0; ///< that those took
+  std::size_t n_contact_solutions = 0; ///< contact solves for these balances
 };
 
-/// Everything about the contact that a study reports, at rest and at the end of the spin-up: the terminal
-/// spin, or that at which the glass falls over.
+/// Contact results of a study at rest and at the end of the spin-up: the terminal spin, or the spin of
+/// tipping.
 struct ContactReport
 {
   LoadReport load; ///< at rest
   LoadReport load_at_end;
-  std::optional<FootReport> foot;             ///< nothing where the load does not come from a contact
-  std::optional<CouplingStatistics> coupling; ///< nothing where the load is the same at every spin
+  std::optional<FootReport> foot;             ///< std::nullopt for a load without a contact
+  std::optional<CouplingStatistics> coupling; ///< std::nullopt for a load that does not depend on the spin
 };
 
 class BalancedLoad;
 class ElasticFoot;
 
-/// Describes the load of @p study at rest and at @p last_spin, at which the spin-up ends [rad/s], but for
-/// what add_fields() adds. @p foot is study_foot(), @p load find_load() of it. May solve the contact there.
-/// Throws as the load.
+/// Returns the report on the load of @p study at rest and at @p last_spin, the end of the spin-up [rad/s],
+/// without the results of add_fields(). @p foot: study_foot(); @p load: find_load() of the foot. May solve
+/// the contact at @p last_spin. Throws as the load.
 ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                        double last_spin);
 
-/// Adds fields and stressed section in both states of @p report. Another @p foot than that of describe(), a
-/// twin, may be asked for them while that one is at work.
+/// Adds fields and stressed section of both states to @p report. @p foot may be a clone of the foot of
+/// describe(), so that both can work simultaneously.
 void add_fields(const Study &study, const ElasticFoot &foot, FootReport &report);
 
 } // namespace stemware::pipeline

@@ -10,11 +10,11 @@
 namespace stemware::pipeline
 {
 
-/// tau_z(t, psi, omega) [N m], the same at every yaw angle psi, while the hand leads the glass with the
-/// speeds of a table: contact, friction and moments are in balance at every speed, acceleration and spin,
-/// with the hand's tangential force m dv/dt (closures hand and full). The balance is solved at each call, not
-/// interpolated. The grip is not in it. @p foot is study_foot() and has its rings. The torque throws what
-/// contacts and balances throw.
+/// Returns tau_z(t, psi, omega) [N m], independent of the yaw angle psi, under the orbit speeds of a table:
+/// contact, friction and moments are in balance at every speed, acceleration and spin, including the hand's
+/// tangential force m dv/dt (closures hand and full). Each call solves the balance; nothing is interpolated.
+/// The grip is not included. @p foot: study_foot() with its rings. The torque throws as contact solves and
+/// balances.
 ring::PhasedTorqueFunction driven_torque(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                          const ring::OrbitSpeedTable &speeds);
 

@@ -21,9 +21,9 @@ class Foot;
 namespace stemware::pipeline
 {
 
-/// Table stemware_finite_elements of the module fem: everything of the program that stands on deal.II, whose
-/// two hundred libraries take half a second to load. Functions that have the name of one of fem/ are that
-/// one.
+/// Function table stemware_finite_elements of the module fem: all functions that need deal.II, whose two
+/// hundred libraries take half a second to load. A function with the name of a function of fem/ is that
+/// function.
 struct FiniteElementFunctions
 {
   using Mesh = dealii::Triangulation<3, 3>;
@@ -33,7 +33,7 @@ struct FiniteElementFunctions
   std::shared_ptr<fem::Foot> (*make_revolution_foot)(const fem::RevolutionSetup &, fem::ComplianceCache &);
   /// Cells of the meridional mesh of the foot.
   std::vector<fem::SectionPolygon> (*meridian_cells)(const fem::RevolutionSetup &);
-  /// Compliances where the contact is expected, of the foot and of the disc under it: nullptr without
+  /// Returns the compliances of foot and disc in the expected contact zone; nullptr for the disc without a
   /// substrate.
   std::pair<Compliance, Compliance> (*compliances)(const fem::RevolutionSetup &, fem::ComplianceCache &);
 
@@ -46,21 +46,21 @@ struct FiniteElementFunctions
   decltype(&fem::write_msh) write_msh;
   decltype(&fem::write_mesh_vtu) write_mesh_vtu;
 
-  /// Text compressed as gzip does, in base64.
+  /// Returns a text compressed (gzip) in base64.
   std::string (*compressed_base64)(const std::string &);
-  /// One sentence for an exception of deal.II, empty for every other.
+  /// Returns one sentence for an exception of deal.II, an empty string for others.
   std::string (*sentence_of)(const std::exception &);
   void (*set_thread_limit)(unsigned int n_threads);
 };
 
-/// The table; loads the module at the first call. Throws BadInput if it cannot be loaded.
+/// Returns the table; loads the module at the first call. Throws BadInput if it cannot be loaded.
 const FiniteElementFunctions &finite_elements();
 
-/// The table if the module is loaded, else nullptr.
+/// Returns the table if the module is loaded, else nullptr.
 const FiniteElementFunctions *loaded_finite_elements();
 
-/// Holds deal.II, and with it TBB in the whole program, to @p n_threads from the time when the module is
-/// loaded; 1 until the first call. Returns the limit before.
+/// Limits deal.II, and thereby TBB in the whole program, to @p n_threads once the module is loaded; 1 until
+/// the first call. Returns the previous limit.
 unsigned int limit_threads(unsigned int n_threads);
 
 } // namespace stemware::pipeline

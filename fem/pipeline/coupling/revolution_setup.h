@@ -6,14 +6,14 @@
 namespace stemware::pipeline
 {
 
-/// Rim and table of a study as gaps.
+/// Returns the waviness of rim and table of a study.
 fem::RimImperfection imperfection_of(const Study &study);
 
-/// The foot of revolution and the table that @p study asks for, resolved for its weight.
+/// Returns foot of revolution, table and a mesh that resolves the contact under the weight of @p study.
 fem::RevolutionSetup revolution_setup(const Study &study);
 
-/// Gives @p setup, a fem::RevolutionSetup or fem::SolidSetup, the friction that deforms the body, where one
-/// does.
+/// Sets the friction that deforms the body in @p setup, a fem::RevolutionSetup or fem::SolidSetup, if
+/// friction does.
 template <typename Setup>
 void set_friction(const Study &study, Setup &setup)
 {

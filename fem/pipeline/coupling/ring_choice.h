@@ -9,9 +9,9 @@
 namespace stemware::pipeline
 {
 
-/// Places the rings on which @p shared gathers all its loads: Chebyshev points of the band of radii that
-/// carries load in @p at_rest and near the terminal spin, at @p expected [rad/s] or where the load of rest
-/// leads to. A failed balance is no failure: the rings of rest are as good as any.
+/// Chooses the rings of @p shared: Chebyshev points of the band of radii that is loaded in @p at_rest and
+/// near the terminal spin, at @p expected [rad/s] or at the terminal spin of the load at rest. A failed
+/// balance is ignored: the rings at rest are used.
 void choose_rings(const Study &study, const std::shared_ptr<ElasticFoot> &shared,
                   const fem::ContactState &at_rest, const std::optional<double> &expected);
 

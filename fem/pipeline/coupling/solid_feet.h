@@ -8,7 +8,7 @@
 namespace stemware::pipeline
 {
 
-/// Table stemware_solid_feet of the module solid, whose deal.II has MPI, p4est and Trilinos.
+/// Function table stemware_solid_feet of the module solid, which needs deal.II with MPI, p4est and Trilinos.
 struct SolidFootFunctions
 {
   /// make_foot() of a study with a solid body. Throws BadInput for a mesh file that cannot be used,

@@ -9,24 +9,23 @@
 namespace stemware::pipeline
 {
 
-/// Reads a mesh file as fem::read_foot_mesh() does. Throws BadInput, also for a file that would take more
-/// than @p memory_limit [byte] to read, of which nothing is read.
+/// Reads a mesh file as fem::read_foot_mesh(). Throws BadInput, also if reading would exceed @p memory_limit
+/// [byte]; then nothing is read.
 fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshFileOptions &marks,
                                dealii::Triangulation<3, 3> &mesh,
                                double memory_limit = ContactSection().memory_limit);
 
-/// Throws BadInput with one sentence about the first property that makes a mesh useless: pieces that nothing
-/// holds, cells inside out, swapped ids, a contact zone of several parts, that looks up or sideways, or that
-/// does not lie round the z axis. @p origin is the mesh's file.
+/// Throws BadInput with one sentence about the first defect of a mesh: parts not connected to the stem cut,
+/// inverted cells, swapped ids, a contact zone that has several parts, faces up or sideways, or does not
+/// surround the z axis. @p origin: the mesh's file.
 void require_usable(const std::string &origin, const fem::MeshCheck &check,
                     const fem::MeshFileOptions &marks = {});
 
-/// Compares the mesh's rim with the contact radius of the study: a mesh in another unit, or of another glass,
-/// would pass unnoticed. Throws BadInput.
+/// Throws BadInput if the mesh's rim differs from the study's contact radius, as for a mesh in another unit
+/// or of another glass.
 void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study);
 
-/// All of that for the mesh file of a study: refuses it unless a solid foot can be made of it. Reads the
-/// whole mesh on every rank. Throws BadInput.
+/// Makes all these checks for the mesh file of a study. Reads the whole mesh on every rank. Throws BadInput.
 void require_usable_mesh(const Study &study);
 
 } // namespace stemware::pipeline

@@ -16,12 +16,13 @@
 namespace stemware::pipeline
 {
 
-/// Effect of the harmonics on the terminal spin of @p rows, the last of which has all. @p n_enough harmonics
-/// give the spin to 1e-4.
+/// Returns the answer of `truncate`: effect of the harmonics on the terminal spin of @p rows (last row: all
+/// harmonics). @p n_enough harmonics give the spin to 1e-4.
 std::string truncation_answer(const Study &study, const std::vector<ring::Answer> &rows,
                               const HarmonicEffect &effect, unsigned int n_enough);
 
-/// Terminal spin with its band, the observed order on the first axis, and the Richardson value.
+/// Returns the answer of `converge`: terminal spin with its band, the observed order on the first axis, and
+/// the Richardson value.
 std::string convergence_answer(const BandedQuantity &spin, const std::string &first_axis,
                                const std::optional<double> &order);
 
@@ -33,11 +34,12 @@ struct CaseRange
   std::string min_case = {}, max_case = {};
 };
 
-/// Range of the quantity @p key; nothing if no case has a value.
+/// Returns the range of the quantity @p key; std::nullopt if no case has a value.
 std::optional<CaseRange> range_of(const CaseList &list, const FinishedCases &finished,
                                   const std::string &key);
 
-/// Ranges of the terminal spin and of the harmonics' effect; numbers of cases that fall over or failed.
+/// Returns the answer of `sweep`: ranges of the terminal spin and of the harmonic effect; numbers of cases
+/// that tip or failed.
 std::string sweep_answer(const CaseList &list, const FinishedCases &finished);
 
 } // namespace stemware::pipeline

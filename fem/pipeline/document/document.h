@@ -7,20 +7,20 @@
 namespace stemware::pipeline
 {
 
-/// Findings of a verb as programs read them. SI units, or those of the study.
+/// Machine-readable results of a verb, in SI units (or the study's consistent units).
 struct Findings
 {
-  /// The verb's own parts of summary.json, which stand between "parameters" and "files".
+  /// The verb's own parts of summary.json, between "parameters" and "files".
   nlohmann::ordered_json summary = nlohmann::ordered_json::object();
-  /// The few numbers of the last line of --json.
+  /// Key figures in the last line of --json.
   nlohmann::ordered_json key_figures = nlohmann::ordered_json::object();
 };
 
-/// Findings of a verb, and everything that its page shows of them beside the summary.
+/// Findings of a verb with the words, tables and quantities of its page.
 struct Document
 {
   Findings findings; ///< for summary.json and --json
-  /// Sentences by name, among them "title", "inputs" and "answer"; numbers and names beside pictures.
+  /// Texts by name, among them "title", "inputs" and "answer", and captions of pictures.
   nlohmann::ordered_json words = nlohmann::ordered_json::object();
   /// Columns of tables and pictures: {"keys": [...], "values": [[...] ...]} by name.
   nlohmann::ordered_json tables = nlohmann::ordered_json::object();
@@ -41,7 +41,7 @@ struct Document
   void add_list(const std::string &name);
 };
 
-/// A number with @p n_digits; null if it is not finite.
+/// Returns a number rounded to @p n_digits significant digits; null if it is not finite.
 nlohmann::ordered_json shortened(double value, int n_digits = 6);
 
 } // namespace stemware::pipeline

@@ -13,7 +13,7 @@ namespace stemware::pipeline::format
 /// Text of a missing number.
 inline constexpr char missing[] = "–";
 
-/// @p value as fmt writes it with @p digits, ".6g", missing where it is not finite, and more:
+/// Returns @p value formatted by fmt with @p digits, ".6g"; `missing` if it is not finite. Further formats:
 ///
 ///   1e3*.4g   a factor in front
 ///   .1f%      per cent: "25.0 %"
@@ -24,14 +24,15 @@ inline constexpr char missing[] = "–";
 ///   short     three digits, and no power of ten for large ones: "0.27", "2110"
 std::string number(double value, const std::string &digits);
 
-/// Decimals that show two digits of @p spread.
+/// Returns the number of decimals that show two digits of @p spread.
 int decimals_of(double spread);
 
-/// @p value to two digits of @p spread, its error or its scatter: "-3.6489" where that is 0.0002.
+/// Returns @p value rounded to two digits of @p spread, its error or scatter: "-3.6489" for a spread of
+/// 0.0002.
 std::string rounded_to_error(double value, double spread);
 
-/// @p value and the band round it likewise, rounded up so that what is printed contains all of it; with six
-/// digits where no band is known.
+/// Returns @p value with its @p band, rounded up so that the printed interval contains the exact one; six
+/// digits without a band.
 std::string with_band(double value, const std::optional<double> &band);
 
 } // namespace stemware::pipeline::format

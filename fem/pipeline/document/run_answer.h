@@ -11,32 +11,32 @@
 namespace stemware::pipeline
 {
 
-/// Answer: the spin of the glass beside the paper's, its band and its largest effects. @p bands are empty if
-/// they have not been estimated.
+/// Returns the answer: the spin of the glass next to the paper's, its band and its largest effects. @p bands
+/// are empty if they were not estimated.
 std::string run_answer(const Study &study, const SpinStudy &spin, const ErrorBands &bands);
 
-/// Scatter of the points of a profile about the circle of its rim.
+/// Returns the scatter of the points of a profile about its rim circle.
 std::string profile_remark(const Study &study);
 
-/// Lift-off in the state that the spin is about, else at rest.
+/// Returns a remark on lift-off at the terminal spin if the glass spins, else at rest.
 std::string lift_off_remark(const Study &study, const ContactReport &report, const SpinStudy &spin);
 
-/// Largest pressure and contact width, at rest and at the terminal spin.
+/// Returns a remark on the largest pressure and the contact width at rest and at the terminal spin.
 std::string contact_remark(const ContactReport &report, const SpinStudy &spin);
 
-/// A contact that is at most a few nodes wide.
+/// Returns a remark on a contact that is at most a few nodes wide.
 std::string narrow_contact_remark(const Study &study, const ContactReport &report);
 
-/// A contact that is narrower than the layer of a Winkler interface is thick.
+/// Returns a remark on a contact narrower than the thickness of a Winkler interface's layer.
 std::string thin_layer_remark(const Study &study, double half_width);
 
-/// Swing of spin and torque on a rim or table that is out of flat.
+/// Returns a remark on the ripple of spin and torque due to waviness.
 std::string out_of_flat_remark(const Study &study, const SpinStudy &spin);
 
-/// Number of terminal spins, if there are several.
+/// Returns a remark on the number of terminal spins if there are several.
 std::string several_spins_remark(const SpinStudy &spin);
 
-/// Spins under the speeds of a file beside those at constant speed.
+/// Returns a remark on the spins under the speeds of a file and at constant speed.
 std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands);
 
 } // namespace stemware::pipeline

@@ -15,30 +15,30 @@ namespace stemware::pipeline
 /// Appends a sentence to @p text, with a blank between them. An empty sentence changes nothing.
 void append(std::string &text, const std::string &sentence);
 
-/// True if the load of rest acts at every spin: Load/Coupling = one-way, a given moment, or a load file.
+/// Returns whether the load at rest is used at every spin: Load/Coupling = one-way, a given moment, or a load
+/// file.
 bool is_one_way(const Study &study);
 
-/// "one-way " if the load of rest acts at every spin, else empty.
+/// Returns "one-way " if is_one_way(), else an empty string.
 std::string one_way_word(const Study &study);
 
-/// A @p sentence that begins with a capital letter, behind the words that say which one-way load acts, if one
-/// does.
+/// Returns @p sentence (first letter a capital), preceded by the name of the one-way load if is_one_way().
 std::string under_its_load(const Study &study, std::string sentence);
 
-/// Sense of a spin, seen from above: "clockwise, against its orbit".
+/// Returns the sense of a spin seen from above: "clockwise, against its orbit".
 std::string sense_of(const Study &study, double omega);
 
-/// Duration of one turn [s].
+/// Returns the duration of one turn [s].
 double seconds_a_turn(double omega);
 
-/// Relative change of a spin: "2.5 % faster", "0.81 % slower".
+/// Returns a relative change of a spin as text: "2.5 % faster", "0.81 % slower".
 std::string faster_or_slower(double change);
 
-/// Effect of the harmonics beyond the first on the terminal spin. Empty without an effect.
+/// Returns a sentence on the effect of the harmonics beyond the first on the terminal spin; empty without an
+/// effect.
 std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect);
 
-/// One sentence for each of @p states, a load by the words for its state, that has left part of the table
-/// or would have to pull.
+/// Returns one sentence for each of @p states (name of the state, load) with lift-off or a tensile load.
 std::string lift_off_sentences(const std::vector<std::pair<std::string, const LoadReport *>> &states);
 
 } // namespace stemware::pipeline

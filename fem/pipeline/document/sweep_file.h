@@ -11,24 +11,23 @@
 namespace stemware::pipeline
 {
 
-/// Columns of sweep.csv: case (from 1), the varied entries by their paths, sweep_keys(), contact_outcome,
+/// Returns the columns of sweep.csv: case (from 1), varied entries by path, sweep_keys(), contact_outcome,
 /// status, message.
 std::vector<Quantity> sweep_columns(const CaseList &list);
 
-/// Files that a sweep has in its folder from its first moment on:
+/// Files of a running sweep in its folder:
 ///
 ///   study.json   program, study, columns of sweep.csv, check sums of the files that cases read
 ///   sweep.csv    a row for each finished case, in the order in which cases finish, sorted at the end
 ///
-/// A row is written whole, so that a killed program leaves at most its last line unfinished; that line is
-/// dropped when the sweep goes on. A lock of the system on sweep.csv keeps a second process out and ends with
-/// the process.
+/// Each row is written at once: a killed program leaves at most its last line incomplete, which is dropped
+/// when the sweep continues. A system lock on sweep.csv excludes a second process and ends with the process.
 class SweepFile
 {
 public:
-  /// Begins the files, or reads the finished cases of an earlier run of the same sweep. Throws OutputFailure,
-  /// with one sentence and with nothing changed, for a folder that require_replaceable() refuses, another
-  /// study or other columns, cases that the list does not have, and for a folder in use.
+  /// Creates the files, or reads the finished cases of an earlier run of the same sweep. Throws
+  /// OutputFailure, with nothing changed, for a folder that require_replaceable() rejects, for another study,
+  /// other columns or cases that the list lacks, and for a folder in use.
   SweepFile(const std::filesystem::path &wanted, const CaseList &list);
   ~SweepFile();
   SweepFile(const SweepFile &) = delete;
@@ -36,10 +35,10 @@ public:
 
   const FinishedCases &finished() const { return cases; }
 
-  /// Throws OutputFailure if the disk does not take the row.
+  /// Appends the row of a case. Throws OutputFailure if it cannot be written.
   void append(std::size_t index, const CaseResult &result);
 
-  /// Puts the rows into the order of the cases.
+  /// Sorts the rows by case.
   void sort();
 
 private:

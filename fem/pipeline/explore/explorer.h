@@ -16,51 +16,51 @@ namespace stemware::pipeline
 /// Match of the mesh of an Explorer's compliances with a study.
 enum class MeshMatch
 {
-  same,  ///< `stemware run` would make the same mesh
-  close, ///< it would make one of other cells; the answer has a band
-  none   ///< the contact would not be resolved
+  same,  ///< `stemware run` generates the same mesh
+  close, ///< `stemware run` generates another mesh; the answer has a band
+  none   ///< the mesh does not resolve the contact
 };
 
-/// Bound on the difference of a spin under MeshMatch::close to the one that `stemware run` finds on its own
-/// mesh [rad/s], four times what contacts of other widths differ by (tests: Live).
+/// Bound on the error of a spin under MeshMatch::close [rad/s], relative to `stemware run` on its own mesh:
+/// four times the differences observed between contacts of different widths (tests: Live).
 constexpr double close_mesh_band = 2e-5;
 
-/// The answer to a study as a page shows it.
+/// Answer to a study for the live page.
 struct LiveAnswer
 {
   MeshMatch match = MeshMatch::same;
   ring::Answer all;                    ///< all harmonics
-  std::optional<ring::Answer> first_n; ///< the first n alone, where so few were asked
+  std::optional<ring::Answer> first_n; ///< the first n only, if n was given
   ring::Answer paper;                  ///< the paper's rigid ring
-  /// The contact where the spin-up ends, or at rest where there is no spin; nothing without one.
+  /// Contact at the end of the spin-up, or at rest without a spin; std::nullopt without a contact.
   std::optional<fem::ContactState> contact;
   double contact_radius = 0; ///< [m]
 };
 
-/// Curves of a LiveAnswer; NaN where there is no balance.
+/// Curves of a LiveAnswer; NaN without a balance.
 struct LiveCurves
 {
   TorqueCurve torque;             ///< of all harmonics, and of the first n
   std::vector<double> of_paper;   ///< tau_z of the paper's ring at the same spins [N m]
   std::vector<double> time;       ///< [s]
   std::vector<double> spin;       ///< omega(t), all harmonics [rad/s]
-  std::vector<double> spin_n;     ///< the first n alone; empty where all were asked [rad/s]
+  std::vector<double> spin_n;     ///< the first n harmonics only; empty if n was not given [rad/s]
   std::vector<double> spin_paper; ///< of the paper's ring [rad/s]
 };
 
-/// Study for interactive use, changed and solved repeatedly on compliances that are given: no mesh
-/// is made. What the mesh would have to follow is refused.
+/// Study for interactive use, changed and solved repeatedly with given compliances and without meshes.
+/// Changes that need another mesh are rejected.
 class Explorer
 {
 public:
-  /// The foot alone, with its Young modulus as the study has it now, or the disc under it.
+  /// Sets the compliance of the foot, for the study's present Young modulus, or of the disc.
   void take(std::shared_ptr<const fem::ContactCompliance> compliance, bool is_disc);
 
-  /// Gives an entry of the study another value; throws BadInput for entries and values that there are not,
-  /// and, once ready(), for entries that the compliances depend on.
+  /// Sets an entry of the study. Throws BadInput for unknown entries, inadmissible values, and, after
+  /// ready(), for entries on which the compliances depend.
   void set(const std::string &path, const std::string &value);
 
-  /// The study with its values so far is the one that the compliances were made for, on a mesh of @p fineness
+  /// Declares that the compliances belong to the present study and to a mesh of @p fineness
   /// (ContactSection::fineness).
   void ready(double fineness);
 
@@ -68,18 +68,18 @@ public:
   /// Returns the match of the mesh with the present study.
   MeshMatch mesh_match() const;
 
-  /// Solves the study with @p n_harmonics, from the last answer to 1e-7 rad/s, where that leads on without
-  /// its state at rest, or, where @p cold, as `stemware run` does. Throws BadInput with one sentence for what
-  /// is refused, and what contacts and balances throw at rest.
+  /// Solves the study with @p n_harmonics: from the last answer, to 1e-7 rad/s and without the state at rest,
+  /// if that converges; from a cold start like `stemware run` if @p cold. Throws BadInput for a rejected
+  /// study, and as contact solves and balances at rest.
   LiveAnswer solve(unsigned int n_harmonics, bool cold);
 
-  /// Curves of the last answer; nothing where it has no spin.
+  /// Returns the curves of the last answer; std::nullopt without a spin.
   std::optional<LiveCurves> curves();
 
-  /// The chain of models from the paper's to the last answer's.
+  /// Returns the chain of models from the paper's model to the last answer's.
   std::vector<BudgetRow> budget();
 
-  /// The pressure of @p contact, that of the last answer.
+  /// Returns the pressure of @p contact, the contact of the last answer.
   fem::PressureMap pressure(const fem::ContactState &contact) const
   {
     return foot->body().pressure_map(contact);
@@ -88,24 +88,24 @@ public:
 private:
   std::shared_ptr<fem::Foot> make_foot(const Study &study) const;
   Executor executor() const;
-  /// Fills in the rows of @p answer by balances next to those before, on the rings of @p last; whether that
-  /// leads on. Then there is no curve and no budget.
+  /// Solves @p answer from the previous balances on the rings of @p last; returns whether that converged.
+  /// Leaves no curve and no budget.
   bool follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAnswer &answer);
-  /// The same from what the contacts of @p last let expect, if any, else from nothing.
+  /// Solves @p answer from the predictions of the contacts of @p last, or from a cold start if nullptr.
   void solve_cold(const ElasticFoot *last, unsigned int n_harmonics, LiveAnswer &answer);
 
   Study present, base;
   bool is_ready = false;
   std::shared_ptr<const fem::ContactCompliance> compliance, disc_compliance;
   std::shared_ptr<ElasticFoot> foot; ///< of the last answer
-  std::vector<LoadedRow> rows;       ///< of the last answer, that of all harmonics last; none of follow()
+  std::vector<LoadedRow> rows;       ///< rows of the last answer, all harmonics last; empty after follow()
   LivePath path;
-  /// The terminal spin of the first n harmonics alone less that of all in the last answer [rad/s].
+  /// Terminal spin of the first n harmonics minus terminal spin of all, in the last answer [rad/s].
   double shift_of_first_n = 0;
 };
 
-/// A compliance as numbers in a row, and back: nodes, degree, highest harmonic, unknowns, whether the land
-/// goes on inside and outside, the radii, then of each harmonic, and of those beyond, the lower triangle of
+/// Converts a compliance to a list of numbers and back: nodes, degree, highest harmonic, unknowns, whether
+/// the land continues inside and outside, radii, then for each harmonic and the tail the lower triangle of
 /// `normal` by columns, `radial` and `azimuthal`.
 std::vector<double> serialized(const fem::ContactCompliance &compliance);
 fem::ContactCompliance deserialized(const double *numbers);

@@ -8,16 +8,15 @@
 namespace stemware::pipeline
 {
 
-/// Bodies of a study as an Explorer takes them.
+/// Compliances of a study for an Explorer.
 struct LiveBodies
 {
   fem::ContactCompliance foot;
-  std::optional<fem::ContactCompliance> disc; ///< nothing on a rigid substrate
+  std::optional<fem::ContactCompliance> disc; ///< std::nullopt on a rigid substrate
 };
 
-/// The compliances of the foot of @p study and of the disc under it, where the contact is expected. Throws
-/// BadInput for a study that no Explorer follows: one with a solid body, a drawn profile, a wavy rim or
-/// table, or files.
+/// Returns the compliances of foot and disc of @p study in the expected contact zone. Throws BadInput for
+/// studies that an Explorer does not support: solid body, drawn profile, waviness, files.
 LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache);
 
 } // namespace stemware::pipeline

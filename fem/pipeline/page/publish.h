@@ -11,23 +11,23 @@
 namespace stemware::pipeline
 {
 
-/// Document of a verb, summary.json without "files": "schema", "program", "verb", "parameters", the @p
-/// findings. Throws std::runtime_error for a finding that is not finite: JSON has no word for it.
+/// Returns summary.json of a verb without "files": "schema", "program", "verb", "parameters", and @p
+/// findings. Throws std::runtime_error for a finding that is not finite, which JSON cannot represent.
 nlohmann::ordered_json summary_of(const std::string &verb, const std::optional<Study> &study,
                                   const Findings &findings);
 
-/// The end of every verb, collective over all ranks: each writes its fields of @p results into the working
-/// folder, the first all else: the files with content and report.html. When all have, that one
-/// writes parameters.prm, summary.json ("schema", "program", "verb", "parameters", the findings, "files"),
-/// timings.json, gives the folder its final name, and prints the console's text and where
-/// the results are. With --json the last line of standard output is {"verb", "results", "summary", "report",
-/// key figures}. Without a study there is neither parameters.prm nor "parameters".
+/// Publishes the results of a verb; collective. Each rank writes its fields of @p results into the working
+/// folder, the first rank everything else: the files with content, report.html, and at the end
+/// parameters.prm, summary.json ("schema", "program", "verb", "parameters", findings, "files") and
+/// timings.json. It then renames the folder and prints the console's text and the location. With --json the
+/// last line of standard output is {"verb", "results", "summary", "report", key figures}. Without a study
+/// parameters.prm and "parameters" are omitted.
 ///
-/// Throws OutputFailure, and std::runtime_error for a finding that is not finite: JSON has no word for it.
+/// Throws OutputFailure, and std::runtime_error for a finding that is not finite.
 void publish(const StudyOptions &options, const std::optional<Study> &study, Results results,
              ResultsFolder &folder, Stopwatch &stopwatch);
 
-/// Writes the same into @p folder as it stands, on one rank: for a sweep, whose rows are in it already.
+/// Writes the same files into the existing @p folder, on one rank: for a sweep, whose rows are already there.
 void publish_in(const std::filesystem::path &folder, const StudyOptions &options,
                 const std::optional<Study> &study, const Results &results, Stopwatch &stopwatch);
 

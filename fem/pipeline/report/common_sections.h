@@ -20,14 +20,14 @@ namespace stemware::pipeline
 
 // ---- tables of the page
 
-/// The load at rest: the columns of its pictures, and "load_harmonics".
+/// Adds the load at rest: columns of its pictures, and "load_harmonics".
 void add_load(const Study &study, const LoadReport &load, const ErrorBands &bands, Document &document);
 
-/// The chain of models, row by row: "chain", "chain_torques"; with its harmonics as one row: "waterfall",
-/// "effects"; "harmonic_torque".
+/// Adds the chain of models by row, "chain" and "chain_torques"; with merged harmonics, "waterfall" and
+/// "effects"; and "harmonic_torque".
 void add_chain(const Study &study, const Budget &budget, Document &document);
 
-/// Rows that change the spin by more than 1e-9, and below them all harmonics on @p one_ring.
+/// Returns the rows that change the spin by more than 1e-9, followed by all harmonics on @p one_ring.
 nlohmann::ordered_json shown_truncations(const std::vector<ring::Answer> &rows,
                                          const std::optional<ring::Answer> &one_ring);
 
@@ -44,16 +44,16 @@ void add_bands(const std::vector<BandedQuantity> &bands, Document &document);
 /// sum.
 nlohmann::ordered_json load_summary(const LoadReport &load);
 
-/// Quantities of interest with their error bands and Richardson values, for people.
+/// Returns quantities of interest with error bands and Richardson values, for display.
 nlohmann::ordered_json band_rows(const std::vector<BandedQuantity> &bands);
 
-/// "error_bands" of summary.json: value, half-width, what it is made of (null where a part was not estimated)
-/// and unit of each quantity.
+/// Returns "error_bands" of summary.json: value, half-width, its parts (null if not estimated) and unit of
+/// each quantity.
 nlohmann::ordered_json band_summary(const std::vector<BandedQuantity> &bands);
 
 // ---- data files
 
-/// lambda(theta), round the rim: the sum of the rings, its first harmonic, and each ring where there are
+/// Returns lambda(theta) round the rim: sum of the rings, its first harmonic, and each ring if there are
 /// several.
 Table load_table(const ring::RingStack &load);
 
@@ -61,14 +61,14 @@ Table load_table(const ring::RingStack &load);
 /// load is the sum of the rings.
 Table ring_table(const ring::RingStack &load);
 
-/// The Fourier coefficients of a load, sums over its rings, as a file that read_load_file() reads: ring
-/// radius, then rows n a_n b_n, with amplitude over a_0 and direction of the crest as further columns.
+/// Returns the Fourier coefficients of a load, summed over its rings, in the format of read_load_file(): ring
+/// radius, then rows n a_n b_n; further columns: amplitude over a_0, direction of the crest.
 std::string load_file_text(const ring::RingStack &load);
 
 /// lambda(theta) at rest at the azimuths of the contact's lines, 0 where they carry none.
 Table pointwise_table(const std::vector<fem::AzimuthLoad> &pointwise);
 
-/// p(r, theta): a row for each place, cut by cut.
+/// Returns p(r, theta): one row per point, cut by cut.
 Table footprint_table(const fem::PressureMap &footprint);
 
 /// tau_z, T_x and T_y over the spin.
@@ -80,10 +80,10 @@ Table spin_up_table(const SpinUpCurves &curves);
 /// omega(t) from rest with the speeds of Motion/Orbit speed file.
 Table driven_spin_table(const DrivenSpinUp &driven);
 
-/// The torque over the phase: where the marks of glass and table stand in the slip frame.
+/// Returns the torque over the phase (positions of the marks of glass and table in the slip frame).
 Table phase_table(const PhaseStudy &phases);
 
-/// The answer by the number of harmonics, from "truncation" of summary.json.
+/// Returns the answer by number of harmonics, from "truncation" of summary.json.
 Table truncation_table(const nlohmann::ordered_json &truncation);
 
 /// Newton steps of the contact at rest.

@@ -6,7 +6,7 @@
 namespace stemware::pipeline
 {
 
-/// The results of `converge`: solved @p axes and the @p bands that they make together.
+/// Returns the results of `converge` from the solved @p axes and their total @p bands.
 Results make_document(const Study &study, const std::vector<RefinementAxis> &axes, const ErrorBands &bands);
 
 } // namespace stemware::pipeline

@@ -11,7 +11,7 @@
 namespace stemware::pipeline
 {
 
-/// A mesh that has been looked at.
+/// Checked mesh.
 struct MeshFindings
 {
   std::string origin; ///< its file, or "generated"
@@ -19,10 +19,10 @@ struct MeshFindings
   std::optional<fem::MeshReport> report; ///< of a file
 };
 
-/// Description of a mesh and of what may make results worse, in lines for the console.
+/// Returns the description of a mesh and of its weaknesses, in lines for the console.
 std::string mesh_text(const MeshFindings &findings);
 
-/// The same for programs, in SI units.
+/// Returns the machine-readable description, in SI units.
 nlohmann::ordered_json mesh_summary(const MeshFindings &findings);
 
 } // namespace stemware::pipeline

@@ -16,11 +16,11 @@ struct ResultFile
 {
   std::string name; ///< relative to the results folder; .csv decides for CSV, anything else for a data table
   std::string description; ///< in the page's list of files; empty: not listed there
-  /// A table, a text as it stands, or nothing for a file that is written elsewhere.
+  /// Table, text, or std::monostate for a file written elsewhere.
   std::variant<std::monostate, Table, std::string> content = {};
 };
 
-/// A part of what the console shows: a text, whose long lines are wrapped, and a table.
+/// Part of the console output: a text, whose long lines are wrapped, and a table.
 struct ConsoleBlock
 {
   std::string text;
@@ -32,10 +32,10 @@ struct Results : Document
 {
   std::vector<ResultFile> files;
   std::vector<ConsoleBlock> console;
-  std::vector<fem::FieldFile> fields = {}; ///< for fields/, those that this rank writes
+  std::vector<fem::FieldFile> fields = {}; ///< files of fields/ to be written by this rank
 };
 
-/// The blocks, an empty line before each and after the last.
+/// Returns the blocks, with an empty line before each and after the last.
 std::string console_text(const Results &results);
 
 } // namespace stemware::pipeline

@@ -12,13 +12,13 @@
 namespace stemware::pipeline
 {
 
-/// The results of `run`: load, contact, torque, spin-up, truncations and moment balances. @p bands are empty
-/// where they have not been estimated; @p goal is what the mesh was made for, if anything. The fields are
-/// left to the caller, who need not copy them.
+/// Returns the results of `run`: load, contact, torque, spin-up, truncations and moment balances. @p bands
+/// are empty if not estimated; @p goal: goal of the mesh, if any. The caller adds the fields, to avoid a
+/// copy.
 Results make_document(const Study &study, const ContactReport &report, const SpinStudy &spin,
                       const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal = {});
 
-/// The part of the band of the study's goal that is the mesh's; nothing where there is none.
+/// Returns the mesh's part of the band of the study's goal; std::nullopt without a goal or band.
 std::optional<double> band_of_mesh(const Study &study, const ErrorBands &bands);
 
 } // namespace stemware::pipeline

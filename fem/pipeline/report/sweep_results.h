@@ -7,8 +7,8 @@
 namespace stemware::pipeline
 {
 
-/// Results of `sweep` beside sweep.csv: the ranges of spin and harmonic effect, failures, and of a grid its
-/// curves or maps. Cases that are not @p finished are left out.
+/// Returns the results of `sweep` beside sweep.csv: ranges of spin and harmonic effect, failures, and for a
+/// grid its curves or maps. Cases that are not @p finished are left out.
 Results sweep_results(const CaseList &list, const FinishedCases &finished);
 
 } // namespace stemware::pipeline

@@ -12,13 +12,12 @@ namespace stemware::pipeline
 /// of full-precision numbers; flags are 1 and 0, missing values nan.
 std::string data_table(const Table &table);
 
-/// A CSV file by RFC 4180: commas, CRLF, fields with commas, quotes or line ends in double quotes. The header
-/// reads "name (unit)"; numbers have all their digits.
+/// Returns a CSV file by RFC 4180: commas, CRLF, fields with commas, quotes or line ends in double quotes.
+/// Header "name (unit)"; numbers in full precision.
 std::string csv_table(const Table &table);
 
-/// The lines of a table that fits the console, each with its line break: the title, the labels with their
-/// units, the rows. Columns that have no room follow below, beside the first column again. Words stand to the
-/// left, numbers to the right.
+/// Returns a table for the console: title, labels with units, rows. Columns that do not fit follow below,
+/// with the first column repeated. Words are left-aligned, numbers right-aligned.
 std::string console_table(const Table &table);
 
 } // namespace stemware::pipeline

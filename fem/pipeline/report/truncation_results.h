@@ -10,8 +10,8 @@
 namespace stemware::pipeline
 {
 
-/// The results of `truncate`: @p rows are rows_by_harmonics(), with a terminal spin in the last one; @p load
-/// is the study's at rest.
+/// Returns the results of `truncate`: @p rows are rows_by_harmonics(), the last with a terminal spin; @p load
+/// is the study's load at rest.
 Results make_truncation_document(const Study &study, const LoadReport &load,
                                  const std::vector<ring::Answer> &rows);
 

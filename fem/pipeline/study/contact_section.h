@@ -21,10 +21,11 @@ enum class BodyKind
 /// Abilities that only one of the two bodies has.
 struct BodyAbilities
 {
-  bool is_of_revolution; ///< answers a moment in all directions alike, and has a gap that can turn
+  bool is_of_revolution; ///< axisymmetric: the same response for every direction of the moment; the gap may
+                         ///< rotate
   bool stands_on_elastic_disc = is_of_revolution;
   bool reads_meshes = !is_of_revolution;                  ///< takes its shape from Contact/Mesh file
-  bool is_collective = !is_of_revolution;                 ///< solving takes all MPI ranks together
+  bool is_collective = !is_of_revolution;                 ///< all MPI ranks solve together
   unsigned int highest_degree = is_of_revolution ? 4 : 2; ///< of its elements
 };
 
@@ -45,7 +46,7 @@ inline std::vector<std::pair<std::string, double>> mesh_units()
   return { { "m", 1 }, { "cm", 1e-2 }, { "mm", 1e-3 }, { "um", 1e-6 }, { "in", 0.0254 } };
 }
 
-/// The number that a mesh is refined for.
+/// Quantity for which a mesh is refined.
 enum class Goal
 {
   none,
@@ -54,11 +55,10 @@ enum class Goal
   torque ///< at half the terminal spin
 };
 
-/// Most rings on which a load is gathered. Nodes with forces lie beside the band of the J Chebyshev points
-/// too, where the polynomials that share a force among the rings grow like cosh(J acosh x), x the distance
-/// from the band's middle over its half-width. They take turns in sign, so that the sum is right, but
-/// rounding, 1e-16, grows with them: at x = 1.5 to 1e-6 of the load with 25 rings, 1e-3 with 32, and all of
-/// it with 40.
+/// Upper bound of the number of rings. Forces also lie outside the band of the J Chebyshev points, where the
+/// Lagrange polynomials grow like cosh(J acosh x), x the distance from the band's middle over its half-width.
+/// Their signs alternate, so that the sum is accurate, but rounding, 1e-16, is amplified: at x = 1.5 to 1e-6
+/// of the load with 25 rings, 1e-3 with 32, and 1 with 40.
 constexpr unsigned int max_rings = 25;
 
 /// Subsection Contact: the elastic body and its discretisation.
@@ -73,21 +73,21 @@ struct ContactSection
   unsigned int refinements = 0; ///< halvings of every cell
   double land_grading = 3;      ///< size ratio of neighbouring cells across the land of a body of revolution
   unsigned int harmonics = 16;  ///< of a body of revolution
-  unsigned int azimuth_lines = 128; ///< on which a body of revolution meets the table
-  unsigned int rings = 5;           ///< that take the pressure over
-  double fineness = 1;              ///< of the cells, over the usual; not an entry: error bands change it
-  unsigned int halvings_beyond_zone = 0; ///< of cells, see fem::RevolutionSetup; likewise
-  double hardness = 1; ///< of the spring in the place of a hard interface, over the usual; below 1 under a
-                       ///< solid foot of any interface over its own; not an entry
-  unsigned int load_harmonics = 0; ///< of each ring; 0: as many as the lines resolve and the kernels ask for
+  unsigned int azimuth_lines = 128; ///< lines on which the table law of a body of revolution is integrated
+  unsigned int rings = 5;           ///< rings that represent the pressure
+  double fineness = 1; ///< refinement of the cells over the default; no entry, used by error bands
+  unsigned int halvings_beyond_zone = 0; ///< halvings of cells, see fem::RevolutionSetup; no entry
+  double hardness = 1; ///< penalty of a hard interface over the default; below 1 for a solid foot: of any
+                       ///< interface over its own stiffness; no entry
+  unsigned int load_harmonics = 0; ///< of each ring; 0: as many as the lines resolve and the kernels need
   FrictionCoupling friction_coupling = FrictionCoupling::elastic;
   Goal goal = Goal::none;
   double goal_tolerance = 1e-5; ///< on the goal's estimated error, relative to its value
-  /// Numbers of the cells of the foot that are halved, mesh after mesh; not an entry: the goal asks for them.
+  /// Numbers of the halved cells, mesh after mesh; no entry, set by the goal.
   std::vector<std::vector<unsigned int>> halved;
   double memory_limit = 4e9; ///< estimated memory above which a study is refused [byte]
 
-  /// Declares the entries with all that is known of them. A template, so that one file alone compiles it.
+  /// Declares the entries with their facts. A template, to be compiled in one file only.
   template <typename List>
   void declare(List &list)
   {

@@ -24,9 +24,9 @@ ColumnTable read_column_file(const std::string &setting, const std::string &file
 /// Reads Motion/Measured spin file with Motion/Measured column, parse_measured_run(). Throws BadInput.
 MeasuredRun read_measured_run(const std::string &file, const std::string &column);
 
-/// The orbit speed v(t) of a hand that is no motor, from Motion/Orbit speed file, two columns, time and speed
-/// (read_column_file()): times increasing, speeds greater than 0 but at the
-/// beginning, where the hand may rest. Throws BadInput that names the line.
+/// Reads the orbit speed v(t) from Motion/Orbit speed file: two columns, time and speed (read_column_file()),
+/// times increasing, speeds greater than 0 except at the beginning, where the hand may be at rest. Throws
+/// BadInput that names the line.
 ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file);
 
 /// Reads lambda(theta) from Load/File, a table of Fourier coefficients:
@@ -35,9 +35,9 @@ ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file);
 ///   0  0.4684   0
 ///   1  0       -0.13
 ///
-/// i.e. rows n a_n b_n [N/rad] for n = 0, 1, 2, ... without gaps; further columns and other lines that start
-/// with # are ignored, so that the harmonics.dat of a results folder can be read. Throws BadInput with one
-/// sentence that names the line.
+/// with rows n a_n b_n [N/rad] for n = 0, 1, 2, ... without gaps. Further columns and other lines that start
+/// with # are ignored, so that harmonics.dat of a results folder can be read. Throws BadInput that names the
+/// line.
 ring::RingStack read_load_file(const std::string &file);
 
 } // namespace stemware::pipeline

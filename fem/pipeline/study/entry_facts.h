@@ -3,7 +3,7 @@
 namespace stemware::pipeline
 {
 
-/// Numbers that an entry takes, with the words for it.
+/// Allowed numbers of an entry, with their description.
 struct Range
 {
   const char *words;
@@ -18,7 +18,7 @@ constexpr Range poisson_range = { "a number greater than -1 and less than 0.5",
 
 // Further facts of a declaration: each sets the member of StudyEntry that has its name.
 
-/// The entry has an effect where @p condition holds, whatever the other entries of its subsection do.
+/// Declares that the entry has an effect if @p condition holds, independent of the rest of its subsection.
 constexpr auto used_if(bool condition)
 {
   return [=](auto &entry) { entry.has_effect = condition; };

@@ -19,13 +19,13 @@ struct GlassSection
 
   fem::GlassProfile profile;
   std::string profile_file;          ///< points of the section, for the shape profile
-  unsigned int n_profile_points = 0; ///< that it has
-  /// Circle through the points of the land, if contact or crown radius follow from it.
+  unsigned int n_profile_points = 0; ///< number of points of the file
+  /// Circle fitted to the points of the land, if it gives contact or crown radius.
   std::optional<fem::RimCircle> rim_circle = {};
   fem::ElasticMaterial material;
   Waviness waviness; ///< of the rim, fixed to the glass: positive where it is higher above the table
 
-  /// Declares the entries with all that is known of them. A template, so that one file alone compiles it.
+  /// Declares the entries with their facts. A template, to be compiled in one file only.
   template <typename List>
   void declare(List &list)
   {

@@ -27,24 +27,24 @@ struct LoadSection
 {
   LoadSource source = LoadSource::contact;
   LoadCoupling coupling = LoadCoupling::two_way;
-  double moment_ratio = -1;             ///< m = |M_N| / (N R / 2); negative: the closure's
+  double moment_ratio = -1;             ///< m = |M_N| / (N R / 2); negative: given by the closure
   double moment_direction = -1.5707963; ///< theta of the load's maximum [rad], used with moment_ratio >= 0
   std::string file;                     ///< Fourier coefficients, used with source = file
-  std::shared_ptr<const ring::RingStack> from_file = {}; ///< the load of that file, used likewise
+  std::shared_ptr<const ring::RingStack> from_file = {}; ///< load read from `file`
 
   bool is_from_contact() const { return source == LoadSource::contact; }
   /// True if the moment is given, instead of following from the moment balance.
   bool is_static() const { return moment_ratio >= 0; }
-  /// True if the closure decides the moment, which is neither given nor that of a file.
+  /// True if the closure gives the moment (no given moment, no load file).
   bool has_closure() const { return !is_static() && source != LoadSource::file; }
-  /// True if the load is one of a contact in balance with friction at every spin; with a given moment it is
-  /// that of rest, whatever the coupling.
+  /// True if the load comes from a contact in balance with friction at every spin; false for a given moment,
+  /// whatever the coupling.
   bool is_in_balance() const
   {
     return is_from_contact() && !is_static() && coupling == LoadCoupling::two_way;
   }
 
-  /// Declares the entries with all that is known of them. A template, so that one file alone compiles it.
+  /// Declares the entries with their facts. A template, to be compiled in one file only.
   template <typename List>
   void declare(List &list)
   {

@@ -11,23 +11,23 @@
 namespace stemware::pipeline
 {
 
-/// Subsection Motion: the glass, the hand that leads it, the friction.
+/// Subsection Motion: mass of the glass, orbit, friction.
 struct MotionSection
 {
   ring::Motion orbit;
   ring::Closure closure = ring::Closure::full;
-  bool tilt = true;             ///< the glass leans on its foot; see Study::tilts()
+  bool tilt = true;             ///< include the tilt of the glass; see Study::tilts()
   double grip_torque = 0;       ///< of the fingers, against the spin [N m]
   std::string orbit_speed_file; ///< v(t) of the spin-up; empty: Motion/Orbit speed throughout
-  std::shared_ptr<const ring::OrbitSpeedTable> orbit_speeds = {}; ///< of that file, where there is one
-  std::string measured_spin_file; ///< points that are drawn beside the spin-up; empty: none
+  std::shared_ptr<const ring::OrbitSpeedTable> orbit_speeds = {}; ///< table of that file, if given
+  std::string measured_spin_file; ///< points plotted with the spin-up; empty: none
   std::string measured_column;    ///< heading of the spins or angles in that file; empty: by the usual names
   double breakaway_friction = 0; ///< coefficient at which a glass at rest begins to slide; 0: that of sliding
   double end_time = 2;           ///< of the spin-up [s]
   double euler_step = 1e-3;      ///< largest step of the forward Euler method [s]
   double step_limit = 1e6;       ///< estimated steps of the spin-up above which a study is refused
 
-  /// Declares the entries with all that is known of them. A template, so that one file alone compiles it.
+  /// Declares the entries with their facts. A template, to be compiled in one file only.
   template <typename List>
   void declare(List &list)
   {

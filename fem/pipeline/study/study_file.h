@@ -13,19 +13,17 @@
 namespace stemware::pipeline
 {
 
-/// Throws BadInput as check_values(), and for a study whose files are not there, or that would take more than
-/// its limits allow.
+/// Throws BadInput as check_values(), and for missing files or a study that exceeds its limits.
 void check_study(const Study &study);
 
-/// Reads a study file (.prm or .json; entries that it does not state keep their defaults; an empty name: the
-/// default study; "-": standard input of the first rank, as .json where it begins with a brace), applies @p
-/// overrides, each "Section/Entry=value" of another entry, and checks the whole. Relative paths in the file
-/// start at its folder, those of overrides where the program was started. Throws BadInput with one sentence
-/// about the first thing that is wrong.
+/// Reads a study file, applies @p overrides ("Section/Entry=value", each for another entry) and checks the
+/// result. @p file: .prm or .json; empty: default study; "-": standard input of the first rank, JSON if it
+/// begins with a brace. Missing entries have their defaults. Relative paths in the file start at its folder,
+/// those of overrides at the working directory. Throws BadInput with one sentence about the first error.
 Study read_study(const std::string &file, const std::vector<std::string> &overrides = {});
 
-/// Reads a study from @p text in the format of a .prm file, of a .json file where it begins with a brace;
-/// @p origin names it in refusals. Relative paths start where the program was started. Throws as above.
+/// Reads a study from @p text in .prm format, or .json format if it begins with a brace; @p origin names it
+/// in messages. Relative paths start at the working directory. Throws as read_study().
 Study read_study_text(const std::string &origin, const std::string &text);
 
 /// Sets @p entries from @p text, the content of the study file @p file in the format of deal.II's parameter
@@ -35,36 +33,36 @@ Study read_study_text(const std::string &origin, const std::string &text);
 ///     set Contact radius = 0.03
 ///   end
 ///
-/// Sections may come in any order and more than once, an entry once; a line that ends in a backslash goes on
-/// in the next one. Throws BadInput, with the line, about the first thing that is wrong.
+/// Sections may come in any order and repeatedly, an entry once; a backslash at the end of a line continues
+/// it. Throws BadInput, with the line, about the first error.
 void read_prm(const std::string &file, const std::string &text, const std::vector<StudyEntry> &entries);
 
-/// Gives entries of @p study other values, each "Section/Entry" with its text, and checks the whole. Throws
-/// BadInput that names @p option as where they come from.
+/// Returns @p study with other @p values, each "Section/Entry" with its text, after all checks. Throws
+/// BadInput that names @p option as the origin.
 Study with_values(Study study, const std::string &option,
                   const std::vector<std::pair<std::string, std::string>> &values);
 
-/// The unit of the entry of that path, "1" for pure numbers; empty for words, paths, and where there is none.
+/// Returns the unit of the entry of @p path: "1" for pure numbers; empty for words, paths, and unknown
+/// entries.
 std::string unit_of(const std::string &path);
 
-/// The files that the study reads.
+/// Returns the files that the study reads.
 std::vector<std::string> files_of(const Study &study);
 
-/// @p study with its paths as a study file in @p folder has to write them.
+/// Returns @p study with its paths relative to a study file in @p folder.
 Study with_paths_from(const std::filesystem::path &folder, Study study);
 
-/// Effective values as nested JSON objects: section, entry, value.
+/// Returns the values as nested JSON objects: section, entry, value.
 nlohmann::ordered_json study_as_json(const Study &study);
 
-/// The study as a .prm file that gives the same study again.
+/// Returns the study as a .prm file.
 std::string study_as_prm(const Study &study);
 
-/// Text that two studies share if they are the same, wherever the program was started and keeps the state of
-/// its solves.
+/// Returns a text that is equal for equal studies, independent of the working directory and of stored states.
 std::string study_identity(Study study);
 
-/// A .prm file of all defaults, every entry with its help, unit and allowed values as comments; that of one
-/// section where @p section names one (upper and lower case are equal). Throws BadInput for other names.
+/// Returns a .prm file of all defaults, or of one @p section (ignoring case), with help, unit and allowed
+/// values of each entry as comments. Throws BadInput for an unknown section.
 std::string commented_defaults(const std::string &section = "");
 
 } // namespace stemware::pipeline

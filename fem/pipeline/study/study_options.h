@@ -18,7 +18,7 @@ struct StudyOptions
   bool quiet = false;                 ///< nothing on the console but failures
   bool json = false;                  ///< standard output holds one JSON object and nothing else
 
-  /// The stem of the study file, "default" without one, "stdin" for standard input.
+  /// Returns the stem of the study file, "default" without a file, "stdin" for standard input.
   std::string study_name() const
   {
     return study_file.empty()  ? "default"
@@ -26,8 +26,8 @@ struct StudyOptions
                                : std::filesystem::path(study_file).stem().string();
   }
 
-  /// The folder of the results: --output, or results/<name of the study> for `run` and
-  /// results/<name of the study>-<verb> for the others.
+  /// Returns the folder of the results: --output, else results/<name of the study> for `run` and
+  /// results/<name of the study>-<verb> for the other verbs.
   std::filesystem::path results_place() const
   {
     const std::string of_verb = verb == "run" ? "" : "-" + verb;

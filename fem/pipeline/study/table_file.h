@@ -14,7 +14,7 @@ struct TableRow
   unsigned int line = 0;          ///< line of the file in which the row begins, counted from 1
 };
 
-/// Table as spreadsheets, phones and instruments write it, as text.
+/// Table of texts, as exported by spreadsheets, phones and instruments.
 struct TextTable
 {
   std::vector<TableRow> rows; ///< a heading, if there is one, comes first
@@ -42,7 +42,7 @@ struct ColumnHeading
   std::string unit; ///< text in the last round or square brackets; empty if there are none
 };
 
-/// Parts "Motion/Mass (g)" into the name and the unit.
+/// Splits "Motion/Mass (g)" into name and unit.
 ColumnHeading parse_heading(const std::string &cell);
 
 /// "setting, line 3, column 2: ", with the column counted from 0 as argument and from 1 in the text.

@@ -9,7 +9,7 @@
 namespace stemware::pipeline
 {
 
-/// The law by which foot and table touch.
+/// Contact law between foot and table.
 enum class TableInterface
 {
   hard,    ///< Signorini's conditions: no penetration, no tension
@@ -30,18 +30,18 @@ struct TableSection
   TableInterface interface = TableInterface::winkler;
   TableSubstrate substrate = TableSubstrate::rigid;
   double foundation_modulus = 1e10; ///< of the Winkler interface [Pa/m]
-  double layer_thickness = 0;       ///< of the layer that a Winkler interface stands for [m]; 0: not named
+  double layer_thickness = 0;       ///< of the layer represented by a Winkler interface [m]; 0: not given
   fem::RoughInterface roughness;
   fem::TableDisc disc; ///< the elastic substrate
   fem::ElasticMaterial disc_material = { 10e9, 0.3 };
   Waviness waviness; ///< fixed to the ground: positive where the table is lower
 
-  /// The table as the finite elements know it, which is to be asked instead of these names.
+  /// Makes the table for the finite elements, to be queried instead of the enumerations.
   fem::Table make() const;
-  /// True if the interface yields nothing by itself (Signorini's conditions).
+  /// Returns whether the interface is rigid (Signorini's conditions).
   bool is_hard() const;
 
-  /// Declares the entries with all that is known of them. A template, so that one file alone compiles it.
+  /// Declares the entries with their facts. A template, to be compiled in one file only.
   template <typename List>
   void declare(List &list)
   {

@@ -8,35 +8,35 @@
 namespace stemware::pipeline
 {
 
-/// Opens those of standard input, output and error that the program was started without, to nothing:
-/// otherwise the next file that is opened would take their place. To be called first.
+/// Opens missing standard streams to /dev/null, because the next opened file would otherwise take their
+/// descriptors. Call first.
 void open_missing_streams();
 
-/// Directs the text for users to standard output, with @p json to standard error, with @p quiet nowhere.
-/// Throws OutputFailure if @p json is set and the program has no standard output.
+/// Directs the console's text to standard output, with @p json to standard error, with @p quiet nowhere.
+/// Throws OutputFailure if @p json is set and there is no standard output.
 void direct_console(bool quiet, bool json);
 
-/// The stream of that text, on the first rank; silent on the others. Plain text: no colours, no escape codes.
-/// For the thread that started the program only.
+/// Returns the stream of the console's text; silent except on the first rank. Plain text without escape
+/// codes. For the main thread only.
 std::ostream &console();
 
 /// Throws OutputFailure if standard output was not written completely, for example because the disk is full.
 /// Call it at the end of the program.
 void require_printed();
 
-/// "about 3 min", for what is left of a long work.
+/// Returns a duration as "about 3 min".
 std::string rough_duration(double seconds);
 
-/// Shows on the console how far a work of many cases has come: a bar with the time left where somebody
-/// watches, else a line for every tenth, at most every three seconds.
+/// Progress of many cases on the console: on a terminal a bar with the remaining time, else a line for every
+/// tenth, at most every three seconds.
 class WorkProgress
 {
 public:
-  /// @p n_before of the @p n_cases were finished by an earlier run. @p noun is what the cases are called.
+  /// @p n_before of the @p n_cases were finished by an earlier run. @p noun: name of the cases.
   explicit WorkProgress(std::size_t n_cases, std::size_t n_before = 0, std::string noun = "cases");
   ~WorkProgress();
 
-  /// Shows how much is done; to be called as often as one likes.
+  /// Shows the progress; may be called often.
   void show(std::size_t n_finished, std::size_t n_failed = 0);
 
 private:
@@ -46,7 +46,7 @@ private:
   const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point last_line = start;
   std::size_t tenths_shown;
-  std::size_t bar_width = 0; ///< columns of the line that may have to be overwritten
+  std::size_t bar_width = 0; ///< columns of the last line, to be overwritten
 };
 
 } // namespace stemware::pipeline

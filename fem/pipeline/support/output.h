@@ -10,36 +10,35 @@ namespace stemware::pipeline
 /// Mark in the first lines of a page or mesh that Stemware wrote: a later run may overwrite such a file.
 inline constexpr char written_by_stemware[] = "written by Stemware";
 
-/// True if verbs, or those of an earlier version, write a file of that name into a folder of results:
+/// Returns whether a verb of this or an earlier version writes a file @p name into a results folder:
 /// "load.csv", "fields/contact.vtu", "figures/load.svg".
 bool is_result_name(const std::string &name);
 
-/// Absolute path of an output, with all links resolved but one in the last place. Throws OutputFailure, with
-/// one sentence, for a path that cannot be resolved or is no UTF-8.
+/// Returns the absolute path of an output with all links resolved except the last component. Throws
+/// OutputFailure for a path that cannot be resolved or is not UTF-8.
 std::filesystem::path resolved_output(const std::filesystem::path &path);
 
-/// Refuses a folder in which something of the user's could be lost: throws OutputFailure, with one sentence,
-/// unless @p folder is missing, or empty, or holds @p mark and no name that verbs do not write. Links, and
-/// folders other than figures and fields, are such names. Lists names and opens no file.
+/// Throws OutputFailure unless @p folder is missing, or empty, or contains @p mark and only names that verbs
+/// write, to protect the user's files. Links, and folders other than figures and fields, are rejected. Lists
+/// names and opens no file.
 void require_replaceable(const std::filesystem::path &folder, const std::string &mark = "summary.json");
 
-/// A folder of results that appears under its name whole or not at all. All ranks make one together; the
+/// Results folder that appears under its name only when it is complete. Created by all ranks together; the
 /// first rank owns it.
 ///
-/// Results are written to the new folder "NAME.partial-PID" beside it, which publish() renames. Older results
-/// are removed after that. If the program is killed meanwhile, the partial folder stays; the next run names
-/// it.
+/// Results are written to the folder "NAME.partial-PID" next to it, which publish() renames; older results
+/// are then removed. The partial folder of a killed program stays, and the next run reports it.
 class ResultsFolder
 {
 public:
-  /// Checks the place before any long work: makes the partial folder and removes it again. Throws
-  /// OutputFailure on every rank, with one sentence, if @p target is not replaceable or cannot be written.
+  /// Checks @p target before long work: creates the partial folder and removes it again. Throws OutputFailure
+  /// on every rank if @p target is not replaceable or not writable.
   explicit ResultsFolder(const std::filesystem::path &target);
   ~ResultsFolder();
   ResultsFolder(const ResultsFolder &) = delete;
   ResultsFolder &operator=(const ResultsFolder &) = delete;
 
-  /// Makes the partial folder; the same path on every rank. Collective. Throws OutputFailure.
+  /// Creates the partial folder, the same on every rank. Collective. Throws OutputFailure.
   void open();
 
   /// The partial folder, after open().
@@ -48,9 +47,9 @@ public:
   /// The folder of the results.
   const std::filesystem::path &final_folder() const { return target; }
 
-  /// Gives the folder its name and removes older results; on the first rank only. Throws OutputFailure if the
-  /// place is not replaceable any more: the older and the new results are then both there. Throws
-  /// std::logic_error for a file whose name is not a result_name().
+  /// Renames the partial folder and removes older results; on the first rank only. Throws OutputFailure if
+  /// the target is no longer replaceable: older and new results are then kept. Throws std::logic_error for a
+  /// file without a result_name().
   void publish();
 
 private:
@@ -62,11 +61,11 @@ private:
   std::vector<std::filesystem::path> created_parents; ///< innermost first
 };
 
-/// Refuses a place for a file that stands alone, before the work: throws OutputFailure, with one sentence,
-/// if there is anything but a plain file marked @ref written_by_stemware, or if its folder cannot be written.
+/// Throws OutputFailure, before the work, unless a single file can be written: its folder is writable, and an
+/// existing file is a plain file marked @ref written_by_stemware.
 void require_writable(const std::filesystem::path &file);
 
-/// Writes a file that stands alone: it appears under its name when it is complete. Throws OutputFailure as
+/// Writes a single file, which appears under its name when it is complete. Throws OutputFailure as
 /// require_writable(), and if the disk is full.
 void write_output_file(const std::filesystem::path &file, const std::string &text);
 

@@ -10,7 +10,7 @@ namespace stemware::pipeline
 /// Exit code and message of some work on one rank.
 using RankOutcome = std::pair<int, std::string>;
 
-/// Table stemware_ranks of the module fem: MPI, as ranks.h needs it.
+/// Function table stemware_ranks of the module fem: the MPI functions of ranks.h.
 struct RankFunctions
 {
   bool has_mpi; ///< whether deal.II was built with it

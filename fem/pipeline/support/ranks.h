@@ -6,7 +6,7 @@
 namespace stemware::pipeline
 {
 
-/// The span in which MPI may be used; one per program, in main(). Ends MPI.
+/// Scope in which MPI may be used; one per program, in main(). The destructor ends MPI.
 class MpiSession
 {
 public:
@@ -17,31 +17,30 @@ public:
   MpiSession &operator=(const MpiSession &) = delete;
 };
 
-/// Starts MPI unless it runs already, which takes a third of a second. Solid feet need it. Throws BadInput if
-/// mpirun has started several processes of a program without MPI.
+/// Starts MPI unless it is running (a third of a second), for solid feet. Throws BadInput if mpirun has
+/// started several processes of a program without MPI.
 void start_mpi();
 
-/// True if this process is the one that prints and writes tables. True without MPI.
+/// Returns whether this process prints and writes tables; true without MPI.
 bool is_first_rank();
 
-/// Number of processes that work on the study together.
+/// Returns the number of processes.
 unsigned int n_ranks();
 
-/// Runs @p work on every rank, and waits for all of them. When it throws on some, every rank does, with the
-/// message of the first of those: OutputFailure for trouble with files, std::runtime_error for everything
-/// else.
+/// Runs @p work on every rank and waits for all. If it throws on some, every rank throws with the message of
+/// the first of them: OutputFailure for file errors, else std::runtime_error.
 void on_every_rank(const std::function<void()> &work);
 
-/// Runs @p work on the first rank; when it throws, every rank does, as in on_every_rank().
+/// Runs @p work on the first rank; if it throws, every rank throws as in on_every_rank().
 void on_first_rank(const std::function<void()> &work);
 
-/// The text that @p work returns on the first rank, on every rank. Throws as on_first_rank().
+/// Returns on every rank the text that @p work returns on the first rank. Throws as on_first_rank().
 std::string from_first_rank(const std::function<std::string()> &work);
 
-/// Position of this process among n_ranks().
+/// Returns the rank of this process, 0 ... n_ranks() - 1.
 unsigned int this_rank();
 
-/// Ends all processes at once; for failures that the other ranks do not know of.
+/// Aborts all processes; for failures on one rank only.
 [[noreturn]] void abort_all_ranks(int exit_status);
 
 } // namespace stemware::pipeline

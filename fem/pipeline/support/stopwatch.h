@@ -8,12 +8,12 @@
 namespace stemware::pipeline
 {
 
-/// Wall-clock time of the stages of a run. The only results that differ between two equal runs, and so kept
-/// apart from the others.
+/// Wall-clock time of the stages of a run, kept apart from other results because it differs between equal
+/// runs.
 class Stopwatch
 {
 public:
-  /// Ends the present stage, which began with the one before, and names it.
+  /// Ends the present stage, which began at the end of the last one, under the name @p stage.
   void finish(const std::string &stage)
   {
     const auto now = std::chrono::steady_clock::now();

@@ -7,19 +7,18 @@
 namespace stemware::pipeline
 {
 
-/// Writes a whole file; throws OutputFailure, with one sentence, unless every byte has been taken by the
-/// disk.
+/// Writes a file. Throws OutputFailure unless the disk has accepted every byte.
 void write_text_file(const std::filesystem::path &file, const std::string &text);
 
-/// All bytes of a file; nothing of one that cannot be read.
+/// Returns all bytes of a file; empty if it cannot be read.
 std::string read_text_file(const std::filesystem::path &file);
 
-/// Throws BadInput with one sentence, which begins with @p setting ("Load/File = my.dat"), unless @p file is
-/// there and is no folder, pipe or device.
+/// Throws BadInput, beginning with @p setting ("Load/File = my.dat"), unless @p file exists and is no folder,
+/// pipe or device.
 void require_regular_file(const std::string &setting, const std::filesystem::path &file);
 
-/// @p text without the byte order mark that editors of Windows put before it. Throws BadInput with one
-/// sentence, which begins with @p origin, where that says UTF-16.
+/// Returns @p text without a UTF-8 byte order mark. Throws BadInput, beginning with @p origin, for a UTF-16
+/// mark.
 std::string without_byte_order_mark(const std::string &origin, std::string text);
 
 /// Reads the text of a file of at most 16 MB, without a byte order mark. Throws BadInput with one sentence,

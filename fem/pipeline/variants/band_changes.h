@@ -11,32 +11,32 @@
 namespace stemware::pipeline
 {
 
-/// A way in which rings take over the pressure of contacts.
+/// Rings onto which contact pressures are projected.
 struct RingProjection
 {
   std::vector<double> radii = {}; ///< of the rings [m]; empty: one ring
   unsigned int n_harmonics = 0;
 };
 
-/// A change of one numerical parameter, whose key is the part of the band that it goes into, as in
-/// BandedQuantity::parts: several may go into one.
+/// Change of one numerical parameter; its key is the part of the band (BandedQuantity::parts) to which it
+/// contributes. Several changes may contribute to one part.
 struct BandChange : Variant
 {
-  double factor = 1;     ///< on what is changed; 0: no part, others are compared with it
-  std::string from = {}; ///< part whose first change it is compared with, an earlier one; empty: the study
-  /// Terminal spin and torques are judged together, by the torques at several spins.
+  double factor = 1;     ///< factor on the change; 0: no part, reference of other changes
+  std::string from = {}; ///< earlier part whose first change is the reference; empty: the study
+  /// True if terminal spin and torques are compared by max_change_over_spins().
   bool compares_over_spins = false;
   /// The part is the larger of this change and the sum of the earlier changes of the same part.
   bool is_alternative = false;
-  /// The contacts of the study stay, in the balance of their own rings: it is their torque that another
-  /// gathering changes. Nothing: the change has contacts of its own.
+  /// Rings of a change that keeps the study's contacts and their balance and recomputes only the torque;
+  /// std::nullopt: the change has its own contacts.
   std::optional<RingProjection> ring_projection = {};
 };
 
-/// The changes that the band of @p study is made of (estimate_bands()); @p foot is its own, with its rings
-/// chosen, @p at_rest its load at rest. @p is_full: the whole rim carries load. Throws BadInput, with what
-/// it is that no other mesh would tell: for a solid foot whose contact on a hard table is narrower than its
-/// cells, and for one of linear elements from a file when quadratic ones would exceed Contact/Memory limit.
+/// Returns the changes for the band of @p study (estimate_bands()); @p foot: the study's foot with its rings
+/// chosen; @p at_rest: its load at rest; @p is_full: the whole rim is loaded. Throws BadInput, with the
+/// reason, if no other mesh would be informative: a solid foot whose contact on a hard table is narrower than
+/// its cells, or one of linear elements from a file if quadratic elements would exceed Contact/Memory limit.
 std::vector<BandChange> band_changes(const Study &study, const ElasticFoot &foot, const LoadReport &at_rest,
                                      bool is_full);
 

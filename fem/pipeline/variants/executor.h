@@ -14,8 +14,8 @@ class ComplianceCache;
 namespace stemware::pipeline
 {
 
-/// Means by which variants are solved: who makes their feet, and who shares out the work. The answers do not
-/// depend on either. For one caller at a time.
+/// Maker of the feet of variants, and threads for solving them. Answers do not depend on either. For one
+/// caller at a time.
 struct Executor
 {
   using Work = std::function<void(std::size_t)>;
@@ -25,14 +25,13 @@ struct Executor
       : make_foot(std::move(make_foot))
   {
   }
-  /// Feet by make_foot() that share @p cache, one thread unless @p n_threads are given; not in the live cut,
-  /// which has neither meshes nor threads.
+  /// Creates an executor with feet by make_foot(), which share @p cache, and @p n_threads threads; not in the
+  /// live solver, which has neither meshes nor threads.
   Executor(fem::ComplianceCache &cache, unsigned int n_threads = 1); // a cache alone will do
 
-  /// Calls @p work(i) for every i < @p n, side by side unless @p sequential, in their order, each as soon as
-  /// a thread is free; returns when all are done. After one has thrown, no further ones are begun, and its
-  /// exception (that of the least i, if several threw) is thrown here. Parallel loops within @p work do not
-  /// mix with each other; they may take the threads that no call needs.
+  /// Calls @p work(i) for every i < @p n, in parallel unless @p sequential, started in order; returns when
+  /// all are done. After an exception no further call starts, and the exception (of the smallest i, if
+  /// several) is rethrown here. Parallel loops within @p work do not interfere and may use idle threads.
   void for_each(std::size_t n, const Work &work, bool sequential = false) const
   {
     if (run_in_parallel && !sequential)
@@ -42,12 +41,12 @@ struct Executor
   }
 
   FootMaker make_foot;
-  /// True if any failure leaves its variant alone without an answer. On several ranks only those do that
-  /// is_variant_failure() knows, which all ranks meet together; others end the work.
+  /// True if every failure affects its own variant only. On several ranks only failures of
+  /// is_variant_failure(), which occur on all ranks, do; others end the work.
   bool keeps_all_failures = true;
 
 private:
-  /// for_each() on several threads; nothing: there is one.
+  /// for_each() on several threads; empty: one thread.
   std::function<void(std::size_t n, const Work &work)> run_in_parallel;
 };
 

@@ -18,14 +18,14 @@
 namespace stemware::pipeline
 {
 
-/// The answer to a variant, or why there is none.
+/// Answer to a variant, or its failure.
 template <typename Answer>
 struct Solved
 {
   std::optional<Answer> answer = {};
   std::exception_ptr failure = nullptr;
 
-  /// Throws the failure where there is one.
+  /// Returns the answer, or throws the failure.
   const Answer &value() const
   {
     if (failure)
@@ -38,10 +38,10 @@ struct Solved
 /// does not exist.
 bool is_variant_failure(const std::exception &failure);
 
-/// The foot of @p variant: that of the study, @p foot, where the variant stands on it, with a body and a path
-/// of its own; else a new one, whose contacts start from what those of @p foot let expect, if that is given.
-/// Throws ring::Tipping for a variant that tips at rest, BadInput for one that is not to be solved, and where
-/// its mesh cannot be made or its stiffness factorised.
+/// Returns the foot of @p variant: a clone of @p foot, the study's foot, if the variant uses it; else a new
+/// foot, whose initial guesses are predicted from @p foot, if given. Throws ring::Tipping for a variant that
+/// tips at rest, BadInput for a variant that is not to be solved, and if its mesh cannot be made or its
+/// stiffness factorised.
 std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
                                      const Executor &executor);
 
@@ -78,18 +78,17 @@ std::pair<int, unsigned int> cost_of(const std::vector<AnyVariant> &variants, st
 /// No progress callback.
 inline constexpr auto no_callback = [](std::size_t, const auto &) {};
 
-/// Tells @p progress how many of @p n_all @p pieces are done.
+/// Returns a callback that reports to @p progress how many of @p n_all @p pieces are done.
 inline auto counting_callback(Progress &progress, const std::string &pieces, std::size_t n_all)
 {
   return [&progress, pieces, n_all, n_done = std::size_t(0)](std::size_t, const auto &) mutable
   { progress.pieces_done(pieces, ++n_done, n_all); };
 }
 
-/// Asks each of @p variants, a vector of Variant or of what is derived from it, or anything with size() and
-/// operator[], the @p question(variant, its foot): in any order or side by side, feet that take all ranks
-/// together one after another. Starts come from @p foot as it is now, never from another variant: the answers
-/// depend on the list alone. @p done(i, solved) is told of each that is finished, one at a time; what it
-/// throws ends the work.
+/// Calls @p question(variant, its foot) for each of @p variants, a vector of Variant or of a derived type, or
+/// anything with size() and operator[]; in any order or in parallel, collective feet one after another.
+/// Initial guesses come from @p foot in its present state, never from another variant: the answers depend on
+/// the list only. @p done(i, solved) is called after each, one at a time; its exceptions end the work.
 template <typename Variants, typename Question, typename Done = decltype(no_callback)>
 auto solve(const Variants &variants, const std::shared_ptr<ElasticFoot> &foot, const Question &question,
            const Executor &executor, Done done = no_callback)

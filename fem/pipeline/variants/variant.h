@@ -9,18 +9,18 @@
 namespace stemware::pipeline
 {
 
-/// A study changed in one thing, or in none, with a name: what is solved beside the study itself. Makers of
-/// variants add to it what their judge has to know.
+/// Named change of a study, or the study itself, to be solved next to the study. Derived types add data for
+/// their evaluation.
 struct Variant
 {
-  std::string key = {};  ///< what it is told apart by, its place in a chain or the part of a band
-  std::string name = {}; ///< for people: "tilt"
+  std::string key = {};  ///< identifier: step of a chain, or part of a band
+  std::string name = {}; ///< displayed name: "tilt"
   Study study = {};
   unsigned int n_harmonics = all_harmonics; ///< whose friction acts
-  bool on_same_foot = false;                ///< on the foot of the study, not on one of its own
-  bool on_same_load = false;                ///< of the study: only what the ring is asked differs
-  std::string reason = {};                  ///< why it is not solved; empty where it is
-  bool on_other_rings = false;              ///< of the same foot: they are placed anew
+  bool on_same_foot = false;                ///< uses the study's foot
+  bool on_same_load = false;                ///< uses the study's load: only the question to the ring differs
+  std::string reason = {};                  ///< reason for not being solved; empty if it is to be solved
+  bool on_other_rings = false;              ///< on the same foot, but with newly chosen rings
 };
 
 } // namespace stemware::pipeline

@@ -14,15 +14,15 @@ struct VariedEntry
 {
   std::string path;                     ///< Section/Entry
   std::string unit;                     ///< "1" for pure numbers, empty for words
-  std::vector<std::string> values = {}; ///< of a grid, in their order; empty for a list from a file
-  bool by_factors = false;              ///< a range with equal factors, for a logarithmic axis
+  std::vector<std::string> values = {}; ///< values of a grid, in order; empty for a list from a file
+  bool by_factors = false;              ///< true for a range with equal factors (logarithmic axis)
 };
 
 /// Cases of a sweep: one study, and for each case the values of some of its entries.
 struct CaseList
 {
-  std::string origin;                               ///< "--vary" or "--cases my.csv", for refusals
-  Study base = {};                                  ///< study whose other entries hold for all cases
+  std::string origin;                               ///< "--vary" or "--cases my.csv", for error messages
+  Study base = {};                                  ///< study that provides all other entries
   std::vector<VariedEntry> entries = {};            ///< one or two for a grid, any number from a file
   std::vector<std::vector<std::string>> cases = {}; ///< values [case][entry] as a study file has them, in SI
                                                     ///< units; the last entry of a grid changes fastest
@@ -32,7 +32,7 @@ struct CaseList
   /// Returns the study of a case. Throws BadInput if its values are not allowed together.
   Study study_of(std::size_t index) const;
 
-  /// Values of a case for people: "Load/Moment ratio = 1.3, Table/Foundation modulus = 1e9 Pa/m".
+  /// Returns the values of a case as text: "Load/Moment ratio = 1.3, Table/Foundation modulus = 1e9 Pa/m".
   std::string values_of(std::size_t index) const;
 };
 
@@ -43,14 +43,13 @@ struct CaseList
 ///   Motion/Mass=200,250,300 g                   a list; a unit behind the last value only holds for all
 ///   Motion/Closure=paper,hand,full              words
 ///
-/// Values of a range are rounded to 15 digits of its larger end, so that half the way from -0.3 to 0.3 is 0.
-/// Throws BadInput, with one sentence, for anything else, entries that do not exist and values that they do
-/// not take or that stand twice.
+/// Values of a range are rounded to 15 digits of its larger end, so that the middle of -0.3 to 0.3 is 0.
+/// Throws BadInput for other texts, unknown entries, inadmissible values and repeated values.
 CaseList cases_of_grid(const std::vector<std::string> &varied);
 
-/// Reads cases from a table (read_table()): a column for each entry, "Motion/Mass" or "Motion/Mass (g)", a
-/// row for each case. Cells may have units of their own, and decimal commas unless commas separate them.
-/// Throws BadInput, with one sentence that names line and column.
+/// Reads cases from a table (read_table()): one column per entry, "Motion/Mass" or "Motion/Mass (g)", one row
+/// per case. Cells may have their own units, and decimal commas unless commas separate them. Throws BadInput
+/// that names line and column.
 CaseList cases_from_file(const std::string &file);
 
 } // namespace stemware::pipeline
