@@ -175,7 +175,7 @@ SlidingPath slide_to_stop(const SlidingInertia &inertia, const SlidingFriction &
     if (n_trials > 100000)
       throw NoBalance(sentence("the slide did not come to rest: stuck at v = ", path.states.back().speed,
                                " m/s, omega = ", path.states.back().omega,
-                               " rad/s; ask for less than an accuracy of ", accuracy));
+                               " rad/s; request a lower accuracy than ", accuracy));
     step = std::min(step, end - sigma);
     if (stepper.try_step(std::cref(flow), state, sigma, step) == odeint::success)
       path.states.push_back(flow.physical(state, flow.scale(sigma)));

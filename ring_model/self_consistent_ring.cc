@@ -37,8 +37,7 @@ SelfConsistentRing::SelfConsistentRing(Closure closure, const Motion &motion,
 {
   motion.validate();
   require(this->model != nullptr, "the ring has no load model");
-  require(n_max >= 1, "a load cut off after ", n_max,
-          " harmonics carries no moment; keep the first at least");
+  require(n_max >= 1, "a load truncated after ", n_max, " harmonics has no moment; keep at least the first");
 }
 
 double SelfConsistentRing::moment_scale() const

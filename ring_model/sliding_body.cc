@@ -86,7 +86,7 @@ SlidingBody SlidingBody::annulus(double inner_radius, double outer_radius)
 SlidingBody SlidingBody::with_pressure(Pressure pressure, double inner_radius, double outer_radius)
 {
   require_annulus(inner_radius, outer_radius);
-  require(static_cast<bool>(pressure), "the pressure is no function, but must be one of the radius");
+  require(static_cast<bool>(pressure), "the pressure is empty; give a function of the radius");
   SlidingBody body({}, inner_radius, outer_radius);
   body.pressure = std::move(pressure);
   double sum = 0.;

@@ -82,7 +82,7 @@ UnilateralFoundation::UnilateralFoundation(double radius, double exponent, unsig
 {
   require_positive(radius, "the ring radius", "m");
   require_positive(exponent, "the foundation's exponent", "");
-  require(n_harmonics >= 1, "the foundation is asked for no harmonics, but needs at least the first");
+  require(n_harmonics >= 1, "the number of harmonics is 0, but must be at least 1");
 }
 
 double UnilateralFoundation::full_contact_ratio(double kappa) const
@@ -125,7 +125,7 @@ double UnilateralFoundation::edge(double moment_ratio) const
           ", but must be finite and not negative");
   if (moment_ratio >= 2.)
     throw Tipping(sentence("the moment ratio is ", moment_ratio,
-                           ", but a ring that cannot pull tips at 2: lower the hand's force or slow down"));
+                           ", but a ring without tension tips at 2; lower the hand's force or slow down"));
   if (moment_ratio == 0.)
     return -std::numeric_limits<double>::infinity();
   const double onset = lift_off_ratio();

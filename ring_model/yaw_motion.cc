@@ -116,7 +116,7 @@ std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFun
       const auto &[angle, spin] = stepper.current_state();
       if (++n_steps > 100000 || !std::isfinite(angle) || !std::isfinite(spin))
         throw NoBalance(sentence("the spin-up did not reach t = ", time, " s: stuck at t = ",
-                                 stepper.current_time(), " s; ask for less than an accuracy of ", accuracy));
+                                 stepper.current_time(), " s; request a lower accuracy than ", accuracy));
     }
     YawState state = first;
     if (time > 0.)

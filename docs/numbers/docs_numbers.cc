@@ -350,10 +350,10 @@ std::string page_of_keys(const fs::path &source)
   return "# The keys of summary.json\n\n" + schema["description"].get<std::string>() +
          " The schema is `fem/pipeline/document/summary.schema.json`, installed as "
          "`share/stemware/summary.schema.json`; "
-         "this page is made from it by `cmake --build build/release --target docs_keys`. A verb has those "
-         "of the keys that it speaks of; `[]` stands for each of a list, `*` for any name.\n\n"
+         "this page is made from it by `cmake --build build/release --target docs_keys`. Each verb "
+         "writes a subset of the keys; `[]` represents each entry of a list, `*` any name.\n\n"
          "| key | unit | meaning |\n|---|---|---|\n" +
-         key_rows(schema, "") + "\n`load`, `load_at_terminal` and `load_at_fall` have these:\n\n" +
+         key_rows(schema, "") + "\n`load`, `load_at_terminal` and `load_at_fall` have these keys:\n\n" +
          "| key | unit | meaning |\n|---|---|---|\n" + key_rows(schema["definitions"]["load"], "load.");
 }
 

@@ -49,8 +49,8 @@ void require_possible(const LinearConditions &conditions, double radius, bool is
   if (centre.norm() < limit)
     return;
   throw TippingDemand(sentence("the centre of pressure lies ", centre.norm(),
-                               " m from the axis, which is not within the hull of the contact zone, ", limit,
-                               " m in that direction; reduce the moment: in that direction the foot tips at "
+                               " m from the axis, outside the hull of the contact zone, ", limit,
+                               " m in this direction; reduce the moment: the foot tips at "
                                "|M_N| = ",
                                limit / radius, " N R."));
 }
@@ -197,7 +197,7 @@ private:
                          sentence("the active set cycles after ", n_steps, " Newton steps, with ", n_loaded(),
                                   " loaded points and a relative residual of ", present_residual,
                                   " (allowed ", control.equilibrium_tolerance,
-                                  "); refine the mesh or loosen the tolerance."));
+                                  "); refine the mesh or increase the tolerance."));
   }
 
   void require_support() const

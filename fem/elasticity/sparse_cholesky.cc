@@ -41,8 +41,7 @@ void hold_to_one_thread()
 [[noreturn]] void throw_indefinite()
 {
   throw std::runtime_error(
-    "A stiffness matrix is not positive definite: the mesh is distorted, or nothing holds "
-    "the body.");
+    "A stiffness matrix is not positive definite: the mesh is distorted or the body is not fixed.");
 }
 
 } // namespace

@@ -164,8 +164,8 @@ private:
     if (keyword.name == "*INCLUDE" || (has_rows_of_mesh() && keyword.values.count("INPUT") > 0))
       throw UnreadableMesh("reads another file (" + keyword.name + "); export the mesh as one file.");
     if (makers.count(keyword.name) > 0)
-      throw UnreadableMesh("makes nodes or elements by " + keyword.name +
-                           "; export each node and element by itself.");
+      throw UnreadableMesh("generates nodes or elements by " + keyword.name +
+                           "; export each node and element explicitly.");
     const std::string name = keyword.value("NAME");
     if (keyword.name == "*ASSEMBLY" || keyword.name == "*ENDINSTANCE")
       is_of_assembly = true;
@@ -203,7 +203,8 @@ private:
   void take_row(std::vector<std::string> cells)
   {
     if (section.name == "*INSTANCE")
-      throw UnreadableMesh("moves an instance of a part (*INSTANCE); export the nodes where they stand.");
+      throw UnreadableMesh(
+        "displaces an instance of a part (*INSTANCE); export the nodes in global coordinates.");
     if (section.name == "*NODE" && !is_of_assembly) // else a reference point, numbered from 1 again
       take_node(cells);
     else if (section.name == "*ELEMENT" && !is_of_assembly && type.n_corners == 0)
@@ -319,7 +320,7 @@ private:
     constexpr std::size_t max_visits_an_element = 100;
     n_visits += 1;
     if (depth > deepest || n_visits > max_visits_an_element * (elements.size() + surfaces.size() + 1000))
-      throw UnreadableMesh("has sets that name one another without end; export the mesh anew.");
+      throw UnreadableMesh("has sets that contain each other; export the mesh again.");
     if (member.set.empty())
     {
       if (elements.count(member.first) == 0 || elements.rbegin()->first < member.last)

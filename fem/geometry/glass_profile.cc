@@ -206,7 +206,7 @@ void GlassProfile::validate_foot() const
     const double radius = land_inner_radius() * i / n_samples;
     const double top = radius < arc.middle_radius ? arc.middle_height : topside(radius);
     require(underside(radius) < top, "Glass/Underside rise = ", underside_rise,
-            " m leaves no glass below the top of the foot at a radius of ", radius,
+            " m leaves no thickness of glass at a radius of ", radius,
             " m; give a smaller rise or a larger Glass/Foot thickness.");
   }
 }

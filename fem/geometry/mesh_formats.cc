@@ -76,7 +76,7 @@ void require_mesh(const MeshContent &content)
   for (const std::array<double, 3> &point : content.points)
     for (const double coordinate : point)
       if (!(std::abs(coordinate) < 1e6))
-        throw UnreadableMesh("has coordinates that are no lengths of a foot; export the mesh anew.");
+        throw UnreadableMesh("has coordinates outside the range of a foot; export the mesh again.");
   require_shared_nodes(content);
   std::vector<std::array<unsigned int, 4>> faces;
   faces.reserve(6 * content.hexahedra.size());
@@ -97,7 +97,7 @@ void require_mesh(const MeshContent &content)
     const auto [begin, end] = std::equal_range(faces.begin(), faces.end(), sorted(face.corners));
     if (end - begin != 1)
       throw UnreadableMesh("marks a face that is not on the surface of its hexahedra with the id " +
-                           std::to_string(face.id) + "; mark faces of the surface alone.");
+                           std::to_string(face.id) + "; mark faces of the surface only.");
   }
 }
 
@@ -145,8 +145,8 @@ void build(const MeshContent &content, Triangulation<3> &triangulation)
   catch (const std::exception &failure)
   {
     if (std::string(failure.what()).find("negative volume") != std::string::npos)
-      throw UnreadableMesh("has some cells that are inside out beside others that are not; mesh it anew.");
-    throw UnreadableMesh("has hexahedra that are no mesh of a body; mesh it anew.");
+      throw UnreadableMesh("has inverted cells; mesh the foot again.");
+    throw UnreadableMesh("has hexahedra that do not form a mesh of a body; mesh the foot again.");
   }
 }
 
@@ -180,8 +180,8 @@ MeshFileFacts read_hexahedra(const std::string &file_name, double unit, Triangul
   const std::string subject = "Mesh file = " + file_name + " ";
   if (reader == readers.end())
     throw std::invalid_argument(
-      subject + "is not read by its ending; give a .msh or .inp file, and convert others: " + gmsh_command +
-      ", or for .vtu and what Gmsh does not read " + meshio_command + ".");
+      subject + "has no known file name extension; give a .msh or .inp file, and convert others: " +
+      gmsh_command + ", or for .vtu and what Gmsh does not read " + meshio_command + ".");
   try
   {
     MeshContent content = reader->second(text_of(file_name));

@@ -75,9 +75,10 @@ ContactSolution continue_in_moment(BodyOfRevolution &body, TableLaw &law, const 
         throw;
       throw ContactFailure(
         ContactOutcome::tipping,
-        sentence(
-          "the moment grows faster than what the contact can carry as the glass leans over; it ends at ",
-          100 * path.share, " % of the moment. Lower the centre of mass or the hand, or reduce the speed."));
+        sentence("the required moment grows faster with the tilt than the moment of the contact; the balance "
+                 "ends at ",
+                 100 * path.share,
+                 " % of the moment. Lower the centre of mass or the hand, or reduce the speed."));
     }
   return path.last;
 }

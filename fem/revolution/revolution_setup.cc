@@ -62,8 +62,8 @@ std::shared_ptr<const InterfaceLaw> RevolutionSetup::interface() const
     return table.interface;
   const double compliance = plane_strain_compliance();
   if (compliance == 0)
-    throw std::invalid_argument("A rigid foot on a hard, rigid table has no defined pressure; let one of the "
-                                "three yield.");
+    throw std::invalid_argument("A rigid foot on a hard, rigid table has no defined pressure; make foot, "
+                                "interface or substrate compliant.");
   const double width =
     profile.crown_radius > 0 && contact_half_width > 0 ? contact_half_width : profile.land_width;
   return std::make_shared<WinklerInterface>(hardness / (compliance * width));

@@ -54,11 +54,10 @@ public:
     }
     std::cerr.rdbuf(printed);
     if (has_failed)
-      throw ContactFailure(
-        ContactOutcome::linear_solver_failed,
-        "The stiffness of " + std::to_string(matrix.m()) +
-          " unknowns cannot be factorised: cells are distorted or memory is short; mend the "
-          "mesh, use fewer cells, or set Contact/Linear solver = multigrid.");
+      throw ContactFailure(ContactOutcome::linear_solver_failed,
+                           "The stiffness of " + std::to_string(matrix.m()) +
+                             " unknowns cannot be factorised: distorted cells or not enough memory; repair "
+                             "the mesh, use fewer cells, or set Contact/Linear solver = multigrid.");
   }
 
   void vmult(Vector &dst, const Vector &src) const { solver.solve(dst, src); }

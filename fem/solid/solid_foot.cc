@@ -235,9 +235,8 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const ring::Slip &
   const ContactSolution solution = find_contact(
     conditions, control, start_from_coarser_mesh(*body, *interface, softening_of_coarser, demand, radius));
   if (!(solution.stability_margin > 0))
-    throw ContactFailure(ContactOutcome::tipping,
-                         "the only balance that was found is unstable: the glass falls over. Lower "
-                         "the centre of mass or the hand, or reduce the speed.");
+    throw ContactFailure(ContactOutcome::tipping, "the only balance found is unstable: the glass tips. Lower "
+                                                  "the centre of mass or the hand, or reduce the speed.");
   return solution;
 }
 

@@ -55,7 +55,7 @@ std::optional<double> spin_at_first_phase(const PhaseSampledLoad &phases, const 
 
 std::string fall_sentence(const Fall &fall)
 {
-  return sentence("the glass stands at rest and falls over on the way, at ", to_precision(fall.omega, 3),
+  return sentence("the glass stands at rest and tips while it spins up, at ", to_precision(fall.omega, 3),
                   " rad/s and a moment ratio of ", to_precision(fall.state.moment_ratio, 3));
 }
 

@@ -39,10 +39,10 @@ void require_resolved(unsigned int n_phases, const SampleError &error)
 {
   if (error.between <= largest_allowed.between && error.mean <= largest_allowed.mean)
     return;
-  throw NoBalance(sentence("The load's dependence on the phase of the waviness is not resolved: between ",
-                           n_phases, " phases its torque is off by ", to_precision(error.between, 6),
-                           " mu N R, in the mean by ", to_precision(error.mean, 6),
-                           "; give more Contact/Azimuth lines, or a smaller waviness."));
+  throw NoBalance(
+    sentence("The dependence of the load on the phase of the waviness is not resolved: between ", n_phases,
+             " phases its torque is off by ", to_precision(error.between, 6), " mu N R, in the mean by ",
+             to_precision(error.mean, 6), "; give more Contact/Azimuth lines, or a smaller waviness."));
 }
 
 /// Samples at the spins @p omegas.

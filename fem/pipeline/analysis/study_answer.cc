@@ -19,13 +19,13 @@ std::string size_text(const fem::FootDescription &foot)
   std::string text = fmt::format(FMT_STRING("{}, {}{} unknowns, {} contact nodes"), foot.body, cells,
                                  foot.n_unknowns, foot.n_contact_nodes);
   if (foot.mesh_report) // moment ratios are over Glass/Contact radius
-    text +=
-      foot.mesh_report->round_rim
-        ? fmt::format(FMT_STRING("\n          the mesh's rim has a radius of {:.6g} m"),
-                      foot.mesh_report->rim_radius)
-        : fmt::format(FMT_STRING("\n          the land is not round; its contact radius is {:.6g} m, the "
-                                 "mean of the\n          border's least and largest distance from the axis"),
-                      foot.mesh_report->rim_radius);
+    text += foot.mesh_report->round_rim
+              ? fmt::format(FMT_STRING("\n          the mesh's rim has a radius of {:.6g} m"),
+                            foot.mesh_report->rim_radius)
+              : fmt::format(
+                  FMT_STRING("\n          the land is not round; its contact radius is {:.6g} m, the "
+                             "mean of the\n          border's smallest and largest distance from the axis"),
+                  foot.mesh_report->rim_radius);
   if (foot.mesh_report && foot.mesh_report->land_area_deficit > 0)
     text += fmt::format(FMT_STRING("\n          straight edges: the land's area is {:.2g} % too small"),
                         100 * foot.mesh_report->land_area_deficit);

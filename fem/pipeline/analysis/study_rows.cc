@@ -77,8 +77,8 @@ std::string grip_holds_note(const Study &study, const ring::Answer &row)
     return "";
   const auto [torque, grip] =
     distinct_texts(std::abs(row.at_rest->friction.torque), study.motion.grip_torque);
-  return "The fingers hold the glass at rest: the torque there, " + torque +
-         " N m, is no more than Motion/Grip torque = " + grip + " N m.";
+  return "The fingers hold the glass at rest: the torque at rest, " + torque +
+         " N m, does not exceed Motion/Grip torque = " + grip + " N m.";
 }
 
 std::vector<unsigned int> truncation_orders(unsigned int n_all)

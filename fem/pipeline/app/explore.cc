@@ -78,7 +78,7 @@ void add_explore_verb(CLI::App &program, Verb &chosen)
     ->allow_extra_args(false);
   verb
     ->add_option("--nodes", options->max_nodes,
-                 "Most nodes across the rim on hard tables; default: as `run` has")
+                 "Upper bound of the nodes across the rim on hard tables; default: as in `run`")
     ->type_name("N")
     ->check(CLI::Range(9, 10000).description(""));
   verb->add_option("--output", options->file, "The page; default: explore.html")->type_name("FILE");

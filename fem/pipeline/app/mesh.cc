@@ -129,7 +129,7 @@ void add_mesh_verb(CLI::App &program, Verb &chosen)
     add_verb(program, chosen, "mesh", "Write the three-dimensional mesh of a foot, or check one",
              [options] { mesh(*options); });
   add_study_option(*verb, options->study, "whose mesh it is");
-  verb->add_option("--check", options->check, "Looks at a mesh file instead")->type_name("FILE.msh");
+  verb->add_option("--check", options->check, "Checks a mesh file instead")->type_name("FILE.msh");
   verb->add_option("--write", options->writes, "Writes the mesh; may be repeated")
     ->type_name("FILE.msh|FILE.vtu")
     ->allow_extra_args(false);

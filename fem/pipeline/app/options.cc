@@ -29,16 +29,16 @@ namespace
 /// An empty name is a mistake (a variable that is not set), not the wish for the default study.
 std::string why_no_study(const std::string &text)
 {
-  return text.empty() ? "the name of the study is empty; give the path of a .prm file, or leave it away for "
-                        "the default study"
-                      : "";
+  return text.empty()
+           ? "the name of the study is empty; give the path of a .prm file, or omit it for the default study"
+           : "";
 }
 
 /// An empty name of a folder is a mistake too, and so are blanks, which no listing would show.
 std::string why_no_folder(const std::string &text)
 {
   return text.find_first_not_of(" \t\r\n") == std::string::npos
-           ? "the name of the folder is empty; give a path, or leave --output away for the default"
+           ? "the name of the folder is empty; give a path, or omit --output for the default"
            : "";
 }
 

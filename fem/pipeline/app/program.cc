@@ -151,7 +151,7 @@ void add_help_verb(CLI::App &program, Verb &chosen)
 {
   const auto topic = std::make_shared<std::string>();
   CLI::App *verb = program.add_subcommand("help", "Print this text, or that of a verb");
-  verb->add_option("VERB", *topic, "Verb to be explained; default: all of them in short");
+  verb->add_option("VERB", *topic, "Verb to explain; default: a summary of all verbs");
   verb->footer(help_of("help"));
   verb->callback(
     [&program, &chosen, topic]
@@ -179,8 +179,7 @@ int run_program(int argc, char *argv[])
     mpi.emplace();
     require_utf8(argc, argv);
     // 1. What is to be done? Each verb declares its options, examples and work.
-    CLI::App program("Stemware: what the elasticity of a wine glass's foot does to its spin on a table.",
-                     "stemware");
+    CLI::App program("Stemware: the spin of a wine glass on a table, with an elastic foot.", "stemware");
     Verb chosen;
     describe_program(program);
 #define STEMWARE_VERB(name) add_##name##_verb(program, chosen);

@@ -21,8 +21,8 @@ const std::vector<RemovedWord> &removed_words()
     { "", "slide", "the ring model's library has free sliding (docs/cookbooks/slide.md)" },
     { "converge", "--at", "the torque is followed at half and at one and a half times the terminal spin" },
     { "truncate", "--at", "torque.csv of `stemware run` has the torque over the spin" },
-    { "mesh", "--output", "the console has the whole answer, and --json prints it as one line" },
-    { "", "describe", "`stemware help` and `stemware help VERB` print what the manual page said" },
+    { "mesh", "--output", "the console shows the whole answer, and --json prints it as one line" },
+    { "", "describe", "`stemware help` and `stemware help VERB` replace the manual page" },
   };
   return words;
 }

@@ -43,7 +43,7 @@ void run(const RunOptions &options)
 void add_run_verb(CLI::App &program, Verb &chosen)
 {
   const auto [verb, options] = add_study_verb(
-    program, chosen, "run", "Compute a study: contact, torque, spin, and how large each effect is", run);
+    program, chosen, "run", "Compute a study: contact, torque, spin, and the size of each effect", run);
   verb->add_flag("--quick", options->quick, "The answer and its curves, no budget and no error bands");
 }
 

@@ -24,7 +24,7 @@ void truncate(const StudyOptions &options)
 
 void add_truncate_verb(CLI::App &program, Verb &chosen)
 {
-  add_study_verb(program, chosen, "truncate", "How many harmonics of the load matter", truncate);
+  add_study_verb(program, chosen, "truncate", "Find how many harmonics of the load matter", truncate);
 }
 
 } // namespace stemware::pipeline

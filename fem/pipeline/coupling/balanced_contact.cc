@@ -64,7 +64,7 @@ fem::ContactState BalancedContact::contact_on_one_ring(double omega, Progress &p
       return state;
     if (round == max_rounds)
       throw fem::ContactFailure(fem::ContactOutcome::too_many_steps,
-                                "the radius of the one ring does not settle; give Contact/Rings = 5.");
+                                "the radius of the single ring does not converge; set Contact/Rings = 5.");
   }
 }
 

@@ -33,11 +33,11 @@ ring::PhasedTorqueFunction driven_torque(const Study &study, const std::shared_p
     {
       if (failure.outcome != fem::ContactOutcome::tipping)
         throw;
-      throw BadInput(filled(
-        "Motion/Orbit speed file = {}: at t = {} s, where v = {} m/s and dv/dt = {} m/s^2, the glass falls "
-        "over; give lower speeds, or more rows where the speed changes.",
-        { shortened_path(file), to_short_text(time), to_short_text(balance.motion.orbit_speed),
-          to_short_text(balance.motion.orbit_acceleration) }));
+      throw BadInput(
+        filled("Motion/Orbit speed file = {}: at t = {} s, where v = {} m/s and dv/dt = {} m/s^2, the glass "
+               "tips; give lower speeds, or more rows where the speed changes.",
+               { shortened_path(file), to_short_text(time), to_short_text(balance.motion.orbit_speed),
+                 to_short_text(balance.motion.orbit_acceleration) }));
     }
   };
 }

@@ -471,7 +471,7 @@ std::string frozen_note(const Study &study)
 {
   const bool could_follow = !study.load.is_static() && depends_on_spin(study);
   return study.load.coupling == LoadCoupling::one_way && could_follow
-           ? "the load is that of rest; Load/Coupling = two-way follows it through the spin-up"
+           ? "the load at rest is used at every spin; Load/Coupling = two-way computes it at each spin"
            : "";
 }
 

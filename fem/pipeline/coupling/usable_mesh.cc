@@ -54,25 +54,25 @@ catch (const std::invalid_argument &error)
 void require_usable(const std::string &origin, const fem::MeshCheck &check, const fem::MeshFileOptions &marks)
 {
   const std::string mesh = "The mesh (" + shortened_path(origin) + ")";
-  require(check.n_disconnected == 0,
-          fmt::format(
-            FMT_STRING("{} has {} of {} cells in pieces that no face joins to the stem cut, one at ({:.4g}, "
-                       "{:.4g}, {:.4g}) m: nothing holds them; export the foot alone, as one body."),
-            mesh, check.n_disconnected, check.n_cells, check.disconnected_place[0],
-            check.disconnected_place[1], check.disconnected_place[2]));
+  require(
+    check.n_disconnected == 0,
+    fmt::format(FMT_STRING("{} has {} of {} cells not connected to the stem cut by faces, one at ({:.4g}, "
+                           "{:.4g}, {:.4g}) m; export the foot only, as one body."),
+                mesh, check.n_disconnected, check.n_cells, check.disconnected_place[0],
+                check.disconnected_place[1], check.disconnected_place[2]));
   require(
     check.n_inverted == 0,
-    fmt::format(FMT_STRING("{} has {} cells that are flat or inside out at a corner, the worst near ({:.4g}, "
-                           "{:.4g}, {:.4g}); mesh that place anew."),
+    fmt::format(FMT_STRING("{} has {} cells that are flat or inverted at a corner, the worst near ({:.4g}, "
+                           "{:.4g}, {:.4g}); remesh this region."),
                 mesh, check.n_inverted, check.worst_place[0], check.worst_place[1], check.worst_place[2]));
   if (check.upward_share > 0 && check.mean_height > check.stem_height)
   {
     const std::string swap =
       fmt::format(FMT_STRING("swap the ids (Contact/Mesh contact id = {}, Contact/Mesh stem id = {})"),
                   marks.stem_id, marks.contact_id);
-    const std::string turn = "turn the mesh so that the glass stands upright, z upwards";
+    const std::string turn = "rotate the mesh so that the glass stands upright, z upwards";
     const bool are_swapped = check.outer_radius <= check.stem_radius; // a stem is narrower than a rim
-    throw BadInput(mesh + " has its contact zone above its stem cut, and it looks up; " +
+    throw BadInput(mesh + " has its contact zone above its stem cut, facing up; " +
                    (are_swapped ? swap + ", or if they are right, " + turn : turn + ", or " + swap) + ".");
   }
   require(
@@ -81,12 +81,11 @@ void require_usable(const std::string &origin, const fem::MeshCheck &check, cons
                            "round the axis."),
                 mesh, check.n_zones));
   const bool looks_up = check.upward_share > 0;
-  require(
-    !looks_up && !(check.sideways_share > 0),
-    fmt::format(FMT_STRING("{} has a contact zone of which {:.3g} % looks {}; mark the faces alone that look "
-                           "down, and turn the mesh so that z points upwards."),
-                mesh, 100 * (looks_up ? check.upward_share : check.sideways_share),
-                looks_up ? "up" : "sideways"));
+  require(!looks_up && !(check.sideways_share > 0),
+          fmt::format(FMT_STRING("{} has a contact zone of which {:.3g} % faces {}; mark only faces that "
+                                 "face down, and rotate the mesh so that z points upwards."),
+                      mesh, 100 * (looks_up ? check.upward_share : check.sideways_share),
+                      looks_up ? "up" : "sideways"));
   const auto &[x, y] = check.rim_centre;
   constexpr double round = 1e-3;
   require(check.rim_deviation > round || std::hypot(x, y) <= 1e-3 * check.outer_radius,
@@ -110,12 +109,12 @@ void require_same_glass(const fem::MeshReport &report, const std::string &file, 
   std::string advice = "give the radius of the mesh, and the unit of its coordinates as Contact/Mesh unit";
   for (const auto &[name, size] : mesh_units())
     if (fits(report.rim_radius / unit * size))
-      advice = "set Contact/Mesh unit = " + name + ", which the coordinates seem to be in";
-  const std::string rim =
-    report.round_rim ? "The rim of the mesh " + shortened_path(file) + " has a radius of "
-                     : "The land of the mesh " + shortened_path(file) +
-                         " is not round; the mean of its border's least and largest distance from the axis, "
-                         "which stands for its contact radius, is ";
+      advice = "set Contact/Mesh unit = " + name + ", the likely unit of the coordinates";
+  const std::string rim = report.round_rim
+                            ? "The rim of the mesh " + shortened_path(file) + " has a radius of "
+                            : "The land of the mesh " + shortened_path(file) +
+                                " is not round; the mean of the smallest and largest distance of its border "
+                                "from the axis, used as contact radius, is ";
   throw BadInput(fmt::format(FMT_STRING("{}{} m, but Glass/Contact radius = {} m; {}."), rim,
                              to_short_text(report.rim_radius), to_text(radius), advice));
 }

@@ -20,7 +20,7 @@ std::string truncation_answer(const Study &study, const std::vector<ring::Answer
   if (!is_spin(study, omega))
   {
     const std::string held = grip_holds_note(study, all);
-    return held.empty() ? "The glass does not spin up, whatever harmonics its load has." : held;
+    return held.empty() ? "The glass does not spin up, with any number of harmonics." : held;
   }
   if (all.harmonics == 1)
     return "The " + one_way_word(study) + "load has one harmonic; the terminal spin is " +
@@ -29,10 +29,10 @@ std::string truncation_answer(const Study &study, const std::vector<ring::Answer
   std::string text =
     under_its_load(study, "The glass spins up to " + number(omega, ".6g") + " rad/s with all " +
                             std::to_string(all.harmonics) + " harmonics of its load, " +
-                            (first ? "to " + number(*first, ".6g") + " rad/s with the first alone."
-                                   : "and has no terminal spin with the first alone."));
+                            (first ? "to " + number(*first, ".6g") + " rad/s with the first harmonic only."
+                                   : "and has no terminal spin with the first harmonic only."));
   append(text, harmonic_effect_sentence(study, effect));
-  append(text, "From " + std::to_string(n_enough) + " harmonics on the spin is right to 1e-4.");
+  append(text, "From " + std::to_string(n_enough) + " harmonics on, the spin is accurate to 1e-4.");
   return text;
 }
 
@@ -77,7 +77,7 @@ std::string sweep_answer(const CaseList &list, const FinishedCases &finished)
                    "are finished; run the sweep without --rows for the others.");
   if (const auto falls = range_of(list, finished, "omega_fall"))
     append(text, "In " + std::to_string(falls->n) + of_cases +
-                   "the glass stands at rest and falls over on the way" +
+                   "the glass stands at rest and tips over while it spins up" +
                    (falls->n == 1 ? " (" + falls->min_case + "); it has"
                                   : ", one of them " + falls->min_case + "; they have") +
                    " no terminal spin.");
@@ -96,7 +96,7 @@ std::string sweep_answer(const CaseList &list, const FinishedCases &finished)
                                        " rad/s (" + effect->max_case + ")."));
   if (n_failed > 0)
     append(text, std::to_string(n_failed) + " of " + std::to_string(finished.size()) +
-                   " cases failed; the column message of sweep.csv says why.");
+                   " cases failed; sweep.csv gives the reasons in the column message.");
   return text;
 }
 

@@ -47,14 +47,13 @@ std::string paper_sentence(const Study &study, const SpinStudy &spin)
 std::string falling_answer(const Study &study, const SpinStudy &spin)
 {
   const ring::Answer &all = spin.all();
-  std::string text =
-    "The glass stands at rest and falls over on the way: turning " + sense_of(study, all.fall->omega) +
-    " at " + number(std::abs(all.fall->omega), ".3g") + " rad/s it has reached a moment ratio of " +
-    number(all.fall->state.moment_ratio, ".3g") +
-    ", and beyond that no load that only pushes keeps it in balance. It has no terminal spin. At rest its "
-    "moment ratio is " +
-    number(all.at_rest.value().moment_ratio, ".4g") + " and friction turns it with a torque of " +
-    number(all.at_rest.value().friction.torque, ".4g") + " N m.";
+  std::string text = "The glass stands at rest and tips over while it spins up, at " +
+                     number(std::abs(all.fall->omega), ".3g") + " rad/s " + sense_of(study, all.fall->omega) +
+                     ", where the moment ratio is " + number(all.fall->state.moment_ratio, ".3g") +
+                     ": no contact pressure balances a larger moment. There is no terminal spin. At rest the "
+                     "moment ratio is " +
+                     number(all.at_rest.value().moment_ratio, ".4g") + " and the torque of friction is " +
+                     number(all.at_rest.value().friction.torque, ".4g") + " N m.";
   append(text, paper_sentence(study, spin));
   return text;
 }
@@ -66,8 +65,7 @@ std::string resting_answer(const Study &study, const ring::Answer &all)
     return held;
   std::string text = "The glass does not spin up.";
   if (all.terminal && !all.terminal->stable)
-    append(text, "Its rest is an unstable balance: after the least disturbance the glass goes to another of "
-                 "its terminal spins.");
+    append(text, "Rest is an unstable balance: any disturbance takes the glass to another terminal spin.");
   return text;
 }
 
@@ -78,18 +76,20 @@ std::string largest_step_sentence(const Study &study, const Budget &budget)
     return "";
   const std::optional<double> relative =
     relative_to(*row->omega_terminal - *row->difference, row->difference, spin_scale(study));
-  return "The largest other step from the paper's model to this " + one_way_word(study) + "one is \"" +
-         row->name + "\": " + number(*row->difference, "+.3g") + " rad/s" +
+  return "The largest correction to the paper's model is \"" + row->name + "\"" +
+         (is_one_way(study) ? " (one-way): " : ": ") + number(*row->difference, "+.3g") + " rad/s" +
          (relative ? " (" + faster_or_slower(*relative) + ")" : "") +
-         (row->status == ring::Status::formal ? ", formally: such a load would have to pull on the table."
-                                              : ".");
+         (row->status == ring::Status::formal
+            ? "; the load of this step is negative somewhere (tensile, not physical)."
+            : ".");
 }
 
 std::string missing_band_sentence(const Study &study)
 {
   const bool may_be_narrow = study.table.is_hard() && !abilities(study.contact.body).is_of_revolution;
-  return std::string("It has no band: one of the contacts that would tell, coarser, finer or stiffer, could "
-                     "not be had") +
+  return std::string(
+           "No error band: the contact failed on one of the coarser, finer or stiffer models that the "
+           "band compares") +
          (may_be_narrow ? ", or the contact is narrower than the mesh's cells." : ".");
 }
 
@@ -109,9 +109,9 @@ std::string spinning_answer(const Study &study, const SpinStudy &spin, const Err
     append(text, harmonic_effect_sentence(study, spin.budget.harmonics));
   append(text, largest_step_sentence(study, spin.budget));
   if (band)
-    append(text, "The band is that of the discretisation. It contains neither uncertain inputs (friction, "
-                 "heights, grip) nor effects that the " +
-                   one_way_word(study) + "model does not have; docs/limits.md lists both with their sizes.");
+    append(text, "The band is the discretisation error. It contains neither uncertain inputs (friction, "
+                 "heights, grip) nor effects missing in the " +
+                   one_way_word(study) + "model; docs/limits.md lists both with their sizes.");
   return text;
 }
 
@@ -132,7 +132,7 @@ std::string run_answer(const Study &study, const SpinStudy &spin, const ErrorBan
   const ring::Answer &all = spin.all();
   std::string text;
   if (spin.is_quick())
-    text = "This was a quick run, without the budget of effects and without error bands.";
+    text = "Quick run: no budget of effects, no error bands.";
   if (all.fall)
     append(text, falling_answer(study, spin));
   else if (const double omega = all.omega_terminal().value(); is_spin(study, omega))
@@ -149,21 +149,20 @@ std::string profile_remark(const Study &study)
   if (!circle || circle->rms_distance <= rounding)
     return "";
   return "The points of the profile are " + number(circle->rms_distance, "1e6*.2g") +
-         " µm rms from the circle of its rim; no band contains this scatter, and the Python lines in "
-         "docs/cookbooks/own_profile.md carry it into the spin.";
+         " µm rms from the circle of its rim. No band contains this scatter; docs/cookbooks/own_profile.md "
+         "shows how to compute its effect on the spin.";
 }
 
 std::string lift_off_remark(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   if (spin.all().fall)
-    return lift_off_sentences(
-      { { "At rest", &report.load }, { "Where it falls over", &report.load_at_end } });
+    return lift_off_sentences({ { "At rest", &report.load }, { "Where it tips over", &report.load_at_end } });
   if (is_spin(study, *spin.all().omega_terminal()))
   {
     if (is_one_way(study))
       return lift_off_sentences({ { "At every spin", &report.load } });
     const char *at_end =
-      spin.phases ? "At the terminal spin, with the marks where they are at t = 0," : "At the terminal spin";
+      spin.phases ? "At the terminal spin, at the phase of t = 0," : "At the terminal spin";
     if (const std::string text = lift_off_sentences({ { at_end, &report.load_at_end } }); !text.empty())
       return text;
   }
@@ -185,10 +184,10 @@ std::string narrow_contact_remark(const Study &study, const ContactReport &repor
   return "Note: the contact is at most " + std::to_string(report.foot->at_rest.solution.n_nodes_across) +
          " nodes wide: " +
          (study.table.is_hard()
-            ? "on a hard table the load then depends on the mesh; give more Radial cells "
-              "on a narrower land."
-            : "the pressure is integrated exactly across it, but the mesh does not resolve "
-              "how the foot yields just above it.");
+            ? "on a hard table the load then depends on the mesh; increase Contact/Radial cells "
+              "or reduce Glass/Land width."
+            : "the pressure is integrated exactly, but the mesh does not resolve the "
+              "deformation of the foot next to the contact.");
 }
 
 std::string thin_layer_remark(const Study &study, double half_width)
@@ -197,10 +196,10 @@ std::string thin_layer_remark(const Study &study, double half_width)
   if (study.table.interface != TableInterface::winkler || !(layer > 0) || !(half_width > 0) ||
       half_width >= layer)
     return "";
-  return "Note: the contact is " + number(2 * half_width, "1e3*.2g") +
-         " mm wide, its half-width less than the " + number(layer, "1e3*.3g") +
-         " mm of the layer (Table/Layer thickness). A Winkler interface stands for a layer only where the "
-         "contact is much wider than it; take an elastic disc instead (Table/Substrate = elastic).";
+  return "Note: the contact is " + number(2 * half_width, "1e3*.2g") + " mm wide, half of it less than the " +
+         number(layer, "1e3*.3g") +
+         " mm of the layer (Table/Layer thickness). A Winkler interface represents a layer only if the "
+         "contact is much wider than the layer is thick; use an elastic disc (Table/Substrate = elastic).";
 }
 
 std::string out_of_flat_remark(const Study &study, const SpinStudy &spin)
@@ -212,8 +211,8 @@ std::string out_of_flat_remark(const Study &study, const SpinStudy &spin)
                      : table      ? "The table is out of flat"
                      : rim        ? "The rim is out of flat"
                                   : "The foot is not round") +
-         ": the terminal spin is the mean in the long run, about which the spin swings by " +
-         number(spin.phases->spin_ripple, ".3g") + " rad/s, and the torque by " +
+         ": the terminal spin is a mean over time. The spin oscillates by ±" +
+         number(spin.phases->spin_ripple, ".3g") + " rad/s about it, the torque by ±" +
          number(spin.phases->torque_ripple, ".3g") + " N m.";
 }
 
@@ -225,7 +224,7 @@ std::string several_spins_remark(const SpinStudy &spin)
   const auto n_stable =
     std::count_if(spins.begin(), spins.end(), [](const ring::TerminalSpin &one) { return one.stable; });
   return "The torques add up to zero at " + std::to_string(spins.size()) + " spins, " +
-         std::to_string(n_stable) + " of them stable: which one the glass ends at depends on how it starts.";
+         std::to_string(n_stable) + " of them stable; the initial spin decides which one the glass reaches.";
 }
 
 std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
@@ -235,20 +234,20 @@ std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
     return "";
   const auto [slowest, fastest] = std::minmax_element(driven->speed.begin(), driven->speed.end());
   std::string text =
-    "Led with the speeds of Motion/Orbit speed file, between " + number(*slowest, ".4g") + " and " +
+    "With the speeds of Motion/Orbit speed file, " + number(*slowest, ".4g") + " to " +
     number(*fastest, ".4g") + " m/s, the glass spins at " + number(driven->omega.back(), ".6g") +
-    " rad/s in the end; at the constant Motion/Orbit speed, to which all other numbers "
-    "belong, at " +
+    " rad/s at the end; with the constant Motion/Orbit speed, the basis of all other numbers, "
+    "at " +
     number(spin.spin_up.adaptive.back(), ".6g") +
-    " rad/s. Contact, friction and moments are in balance at every instant, with the force "
-    "that accelerates the glass along its orbit. Straight lines between the rows of the file "
-    "instead of the monotone cubic would change the spin by up to " +
-    number(driven->interpolation_change, ".1e") + " rad/s on the way and " +
-    number(driven->interpolation_change_at_end, ".1e") + " in the end";
+    " rad/s. Contact, friction and moments are in balance at every instant, including the force "
+    "that accelerates the glass along its orbit. Linear interpolation of the file instead of the "
+    "monotone cubic changes the spin by up to " +
+    number(driven->interpolation_change, ".1e") + " rad/s in between and " +
+    number(driven->interpolation_change_at_end, ".1e") + " rad/s at the end";
   if (const auto band = band_of(bands, "omega_terminal"))
-    text += (driven->interpolation_change > *band ? "; this matters more than the discretisation, about "
-                                                  : "; the discretisation about ") +
-            number(*band, "band") + ", the band of the terminal spin at constant speed";
+    text += (driven->interpolation_change > *band ? "; this exceeds the discretisation error of about "
+                                                  : "; the discretisation error is about ") +
+            number(*band, "band") + " rad/s (band of the terminal spin at constant speed)";
   text += ".";
   if (const auto &start = driven->breakaway)
     text += " The glass rests until t = " + number(start->time, ".4g") +

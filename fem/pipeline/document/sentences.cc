@@ -35,9 +35,9 @@ std::string under_its_load(const Study &study, std::string sentence)
     return sentence;
   sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));
   if (study.load.source == LoadSource::file)
-    return "Under the given load (one-way: it is the same at every spin) " + sentence;
-  return std::string(study.load.is_static() ? "Under the given moment, with" : "With") +
-         " the load of rest kept at every spin (one-way), " + sentence;
+    return "With the given load, constant over the spin (one-way), " + sentence;
+  return std::string(study.load.is_static() ? "With the given moment and" : "With") +
+         " the load at rest kept at every spin (one-way), " + sentence;
 }
 
 std::string sense_of(const Study &study, double omega)
@@ -61,13 +61,13 @@ std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &e
 {
   if (!effect.absolute)
     return "";
-  const std::string opening = "The harmonics of the " + one_way_word(study) + "load beyond the first ",
+  const std::string opening = "The higher harmonics of the " + one_way_word(study) + "load ",
                     change = number(*effect.absolute, "+.3g") + " rad/s";
   if (!is_spin(study, *effect.absolute))
-    return opening + "change its spin by less than " + number(rounding_of_spins(study), ".2g") + " rad/s.";
+    return opening + "change the spin by less than " + number(rounding_of_spins(study), ".2g") + " rad/s.";
   if (effect.relative)
-    return opening + "make the glass " + faster_or_slower(*effect.relative) + " (" + change + ").";
-  return opening + "change its spin by " + change + ".";
+    return opening + "make the spin " + faster_or_slower(*effect.relative) + " (" + change + ").";
+  return opening + "change the spin by " + change + ".";
 }
 
 std::string lift_off_sentences(const std::vector<std::pair<std::string, const LoadReport *>> &states)
@@ -78,12 +78,12 @@ std::string lift_off_sentences(const std::vector<std::pair<std::string, const Lo
     const std::string share = number(load->contact_fraction, ".1f%") + " of the land is under pressure";
     if (load->minimum < 0)
       append(text, state + " the load is negative somewhere, down to " + number(load->minimum, ".4g") +
-                     " N/rad: the table would have to pull. " + share + ".");
+                     " N/rad (tensile, not physical). " + share + ".");
     else if (load->contact_fraction < 1)
       append(text,
-             state + " the foot has left the table in part: " + share + ", at a moment ratio of " +
+             state + " the foot has partly lifted off: " + share + ", at a moment ratio of " +
                number(load->moment_ratio, ".4g") +
-               (load->moment_ratio > 1 ? ", above 1, where a first-harmonic load would have to pull." : "."));
+               (load->moment_ratio > 1 ? " (above 1 a first-harmonic load is negative somewhere)." : "."));
   }
   return text;
 }

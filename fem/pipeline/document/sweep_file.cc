@@ -248,10 +248,10 @@ void SweepFile::write(const std::string &text)
     if (n < 0 && errno == EINTR)
       continue;
     if (n < 0)
-      throw OutputFailure(fmt::format(FMT_STRING("The file {} cannot be written ({}); the same command goes "
-                                                 "on from there when there is room."),
-                                      shortened_path((folder / table_name).string()),
-                                      std::generic_category().message(errno)));
+      throw OutputFailure(fmt::format(
+        FMT_STRING(
+          "The file {} cannot be written ({}); free some space and run the same command again to continue."),
+        shortened_path((folder / table_name).string()), std::generic_category().message(errno)));
     n_written += static_cast<std::size_t>(n);
   }
 }

@@ -55,7 +55,7 @@ void Explorer::set(const std::string &entry_path, const std::string &value)
   const std::vector<StudyEntry> entries = study_entries(present);
   const StudyEntry &entry = entry_at(entries, "", entry_path);
   require(!is_ready || is_live(entry_path) || entry.text() == value,
-          entry_path + " needs another mesh than this page has; `stemware run` makes one.");
+          entry_path + " needs another mesh than this page has; use `stemware run`.");
   const auto quantity = [&entry] { return entry.quantity ? *entry.quantity : std::nan(""); };
   const double before = quantity();
   assign(entry, "", value);
@@ -114,8 +114,7 @@ LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
   LiveAnswer answer;
   answer.match = mesh_match();
   require(answer.match != MeshMatch::none,
-          "The contact would be of another width, which the mesh of this page does not "
-          "resolve; `stemware run` makes one that does.");
+          "The mesh of this page does not resolve the width of this contact; use `stemware run`.");
   const bool from_last = !cold && last && last->has_rings();
   if (!from_last || !follow(*last, n_harmonics, answer))
     solve_cold(from_last ? last.get() : nullptr, n_harmonics, answer);

@@ -15,7 +15,7 @@ void require_live(const Study &study)
 {
   require(study.load.is_from_contact(), "A page needs a contact to solve; set Load/Source = contact.");
   require(abilities(study.contact.body).is_of_revolution,
-          "A page solves a body of revolution alone; set Contact/Body = revolution.");
+          "A page solves bodies of revolution only; set Contact/Body = revolution.");
   require_flat(study, "explore");
   require(files_of(study).empty(),
           "A page reads no files; leave Glass/Profile file and Motion/Orbit speed file empty.");

@@ -95,7 +95,7 @@ Results make_document(const Study &study, const std::vector<RefinementAxis> &axe
   results.files = { { "summary.json", "everything, for programs" },
                     { "converge.csv", "the values on every level of each axis",
                       table_of(level_rows(axes, bands), "", "levels") },
-                    { "parameters.prm", "the study as it was refined" } };
+                    { "parameters.prm", "the refined study" } };
   results.console = { { results.words["answer"] },
                       { "",
                         table_of(rows, "", "spin_bands", "Error band of the terminal spin, axis by axis") } };

@@ -388,9 +388,9 @@ std::vector<ResultFile> files_of(const Study &study, const ContactReport &report
 {
   const ring::RingStack &rings = report.load.rings;
   std::vector<ResultFile> files = { { "summary.json", "all numbers, for programs" },
-                                    { "parameters.prm", "the study, to be run again" },
+                                    { "parameters.prm", "the study as input file" },
                                     { "load.csv", "λ(θ) at rest", load_table(rings) },
-                                    { "harmonics.dat", "its Fourier coefficients; Load/File reads them",
+                                    { "harmonics.dat", "its Fourier coefficients, readable by Load/File",
                                       load_file_text(rings) },
                                     { "rings.csv", "the same ring by ring", ring_table(rings) } };
   const auto add = [&](const char *name, const char *words, const Table &table) {
@@ -401,21 +401,21 @@ std::vector<ResultFile> files_of(const Study &study, const ContactReport &report
     add("budget.csv", "the terminal spin from the paper's model to this study's",
         table_of(chain_rows(study, spin.budget.rows),
                  "step title harmonics_kept omega_terminal difference band formal torques[]", "chain"));
-    add("without.csv", "the complete model without one thing at a time",
+    add("without.csv", "the complete model without one effect at a time",
         table_of(without_rows(study, spin.budget), "name omega_terminal difference reason", "without"));
   }
   add("torque.csv", "τ_z, T_x, T_y against the spin", torque_table(spin.torque));
   add("spin_up.csv", "the spin against time", spin_up_table(spin.spin_up));
-  add("truncation.csv", "the answer after 1, 2, 3, 4, 6, 8 ... harmonics",
+  add("truncation.csv", "the answer with 1, 2, 3, 4, 6, 8 ... harmonics",
       truncation_table(findings.summary["truncation"]));
   if (spin.spin_up.driven)
-    add("driven_spin_up.csv", "the spin against time with the hand's own speeds",
+    add("driven_spin_up.csv", "the spin against time under the speeds of the file",
         driven_spin_table(*spin.spin_up.driven));
   if (spin.phases)
     add("phases.csv", "τ_z by the orientation of glass and table", phase_table(*spin.phases));
   if (study.load.is_from_contact())
   {
-    add("load_lines.csv", "λ(θ) at rest where the contact was solved",
+    add("load_lines.csv", "λ(θ) at rest on the azimuth lines of the contact",
         pointwise_table(report.load.pointwise));
     if (report.foot)
       add_foot_files(*report.foot, spin.all().terminal.has_value(), files);
@@ -438,7 +438,7 @@ std::vector<ConsoleBlock> console_of(const Study &study, const SpinStudy &spin, 
         table_of(shown_chain(study, named_steps(spin.budget.rows)),
                  "console_title omega_terminal difference relative_difference band remark", "chain") });
     if (!spin.budget.without.empty())
-      blocks.push_back({ "The complete model without one thing at a time:",
+      blocks.push_back({ "The complete model without one effect at a time:",
                          table_of(shown_without(study, spin.budget), without_keys, "without") });
   }
   return blocks;

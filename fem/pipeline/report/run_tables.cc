@@ -99,7 +99,7 @@ Table torque_table(const TorqueCurve &curve)
                     numbers("T_y", "N", curve.friction, &Wrench::force_y),
                     numbers("lean torque of the normal forces, all harmonics", "N m", curve.lean_torque),
                     numbers("torque of the fingers", "N m", curve.grip_torque),
-                    numbers("tau_z, lean torque and torque of the fingers together", "N m", curve.sum) } };
+                    numbers("tau_z, lean torque and grip torque, sum", "N m", curve.sum) } };
   for (std::size_t i = 0; i < curve.harmonics.size(); ++i)
     table.columns.push_back(
       numbers("tau_z, harmonics up to " + std::to_string(curve.harmonics[i]), "N m", curve.truncations[i]));
@@ -130,7 +130,7 @@ Table phase_table(const PhaseStudy &phases)
            { numbers("mark of the glass", "rad", phases.phases, &ring::Orientation::glass),
              numbers("mark of the table", "rad", phases.phases, &ring::Orientation::table),
              numbers("tau_z at rest", "N m", phases.torque_at_rest),
-             numbers("tau_z at the mean spin in the long run", "N m", phases.torque_at_terminal) } };
+             numbers("tau_z at the mean spin over time", "N m", phases.torque_at_terminal) } };
 }
 
 Table truncation_table(const nlohmann::ordered_json &truncation)

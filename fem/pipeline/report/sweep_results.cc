@@ -120,7 +120,7 @@ Results sweep_results(const CaseList &list, const FinishedCases &finished)
   results.files = { { "sweep.csv", "a row for each case: entries, numbers, status, message" },
                     { "study.json", "study, columns with units and labels, version" },
                     { "summary.json", "numbers of cases" },
-                    { "parameters.prm", "the study whose entries the cases change" },
+                    { "parameters.prm", "the study that the cases modify" },
                     { "timings.json", "how long it took" } };
   results.console = { { results.words["answer"], table_of(ranges, "quantity least most", "ranges") } };
   return results;

@@ -66,12 +66,12 @@ Results make_truncation_document(const Study &study, const LoadReport &load,
   add_load(study, load, {}, results);
   add_truncations(rows, std::nullopt, results);
   results.files = { { "summary.json", "all numbers, for programs" },
-                    { "parameters.prm", "the study, to be run again" },
-                    { "truncation.csv", "the answer after 1, 2, 3, 4, 6, 8 ... harmonics",
+                    { "parameters.prm", "the study as input file" },
+                    { "truncation.csv", "the answer with 1, 2, 3, 4, 6, 8 ... harmonics",
                       truncation_table(results.findings.summary["truncation"]) },
                     { "timings.json", "how long it took" } };
   results.console = { { results.words["answer"] },
-                      { one_way ? "One-way, the load of rest cut off:" : "In balance at every spin:",
+                      { one_way ? "One-way, the load at rest truncated:" : "In balance at every spin:",
                         table_of(shown_truncations(rows, std::nullopt),
                                  "harmonics omega_terminal relative_change bound load_minimum",
                                  "shown_truncations") } };

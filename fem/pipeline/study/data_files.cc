@@ -106,12 +106,10 @@ ring::RingStack read_load_file(const std::string &file)
       radius = radius ? radius : stated;
       continue;
     }
-    require(
-      all_a.size() <= max_harmonics,
-      fmt::format(
-        FMT_STRING(
-          "{} holds more than the {} harmonics that a torque is computed from; leave the higher ones out."),
-        setting, max_harmonics));
+    require(all_a.size() <= max_harmonics,
+            fmt::format(FMT_STRING("{} has more than {} harmonics, the most that a torque is computed from; "
+                                   "remove the higher harmonics."),
+                        setting, max_harmonics));
     const TextTable table = parse_table(where, line.text, true);
     std::vector<std::string> cells =
       table.rows.empty() ? std::vector<std::string>() : table.rows.front().cells;

@@ -116,7 +116,7 @@ void require_mat_that_yields(const Study &study)
     require(
       study.table.foundation_modulus <= most * of_glass,
       filled("Table/Foundation modulus = {} Pa/m is {} times Glass/Young modulus over Glass/Contact radius, "
-             "but at most {} is allowed; write Table/Interface = hard for a table that does not yield.",
+             "but at most {} is allowed; write Table/Interface = hard for a rigid interface.",
              { to_text(study.table.foundation_modulus), ratio, limit }));
 }
 
@@ -176,11 +176,10 @@ void require_known_waviness(const Study &study)
     require(study.load.is_from_contact(),
             entry + " needs Load/Source = contact; set that, or leave " + entry + " empty.");
     for (const fem::WavinessHarmonic &harmonic : waviness)
-      require(
-        harmonic.n <= study.contact.harmonics,
-        filled(
-          "{} has a harmonic n = {}, but the foot answers to {}; give at least as many Contact/Harmonics.",
-          { entry, std::to_string(harmonic.n), std::to_string(study.contact.harmonics) }));
+      require(harmonic.n <= study.contact.harmonics,
+              filled("{} has a harmonic n = {}, but the foot has {} elastic harmonics; set Contact/Harmonics "
+                     "to at least n.",
+                     { entry, std::to_string(harmonic.n), std::to_string(study.contact.harmonics) }));
   }
 }
 

@@ -145,9 +145,8 @@ void apply(const std::vector<std::string> &overrides, const std::vector<StudyEnt
     const std::string path = full_path(entries, boost::trim_copy(text.substr(0, equal_sign)));
     assign(entries, "--set: ", path, boost::trim_copy(text.substr(equal_sign + 1)));
     const auto [before, is_first] = text_of.emplace(path, text);
-    require(is_first,
-            fmt::format(FMT_STRING("--set gives {} twice, with \"{}\" and \"{}\"; leave one of them."), path,
-                        shortened(before->second), shortened(text)));
+    require(is_first, fmt::format(FMT_STRING("--set sets {} twice, to \"{}\" and \"{}\"; leave one of them."),
+                                  path, shortened(before->second), shortened(text)));
   }
 }
 

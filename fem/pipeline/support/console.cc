@@ -55,7 +55,7 @@ void direct_console(bool quiet, bool json)
 {
   if (json && stdout_was_missing)
     throw OutputFailure(
-      "--json prints on standard output, which is closed; redirect it to a file, or leave --json away.");
+      "--json needs standard output, which is closed; redirect it to a file, or omit --json.");
   console_descriptor = quiet ? -1 : json ? STDERR_FILENO : STDOUT_FILENO;
 }
 
@@ -73,8 +73,8 @@ void require_printed()
   std::cout << std::flush;
   // Of the stream of C, which both streams to it write on: it remembers every failure.
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw OutputFailure("Standard output has not taken all that was printed (is the disk full?); results "
-                        "that were written to a folder are whole.");
+    throw OutputFailure(
+      "Standard output is incomplete (disk full?); results written to a folder are complete.");
 }
 
 std::string rough_duration(double seconds)

@@ -65,7 +65,7 @@ Json parse_json(const std::string &origin, const std::string &text)
   }
   catch (const Json::exception &)
   {
-    throw BadInput(origin + " has a number that no computer holds; write numbers of usual size.");
+    throw BadInput(origin + " has a number outside the range of double precision; write smaller numbers.");
   }
 }
 

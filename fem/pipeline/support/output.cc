@@ -136,11 +136,14 @@ void name_leftovers(const fs::path &target)
       names.push_back(on_one_line(name));
   std::sort(names.begin(), names.end());
   if (!names.empty())
-    console() << wrapped(fmt::format(FMT_STRING("{} in {}: left by a killed run, or in use by one that is at "
-                                                "work; delete it if no run is."),
-                                     listed(names, "and"), shortened_path(target.parent_path().string())),
-                         "Remark    ")
-              << std::endl;
+    console()
+      << wrapped(
+           fmt::format(
+             FMT_STRING(
+               "{} in {}: left by a killed run, or in use by a running one; delete it if no run is active."),
+             listed(names, "and"), shortened_path(target.parent_path().string())),
+           "Remark    ")
+      << std::endl;
 }
 
 /// "PATH.partial-PID", or with a number behind it: a name that is free.

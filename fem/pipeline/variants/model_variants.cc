@@ -87,7 +87,7 @@ std::vector<Variant> variants_without(const Study &study, bool depends_on_phase)
       variant.reason = "not defined";
     else if ((depends_on_phase || variant.study.has_waviness()) && is_solid &&
              variant.study.table.is_hard() && !study.table.is_hard())
-      variant.reason = "not computed: a solid foot on a hard table takes long at every phase";
+      variant.reason = "not computed: a solid foot on a hard table takes too long at every phase";
   };
   const bool is_elastic_substrate = study.table.substrate == TableSubstrate::elastic;
   const bool is_elastic_foot = !study.model.foot_is_rigid;

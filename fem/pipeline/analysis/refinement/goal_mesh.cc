@@ -66,10 +66,9 @@ GoalError error_of(const Study &study, const Executor &executor)
 {
   const auto error = [&](const Variant &, const std::shared_ptr<ElasticFoot> &foot)
   {
-    require(
-      foot->body().capabilities().glass_period == 0,
-      "Contact/Goal needs a foot whose load does not depend on where the moment points, which that of this "
-      "Contact/Mesh file does; set Contact/Goal = none.");
+    require(foot->body().capabilities().glass_period == 0,
+            "Contact/Goal needs a foot whose load does not depend on the direction of the moment, but this "
+            "Contact/Mesh file is not axisymmetric; set Contact/Goal = none.");
     const SharedLoad load = find_load(study, foot);
     const ring::Question question = { study.motion.orbit, study.motion.grip_torque };
     const double omega = ring::answer(*load, question).value().omega_terminal().value();
@@ -80,7 +79,7 @@ GoalError error_of(const Study &study, const Executor &executor)
   if (!found)
     throw std::runtime_error(
       "The error of Contact/Goal cannot be estimated in this study: the contact with the hard table is "
-      "narrower than two of its cells; set it to none, or take the foot as a body of revolution.");
+      "narrower than two of its cells; set Contact/Goal = none or Contact/Body = revolution.");
   return *found;
 }
 
@@ -99,10 +98,9 @@ void require_memory(const Study &meshed, const GoalError &before)
   const double memory = per_unknown * 4.5 * n_cells * std::pow(meshed.contact.degree, 3);
   if (memory > meshed.contact.memory_limit)
     throw std::runtime_error(
-      fmt::format(FMT_STRING("The next mesh for the goal, the error being {:.1e} of its value, would have "
-                             "{:.2g} cells and take about "
-                             "{:.2g} GB of memory; give a larger Contact/Goal tolerance, or allow more with "
-                             "Contact/Memory limit = {:.0f} GB."),
+      fmt::format(FMT_STRING("The error of the goal is {:.1e} of its value, but the next mesh would have "
+                             "{:.2g} cells and need about {:.2g} GB of memory; increase Contact/Goal "
+                             "tolerance, or set Contact/Memory limit = {:.0f} GB."),
                   std::abs(before.error.correction / before.value), n_cells, memory / 1e9,
                   std::ceil(1.1 * memory / 1e9)));
 }

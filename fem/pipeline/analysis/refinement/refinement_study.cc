@@ -53,10 +53,10 @@ std::vector<RefinementAxis> refinement_axes(Study study, unsigned int n_levels)
 {
   require(study.load.is_from_contact(), "This study's load does not come from a contact, so it has no "
                                         "discretisation to refine; set Load/Source = contact.");
-  require(!study.has_waviness(), "A refinement study takes a rim and a table that are flat; leave the "
-                                 "waviness of Glass and Table empty.");
-  require(study.contact.goal == Goal::none, "Contact/Goal makes a mesh of its own, which has no coarser and "
-                                            "finer levels; set Contact/Goal = none.");
+  require(!study.has_waviness(), "A refinement study needs a flat rim and a flat table; leave Glass/Rim "
+                                 "waviness and Table/Waviness empty.");
+  require(study.contact.goal == Goal::none,
+          "Contact/Goal makes its own mesh, without coarser and finer levels; set Contact/Goal = none.");
   std::vector<RefinementAxis> axes;
   for (auto &[axis, value, min, max, step] : parameters_of(study.contact))
   {

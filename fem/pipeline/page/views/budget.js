@@ -5,7 +5,7 @@ import { line } from '../js/marks.js';
 import { missing, shown } from '../js/words.js';
 
 const spin = value => `${shown(value, '.6g')} rad/s`;
-const one_way = ({ words }) => (words.one_way ? ' One-way: the load of rest acts at every spin.' : '');
+const one_way = ({ words }) => (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
 const rounded = (value, rounding) => (Math.abs(value) < rounding ? 0 : value);
 
 export function waterfall(doc) {
@@ -42,7 +42,7 @@ export function waterfall(doc) {
     title: 'From the paper’s spin to this study’s',
     words: `${spin(t.omega_terminal[0])} to ${spin(t.omega_terminal[last])}`,
     caption:
-      'Each step adds one thing to the model of the row above; the numbers are the differences in rad/s.' +
+      'Each step adds one effect to the model of the row above; the numbers are the changes in rad/s.' +
       one_way(doc),
     x: { label: 'terminal spin', symbol: 'ω =', unit: 'rad/s', digits: '.6g', room: 0.08 },
     y: { rows: t.row },
@@ -106,14 +106,14 @@ export function effects(doc) {
     title: 'How large each effect is',
     words: t.row.map((row, i) => `${row} ${number(i)}`).join(', '),
     caption:
-      'Steps from the paper’s model to this study’s, and what leaving out one thing of the complete model changes, in rad/s. ' +
+      'Steps from the paper’s model to this study’s, and the complete model without one effect at a time, in rad/s. ' +
       'The error band of the terminal spin contains none of them.' +
       one_way(doc),
     x: { label: '|difference of terminal spins|', unit: 'rad/s', log: true, digits: '.3g' },
     y: { rows: t.row },
     marks: [
       part('steps of the model', 'c1', 'dot', true),
-      part('one thing left out', 'c2', 'square', false),
+      part('one effect left out', 'c2', 'square', false),
       ...(band > 0 ? [rule({ x: band, name: 'error band', dash: '4 3' })] : [])
     ],
     edge: t.row.map((_, i) => number(i))
@@ -136,7 +136,7 @@ export function harmonic_torque(doc) {
       id: 'harmonic_torque',
       title: 'Torque of friction against the spin',
       words: `${shown(doc.words.numbers.torque_at_rest, '.3g')} N m at rest`,
-      caption: 'All harmonics of the load, and the first alone.' + one_way(doc),
+      caption: 'All harmonics of the load, and the first only.' + one_way(doc),
       x,
       y: { label: 'torque τ_z', unit, zero: true, digits: '.4g' },
       marks: [
@@ -146,9 +146,9 @@ export function harmonic_torque(doc) {
     },
     {
       id: 'torque_of_harmonics',
-      title: 'Torque that the harmonics beyond the first add',
+      title: 'Torque of the harmonics beyond the first',
       words: `at most ${shown(largest(t.difference), '.2g')} N m`,
-      caption: 'Difference of the two curves beside.' + one_way(doc),
+      caption: 'Difference between the two torque curves.' + one_way(doc),
       x,
       y: { label: 'Δτ_z', unit: fine_unit, zero: true, digits: '.4g' },
       marks: [curve('difference', '', 'c3', undefined, fine)]

@@ -15,8 +15,8 @@ export const study = doc => {
     {
       title: 'The study',
       text: changed
-        ? 'What differs from the defaults (stemware defaults):'
-        : 'Everything has its default value (stemware defaults).',
+        ? 'Entries that differ from the defaults (stemware defaults):'
+        : 'All entries have their default values (stemware defaults).',
       tables: changed && [{ name: 'study_differences' }]
     },
     { title: 'All parameters', folded: true, tables: [{ name: 'entries' }] }
@@ -29,14 +29,14 @@ export const bands = doc =>
     title: 'Error bands',
     folded: true,
     text: [
-      'The exact solution of the same model lies within value ± band, the error of the discretisation. The band contains ' +
-        'neither effects that the model does not have (docs/limits.md) nor uncertain parameters such as μ, E or the mass; a ' +
-        'sweep over drawn cases shows the latter. The list “without” of the budget shows effects that the model has, one ' +
-        'removed at a time.',
+      'The exact solution of the model lies within value ± band (discretisation error). The band contains ' +
+        'neither effects missing in the model (docs/limits.md) nor uncertain parameters such as μ, E or the mass; a ' +
+        'sweep over random cases shows the latter. The list “without” of the budget shows the model without one effect ' +
+        'at a time.',
       doc.words.mesh_for_goal
     ],
     tables: [
-      { name: 'bands', title: 'The study as it is; harmonics not listed are zero' },
+      { name: 'bands', title: 'Error bands of this study; harmonics not listed are zero' },
       { name: 'band_parts', title: 'Parts of the bands' }
     ]
   };
@@ -46,13 +46,13 @@ export const fewer_harmonics = (doc, [before, after] = []) => ({
   title: 'Fewer harmonics',
   text: [
     before,
-    'No harmonic beyond the first changes the torque at rest. The bound on the change of τ_z follows from the harmonics left ' +
-      'out alone, at the terminal spin of all harmonics. If the least load is negative, the table would have to pull. Rows ' +
-      'that change the spin by less than 1e-9 stand in truncation.csv only.',
+    'No harmonic beyond the first changes the torque at rest. The bound on the change of τ_z follows from the omitted harmonics ' +
+      'only, at the terminal spin of all harmonics. A negative minimum load is tensile (not physical). Rows ' +
+      'that change the spin by less than 1e-9 are in truncation.csv only.',
     after
   ],
   pictures: [truncation(doc)],
-  tables: [{ name: 'truncations', title: 'The answer with the load cut off after some harmonics' }]
+  tables: [{ name: 'truncations', title: 'The answer with a truncated load' }]
 });
 
 /** The columns of all entries of a study as a table like the others. */

@@ -11,7 +11,7 @@ function convergence({ tables, words }) {
     title: 'Distance of the terminal spin from its limit',
     words: `the terminal spin is ${words.spin} rad/s`,
     caption:
-      'On each axis, relative, by level; 0 is the study’s own level. Levels that agree with the limit to the tolerance of the ' +
+      'Relative distance by axis and level; 0 is the study’s own level. Levels that agree with the limit to the tolerance of the ' +
       'solver are not drawn.',
     x: { label: 'level, finer to the right', symbol: 'level', ticks: levels, room: 0.08 },
     y: { label: 'relative error', log: true, digits: '.3g' },
@@ -25,13 +25,13 @@ function convergence({ tables, words }) {
 export function converge(doc) {
   const { words } = doc;
   const no_order =
-    'No order is observed if the errors lie below the tolerance of the contact solver, or do not fall evenly yet; a coarser ' +
-    'start shows one (--set Contact/Degree=1).';
+    'No order is observed if the errors are below the tolerance of the contact solver, or not yet asymptotic; a coarser ' +
+    'study shows one (--set Contact/Degree=1).';
   return {
     ...beginning(doc),
     sections: [
       {
-        title: 'The error of the discretisation',
+        title: 'Discretisation error',
         text: words.has_order ? '' : no_order,
         pictures: [convergence(doc)],
         tables: [{ name: 'spin_bands', title: 'Error band of the terminal spin, axis by axis' }]

@@ -54,7 +54,7 @@ export function footprint(map, id, state) {
     m && (m.narrowest === null ? '' : `${shown(m.narrowest, '.3g')} µm to `) + `${shown(m.widest, '.3g')} µm`;
   const says = m
     ? ` Largest pressure ${shown(m.largest, '.3g')} ${map.unit} at θ = ${shown(m.azimuth, '.0f')}°, mean ${shown(m.mean, '.3g')} ${map.unit}; ` +
-      `the contact is ${wide} wide${m.has_edge ? '' : ', where 99 % of the load lie'}.`
+      `the contact is ${wide} wide${m.has_edge ? '' : ', measured as the band with 99 % of the load'}.`
     : '';
   return {
     id,
@@ -81,12 +81,12 @@ export function foot_from_above({ foot }, { sketch }) {
   const half = Math.max(1.05 * section.edge, 1.2 * R);
   return {
     id: 'foot_from_above',
-    title: 'Where the foot presses on the table before it spins',
+    title: 'Pressure of the foot on the table at rest',
     equal: true,
     aspect: 0.84,
     colours,
     words: `up to ${shown(map.largest, '.3g')} ${map.unit}`,
-    caption: `Seen from above, through the glass. Distances from the rim, the thin circle, are drawn ${shown(magnification)} times larger; v is the direction of travel.`,
+    caption: `Seen from above, through the glass. Distances from the rim (thin circle) are magnified ${shown(magnification)} times; v is the direction of travel.`,
     x: { range: [-half, half] },
     y: { range: [-half, half] },
     marks: [
@@ -121,7 +121,7 @@ export function section_stress({ foot }) {
     colours,
     words: `largest stress ${shown(t.largest, '.3g')} MPa`,
     caption:
-      `Cut along the line to the orbit’s centre; displacements are drawn ${shown(t.magnification)} times larger, ` +
+      `Section along the line to the orbit’s centre; displacements are magnified ${shown(t.magnification)} times, ` +
       `up to ${shown(t.move, '.2g')} µm. Largest stress of von Mises ${shown(t.largest, '.3g')} MPa.`,
     marks: [
       patches({ polygons, value: t.stress, colours, words, lines: true }),
@@ -189,7 +189,7 @@ export function rim({ foot }) {
     equal: true,
     aspect: 0.5,
     words: crown > 0 ? `rounded with ${length(crown)}` : '',
-    caption: `${crown > 0 ? `Rounded with ${length(crown)}. ` : ''}Orange: the part that is under load somewhere, ${length(outer - inner)} wide.`,
+    caption: `${crown > 0 ? `Rounded with ${length(crown)}. ` : ''}Orange: the part under load at any azimuth, ${length(outer - inner)} wide.`,
     x: { range: [radius - reach, radius + reach] },
     y: { range: [-0.4 * reach, 0.6 * reach] },
     marks: [

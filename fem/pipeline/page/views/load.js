@@ -72,7 +72,7 @@ export function load_polar(doc) {
     words: `mean ${shown(load.line_load, '.3g')} N/m, least ${shown(summary.load.minimum, '.3g')} N/rad, moment ratio ${shown(summary.load.moment_ratio, '.3g')}`,
     x: { range: [-most, most] },
     y: { range: [-most, most] },
-    caption: `Seen from above and drawn outwards from the rim, the mean, ${shown(load.line_load, '.3g')} N/m, as half a radius; v is the direction of travel, n the harmonics kept. A curve inside the rim would pull on the table.`,
+    caption: `Seen from above and drawn outwards from the rim, the mean, ${shown(load.line_load, '.3g')} N/m, as half a radius; v is the direction of travel, n the harmonics kept. A curve inside the rim is tensile (not physical).`,
     marks: [
       circle(1, { colour: 'c8', width: 1 }),
       line({
@@ -103,15 +103,15 @@ export function line_load(doc) {
   return {
     id: 'line_load',
     title: 'Load per length of the rim',
-    words: `${shown(mean, '.3g')} N/m in the mean`,
-    caption: `λ(θ)/R: what a strip of the table feels before the glass spins. At 90° lies ${left === 'outside' ? 'the outside' : 'the orbit’s centre'}, at 270° ${right === 'outside' ? 'the outside' : 'the orbit’s centre'}.`,
+    words: `${shown(mean, '.3g')} N/m on average`,
+    caption: `λ(θ)/R: load per length of the rim at rest. At 90° lies ${left === 'outside' ? 'the outside' : 'the orbit’s centre'}, at 270° ${right === 'outside' ? 'the outside' : 'the orbit’s centre'}.`,
     x: degrees,
     y: { label: 'λ / R', unit: 'N/m', zero: true, digits: '.4g' },
     marks: [...curves_of(doc, ['up_to_1']).map(curve), rule({ y: mean, name: 'mean', dash: '2 3' })]
   };
 }
 
-/** What the harmonics beyond the first add to the load. */
+/** Load of the harmonics beyond the first. */
 export function higher_harmonics(doc) {
   const { up_to_1: first, theta } = columns(doc.tables.load_curves);
   if (!first) return null;
@@ -125,7 +125,7 @@ export function higher_harmonics(doc) {
   };
   return {
     id: 'higher_harmonics',
-    title: 'What the harmonics beyond the first add to the load',
+    title: 'Load of the harmonics beyond the first',
     caption: 'Relative to its mean a_0; n harmonics kept.',
     x: degrees,
     y: { label: '(λ − λ_1) / a_0', zero: true, digits: '.3g' },
@@ -153,8 +153,8 @@ export function spectrum(doc) {
     title: 'Harmonics of the load',
     words: second ? `the second is ${shown(second, '.2g')} of the mean` : '',
     caption:
-      'Relative to its mean a_0. What is below 10⁻¹² is rounding and not shown.' +
-      (has_hollow ? ' Hollow: smaller than the error band, or than the last band that is known; not resolved.' : ''),
+      'Relative to its mean a_0. Values below 10⁻¹² are rounding and not shown.' +
+      (has_hollow ? ' Hollow: smaller than the error band (or the last known band), not resolved.' : ''),
     x: {
       label: 'harmonic n',
       symbol: 'n =',
@@ -200,8 +200,8 @@ export function slip(doc, name, state) {
         ? `friction turns the glass with ${shown(doc.words.numbers.torque_at_rest, '.3g')} N m`
         : '',
     caption:
-      'Seen from above. Grey: how fast each place slips over the table. Coloured: the friction on it, by the sense in which it turns the glass. ' +
-      'What is longer on one side than on the other turns the glass; at the terminal spin both sides are in balance.',
+      'Seen from above. Grey: slip velocity of each point over the table. Coloured: friction on the point, by the sense of its torque. ' +
+      'The difference between the two sides turns the glass; at the terminal spin the sides balance.',
     marks: [
       circle(1, { colour: 'c8', width: 1.4 }),
       part('slip', 'c8', 0.42, ['slip_x', 'slip_y'], all, { width: 1, head: 4 }),

@@ -12,23 +12,23 @@ const chain_keys = 'step title omega_terminal difference relative_difference ban
 function budget_sections(doc) {
   const { words, summary } = doc;
   const formal =
-    'Each step adds one thing to the model before it; its difference is what that thing does. A load is called formal if it ' +
-    'is negative somewhere: the table would have to pull.';
+    'Each step adds one effect to the model before it; its difference is the effect’s size. A load is called formal if it ' +
+    'is negative somewhere (tensile, not physical).';
   const spins = Number.isFinite(summary.ring.omega_terminal) && words.numbers.spins;
   return [
     {
       title: 'From the paper’s model to this study’s',
       text: [[words.lift_off, words.pressed, words.thin_layer, words.out_of_flat].filter(Boolean).join(' '), formal],
       pictures: spins && [waterfall(doc), effects(doc)],
-      tables: [{ name: 'without', keys: without_keys, title: 'The complete model without one thing at a time' }]
+      tables: [{ name: 'without', keys: without_keys, title: 'The complete model without one effect at a time' }]
     },
     {
       title: 'The steps in numbers',
       folded: true,
-      text: 'In the rows n ≤ 1, 2, 3 ... the contact has its whole pressure, and friction and torque are those of the harmonics that are kept.',
+      text: 'In the rows n ≤ 1, 2, 3 ... the contact has its whole pressure; friction and torque use the harmonics kept.',
       tables: [
         { name: 'chain', keys: chain_keys, title: 'Terminal spin in models of increasing detail' },
-        { name: 'chain_torques', title: 'Torque τ_z at rest, at half and at all of this study’s terminal spin' }
+        { name: 'chain_torques', title: 'Torque τ_z at rest, at half and at full terminal spin of this study' }
       ]
     }
   ];
@@ -42,10 +42,10 @@ function load_sections(doc) {
     {
       title: 'The load on the table',
       text:
-        `Before the glass spins it presses on the table with N = ${shown(load.normal_force)} N and the moment ` +
+        `At rest the glass presses on the table with N = ${shown(load.normal_force)} N and the moment ` +
         `M_N = (${shown(numbers.moment_x)}, ${shown(numbers.moment_y)}) N m, a moment ratio m = |M_N| / (N R / 2) of ` +
-        `${shown(load.moment_ratio, '.4g')}. Above 1 a first-harmonic load would have to pull, at 2 the glass tips. ` +
-        `${shown(load.contact_fraction, '.1f%')} of the land is under pressure; the least load is ${shown(load.minimum, '.4g')} N/rad.`,
+        `${shown(load.moment_ratio, '.4g')}. Above 1 a first-harmonic load is negative somewhere; at 2 the glass tips. ` +
+        `${shown(load.contact_fraction, '.1f%')} of the land is under pressure; the minimum load is ${shown(load.minimum, '.4g')} N/rad.`,
       pictures: [
         load_polar(doc),
         slip(doc, 'slip_at_rest', 'at rest'),
@@ -68,14 +68,14 @@ function spin_text({ summary, words }) {
   const { numbers } = words;
   const { ring } = summary;
   const text =
-    `Friction turns the glass at rest with τ_z = ${shown(numbers.torque_at_rest)} N m; μ M_Nx, which no harmonic beyond the ` +
-    `first can change, is ${shown(numbers.closed_form)} N m.`;
+    `Friction turns the glass at rest with τ_z = ${shown(numbers.torque_at_rest)} N m; μ M_Nx, which depends on the first harmonic ` +
+    `only, is ${shown(numbers.closed_form)} N m.`;
   if (numbers.falls)
-    return `${text} The spin-up ends at ${shown(ring.fall.omega, '.3g')} rad/s, where the glass falls over.`;
+    return `${text} The spin-up ends at ${shown(ring.fall.omega, '.3g')} rad/s, where the glass tips over.`;
   if (!numbers.spins) return text;
   const sum = numbers.others ? `${numbers.others} add up to zero` : ' vanishes';
   return (
-    `${text} Friction’s torque${sum}${summary.waviness ? ', in the mean over a long time,' : ''} at the terminal spin ` +
+    `${text} Friction’s torque${sum}${summary.waviness ? ', on average over time,' : ''} at the terminal spin ` +
     `ω = ${shown(ring.omega_terminal)} rad/s, which is ${shown(Math.abs(ring.omega_terminal) / (2 * Math.PI), '.3g')} turns per second` +
     (ring.time_constant > 0
       ? `; the glass approaches it with a time constant of ${shown(ring.time_constant, '.4g')} s.`
@@ -94,15 +94,15 @@ function spin_sections(doc) {
         text: spin_text(doc),
         pictures: [words.numbers.moves && spin_up(doc), compared ? harmonic_torque(doc) : torque(doc)]
       },
-      tables.phases && { title: 'Torque by the place of the mark', folded: true, pictures: [phases(doc)] },
+      tables.phases && { title: 'Torque over the phase', folded: true, pictures: [phases(doc)] },
       words.several_spins && {
         title: 'All terminal spins',
         text:
-          `${words.several_spins} Searched within 1.5 v/R of rest. Near a stable one the spin settles with its time constant; ` +
-          'from an unstable one it departs with it.',
+          `${words.several_spins} Searched within 1.5 v/R of rest. The spin approaches a stable terminal spin with its time constant ` +
+          'and leaves an unstable one with it.',
         tables: [{ name: 'terminal_spins' }]
       },
-      words.driven && { title: 'A hand that is no motor', text: words.driven, pictures: driven(doc) }
+      words.driven && { title: 'Spin-up under measured speeds of the hand', text: words.driven, pictures: driven(doc) }
     ]
   };
 }
@@ -115,7 +115,7 @@ function foot_sections({ tables, words }) {
     footprint(
       foot.footprint_at_end,
       'footprint_at_end',
-      words.numbers.falls ? 'where the glass falls over' : 'at the terminal spin'
+      words.numbers.falls ? 'where the glass tips over' : 'at the terminal spin'
     )
   ];
   return [
@@ -141,7 +141,7 @@ export function run(doc) {
         title: 'Friction at rest and at the end',
         folded: true,
         pictures: [spin.compared && torque(doc)],
-        tables: [{ name: 'friction', title: 'The torques on the glass, and the friction force of the table' }]
+        tables: [{ name: 'friction', title: 'Torques on the glass and friction force of the table' }]
       },
       summary.contact && {
         title: 'The contact at rest',

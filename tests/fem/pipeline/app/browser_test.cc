@@ -236,14 +236,14 @@ const std::vector<State> &states()
     return arguments;
   };
   static const std::vector<State> all = {
-    { { "balanced", quick({}) }, "quick run", { "spin_up", "slip_at_end" }, { "waterfall" } },
+    { { "balanced", quick({}) }, "Quick run", { "spin_up", "slip_at_end" }, { "waterfall" } },
     { { "falling", quick({ "Motion/Centre of mass height=0.138" }) },
-      "falls over on the way",
+      "tips over",
       { "footprint_at_end" },
       { "slip_at_end", "truncation" } },
     { { "wavy", plain({ "Glass/Rim waviness=3: 1e-6" }) }, "turns once", { "phases", "waterfall" } },
     { { "tensile", plain({ "Load/Source=first harmonic", "Load/Moment ratio=1.3" }) },
-      "Under the given moment",
+      "given moment",
       { "load", "spin_up" },
       { "footprint" } },
     { { "lifted", plain({ "Load/Moment ratio=1.3" }) }, "turns once", { "waterfall", "foot_from_above" } },
@@ -255,7 +255,7 @@ const std::vector<State> &states()
       "turns once",
       { "driven_spin_up", "orbit_speed" } },
     { { "load_file", plain({ "Load/Source=file", "Load/File=load.dat" }) },
-      "Under the given load",
+      "given load",
       { "load", "waterfall" },
       { "footprint" } },
     { { "mesh", plain({ "Contact/Body=solid", "Contact/Mesh file=flat_foot.msh" }) },
@@ -389,7 +389,7 @@ TEST(Reports, PicturesAndTablesShowTheNumbersOfTheFiles)
       EXPECT_TRUE(ends_at(budget[i]["omega_terminal"])) << budget[i];
     }
   // What a reader sees of the table without one thing at a time, digit by digit.
-  const nlohmann::json &rows = page["tables"]["The complete model without one thing at a time"];
+  const nlohmann::json &rows = page["tables"]["The complete model without one effect at a time"];
   const nlohmann::json &without = summary["without"];
   ASSERT_EQ(rows.size(), without.size() + 1);
   for (std::size_t i = 0; i < without.size(); ++i)

@@ -103,7 +103,7 @@ TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)
   EXPECT_NE(shown[address("__proto__")]["words"].get<std::string>().find("language=__proto__"),
             std::string::npos);
   for (const std::string &one : refusing)
-    EXPECT_EQ(shown[one]["answer"].get<std::string>().find("Not in this page: "), 0u)
+    EXPECT_EQ(shown[one]["answer"].get<std::string>().find("Not available in this page: "), 0u)
       << one << ": " << shown[one]["answer"];
 }
 

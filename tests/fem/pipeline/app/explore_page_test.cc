@@ -53,7 +53,7 @@ TEST(ExplorePage, OfAStudyOfOnesOwn)
   scratch.write("solid.prm", "subsection Contact\n  set Body = solid\nend\n");
   const Ended refused = stemware(scratch, { "explore", "solid.prm" });
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_NE(refused.err.find("a body of revolution alone"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("bodies of revolution"), std::string::npos) << refused.err;
 }
 
 } // namespace

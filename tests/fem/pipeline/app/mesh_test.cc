@@ -83,7 +83,7 @@ TEST(MeshVerb, RefusesMeshesThatCannotBeUsed)
                                     [](Vertex &x) {
                                       x = { x[0], -x[1], -x[2] };
                                     })),
-              testing::HasSubstr("looks up"));
+              testing::HasSubstr("facing up"));
   EXPECT_THAT(refusal_of_mesh("no mesh at all\n"), testing::HasSubstr("not a Gmsh .msh mesh"));
 }
 

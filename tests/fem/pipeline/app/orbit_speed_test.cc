@@ -224,7 +224,7 @@ TEST(OrbitSpeed, SaysWhatTheReadingOfTheRowsMatters)
   EXPECT_NEAR(said["interpolation_change"].get<double>() / most, 1, 0.02);
   EXPECT_NEAR(said["interpolation_change_at_end"].get<double>(), at_end, 0.02 * most);
   EXPECT_THAT(page_document(scratch / "out")["words"]["driven"].get<std::string>(),
-              testing::HasSubstr("Straight lines between the rows of the file"));
+              testing::HasSubstr("monotone cubic"));
 }
 
 TEST(OrbitSpeed, AnElasticFootFollowsTheRingAndFeelsTheAcceleration)

@@ -73,7 +73,7 @@ TEST(QuickRun, SaysFirstWhatItLacks)
     EXPECT_TRUE(summary[key].is_null()) << key;
     EXPECT_FALSE(read_summary(runs.scratch / "full")[key].is_null()) << key;
   }
-  const std::string sentence = "This was a quick run, without the budget of effects and without error bands.";
+  const std::string sentence = "Quick run: ";
   const std::string report = read_text(runs.scratch / "quick/report.html");
   EXPECT_LT(report.find(sentence), report.find("rad/s", report.find("class=\"answer\"")));
   EXPECT_FALSE(page_document(runs.scratch / "quick")["tables"].contains("chain"));

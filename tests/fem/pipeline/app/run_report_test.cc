@@ -83,7 +83,7 @@ TEST_F(RunReport, AnswersWithTheNumbersOfTheSummary)
     EXPECT_LE(std::abs(value - omega) + band, printed_band * (1 + 1e-9)) << text;
     EXPECT_LE(printed_band, 1.2 * band) << text;
   }
-  EXPECT_THAT(answer, testing::HasSubstr("load beyond the first"));
+  EXPECT_THAT(answer, testing::HasSubstr("harmonics of the"));
   EXPECT_THAT(answer, testing::HasSubstr(per_cent(effect) + (effect > 0 ? " faster" : " slower")));
   EXPECT_THAT(answer, testing::HasSubstr("(one-way)")); // its moment is given
   EXPECT_THAT(ended().out,

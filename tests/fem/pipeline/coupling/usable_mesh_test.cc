@@ -122,7 +122,7 @@ TEST_P(ForeignMesh, IsRefusedWhereItIsInsideOut)
   const dealii::Point<3> place = mesh.begin_active()->vertex(7);
   move([&](const dealii::Point<3> &x)
        { return x.distance(place) < 1e-9 ? dealii::Point<3>(x[0], x[1], x[2] - 0.02) : x; });
-  expect_sentence(text(), "inside out");
+  expect_sentence(text(), "inverted");
 }
 
 TEST_P(ForeignMesh, IsReadInItsUnit)
@@ -144,8 +144,8 @@ TEST_P(ForeignMesh, IsReadInItsUnit)
 TEST_P(ForeignMesh, IsRefusedUpsideDown)
 {
   move([](const dealii::Point<3> &x) { return dealii::Point<3>(x[0], -x[1], -x[2]); });
-  expect_sentence(text(), "looks up");
-  expect_sentence(text(), "turn the mesh");
+  expect_sentence(text(), "facing up");
+  expect_sentence(text(), "rotate the mesh");
 }
 
 TEST_P(ForeignMesh, IsRefusedWithSwappedIds)
@@ -165,7 +165,7 @@ TEST_P(ForeignMesh, IsRefusedOnAWall)
       const dealii::Point<3> &x = face->center();
       face->set_boundary_id(std::hypot(x[0], x[1]) > 0.032 && std::abs(x[2] - 0.0017) < 0.0005 ? 2 : 0);
     }
-  expect_sentence(text(), "100 % looks sideways");
+  expect_sentence(text(), "100 % faces sideways");
 }
 
 /// A thousandth of the radius is allowed, 0.03 mm.

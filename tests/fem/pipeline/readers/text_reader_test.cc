@@ -63,7 +63,7 @@ TEST(TextReader, SaysWhereJsonIsBroken)
                        "line 3, column 1: the JSON ends");
   expect_refused_study("{\"Glass\": {\n  \"Contact radius\" 0.03}}\n", ".json", "line 2, column 23");
   expect_refused_study("[1, 2]", ".json", "is not a JSON object");
-  expect_refused_study("{\"Motion\": {\"Mass\": 1e999}}", ".json", "no computer holds");
+  expect_refused_study("{\"Motion\": {\"Mass\": 1e999}}", ".json", "double precision");
 }
 
 TEST(TextReader, RefusesJsonThatIsNestedDeeply)

@@ -86,7 +86,7 @@ TEST(RunAnswer, SentenceAndTableSayTheSameAtEverySpeed)
   // Below rounding there is no per cent, and the sentence says how little.
   const HarmonicEffect none = harmonic_effect(-1e-11, -1e-11 - 1e-19, spin_scale(study));
   const std::string nothing = harmonic_effect_sentence(study, none);
-  EXPECT_NE(nothing.find("change its spin by less than 3.3e-18 rad/s."), std::string::npos) << nothing;
+  EXPECT_NE(nothing.find("less than 3.3e-18 rad/s."), std::string::npos) << nothing;
 }
 
 TEST(RunAnswer, SaysOneWayInEverySentence)
@@ -99,9 +99,9 @@ TEST(RunAnswer, SaysOneWayInEverySentence)
     ++n_said;
   EXPECT_EQ(n_said, 4u) << said;
   one_way.study.load.moment_ratio = 0.5;
-  EXPECT_EQ(one_way.answer().substr(0, 24), "Under the given moment, ");
+  expect_all(one_way.answer(), { "given moment", "(one-way)", "1.93 s" });
   one_way.study.load.source = LoadSource::file;
-  EXPECT_EQ(one_way.answer().substr(0, 25), "Under the given load (one");
+  expect_all(one_way.answer(), { "given load", "(one-way)", "1.93 s" });
 }
 
 TEST(RunAnswer, NoPerCentWhereTheSpinChangesItsSign)
@@ -111,8 +111,7 @@ TEST(RunAnswer, NoPerCentWhereTheSpinChangesItsSign)
   turned.spin.budget.rows[1].difference = 6.5; // from -3
   turned.spin.budget.harmonics = harmonic_effect(3.4, -3.25, 11.7);
   EXPECT_FALSE(turned.spin.budget.harmonics.relative);
-  EXPECT_NE(turned.answer().find("beyond the first change its spin by -6.65 rad/s."), std::string::npos)
-    << turned.answer();
+  EXPECT_NE(turned.answer().find("by -6.65 rad/s."), std::string::npos) << turned.answer();
   EXPECT_NE(turned.answer().find("\"moment balance\": +6.5 rad/s."), std::string::npos) << turned.answer();
 }
 
@@ -138,7 +137,7 @@ TEST(RunAnswer, ThePapersSpinStandsBesideAnotherModelOnly)
 {
   SpunStudy spun;
   spun.spin.budget.rows.front().omega_terminal = 1e-13;
-  EXPECT_NE(spun.answer().find("its orbit. In the paper's model it does not spin up. "), std::string::npos);
+  EXPECT_NE(spun.answer().find("its orbit. In the paper's model"), std::string::npos);
   spun.spin.budget.rows.front().omega_terminal.reset();
   EXPECT_EQ(spun.answer().find("paper's rigid"), std::string::npos);
   spun.spin.budget.rows = { { { 1 }, "paper", 1, -3.25 } };
@@ -149,7 +148,8 @@ TEST(RunAnswer, AGlassThatDoesNotSpinHasNoPercentages)
 {
   SpunStudy resting;
   resting.spin.rows.back().terminal->omega = 1e-13;
-  EXPECT_EQ(resting.answer(), "The glass does not spin up.");
+  EXPECT_EQ(resting.answer().find('%'), std::string::npos) << resting.answer();
+  expect_all(resting.answer(), { "not spin" });
 }
 
 TEST(RunAnswer, PrintedBandsContainTheWholeBand)
