@@ -32,8 +32,8 @@ public:
   /// dv/dt [m/s^2]. @throws std::out_of_range outside the table.
   double acceleration(double time) const;
 
-  /// Returns @p motion with the orbit speed and acceleration at @p time. A hand at rest gets a billionth of its
-  /// largest speed: friction then has the direction of the motion to come.
+  /// Returns @p motion with the orbit speed and acceleration at @p time. A hand at rest gets a billionth of
+  /// its largest speed: friction then has the direction of the motion to come.
   Motion motion_at(const Motion &motion, double time) const;
 
   bool starts_from_rest() const { return speeds.front() == 0.; }
