@@ -1,10 +1,10 @@
 # The rules of style that can be checked: a sentence of a page has at most 30 words, a doc comment of a public header
-# begins with a verb or a noun, and no identifier begins with most_, least_ or fewest_. Code, tables, headings and formulas are not counted; inline code or a formula counts as one word.
+# begins with a verb or a noun, and no identifier begins with most_, least_ or fewest_. Code, tables, headings and formulas
+# are not counted; inline code or a formula counts as one word.
 # check_comments.cmake checks the first words of all other doc comments. Given: SOURCE_DIR.
 cmake_policy(VERSION 3.25)
 set(max_words 30)
-# Pages whose long sentences are not rewritten yet, and identifiers of entries and keys. Both lists may only shrink.
-set(pending_pages docs/lesson.md)
+# Identifiers of entries and keys. The list may only shrink.
 set(allowed_names least_contact_fraction least_load)
 
 set(troubles "")
@@ -66,14 +66,7 @@ foreach(page IN LISTS pages)
     endif()
   endforeach()
   end_of_paragraph()
-  if(long AND NOT page IN_LIST pending_pages)
-    string(APPEND troubles "${long}")
-  elseif(NOT long AND page IN_LIST pending_pages)
-    message("${page} has no long sentence any more: take it off the list.")
-  endif()
-  if(DEFINED LIST_PENDING AND long)
-    message("${page}")
-  endif()
+  string(APPEND troubles "${long}")
 endforeach()
 
 # Doc comments of the public headers begin with a verb or a noun.
@@ -111,4 +104,4 @@ if(troubles)
   message(FATAL_ERROR "Words that the rules of style do not allow:\n${troubles}")
 endif()
 list(LENGTH pages n)
-message("${n} pages have sentences of at most ${max_words} words, but for the pages on the list.")
+message("${n} pages have sentences of at most ${max_words} words.")
