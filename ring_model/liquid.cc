@@ -32,13 +32,12 @@ void Liquid::validate(double slope) const
   require(std::isfinite(bowl_height) && bowl_height >= 0., "the bottom of the bowl is ", bowl_height,
           " m above the table, but must be at a finite height that is not negative");
   const double rise = surface_leans ? slope * bowl_radius : 0.;
-  require(level() + rise <= bowl_depth, "the bowl overflows: the liquid reaches ", level() + rise,
-          " m above its bottom (", level(), " m when level), but the bowl is ", bowl_depth,
+  const auto shown = [](double length) { return std::round(length * 1e5) / 1e5; };
+  require(level() + rise <= bowl_depth, "the bowl overflows: the liquid reaches ", shown(level() + rise),
+          " m above its bottom (", shown(level()), " m when level), but the bowl is ", bowl_depth,
           " m deep; give less liquid, a lower speed or a larger bowl");
-  require(rise <= level(),
-          "the surface of the liquid leans so much that it meets the bottom of the bowl: it "
-          "is ",
-          level(), " m above it when level and falls by ", rise,
-          " m at the wall; give more liquid, a lower speed or a narrower bowl");
+  require(rise <= level(), "the liquid leans so much that its surface meets the bottom of the bowl: it is ",
+          shown(level()), " m deep when level and ", shown(rise),
+          " m less at the wall; give more liquid, a lower speed or a narrower bowl");
 }
 } // namespace stemware::ring

@@ -144,6 +144,8 @@ INSTANTIATE_TEST_SUITE_P(
     BadSetting{ "Table/Substrate=elastic", "set Contact/Body = revolution", "solid" },
     BadSetting{ "Table/Kind=mat", "write Table/Interface = Winkler, Table/Substrate = rigid" },
     BadSetting{ "Motion/Grip torque=-1e-3", "not less than 0" },
+    BadSetting{ "Motion/Liquid mass=0.5", "the bowl overflows: the liquid reaches 0.13415 m" },
+    BadSetting{ "Motion/Liquid mass=1 g", "meets the bottom of the bowl" },
     BadSetting{ "Glass/Foot radius=34", "times Glass/Contact radius" },
     BadSetting{ "Table/Decay length=0", "greater than 0" },
     BadSetting{ "Contact/Azimuth lines=3", "from 16 to 100000" },
