@@ -113,7 +113,7 @@ while(open)
         list(APPEND reached ${included})
         list(APPEND open ${included})
       endif()
-    elseif(line MATCHES "<([^>]+)>" AND NOT CMAKE_MATCH_1 MATCHES "^(Eigen|boost)/|^[a-z_]+$|^math.h$" OR line MATCHES
+    elseif(line MATCHES "<([^>]+)>" AND NOT CMAKE_MATCH_1 MATCHES "^(Eigen|unsupported/Eigen|boost)/|^[a-z_]+$|^math.h$" OR line MATCHES
                                                                                          "<(filesystem|fstream|thread)>")
       string(APPEND troubles "${file}, of the live cut or included there, has ${line}\n")
     endif()

@@ -4,6 +4,7 @@
 #include "fem/pipeline/study/study_size.h"
 #include "ring_model/no_balance.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <utility>
 
@@ -120,6 +121,27 @@ ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes,
   ErrorBands bands = refine(own, spins, axes, executor, progress);
   progress.stage_done("levels");
   return bands;
+}
+
+FitResult fit_study(std::vector<RunToFit> runs, FitQuestion question, const Executor &executor,
+                    Progress &progress)
+{
+  for (RunToFit &run : runs)
+    run.study = mesh_for_goal(run.study, executor, progress).study;
+  if (question.with_profiles)
+    question.band = [&](const Study &study) -> std::optional<double>
+    {
+      if (!study.load.is_from_contact())
+        return std::nullopt;
+      const std::shared_ptr<ElasticFoot> foot = study_foot(study, executor.make_foot);
+      ring::Question slope;
+      slope.with_slope = true;
+      const ring::Answer all = ring::answer(*find_load(study, foot), spin_question(study, slope));
+      const auto band = band_of(estimate_bands(study, foot, all, {}, executor), "omega_terminal");
+      return band && all.omega_terminal() ? std::optional(std::abs(*band / *all.omega_terminal()))
+                                          : std::nullopt;
+    };
+  return fit(runs, question, executor, progress);
 }
 
 } // namespace stemware::pipeline

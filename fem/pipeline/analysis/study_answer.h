@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/pipeline/analysis/fit.h"
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
@@ -44,5 +45,10 @@ TruncatedStudy truncate_study(const Study &given, const Executor &executor, Prog
 /// Solves @p study on the levels of @p axes, its refinement_axes(). Throws as answer_study() and refine().
 ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor,
                           Progress &progress);
+
+/// fit() of runs on the meshes for their goals, with the error bands of their discretisations if profiles are
+/// wanted. Throws as fit() and answer_study().
+FitResult fit_study(std::vector<RunToFit> runs, FitQuestion question, const Executor &executor,
+                    Progress &progress);
 
 } // namespace stemware::pipeline

@@ -9,8 +9,10 @@
 #include "fem/pipeline/document/table.h"
 #include "fem/pipeline/page/publish.h"
 #include "fem/pipeline/report/convergence_results.h"
+#include "fem/pipeline/report/fit_results.h"
 #include "fem/pipeline/report/run_results.h"
 #include "fem/pipeline/report/truncation_results.h"
+#include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
@@ -173,6 +175,32 @@ Found results_of(const std::string &verb, const Study &given, bool quick, unsign
   return solved(listener, n_threads, work);
 }
 
+/// Measured run of Python: name, study, times, values, whether these are angles.
+using GivenRun = std::tuple<std::string, Study, std::vector<double>, std::vector<double>, bool>;
+
+Found fit_of(const std::vector<GivenRun> &given, const std::vector<std::string> &free,
+             const std::string &zero, bool quick, unsigned int n_threads, const py::object &listener)
+{
+  std::vector<RunToFit> runs;
+  for (const auto &[name, study, times, values, is_angle] : given)
+  {
+    require(times.size() == values.size(), name + ": times and values have different lengths.");
+    runs.push_back({ name, checked(study), { times, values, is_angle, "" } });
+  }
+  FitQuestion question;
+  for (const std::string &entry : free)
+    question.free.push_back(parse_free_entry(entry));
+  if (!zero.empty())
+    question.gyroscope_zero = parse_gyroscope_zero(zero);
+  question.with_profiles = question.with_next_run = !quick;
+  const auto work = [&](Progress &progress, const Executor &executor) -> Found
+  {
+    const FitResult found = fit_study(runs, question, executor, progress);
+    return { "fit", found.study, tabulate_fit(found) };
+  };
+  return solved(listener, n_threads, work);
+}
+
 /// The numbers of a case of a sweep, and its foot; @p start: the foot of a study before, or nothing.
 py::tuple case_of(const Study &given, std::shared_ptr<ElasticFoot> start)
 {
@@ -291,6 +319,13 @@ PYBIND11_MODULE(_study, m)
     .def("curves", [](const Found &found) { return found.answer ? curves_of(*found.answer) : py::dict(); })
     .def("save", &Found::save, "folder"_a, py::call_guard<py::gil_scoped_release>());
 
+  m.def("fit", &fit_of, "runs"_a, "free"_a, "zero"_a, "quick"_a, "n_threads"_a, "progress"_a);
+  m.def("read_run",
+        [](const std::string &file, const std::string &column)
+        {
+          const MeasuredRun run = read_measured_run(file, column, "data ");
+          return std::make_tuple(run.times, run.values, run.is_angle);
+        });
   py::class_<MpiSession>(m, "MpiSession").def(py::init<>());
   m.def("unit",
         [](const std::string &key, const std::string &section) { return quantity_named(key, section).unit; });

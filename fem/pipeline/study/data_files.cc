@@ -57,10 +57,10 @@ ColumnTable read_column_file(const std::string &setting, const std::string &file
   return parse_columns(setting, read_input_text(setting, file), columns, missing_values);
 }
 
-MeasuredRun read_measured_run(const std::string &file, const std::string &column)
+MeasuredRun read_measured_run(const std::string &file, const std::string &column, const std::string &setting)
 {
-  const std::string setting = "Motion/Measured spin file = " + shortened_path(file);
-  return parse_measured_run(setting, read_input_text(setting, file), column);
+  const std::string origin = setting + shortened_path(file);
+  return parse_measured_run(origin, read_input_text(origin, file), column);
 }
 
 ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file)

@@ -21,8 +21,10 @@ ColumnTable read_column_file(const std::string &setting, const std::string &file
                              const std::vector<FileColumn> &columns,
                              MissingValues missing_values = MissingValues::refused);
 
-/// Reads Motion/Measured spin file with Motion/Measured column, parse_measured_run(). Throws BadInput.
-MeasuredRun read_measured_run(const std::string &file, const std::string &column);
+/// Reads Motion/Measured spin file with Motion/Measured column, parse_measured_run(). Throws BadInput, which
+/// begins with @p setting and the file.
+MeasuredRun read_measured_run(const std::string &file, const std::string &column,
+                              const std::string &setting = "Motion/Measured spin file = ");
 
 /// Reads the orbit speed v(t) from Motion/Orbit speed file: two columns, time and speed (read_column_file()),
 /// times increasing, speeds greater than 0 except at the beginning, where the hand may be at rest. Throws

@@ -34,7 +34,7 @@ constexpr char result_files[] =
   "summary.json timings.json parameters.prm report.html harmonics.dat study.json manifest.json "
   "load.csv rings.csv budget.csv without.csv torque.csv spin_up.csv truncation.csv "
   "driven_spin_up.csv phases.csv load_lines.csv footprint.csv footprint_at_end.csv "
-  "contact_history.csv converge.csv sweep.csv sweep.csv.sorted figures/style.gnuplot "
+  "contact_history.csv converge.csv fit.csv sweep.csv sweep.csv.sorted figures/style.gnuplot "
   "fields/contact.vtu fields/contact.pvtu fields/contact_at_terminal_spin.vtu";
 // Pictures of earlier versions: their folders of results can be replaced.
 constexpr char figures[] =

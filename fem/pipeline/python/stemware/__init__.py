@@ -8,7 +8,7 @@ from . import ring  # noqa: F401
 from .ring import BadInput, BalanceLost, NoBalance, NoTerminalSpin, Tipping  # noqa: F401
 
 _places = {"Study": "study", "Result": "study", "read": "study", "presets": "study", "ContactFailure": "study",
-           "OutputFailure": "study", "Start": "study", "limit_cache": "study", "solve": "many", "study": "", "many": "", "figures": ""}
+           "OutputFailure": "study", "fit": "study", "Start": "study", "limit_cache": "study", "solve": "many", "study": "", "many": "", "figures": ""}
 
 
 def __getattr__(name):

@@ -230,6 +230,45 @@ class Result:
                 f"<th>harmonics</th><th>rad/s</th><th>difference</th></tr>{rows}</table>")
 
 
+class Fit(Result):
+    """Result of stemware.fit. values, spreads: by entry; correlation: an array; sentences: what the data leave open; runs: a dict
+    with start, zero, noise for each; curves: time, measured, fitted of each run."""
+
+    @property
+    def values(self):
+        return {one["entry"]: one["value"] for one in self["fit/entries"]}
+
+    @property
+    def spreads(self):
+        return {one["entry"]: one["spread"] for one in self["fit/entries"]}
+
+    @property
+    def correlation(self):
+        return np.array(self["fit/correlation"])
+
+    @property
+    def sentences(self):
+        return self["fit/sentences"]
+
+
+def fit(study, data, free, gyroscope_zero="", quick=False, threads=1, progress=None):
+    """Fits entries to measured runs of a spin-up, as `stemware fit` does: a Fit.
+
+    data: a file, or arrays (time, spin) in SI units, or a list of runs, each such data or a pair (data, study of its own).
+    free: entries, each a path or "path = value +- spread". Files of angles are fitted as angles.
+    """
+    def run_of(one, own):
+        if isinstance(one, (str, os.PathLike)):
+            return (os.fspath(one), own._ready(), *_study.read_run(os.fspath(one), own["Motion/Measured column"]))
+        time, spin = (np.asarray(column, dtype=float).tolist() for column in one)
+        return "data", own._ready(), time, spin, False
+
+    runs = [run_of(*one) if isinstance(one, tuple) and isinstance(one[1], Study) else run_of(one, study)
+            for one in (data if isinstance(data, list) else [data])]
+    found = _study.fit(runs, [free] if isinstance(free, str) else list(free), gyroscope_zero, quick, threads, progress)
+    return Fit._of(found)
+
+
 def read(folder):
     """The Result of a folder that the program or save() has written; without curves."""
     with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:

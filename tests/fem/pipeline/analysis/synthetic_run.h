@@ -9,7 +9,7 @@
 /// Runs of a glass that nobody has measured, by an integrator that shares no code with the program: friction
 /// on a first harmonic by the midpoint rule round the ring, moment and friction in balance by iteration,
 /// fourth-order Runge-Kutta steps.
-namespace stemware::pipeline::test
+namespace stemware::test
 {
 
 /// Seeds of the three thirds of the runs; they were fixed before the first fit.
@@ -134,12 +134,12 @@ enum class Sensor
 };
 
 /// Draws a run: 50 to 400 points a second with jitter, noise, offsets of time and of the gyroscope.
-inline MeasuredRun measured(const TrueMotion &motion, Sensor sensor, std::mt19937 &random)
+inline pipeline::MeasuredRun measured(const TrueMotion &motion, Sensor sensor, std::mt19937 &random)
 {
   const auto uniform = [&](double from, double to)
   { return std::uniform_real_distribution<double>(from, to)(random); };
   const auto normal = [&](double spread) { return std::normal_distribution<double>(0, spread)(random); };
-  MeasuredRun run;
+  pipeline::MeasuredRun run;
   run.is_angle = sensor == Sensor::film || sensor == Sensor::film_turns;
   const double rate = std::exp(uniform(std::log(50.), std::log(400.))), length = uniform(0.8, 1.6);
   const double start = uniform(0.05, 0.3), clock = uniform(-1, 1), zero = normal(0.01),
@@ -172,4 +172,4 @@ inline MeasuredRun measured(const TrueMotion &motion, Sensor sensor, std::mt1993
   return run;
 }
 
-} // namespace stemware::pipeline::test
+} // namespace stemware::test

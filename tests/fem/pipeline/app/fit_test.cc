@@ -1,0 +1,56 @@
+#include "tests/fem/pipeline/matchers.h"
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace stemware::test
+{
+namespace
+{
+
+const std::string ring = "Load/Source=first harmonic";
+
+TEST(FitRun, PutsTheFitIntoSummaryTableAndStudy)
+{
+  const ScratchFolder scratch;
+  scratch.write("run.csv",
+                "t (s);omega (rad/s)\n0;0,02\n0,1;-1,4\n0,2;-2,3\n0,3;-2,85\n0,4;-3,1\n0,5;-3,35\n1;-3,6\n");
+  const Ended ended =
+    stemware(scratch, { "fit", "--data", "run.csv", "--free", "Motion/Friction coefficient", "--free",
+                        "Motion/Yaw inertia = 3000 +- 50 g cm^2", "--set", ring, "--quiet", "--json" });
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const nlohmann::json line = nlohmann::json::parse(ended.out);
+  EXPECT_EQ(line["verb"], "fit");
+  const nlohmann::json fit = read_summary(scratch / line["results"].get<std::string>())["fit"];
+  ASSERT_EQ(fit["entries"].size(), 2u);
+  EXPECT_EQ(fit["entries"][0]["value"], line["Motion/Friction coefficient"][0]);
+  EXPECT_EQ(fit["runs"][0]["points"], 7);
+  // The prior is ten times narrower than what seven points tell.
+  EXPECT_NEAR(fit["entries"][1]["spread"].get<double>(), 5e-6, 1e-6);
+  const Ended again = stemware(scratch, { "run", line["results"].get<std::string>() + "/parameters.prm",
+                                          "--quick", "--quiet", "--output", "again" });
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+}
+
+TEST(FitRun, RefusesWhatCannotBeFittedInOneSentence)
+{
+  const ScratchFolder scratch;
+  const std::string data = scratch.write("run.csv", "t,omega\n0,0\n1,-1\n2,-2\n3,-3\n4,-3\n");
+  for (const auto &[arguments, words] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+         { { "fit", "--free", "Motion/Mass" }, "--data" },
+         { { "fit", "--data", data }, "--free" },
+         { { "fit", "--data", data, "--free", "Motion/Closure" }, "no number" },
+         { { "fit", "--data", "none.csv", "--free", "Motion/Mass" }, "none.csv" },
+         { { "fit", "--data", data, "--free", "Motion/Mass = 3" }, "prior" } })
+  {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), { "--set", ring });
+    const Ended ended = stemware(scratch, all);
+    EXPECT_EQ(ended.exit_code, 1) << words;
+    EXPECT_THAT(ended.err, testing::HasSubstr(words));
+  }
+}
+
+} // namespace
+} // namespace stemware::test
