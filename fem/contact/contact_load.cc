@@ -151,7 +151,7 @@ const Eigen::VectorXd &RingWeights::at(double radius) const
 ContactLoad ContactLoad::rotated(double angle) const
 {
   ContactLoad load = *this;
-  static_cast<RingStack &>(load) = rotated(angle);
+  static_cast<RingStack &>(load) = RingStack::rotated(angle);
   for (AzimuthLoad &place : load.pointwise)
     place.azimuth += angle;
   return load;
