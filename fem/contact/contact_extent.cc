@@ -1,13 +1,15 @@
 #include "fem/contact/contact_extent.h"
 
 #include "fem/contact/azimuthal_density.h"
-#include "fem/contact/contact_load.h"
 #include "fem/contact/line_integral.h"
 
 #include <boost/math/constants/constants.hpp>
+#include <boost/math/interpolators/barycentric_rational.hpp>
+#include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -78,16 +80,35 @@ double positive_share(const std::vector<CutValue> &cuts)
   return 1 - std::min(1., lost / two_pi);
 }
 
-/// Largest value between the cuts: the top of the parabola through the largest one and its neighbours.
+/// Largest value between the cuts: the maximum of the polynomial through the largest one and three neighbours
+/// on either side, or one neighbour if the contact ends closer by.
 double largest_between(const std::vector<CutValue> &cuts)
 {
   const auto largest =
     std::max_element(cuts.begin(), cuts.end(),
                      [](const CutValue &one, const CutValue &other) { return one.value < other.value; });
-  std::vector<AzimuthLoad> upside_down; // a least value, which is positive
-  for (const CutValue &cut : cuts)
-    upside_down.push_back({ cut.azimuth, 2 * largest->value - cut.value });
-  return 2 * largest->value - least_load(upside_down);
+  const std::size_t n = cuts.size(), peak = static_cast<std::size_t>(largest - cuts.begin());
+  for (const std::size_t reach : { 3u, 1u })
+  {
+    std::vector<double> azimuths, values;
+    for (std::size_t i = 0; i <= 2 * reach && n > 2 * reach; ++i)
+    {
+      const CutValue &cut = cuts[(peak + n - reach + i) % n];
+      azimuths.push_back(std::remainder(cut.azimuth - largest->azimuth, two_pi));
+      values.push_back(-cut.value);
+    }
+    if (azimuths.empty() ||
+        std::adjacent_find(azimuths.begin(), azimuths.end(), std::greater_equal<>()) != azimuths.end() ||
+        (reach > 1 && *std::max_element(values.begin(), values.end()) >= 0))
+      continue;
+    const double before = azimuths[reach - 1], after = azimuths[reach + 1];
+    const boost::math::barycentric_rational<double> polynomial(std::move(azimuths), std::move(values),
+                                                               2 * reach);
+    return std::max(largest->value, -boost::math::tools::brent_find_minima(
+                                       polynomial, before, after, std::numeric_limits<double>::digits / 2)
+                                       .second);
+  }
+  return largest->value;
 }
 
 /// Share of the sectors with a place under pressure; @p is_loaded of the sectors from theta = 0 on, of this

@@ -1,6 +1,7 @@
 #include "fem/contact/contact_load.h"
 
 #include <boost/math/constants/constants.hpp>
+#include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +120,34 @@ void require_radii(const std::vector<double> &radii)
       "The rings' radii are not allowed; give positive numbers in ascending order.");
 }
 
+bool are_equidistant(const std::vector<AzimuthLoad> &pointwise)
+{
+  const double step = 2 * pi / static_cast<double>(pointwise.size());
+  for (std::size_t i = 1; i < pointwise.size(); ++i)
+    if (std::abs(pointwise[i].azimuth - pointwise.front().azimuth - static_cast<double>(i) * step) >
+        1e-9 * step)
+      return false;
+  return true;
+}
+
+/// Trigonometric interpolant of values at equidistant azimuths in barycentric form (Henrici, Essentials of
+/// Numerical Analysis, 1982, section 6).
+double trigonometric_value(const std::vector<AzimuthLoad> &pointwise, double azimuth)
+{
+  double above = 0, below = 0, sign = 1;
+  for (const AzimuthLoad &at : pointwise)
+  {
+    const double half = (azimuth - at.azimuth) / 2, sine = std::sin(half);
+    if (sine == 0)
+      return at.density;
+    const double weight = sign / (pointwise.size() % 2 == 0 ? std::tan(half) : sine);
+    above += weight * at.density;
+    below += weight;
+    sign = -sign;
+  }
+  return above / below;
+}
+
 } // namespace
 
 RingWeights::RingWeights(std::vector<double> radii_given)
@@ -201,6 +230,15 @@ double least_load(const std::vector<AzimuthLoad> &pointwise)
                to_after = distance(after.azimuth - least->azimuth);
   if (!(to_before > 0) || !(to_after > 0))
     return least->density;
+  if (are_equidistant(pointwise))
+  {
+    const auto value = [&](double azimuth) { return trigonometric_value(pointwise, azimuth); };
+    const double between =
+      boost::math::tools::brent_find_minima(value, least->azimuth - to_before, least->azimuth + to_after,
+                                            std::numeric_limits<double>::digits / 2)
+        .second;
+    return std::clamp(between, 0., least->density);
+  }
   // The parabola least + slope t + bend t^2 through the three.
   const double fall = (before.density - least->density) / to_before,
                rise = (after.density - least->density) / to_after;

@@ -65,8 +65,9 @@ private:
 ContactLoad extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics,
                          const std::vector<double> &ring_radii = {});
 
-/// Returns the minimum of a load given at azimuths, in their order round the rim [N/rad]: the minimum of
-/// the parabola through the lowest value and its neighbours; 0 if the lowest value is 0.
+/// Returns the minimum of a load given at azimuths, in their order round the rim [N/rad]: the minimum of the
+/// trigonometric interpolant between the neighbours of the lowest value if the azimuths are equidistant, else
+/// of the parabola through these three values; 0 if the lowest value is 0.
 double least_load(const std::vector<AzimuthLoad> &pointwise);
 
 /// Returns the number of parts into which TableLaw::load() divides each contact line so that its quadrature

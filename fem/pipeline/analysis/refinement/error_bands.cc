@@ -28,6 +28,7 @@ struct EvaluationPoints
   std::vector<double> spins;
   std::optional<double> first; ///< terminal spin of the first harmonic alone
   std::vector<ring::Orientation> phases;
+  double spin_scale = 0; ///< v / R [rad/s]
 };
 
 /// Torques at one spin [N m]; NaN without a balance.
@@ -43,6 +44,7 @@ struct Evaluation
   LoadReport at_rest;
   std::vector<Torques> torques; ///< at EvaluationPoints::spins, means over the phases
   double torque_of_first = 0;   ///< yaw_torque() of the first harmonic, at EvaluationPoints::first
+  double slope_of_first = 0;    ///< its slope [N m s]; of the study's own loads
 };
 
 /// The loads of a study by the phases of a EvaluationPoints.
@@ -104,6 +106,21 @@ Evaluation evaluate(const LoadsAtPhases &loads, const ElasticFoot &foot, const r
   return found;
 }
 
+/// Slope of the yaw_torque() of the first harmonic at EvaluationPoints::first, the mean over the phases [N m
+/// s]; NaN without a balance there.
+double slope_of_first(const LoadsAtPhases &loads, const ElasticFoot &foot, const ring::Motion &motion,
+                      const EvaluationPoints &probe)
+{
+  const auto torque = [&](double omega)
+  {
+    double sum = 0;
+    for (const SharedLoad &load : loads.first)
+      sum += torques_of(*load, foot, motion, omega, {}).all;
+    return sum / static_cast<double>(loads.first.size());
+  };
+  return ring::torque_slope(torque, *probe.first, ring::slope_step(*probe.first, probe.spin_scale));
+}
+
 /// The marks of glass and table at equally spaced phases of their periods; one where nothing is out of flat.
 std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &foot)
 {
@@ -154,7 +171,8 @@ std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const E
   std::vector<QuantityOfInterest> quantities = quantities_of_interest(study, found.at_rest, spin);
   if (probe.first)
   {
-    const double first_moved = -(found.torque_of_first - own.torque_of_first) / slope;
+    const double slope_there = std::isfinite(own.slope_of_first) ? own.slope_of_first : slope;
+    const double first_moved = -(found.torque_of_first - own.torque_of_first) / slope_there;
     const double spin_noise = relative_noise * spin.spin_scale;
     quantities.push_back({ "omega_first_harmonic", "terminal spin of the first harmonic", "rad/s",
                            *probe.first + first_moved, spin_noise });
@@ -177,19 +195,19 @@ EvaluationPoints probe_of(const Study &study, const ElasticFoot &foot, double om
   probe.spins = { 0, omega / 2, omega, 1.5 * omega };
   probe.first = first;
   probe.phases = phases_of(study, foot);
+  probe.spin_scale = study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
   return probe;
 }
 
 /// Adds the spins of torque_slope() if those farther away do not tell the slope at the terminal spin: near
 /// |omega| = v / R, where the rim rolls on one side and the torque bends sharply, and with lift-off, where
 /// the edges of the contact move across the azimuth lines.
-void add_slope_spins(const Study &study, bool is_full, EvaluationPoints &probe)
+void add_slope_spins(bool is_full, EvaluationPoints &probe)
 {
-  const double scale = study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
   const double omega = probe.spins[2];
-  if (is_full && omega != 0 && 1.5 * std::abs(omega) <= scale)
+  if (is_full && omega != 0 && 1.5 * std::abs(omega) <= probe.spin_scale)
     return;
-  const double step = ring::slope_step(omega, scale);
+  const double step = ring::slope_step(omega, probe.spin_scale);
   probe.spins.insert(probe.spins.end(), { omega - 2 * step, omega - step, omega + step, omega + 2 * step });
 }
 
@@ -229,6 +247,28 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
               bands.end());
 }
 
+/// Widens the part "lines" of harmonics whose errors vanish by chance on the study's lines. All harmonics n >
+/// 1 share the error that comes from the place of an edge between two lines, and its change to four times the
+/// lines, which leave 1/32 of it (order 5/2), tells it to 1/32 of the largest.
+void widen_parts_of_lines(ErrorBands &bands)
+{
+  constexpr double rest_on_more_lines = 1. / 32;
+  std::vector<BandedQuantity *> harmonics;
+  for (BandedQuantity &banded : bands)
+    if (const std::string &key = banded.quantity.key; key.size() == 2 && (key[0] == 'a' || key[0] == 'b') &&
+                                                      key[1] > '1' && banded.parts.count("lines") > 0)
+      harmonics.push_back(&banded);
+  double largest = 0;
+  for (const BandedQuantity *banded : harmonics)
+    largest = std::max(largest, banded->parts.at("lines"));
+  for (BandedQuantity *banded : harmonics)
+  {
+    const double added = std::max(0., rest_on_more_lines * largest - banded->parts.at("lines"));
+    banded->parts.at("lines") += added;
+    banded->band += added;
+  }
+}
+
 ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const ring::Answer &all,
                     const std::optional<double> &first, const Executor &executor, Progress &progress)
 {
@@ -236,8 +276,10 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   const ring::Motion &motion = study.motion.orbit;
   const LoadsAtPhases own_loads = loads_of(study, foot, probe);
   const bool is_full = carries_all_round(all, own_loads.all.front()->report());
-  add_slope_spins(study, is_full, probe);
-  const Evaluation own = evaluate(own_loads, *foot, motion, probe);
+  add_slope_spins(is_full, probe);
+  Evaluation own = evaluate(own_loads, *foot, motion, probe);
+  if (first)
+    own.slope_of_first = slope_of_first(own_loads, *foot, motion, probe);
   std::vector<BandChange> changes = band_changes(study, *foot, own.at_rest, is_full);
   const auto quantities = [&](const Evaluation &found)
   { return quantities_from(found, probe, own, all, study); };
@@ -271,6 +313,7 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
     add_part(changes[i], from.empty() ? unchanged : by_part.at(from), after, bands);
     by_part.emplace(changes[i].key, after);
   }
+  widen_parts_of_lines(bands);
   for (BandedQuantity &banded : bands)
     if (banded.quantity.key == "omega_terminal" && all.spin_uncertainty > 0)
     {

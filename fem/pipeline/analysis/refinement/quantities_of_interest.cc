@@ -28,6 +28,9 @@ std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double s
   quantities.push_back({ "contact_fraction", "share of the land in contact", "1", load.contact_fraction,
                          ends_somewhere ? share_noise : 0. });
   quantities.push_back({ "minimum", "least load at rest", "N/rad", load.minimum, relative_noise * mean });
+  if (load.peak_pressure)
+    quantities.push_back({ "peak_pressure", "largest pressure at rest", "Pa", *load.peak_pressure,
+                           relative_noise * *load.peak_pressure });
   return quantities;
 }
 

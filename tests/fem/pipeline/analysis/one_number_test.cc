@@ -52,6 +52,7 @@ TEST(OneNumber, BandsAreThoseOfTheReportedNumbers)
   std::map<std::string, double> reported = { { "ring_radius", load["ring_radius"] },
                                              { "contact_fraction", load["contact_fraction"] },
                                              { "minimum", load["minimum"] },
+                                             { "peak_pressure", load["peak_pressure"] },
                                              { "tau_at_rest", ring["tau_at_rest"] },
                                              { "tau_at_spin_1", budget.back()["torques"][1] },
                                              { "omega_terminal", ring["omega_terminal"] },

@@ -1,0 +1,397 @@
+#pragma once
+
+// A rigid crowned foot on a Winkler mat, with or without lift-off, by plain quadrature that ends at the edges
+// of the contact: no rings, no harmonics, no kernels, nothing of the program.
+#include <Eigen/Dense>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace stemware::verification
+{
+
+/// A glass of the default study on a rigid foot; SI units. A counter-clockwise orbit at constant speed,
+/// Coulomb friction.
+struct LiftedFoot
+{
+  double contact_radius = 0.030, crown_radius = 0.003, foundation_modulus = 1e10;
+  double mass = 0.3, inertia = 3e-4, gravity = 9.81, friction = 0.3, speed = 0.35, orbit_radius = 0.15;
+  double force_offset = -0.05, centre_of_mass_height = 0.08;
+  bool tilts = true;
+
+  double weight() const { return mass * gravity; }
+
+  /// Penetration d0 + d1 x + d2 y - (r - R)^2 / (2 crown) [m] of a foot that is pressed in by lie(0) [m] and
+  /// leans by lie(1), lie(2) [rad]; in polar coordinates of the plane.
+  class Contact
+  {
+  public:
+    Contact(const LiftedFoot &foot, const Eigen::Vector3d &lie)
+        : foot(foot)
+        , lie(lie)
+        , lean(std::hypot(lie(1), lie(2)))
+        , direction(std::atan2(lie(2), lie(1)))
+    {
+    }
+
+    /// Largest penetration at the angle @p phi from the direction of the lean [m].
+    double deepest(double phi) const
+    {
+      const double slope = lean * std::cos(phi);
+      return lie(0) + slope * foot.contact_radius + foot.crown_radius * slope * slope / 2;
+    }
+
+    /// Angle from the direction of the lean to the edge of the contact [rad]; pi without lift-off.
+    double edge() const
+    {
+      const double R = foot.contact_radius, crown = foot.crown_radius;
+      const double cosine = (std::sqrt(R * R - 2 * crown * lie(0)) - R) / (crown * lean);
+      return cosine <= -1 || !(lean > 0) ? pi : std::acos(std::min(1., cosine));
+    }
+
+    double azimuth_share() const { return edge() / pi; }
+    double largest_pressure() const { return foot.foundation_modulus * deepest(0); }
+
+    /// Line load at @p phi [N/rad]: closed form of the parabola across the rim.
+    double line_load(double phi) const
+    {
+      const double top = std::max(0., deepest(phi)), half_width = std::sqrt(2 * foot.crown_radius * top);
+      return foot.foundation_modulus * 4 / 3 * top * half_width *
+             (foot.contact_radius + foot.crown_radius * lean * std::cos(phi));
+    }
+
+    /// Calls visit(phi, weight [rad]) over the loaded arc, with panels that end at its edges and at the angle
+    /// @p split. Equidistant without lift-off and without a split in the contact.
+    template <typename Visitor>
+    void for_each_azimuth(double split, const Visitor &visit) const
+    {
+      const double end = edge();
+      if (end == pi)
+        for (unsigned int i = 0; i < n_azimuths; ++i)
+          visit(split + 2 * pi * (i + 0.5) / n_azimuths, 2 * pi / n_azimuths);
+      else
+      {
+        const double between = std::abs(split) < end ? split : 0;
+        for_graded(-end, between, visit);
+        for_graded(between, end, visit);
+      }
+    }
+
+    /// Calls visit(x, y, force) for points of the contact, for a glass at @p omega: quadrature in two
+    /// dimensions, split at the place without slip.
+    template <typename Visitor>
+    void for_each_force(double omega, const Visitor &visit) const
+    {
+      const double still_radius = foot.speed / std::abs(omega);
+      const double still = std::remainder((omega < 0 ? -pi : pi) / 2 - direction, 2 * pi);
+      for_each_azimuth(still,
+                       [&](double phi, double arc)
+                       {
+                         const double slope = lean * std::cos(phi), theta = direction + phi;
+                         const double top = foot.contact_radius + foot.crown_radius * slope;
+                         const double half = std::sqrt(2 * foot.crown_radius * std::max(0., deepest(phi)));
+                         const auto at = [&](double r, double width)
+                         {
+                           const double off = r - foot.contact_radius;
+                           const double depth = lie(0) + slope * r - off * off / (2 * foot.crown_radius);
+                           visit(r * std::cos(theta), r * std::sin(theta),
+                                 foot.foundation_modulus * depth * r * width * arc);
+                         };
+                         const bool is_split = std::abs(still_radius - top) < half;
+                         const double between = is_split ? still_radius : top;
+                         for_graded(top - half, between, at);
+                         for_graded(between, top + half, at);
+                       });
+    }
+
+    /// a_n (@p sine: b_n) over a_0.
+    double harmonic(unsigned int n, bool sine) const
+    {
+      double sum = 0, force = 0;
+      for_each_azimuth(0,
+                       [&](double phi, double arc)
+                       {
+                         const double load = arc * line_load(phi), angle = n * (direction + phi);
+                         force += load;
+                         sum += 2 * load * (sine ? std::sin(angle) : std::cos(angle));
+                       });
+      return sum / force;
+    }
+
+    /// Calls visit(x, y, force) for the first harmonic of the pressure at every radius: closed forms of its
+    /// integrals round the rim.
+    template <typename Visitor>
+    void for_each_force_of_first_harmonic(const Visitor &visit) const
+    {
+      const double R = foot.contact_radius, crown = foot.crown_radius;
+      const auto radii = [&](double slope) // where the penetration vanishes at that slope
+      {
+        const double top = R + crown * slope;
+        const double half =
+          std::sqrt(std::max(0., 2 * crown * (lie(0) + slope * R + crown * slope * slope / 2)));
+        return std::make_pair(top - half, top + half);
+      };
+      const auto whole = radii(lean), all_round = radii(-lean);
+      const auto at = [&](double r, double width)
+      {
+        const double mean = lie(0) - (r - R) * (r - R) / (2 * crown), swing = lean * r;
+        const double end = mean >= swing ? pi : std::acos(std::clamp(-mean / swing, -1., 1.));
+        const double per_radian = foot.foundation_modulus * r * width;
+        const double a0 = per_radian / pi * (mean * end + swing * std::sin(end));
+        const double a1 =
+          per_radian * 2 / pi * (mean * std::sin(end) + swing * (end / 2 + std::sin(2 * end) / 4));
+        for (unsigned int i = 0; i < n_azimuths; ++i)
+        {
+          const double phi = 2 * pi * i / n_azimuths, theta = direction + phi;
+          visit(r * std::cos(theta), r * std::sin(theta), (a0 + a1 * std::cos(phi)) * 2 * pi / n_azimuths);
+        }
+      };
+      for_graded(whole.first, all_round.first, at);
+      for_graded(all_round.first, all_round.second, at);
+      for_graded(all_round.second, whole.second, at);
+    }
+
+    const LiftedFoot &foot;
+    const Eigen::Vector3d lie;
+    const double lean, direction;
+
+  private:
+    static constexpr unsigned int n_azimuths = 1440;
+
+    /// Gauss points whose distances from both ends are graded like x^3, for roots and kinks there.
+    template <typename Visitor>
+    static void for_graded(double from, double to, const Visitor &visit)
+    {
+      using Gauss = boost::math::quadrature::gauss<double, 30>;
+      for (std::size_t i = 0; i < Gauss::abscissa().size(); ++i)
+        for (const double side : { -1., 1. })
+        {
+          const double x = (1 + side * Gauss::abscissa()[i]) / 2;
+          const double place = x * x * x * (10 - 15 * x + 6 * x * x);
+          visit(from + (to - from) * place,
+                (to - from) * Gauss::weights()[i] / 2 * 30 * x * x * (1 - x) * (1 - x));
+        }
+    }
+  };
+
+  /// Which part of the pressure has friction.
+  enum class Friction
+  {
+    whole,
+    first_harmonic
+  };
+
+  /// Forces on the foot at the spin @p omega.
+  struct Resultants
+  {
+    double force = 0;                                   ///< [N]
+    Eigen::Vector2d moment = Eigen::Vector2d::Zero();   ///< (sum y f, -sum x f) [N m]
+    Eigen::Vector2d friction = Eigen::Vector2d::Zero(); ///< [N]
+    double torque = 0;                                  ///< of the friction and of the lean [N m]
+  };
+
+  Resultants resultants(const Eigen::Vector3d &lie, double omega, Friction part) const
+  {
+    const Contact contact(*this, lie);
+    Resultants sum;
+    const auto press = [&](double x, double y, double f)
+    {
+      sum.force += f;
+      sum.moment += f * Eigen::Vector2d(y, -x);
+    };
+    const auto rub = [&](double x, double y, double f)
+    {
+      const Eigen::Vector2d slip(speed - omega * y, omega * x);
+      const Eigen::Vector2d t = -friction * f / slip.norm() * slip;
+      sum.friction += t;
+      sum.torque += x * t.y() - y * t.x();
+    };
+    contact.for_each_force(omega,
+                           [&](double x, double y, double f)
+                           {
+                             press(x, y, f);
+                             if (part == Friction::whole)
+                               rub(x, y, f);
+                           });
+    if (part == Friction::first_harmonic)
+      contact.for_each_force_of_first_harmonic(rub);
+    return sum;
+  }
+
+  /// Lie under the moment ratio @p m in the direction @p direction: force and moment are those asked for.
+  Eigen::Vector3d lie_at_moment(double m, double direction) const
+  {
+    const auto residual = [&](double ratio, const Eigen::Vector3d &lie)
+    {
+      const Resultants sum = resultants(lie, 1e-3 * speed / contact_radius, Friction::whole);
+      const double half = weight() * contact_radius / 2;
+      return Eigen::Vector3d(sum.force / weight() - 1, sum.moment.x() / half - ratio * std::sin(direction),
+                             sum.moment.y() / half + ratio * std::cos(direction));
+    };
+    Eigen::Vector3d lie = flat_lie();
+    lie.tail<2>() +=
+      1e-3 * lie(0) / contact_radius * Eigen::Vector2d(std::cos(direction), std::sin(direction));
+    const unsigned int n_steps = 20; // the moment grows, so that each step is small
+    for (unsigned int i = 1; i <= n_steps; ++i)
+      lie = solve([&](const Eigen::Vector3d &at) { return residual(m * i / n_steps, at); }, lie);
+    return lie;
+  }
+
+  /// Lie in which the glass keeps upright at the spin @p omega, from @p lie close to it. Throws
+  /// std::runtime_error if none is found.
+  Eigen::Vector3d lie_in_balance(double omega, const Eigen::Vector3d &lie, Friction part) const
+  {
+    const double arm = centre_of_mass_height + force_offset, scale = weight() * contact_radius;
+    const double lean_moment = tilts ? weight() * centre_of_mass_height : 0;
+    return solve(
+      [&](const Eigen::Vector3d &at)
+      {
+        const Resultants sum = resultants(at, omega, part);
+        return Eigen::Vector3d(sum.force / weight() - 1,
+                               (sum.moment.x() - force_offset * mass * speed * speed / orbit_radius +
+                                arm * sum.friction.y() - lean_moment * at(2)) /
+                                 scale,
+                               (sum.moment.y() - arm * sum.friction.x() + lean_moment * at(1)) / scale);
+      },
+      lie);
+  }
+
+  /// Lie without a lean.
+  Eigen::Vector3d flat_lie() const
+  {
+    const double per_depth =
+      2 * pi * contact_radius * 4 / 3 * std::sqrt(2 * crown_radius) * foundation_modulus;
+    return { std::pow(weight() / per_depth, 2. / 3), 0, 0 };
+  }
+
+private:
+  static constexpr double pi = 3.14159265358979323846;
+
+  /// Newton's method with differences.
+  template <typename Residual>
+  Eigen::Vector3d solve(const Residual &residual, Eigen::Vector3d lie) const
+  {
+    const double depth = flat_lie()(0);
+    const Eigen::Vector3d scale(depth, depth / contact_radius, depth / contact_radius);
+    for (unsigned int step = 0; step < 40; ++step)
+    {
+      const Eigen::Vector3d now = residual(lie);
+      Eigen::Matrix3d slope;
+      for (int k = 0; k < 3; ++k)
+      {
+        Eigen::Vector3d there = lie;
+        there(k) += 1e-6 * scale(k);
+        slope.col(k) = (residual(there) - now) / 1e-6;
+      }
+      const Eigen::Vector3d change = -slope.partialPivLu().solve(now);
+      double length = 1;
+      while (length > 1e-3 && now.norm() > 1e-10 &&
+             !(residual(lie + length * scale.cwiseProduct(change)).norm() < now.norm()))
+        length /= 2;
+      lie += length * scale.cwiseProduct(change);
+      if (change.norm() < 1e-10)
+        return lie;
+    }
+    throw std::runtime_error("no lie of the lifted foot");
+  }
+};
+
+/// The glass as it spins: its torque by spin, with the lie followed from one spin to the next.
+class LiftedGlass
+{
+  using Friction = LiftedFoot::Friction;
+
+public:
+  /// Under a given moment.
+  LiftedGlass(const LiftedFoot &foot, double moment_ratio, double direction, Friction part = Friction::whole)
+      : foot(foot)
+      , part(part)
+      , in_balance(false)
+      , at_rest(foot.lie_at_moment(moment_ratio, direction))
+      , lie(at_rest)
+  {
+  }
+  /// In balance at every spin.
+  explicit LiftedGlass(const LiftedFoot &foot, Friction part = Friction::whole)
+      : foot(foot)
+      , part(part)
+      , in_balance(true)
+      , at_rest(standing(foot, part))
+      , lie(at_rest)
+  {
+  }
+
+  const Eigen::Vector3d &lie_at_rest() const { return at_rest; }
+
+  double torque(double omega)
+  {
+    if (in_balance)
+      follow(omega);
+    const LiftedFoot::Resultants sum = foot.resultants(lie, omega, part);
+    const double lean = in_balance && foot.tilts ? lie(1) * sum.moment.x() + lie(2) * sum.moment.y() : 0;
+    return sum.torque + lean;
+  }
+
+  /// Terminal spin between two spins [rad/s], in either order.
+  double terminal_spin(double one, double other)
+  {
+    const double least = std::min(one, other), most = std::max(one, other);
+    boost::uintmax_t n_steps = 100;
+    const auto f = [&](double omega) { return torque(omega); };
+    const auto bracket = boost::math::tools::toms748_solve(
+      f, least, most, f(least), f(most), boost::math::tools::eps_tolerance<double>(44), n_steps);
+    return (bracket.first + bracket.second) / 2;
+  }
+
+  double time_constant(double omega, double step = 0.01)
+  {
+    const double near = torque(omega + step) - torque(omega - step),
+                 far = torque(omega + 2 * step) - torque(omega - 2 * step);
+    return foot.inertia * 12 * step / std::abs(8 * near - far);
+  }
+
+  const LiftedFoot foot;
+
+private:
+  static Eigen::Vector3d standing(const LiftedFoot &foot, Friction part)
+  {
+    // The moment of the acceleration grows with the friction.
+    LiftedFoot partly = foot;
+    Eigen::Vector3d lie = foot.flat_lie();
+    lie(1) = 1e-3 * lie(0) / foot.contact_radius;
+    constexpr unsigned int n_parts = 20;
+    for (unsigned int i = 1; i <= n_parts; ++i)
+    {
+      partly.friction = foot.friction * i / n_parts;
+      partly.speed = foot.speed * std::sqrt(static_cast<double>(i) / n_parts);
+      lie = partly.lie_in_balance(rest, lie, part);
+    }
+    return lie;
+  }
+
+  void follow(double omega)
+  {
+    const double far = 0.25 * foot.speed / foot.contact_radius / 10;
+    while (std::abs(omega - spin) > far)
+    {
+      spin += omega > spin ? far : -far;
+      lie = foot.lie_in_balance(spin, lie, part);
+    }
+    spin = omega;
+    lie = foot.lie_in_balance(spin, lie, part);
+  }
+
+  static constexpr double rest = 1e-9; ///< [rad/s]
+  const Friction part;
+  const bool in_balance;
+  const Eigen::Vector3d at_rest;
+  Eigen::Vector3d lie;
+  double spin = rest;
+};
+
+} // namespace stemware::verification
