@@ -24,7 +24,8 @@ StribeckLaw::StribeckLaw(const Parameters &parameters)
 
 double StribeckLaw::coefficient(double slip_speed) const
 {
-  const double decay = std::exp(-std::pow(slip_speed / parameters.decay_speed, parameters.decay_exponent));
+  const double ratio = slip_speed / parameters.decay_speed, exponent = parameters.decay_exponent;
+  const double decay = std::exp(-(exponent == 2. ? ratio * ratio : std::pow(ratio, exponent)));
   return parameters.kinetic_coefficient +
          (parameters.static_coefficient - parameters.kinetic_coefficient) * decay +
          parameters.viscous * slip_speed;
@@ -44,9 +45,9 @@ struct SlipField
   double speed; ///< v [m/s]
 
   /// |v_rel| = sqrt((v - |omega| R)^2 + 4 v |omega| R sin^2(psi/2)), without cancellation.
-  double magnitude(double psi) const
+  double magnitude(double sine_of_half) const
   {
-    return std::hypot(speed - rim, 2. * std::sqrt(speed * rim) * std::sin(0.5 * psi));
+    return std::hypot(speed - rim, 2. * std::sqrt(speed * rim) * sine_of_half);
   }
 };
 
@@ -66,6 +67,14 @@ HalfRim even_places(unsigned int n_intervals)
   places.weight(0) *= 0.5;
   places.weight(n_intervals) *= 0.5;
   return places;
+}
+
+/// The midpoint rule on the same intervals: its mean with the trapezoidal rule is that of twice as many.
+HalfRim places_between(unsigned int n_intervals)
+{
+  const double half = 0.5 * pi / n_intervals;
+  return { Eigen::ArrayXd::LinSpaced(n_intervals, half, pi - half),
+           Eigen::ArrayXd::Constant(n_intervals, pi / n_intervals) };
 }
 
 /// Gauss rules on panels of y, psi = width sinh y, which spread the neighbourhood of the least slip; no panel
@@ -104,21 +113,22 @@ HalfRim clustered_places(double width, unsigned int n_panels, double longest)
 Eigen::ArrayX3d law_kernels(const FrictionLaw &law, const SlipField &slip, const HalfRim &places,
                             unsigned int n_max)
 {
-  const Eigen::ArrayXd half_sine = (0.5 * places.psi).sin().square();
+  const Eigen::ArrayXd sine_of_half = (0.5 * places.psi).sin(), half_sine = sine_of_half.square();
+  const Eigen::ArrayXd sine_of_psi = 2. * sine_of_half * (0.5 * places.psi).cos();
   Eigen::ArrayXd per_slip(places.psi.size());
   for (Eigen::Index i = 0; i < places.psi.size(); ++i)
   {
-    const double magnitude = slip.magnitude(places.psi(i));
+    const double magnitude = slip.magnitude(sine_of_half(i));
     per_slip(i) = magnitude > 0. ? 2. * places.weight(i) * law.coefficient(magnitude) / magnitude : 0.;
   }
   const Eigen::ArrayXd torque = per_slip * ((slip.speed - slip.rim) - 2. * slip.speed * half_sine);
   const Eigen::ArrayXd drag = per_slip * ((slip.speed - slip.rim) + 2. * slip.rim * half_sine);
-  const Eigen::ArrayXd side = per_slip * slip.rim * places.psi.sin();
+  const Eigen::ArrayXd side = per_slip * slip.rim * sine_of_psi;
   Eigen::ArrayX3d kernels(n_max + 1, 3);
   // cos n psi and sin n psi by their recurrence.
-  const Eigen::ArrayXd twice = 2. * places.psi.cos();
+  const Eigen::ArrayXd twice = 2. - 4. * half_sine;
   Eigen::ArrayXd cosine = Eigen::ArrayXd::Ones(places.psi.size()), cosine_before = 0.5 * twice;
-  Eigen::ArrayXd sine = Eigen::ArrayXd::Zero(places.psi.size()), sine_before = -places.psi.sin();
+  Eigen::ArrayXd sine = Eigen::ArrayXd::Zero(places.psi.size()), sine_before = -sine_of_psi;
   for (unsigned int n = 0; n <= n_max; ++n)
   {
     kernels.row(n) << (torque * cosine).sum(), (drag * cosine).sum(), (side * sine).sum();
@@ -137,21 +147,24 @@ Eigen::ArrayX3d converged_kernels(const FrictionLaw &law, const SlipField &slip,
   constexpr double near_stagnation = 0.25;
   const double product = std::sqrt(slip.speed * slip.rim);
   const double width = product > 0. ? std::abs(slip.speed - slip.rim) / product : HUGE_VAL;
-  const auto places = [&](unsigned int level)
+  const bool is_smooth = width > near_stagnation;
+  const unsigned int n_even = 32 + n_max;
+  const auto clustered = [&](unsigned int level)
   {
-    const unsigned int factor = 1u << level;
-    if (width > near_stagnation)
-      return even_places(factor * (32 + n_max));
     // 20 points of Gauss for at most two waves of the highest harmonic.
+    const unsigned int factor = 1u << level;
     return clustered_places(
       width, factor * (2 + static_cast<unsigned int>(width > 0. ? std::asinh(pi / width) : 1.)),
       4. * pi / std::max(n_max, 2u) / factor);
   };
-  Eigen::ArrayX3d kernels = law_kernels(law, slip, places(0), n_max);
+  Eigen::ArrayX3d kernels = law_kernels(law, slip, is_smooth ? even_places(n_even) : clustered(0), n_max);
   for (unsigned int level = 1; level <= max_doublings; ++level)
   {
     const Eigen::ArrayX3d before = kernels;
-    kernels = law_kernels(law, slip, places(level), n_max);
+    if (is_smooth)
+      kernels = 0.5 * (before + law_kernels(law, slip, places_between(n_even << (level - 1)), n_max));
+    else
+      kernels = law_kernels(law, slip, clustered(level), n_max);
     if ((kernels - before).abs().maxCoeff() <= 1e-12 * kernels.abs().maxCoeff())
       return kernels;
   }

@@ -157,12 +157,13 @@ ContactSolution RevolutionContact::solve(const RevolutionGuesses &starts)
           body.set_forces(starts.predicted->forces);
         return solve_near(*starts.predicted);
       });
-  // On hard crests a second start that is no nearer than the first fails like that one.
+  // On hard crests a second start that is no nearer than the first fails like that one, and a softened one is
+  // led to other crests.
   const bool on_hard_crests = setup.table.interface->is_hard() && !setup.imperfection.empty();
   const bool may_be_near = !(on_hard_crests && (starts.waviness_has_rotated || starts.predicted));
   for (const bool softened : { false, true })
     for (std::size_t i = 0; i < starts.previous.size(); ++i)
-      if (softened || may_be_near)
+      if (softened ? !on_hard_crests : may_be_near)
         ways.push_back(
           [&, softened, i]
           {

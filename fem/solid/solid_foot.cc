@@ -53,7 +53,7 @@ struct FootNumbers
   /// leaves a tenth, and at 100 the penalty costs more iterations than it saves updates.
   double penalty = 10, reduction = 0.1;
   /// Share of the tolerance before to which multipliers are found next: about what one update leaves.
-  double tighter = 0.1;
+  double tighter = 0.02;
   /// Newton steps on the way to multipliers: more than usual, since each is solved for loosely.
   unsigned int max_steps = 300;
   /// A mesh of as many equal parts round the axis is one of a body of revolution, as far as it can say.

@@ -35,14 +35,15 @@ PeriodicGrid first_grid(double period, unsigned int n_phases)
   return period > 0 ? PeriodicGrid(period, n_phases) : PeriodicGrid(boost::math::double_constants::two_pi, 1);
 }
 
-void require_resolved(unsigned int n_phases, const SampleError &error)
+void require_resolved(unsigned int n_phases, const SampleError &error, double max_mean = largest_allowed.mean)
 {
-  if (error.between <= largest_allowed.between && error.mean <= largest_allowed.mean)
+  if (error.between <= largest_allowed.between && error.mean <= max_mean)
     return;
-  throw NoBalance(
-    sentence("The dependence of the load on the phase of the waviness is not resolved: between ", n_phases,
-             " phases its torque is off by ", to_precision(error.between, 6), " mu N R, in the mean by ",
-             to_precision(error.mean, 6), "; give more Contact/Azimuth lines, or a smaller waviness."));
+  throw NoBalance(sentence(
+    "The dependence of the load on the phase of the waviness is not resolved: between ", n_phases,
+    " phases its torque is off by ", to_precision(error.between, 6), " mu N R (allowed ",
+    to_precision(largest_allowed.between, 2), "), in the mean by ", to_precision(error.mean, 6), " (allowed ",
+    to_precision(max_mean, 2), "); give more Contact/Azimuth lines, or a smaller waviness."));
 }
 
 /// Samples at the spins @p omegas.
@@ -75,7 +76,7 @@ std::vector<PhaseSamples> sample(const LoadAtPhase &load, const std::vector<doub
 
 } // namespace
 
-PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int max_samples)
+PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, const RestSampling &asked)
 {
   const unsigned int first = periods.glass > 0 && periods.table > 0 ? first_phases_of_two : first_phases;
   PhaseGrids grids = { first_grid(periods.glass, first), first_grid(periods.table, first) };
@@ -85,9 +86,10 @@ PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods,
     const double of_glass = samples.error(&PhaseGrids::glass).mean,
                  of_table = samples.error(&PhaseGrids::table).mean;
     PeriodicGrid &worse = of_glass > of_table ? grids.glass : grids.table;
-    if (of_glass + of_table <= tolerance || worse.size() == max_phases || 2 * grids.size() > max_samples)
+    if (of_glass + of_table <= tolerance || worse.size() == max_phases ||
+        2 * grids.size() > asked.max_samples)
     {
-      require_resolved(grids.size(), samples.error());
+      require_resolved(grids.size(), samples.error(), asked.max_error);
       return samples;
     }
     worse = worse.refined();
@@ -161,6 +163,11 @@ const PhaseSampledLoad::Samples &PhaseSampledLoad::samples_around(double omega) 
   const auto known = intervals.find(interval);
   if (known != intervals.end())
     return known->second;
+  if (intervals.size() >= spins_asked.max_intervals)
+    throw NoBalance(
+      sentence("The spin swings with the phase of the waviness over more than ", spins_asked.max_intervals,
+               " intervals of ", to_precision(spins_asked.unit, 3),
+               " rad/s, each of which takes a contact at every phase; give a smaller waviness."));
   // A search for a spin comes back, with other spins of the same interval.
   if (const auto failed = failures.find(interval); failed != failures.end())
     std::rethrow_exception(failed->second);

@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <functional>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -14,11 +15,19 @@ namespace stemware::ring
 /// Load at a spin [rad/s] with the marks at a phase; each call is one contact solution or several.
 using LoadAtPhase = std::function<LeaningLoad(double omega, const Orientation &phase)>;
 
+/// Sampling of the phases at rest.
+struct RestSampling
+{
+  unsigned int max_samples = 256;
+  double max_error = 3e-2; ///< allowed error of the mean [mu N R]
+};
+
 /// Samples the load at rest over the phases until the mean of half the samples agrees with the mean of all
 /// within 1e-5 (PhaseSamples::error()). Begins with 8 phases of one angle or 4 of each of two and doubles the
-/// angle with the larger error, up to 128 in each angle and @p max_samples in all. Throws NoBalance if the
-/// error of the mean stays above 3e-2 or the error between phases above 0.3.
-PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int max_samples);
+/// angle with the larger error, up to 128 in each angle and RestSampling::max_samples in all. Throws
+/// NoBalance if the error of the mean stays above RestSampling::max_error or the error between phases above
+/// 0.3.
+PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, const RestSampling &asked);
 
 /// Sampling of a load that depends on the spin.
 struct SpinSampling
@@ -26,6 +35,7 @@ struct SpinSampling
   double unit = 0; ///< length of the intervals of spins from 0 on [rad/s]; 0: the load does not depend on the
                    ///< spin
   unsigned int max_steps = 16; ///< per interval, a power of two
+  std::size_t max_intervals = std::numeric_limits<std::size_t>::max();
 };
 
 /// Extremes over all sampled phases, at rest.
@@ -47,7 +57,7 @@ public:
                    const SpinSampling &spins = {}, const PhaseExtremes &extremes = {});
 
   /// Returns the load at a spin and phase. Throws NoBalance, as sample_phases(), if the samples around @p
-  /// omega are not accurate enough.
+  /// omega are not accurate enough, and if they would exceed SpinSampling::max_intervals.
   LeaningLoad at(double omega, const Orientation &phase) const;
 
   /// Returns the mean over all phases, which has the mean moment.

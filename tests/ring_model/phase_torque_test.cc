@@ -30,7 +30,7 @@ public:
 private:
   const LoadAtPhase exact = [](double, const Orientation &phase) -> LeaningLoad { return wavy_load(phase); };
   const PhasePeriods periods = { 2. * M_PI / 3., M_PI };
-  const PhaseSampledLoad loads = { exact, periods, sample_phases(exact, periods, 256) };
+  const PhaseSampledLoad loads = { exact, periods, sample_phases(exact, periods, { 256 }) };
 };
 
 /// Torque [N m] at a time, yaw angle and spin by the trapezoidal rule.

@@ -196,7 +196,7 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
   if (!study.motion.orbit_speeds)
     return std::nullopt;
   // Each step takes a dozen contacts; speeds that are measured are not known to a millionth.
-  const double accuracy = study.load.is_from_contact() ? 1e-7 : 1e-10;
+  const double accuracy = study.load.is_from_contact() ? 1e-6 : 1e-10;
   constexpr double accuracy_of_change = 1e-7; // acceleration jumps where lines meet
   const ring::OrbitSpeedTable &speeds = *study.motion.orbit_speeds;
   DrivenSpinUp driven;

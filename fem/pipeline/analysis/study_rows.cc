@@ -150,6 +150,8 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
   const ring::Motion &motion = question.motion;
   question.with_slope = true;
   const LoadedRow whole = { {}, ring::answer(load, question).value(), load.shared_from_this() };
+  // Rows, curves and bands take about twice as long as the answer itself, the curves alone about as long.
+  progress.share_done(depth == Depth::full ? 0.3 : 0.6);
   const std::optional<ring::TerminalSpin> &terminal = whole.row.terminal;
   question.with_slope = false;
   question.near = whole.row.zero_guess();

@@ -26,7 +26,7 @@ void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, s
   if (n_all > 0)
   {
     if (!bar)
-      bar.emplace(n_all, 0, what);
+      bar.emplace(n_all, 0, what, false); // a row on a hard table takes as long as ten others
     bar->show(n_done);
     if (n_done == n_all)
       bar.reset();
@@ -37,6 +37,12 @@ void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, s
     return; // the bar shows how far it is
   last_line = now;
   console() << fmt::format(FMT_STRING("  {} {}"), n_done, what) << std::endl;
+}
+
+void ConsoleProgress::share_done(double share)
+{
+  if (const double whole = stopwatch.elapsed() / share; whole > worth_telling)
+    note("Time", "about " + rough_duration(whole) + " in all");
 }
 
 void ConsoleProgress::iteration(const fem::ContactIteration &step)

@@ -22,6 +22,8 @@ public:
 
   void stage_done(const std::string &stage) override;
   void pieces_done(const std::string &what, std::size_t n_done, std::size_t n_all) override;
+  /// Estimates the time of the whole from that so far; says so above 10 s.
+  void share_done(double share) override;
   void iteration(const fem::ContactIteration &step) override;
   void note(const std::string &subject, const std::string &text) override;
 

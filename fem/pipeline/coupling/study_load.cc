@@ -280,8 +280,12 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
   const bool follows = varies_with_spin(study), is_hard = study.table.is_hard();
   const ring::PhasePeriods periods = phase_periods(study, *foot);
   const bool is_coarse = is_hard && phases == PhaseSampling::coarse;
-  const unsigned int max_phases = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;
-  const ring::PhaseSamples samples = ring::sample_phases(exact, periods, max_phases);
+  ring::RestSampling at_rest_sampling;
+  at_rest_sampling.max_samples = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;
+  // A row has no band that would tell a larger error.
+  if (is_coarse)
+    at_rest_sampling.max_error = 1e-3;
+  const ring::PhaseSamples samples = ring::sample_phases(exact, periods, at_rest_sampling);
 
   const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
   ring::SpinSampling spins;
@@ -290,6 +294,8 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
     spins.unit = study.motion.orbit.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
   if (is_hard)
     spins.max_steps = is_coarse ? 4 : 8;
+  if (is_coarse)
+    spins.max_intervals = 2;
   ring::PhaseExtremes worst = { report.minimum, report.contact_fraction };
   for (const auto &[phase, load] : *by_phase)
   {

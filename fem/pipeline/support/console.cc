@@ -86,10 +86,11 @@ std::string rough_duration(double seconds)
   return fmt::format(FMT_STRING("{:.1f} h"), seconds / 3600);
 }
 
-WorkProgress::WorkProgress(std::size_t n_cases, std::size_t n_before, std::string noun)
+WorkProgress::WorkProgress(std::size_t n_cases, std::size_t n_before, std::string noun, bool are_alike)
     : n_cases(n_cases)
     , n_before(n_before)
     , noun(std::move(noun))
+    , are_alike(are_alike)
     , tenths_shown(10 * n_before / std::max<std::size_t>(n_cases, 1))
 {
 }
@@ -113,11 +114,11 @@ void WorkProgress::show(std::size_t n_finished, std::size_t n_failed)
   if (n_failed > 0)
     text += fmt::format(FMT_STRING(", {} failed"), n_failed);
   const double elapsed = std::chrono::duration<double>(now - start).count();
-  if (n_finished > n_before && n_finished < n_cases)
-    text += ", " +
-            rough_duration(elapsed * static_cast<double>(n_cases - n_finished) /
-                           static_cast<double>(n_finished - n_before)) +
-            " left";
+  const double left = n_finished > n_before ? elapsed * static_cast<double>(n_cases - n_finished) /
+                                                static_cast<double>(n_finished - n_before)
+                                            : 0;
+  if (are_alike && left > worth_telling)
+    text += ", " + rough_duration(left) + " left";
   if (!is_watched)
   {
     console() << "          " << text << std::endl;

@@ -21,6 +21,12 @@ public:
     last = now;
   }
 
+  /// Returns the seconds since the start.
+  double elapsed() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
   /// Seconds per stage, in order, and "total".
   nlohmann::ordered_json times() const
   {

@@ -141,23 +141,38 @@ std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticF
 
 // ---- solid
 
-/// The solid foot of @p study on cells twice as large; nothing where its mesh has none.
-std::optional<Study> on_coarser_mesh(const Study &study)
+/// A study on a coarser mesh, whose cells are @p ratio times as large in the direction in which they grow
+/// least.
+struct CoarserStudy
 {
-  Study coarse = study;
-  ContactSection &contact = coarse.contact;
-  fem::FootResolution &cells = contact.resolution;
-  const bool counts_halve =
-    cells.azimuthal_cells % 8 == 0 && cells.radial_cells % 4 == 0 && cells.foot_layers % 2 == 0;
+  Study study;
+  double ratio = 2;
+};
+
+/// The solid foot of @p study on cells about twice as large. Returns std::nullopt if its mesh has none.
+std::optional<CoarserStudy> on_coarser_mesh(const Study &study)
+{
+  CoarserStudy coarse = { study };
+  ContactSection &contact = coarse.study.contact;
   if (!contact.halved.empty())
     contact.halved.pop_back();
   else if (contact.refinements > 0)
     --contact.refinements;
-  else if (contact.mesh_file.empty() && counts_halve && cells.azimuthal_cells >= 16)
+  else if (contact.mesh_file.empty())
   {
-    cells.azimuthal_cells /= 2;
-    cells.radial_cells /= 2;
-    cells.foot_layers /= 2;
+    // Rounded up to what a mesh can have: 6 cells across the land become 4.
+    const auto coarsen = [&](unsigned int &n, unsigned int multiple)
+    {
+      const unsigned int before = n;
+      n = multiple * ((n / multiple + 1) / 2);
+      coarse.ratio = std::min(coarse.ratio, static_cast<double>(before) / n);
+    };
+    fem::FootResolution &cells = contact.resolution;
+    coarsen(cells.azimuthal_cells, 4);
+    coarsen(cells.radial_cells, 2);
+    coarsen(cells.foot_layers, 1);
+    if (coarse.ratio < 1.5 || cells.azimuthal_cells < 8)
+      return std::nullopt;
   }
   else
     return std::nullopt;
@@ -190,12 +205,12 @@ std::vector<BandChange> changes_of_solid(const Study &given, const ElasticFoot &
   const auto is_affordable = [](const Study &finer)
   { return size_of(finer).memory <= finer.contact.memory_limit; };
   std::vector<BandChange> changes;
-  const std::optional<Study> coarse = on_coarser_mesh(study);
+  const std::optional<CoarserStudy> coarse = on_coarser_mesh(study);
   const Study finer = changed(study, [](ContactSection &contact) { ++contact.refinements; }),
               quadratic = changed(study, raise_degree);
   // An error of first order is what halving the cells has taken from it, and twice what halving them will.
   if (coarse)
-    changes.push_back(change_of("mesh", 1.5, *coarse, "", true));
+    changes.push_back(change_of("mesh", 1.5 / (coarse->ratio - 1), coarse->study, "", true));
   else if (study.contact.degree == 2 && is_affordable(finer))
     changes.push_back(change_of("mesh", 2.5, finer, "", true));
   else if (study.contact.degree == 2)
@@ -205,7 +220,7 @@ std::vector<BandChange> changes_of_solid(const Study &given, const ElasticFoot &
     changes.push_back(change_of("degree", usual_factor, quadratic));
   if (changes.empty())
     throw BadInput("quadratic elements would exceed Contact/Memory limit");
-  const Study &cheapest = coarse ? *coarse : study;
+  const Study &cheapest = coarse ? coarse->study : study;
   const std::string as_cheapest = coarse ? "mesh" : "";
   // Each halving adds as much to a narrow contact's indentation as the one before.
   if (is_narrow)

@@ -157,7 +157,7 @@ const PhasePeriods periods = { two_pi / 3, two_pi / 2 };
 
 TEST(PhaseSampledLoad, InterpolateWithinTheStatedError)
 {
-  const PhaseSamples at_rest = sample_phases(made_up_load, periods, 1024);
+  const PhaseSamples at_rest = sample_phases(made_up_load, periods, { 1024 });
   EXPECT_LE(at_rest.error().mean, 1e-5);
   EXPECT_LE(at_rest.error().between, 1e-3);
   EXPECT_GT(at_rest.phases().glass.size(), 4u);
@@ -189,7 +189,7 @@ TEST(PhaseSampledLoad, HaveTheMeanOfPlainQuadrature)
         b[k] += load.b(k) / (n * n);
       }
     }
-  const PhaseSampledLoad loads(made_up_load, periods, sample_phases(made_up_load, periods, 1024), { 3. });
+  const PhaseSampledLoad loads(made_up_load, periods, sample_phases(made_up_load, periods, { 1024 }), { 3. });
   const ring::RingStack mean = loads.mean(1.7);
   for (unsigned int k = 0; k <= 2; ++k)
   {
@@ -220,7 +220,7 @@ TEST(PhaseSampledLoad, KnowTheMeanOfAJump)
   const double jump = 0.1, share = 0.5 - std::asin(0.1) / M_PI;
   const PhasePeriods of_glass = { two_pi / 2, 0 };
   const PhaseSampledLoad loads(jumping_load(jump), of_glass,
-                               sample_phases(jumping_load(jump), of_glass, 128));
+                               sample_phases(jumping_load(jump), of_glass, { 128 }));
   EXPECT_GT(loads.error().between, 0.2 * jump);
   const ring::RingStack truth({ 1., 0.1 }, { 0., share * jump }, 0.03);
   const double off = torque_difference(loads.mean(0), truth);
@@ -240,7 +240,7 @@ TEST(PhaseSampledLoad, HaveWhatIsBetweenSpinsInTheErrorOfTheMean)
   const LoadAtPhase load = [=](double omega, const ring::Orientation &phase)
   { return kinked(omega, phase.glass); };
   const PhasePeriods of_glass = { two_pi / 2, 0 };
-  const PhaseSampledLoad loads(load, of_glass, sample_phases(load, of_glass, 128), { 3. });
+  const PhaseSampledLoad loads(load, of_glass, sample_phases(load, of_glass, { 128 }), { 3. });
   double off = 0;
   for (const double omega : { 0.9, 1.2, 1.28, 1.32, 1.5, 2.2 })
     off = std::max(off, torque_difference(loads.mean(omega), kinked(omega, 0)));
@@ -251,7 +251,7 @@ TEST(PhaseSampledLoad, HaveWhatIsBetweenSpinsInTheErrorOfTheMean)
 
 TEST(PhaseSampledLoad, SayThatALargeJumpIsNotResolved)
 {
-  EXPECT_THROW(sample_phases(jumping_load(2.), { two_pi / 2, 0 }, 128), ring::NoBalance);
+  EXPECT_THROW(sample_phases(jumping_load(2.), { two_pi / 2, 0 }, { 128 }), ring::NoBalance);
 }
 
 // A search for a spin asks again; contacts that fail take the longest.
@@ -268,7 +268,7 @@ TEST(PhaseSampledLoad, FailAgainWithoutSolvingAgain)
     return made_up_load(omega, phase);
   };
   const PhasePeriods of_glass = { two_pi / 3, 0 };
-  const PhaseSampledLoad loads(load, of_glass, sample_phases(load, of_glass, 128), { 3. });
+  const PhaseSampledLoad loads(load, of_glass, sample_phases(load, of_glass, { 128 }), { 3. });
   EXPECT_NO_THROW(loads.mean(2.));
   for (const double omega : { 3.5, 4.5, 3.2 })
     EXPECT_THROW(loads.mean(omega), std::runtime_error) << omega;
