@@ -131,6 +131,17 @@ TEST(SolidBands, OfALinearFootOnAMat)
     expect_within_both(solid, revolution, key, 30);
 }
 
+// Counts of cells that have no half: the coarser mesh has cells 1.5 times as large across the land.
+TEST(SolidBands, OfCountsOfCellsThatDoNotHalve)
+{
+  Study study = solid_study(fem::GlassShape::foot, { 16, 6, 2 });
+  study.load.moment_ratio = 0.6;
+  study.contact.friction_coupling = FrictionCoupling::none;
+  const ErrorBands solid = bands_of(study), revolution = bands_of(revolved(study));
+  for (const char *key : { "omega_terminal", "a2", "b3", "tau_at_spin_1" })
+    expect_within_both(solid, revolution, key, 30);
+}
+
 // With re-entrant corners, where the error falls with the first order; its band is that of cells twice as
 // large.
 TEST(SolidBands, OfAStepOnAMat)
