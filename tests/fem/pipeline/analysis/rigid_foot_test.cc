@@ -79,7 +79,7 @@ TEST(RigidFoot, WithGivenMomentsWithinTheBand)
 }
 
 /// A state with lift-off on the default mat: a given moment, or a balance at a height of the centre of mass.
-struct LiftedState
+struct ReferenceState
 {
   double moment_ratio, height; ///< [m]; one of them is 0
   double omega, time_constant; ///< [rad/s], [s]
@@ -92,14 +92,14 @@ struct LiftedState
 TEST(RigidFoot, SpinAndTimeConstantWithLiftOffWithinTheBand)
 {
   const double unknown = std::nan("");
-  const std::vector<LiftedState> states = {
+  const std::vector<ReferenceState> states = {
     { 1.285, 0, unknown, 0.0934089505 },   { 1.5, 0, -10.423213684, unknown, 0.618907 },
     { 1.7021, 0, unknown, 0.0450137278 },  { 1.8, 0, -11.263738051, 0.0330908520 },
     { 1.95, 0, -11.568192889, unknown },   { 0, 0.11, -5.9843844449, unknown },
     { 0, 0.12, -7.310549722, 0.24380939 }, { 0, 0.13, -8.881379880, unknown },
     { 0, 0.134, -9.566092846, unknown }
   };
-  for (const LiftedState &state : states)
+  for (const ReferenceState &state : states)
   {
     Study study;
     study.glass.material.young_modulus = 7e16;
