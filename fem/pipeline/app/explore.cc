@@ -76,9 +76,7 @@ void add_explore_verb(CLI::App &program, Verb &chosen)
   verb->add_option("--table", options->tables, "A table to choose in the page; may be repeated")
     ->type_name("TABLE")
     ->allow_extra_args(false);
-  verb
-    ->add_option("--nodes", options->max_nodes,
-                 "Upper bound of the nodes across the rim on hard tables; default: as in `run`")
+  verb->add_option("--nodes", options->max_nodes, "Upper bound of the nodes across the rim on hard tables")
     ->type_name("N")
     ->check(CLI::Range(9, 10000).description(""));
   verb->add_option("--output", options->file, "The page; default: explore.html")->type_name("FILE");

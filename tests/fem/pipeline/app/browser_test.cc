@@ -33,6 +33,10 @@ std::ostream &operator<<(std::ostream &stream, const Opened &report)
   return stream << report.name;
 }
 
+/// A spin-up that `fit` can read.
+constexpr const char *measured_spins =
+  "t (s),omega (rad/s)\n0,0\n0.1,-1.44\n0.2,-2.32\n0.3,-2.84\n0.4,-3.15\n0.5,-3.38\n0.7,-3.55\n1,-3.63\n";
+
 const std::vector<Opened> &opened()
 {
   static const std::string resting = "Load/Coupling=one-way";
@@ -40,6 +44,7 @@ const std::vector<Opened> &opened()
     { "run", { "run", "study.prm" } },
     { "truncate", { "truncate", "study.prm" } },
     { "converge", { "converge", "study.prm", "--levels", "2", "--set", resting } },
+    { "fit", { "fit", "study.prm", "--data", "run.csv", "--free", "Friction coefficient", "--quick" } },
     { "sweep",
       { "sweep", "study.prm", "--set", resting, "--vary", "Motion/Friction coefficient=0.2:0.4:5" } },
     { "sweep_of_maps",
@@ -162,6 +167,7 @@ TEST_P(Browser, ShowsEveryPictureAndTheAnswerAtEachWidthAndPrints)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", plain_study());
+  scratch.write("run.csv", measured_spins);
   std::vector<std::string> arguments = GetParam().arguments;
   arguments.insert(arguments.end(), { "--output", "results" });
   const Ended run = stemware(scratch, arguments);
@@ -443,6 +449,7 @@ TEST(Reports, HostileTextRunsNoScriptAndNoCommand)
   const ScratchFolder scratch;
   const std::string place = hostile_text();
   scratch.write(place + ".prm", plain_study());
+  scratch.write("run.csv", measured_spins);
   scratch.write(place + ".csv", read_text(fs::path(STEMWARE_DOCS) / "cookbooks/own_profile.csv"));
   scratch.write(place + " broken.csv", "r (m), z (m)\n0, 0\n");
   scratch.write(place + ".dat", "# ring radius: 0.03 (m)\n0 0.4684 0\n1 0.1 0\n2 0.01 0\n");

@@ -120,7 +120,7 @@ TEST(LoadFile, ThatPullsIsSaid)
   const Ended ended = stemware(
     scratch, { "run", "--set", "Load/Source=file", "--set", "Load/File=pull.dat", "--output", "results" });
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_THAT(ended.out, testing::HasSubstr("have to pull"));
+  EXPECT_THAT(ended.out, testing::HasSubstr("-2.01 N/rad"));
   const auto summary = read_summary(scratch / "results");
   EXPECT_EQ(summary["ring"]["no_lift_off"], false);
   // 1 + 0.5 cos(t) + 3 cos(2 t) = 6 c^2 + 0.5 c - 2 is least at c = cos(t) = -1 / 24.

@@ -206,7 +206,7 @@ TEST_P(ForeignMesh, IsRefusedWithPiecesThatNothingHolds)
   Mesh pieces;
   fem_tests::make_split(mesh, is_outside, dealii::Point<3>(0, 0, 1e-3), pieces);
   expect_sentence(mesh_text(pieces, GetParam()), "has " + std::to_string(n_outside) + " of " +
-                                                   std::to_string(mesh.n_active_cells()) + " cells in");
+                                                   std::to_string(mesh.n_active_cells()) + " cells");
 }
 
 TEST_P(ForeignMesh, IsRefusedWithSeveralContactZones)

@@ -138,8 +138,9 @@ TEST(SolidBands, OfCountsOfCellsThatDoNotHalve)
   study.load.moment_ratio = 0.6;
   study.contact.friction_coupling = FrictionCoupling::none;
   const ErrorBands solid = bands_of(study), revolution = bands_of(revolved(study));
-  for (const char *key : { "omega_terminal", "a2", "b3", "tau_at_spin_1" })
+  for (const char *key : { "omega_terminal", "a2", "b3" })
     expect_within_both(solid, revolution, key, 30);
+  expect_within_both(solid, revolution, "tau_at_spin_1");
 }
 
 // With re-entrant corners, where the error falls with the first order; its band is that of cells twice as
