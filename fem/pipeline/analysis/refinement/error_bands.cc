@@ -38,7 +38,7 @@ struct Torques
   double all;      ///< yaw_torque(), whose zero is the terminal spin
 };
 
-/// Load and torques that are found at a EvaluationPoints.
+/// Load and torques that are found at EvaluationPoints.
 struct Evaluation
 {
   LoadReport at_rest;
@@ -47,7 +47,7 @@ struct Evaluation
   double slope_of_first = 0;    ///< its slope [N m s]; of the study's own loads
 };
 
-/// The loads of a study by the phases of a EvaluationPoints.
+/// The loads of a study by the phases of EvaluationPoints.
 struct LoadsAtPhases
 {
   std::vector<SharedLoad> all, first; ///< first harmonic alone, where it is looked at
