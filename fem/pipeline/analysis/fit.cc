@@ -291,10 +291,26 @@ public:
     return 0;
   }
 
+  /// Derivatives of the residuals; zero for unknowns without a spin-up, where the search ends.
   int df(const VectorXd &x, MatrixXd &jacobian) const
   {
-    constexpr double step = 1e-3;
     jacobian.setZero(values(), inputs());
+    try
+    {
+      add_derivatives(x, jacobian);
+    }
+    catch (const std::exception &failure)
+    {
+      if (!is_variant_failure(failure))
+        throw;
+      jacobian.setZero();
+    }
+    return 0;
+  }
+
+  void add_derivatives(const VectorXd &x, MatrixXd &jacobian) const
+  {
+    constexpr double step = 1e-3;
     Index row = 0;
     for (std::size_t r = 0; r < runs.size(); ++r)
     {
@@ -337,7 +353,6 @@ public:
     jacobian.block(row, 0, inputs(), inputs()) = spreads.cwiseInverse().asDiagonal();
     if (held)
       jacobian(values() - 1, held->first) = 1 / held_to;
-    return 0;
   }
 
   /// Sum of squares without that of the unknown that is held.

@@ -33,6 +33,19 @@ TEST(FitRun, PutsTheFitIntoSummaryTableAndStudy)
   EXPECT_EQ(again.exit_code, 0) << again.err;
 }
 
+// Eight points tell friction and grip together only: their profiles lead to glasses that tip.
+TEST(FitRun, ProfilesEndWhereTheGlassTips)
+{
+  const ScratchFolder scratch;
+  scratch.write("run.csv", "t,omega\n0,0\n0.1,-1.44\n0.2,-2.32\n0.3,-2.84\n0.4,-3.15\n0.5,-3.38\n"
+                           "0.7,-3.55\n1,-3.63\n");
+  const Ended ended = stemware(scratch, { "fit", "--data", "run.csv", "--free", "Motion/Friction coefficient",
+                                          "--free", "Motion/Grip torque", "--quiet", "--output", "results" });
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const nlohmann::json entry = read_summary(scratch / "results")["fit"]["entries"][1];
+  EXPECT_GT(entry["spread"].get<double>(), entry["value"].get<double>());
+}
+
 TEST(FitRun, RefusesWhatCannotBeFittedInOneSentence)
 {
   const ScratchFolder scratch;
