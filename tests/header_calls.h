@@ -5,7 +5,7 @@
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/revolution/meshed_revolution_foot.h"
+#include "fem/meridian/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "ring_model/friction_kernels.h"
 #include "ring_model/friction_law.h"

@@ -5,8 +5,8 @@
 #include "fem/contact/contact_load.h"
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/pressure_map.h"
-#include "fem/geometry/mesh_io.h"
-#include "fem/geometry/section_view.h"
+#include "fem/geometry/mesh_report.h"
+#include "fem/geometry/section_lengths.h"
 #include "ring_model/load/slip.h"
 
 #include <algorithm>

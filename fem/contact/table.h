@@ -2,7 +2,7 @@
 
 #include "fem/contact/interface_law.h"
 #include "fem/elasticity/elastic_material.h"
-#include "fem/geometry/meridian_mesh.h"
+#include "fem/geometry/table_disc.h"
 
 #include <memory>
 #include <optional>

@@ -1,4 +1,5 @@
-#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/foot_resolution.h"
+
 #include "fem/geometry/require.h"
 
 namespace stemware::fem

@@ -1,4 +1,4 @@
-#include "fem/geometry/section_view.h"
+#include "fem/geometry/section_lengths.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "fem/solid/coarse_solver.h"
 
-#include "fem/elasticity/sparse_cholesky.h"
+#include "fem/factorisation/sparse_cholesky.h"
 #include "fem/solid/axisymmetric_coarse_space.h"
 #include "fem/solid/stiffness_3d.h"
 

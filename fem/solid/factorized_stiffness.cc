@@ -1,7 +1,7 @@
 #include "fem/solid/factorized_stiffness.h"
 
 #include "fem/contact/contact_solution.h"
-#include "fem/elasticity/blas_threads.h"
+#include "fem/factorisation/blas_threads.h"
 #include "fem/solid/solid_contact_zone.h"
 #include "fem/solid/stiffness_3d.h"
 

@@ -11,11 +11,11 @@
 //   build/bench/error_band_coverage [axes|together|converge [N [SEED [FIRST]]]]      studies FIRST ... N
 // Rims and tables that are out of flat are left out.
 
-#include "fem/pipeline/analysis/refinement/error_bands.h"
-#include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/feet/make_foot.h"
+#include "fem/pipeline/refinement/error_bands.h"
+#include "fem/pipeline/refinement/refinement_study.h"
+#include "fem/pipeline/system/ranks.h"
 #include "ring_model/friction_law.h"
 #include "ring_model/spin/answer.h"
 #include "tests/benchmark/random_study.h"
@@ -78,71 +78,77 @@ std::vector<unsigned int> corner_cells(const std::vector<fem::SectionPolygon> &c
   return found;
 }
 
+/// A study on a mesh.
+struct FineStudy
+{
+  Study study;
+  Discretisation mesh = {};
+};
+
 /// Cells @p n_halvings times halved in the contact and at corners, once everywhere.
-Study with_smaller_cells(Study study, unsigned int n_halvings)
+FineStudy with_smaller_cells(Study study, unsigned int n_halvings)
 {
   study.contact.refinements += 1;
-  study.contact.fineness *= std::ldexp(1, static_cast<int>(n_halvings) - 1);
+  Discretisation mesh;
+  mesh.fineness *= std::ldexp(1, static_cast<int>(n_halvings) - 1);
   // What the fineness does not reach: a flat land under an interface that yields has cells of one size.
   const bool is_focused = study.glass.profile.crown_radius > 0 || study.table.is_hard();
   for (unsigned int i = 1; i < n_halvings; ++i)
   {
-    const std::vector<fem::SectionPolygon> cells = foot_section(study);
+    const std::vector<fem::SectionPolygon> cells = foot_section(study, mesh);
     std::vector<unsigned int> marked = corner_cells(cells);
     if (!is_focused)
       for (const unsigned int c : contact_cells(cells, study))
         marked.push_back(c);
     if (marked.empty())
       break;
-    study.contact.halved.push_back(marked);
+    mesh.halved.push_back(marked);
   }
-  return study;
+  return { study, mesh };
 }
 
 /// A study whose answer is nearer to the truth, and on which axis.
 struct FinerStudy
 {
   std::string axis;
-  Study study;
-  Study from; ///< what it is compared with
+  FineStudy fine;
+  FineStudy from; ///< what it is compared with
 };
-
-void stiffen(Study &study)
-{
-  if (study.table.is_hard())
-    study.contact.hardness *= 100;
-}
 
 std::vector<FinerStudy> finer_on_one_axis(const Study &study)
 {
   std::vector<FinerStudy> finer;
   const auto add = [&](const char *axis, const std::function<void(ContactSection &)> &change)
   {
-    finer.push_back({ axis, study, study });
-    change(finer.back().study.contact);
+    finer.push_back({ axis, { study }, { study } });
+    change(finer.back().fine.study.contact);
   };
-  finer.push_back({ "mesh", with_smaller_cells(study, 3), study });
+  finer.push_back({ "mesh", with_smaller_cells(study, 3), { study } });
   add("degree", [](ContactSection &contact) { ++contact.degree; });
   add("lines", [](ContactSection &contact) { contact.azimuth_lines *= 8; });
   // On as many lines as they take.
   Study on_more_lines = study;
   on_more_lines.contact.azimuth_lines *= 4;
   for (const char *axis : { "harmonics", "load_harmonics" })
-    finer.push_back({ axis, on_more_lines, on_more_lines });
-  (finer.end() - 2)->study.contact.harmonics *= 4;
-  finer.back().study.contact.load_harmonics = 96;
+    finer.push_back({ axis, { on_more_lines }, { on_more_lines } });
+  (finer.end() - 2)->fine.study.contact.harmonics *= 4;
+  finer.back().fine.study.contact.load_harmonics = 96;
   if (study.table.is_hard())
-    add("interface", [](ContactSection &contact) { contact.hardness *= 100; });
+  {
+    finer.push_back({ "interface", { study }, { study } });
+    finer.back().fine.mesh.hardness *= 100;
+  }
   return finer;
 }
 
-Study finer_in_everything(const Study &study)
+FineStudy finer_in_everything(const Study &study)
 {
-  Study finer = with_smaller_cells(study, 2);
-  finer.contact.harmonics *= 4;
-  finer.contact.azimuth_lines *= 4;
-  finer.contact.load_harmonics = 96;
-  stiffen(finer);
+  FineStudy finer = with_smaller_cells(study, 2);
+  finer.study.contact.harmonics *= 4;
+  finer.study.contact.azimuth_lines *= 4;
+  finer.study.contact.load_harmonics = 96;
+  if (study.table.is_hard())
+    finer.mesh.hardness *= 100;
   return finer;
 }
 
@@ -154,9 +160,10 @@ struct Solved
   double omega = 0;
 };
 
-Solved solve(const Study &study, fem::ComplianceCache &cache, double expected = 0)
+Solved solve(const FineStudy &fine, fem::ComplianceCache &cache, double expected = 0)
 {
-  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+  const Study &study = fine.study;
+  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache, silent_progress(), nullptr, fine.mesh);
   const SharedLoad load = find_load(study, foot);
   const double omega = ring::answer(*load, { study.motion.orbit, study.motion.grip_torque, {}, expected })
                          .value()
@@ -242,7 +249,7 @@ const BandedQuantity &spin_of(const ErrorBands &bands)
 void compare(const Study &study, const std::string &truth, Tallies &tallies)
 {
   fem::ComplianceCache cache;
-  const Solved own = solve(study, cache);
+  const Solved own = solve({ study }, cache);
   ring::Question question = { study.motion.orbit };
   question.grip_torque = study.motion.grip_torque;
   question.with_slope = true;
@@ -266,17 +273,17 @@ void compare(const Study &study, const std::string &truth, Tallies &tallies)
   {
     for (const FinerStudy &finer : finer_on_one_axis(study))
     {
-      const bool is_own = finer.from.contact.azimuth_lines == study.contact.azimuth_lines;
+      const bool is_own = finer.from.study.contact.azimuth_lines == study.contact.azimuth_lines;
       const double from = is_own ? own.omega : solve(finer.from, cache, own.omega).omega;
-      changed(finer.axis, solve(finer.study, cache, own.omega).omega - from);
+      changed(finer.axis, solve(finer.fine, cache, own.omega).omega - from);
     }
     changed("rings", change_by_points(study, own));
   }
   else
   {
-    const Study finer = finer_in_everything(study);
+    const FineStudy finer = finer_in_everything(study);
     const Solved solved = solve(finer, cache, own.omega);
-    changed("all", solved.omega + change_by_points(finer, solved) - own.omega);
+    changed("all", solved.omega + change_by_points(finer.study, solved) - own.omega);
   }
   tallies.run.add(band, error);
   if (truth == "converge")

@@ -15,9 +15,10 @@
 // deforms the foot, mu stays. The first mesh is the study's own (uniform= is not read).
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/pipeline/analysis/refinement/goal_mesh.h"
+#include "fem/meridian/meshed_revolution_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/revolution/meshed_revolution_foot.h"
+#include "fem/pipeline/feet/make_foot.h"
+#include "fem/pipeline/refinement/goal_mesh.h"
 #include "fem/solid/solid_foot.h"
 #include "ring_model/spin/answer.h"
 #include "tests/benchmark/solid_benchmark.h"
@@ -168,11 +169,12 @@ MeshError solve_on(const SolidMesh &mesh, const Case &study, double exact, const
 }
 
 /// Of @p study, with the error estimated where @p estimates; else the value alone.
-stemware::pipeline::GoalError terminal_spin_of(const stemware::pipeline::Study &study, bool estimates)
+stemware::pipeline::GoalError terminal_spin_of(const stemware::pipeline::Study &study, bool estimates,
+                                               const stemware::pipeline::Discretisation &mesh = {})
 {
   using namespace stemware::pipeline;
   ComplianceCache cache;
-  const auto foot = study_foot(study, cache);
+  const auto foot = study_foot(study, cache, silent_progress(), nullptr, mesh);
   const SharedLoad load = find_load(study, foot);
   const double omega = ring::answer(*load, { study.motion.orbit }).value().omega_terminal().value();
   dealii::Timer timer;
@@ -201,12 +203,13 @@ void run_spin(const Case &given)
       say("\n");
     }
   study.contact.body = stemware::pipeline::BodyKind::solid;
+  stemware::pipeline::Discretisation mesh;
   for (unsigned int n = 0; n < given.n_meshes; ++n)
   {
-    const stemware::pipeline::GoalError found = terminal_spin_of(study, true);
+    const stemware::pipeline::GoalError found = terminal_spin_of(study, true, mesh);
     const double error = exact - found.value;
     say("{:+.2e} {:+.2e} {:6.3f}\n", error, found.error.correction, found.error.correction / error);
-    study.contact.halved.push_back(found.error.mark(given.share));
+    mesh.halved.push_back(found.error.mark(given.share));
   }
 }
 

@@ -8,8 +8,9 @@
 
 #include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/study/study_file.h"
-#include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/feet/make_foot.h"
+#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/system/ranks.h"
 #include "ring_model/spin/answer.h"
 #include "tests/benchmark/leaning_rigid_ring.h"
 #include "tests/benchmark/random_study.h"

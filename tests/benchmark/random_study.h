@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/support/failures.h"
 
 #include <cmath>

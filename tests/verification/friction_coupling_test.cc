@@ -1,6 +1,6 @@
 // Sliding friction that deforms the foot, and the table. Kinds of reference: another program, symmetries, and
 // Boussinesq's and Cerruti's half-space under strips.
-#include "fem/revolution/meshed_revolution_foot.h"
+#include "fem/meridian/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/calculix_foot.h"
 #include "tests/verification/half_space_formulas.h"

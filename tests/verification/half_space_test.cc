@@ -1,6 +1,7 @@
 // Thick discs and layers against an elastic half-space and a bonded layer. Kinds of reference: closed forms
 // under quadrature (Boussinesq, Cerruti, the layer's transfer function), and the flat annular punch by other
 // code.
+#include "fem/meridian/compute_compliance.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/half_space_formulas.h"
 

@@ -1,7 +1,7 @@
 // The foot of a wine glass: what its smooth section does to the accuracy, and limits where it is known
 // otherwise.
 #include "fem/contact/hard_interface.h"
-#include "fem/revolution/meshed_revolution_foot.h"
+#include "fem/meridian/meshed_revolution_foot.h"
 #include "tests/fem/foot_case.h"
 #include "tests/fem/geometry/profile_oracle.h"
 #include "tests/fem/revolution/revolution_case.h"

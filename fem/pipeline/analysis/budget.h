@@ -91,7 +91,8 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
 
 /// Returns the variants that find_budget() needs: the models of the chain before the study's own rows, and
 /// the study without one effect at a time. @p depends_on_phase: whether the study's load does.
-std::vector<Variant> budget_variants(const Study &study, bool depends_on_phase);
+std::vector<Variant> budget_variants(const Study &study, bool depends_on_phase,
+                                     const Discretisation &discretisation = {}, const Model &model = {});
 
 /// Returns the chain of models: the rows of model_chain() among @p rows.others, then the rows by harmonics,
 /// with torques if their answers have some.

@@ -440,6 +440,8 @@ void check(const RunToFit &run)
             " points; measure at least " + std::to_string(min_points) + ".");
   require(run.data.times.back() > run.data.times.front(), "--data " + run.name + ": all times are equal.");
   require_flat(run.study, "fit");
+  require(run.study.contact.goal == Goal::none,
+          "A fit solves many studies on one mesh; set Contact/Goal = none.");
   require(!run.study.motion.orbit_speeds,
           "--data " + run.name +
             ": a fit has no table of the hand's speed; leave out Motion/Orbit speed file.");

@@ -165,7 +165,7 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
       break;
     else if (study.load.is_in_balance() &&
              (load.phases() || !ring::are_negligible_above(n, whole.row, motion)))
-      variants.push_back({ "harmonics", std::to_string(n), study, n, true });
+      variants.push_back({ "harmonics", std::to_string(n), study, {}, {}, n, true });
     else
     {
       const ring::SharedLoad less = ring::truncated(whole.load, n);

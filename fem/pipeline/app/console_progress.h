@@ -1,8 +1,8 @@
 #pragma once
 
-#include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/progress.h"
-#include "fem/pipeline/support/stopwatch.h"
+#include "fem/pipeline/system/console.h"
+#include "fem/pipeline/system/stopwatch.h"
 #include "fem/pipeline/variants/solve.h"
 
 #include <chrono>

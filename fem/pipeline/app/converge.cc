@@ -1,4 +1,4 @@
-#include "fem/pipeline/analysis/study_answer.h"
+#include "fem/pipeline/answer/study_answer.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
 #include "fem/pipeline/page/publish.h"
@@ -23,8 +23,8 @@ void converge(const ConvergeOptions &options)
 {
   std::vector<RefinementAxis> axes;
   StudyWork work(options, true, [&](const Study &given) { axes = refinement_axes(given, options.n_levels); });
-  const ErrorBands bands = converge_study(work.given, axes, work.executor, work.progress);
-  publish(options, work.given, make_document(work.given, axes, bands), work.folder, work.stopwatch);
+  const ErrorBands bands = converge_study(work.study, axes, work.executor, work.progress);
+  publish(options, work.study, make_document(work.study, axes, bands), work.folder, work.stopwatch);
 }
 
 } // namespace

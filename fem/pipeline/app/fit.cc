@@ -1,10 +1,10 @@
-#include "fem/pipeline/analysis/study_answer.h"
+#include "fem/pipeline/answer/study_answer.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
+#include "fem/pipeline/input/data_files.h"
+#include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/page/publish.h"
 #include "fem/pipeline/report/fit_results.h"
-#include "fem/pipeline/study/data_files.h"
-#include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 
 #include <CLI/CLI.hpp>

@@ -1,17 +1,17 @@
 #include "fem/pipeline/app/options.h"
 
-#include "fem/pipeline/coupling/make_foot.h"
-#include "fem/pipeline/study/data_files.h"
-#include "fem/pipeline/study/profile_file.h"
+#include "fem/pipeline/feet/make_foot.h"
+#include "fem/pipeline/input/data_files.h"
+#include "fem/pipeline/input/profile_file.h"
+#include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_checks.h"
-#include "fem/pipeline/study/study_file.h"
-#include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/support/program.h"
-#include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/support/text.h"
+#include "fem/pipeline/system/console.h"
+#include "fem/pipeline/system/program.h"
+#include "fem/pipeline/system/ranks.h"
 
 #include <CLI/CLI.hpp>
 

@@ -2,14 +2,14 @@
 
 #include "fem/pipeline/app/removed_words.h"
 #include "fem/pipeline/app/verbs.h"
-#include "fem/pipeline/coupling/failure_sentence.h"
-#include "fem/pipeline/support/console.h"
+#include "fem/pipeline/feet/failure_sentence.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/json_text.h"
-#include "fem/pipeline/support/program.h"
-#include "fem/pipeline/support/ranks.h"
-#include "fem/pipeline/support/shared_files.h"
 #include "fem/pipeline/support/text.h"
+#include "fem/pipeline/system/console.h"
+#include "fem/pipeline/system/json_text.h"
+#include "fem/pipeline/system/program.h"
+#include "fem/pipeline/system/ranks.h"
+#include "fem/pipeline/system/shared_files.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,9 +1,9 @@
-#include "fem/pipeline/analysis/study_answer.h"
+#include "fem/pipeline/answer/study_answer.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
 #include "fem/pipeline/page/publish.h"
 #include "fem/pipeline/report/run_results.h"
-#include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/system/ranks.h"
 
 #include <CLI/CLI.hpp>
 
@@ -28,14 +28,14 @@ void run(const RunOptions &options)
   const Depth depth = options.quick ? Depth::answer : Depth::full;
 
   StudyWork work(options, true); // refuses everything that can be refused
-  StudyAnswer answer = answer_study(work.given, depth, work.executor, work.progress, true);
+  StudyAnswer answer = answer_study(work.study, depth, work.executor, work.progress, true);
   // Only the first rank knows where the foot presses; each has the fields of its own cells.
   Results results = is_first_rank()
-                      ? make_document(answer.study, answer.contact, answer.spin, answer.bands, answer.goal)
+                      ? make_document(work.study, answer.contact, answer.spin, answer.bands, answer.goal)
                       : Results();
   if (answer.contact.foot)
     results.fields = std::move(answer.contact.foot->fields);
-  publish(options, answer.study, std::move(results), work.folder, work.stopwatch);
+  publish(options, work.study, std::move(results), work.folder, work.stopwatch);
 }
 
 } // namespace

@@ -21,12 +21,12 @@ Study begin(const StudyOptions &options, const std::function<void(const Study &)
 StudyWork::StudyWork(const StudyOptions &options, bool notes_load,
                      const std::function<void(const Study &)> &refuse)
     : progress(stopwatch)
-    , given(begin(options, refuse))
+    , study(begin(options, refuse))
     , folder(options.results_place())
     , executor(cache, n_threads_of(options))
 {
   if (notes_load)
-    note_load_source(given, progress);
+    note_load_source(study, progress);
   stopwatch.finish("input");
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "fem/pipeline/answer/threaded_executor.h"
 #include "fem/pipeline/app/console_progress.h"
-#include "fem/pipeline/study/study_options.h"
-#include "fem/pipeline/support/output.h"
+#include "fem/pipeline/input/study_options.h"
+#include "fem/pipeline/system/output.h"
 #include "fem/pipeline/variants/solve.h"
 
 #include <functional>
@@ -21,10 +22,10 @@ struct StudyWork
 
   Stopwatch stopwatch;
   ConsoleProgress progress;
-  Study given; ///< before its goal has chosen a mesh
+  Study study;
   ResultsFolder folder;
   fem::ComplianceCache cache;
-  Executor executor;
+  ThreadedExecutor executor;
 };
 
 } // namespace stemware::pipeline

@@ -1,15 +1,15 @@
-#include "fem/pipeline/analysis/sweep/case_list.h"
-#include "fem/pipeline/analysis/sweep/sweep_case.h"
+#include "fem/pipeline/answer/case_list.h"
+#include "fem/pipeline/answer/sweep_case.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/document/sweep_file.h"
 #include "fem/pipeline/page/publish.h"
 #include "fem/pipeline/report/sweep_results.h"
 #include "fem/pipeline/study/study_checks.h"
-#include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/support/text.h"
+#include "fem/pipeline/system/console.h"
+#include "fem/pipeline/system/ranks.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,4 +1,4 @@
-#include "fem/pipeline/analysis/study_answer.h"
+#include "fem/pipeline/answer/study_answer.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
 #include "fem/pipeline/page/publish.h"
@@ -15,9 +15,9 @@ namespace
 void truncate(const StudyOptions &options)
 {
   StudyWork work(options, true);
-  const TruncatedStudy answer = truncate_study(work.given, work.executor, work.progress);
-  publish(options, answer.study, make_truncation_document(answer.study, answer.load, answer.rows),
-          work.folder, work.stopwatch);
+  const TruncatedStudy answer = truncate_study(work.study, work.executor, work.progress);
+  publish(options, work.study, make_truncation_document(work.study, answer.load, answer.rows), work.folder,
+          work.stopwatch);
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/contact/foot.h"
-#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/coupling/load_report.h"
 #include "ring_model/load_model.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/motion.h"

@@ -9,9 +9,12 @@
 namespace stemware::pipeline
 {
 
-ElasticFoot::ElasticFoot(std::shared_ptr<const fem::Foot> foot_given, double contact_radius)
+ElasticFoot::ElasticFoot(std::shared_ptr<const fem::Foot> foot_given, double contact_radius,
+                         Discretisation discretisation, Model model)
     : foot(std::move(foot_given))
     , contact_radius(contact_radius)
+    , own_discretisation(std::move(discretisation))
+    , own_model(model)
     , highest(foot->n_resolved_harmonics())
 {
 }

@@ -2,6 +2,7 @@
 
 #include "fem/contact/foot.h"
 #include "fem/pipeline/coupling/contact_path.h"
+#include "fem/pipeline/coupling/discretisation.h"
 #include "fem/pipeline/support/progress.h"
 
 #include <atomic>
@@ -18,8 +19,9 @@ namespace stemware::pipeline
 class ElasticFoot
 {
 public:
-  /// @p contact_radius R [m], which defines the moment ratio.
-  ElasticFoot(std::shared_ptr<const fem::Foot> foot, double contact_radius);
+  /// @p contact_radius R [m], which defines the moment ratio; @p discretisation, @p model: of @p foot.
+  ElasticFoot(std::shared_ptr<const fem::Foot> foot, double contact_radius,
+              Discretisation discretisation = {}, Model model = {});
 
   double radius() const { return contact_radius; }
 
@@ -57,10 +59,14 @@ public:
   }
 
   const fem::Foot &body() const { return *foot; }
+  const Discretisation &discretisation() const { return own_discretisation; }
+  const Model &model() const { return own_model; }
 
 private:
   std::shared_ptr<const fem::Foot> foot;
   double contact_radius;
+  Discretisation own_discretisation;
+  Model own_model;
   std::vector<double> radii;
   unsigned int highest;
   bool placed = false; ///< whether set_rings() has been called

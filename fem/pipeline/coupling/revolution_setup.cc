@@ -5,11 +5,11 @@ namespace stemware::pipeline
 
 fem::RimImperfection imperfection_of(const Study &study)
 {
-  return study.model.waviness ? fem::RimImperfection{ study.glass.waviness, study.table.waviness }
-                              : fem::RimImperfection();
+  return { study.glass.waviness, study.table.waviness };
 }
 
-fem::RevolutionSetup revolution_setup(const Study &study)
+fem::RevolutionSetup revolution_setup(const Study &study, const Discretisation &discretisation,
+                                      const Model &model)
 {
   fem::RevolutionSetup setup;
   setup.profile = study.glass.profile;
@@ -22,14 +22,14 @@ fem::RevolutionSetup revolution_setup(const Study &study)
   setup.resolution.land_cells = study.contact.resolution.radial_cells;
   setup.resolution.land_grading = study.contact.land_grading;
   setup.resolution.refinements = study.contact.refinements;
-  setup.halved = study.contact.halved;
+  setup.halved = discretisation.halved;
   setup.n_lines = study.contact.azimuth_lines;
-  setup.fineness = study.contact.fineness;
-  setup.halvings_beyond_zone = study.contact.halvings_beyond_zone;
-  setup.hardness *= study.contact.hardness;
-  setup.foot_is_rigid = study.model.foot_is_rigid;
-  setup.friction_in_foot = study.model.friction_in_foot;
-  setup.friction_in_substrate = study.model.friction_in_substrate;
+  setup.fineness = discretisation.fineness;
+  setup.halvings_beyond_zone = discretisation.halvings_beyond_zone;
+  setup.hardness *= discretisation.hardness;
+  setup.foot_is_rigid = model.foot_is_rigid;
+  setup.friction_in_foot = model.friction_in_foot;
+  setup.friction_in_substrate = model.friction_in_substrate;
   return setup.resolved_for(study.required_resultants().normal_force);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/pipeline/coupling/discretisation.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/revolution/revolution_setup.h"
 
@@ -10,7 +11,8 @@ namespace stemware::pipeline
 fem::RimImperfection imperfection_of(const Study &study);
 
 /// Returns foot of revolution, table and a mesh that resolves the contact under the weight of @p study.
-fem::RevolutionSetup revolution_setup(const Study &study);
+fem::RevolutionSetup revolution_setup(const Study &study, const Discretisation &discretisation = {},
+                                      const Model &model = {});
 
 /// Sets the friction that deforms the body in @p setup, a fem::RevolutionSetup or fem::SolidSetup, if
 /// friction does.

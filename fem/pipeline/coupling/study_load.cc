@@ -355,12 +355,14 @@ SharedLoad load_from_file(const LoadSection &section, unsigned int n_harmonics)
 } // namespace
 
 std::shared_ptr<ElasticFoot> study_foot(const Study &study, const FootMaker &make_foot, Progress &progress,
-                                        const ElasticFoot *similar)
+                                        const ElasticFoot *similar, const Discretisation &discretisation,
+                                        const Model &model)
 {
   if (!study.load.is_from_contact())
     return nullptr;
-  auto foot = std::make_shared<ElasticFoot>(make_foot(study, similar ? &similar->body() : nullptr),
-                                            study.glass.profile.contact_radius);
+  auto foot = std::make_shared<ElasticFoot>(
+    make_foot(study, discretisation, model, similar ? &similar->body() : nullptr),
+    study.glass.profile.contact_radius, discretisation, model);
   if (similar)
     foot->predict_from_similar(*similar);
   progress.stage_done("mesh_and_stiffness");

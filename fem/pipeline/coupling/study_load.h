@@ -1,9 +1,9 @@
 #pragma once
 
 #include "fem/pipeline/coupling/balanced_contact.h"
+#include "fem/pipeline/coupling/discretisation.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/study/study.h"
-#include "fem/revolution/compliance_cache.h"
 #include "ring_model/spin/phases.h"
 
 #include <functional>
@@ -13,19 +13,17 @@
 namespace stemware::pipeline
 {
 
-/// Makes the foot of a study on its table; results depend on the study only. It may share data with @p
-/// similar, nullptr or a foot that is not used while it solves.
-using FootMaker = std::function<std::shared_ptr<fem::Foot>(const Study &, const fem::Foot *similar)>;
+/// Makes the foot of a study on its table; results depend on the first three arguments only. It may share
+/// data with @p similar, nullptr or a foot that is not used while it solves.
+using FootMaker = std::function<std::shared_ptr<fem::Foot>(const Study &, const Discretisation &,
+                                                           const Model &, const fem::Foot *similar)>;
 
 /// Returns the foot of a study, by @p make_foot; nullptr for a load without a contact. Initial guesses are
 /// predicted from the contacts of @p similar, the foot of a similar study, if given. Throws as @p make_foot.
 std::shared_ptr<ElasticFoot> study_foot(const Study &study, const FootMaker &make_foot,
                                         Progress &progress = silent_progress(),
-                                        const ElasticFoot *similar = nullptr);
-/// Returns study_foot() by make_foot() with the shared @p cache; not in the live solver, which has no meshes.
-std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache &cache,
-                                        Progress &progress = silent_progress(),
-                                        const ElasticFoot *similar = nullptr);
+                                        const ElasticFoot *similar = nullptr,
+                                        const Discretisation &discretisation = {}, const Model &model = {});
 
 /// Returns whether @p failure is a failed contact or balance.
 bool is_balance_failure(const std::exception &failure);

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "fem/pipeline/analysis/budget.h"
-#include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/analysis/sweep/case_list.h"
-#include "fem/pipeline/analysis/sweep/sweep_case.h"
+#include "fem/pipeline/answer/case_list.h"
+#include "fem/pipeline/answer/sweep_case.h"
 #include "fem/pipeline/document/json.h"
+#include "fem/pipeline/refinement/refinement_study.h"
 #include "fem/pipeline/study/study.h"
 #include "ring_model/spin/answer.h"
 

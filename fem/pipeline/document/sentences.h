@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/analysis/budget.h"
-#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/feet/contact_report.h"
 #include "fem/pipeline/study/study.h"
 
 #include <string>

@@ -1,14 +1,14 @@
 #include "fem/pipeline/document/sweep_file.h"
 
 #include "fem/pipeline/document/json.h"
-#include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/study/table_file.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/json_text.h"
 #include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/support/output.h"
-#include "fem/pipeline/support/program.h"
-#include "fem/pipeline/support/text_file.h"
+#include "fem/pipeline/system/json_text.h"
+#include "fem/pipeline/system/output.h"
+#include "fem/pipeline/system/program.h"
+#include "fem/pipeline/system/text_file.h"
 
 #include <algorithm>
 #include <cerrno>

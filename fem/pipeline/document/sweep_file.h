@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/analysis/sweep/case_list.h"
-#include "fem/pipeline/analysis/sweep/sweep_case.h"
+#include "fem/pipeline/answer/case_list.h"
+#include "fem/pipeline/answer/sweep_case.h"
 #include "fem/pipeline/document/table.h"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "fem/pipeline/document/table.h"
 
-#include "fem/pipeline/support/shared_files.h"
+#include "fem/pipeline/system/shared_files.h"
 
 #include <boost/algorithm/string/erase.hpp>
 #include <boost/algorithm/string/predicate.hpp>

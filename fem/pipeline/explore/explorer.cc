@@ -64,15 +64,15 @@ void Explorer::set(const std::string &entry_path, const std::string &value)
 
 void Explorer::ready(double fineness)
 {
-  present.contact.fineness = fineness;
+  discretisation.fineness = fineness;
   base = present;
   is_ready = true;
 }
 
 MeshMatch Explorer::mesh_match() const
 {
-  const fem::MeridianResolution now = revolution_setup(present).resolution;
-  const fem::MeridianResolution then = revolution_setup(base).resolution;
+  const fem::MeridianResolution now = revolution_setup(present, discretisation).resolution;
+  const fem::MeridianResolution then = revolution_setup(base, discretisation).resolution;
   const auto differ = [](double one, double other) { return std::abs(one - other) > 1e-9 * std::abs(other); };
   if (now.refinements != then.refinements || differ(now.land_grading, then.land_grading) ||
       differ(now.focus_radius, then.focus_radius) || now.has_focus() != then.has_focus())
@@ -83,12 +83,13 @@ MeshMatch Explorer::mesh_match() const
   return std::max(ratio, 1 / ratio) > farthest ? MeshMatch::none : MeshMatch::close;
 }
 
-std::shared_ptr<fem::Foot> Explorer::make_foot(const Study &study) const
+std::shared_ptr<fem::Foot> Explorer::make_foot(const Study &study, const Discretisation &mesh,
+                                               const Model &model) const
 {
   const auto of =
     [](const std::shared_ptr<const fem::ContactCompliance> &given, double modulus, double modulus_now)
   { return modulus == modulus_now ? *given : given->scaled(modulus / modulus_now); };
-  const fem::RevolutionSetup setup = revolution_setup(study);
+  const fem::RevolutionSetup setup = revolution_setup(study, mesh, model);
   const fem::ContactCompliance own =
     of(compliance, base.glass.material.young_modulus, study.glass.material.young_modulus);
   std::optional<fem::ContactCompliance> below;
@@ -102,7 +103,8 @@ std::shared_ptr<fem::Foot> Explorer::make_foot(const Study &study) const
 
 Executor Explorer::executor() const
 {
-  return Executor([this](const Study &asked, const fem::Foot *) { return make_foot(asked); });
+  return Executor([this](const Study &asked, const Discretisation &mesh, const Model &model,
+                         const fem::Foot *) { return make_foot(asked, mesh, model); });
 }
 
 LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
@@ -131,7 +133,7 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
   const std::optional<LiveBalance> near = path.expected();
   if (!near)
     return false;
-  foot = study_foot(present, executor().make_foot);
+  foot = study_foot(present, executor().make_foot, silent_progress(), nullptr, discretisation);
   foot->set_rings(last.ring_radii(), last.n_harmonics());
   const auto row_of = [&](const LiveBalance &balance, const ring::LeaningLoad &load)
   {
@@ -172,7 +174,7 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
 
 void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, LiveAnswer &answer)
 {
-  foot = study_foot(present, executor().make_foot, silent_progress(), last);
+  foot = study_foot(present, executor().make_foot, silent_progress(), last, discretisation);
   if (last)
     foot->set_rings(last->ring_radii(), last->n_harmonics());
   ring::Question question = spin_question(present);

@@ -61,7 +61,7 @@ public:
   void set(const std::string &path, const std::string &value);
 
   /// Declares that the compliances belong to the present study and to a mesh of @p fineness
-  /// (ContactSection::fineness).
+  /// (Discretisation::fineness).
   void ready(double fineness);
 
   const Study &study() const { return present; }
@@ -86,7 +86,8 @@ public:
   }
 
 private:
-  std::shared_ptr<fem::Foot> make_foot(const Study &study) const;
+  std::shared_ptr<fem::Foot> make_foot(const Study &study, const Discretisation &discretisation,
+                                       const Model &model) const;
   Executor executor() const;
   /// Solves @p answer from the previous balances on the rings of @p last; returns whether that converged.
   /// Leaves no curve and no budget.
@@ -95,6 +96,7 @@ private:
   void solve_cold(const ElasticFoot *last, unsigned int n_harmonics, LiveAnswer &answer);
 
   Study present, base;
+  Discretisation discretisation; ///< of the compliances
   bool is_ready = false;
   std::shared_ptr<const fem::ContactCompliance> compliance, disc_compliance;
   std::shared_ptr<ElasticFoot> foot; ///< of the last answer

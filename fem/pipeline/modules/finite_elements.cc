@@ -1,7 +1,7 @@
-#include "fem/pipeline/coupling/finite_elements.h"
+#include "fem/pipeline/feet/finite_elements.h"
 
-#include "fem/revolution/meridian_meshes.h"
-#include "fem/revolution/meshed_revolution_foot.h"
+#include "fem/meridian/meridian_meshes.h"
+#include "fem/meridian/meshed_revolution_foot.h"
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/multithread_info.h>

@@ -1,5 +1,5 @@
 // MPI through deal.II, which starts what stands on MPI with it.
-#include "fem/pipeline/support/rank_functions.h"
+#include "fem/pipeline/system/rank_functions.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>

@@ -1,9 +1,9 @@
-#include "fem/pipeline/coupling/solid_feet.h"
+#include "fem/pipeline/feet/solid_feet.h"
 
 #include "fem/pipeline/coupling/revolution_setup.h"
-#include "fem/pipeline/coupling/usable_mesh.h"
-#include "fem/pipeline/study/study_file.h"
-#include "fem/pipeline/study/study_size.h"
+#include "fem/pipeline/feet/usable_mesh.h"
+#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/input/study_size.h"
 #include "fem/solid/solid_foot.h"
 
 #include <fmt/format.h>
@@ -33,26 +33,26 @@ fem::SolidMesh mesh_before_goal(const Study &study)
 }
 
 /// Text that only studies share whose feet have the same mesh, material and elements.
-std::string elements_of(const Study &study)
+std::string elements_of(const Study &study, const Discretisation &discretisation)
 {
   Study bare;
   bare.glass = study.glass;
   bare.contact = study.contact;
   std::string text = study_identity(bare) + fmt::format(FMT_STRING("{}\n"), edge_halvings(study));
-  for (const std::vector<unsigned int> &cells : study.contact.halved)
+  for (const std::vector<unsigned int> &cells : discretisation.halved)
     text += fmt::format(FMT_STRING("halved {}\n"), fmt::join(cells, " "));
   return text;
 }
 
-fem::SolidMesh solid_mesh(const Study &study)
+fem::SolidMesh solid_mesh(const Study &study, const Discretisation &discretisation)
 {
   fem::SolidMesh mesh = mesh_before_goal(study);
-  for (const std::vector<unsigned int> &cells : study.contact.halved)
+  for (const std::vector<unsigned int> &cells : discretisation.halved)
     fem::halve(mesh, cells);
   return mesh;
 }
 
-fem::SolidSetup solid_setup(const Study &study)
+fem::SolidSetup solid_setup(const Study &study, const Discretisation &discretisation, const Model &model)
 {
   fem::SolidSetup setup;
   setup.profile = study.glass.profile;
@@ -60,8 +60,8 @@ fem::SolidSetup solid_setup(const Study &study)
   setup.table = study.table.make();
   setup.options.degree = study.contact.degree;
   setup.options.linear_solver = study.contact.linear_solver;
-  setup.hardness = study.contact.hardness;
-  if (study.model.friction_in_foot)
+  setup.hardness = discretisation.hardness;
+  if (model.friction_in_foot)
     set_friction(study, setup);
   return setup;
 }
@@ -81,14 +81,16 @@ public:
   const std::string elements; ///< elements_of()
 };
 
-std::shared_ptr<fem::Foot> make_foot(const Study &study, const fem::Foot *similar)
+std::shared_ptr<fem::Foot> make_foot(const Study &study, const Discretisation &discretisation,
+                                     const Model &model, const fem::Foot *similar)
 {
-  const fem::SolidSetup setup = solid_setup(study);
-  const std::string elements = elements_of(study);
+  const fem::SolidSetup setup = solid_setup(study, discretisation, model);
+  const std::string elements = elements_of(study, discretisation);
   const auto *other = dynamic_cast<const StudyFoot *>(similar);
   if (other && other->elements != elements)
     other = nullptr;
-  return std::make_shared<StudyFoot>(other ? other->own_mesh() : solid_mesh(study), setup, other, elements);
+  return std::make_shared<StudyFoot>(other ? other->own_mesh() : solid_mesh(study, discretisation), setup,
+                                     other, elements);
 }
 
 } // namespace

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "fem/pipeline/input/study_options.h"
 #include "fem/pipeline/report/results.h"
 #include "fem/pipeline/study/study.h"
-#include "fem/pipeline/study/study_options.h"
-#include "fem/pipeline/support/output.h"
-#include "fem/pipeline/support/stopwatch.h"
+#include "fem/pipeline/system/output.h"
+#include "fem/pipeline/system/stopwatch.h"
 
 #include <optional>
 

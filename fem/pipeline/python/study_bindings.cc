@@ -2,25 +2,26 @@
 // console, no signals; MPI starts for a solid foot only.
 
 #include "fem/contact/contact_solution.h"
-#include "fem/pipeline/analysis/study_answer.h"
-#include "fem/pipeline/analysis/sweep/sweep_case.h"
-#include "fem/pipeline/coupling/failure_sentence.h"
+#include "fem/meridian/compliance_cache.h"
+#include "fem/pipeline/answer/study_answer.h"
+#include "fem/pipeline/answer/sweep_case.h"
+#include "fem/pipeline/answer/threaded_executor.h"
 #include "fem/pipeline/document/json.h"
 #include "fem/pipeline/document/table.h"
+#include "fem/pipeline/feet/failure_sentence.h"
+#include "fem/pipeline/input/data_files.h"
+#include "fem/pipeline/input/presets.h"
+#include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/page/publish.h"
 #include "fem/pipeline/report/convergence_results.h"
 #include "fem/pipeline/report/fit_results.h"
 #include "fem/pipeline/report/run_results.h"
 #include "fem/pipeline/report/truncation_results.h"
-#include "fem/pipeline/study/data_files.h"
-#include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/study/study_file.h"
-#include "fem/pipeline/support/console.h"
-#include "fem/pipeline/support/program.h"
-#include "fem/pipeline/support/ranks.h"
-#include "fem/revolution/compliance_cache.h"
+#include "fem/pipeline/system/console.h"
+#include "fem/pipeline/system/program.h"
+#include "fem/pipeline/system/ranks.h"
 #include "ring_model/no_balance.h"
 
 #include <map>
@@ -109,7 +110,7 @@ auto solved(const py::object &listener, unsigned int n_threads, const Work &work
   try
   {
     const py::gil_scoped_release released;
-    return work(progress, Executor(*in_use, n_threads));
+    return work(progress, ThreadedExecutor(*in_use, n_threads));
   }
   catch (const Interrupted &one)
   {
@@ -158,7 +159,7 @@ Found results_of(const std::string &verb, const Study &given, bool quick, unsign
     if (verb == "truncate")
     {
       const TruncatedStudy answer = truncate_study(study, executor, progress);
-      return { verb, answer.study, make_truncation_document(answer.study, answer.load, answer.rows) };
+      return { verb, study, make_truncation_document(study, answer.load, answer.rows) };
     }
     if (verb == "converge")
     {
@@ -168,8 +169,7 @@ Found results_of(const std::string &verb, const Study &given, bool quick, unsign
     }
     const auto answer = std::make_shared<StudyAnswer>(
       answer_study(study, quick ? Depth::answer : Depth::full, executor, progress, false));
-    return { verb, answer->study,
-             make_document(answer->study, answer->contact, answer->spin, answer->bands, answer->goal),
+    return { verb, study, make_document(study, answer->contact, answer->spin, answer->bands, answer->goal),
              answer };
   };
   return solved(listener, n_threads, work);

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "fem/pipeline/analysis/budget.h"
-#include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/document/document.h"
+#include "fem/pipeline/feet/contact_report.h"
+#include "fem/pipeline/refinement/quantities_of_interest.h"
 #include "fem/pipeline/study/study.h"
 
 #include <nlohmann/json.hpp>

@@ -2,8 +2,8 @@
 
 #include "fem/pipeline/document/answers.h"
 #include "fem/pipeline/document/study_words.h"
+#include "fem/pipeline/input/study_size.h"
 #include "fem/pipeline/report/common_sections.h"
-#include "fem/pipeline/study/study_size.h"
 
 #include <cmath>
 

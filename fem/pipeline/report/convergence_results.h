@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/analysis/refinement/refinement_study.h"
+#include "fem/pipeline/refinement/refinement_study.h"
 #include "fem/pipeline/report/results.h"
 
 namespace stemware::pipeline

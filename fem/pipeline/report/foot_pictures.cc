@@ -1,5 +1,5 @@
 #include "fem/contact/footprint.h"
-#include "fem/geometry/section_view.h"
+#include "fem/meshing/section_view.h"
 #include "fem/pipeline/report/picture_columns.h"
 
 #include <boost/math/constants/constants.hpp>

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/analysis/sweep/case_list.h"
-#include "fem/pipeline/analysis/sweep/sweep_case.h"
-#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/answer/case_list.h"
+#include "fem/pipeline/answer/sweep_case.h"
 #include "fem/pipeline/document/document.h"
-#include "fem/pipeline/study/data_files.h"
+#include "fem/pipeline/feet/contact_report.h"
+#include "fem/pipeline/input/data_files.h"
+#include "fem/pipeline/refinement/quantities_of_interest.h"
 
 #include <optional>
 #include <string>

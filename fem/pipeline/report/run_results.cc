@@ -4,10 +4,10 @@
 #include "fem/pipeline/document/sentences.h"
 #include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/document/study_words.h"
+#include "fem/pipeline/input/data_files.h"
+#include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/picture_columns.h"
-#include "fem/pipeline/study/data_files.h"
-#include "fem/pipeline/study/study_file.h"
 
 #include <algorithm>
 #include <cmath>

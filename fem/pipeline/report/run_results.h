@@ -1,9 +1,9 @@
 #pragma once
 
-#include "fem/pipeline/analysis/refinement/goal_mesh.h"
-#include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/feet/contact_report.h"
+#include "fem/pipeline/refinement/goal_mesh.h"
+#include "fem/pipeline/refinement/quantities_of_interest.h"
 #include "fem/pipeline/report/results.h"
 
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/feet/contact_report.h"
 #include "fem/pipeline/report/results.h"
 #include "fem/pipeline/study/study.h"
 #include "ring_model/spin/answer.h"

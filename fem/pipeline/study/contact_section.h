@@ -1,8 +1,8 @@
 #pragma once
 
 #include "fem/elasticity/linear_solver.h"
-#include "fem/geometry/foot_mesh.h"
-#include "fem/geometry/mesh_io.h"
+#include "fem/geometry/foot_resolution.h"
+#include "fem/geometry/mesh_report.h"
 #include "fem/pipeline/study/entry_facts.h"
 
 #include <string>
@@ -75,17 +75,11 @@ struct ContactSection
   unsigned int harmonics = 16;  ///< of a body of revolution
   unsigned int azimuth_lines = 128; ///< lines on which the table law of a body of revolution is integrated
   unsigned int rings = 5;           ///< rings that represent the pressure
-  double fineness = 1; ///< refinement of the cells over the default; no entry, used by error bands
-  unsigned int halvings_beyond_zone = 0; ///< halvings of cells, see fem::RevolutionSetup; no entry
-  double hardness = 1; ///< penalty of a hard interface over the default; below 1 for a solid foot: of any
-                       ///< interface over its own stiffness; no entry
-  unsigned int load_harmonics = 0; ///< of each ring; 0: as many as the lines resolve and the kernels need
+  unsigned int load_harmonics = 0;  ///< of each ring; 0: as many as the lines resolve and the kernels need
   FrictionCoupling friction_coupling = FrictionCoupling::elastic;
   Goal goal = Goal::none;
   double goal_tolerance = 1e-5; ///< on the goal's estimated error, relative to its value
-  /// Numbers of the halved cells, mesh after mesh; no entry, set by the goal.
-  std::vector<std::vector<unsigned int>> halved;
-  double memory_limit = 4e9; ///< estimated memory above which a study is refused [byte]
+  double memory_limit = 4e9;    ///< estimated memory above which a study is refused [byte]
 
   /// Declares the entries with their facts. A template, to be compiled in one file only.
   template <typename List>

@@ -13,15 +13,6 @@
 namespace stemware::pipeline
 {
 
-/// Parts of the model that a budget disables one at a time; no entries of a study file.
-struct ModelChoices
-{
-  bool foot_is_rigid = false;        ///< the foot has no compliance
-  bool friction_in_foot = true;      ///< friction deforms the foot, if Study::friction_deforms()
-  bool friction_in_substrate = true; ///< and an elastic substrate
-  bool waviness = true;              ///< include the waviness of rim and table
-};
-
 /// Content of a study file, one member per subsection. SI units, or any other consistent set.
 struct Study
 {
@@ -30,13 +21,12 @@ struct Study
   TableSection table;
   ContactSection contact;
   LoadSection load;
-  ModelChoices model;
   /// Entries set by a study file or an option, "Section/Entry", with their text.
   std::map<std::string, std::string> given_entries;
   std::string name = "default"; ///< name of the study's file; not an entry
 
   /// True with waviness of rim or table: the load then depends on the phase.
-  bool has_waviness() const { return model.waviness && (!glass.waviness.empty() || !table.waviness.empty()); }
+  bool has_waviness() const { return !glass.waviness.empty() || !table.waviness.empty(); }
 
   /// True if friction tractions deform foot and substrate.
   bool friction_deforms() const { return contact.friction_coupling == FrictionCoupling::elastic; }

@@ -6,11 +6,6 @@
 #include <functional>
 #include <utility>
 
-namespace stemware::fem
-{
-class ComplianceCache;
-}
-
 namespace stemware::pipeline
 {
 
@@ -25,9 +20,6 @@ struct Executor
       : make_foot(std::move(make_foot))
   {
   }
-  /// Creates an executor with feet by make_foot(), which share @p cache, and @p n_threads threads; not in the
-  /// live solver, which has neither meshes nor threads.
-  Executor(fem::ComplianceCache &cache, unsigned int n_threads = 1); // a cache alone will do
 
   /// Calls @p work(i) for every i < @p n, in parallel unless @p sequential, started in order; returns when
   /// all are done. After an exception no further call starts, and the exception (of the smallest i, if
@@ -45,7 +37,7 @@ struct Executor
   /// is_variant_failure(), which occur on all ranks, do; others end the work.
   bool keeps_all_failures = true;
 
-private:
+protected:
   /// for_each() on several threads; empty: one thread.
   std::function<void(std::size_t n, const Work &work)> run_in_parallel;
 };

@@ -31,17 +31,20 @@ Study first_harmonic_study(Study study)
   return study;
 }
 
-bool has_compliance(const Study &study)
+bool has_compliance(const Study &study, const Model &model)
 {
   return study.table.interface != TableInterface::hard || study.table.substrate == TableSubstrate::elastic ||
-         !study.model.foot_is_rigid;
+         !model.foot_is_rigid;
 }
 
 std::vector<Variant> model_chain(const Study &study)
 {
   std::vector<Variant> chain;
-  const auto add = [&](const char *key, const char *name, const Study &model) {
-    chain.push_back({ key, name, model, 1, true });
+  const auto add = [&](const char *key, const char *name, const Study &model)
+  {
+    Variant &variant = chain.emplace_back(Variant{ key, name, model });
+    variant.n_harmonics = 1;
+    variant.on_same_foot = true;
   };
   Study model = paper_study(study);
   add("1", "paper", model);
@@ -71,45 +74,47 @@ std::vector<Variant> model_chain(const Study &study)
   return chain;
 }
 
-std::vector<Variant> variants_without(const Study &study, bool depends_on_phase)
+std::vector<Variant> variants_without(const Study &study, bool depends_on_phase,
+                                      const Discretisation &discretisation, const Model &model)
 {
   std::vector<Variant> variants;
   if (!study.load.is_from_contact())
     return variants;
-  const auto add_if = [&](bool applies, const char *name, const std::function<void(Study &)> &leave_out)
+  const auto add_if = [&](bool applies, const char *name, const std::function<void(Variant &)> &leave_out)
   {
     if (!applies)
       return;
-    Variant &variant = variants.emplace_back(Variant{ "without", name, study });
-    leave_out(variant.study);
+    Variant &variant = variants.emplace_back(Variant{ "without", name, study, discretisation, model });
+    leave_out(variant);
     const bool is_solid = !abilities(study.contact.body).is_of_revolution;
-    if (!has_compliance(variant.study))
+    if (!has_compliance(variant.study, variant.model))
       variant.reason = "not defined";
     else if ((depends_on_phase || variant.study.has_waviness()) && is_solid &&
              variant.study.table.is_hard() && !study.table.is_hard())
       variant.reason = "not computed: a solid foot on a hard table takes too long at every phase";
   };
   const bool is_elastic_substrate = study.table.substrate == TableSubstrate::elastic;
-  const bool is_elastic_foot = !study.model.foot_is_rigid;
-  add_if(study.friction_deforms() && is_elastic_foot && study.model.friction_in_foot, "friction in the foot",
-         [](Study &other) { other.model.friction_in_foot = false; });
-  add_if(study.friction_deforms() && is_elastic_substrate && study.model.friction_in_substrate,
-         "friction in the substrate", [](Study &other) { other.model.friction_in_substrate = false; });
+  const bool is_elastic_foot = !model.foot_is_rigid;
+  add_if(study.friction_deforms() && is_elastic_foot && model.friction_in_foot, "friction in the foot",
+         [](Variant &other) { other.model.friction_in_foot = false; });
+  add_if(study.friction_deforms() && is_elastic_substrate && model.friction_in_substrate,
+         "friction in the substrate", [](Variant &other) { other.model.friction_in_substrate = false; });
   add_if(abilities(study.contact.body).is_of_revolution && is_elastic_foot, "elasticity of the foot",
-         [](Study &other) { other.model.foot_is_rigid = true; });
+         [](Variant &other) { other.model.foot_is_rigid = true; });
   add_if(is_elastic_substrate, "elasticity of the substrate",
-         [](Study &other) { other.table.substrate = TableSubstrate::rigid; });
+         [](Variant &other) { other.study.table.substrate = TableSubstrate::rigid; });
   add_if(!study.table.is_hard(), "compliance of the interface",
-         [](Study &other) { other.table.interface = TableInterface::hard; });
+         [](Variant &other) { other.study.table.interface = TableInterface::hard; });
   add_if(!study.motion.orbit.has_constant_friction(), "dependence of friction on slip",
-         [](Study &other) { other = with_constant_friction(std::move(other)); });
-  add_if(study.tilts(), "tilt", [](Study &other) { other.motion.tilt = false; });
+         [](Variant &other) { other.study = with_constant_friction(std::move(other.study)); });
+  add_if(study.tilts(), "tilt", [](Variant &other) { other.study.motion.tilt = false; });
   add_if(study.motion.orbit.liquid.mass > 0 && study.load.has_closure(), "lean of the liquid",
-         [](Study &other) { other.motion.orbit.liquid.surface_leans = false; });
-  add_if(study.motion.grip_torque > 0, "grip", [](Study &other) { other.motion.grip_torque = 0; });
+         [](Variant &other) { other.study.motion.orbit.liquid.surface_leans = false; });
+  add_if(study.motion.grip_torque > 0, "grip", [](Variant &other) { other.study.motion.grip_torque = 0; });
   if (study.motion.grip_torque > 0)
     variants.back().on_same_load = true;
-  add_if(study.has_waviness(), "waviness", [](Study &other) { other.model.waviness = false; });
+  add_if(study.has_waviness(), "waviness",
+         [](Variant &other) { other.study.glass.waviness = other.study.table.waviness = {}; });
   return variants;
 }
 

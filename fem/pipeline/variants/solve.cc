@@ -27,7 +27,8 @@ std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_p
     return foot ? foot->clone() : nullptr;
   try
   {
-    return study_foot(variant.study, executor.make_foot, silent_progress(), foot.get());
+    return study_foot(variant.study, executor.make_foot, silent_progress(), foot.get(),
+                      variant.discretisation, variant.model);
   }
   catch (const std::runtime_error &failure)
   {

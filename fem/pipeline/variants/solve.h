@@ -70,9 +70,9 @@ std::pair<int, unsigned int> cost_of(const Variants & /*variants*/, std::size_t 
 template <typename AnyVariant>
 std::pair<int, unsigned int> cost_of(const std::vector<AnyVariant> &variants, std::size_t i)
 {
-  const Study &study = variants[i].study;
-  return { (variants[i].on_same_foot ? 0 : 1) + (study.table.is_hard() ? 2 : 0),
-           study.contact.degree + study.contact.halvings_beyond_zone };
+  const Variant &variant = variants[i];
+  return { (variant.on_same_foot ? 0 : 1) + (variant.study.table.is_hard() ? 2 : 0),
+           variant.study.contact.degree + variant.discretisation.halvings_beyond_zone };
 }
 
 /// No progress callback.

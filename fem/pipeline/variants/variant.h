@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/coupling/balanced_load.h"
+#include "fem/pipeline/coupling/discretisation.h"
 #include "fem/pipeline/study/study.h"
 
 #include <memory>
@@ -16,6 +17,8 @@ struct Variant
   std::string key = {};  ///< identifier: step of a chain, or part of a band
   std::string name = {}; ///< displayed name: "tilt"
   Study study = {};
+  Discretisation discretisation = {};
+  Model model = {};
   unsigned int n_harmonics = all_harmonics; ///< whose friction acts
   bool on_same_foot = false;                ///< uses the study's foot
   bool on_same_load = false;                ///< uses the study's load: only the question to the ring differs

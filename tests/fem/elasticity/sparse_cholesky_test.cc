@@ -1,6 +1,6 @@
 // The factorisation of sparse matrices against a matrix whose inverse is known, also from several threads at
 // once.
-#include "fem/elasticity/sparse_cholesky.h"
+#include "fem/factorisation/sparse_cholesky.h"
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_matrix.h>

@@ -1,4 +1,4 @@
-#include "fem/geometry/mesh_io.h"
+#include "fem/meshing/mesh_io.h"
 #include "tests/fem/foot_case.h"
 #include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/temporary_file.h"

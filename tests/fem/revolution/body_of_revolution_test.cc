@@ -1,5 +1,6 @@
 // Exact properties of the body of revolution: no mixing of harmonics, rotation, rigid motions of the table,
 // warm starts.
+#include "fem/meridian/compute_compliance.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,8 @@
 // Feet that share their compliances: computed once, for all threads, and with the same digits.
 #include "fem/contact/hard_interface.h"
-#include "fem/revolution/compliance_cache.h"
-#include "fem/revolution/meshed_revolution_foot.h"
+#include "fem/meridian/compliance_cache.h"
+#include "fem/meridian/compute_compliance.h"
+#include "fem/meridian/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <deal.II/grid/tria.h>

@@ -2,7 +2,7 @@
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rigid_foot.h"
 #include "fem/contact/rough_interface.h"
-#include "fem/revolution/meshed_revolution_foot.h"
+#include "fem/meridian/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // A glass that leans under its own weight, loads gathered on rings, and how many Newton steps a neighbour
 // takes.
 #include "fem/contact/hard_interface.h"
-#include "fem/revolution/meshed_revolution_foot.h"
+#include "fem/meridian/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // studies by number. Every one has to converge under every moment.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
-#include "fem/revolution/meshed_revolution_foot.h"
+#include "fem/meridian/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The foot as an answer to loads: hard tables, imperfections, warm starts, and the spin that the elastic
 // glass reaches.
 #include "fem/contact/hard_interface.h"
-#include "fem/revolution/meshed_revolution_foot.h"
+#include "fem/meridian/meshed_revolution_foot.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/self_consistent_ring.h"
 #include "tests/fem/revolution/revolution_case.h"

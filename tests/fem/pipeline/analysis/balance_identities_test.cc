@@ -1,6 +1,7 @@
 // Identities of contact, friction and moments in balance that hold whatever the pressure. Kinds of reference:
 // symmetry, the moment balance written out, point quadrature.
 #include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/feet/make_foot.h"
 #include "ring_model/friction_law.h"
 #include "ring_model/spin/answer.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
@@ -63,7 +64,7 @@ TEST(Balance, WhereBendingUnloadsThePlaceTheEffectIsPrintedAndAgreesUnderRefinem
     EXPECT_LT(solved.load.report().contact_fraction, 0.5);
     EXPECT_FALSE(is_loaded_everywhere(solved));
     fem::ComplianceCache cache;
-    const LoadedRow first = solve_rows({ { "", "", study, 1, true } }, solved.foot, {}, cache).front();
+    const LoadedRow first = solve_rows({ { "", "", study, {}, {}, 1, true } }, solved.foot, {}, cache).front();
     effects.push_back(solved.omega() - first.row.terminal->omega);
   }
   EXPECT_GT(std::abs(effects[0]), 1e-6);

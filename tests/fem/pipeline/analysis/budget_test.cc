@@ -3,6 +3,7 @@
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/document/spin_rows.h"
+#include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/first_harmonic_ring.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
@@ -238,13 +239,12 @@ TEST(Budget, WithoutAnyComplianceThereIsNoPressure)
 {
   Study study;
   study.table.interface = TableInterface::hard;
-  EXPECT_TRUE(has_compliance(study));
-  study.model.foot_is_rigid = true;
-  EXPECT_FALSE(has_compliance(study));
+  EXPECT_TRUE(has_compliance(study, {}));
+  EXPECT_FALSE(has_compliance(study, test::rigid_foot()));
   study.table.substrate = TableSubstrate::elastic;
-  EXPECT_TRUE(has_compliance(study));
+  EXPECT_TRUE(has_compliance(study, test::rigid_foot()));
   study.table = {};
-  EXPECT_TRUE(has_compliance(study)); // of the Winkler interface
+  EXPECT_TRUE(has_compliance(study, test::rigid_foot())); // of the Winkler interface
 }
 
 TEST(Budget, DifferencesAddUpToTheWholeWay)
@@ -376,7 +376,7 @@ TEST(Budget, AStudyThatTipsIsARowThatSaysSo)
   Study study = quick_contact_study();
   study.motion.orbit.centre_of_mass_height = 0.16; // a moment ratio above 2
   fem::ComplianceCache cache;
-  const ring::Answer row = solve_rows({ { "", "", study, all_harmonics } }, nullptr, {}, cache).front().row;
+  const ring::Answer row = solve_rows({ { "", "", study, {}, {}, all_harmonics } }, nullptr, {}, cache).front().row;
   EXPECT_EQ(row.status, ring::Status::tips);
   EXPECT_FALSE(row.reason.empty());
   EXPECT_FALSE(row.terminal);
@@ -408,9 +408,9 @@ TEST(Budget, RowsOfAWavyFootAreOfMeanSpins)
   const std::vector<Variant> variants = variants_without(study);
   ASSERT_EQ(variants.back().name, "waviness");
   fem::ComplianceCache cache;
-  const ring::Answer wavy = solve_rows({ { "", "", study, 1 } }, nullptr, {}, cache).front().row;
+  const ring::Answer wavy = solve_rows({ { "", "", study, {}, {}, 1 } }, nullptr, {}, cache).front().row;
   const ring::Answer flat =
-    solve_rows({ { "", "", variants.back().study, 1 } }, nullptr, {}, cache).front().row;
+    solve_rows({ { "", "", variants.back().study, {}, {}, 1 } }, nullptr, {}, cache).front().row;
   EXPECT_GT(wavy.ripple, 0);
   EXPECT_EQ(flat.ripple, 0);
   // A tenth of a micrometre, a fifth of the penetration, changes the mean spin by about the square of that.
@@ -433,7 +433,7 @@ TEST(Budget, LeavesOutTheInterfaceUnderAWavyRimToo)
   ASSERT_TRUE(row->omega_terminal) << row->reason;
   study.table.interface = TableInterface::hard;
   fem::ComplianceCache cache;
-  const ring::Answer hard = solve_rows({ { "", "", study, all_harmonics } }, nullptr, {}, cache).front().row;
+  const ring::Answer hard = solve_rows({ { "", "", study, {}, {}, all_harmonics } }, nullptr, {}, cache).front().row;
   EXPECT_GT(hard.ripple, 0);
   EXPECT_NEAR(*row->omega_terminal, *hard.omega_terminal(), 1e-3 * std::abs(*hard.omega_terminal()));
 }

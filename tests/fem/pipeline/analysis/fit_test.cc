@@ -1,7 +1,7 @@
+#include "fem/meridian/compliance_cache.h"
 #include "fem/pipeline/analysis/fit.h"
-#include "fem/pipeline/study/study_file.h"
-#include "fem/pipeline/variants/executor.h"
-#include "fem/revolution/compliance_cache.h"
+#include "fem/pipeline/answer/threaded_executor.h"
+#include "fem/pipeline/input/study_file.h"
 #include "tests/fem/pipeline/analysis/synthetic_run.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
@@ -36,7 +36,7 @@ FitResult fit_friction_and_grip(const std::vector<RunToFit> &runs, bool with_pro
   FitQuestion question;
   question.free = { { "Motion/Friction coefficient" }, { "Motion/Grip torque" } };
   question.with_profiles = question.with_next_run = with_profiles;
-  return fit(runs, question, Executor(cache));
+  return fit(runs, question, ThreadedExecutor(cache));
 }
 
 /// How many truths lie in their intervals.

@@ -1,10 +1,12 @@
 // One number under one name: what `run` reports twice is the same, in every file and table.
-#include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/feet/contact_report.h"
+#include "fem/pipeline/feet/make_foot.h"
+#include "fem/pipeline/refinement/error_bands.h"
 #include "fem/pipeline/report/run_results.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
+#include "tests/fem/pipeline/analysis/solved_study.h"
 
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 #include <boost/numeric/odeint.hpp>
@@ -23,9 +25,9 @@ using Json = nlohmann::ordered_json;
 /// `run` without its files.
 struct SolvedRun
 {
-  explicit SolvedRun(const Study &study)
+  explicit SolvedRun(const Study &study, const Model &model = {})
       : study(study)
-      , foot(study_foot(study, cache))
+      , foot(study_foot(study, cache, silent_progress(), nullptr, {}, model))
   {
     const SharedLoad load = find_load(study, foot);
     spin = study_spin(study, foot, *load, cache);
@@ -135,9 +137,9 @@ ring::Answer row_at_height(double height, bool rigid)
 {
   static fem::ComplianceCache cache;
   Study study;
-  study.model.foot_is_rigid = rigid;
   study.motion.orbit.centre_of_mass_height = height;
-  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+  const std::shared_ptr<ElasticFoot> foot =
+    study_foot(study, cache, silent_progress(), nullptr, {}, rigid ? rigid_foot() : Model());
   return ring::answer(*find_load(study, foot), spin_question(study)).value();
 }
 
@@ -186,12 +188,12 @@ TEST(Fall, OfTheElasticFootInANarrowRangeOfSpins)
 TEST(Fall, ThatIsNearIsNoCauseForThousandsOfContacts)
 {
   Study study;
-  study.model.foot_is_rigid = true;
   fem::ComplianceCache cache;
   for (const double height : { 0.134, 0.13457, 0.1346 })
   {
     study.motion.orbit.centre_of_mass_height = height;
-    const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+    const std::shared_ptr<ElasticFoot> foot =
+      study_foot(study, cache, silent_progress(), nullptr, {}, rigid_foot());
     const SharedLoad load = find_load(study, foot);
     study_spin(study, foot, *load, cache, silent_progress(), Depth::answer);
     EXPECT_LT(load->statistics()->n_contact_solutions, 600u) << height;
@@ -201,9 +203,8 @@ TEST(Fall, ThatIsNearIsNoCauseForThousandsOfContacts)
 TEST(Fall, IsAResult)
 {
   Study study = quick_contact_study();
-  study.model.foot_is_rigid = true;
   study.motion.orbit.centre_of_mass_height = 0.138;
-  const SolvedRun run(study);
+  const SolvedRun run(study, rigid_foot());
   const Json &ring = run.summary["ring"];
   EXPECT_EQ(ring["standing"], "tips");
   EXPECT_TRUE(ring["omega_terminal"].is_null());

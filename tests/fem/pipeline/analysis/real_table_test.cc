@@ -1,6 +1,6 @@
 // Terminal spins on mats, wood and cork. Kinds of reference: version 0.1 (other code for the balance, one
 // ring), and an independent prototype of contact, friction and moments in one system (stated to 1e-3).
-#include "fem/pipeline/analysis/refinement/refinement_study.h"
+#include "fem/pipeline/refinement/refinement_study.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 
 #include <gtest/gtest.h>
@@ -34,8 +34,9 @@ struct ByFriction
   explicit ByFriction(Study study)
   {
     both = SolvedStudy(study).omega();
-    study.model.friction_in_substrate = false;
-    foot = SolvedStudy(study).omega();
+    Model without_substrate;
+    without_substrate.friction_in_substrate = false;
+    foot = SolvedStudy(study, without_substrate).omega();
     study.contact.friction_coupling = FrictionCoupling::none;
     neither = SolvedStudy(study).omega();
   }

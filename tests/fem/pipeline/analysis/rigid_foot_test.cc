@@ -1,6 +1,6 @@
 // A rigid foot on a Winkler mat, from the study to its terminal spin. Reference: other code, quadrature in
 // two dimensions without rings, harmonics or kernels (tests/verification/rigid_foot.py, plain_rigid_foot.h).
-#include "fem/pipeline/analysis/refinement/error_bands.h"
+#include "fem/pipeline/refinement/error_bands.h"
 #include "ring_model/friction_law.h"
 #include "ring_model/spin/answer.h"
 #include "ring_model/terminal_spin.h"
@@ -30,7 +30,6 @@ const nlohmann::json &reference()
 Study rigid_foot_study(double foundation_modulus)
 {
   Study study;
-  study.model.foot_is_rigid = true;
   study.table.foundation_modulus = foundation_modulus;
   return study;
 }
@@ -53,7 +52,7 @@ TEST(RigidFoot, AFlatAnnulusInTheClosurePaper)
   for (const LoadCoupling coupling : { LoadCoupling::one_way, LoadCoupling::two_way })
   {
     study.load.coupling = coupling;
-    EXPECT_NEAR(SolvedStudy(study).omega(), expected, 1e-7 * std::abs(expected));
+    EXPECT_NEAR(SolvedStudy(study, test::rigid_foot()).omega(), expected, 1e-7 * std::abs(expected));
   }
 }
 
@@ -64,7 +63,7 @@ TEST(RigidFoot, WithGivenMomentsWithinTheBand)
     Study study = with_moment(rigid_foot_study(expected["k"]), expected["moment_ratio"]);
     study.glass.profile.crown_radius = expected["crown"];
     study.contact.azimuth_lines = 256; // a short arc carries all
-    SolvedStudy solved(study);
+    SolvedStudy solved(study, test::rigid_foot());
     const auto band =
       band_of(estimate_bands(study, solved.foot, solved.row, std::nullopt, solved.cache), "omega_terminal");
     ASSERT_TRUE(band);
@@ -138,7 +137,7 @@ TEST(RigidFoot, TendsToTheRingOfZeroWidthLikeItsWidthSquared)
     {
       Study study = with_moment(rigid_foot_study(modulus), moment_ratio);
       study.contact.azimuth_lines = 256; // a short arc carries all
-      const SolvedStudy solved(study);
+      const SolvedStudy solved(study, test::rigid_foot());
       const ring::UnilateralFoundation torus(study.glass.profile.contact_radius, 1.5, 4096);
       const ring::RingStack line =
         torus.rings(study.motion.orbit.normal_force(),
@@ -161,7 +160,7 @@ TEST(RigidFoot, InTheClosureFullWithTiltAndGrip)
     study.motion.tilt = expected["tilt"];
     study.motion.grip_torque = expected["grip"];
     const double omega = expected["omega"];
-    EXPECT_NEAR(SolvedStudy(study).omega(), omega, 1e-7 * std::abs(omega)) << expected;
+    EXPECT_NEAR(SolvedStudy(study, test::rigid_foot()).omega(), omega, 1e-7 * std::abs(omega)) << expected;
   }
 }
 
@@ -207,7 +206,7 @@ struct WavyFoot
 TEST(RigidFoot, WavyInBalanceAtEveryPhase)
 {
   WavyFoot foot;
-  const SolvedStudy solved(foot.study);
+  const SolvedStudy solved(foot.study, test::rigid_foot());
   const ring::Motion &motion = foot.study.motion.orbit;
   const double scale = motion.normal_force() * 0.03;
   double largest_lean = 0;
@@ -266,7 +265,7 @@ TEST(RigidFoot, WavyTurnsInTheLongRunAsItsForcesLetIt)
     }
     mean = orbit_rate - period / time;
   }
-  const SolvedStudy solved(foot.study);
+  const SolvedStudy solved(foot.study, test::rigid_foot());
   const ring::Answer found = ring::answer(solved.load, { foot.study.motion.orbit }).value();
   EXPECT_NEAR(*found.omega_terminal(), mean, 2e-4);
   EXPECT_NEAR(found.ripple / ((largest - least) / 2), 1, 5e-3);

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "fem/pipeline/analysis/budget.h"
-#include "fem/pipeline/analysis/sweep/sweep_case.h"
+#include "fem/pipeline/answer/sweep_case.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/feet/make_foot.h"
 
 #include <memory>
 
@@ -12,9 +13,9 @@ namespace stemware::test
 /// A study with its foot, its load and its terminal spin. Throws what these throw.
 struct SolvedStudy
 {
-  explicit SolvedStudy(const pipeline::Study &given)
+  explicit SolvedStudy(const pipeline::Study &given, const pipeline::Model &model = {})
       : study(given)
-      , foot(pipeline::study_foot(study, cache))
+      , foot(pipeline::study_foot(study, cache, pipeline::silent_progress(), nullptr, {}, model))
       , shared_load(pipeline::find_load(study, foot))
       , load(*shared_load)
   {
@@ -32,6 +33,14 @@ struct SolvedStudy
   const pipeline::BalancedLoad &load;
   ring::Answer row;
 };
+
+/// A foot without compliance.
+inline pipeline::Model rigid_foot()
+{
+  pipeline::Model model;
+  model.foot_is_rigid = true;
+  return model;
+}
 
 /// The budget of a study.
 inline pipeline::Budget whole_budget(const pipeline::Study &study, const pipeline::Executor &executor)

@@ -1,5 +1,6 @@
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/feet/make_foot.h"
 #include "ring_model/spin/answer.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/matchers.h"

@@ -1,6 +1,7 @@
 // The answer by the number of harmonics: in balance, or of the load of rest.
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/feet/make_foot.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 

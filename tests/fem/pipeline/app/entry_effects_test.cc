@@ -3,12 +3,13 @@
 // value, and the number of summary.json that must change. An entry that is read, checked and echoed, but not
 // passed on, fails here.
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/feet/contact_report.h"
+#include "fem/pipeline/feet/make_foot.h"
+#include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/report/run_results.h"
 #include "fem/pipeline/report/table_renderers.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/numbers.h"
 #include "tests/fem/pipeline/program_runner.h"
 

@@ -1,5 +1,6 @@
 // Solid feet that share what is the same. With MPI.
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/feet/make_foot.h"
 #include "fem/solid/solid_foot.h"
 
 #include <gtest/gtest.h>

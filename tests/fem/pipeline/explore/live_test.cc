@@ -2,7 +2,8 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/explore/explore_api.h"
 #include "fem/pipeline/explore/explorer.h"
-#include "fem/pipeline/explore/live_bodies.h"
+#include "fem/pipeline/feet/make_foot.h"
+#include "fem/pipeline/page/live_bodies.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "ring_model/spin/answer.h"
 

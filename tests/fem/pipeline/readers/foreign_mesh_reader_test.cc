@@ -1,7 +1,7 @@
 // Mesh files as other programs write them and as they break: the mesh, or at once the one sentence.
-#include "fem/geometry/foot_mesh.h"
-#include "fem/pipeline/coupling/usable_mesh.h"
-#include "fem/pipeline/study/study_size.h"
+#include "fem/meshing/foot_mesh.h"
+#include "fem/pipeline/feet/usable_mesh.h"
+#include "fem/pipeline/input/study_size.h"
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/pipeline/matchers.h"

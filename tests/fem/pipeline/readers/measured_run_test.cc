@@ -1,6 +1,6 @@
 // Runs of a glass as phones, video trackers, spreadsheets, instruments and boards write them. The files in
 // tables/ are made by hand after the documentation of these programs.
-#include "fem/pipeline/study/data_files.h"
+#include "fem/pipeline/input/data_files.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 

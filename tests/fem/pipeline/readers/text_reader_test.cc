@@ -1,8 +1,8 @@
 // Text files from other programs and editors: byte order marks, decimal commas, broken and deep JSON, numbers
 // that no glass has. Each is read, or refused with one sentence that names the place.
-#include "fem/pipeline/study/data_files.h"
-#include "fem/pipeline/study/study_file.h"
-#include "fem/pipeline/support/json_text.h"
+#include "fem/pipeline/input/data_files.h"
+#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/system/json_text.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 #include "tests/fem/temporary_file.h"

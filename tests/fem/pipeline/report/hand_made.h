@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/feet/contact_report.h"
 #include "fem/pipeline/report/results.h"
 #include "fem/pipeline/report/table_renderers.h"
 #include "tests/fem/pipeline/csv_table.h"

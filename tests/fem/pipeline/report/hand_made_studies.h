@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/analysis/refinement/refinement_study.h"
+#include "fem/pipeline/refinement/refinement_study.h"
 #include "fem/pipeline/report/mesh_results.h"
 #include "fem/pipeline/report/run_results.h"
 #include "tests/fem/pipeline/report/hand_made.h"

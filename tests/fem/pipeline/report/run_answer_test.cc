@@ -1,5 +1,5 @@
 // The sentences of `run`: its answer and its remarks.
-#include "fem/pipeline/analysis/sweep/sweep_case.h"
+#include "fem/pipeline/answer/sweep_case.h"
 #include "fem/pipeline/document/run_answer.h"
 #include "fem/pipeline/document/sentences.h"
 #include "fem/pipeline/document/spin_rows.h"

@@ -1,6 +1,6 @@
 // What a study is told that it cannot use: entries without effect are named, words of version 0.1 refused.
+#include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/study/study_checks.h"
-#include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"

@@ -1,9 +1,9 @@
 // Values that no glass has are computed after a warning; sizes that no machine has are refused before the
 // work.
+#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/input/study_size.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/study/study_file.h"
-#include "fem/pipeline/study/study_size.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/fem/pipeline/refusal.h"

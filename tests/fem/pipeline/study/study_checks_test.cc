@@ -1,5 +1,5 @@
 // Values that do not go together, that no glass has, and choices that one entry makes for another.
-#include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/input/study_file.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 

@@ -1,5 +1,5 @@
+#include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"

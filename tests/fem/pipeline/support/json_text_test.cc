@@ -1,4 +1,4 @@
-#include "fem/pipeline/support/json_text.h"
+#include "fem/pipeline/system/json_text.h"
 #include "tests/fem/pipeline/matchers.h"
 
 #include <gtest/gtest.h>

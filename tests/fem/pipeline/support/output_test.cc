@@ -1,6 +1,6 @@
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/output.h"
-#include "fem/pipeline/support/text_file.h"
+#include "fem/pipeline/system/output.h"
+#include "fem/pipeline/system/text_file.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 

@@ -1,4 +1,4 @@
-#include "fem/pipeline/variants/executor.h"
+#include "fem/pipeline/answer/threaded_executor.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ private:
 void on_threads(unsigned int n_threads, std::size_t n, const std::function<void(std::size_t)> &work)
 {
   fem::ComplianceCache cache;
-  Executor(cache, n_threads).for_each(n, work);
+  ThreadedExecutor(cache, n_threads).for_each(n, work);
 }
 
 } // namespace

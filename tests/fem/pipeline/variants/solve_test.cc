@@ -1,5 +1,6 @@
-#include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/answer/threaded_executor.h"
+#include "fem/pipeline/refinement/error_bands.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "fem/pipeline/variants/solve.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
@@ -24,7 +25,7 @@ std::vector<double> digits_on(unsigned int n_threads)
 {
   const SolvedStudy solved(quick_contact_study());
   fem::ComplianceCache cache;
-  const Executor executor(cache, n_threads);
+  const ThreadedExecutor executor(cache, n_threads);
   const SpinStudy spin = study_spin(solved.study, solved.foot, solved.load, executor);
   std::vector<double> digits = { spin.one_ring->omega_terminal().value_or(0) };
   for (const BudgetRow &row : spin.budget.rows)
@@ -84,7 +85,7 @@ TEST(Solve, AnyFailureIsOfItsVariantUnlessRanksWouldWait)
   const auto question = [](const Variant &, const std::shared_ptr<ElasticFoot> &) -> int
   { throw std::logic_error("a bug"); };
   fem::ComplianceCache cache;
-  Executor executor(cache);
+  ThreadedExecutor executor(cache);
   EXPECT_THROW(solve(variants, nullptr, question, executor)[1].value(), std::logic_error);
   executor.keeps_all_failures = false;
   EXPECT_THROW(solve(variants, nullptr, question, executor), std::logic_error);

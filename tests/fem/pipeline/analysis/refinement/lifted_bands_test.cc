@@ -1,8 +1,8 @@
 // Do error bands hold with lift-off? Random states of a rigid crowned foot on a mat, each beside other code
 // that includes nothing of fem/: quadrature over the plane that ends at the edges of the contact
 // (tests/verification/plain_lifted_foot.h).
-#include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/refinement/error_bands.h"
 #include "ring_model/spin/answer.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/verification/plain_lifted_foot.h"
@@ -36,7 +36,6 @@ struct LiftedState
   Study study() const
   {
     Study study;
-    study.model.foot_is_rigid = true;
     if (moment_ratio > 0)
     {
       study.load.moment_ratio = moment_ratio;
@@ -68,7 +67,7 @@ public:
   void add(const LiftedState &state)
   {
     const Study study = state.study();
-    SolvedStudy solved(study);
+    SolvedStudy solved(study, test::rigid_foot());
     const SharedLoad first = find_load(study, solved.foot, silent_progress(), 1);
     const std::optional<double> omega_first =
       ring::answer(*first, spin_question(study)).value().omega_terminal();

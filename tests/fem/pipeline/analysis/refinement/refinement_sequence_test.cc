@@ -1,5 +1,5 @@
 // Observed orders, Richardson values and bands of sequences whose limit is known.
-#include "fem/pipeline/analysis/refinement/refinement_study.h"
+#include "fem/pipeline/refinement/refinement_study.h"
 
 #include <gtest/gtest.h>
 

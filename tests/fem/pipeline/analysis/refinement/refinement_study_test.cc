@@ -1,9 +1,10 @@
 // Which levels a study is refined on, and whether the bands that they make hold: beside the same study with
 // much finer meshes.
-#include "fem/pipeline/analysis/refinement/error_bands.h"
-#include "fem/pipeline/analysis/refinement/refinement_study.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/feet/make_foot.h"
+#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/refinement/error_bands.h"
+#include "fem/pipeline/refinement/refinement_study.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/spin/answer.h"
@@ -290,7 +291,7 @@ public:
 TEST(ErrorBands, NoneWhereAChangedContactHasNoBalance)
 {
   const test::SolvedStudy solved(test::quick_contact_study());
-  const Executor executor([](const Study &, const fem::Foot *)
+  const Executor executor([](const Study &, const Discretisation &, const Model &, const fem::Foot *)
                           { return std::make_shared<FootWithoutBalance>(); });
   EXPECT_TRUE(estimate_bands(solved.study, solved.foot, solved.row, std::nullopt, executor).empty());
 }

@@ -1,8 +1,9 @@
 // The error bands of a solid foot. Oracle: the body of revolution on the same profile, refined, with its own
 // bands. With MPI.
-#include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/variants/band_changes.h"
+#include "fem/pipeline/feet/make_foot.h"
+#include "fem/pipeline/refinement/band_changes.h"
+#include "fem/pipeline/refinement/error_bands.h"
 #include "ring_model/spin/answer.h"
 
 #include <gtest/gtest.h>

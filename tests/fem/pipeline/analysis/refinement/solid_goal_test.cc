@@ -1,6 +1,7 @@
 // Contact/Goal of a solid foot, whose estimates and meshes are judged by the body of revolution. With MPI.
-#include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/feet/make_foot.h"
+#include "fem/pipeline/refinement/goal_mesh.h"
 #include "ring_model/spin/answer.h"
 
 #include <gtest/gtest.h>
@@ -36,10 +37,10 @@ double value_of(Study study, Goal goal, unsigned int refinements)
   return ring::answer(*load, { study.motion.orbit }).value().omega_terminal().value();
 }
 
-GoalError error_of(const Study &study)
+GoalError error_of(const Study &study, const Discretisation &discretisation = {})
 {
   fem::ComplianceCache cache;
-  const auto foot = study_foot(study, cache);
+  const auto foot = study_foot(study, cache, silent_progress(), nullptr, discretisation);
   const SharedLoad load = find_load(study, foot);
   const double omega = ring::answer(*load, { study.motion.orbit }).value().omega_terminal().value();
   return goal_error(study, *foot, *load, omega, study.contact.goal, true).value();
@@ -67,7 +68,7 @@ TEST(SolidGoal, EstimatesAreTheErrorsOnACoarseMesh)
     EXPECT_LT(ratio, 1.25);
     study.contact.goal_tolerance = 1.1 * std::abs(found.error.correction / found.value);
     fem::ComplianceCache cache;
-    EXPECT_TRUE(mesh_for_goal(study, cache).study.contact.halved.empty());
+    EXPECT_TRUE(mesh_for_goal(study, cache).discretisation.halved.empty());
   }
 }
 
@@ -77,7 +78,7 @@ TEST(SolidGoal, LeavesAStudyWithoutAGoalAlone)
   study.contact.body = BodyKind::solid;
   fem::ComplianceCache cache;
   const MeshForGoal meshed = mesh_for_goal(study, cache);
-  EXPECT_TRUE(meshed.study.contact.halved.empty());
+  EXPECT_TRUE(meshed.discretisation.halved.empty());
   EXPECT_FALSE(meshed.outcome);
 }
 
@@ -93,19 +94,19 @@ TEST(SolidGoal, EstimatesAreTheErrorsAgainstTheBodyOfRevolution)
   {
     SCOPED_TRACE(static_cast<int>(goal));
     study.contact.goal = goal;
-    study.contact.halved.clear();
+    Discretisation mesh;
     const double exact = value_of(of_revolution, goal, 2);
     EXPECT_NEAR(value_of(of_revolution, goal, 1), exact, 1e-7 * (goal == Goal::a2 ? 1 : std::abs(exact)));
     double first = 0, value = 0;
     for (unsigned int n = 0; n < 3; ++n)
     {
-      const GoalError found = error_of(study);
+      const GoalError found = error_of(study, mesh);
       const double error = exact - found.value;
       RecordProperty("ratio_" + std::to_string(static_cast<int>(goal)) + "_" + std::to_string(n),
                      std::to_string(found.error.correction / error));
       EXPECT_GT(found.error.correction / error, 0.8) << "mesh " << n << ", error " << error;
       EXPECT_LT(found.error.correction / error, 1.25) << "mesh " << n << ", error " << error;
-      study.contact.halved.push_back(found.error.mark(0.8));
+      mesh.halved.push_back(found.error.mark(0.8));
       if (n == 0)
       {
         first = error;
@@ -115,10 +116,9 @@ TEST(SolidGoal, EstimatesAreTheErrorsAgainstTheBodyOfRevolution)
     }
     if (goal != Goal::terminal_spin)
       continue;
-    study.contact.halved.clear();
     study.contact.goal_tolerance = std::abs(0.4 * first / value);
     fem::ComplianceCache cache;
-    EXPECT_EQ(mesh_for_goal(study, cache).study.contact.halved.size(), 1u);
+    EXPECT_EQ(mesh_for_goal(study, cache).discretisation.halved.size(), 1u);
   }
 }
 

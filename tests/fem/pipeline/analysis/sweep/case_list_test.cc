@@ -1,5 +1,5 @@
 // The cases of a sweep: grids, tables, and refusals.
-#include "fem/pipeline/analysis/sweep/case_list.h"
+#include "fem/pipeline/answer/case_list.h"
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"

@@ -1,6 +1,6 @@
 // Numbers of one case of a sweep.
 #include "fem/pipeline/analysis/budget.h"
-#include "fem/pipeline/analysis/sweep/sweep_case.h"
+#include "fem/pipeline/answer/sweep_case.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 

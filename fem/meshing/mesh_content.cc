@@ -1,0 +1,101 @@
+#include "fem/meshing/mesh_content.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace stemware::fem
+{
+
+namespace
+{
+
+constexpr std::string_view blanks = " \t\r\n\f\v";
+
+template <typename Number>
+std::optional<Number> whole_word(std::string_view word)
+{
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-')
+    word.remove_prefix(1);
+  Number value{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size())
+    return std::nullopt;
+  return value;
+}
+
+[[noreturn]] void refuse_word(std::string_view word)
+{
+  if (word.empty())
+    throw UnreadableMesh("ends too early; export the mesh anew.");
+  throw UnreadableMesh("has \"" + printable(word, 20) + "\" where a number belongs; export the mesh anew.");
+}
+
+} // namespace
+
+std::string printable(std::string_view text, std::size_t max_length)
+{
+  std::string shown(text.substr(0, max_length));
+  for (char &letter : shown)
+    letter = letter < ' ' || letter > '~' ? '?' : letter;
+  return shown;
+}
+
+std::optional<double> number_in(std::string_view word)
+{
+  return whole_word<double>(word);
+}
+
+std::optional<long> whole_number_in(std::string_view word)
+{
+  return whole_word<long>(word);
+}
+
+std::string_view Tokenizer::next()
+{
+  rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+  const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
+  rest.remove_prefix(word.size());
+  return word;
+}
+
+double Tokenizer::number()
+{
+  const std::string_view word = next();
+  if (const auto value = number_in(word))
+    return *value;
+  refuse_word(word);
+}
+
+long Tokenizer::whole_number()
+{
+  const std::string_view word = next();
+  if (const auto value = whole_number_in(word))
+    return *value;
+  refuse_word(word);
+}
+
+unsigned int marked_id(long id)
+{
+  if (id < 1 || id > 1000000000)
+    throw UnreadableMesh("marks faces with the id " + std::to_string(id) +
+                         "; give ids from 1 to 1000000000.");
+  return static_cast<unsigned int>(id);
+}
+
+void NumberedPoints::add(long number, const std::array<double, 3> &point)
+{
+  if (!index.emplace(number, static_cast<unsigned int>(points.size())).second)
+    throw UnreadableMesh("has two nodes of the number " + std::to_string(number) + "; export one part.");
+  points.push_back(point);
+}
+
+unsigned int NumberedPoints::at(long number) const
+{
+  const auto found = index.find(number);
+  if (found == index.end())
+    throw UnreadableMesh("has an element at node " + std::to_string(number) +
+                         ", which it does not have; export the mesh anew.");
+  return found->second;
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,200 @@
+#include "fem/geometry/require.h"
+#include "fem/meshing/mesh_content.h"
+
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+#include <deal.II/grid/tria_description.h>
+
+#include <boost/algorithm/string/case_conv.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+namespace
+{
+
+std::array<unsigned int, 4> sorted(std::array<unsigned int, 4> corners)
+{
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+/// Throws UnreadableMesh if corners of hexahedra coincide and are not shared: such cells only seem to be
+/// joined.
+void require_shared_nodes(const MeshContent &content)
+{
+  std::vector<unsigned int> corners;
+  for (const auto &hexahedron : content.hexahedra)
+    corners.insert(corners.end(), hexahedron.begin(), hexahedron.end());
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  double size = 0;
+  for (const unsigned int i : corners)
+    for (const double coordinate : content.points[i])
+      size = std::max(size, std::abs(coordinate));
+  // Far more than rounding and far less than a cell; the offset keeps round numbers off the borders.
+  const double tolerance = 1e-7 * size, offset = 0.2137;
+  std::vector<std::array<double, 4>> places; // three coordinates in tolerances, and the index
+  for (const unsigned int i : corners)
+  {
+    places.push_back({ 0, 0, 0, static_cast<double>(i) });
+    for (unsigned int d = 0; d < 3; ++d)
+      places.back()[d] = std::floor(content.points[i][d] / tolerance + offset);
+  }
+  std::sort(places.begin(), places.end());
+  std::size_t n_repeated = 0, first = 0;
+  for (std::size_t i = 1; i < places.size(); ++i)
+    if (std::equal(places[i].begin(), places[i].begin() + 3, places[i - 1].begin()))
+      first = n_repeated++ == 0 ? i : first;
+  if (n_repeated == 0)
+    return;
+  std::array<double, 3> x = content.points[static_cast<unsigned int>(places[first][3])];
+  for (double &coordinate : x)
+    coordinate = std::abs(coordinate) < tolerance ? 0 : coordinate;
+  throw UnreadableMesh(
+    sentence("has ", n_repeated, " nodes that coincide with others and are not shared, one at (", x[0], ", ",
+             x[1], ", ", x[2],
+             ") m; merge them (Gmsh: Coherence, or a larger Geometry.Tolerance), so that the "
+             "foot is one body."));
+}
+
+/// Throws UnreadableMesh where points are no numbers, cells no hexahedra, or faces not those of one or two
+/// cells: deal.II takes the latter for granted.
+void require_mesh(const MeshContent &content)
+{
+  if (content.hexahedra.empty())
+    throw UnreadableMesh("has no hexahedra; mesh the foot in hexahedra (Gmsh: Mesh.RecombineAll, "
+                         "Mesh.SubdivisionAlgorithm = 2).");
+  for (const std::array<double, 3> &point : content.points)
+    for (const double coordinate : point)
+      if (!(std::abs(coordinate) < 1e6))
+        throw UnreadableMesh("has coordinates outside the range of a foot; export the mesh again.");
+  require_shared_nodes(content);
+  std::vector<std::array<unsigned int, 4>> faces;
+  faces.reserve(6 * content.hexahedra.size());
+  for (std::array<unsigned int, 8> corners : content.hexahedra)
+  {
+    for (const auto &face : faces_of_hexahedron)
+      faces.push_back(sorted({ corners[face[0]], corners[face[1]], corners[face[2]], corners[face[3]] }));
+    std::sort(corners.begin(), corners.end());
+    if (std::adjacent_find(corners.begin(), corners.end()) != corners.end())
+      throw UnreadableMesh("has a hexahedron that has a corner twice; export the mesh anew.");
+  }
+  std::sort(faces.begin(), faces.end());
+  for (std::size_t i = 2; i < faces.size(); ++i)
+    if (faces[i] == faces[i - 2])
+      throw UnreadableMesh("has a face between three hexahedra; export the mesh anew.");
+  for (const MarkedFace &face : content.faces)
+  {
+    const auto [begin, end] = std::equal_range(faces.begin(), faces.end(), sorted(face.corners));
+    if (end - begin != 1)
+      throw UnreadableMesh("marks a face that is not on the surface of its hexahedra with the id " +
+                           std::to_string(face.id) + "; mark faces of the surface only.");
+  }
+}
+
+/// The marked faces by their corners. Throws UnreadableMesh where one is marked with two ids.
+std::map<std::array<unsigned int, 4>, MarkedFace> once(const std::vector<MarkedFace> &faces)
+{
+  std::map<std::array<unsigned int, 4>, MarkedFace> marked;
+  for (const MarkedFace &face : faces)
+    if (const unsigned int id = marked.emplace(sorted(face.corners), face).first->second.id; id != face.id)
+      throw UnreadableMesh("marks a face with the ids " + std::to_string(std::min(id, face.id)) + " and " +
+                           std::to_string(std::max(id, face.id)) + "; give each face one id.");
+  return marked;
+}
+
+void build(const MeshContent &content, Triangulation<3> &triangulation)
+{
+  // The files go round a face, deal.II along it.
+  constexpr unsigned int order[] = { 0, 1, 3, 2, 4, 5, 7, 6 };
+  require_mesh(content);
+  std::vector<Point<3>> points;
+  for (const auto &x : content.points)
+    points.emplace_back(x[0], x[1], x[2]);
+  std::vector<CellData<3>> cells;
+  for (const auto &corners : content.hexahedra)
+  {
+    cells.emplace_back(8);
+    for (unsigned int k = 0; k < 8; ++k)
+      cells.back().vertices[k] = corners[order[k]];
+  }
+  SubCellData faces;
+  for (const auto &[corners, face] : once(content.faces))
+  {
+    faces.boundary_quads.emplace_back(4);
+    for (unsigned int k = 0; k < 4; ++k)
+      faces.boundary_quads.back().vertices[k] = face.corners[order[k]];
+    faces.boundary_quads.back().boundary_id = face.id;
+  }
+  try
+  {
+    GridTools::delete_unused_vertices(points, cells, faces);
+    GridTools::invert_all_negative_measure_cells(points, cells);
+    GridTools::consistently_order_cells(cells);
+    triangulation.create_triangulation(points, cells, faces);
+  }
+  catch (const std::exception &failure)
+  {
+    if (std::string(failure.what()).find("negative volume") != std::string::npos)
+      throw UnreadableMesh("has inverted cells; mesh the foot again.");
+    throw UnreadableMesh("has hexahedra that do not form a mesh of a body; mesh the foot again.");
+  }
+}
+
+/// Returns the whole file, as text without a byte order mark.
+std::string text_of(const std::string &file_name)
+{
+  std::ifstream file(file_name, std::ios::binary);
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file_name, error);
+  std::string text(error ? 0 : size, '\0');
+  if (!file || error || !file.read(text.data(), static_cast<std::streamsize>(text.size())))
+    throw UnreadableMesh("cannot be read; give the path of a .msh or .inp file.");
+  if (text.empty())
+    throw UnreadableMesh("is empty; export the mesh anew.");
+  if (text.compare(0, 2, "\xFF\xFE") == 0 || text.compare(0, 2, "\xFE\xFF") == 0)
+    throw UnreadableMesh("is in UTF-16; save it in ASCII or UTF-8.");
+  if (text.compare(0, 3, "\xEF\xBB\xBF") == 0)
+    text.erase(0, 3);
+  return text;
+}
+
+} // namespace
+
+MeshFileFacts read_hexahedra(const std::string &file_name, double unit, Triangulation<3> &triangulation)
+{
+  const std::map<std::string, MeshContent (*)(const std::string &)> readers = { { ".msh", read_gmsh },
+                                                                                { ".inp", read_abaqus } };
+  const std::size_t dot = file_name.find_last_of('.');
+  const auto reader =
+    readers.find(dot == std::string::npos ? "" : boost::to_lower_copy(file_name.substr(dot)));
+  const std::string subject = "Mesh file = " + file_name + " ";
+  if (reader == readers.end())
+    throw std::invalid_argument(
+      subject + "has no known file name extension; give a .msh or .inp file, and convert others: " +
+      gmsh_command + ", or for .vtu and what Gmsh does not read " + meshio_command + ".");
+  try
+  {
+    MeshContent content = reader->second(text_of(file_name));
+    for (std::array<double, 3> &point : content.points)
+      for (double &coordinate : point)
+        coordinate *= unit;
+    build(content, triangulation);
+    return { content.is_second_order, content.names };
+  }
+  catch (const UnreadableMesh &reason)
+  {
+    throw std::invalid_argument(subject + reason.what());
+  }
+}
+
+} // namespace stemware::fem

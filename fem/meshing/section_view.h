@@ -1,0 +1,23 @@
+#pragma once
+
+#include "fem/geometry/section_lengths.h"
+
+#include <vector>
+
+namespace dealii
+{
+template <int dim, int spacedim>
+class Triangulation;
+}
+
+namespace stemware::fem
+{
+
+/// Cells of a meridional mesh, edges straight.
+std::vector<SectionPolygon> section_cells(const dealii::Triangulation<2, 2> &triangulation);
+
+/// Returns the section of the cells of a foot (straight edges) with the half-plane at @p azimuth [rad]
+/// through the axis. A distributed mesh is cut as a whole on each rank.
+std::vector<SectionPolygon> section_cells(const dealii::Triangulation<3, 3> &triangulation, double azimuth);
+
+} // namespace stemware::fem

@@ -1,0 +1,147 @@
+#include "fem/pipeline/answer/study_answer.h"
+
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/input/study_size.h"
+#include "ring_model/no_balance.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+std::string size_text(const fem::FootDescription &foot)
+{
+  const std::string cells = foot.n_cells ? fmt::format(FMT_STRING("{} cells, "), *foot.n_cells) : "";
+  std::string text = fmt::format(FMT_STRING("{}, {}{} unknowns, {} contact nodes"), foot.body, cells,
+                                 foot.n_unknowns, foot.n_contact_nodes);
+  if (foot.mesh_report) // moment ratios are over Glass/Contact radius
+    text += foot.mesh_report->round_rim
+              ? fmt::format(FMT_STRING("\n          the mesh's rim has a radius of {:.6g} m"),
+                            foot.mesh_report->rim_radius)
+              : fmt::format(
+                  FMT_STRING("\n          the land is not round; its contact radius is {:.6g} m, the "
+                             "mean of the\n          border's smallest and largest distance from the axis"),
+                  foot.mesh_report->rim_radius);
+  if (foot.mesh_report && foot.mesh_report->land_area_deficit > 0)
+    text += fmt::format(FMT_STRING("\n          straight edges: the land's area is {:.2g} % too small"),
+                        100 * foot.mesh_report->land_area_deficit);
+  return text;
+}
+
+/// study_foot(); @p progress is told its size, and what a reader should know about its friction and its load.
+/// Nothing where the load does not come from a contact.
+std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &executor, Progress &progress,
+                                            const Discretisation &discretisation = {})
+{
+  constexpr double worth_saying = 1e9;
+  if (const StudySize size = size_of(study); size.memory > worth_saying)
+    progress.note("Memory",
+                  fmt::format(FMT_STRING("about {:.2g} GB for {:.0f} cells"), size.memory / 1e9, size.cells));
+  std::shared_ptr<ElasticFoot> foot;
+  executor.for_each(
+    1, [&](std::size_t) { foot = study_foot(study, executor.make_foot, progress, nullptr, discretisation); },
+    is_collective(study));
+  if (!foot)
+    return foot;
+  progress.note("Foot", size_text(foot->body().description()));
+  if (const std::string note = friction_note(study); !note.empty())
+    progress.note("Friction", note);
+  if (const std::string note = frozen_note(study); !note.empty())
+    progress.note("Coupling", note);
+  return foot;
+}
+
+} // namespace
+
+StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, Progress &progress,
+                         bool with_fields)
+{
+  // 1. The load on the table, and what it does to the ring.
+  const MeshForGoal mesh = mesh_for_goal(study, executor, progress);
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress, mesh.discretisation);
+  const SharedLoad load = find_load(study, foot, progress);
+  StudyAnswer answer = { mesh.outcome };
+  answer.spin = study_spin(study, foot, *load, executor, progress, depth);
+  progress.stage_done("ring");
+  answer.contact = describe(study, foot, *load, answer.spin.all().last_spin().value());
+  progress.stage_done("report_of_contact");
+
+  // 2. Fields, and meanwhile what the discretisation leaves open.
+  const std::shared_ptr<const ElasticFoot> of_fields = foot && with_fields ? foot->clone() : nullptr;
+  const auto find = [&](std::size_t i)
+  {
+    if (i == 0 && of_fields && answer.contact.foot)
+      add_fields(study, *of_fields, *answer.contact.foot);
+    if (i == 1)
+      answer.bands = estimate_bands(study, foot, answer.spin.all(), answer.spin.rows.front().omega_terminal(),
+                                    executor, progress);
+  };
+  executor.for_each(depth == Depth::full ? 2 : 1, find, is_collective(study));
+  if (depth == Depth::full)
+  {
+    use_reported_values(answer.contact.load, answer.spin.budget, answer.bands);
+    add_bands(band_of(answer.bands, "omega_terminal"), band_of(answer.bands, "omega_first_harmonic"),
+              answer.spin.budget.rows);
+  }
+  progress.stage_done("bands_and_fields");
+  return answer;
+}
+
+TruncatedStudy truncate_study(const Study &study, const Executor &executor, Progress &progress)
+{
+  TruncatedStudy truncated;
+  const std::shared_ptr<ElasticFoot> foot =
+    announced_foot(study, executor, progress, mesh_for_goal(study, executor, progress).discretisation);
+  const SharedLoad load = find_load(study, foot, progress);
+  for (const LoadedRow &answer :
+       rows_by_harmonics(study, foot, *load, spin_question(study), executor, progress).by_harmonics)
+    truncated.rows.push_back(answer.row);
+  if (!truncated.rows.back().terminal)
+    throw ring::NoBalance(truncated.rows.back().reason +
+                          ": no terminal spin to compare with; stemware run shows it");
+  truncated.load = load->report();
+  progress.stage_done("truncations");
+  return truncated;
+}
+
+ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor,
+                          Progress &progress)
+{
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
+  const SharedLoad load = find_load(study, foot);
+  ring::Question question = { study.motion.orbit };
+  question.with_slope = true;
+  const double omega = terminal_spin_of(ring::answer(*load, question));
+  const std::vector<double> spins = spins_of_interest(omega);
+  const std::vector<QuantityOfInterest> own = quantities_of_load(study, *load, spins, omega);
+  progress.stage_done("study");
+  ErrorBands bands = refine(own, spins, axes, executor, progress);
+  progress.stage_done("levels");
+  return bands;
+}
+
+FitResult fit_study(const std::vector<RunToFit> &runs, FitQuestion question, const Executor &executor,
+                    Progress &progress)
+{
+  if (question.with_profiles)
+    question.band = [&](const Study &study) -> std::optional<double>
+    {
+      if (!study.load.is_from_contact())
+        return std::nullopt;
+      const std::shared_ptr<ElasticFoot> foot = study_foot(study, executor.make_foot);
+      ring::Question slope;
+      slope.with_slope = true;
+      const ring::Answer all = ring::answer(*find_load(study, foot), spin_question(study, slope));
+      const auto band = band_of(estimate_bands(study, foot, all, {}, executor), "omega_terminal");
+      return band && all.omega_terminal() ? std::optional(std::abs(*band / *all.omega_terminal()))
+                                          : std::nullopt;
+    };
+  return fit(runs, question, executor, progress);
+}
+
+} // namespace stemware::pipeline

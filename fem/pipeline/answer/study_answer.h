@@ -1,0 +1,52 @@
+#pragma once
+
+#include "fem/pipeline/analysis/fit.h"
+#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/feet/contact_report.h"
+#include "fem/pipeline/refinement/error_bands.h"
+#include "fem/pipeline/refinement/goal_mesh.h"
+#include "fem/pipeline/refinement/refinement_study.h"
+
+#include <optional>
+#include <vector>
+
+/// One function for each question about a study, shared by the program's verbs and Python.
+namespace stemware::pipeline
+{
+
+/// Answer of `run`, whose document make_document() makes.
+struct StudyAnswer
+{
+  std::optional<GoalOutcome> goal = {};
+  ContactReport contact = {};
+  SpinStudy spin = {};
+  ErrorBands bands = {}; ///< empty with Depth::answer
+};
+
+/// Answers @p study, a checked study. @p with_fields: also fields and stressed section of the foot.
+/// Collective if the body is. Throws BadInput, fem::ContactFailure, and ring::NoBalance without a balance or
+/// a terminal spin.
+StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, Progress &progress,
+                         bool with_fields);
+
+/// Answer of `truncate`.
+struct TruncatedStudy
+{
+  LoadReport load = {};
+  std::vector<ring::Answer> rows = {}; ///< rows_by_harmonics()
+};
+
+/// Solves @p study with decreasing numbers of harmonics. Throws as answer_study(), and ring::NoBalance if all
+/// harmonics have no terminal spin.
+TruncatedStudy truncate_study(const Study &study, const Executor &executor, Progress &progress);
+
+/// Solves @p study on the levels of @p axes, its refinement_axes(). Throws as answer_study() and refine().
+ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor,
+                          Progress &progress);
+
+/// fit() of runs, with the error bands of their discretisations if profiles are
+/// wanted. Throws as fit() and answer_study().
+FitResult fit_study(const std::vector<RunToFit> &runs, FitQuestion question, const Executor &executor,
+                    Progress &progress);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,97 @@
+#include "fem/pipeline/feet/failure_sentence.h"
+
+#include "fem/contact/contact_solution.h"
+#include "fem/pipeline/feet/finite_elements.h"
+#include "fem/pipeline/system/ranks.h"
+#include "ring_model/no_balance.h"
+
+#include <filesystem>
+#include <iostream>
+#include <new>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+struct Failure
+{
+  std::string sentence;
+  ExitCode code = ExitCode::numerical_failure;
+  bool is_everywhere = false; ///< all ranks have met it; others would wait for this one for ever
+};
+
+/// The exception that is being handled.
+Failure present_failure()
+{
+  try
+  {
+    throw;
+  }
+  catch (const BadInput &failure)
+  {
+    return { failure.what(), ExitCode::bad_input, true };
+  }
+  catch (const OutputFailure &failure)
+  {
+    return { failure.what(), ExitCode::output_failure, true };
+  }
+  catch (const fem::TippingDemand &failure)
+  {
+    return { std::string("The foot cannot stand: ") + failure.what(), ExitCode::bad_input, true };
+  }
+  catch (const fem::ContactFailure &failure)
+  {
+    return { std::string("No contact solution: ") + failure.what(), ExitCode::numerical_failure, true };
+  }
+  catch (const ring::NoBalance &failure)
+  {
+    return { failure.what(), ExitCode::numerical_failure, true };
+  }
+  catch (const std::filesystem::filesystem_error &failure)
+  {
+    return { failure.path1().string() + " cannot be made, read or written (" + failure.code().message() +
+               "); make room, or choose another folder with --output.",
+             ExitCode::output_failure };
+  }
+  catch (const std::bad_alloc &)
+  {
+    return { "The study does not fit into this machine's memory; use fewer cells or Contact/Degree = 1." };
+  }
+  catch (const std::exception &failure)
+  {
+    const FiniteElementFunctions *elements = loaded_finite_elements();
+    const std::string of_dealii = elements ? elements->sentence_of(failure) : "";
+    return { of_dealii.empty() ? failure.what() : of_dealii };
+  }
+}
+
+std::string closed(const std::string &sentence)
+{
+  const std::string line = on_one_line(sentence);
+  const bool is_closed = !line.empty() && (line.back() == '.' || line.back() == '?' || line.back() == ')');
+  return is_closed ? line : line + ".";
+}
+
+} // namespace
+
+std::string failure_sentence()
+{
+  return closed(present_failure().sentence);
+}
+
+ExitCode report_failure()
+{
+  const Failure failure = present_failure();
+  if (is_first_rank() || !failure.is_everywhere)
+  {
+    std::cout << std::flush;
+    std::cerr << "stemware: " << closed(failure.sentence) << std::endl;
+  }
+  if (n_ranks() > 1 && !failure.is_everywhere)
+    abort_all_ranks(static_cast<int>(failure.code));
+  return failure.code;
+}
+
+} // namespace stemware::pipeline

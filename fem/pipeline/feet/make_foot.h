@@ -1,0 +1,43 @@
+#pragma once
+
+#include "fem/contact/foot.h"
+#include "fem/meridian/compliance_cache.h"
+#include "fem/meshing/section_view.h"
+#include "fem/pipeline/coupling/study_load.h"
+
+#include <memory>
+
+namespace stemware::pipeline
+{
+
+/// Loads the modules that make the foot of @p study, and starts MPI for a solid one. Throws BadInput if a
+/// module cannot be loaded.
+void load_modules_of(const Study &study);
+
+/// Makes the foot of a study on its table; feet with the same @p cache share compliances. Collective for a
+/// solid foot, which shares mesh and elements with @p similar if both are equal and not used simultaneously.
+/// Throws BadInput as load_modules_of(), and for an unusable mesh file or setup.
+std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache,
+                                     const fem::Foot *similar = nullptr,
+                                     const Discretisation &discretisation = {}, const Model &model = {});
+
+/// Returns make_foot() with @p cache, which must outlive it.
+FootMaker foot_maker(fem::ComplianceCache &cache);
+
+/// Returns study_foot() by make_foot() with the shared @p cache.
+std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache &cache,
+                                        Progress &progress = silent_progress(),
+                                        const ElasticFoot *similar = nullptr,
+                                        const Discretisation &discretisation = {}, const Model &model = {});
+
+/// Returns the meridional section of the study's foot with its cells; not collective. Throws as make_foot().
+std::vector<fem::SectionPolygon> foot_section(const Study &study, const Discretisation &discretisation = {});
+
+/// Returns whether the meridional mesh of @p study has smaller cells in the expected contact zone.
+bool has_focused_mesh(const Study &study, const Discretisation &discretisation);
+
+/// Returns whether the foot of @p study uses a penalty law for a hard table (Discretisation::hardness); a
+/// solid foot on a mesh without a hierarchy has nodal multipliers.
+bool uses_penalty_for_hard_table(const Study &study, const Discretisation &discretisation);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,164 @@
+#include "fem/pipeline/input/study_size.h"
+
+#include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// The program and its libraries.
+constexpr double memory_of_the_program = 1.6e8;
+
+/// A dense system of harmonics times places across the land, the state on all lines, and a few factorised
+/// meridional sections.
+void add_body_of_revolution(const Study &study, StudySize &size)
+{
+  const ContactSection &contact = study.contact;
+  const fem::GlassProfile &profile = study.glass.profile;
+  const double halvings = std::pow(2., contact.refinements);
+  const double across = contact.degree * 2. * contact.resolution.radial_cells * halvings + 1;
+  const auto slenderness = [](double length, double thickness) { return std::ceil(length / thickness); };
+  double coarse =
+    40 * contact.resolution.radial_cells + 4 * (slenderness(profile.foot_radius, profile.foot_thickness) +
+                                                slenderness(profile.stem_height, profile.stem_radius));
+  if (study.table.make().substrate)
+    coarse += 4 * slenderness(study.table.disc.radius, study.table.disc.thickness);
+  size.cells = coarse * halvings * halvings;
+  const double nodes = size.cells * contact.degree * contact.degree;
+  size.unknowns = across * (2. * contact.harmonics + 1);
+  size.memory += 3 * 800 * nodes + 52 * size.unknowns * size.unknowns + 4000 * across * contact.azimuth_lines;
+}
+
+/// The vertices of a mesh file: the number in its section $Nodes, the second one of Gmsh's format 4; of files
+/// without that section the bytes over those that a vertex takes with its cell. 0 where there is no file.
+double n_vertices(const std::string &file)
+{
+  constexpr double bytes_per_vertex = 80;
+  constexpr std::size_t head_size = 100000;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error))
+    return 0;
+  std::string head(head_size, '\0'); // a line may be as long as the file
+  std::ifstream(file).read(head.data(), head_size);
+  std::istringstream stream(head);
+  std::string line;
+  while (std::getline(stream, line))
+    if (line.rfind("$Nodes", 0) == 0 && std::getline(stream, line))
+    {
+      double first = 0, second = 0;
+      std::istringstream numbers(line);
+      return numbers >> first >> second ? second : first;
+    }
+  return static_cast<double>(std::filesystem::file_size(file, error)) / bytes_per_vertex;
+}
+
+/// Cells of the generated mesh, or at most those of the file: hexahedra have about as many vertices.
+double coarse_cells(const ContactSection &contact)
+{
+  if (!contact.mesh_file.empty())
+    return n_vertices(contact.mesh_file);
+  const double per_sector = (contact.resolution.radial_cells + 8.) * (contact.resolution.foot_layers + 0.);
+  return contact.resolution.azimuthal_cells * std::max(per_sector, 16.);
+}
+
+void add_solid_body(const Study &study, StudySize &size)
+{
+  const ContactSection &contact = study.contact;
+  size.cells = coarse_cells(contact) * std::pow(8., contact.refinements);
+  const unsigned int n_edge_halvings = edge_halvings(study);
+  if (n_edge_halvings > 0) // 19 to 28 of those round the edge, with those that lead to them
+    size.cells += 20 * std::ldexp(contact.resolution.azimuthal_cells,
+                                  static_cast<int>(contact.refinements + n_edge_halvings));
+  size.unknowns = 4.5 * size.cells * std::pow(contact.degree, 3);
+  // Bytes per unknown (docs/method/solid_measurements.md).
+  constexpr double factorised = 25e3;
+  // The meshes under one with a halved edge have many cells too.
+  const double iterated = n_edge_halvings > 0 ? 1800 : 500;
+  const bool is_direct = contact.linear_solver == fem::LinearSolver::direct ||
+                         (contact.linear_solver == fem::LinearSolver::automatic && contact.refinements == 0 &&
+                          n_edge_halvings == 0 && size.unknowns < fem::max_direct_unknowns);
+  size.memory += size.unknowns * (is_direct ? factorised : iterated);
+}
+
+/// The entry of @p study whose default would take the least memory.
+StudyEntry greediest(Study &study)
+{
+  const std::vector<StudyEntry> standard = entries_of(Study()), tried = study_entries(study);
+  double least = size_of(study).memory;
+  StudyEntry found = tried.front();
+  for (std::size_t i = 0; i < tried.size(); ++i)
+    if (!tried[i].unit.empty() || tried[i].path_value != nullptr)
+    {
+      const std::string before = tried[i].text();
+      tried[i].assign(standard[i].text());
+      if (const double memory = size_of(study).memory; memory < least)
+      {
+        least = memory;
+        found = tried[i];
+      }
+      tried[i].assign(before);
+    }
+  return found;
+}
+
+} // namespace
+
+unsigned int edge_halvings(const Study &study)
+{
+  const ContactSection &contact = study.contact;
+  if (!contact.mesh_file.empty() ||
+      contact.linear_solver == fem::LinearSolver::direct) // knows no halved cells
+    return 0;
+  const unsigned int wanted = fem::edge_halvings_for(study.glass.profile, study.table.is_hard());
+  return contact.goal != Goal::none ? std::min(wanted, 2u) : wanted;
+}
+
+StudySize size_of(const Study &study)
+{
+  StudySize size;
+  size.memory = memory_of_the_program;
+  // The adaptive method takes about ten steps a second; forward Euler those of its entry.
+  constexpr double longest_step = 0.1;
+  size.steps = study.motion.end_time / std::min(study.motion.euler_step, longest_step);
+  if (study.load.is_from_contact() && abilities(study.contact.body).is_of_revolution)
+    add_body_of_revolution(study, size);
+  else if (study.load.is_from_contact())
+    add_solid_body(study, size);
+  return size;
+}
+
+void require_affordable(const Study &study)
+{
+  const StudySize size = size_of(study);
+  if (size.steps > study.motion.step_limit)
+    throw BadInput(fmt::format(
+      FMT_STRING("Motion/End time = {} s in steps of Motion/Euler step = {} s takes about {:.2g} steps; use "
+                 "longer steps or less time, or allow more with Motion/Step limit = {:.1e}."),
+      to_short_text(study.motion.end_time), to_short_text(study.motion.euler_step), size.steps,
+      1.1 * size.steps));
+  if (size.memory > study.contact.memory_limit)
+  {
+    Study trial = study;
+    const StudyEntry entry = greediest(trial);
+    const auto [needed, limit] = distinct_texts(size.memory / 1e9, study.contact.memory_limit / 1e9, 2);
+    throw BadInput(
+      fmt::format(FMT_STRING("{} = {} would take about {} GB of memory ({:.2g} cells, {:.2g} unknowns), "
+                             "above {} GB; give a {}, or allow more with Contact/Memory limit = {:.0f} GB."),
+                  entry.path(), shortened_path(entry.text()), needed, size.cells, size.unknowns, limit,
+                  entry.path_value != nullptr ? "coarser mesh" : "value nearer to its default",
+                  std::ceil(1.1 * size.memory / 1e9)));
+  }
+}
+
+} // namespace stemware::pipeline

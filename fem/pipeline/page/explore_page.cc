@@ -1,0 +1,383 @@
+#include "fem/pipeline/page/explore_page.h"
+
+#include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/answer/threaded_executor.h"
+#include "fem/pipeline/coupling/revolution_setup.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/explore/explorer.h"
+#include "fem/pipeline/feet/finite_elements.h"
+#include "fem/pipeline/feet/make_foot.h"
+#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/page/live_bodies.h"
+#include "fem/pipeline/page/page.h"
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/system/json_text.h"
+#include "fem/pipeline/system/program.h"
+#include "fem/pipeline/system/shared_files.h"
+#include "fem/pipeline/system/text_file.h"
+
+#include <boost/algorithm/string/replace.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// A compliance as the page has it: its numbers as whole multiples of a step, one for `normal`, `radial` and
+/// `azimuthal` each, which is 2^-bits of the largest of them.
+///
+/// The head of packed() and the steps lie there as they are. Of the numbers there is what a prediction
+/// leaves: by the harmonic before and, of what that leaves, by the three neighbours in front. It is small, as
+/// one harmonic's compliance is much like the next one's and smooth in both radii; small numbers of either
+/// sign become small ones without, of which all lowest bytes come first, and so on: that packs five times as
+/// well as floats do.
+class PagedCompliance
+{
+public:
+  PagedCompliance(const fem::ContactCompliance &compliance, int bits)
+      : given(serialized(compliance))
+      , n(compliance.n_nodes())
+      , n_matrices(compliance.n_harmonics() + 2)
+  {
+    for (std::size_t m = 0; m < n_matrices; ++m)
+      for (std::size_t kind = 0; kind < 3; ++kind)
+        for (std::size_t i = begin(m, kind); i < begin(m, kind) + size(kind); ++i)
+          steps[kind] = std::max(steps[kind], std::abs(given[i]));
+    for (double &step : steps)
+      step = std::ldexp(step > 0 ? step : 1, -bits);
+    for (std::size_t m = 0; m < n_matrices; ++m)
+      for (std::size_t kind = 0; kind < 3; ++kind)
+        for (std::size_t i = begin(m, kind); i < begin(m, kind) + size(kind); ++i)
+          given[i] = std::nearbyint(given[i] / steps[kind]) * steps[kind];
+  }
+
+  /// The numbers that an Explorer takes, packed().
+  const double *numbers() const { return given.data(); }
+
+  std::string bytes() const
+  {
+    std::string result(reinterpret_cast<const char *>(given.data()), head() * sizeof(double));
+    result.append(reinterpret_cast<const char *>(steps.data()), sizeof steps);
+    std::vector<std::uint32_t> left;
+    for (std::size_t m = 0; m < n_matrices; ++m)
+      for (std::size_t kind = 0; kind < 3; ++kind)
+        for (std::size_t j = 0; j < n; ++j)
+          for (std::size_t i = kind == 0 ? j : 0; i < n; ++i)
+          {
+            // All modulo 2^32.
+            const std::uint32_t rest = change(m, kind, i, j) - (i > 0 ? change(m, kind, i - 1, j) : 0) -
+                                       (j > 0 ? change(m, kind, i, j - 1) : 0) +
+                                       (i > 0 && j > 0 ? change(m, kind, i - 1, j - 1) : 0);
+            left.push_back(rest >> 31 ? ~(rest << 1) : rest << 1);
+          }
+    for (unsigned int shift = 0; shift < 32; shift += 8)
+      for (const std::uint32_t number : left)
+        result += static_cast<char>(number >> shift & 255);
+    result.resize((result.size() + 7) / 8 * 8);
+    return result;
+  }
+
+private:
+  std::size_t head() const { return 6 + n; }
+  std::size_t size(std::size_t kind) const { return kind == 0 ? n * (n + 1) / 2 : n * n; }
+  /// Where a matrix begins in packed().
+  std::size_t begin(std::size_t m, std::size_t kind) const
+  {
+    std::size_t place = head() + m * (size(0) + 2 * size(1));
+    for (std::size_t k = 0; k < kind; ++k)
+      place += size(k);
+    return place;
+  }
+  std::uint32_t whole(std::size_t m, std::size_t kind, std::size_t i, std::size_t j) const
+  {
+    if (kind == 0 && i < j)
+      std::swap(i, j);
+    const std::size_t place = kind == 0 ? j * n - j * (j + 1) / 2 + i : j * n + i;
+    return static_cast<std::uint32_t>(
+      static_cast<std::int64_t>(std::llround(given[begin(m, kind) + place] / steps[kind])));
+  }
+  /// Against the harmonic before.
+  std::uint32_t change(std::size_t m, std::size_t kind, std::size_t i, std::size_t j) const
+  {
+    return whole(m, kind, i, j) - (m > 0 ? whole(m - 1, kind, i, j) : 0);
+  }
+
+  std::vector<double> given;
+  std::array<double, 3> steps = {};
+  std::size_t n, n_matrices;
+};
+
+/// The entries that a preset sets.
+std::vector<std::string> entries_of(const Preset &preset)
+{
+  Study study;
+  read_prm(preset.name, preset.text, study_entries(study));
+  std::vector<std::string> paths;
+  for (const auto &[path, text] : study.given_entries)
+    paths.push_back(path);
+  return paths;
+}
+
+Study study_of(const PageOptions &options, const Preset *glass, const Preset *table)
+{
+  Study study = options.study;
+  for (const Preset *preset : { glass, table })
+    if (preset)
+      read_prm(preset->name, preset->text, study_entries(study));
+  check_study(study);
+  return study;
+}
+
+/// The values of @p study that are not the defaults.
+std::vector<std::pair<std::string, std::string>> values_of(const Study &study)
+{
+  Study defaults, copy = study;
+  const std::vector<StudyEntry> standard = study_entries(defaults), own = study_entries(copy);
+  std::vector<std::pair<std::string, std::string>> values;
+  for (std::size_t i = 0; i < own.size(); ++i)
+    if (own[i].text() != standard[i].text())
+      values.emplace_back(own[i].path(), own[i].text());
+  return values;
+}
+
+std::vector<std::string> acting_entries(const Study &study)
+{
+  Study copy = study;
+  std::vector<std::string> acting;
+  for (const StudyEntry &entry : study_entries(copy))
+    if (entry.has_effect)
+      acting.push_back(entry.path());
+  return acting;
+}
+
+double spin_of(const Study &study, fem::ComplianceCache &cache)
+{
+  const auto foot = study_foot(study, cache);
+  return ring::answer(*find_load(study, foot), spin_question(study)).value().terminal.value().omega;
+}
+
+/// The spin by an Explorer on the compliances as the page has them, of a mesh of @p fineness.
+double spin_in_page(const Study &study, double fineness, const PagedCompliance &foot,
+                    const PagedCompliance *disc)
+{
+  Explorer explorer;
+  for (const auto &[path, value] : values_of(study))
+    explorer.set(path, value);
+  explorer.take(std::make_shared<const fem::ContactCompliance>(deserialized(foot.numbers())), false);
+  if (disc)
+    explorer.take(std::make_shared<const fem::ContactCompliance>(deserialized(disc->numbers())), true);
+  explorer.ready(fineness);
+  const LiveAnswer answer = explorer.solve(all_harmonics, true);
+  return answer.all.omega_terminal().value();
+}
+
+/// The compliances of all pairs, each once.
+class Bodies
+{
+public:
+  std::size_t add(const PagedCompliance &compliance)
+  {
+    const std::string own = compliance.bytes();
+    const auto [place, is_new] = known.emplace(own, known.size());
+    if (is_new)
+    {
+      places.push_back(bytes.size());
+      bytes += own;
+    }
+    return place->second;
+  }
+
+  std::string bytes;
+  nlohmann::ordered_json places = nlohmann::ordered_json::array();
+
+private:
+  std::map<std::string, std::size_t> known;
+};
+
+/// Returns a focused mesh of @p study with at most @p max_nodes; 0: any number.
+Discretisation coarsened(const Study &study, unsigned int max_nodes, fem::ComplianceCache &cache)
+{
+  Discretisation mesh;
+  if (max_nodes == 0 || !revolution_setup(study).resolution.has_focus())
+    return mesh;
+  while (live_bodies(study, cache, mesh).foot.n_nodes() > max_nodes && mesh.fineness > 0.05)
+    mesh.fineness *= 0.85;
+  return mesh;
+}
+
+nlohmann::ordered_json buttons(const std::vector<Preset> &presets, const std::string &own)
+{
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Preset &preset : presets)
+    list.push_back({ { "name", preset.name }, { "words", preset.words }, { "sets", entries_of(preset) } });
+  if (presets.empty())
+    list.push_back({ { "name", own }, { "words", "" }, { "sets", nlohmann::ordered_json::array() } });
+  return list;
+}
+
+/// Sentence for a browser that runs no script of the page, as HTML.
+std::string answer_without_scripts(const std::vector<PagePair> &pairs)
+{
+  std::string text;
+  for (const PagePair &pair : pairs)
+  {
+    const std::string omega =
+      boost::replace_all_copy(fmt::format(FMT_STRING("{:.4f}"), pair.omega), "-", "\u2212");
+    text += (text.empty() ? "" : ", ") + pair.glass + " on " + pair.table + ' ' + omega + " rad/s";
+  }
+  return "Terminal spins by stemware run: " + text +
+         ". If nothing moves here, this site or browser runs no scripts; save the file and open it in a "
+         "browser.";
+}
+
+/// The presets, or nothing alone for the glass or table of the study.
+std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
+{
+  std::vector<const Preset *> list;
+  for (const Preset &preset : presets)
+    list.push_back(&preset);
+  return list.empty() ? std::vector<const Preset *>{ nullptr } : list;
+}
+
+/// Allowed error of an answer by the digits of the compliances [rad/s]; other settings miss ten times as
+/// much.
+constexpr double tolerance = 1e-11;
+
+/// One glass on one table, solved by the program and as the page solves it.
+struct SolvedPair
+{
+  PagePair pair;
+  Study study;
+  double fineness; ///< of its mesh
+  PagedCompliance foot;
+  std::optional<PagedCompliance> disc;
+  double here; ///< terminal spin by an Explorer on these compliances [rad/s]
+};
+
+/// Solves a pair, with as few digits of its compliances as the tolerance allows.
+SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Preset *table,
+                      fem::ComplianceCache &cache)
+{
+  Study study = study_of(options, glass, table);
+  PagePair pair;
+  pair.glass = glass ? glass->name : "glass of the study";
+  pair.table = table ? table->name : "table of the study";
+  pair.omega = spin_of(study, cache);
+  const Discretisation mesh = coarsened(study, options.max_nodes, cache);
+  const bool is_coarse = mesh.fineness < 1;
+  const LiveBodies live = live_bodies(study, cache, mesh);
+  pair.n_nodes = live.foot.n_nodes();
+  for (int bits = is_coarse ? 20 : 24;; bits = bits < 27 ? 27 : 30)
+  {
+    const PagedCompliance foot(live.foot, bits);
+    const auto disc = live.disc ? std::optional(PagedCompliance(*live.disc, bits)) : std::nullopt;
+    const double here = spin_in_page(study, mesh.fineness, foot, disc ? &*disc : nullptr),
+                 error = std::abs(here - pair.omega);
+    if (!is_coarse && bits < 30 && error > tolerance)
+      continue;
+    if (is_coarse)
+      pair.band = 2 * error;
+    pair.bytes = foot.bytes().size() + (disc ? disc->bytes().size() : 0);
+    return { pair, study, mesh.fineness, foot, disc, here };
+  }
+}
+
+/// The text between the tags of a script of a page.
+std::string script_in(const std::string &page, const std::string &id)
+{
+  const std::string tag = "id=\"" + id + "\">";
+  const std::size_t begin = page.find(tag), end = page.find("</script>", begin);
+  if (begin == std::string::npos || end == std::string::npos)
+    return "";
+  return page.substr(begin + tag.size(), end - begin - tag.size());
+}
+
+} // namespace
+
+LiveSolver live_solver()
+{
+  for (const std::filesystem::path &folder : shared_folders())
+  {
+    const std::string script = read_text_file(folder / "explore.js"),
+                      wasm = read_text_file(folder / "explore.wasm");
+    if (!script.empty() && !wasm.empty())
+      return { finite_elements().compressed_base64(script), finite_elements().compressed_base64(wasm) };
+  }
+  for (const std::filesystem::path &folder : shared_folders())
+  {
+    const std::string page = read_text_file(folder / "explore.html");
+    const LiveSolver solver = { script_in(page, "glue"), script_in(page, "wasm") };
+    if (!solver.script.empty() && !solver.wasm.empty())
+      return solver;
+  }
+  throw BadInput(
+    "This Stemware has no solver for a page; build it with -D STEMWARE_EXPLORE=ON, or put the page "
+    "explore.html of the project into share/stemware.");
+}
+
+Page make_page(const PageOptions &options, const LiveSolver &solver, fem::ComplianceCache &cache,
+               const std::function<void(const PagePair &)> &done)
+{
+  std::vector<std::pair<const Preset *, const Preset *>> wanted;
+  for (const Preset *glass : each_of(options.glasses))
+    for (const Preset *table : each_of(options.tables))
+      wanted.emplace_back(glass, table);
+  std::vector<std::optional<SolvedPair>> solved(wanted.size());
+  ThreadedExecutor(cache, options.n_threads)
+    .for_each(wanted.size(), [&](std::size_t i)
+              { solved[i] = solve_pair(options, wanted[i].first, wanted[i].second, cache); });
+
+  Page page;
+  Bodies bodies;
+  nlohmann::ordered_json pairs;
+  for (const std::optional<SolvedPair> &one : solved)
+  {
+    const PagePair &pair = one->pair;
+    pairs[pair.glass + '|' + pair.table] = {
+      { "values", values_of(one->study) },
+      { "acts", acting_entries(one->study) },
+      { "foot", bodies.add(one->foot) },
+      { "disc", one->disc ? nlohmann::ordered_json(bodies.add(*one->disc)) : nlohmann::ordered_json() },
+      { "fineness", one->fineness },
+      { "nodes", pair.n_nodes },
+      { "omega", pair.omega },
+      { "here", one->here },
+      { "band", pair.band ? nlohmann::ordered_json(*pair.band) : nlohmann::ordered_json() }
+    };
+    page.pairs.push_back(pair);
+    if (done)
+      done(pair);
+  }
+
+  Study defaults;
+  nlohmann::ordered_json entries;
+  for (const StudyEntry &entry : study_entries(defaults))
+    entries[entry.path()] = entry.text();
+  const nlohmann::ordered_json data = { { "version", program_version() },
+                                        { "tolerance", tolerance },
+                                        { "near_band", close_mesh_band },
+                                        { "glasses", buttons(options.glasses, "glass of the study") },
+                                        { "tables", buttons(options.tables, "table of the study") },
+                                        { "entries", entries },
+                                        { "pairs", pairs },
+                                        { "bodies", bodies.places } };
+  page.text = live_page({ { "ANSWER", answer_without_scripts(page.pairs) },
+                          { "DATA", json_within_html(data) },
+                          { "BODIES", finite_elements().compressed_base64(bodies.bytes) },
+                          { "WASM", solver.wasm },
+                          { "GLUE", solver.script } });
+  return page;
+}
+
+} // namespace stemware::pipeline

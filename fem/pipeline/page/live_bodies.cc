@@ -1,0 +1,34 @@
+#include "fem/pipeline/page/live_bodies.h"
+
+#include "fem/pipeline/coupling/revolution_setup.h"
+#include "fem/pipeline/feet/finite_elements.h"
+#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/support/failures.h"
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+void require_live(const Study &study)
+{
+  require(study.load.is_from_contact(), "A page needs a contact to solve; set Load/Source = contact.");
+  require(abilities(study.contact.body).is_of_revolution,
+          "A page solves bodies of revolution only; set Contact/Body = revolution.");
+  require_flat(study, "explore");
+  require(files_of(study).empty(),
+          "A page reads no files; leave Glass/Profile file and Motion/Orbit speed file empty.");
+  require(study.contact.goal == Goal::none, "A page keeps its mesh; set Contact/Goal = none.");
+}
+
+} // namespace
+
+LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache, const Discretisation &discretisation)
+{
+  require_live(study);
+  const auto [foot, disc] = finite_elements().compliances(revolution_setup(study, discretisation), cache);
+  return { *foot, disc ? std::optional(*disc) : std::nullopt };
+}
+
+} // namespace stemware::pipeline

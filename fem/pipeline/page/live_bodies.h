@@ -1,0 +1,23 @@
+#pragma once
+
+#include "fem/meridian/compliance_cache.h"
+#include "fem/pipeline/study/study.h"
+
+#include <optional>
+
+namespace stemware::pipeline
+{
+
+/// Compliances of a study for an Explorer.
+struct LiveBodies
+{
+  fem::ContactCompliance foot;
+  std::optional<fem::ContactCompliance> disc; ///< std::nullopt on a rigid substrate
+};
+
+/// Returns the compliances of foot and disc of @p study in the expected contact zone. Throws BadInput for
+/// studies that an Explorer does not support: solid body, drawn profile, waviness, files.
+LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache,
+                       const Discretisation &discretisation = {});
+
+} // namespace stemware::pipeline

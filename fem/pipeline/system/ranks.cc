@@ -1,0 +1,154 @@
+#include "fem/pipeline/system/ranks.h"
+
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/system/module.h"
+#include "fem/pipeline/system/rank_functions.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// MPI once it has started.
+std::atomic<const RankFunctions *> running = nullptr;
+
+bool says_one(const char *variable)
+{
+  const char *value = std::getenv(variable);
+  return value != nullptr && std::string(value) == "1";
+}
+
+/// Launcher that has started this process.
+struct Launcher
+{
+  bool is_there = false;
+  bool has_several = false; ///< processes: unless it says that there is one
+};
+
+/// Open MPI, MPICH and Slurm with PMIx tell their processes rank and number.
+Launcher launcher()
+{
+  for (const auto &[rank, size] :
+       { std::pair("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"), std::pair("PMI_RANK", "PMI_SIZE"),
+         std::pair("PMIX_RANK", "SLURM_STEP_NUM_TASKS") })
+    if (std::getenv(rank) != nullptr)
+      return { true, !says_one(size) };
+  return {};
+}
+
+/// Prepares the environment of a process that stands alone: it needs no daemon of Open MPI beside it, nor the
+/// ssh that the daemon asks for; nor the folder in /tmp, which has the same name for all such processes: if
+/// two start at once, one finds it made, or gone, and aborts; nor a network, whose libraries take 0.2 s to
+/// find that there is none. In a step of Slurm, Open MPI would ask Slurm for the ranks, and end the process
+/// if it was built without Slurm's PMI.
+void prepare_to_stand_alone()
+{
+  for (const auto &[name, value] : { std::pair("OMPI_MCA_ess_singleton_isolated", "1"),
+                                     std::pair("OMPI_MCA_orte_create_session_dirs", "0"),
+                                     std::pair("OMPI_MCA_pml", "ob1"), std::pair("OMPI_MCA_btl", "self") })
+    ::setenv(name, value, 0);
+  if (says_one("SLURM_STEP_NUM_TASKS"))
+    ::unsetenv("SLURM_STEP_ID");
+}
+
+/// Outcome of some work: the exit code that belongs to it, and the message of its failure.
+RankOutcome outcome_of(const std::function<void()> &work)
+try
+{
+  work();
+  return { static_cast<int>(ExitCode::success), "" };
+}
+catch (const std::exception &failure)
+{
+  const bool is_of_files = dynamic_cast<const OutputFailure *>(&failure) != nullptr ||
+                           dynamic_cast<const std::filesystem::filesystem_error *>(&failure) != nullptr;
+  return { static_cast<int>(is_of_files ? ExitCode::output_failure : ExitCode::numerical_failure),
+           failure.what() };
+}
+
+} // namespace
+
+MpiSession::MpiSession()
+{
+  if (launcher().has_several)
+    start_mpi();
+}
+
+MpiSession::~MpiSession()
+{
+  if (const RankFunctions *mpi = running.exchange(nullptr))
+    mpi->stop();
+}
+
+void start_mpi()
+{
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (running)
+    return;
+  const auto *mpi =
+    static_cast<const RankFunctions *>(load_table("fem", "stemware_ranks", "A study on ranks"));
+  if (launcher().has_several && !mpi->has_mpi)
+    throw BadInput(
+      "mpirun started this program, whose deal.II was built without MPI; start it without mpirun.");
+  if (!launcher().is_there)
+    prepare_to_stand_alone();
+  mpi->start();
+  running = mpi;
+}
+
+void on_every_rank(const std::function<void()> &work)
+{
+  std::vector<RankOutcome> outcomes = { outcome_of(work) };
+  if (n_ranks() > 1)
+    outcomes = running.load()->all_gather(outcomes.front());
+  for (const auto &[code, message] : outcomes)
+    if (code == static_cast<int>(ExitCode::output_failure))
+      throw OutputFailure(message);
+    else if (code != static_cast<int>(ExitCode::success))
+      throw std::runtime_error(message);
+}
+
+void on_first_rank(const std::function<void()> &work)
+{
+  on_every_rank(is_first_rank() ? work : [] {});
+}
+
+std::string from_first_rank(const std::function<std::string()> &work)
+{
+  std::string text;
+  on_first_rank([&] { text = work(); });
+  return n_ranks() > 1 ? running.load()->broadcast(text) : text;
+}
+
+unsigned int this_rank()
+{
+  return running ? running.load()->this_rank() : 0;
+}
+
+unsigned int n_ranks()
+{
+  return running ? running.load()->n_ranks() : 1;
+}
+
+bool is_first_rank()
+{
+  return this_rank() == 0;
+}
+
+void abort_all_ranks(int exit_status)
+{
+  if (running)
+    running.load()->abort(exit_status);
+  std::_Exit(exit_status);
+}
+
+} // namespace stemware::pipeline
