@@ -11,6 +11,7 @@
 //   build/bench/error_band_coverage [axes|together|converge [N [SEED [FIRST]]]]      studies FIRST ... N
 // Rims and tables that are out of flat are left out.
 
+#include "fem/pipeline/answer/threaded_executor.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/refinement/error_bands.h"
@@ -254,7 +255,7 @@ void compare(const Study &study, const std::string &truth, Tallies &tallies)
   question.grip_torque = study.motion.grip_torque;
   question.with_slope = true;
   const ring::Answer row = ring::answer(*own.load, question).value();
-  const ErrorBands bands = estimate_bands(study, own.foot, row, std::nullopt, cache);
+  const ErrorBands bands = estimate_bands(study, own.foot, row, std::nullopt, ThreadedExecutor(cache));
   const BandedQuantity &band = spin_of(bands);
 
   double error = 0;
@@ -291,7 +292,7 @@ void compare(const Study &study, const std::string &truth, Tallies &tallies)
     const std::vector<double> spins = spins_of_interest(own.omega);
     std::vector<RefinementAxis> axes = refinement_axes(study, 3);
     const ErrorBands wider =
-      refine(quantities_of_load(study, *own.load, spins, own.omega), spins, axes, cache);
+      refine(quantities_of_load(study, *own.load, spins, own.omega), spins, axes, ThreadedExecutor(cache));
     tallies.converge.add(spin_of(wider), error);
   }
   std::fflush(stdout);

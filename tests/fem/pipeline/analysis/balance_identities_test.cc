@@ -41,7 +41,7 @@ TEST(Balance, AFlatLandOnALinearSupportHasNoEffectOfHarmonicsInTheBudget)
     EXPECT_EQ(solved.load.report().contact_fraction, 1);
     EXPECT_TRUE(is_loaded_everywhere(solved));
     fem::ComplianceCache cache;
-    const Budget budget = test::whole_budget(solved.study, cache);
+    const Budget budget = test::whole_budget(solved.study, ThreadedExecutor(cache));
     EXPECT_NEAR(*budget.harmonics.absolute, 0, 1e-9);
     EXPECT_NEAR(*budget.harmonics.relative, 0, 1e-9);
     EXPECT_NEAR(*budget.rows.back().omega_terminal, solved.omega(), 1e-9);
@@ -64,7 +64,8 @@ TEST(Balance, WhereBendingUnloadsThePlaceTheEffectIsPrintedAndAgreesUnderRefinem
     EXPECT_LT(solved.load.report().contact_fraction, 0.5);
     EXPECT_FALSE(is_loaded_everywhere(solved));
     fem::ComplianceCache cache;
-    const LoadedRow first = solve_rows({ { "", "", study, {}, {}, 1, true } }, solved.foot, {}, cache).front();
+    const LoadedRow first =
+      solve_rows({ { "", "", study, {}, {}, 1, true } }, solved.foot, {}, ThreadedExecutor(cache)).front();
     effects.push_back(solved.omega() - first.row.terminal->omega);
   }
   EXPECT_GT(std::abs(effects[0]), 1e-6);

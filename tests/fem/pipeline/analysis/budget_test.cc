@@ -52,13 +52,13 @@ StudyRows rows_of(const Study &study, const ring::RingStack &load, const Executo
 Budget budget_of(const Study &study, const ring::RingStack &load)
 {
   fem::ComplianceCache cache;
-  return find_budget(study, rows_of(study, load, cache), cache);
+  return find_budget(study, rows_of(study, load, ThreadedExecutor(cache)), ThreadedExecutor(cache));
 }
 
 Budget budget_of(const Study &study)
 {
   fem::ComplianceCache cache;
-  return test::whole_budget(study, cache);
+  return test::whole_budget(study, ThreadedExecutor(cache));
 }
 
 /// The rows of a contact: the first ones, and one for each number of harmonics.
@@ -345,13 +345,13 @@ TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
 {
   const Study study = study_of_given_load();
   fem::ComplianceCache cache;
-  StudyRows rows = rows_of(study, rich_load(), cache);
+  StudyRows rows = rows_of(study, rich_load(), ThreadedExecutor(cache));
   LoadedRow &second = rows.by_harmonics[1];
   second = {};
   second.row.harmonics = 2;
   second.row.status = ring::Status::tips;
   second.row.reason = "it tips";
-  const Budget budget = find_budget(study, rows, cache);
+  const Budget budget = find_budget(study, rows, ThreadedExecutor(cache));
   const BudgetRow &failed = budget.rows[2];
   EXPECT_EQ(failed.harmonics, 2u);
   EXPECT_FALSE(failed.omega_terminal);
@@ -365,7 +365,7 @@ TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
   EXPECT_TRUE(budget.rows[4].reason.empty());
   // Without the first harmonic alone there is nothing that the others could change.
   rows.by_harmonics[0] = rows.by_harmonics[1];
-  const Budget without_first = find_budget(study, rows, cache);
+  const Budget without_first = find_budget(study, rows, ThreadedExecutor(cache));
   EXPECT_FALSE(without_first.harmonics.absolute);
   EXPECT_TRUE(std::isnan(without_first.torque_first.back()));
   EXPECT_FALSE(std::isnan(without_first.torque_all.back()));
@@ -376,7 +376,10 @@ TEST(Budget, AStudyThatTipsIsARowThatSaysSo)
   Study study = quick_contact_study();
   study.motion.orbit.centre_of_mass_height = 0.16; // a moment ratio above 2
   fem::ComplianceCache cache;
-  const ring::Answer row = solve_rows({ { "", "", study, {}, {}, all_harmonics } }, nullptr, {}, cache).front().row;
+  const ring::Answer row =
+    solve_rows({ { "", "", study, {}, {}, all_harmonics } }, nullptr, {}, ThreadedExecutor(cache))
+      .front()
+      .row;
   EXPECT_EQ(row.status, ring::Status::tips);
   EXPECT_FALSE(row.reason.empty());
   EXPECT_FALSE(row.terminal);
@@ -408,9 +411,12 @@ TEST(Budget, RowsOfAWavyFootAreOfMeanSpins)
   const std::vector<Variant> variants = variants_without(study);
   ASSERT_EQ(variants.back().name, "waviness");
   fem::ComplianceCache cache;
-  const ring::Answer wavy = solve_rows({ { "", "", study, {}, {}, 1 } }, nullptr, {}, cache).front().row;
+  const ring::Answer wavy =
+    solve_rows({ { "", "", study, {}, {}, 1 } }, nullptr, {}, ThreadedExecutor(cache)).front().row;
   const ring::Answer flat =
-    solve_rows({ { "", "", variants.back().study, {}, {}, 1 } }, nullptr, {}, cache).front().row;
+    solve_rows({ { "", "", variants.back().study, {}, {}, 1 } }, nullptr, {}, ThreadedExecutor(cache))
+      .front()
+      .row;
   EXPECT_GT(wavy.ripple, 0);
   EXPECT_EQ(flat.ripple, 0);
   // A tenth of a micrometre, a fifth of the penetration, changes the mean spin by about the square of that.
@@ -433,7 +439,10 @@ TEST(Budget, LeavesOutTheInterfaceUnderAWavyRimToo)
   ASSERT_TRUE(row->omega_terminal) << row->reason;
   study.table.interface = TableInterface::hard;
   fem::ComplianceCache cache;
-  const ring::Answer hard = solve_rows({ { "", "", study, {}, {}, all_harmonics } }, nullptr, {}, cache).front().row;
+  const ring::Answer hard =
+    solve_rows({ { "", "", study, {}, {}, all_harmonics } }, nullptr, {}, ThreadedExecutor(cache))
+      .front()
+      .row;
   EXPECT_GT(hard.ripple, 0);
   EXPECT_NEAR(*row->omega_terminal, *hard.omega_terminal(), 1e-3 * std::abs(*hard.omega_terminal()));
 }

@@ -30,9 +30,10 @@ struct SolvedRun
       , foot(study_foot(study, cache, silent_progress(), nullptr, {}, model))
   {
     const SharedLoad load = find_load(study, foot);
-    spin = study_spin(study, foot, *load, cache);
+    spin = study_spin(study, foot, *load, ThreadedExecutor(cache));
     report = describe(study, foot, *load, spin.all().last_spin().value());
-    bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache);
+    bands =
+      estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), ThreadedExecutor(cache));
     use_reported_values(report.load, spin.budget, bands);
     add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
     summary = make_document(study, report, spin, bands, std::nullopt).findings.summary;
@@ -96,7 +97,7 @@ TEST(OneNumber, TheTorquesOfTheDefaultStudyIntegrateToItsSpinUp)
   const Study study;
   fem::ComplianceCache cache;
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
-  const SpinStudy spin = study_spin(study, foot, *find_load(study, foot), cache);
+  const SpinStudy spin = study_spin(study, foot, *find_load(study, foot), ThreadedExecutor(cache));
   const TorqueCurve &torques = spin.torque;
   const double step = torques.omega[1] - torques.omega[0];
   const boost::math::interpolators::cardinal_cubic_b_spline<double> sum(
@@ -195,7 +196,7 @@ TEST(Fall, ThatIsNearIsNoCauseForThousandsOfContacts)
     const std::shared_ptr<ElasticFoot> foot =
       study_foot(study, cache, silent_progress(), nullptr, {}, rigid_foot());
     const SharedLoad load = find_load(study, foot);
-    study_spin(study, foot, *load, cache, silent_progress(), Depth::answer);
+    study_spin(study, foot, *load, ThreadedExecutor(cache), silent_progress(), Depth::answer);
     EXPECT_LT(load->statistics()->n_contact_solutions, 600u) << height;
   }
 }

@@ -65,7 +65,8 @@ TEST(RigidFoot, WithGivenMomentsWithinTheBand)
     study.contact.azimuth_lines = 256; // a short arc carries all
     SolvedStudy solved(study, test::rigid_foot());
     const auto band =
-      band_of(estimate_bands(study, solved.foot, solved.row, std::nullopt, solved.cache), "omega_terminal");
+      band_of(estimate_bands(study, solved.foot, solved.row, std::nullopt, ThreadedExecutor(solved.cache)),
+              "omega_terminal");
     ASSERT_TRUE(band);
     EXPECT_NEAR(solved.omega(), expected["omega"].get<double>(), *band) << expected;
     // A band that says something; near tipping the slip ratio is 0.99, and the lines count.
@@ -108,7 +109,8 @@ TEST(RigidFoot, SpinAndTimeConstantWithLiftOffWithinTheBand)
     else
       study.motion.orbit.centre_of_mass_height = state.height;
     SolvedStudy solved(study);
-    const ErrorBands bands = estimate_bands(study, solved.foot, solved.row, std::nullopt, solved.cache);
+    const ErrorBands bands =
+      estimate_bands(study, solved.foot, solved.row, std::nullopt, ThreadedExecutor(solved.cache));
     const auto expect_within = [&](const std::string &key, double expected)
     {
       const auto found = find_quantity(bands, key);

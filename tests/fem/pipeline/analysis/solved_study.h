@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/answer/sweep_case.h"
+#include "fem/pipeline/answer/threaded_executor.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/feet/make_foot.h"
 

@@ -1,4 +1,5 @@
 #include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/answer/threaded_executor.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/feet/make_foot.h"
 #include "ring_model/spin/answer.h"
@@ -19,7 +20,7 @@ using namespace stemware::test;
 SpinStudy study_spin_of(const ring::RingStack &load, const Study &study = study_of_given_load())
 {
   fem::ComplianceCache cache;
-  return study_spin(study, nullptr, *given_load(load), cache);
+  return study_spin(study, nullptr, *given_load(load), ThreadedExecutor(cache));
 }
 
 TEST(SpinStudy, TerminalSpinIsFreeOfTorque)
@@ -113,7 +114,7 @@ TEST(SpinStudy, RowsAreInBalanceWithTheirOwnHarmonics)
   Study study = quick_contact_study();
   fem::ComplianceCache cache;
   const auto foot = study_foot(study, cache);
-  const SpinStudy two_way = study_spin(study, foot, *find_load(study, foot), cache);
+  const SpinStudy two_way = study_spin(study, foot, *find_load(study, foot), ThreadedExecutor(cache));
   ASSERT_GE(two_way.rows.size(), 4u);
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -128,7 +129,7 @@ TEST(SpinStudy, RowsAreInBalanceWithTheirOwnHarmonics)
   EXPECT_EQ(two_way.budget.rows.back().omega_terminal, two_way.all().omega_terminal());
   EXPECT_TRUE(two_way.one_ring);
   study.contact.rings = 1;
-  EXPECT_FALSE(study_spin(study, foot, *find_load(study, foot), cache).one_ring);
+  EXPECT_FALSE(study_spin(study, foot, *find_load(study, foot), ThreadedExecutor(cache)).one_ring);
 }
 
 TEST(SpinStudy, TheGripSlowsTheSpinUp)
@@ -176,7 +177,10 @@ TEST(SpinStudy, SaysThatARestIsUnstable)
   study.motion.orbit.friction_law = ring::FrictionLawKind::stribeck;
   fem::ComplianceCache cache;
   const auto solve = [&]
-  { return study_spin(study, nullptr, *find_load(study, nullptr), cache, silent_progress(), Depth::answer); };
+  {
+    return study_spin(study, nullptr, *find_load(study, nullptr), ThreadedExecutor(cache), silent_progress(),
+                      Depth::answer);
+  };
   const SpinStudy upright = solve();
   ASSERT_TRUE(upright.all().terminal);
   EXPECT_EQ(upright.all().terminal->omega, 0);
@@ -193,7 +197,7 @@ TEST(SpinStudy, AGlassThatFallsOverOnTheWay)
   const Study study = study_of_given_load();
   const ring::Motion &motion = study.motion.orbit;
   fem::ComplianceCache cache;
-  const SpinStudy fallen = study_spin(study, nullptr, *tipping_beyond(2.5), cache);
+  const SpinStudy fallen = study_spin(study, nullptr, *tipping_beyond(2.5), ThreadedExecutor(cache));
   const ring::Answer &row = fallen.all();
   EXPECT_EQ(row.status, ring::Status::tips);
   EXPECT_FALSE(row.terminal);

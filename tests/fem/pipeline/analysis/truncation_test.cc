@@ -20,7 +20,9 @@ std::vector<LoadedRow> truncations_of(const Study &study)
 {
   fem::ComplianceCache cache;
   const auto foot = study_foot(study, cache);
-  return rows_by_harmonics(study, foot, *find_load(study, foot), spin_question(study), cache).by_harmonics;
+  return rows_by_harmonics(study, foot, *find_load(study, foot), spin_question(study),
+                           ThreadedExecutor(cache))
+    .by_harmonics;
 }
 
 TEST(Truncation, BoundsHold)

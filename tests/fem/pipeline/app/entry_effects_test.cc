@@ -3,6 +3,7 @@
 // value, and the number of summary.json that must change. An entry that is read, checked and echoed, but not
 // passed on, fails here.
 #include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/answer/threaded_executor.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/feet/contact_report.h"
 #include "fem/pipeline/feet/make_foot.h"
@@ -186,7 +187,8 @@ Json results_of(const Study &study, const test::ScratchFolder &scratch)
     fem::ComplianceCache cache;
     const auto foot = study_foot(study, cache);
     const SharedLoad load = find_load(study, foot);
-    const SpinStudy spin = study_spin(study, foot, *load, cache, silent_progress(), Depth::answer);
+    const SpinStudy spin =
+      study_spin(study, foot, *load, ThreadedExecutor(cache), silent_progress(), Depth::answer);
     const Results results =
       make_document(study, describe(study, foot, *load, spin.all().terminal->omega), spin, {});
     Json all = results.findings.summary;

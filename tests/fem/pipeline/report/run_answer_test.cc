@@ -73,7 +73,7 @@ TEST(RunAnswer, SentenceAndTableSayTheSameAtEverySpeed)
     SCOPED_TRACE(speed);
     study.motion.orbit.orbit_speed = speed;
     fem::ComplianceCache cache;
-    const CaseResult solved = test::solve_case(study, cache);
+    const CaseResult solved = test::solve_case(study, ThreadedExecutor(cache));
     const auto value = [&](const std::string &key) { return solved.value(key).value(); };
     const HarmonicEffect effect = { value("harmonic_effect"), value("harmonic_effect_relative") };
     EXPECT_NEAR(*effect.relative, usual.value_or(*effect.relative), 1e-5 * std::abs(*effect.relative));

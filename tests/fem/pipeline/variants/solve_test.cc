@@ -53,9 +53,9 @@ TEST(Solve, StartsDoNotDependOnTheOtherVariants)
   for (const Variant &model : model_chain(solved.study))
     variants.push_back(model);
   fem::ComplianceCache cache;
-  const std::vector<LoadedRow> rows = solve_rows(variants, solved.foot, {}, cache);
+  const std::vector<LoadedRow> rows = solve_rows(variants, solved.foot, {}, ThreadedExecutor(cache));
   std::reverse(variants.begin(), variants.end());
-  const std::vector<LoadedRow> reversed = solve_rows(variants, solved.foot, {}, cache);
+  const std::vector<LoadedRow> reversed = solve_rows(variants, solved.foot, {}, ThreadedExecutor(cache));
   for (std::size_t i = 0; i < rows.size(); ++i)
     EXPECT_EQ(rows[i].row.omega_terminal(), reversed[rows.size() - 1 - i].row.omega_terminal())
       << variants[rows.size() - 1 - i].name;
@@ -71,8 +71,8 @@ TEST(Solve, AVariantThatFailsSaysWhyAndTheOthersGoOn)
   fem::ComplianceCache cache;
   const auto solved = solve(
     variants, nullptr,
-    [](const Variant &, const std::shared_ptr<ElasticFoot> &foot) { return foot->radius(); }, cache,
-    [&](std::size_t i, const auto &) { done.push_back(i); });
+    [](const Variant &, const std::shared_ptr<ElasticFoot> &foot) { return foot->radius(); },
+    ThreadedExecutor(cache), [&](std::size_t i, const auto &) { done.push_back(i); });
   EXPECT_EQ(done, (std::vector<std::size_t>{ 0, 1, 2 }));
   EXPECT_EQ(failed_row(solved[0].failure).reason, "not defined");
   EXPECT_EQ(failed_row(solved[1].failure).status, ring::Status::tips);

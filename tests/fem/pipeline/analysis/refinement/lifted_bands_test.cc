@@ -71,7 +71,8 @@ public:
     const SharedLoad first = find_load(study, solved.foot, silent_progress(), 1);
     const std::optional<double> omega_first =
       ring::answer(*first, spin_question(study)).value().omega_terminal();
-    const ErrorBands bands = estimate_bands(study, solved.foot, solved.row, omega_first, solved.cache);
+    const ErrorBands bands =
+      estimate_bands(study, solved.foot, solved.row, omega_first, ThreadedExecutor(solved.cache));
     ASSERT_FALSE(bands.empty());
     const std::map<std::string, double> truth = truth_of(state, solved.omega(), omega_first);
     for (const BandedQuantity &banded : bands)

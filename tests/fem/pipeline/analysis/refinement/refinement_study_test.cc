@@ -111,7 +111,7 @@ struct Levels
       , load(find_load(study, foot))
       , row(ring::answer(*load, question_of(study)).value())
       , omega(row.terminal->omega)
-      , quick(estimate_bands(study, foot, row, std::nullopt, cache))
+      , quick(estimate_bands(study, foot, row, std::nullopt, ThreadedExecutor(cache)))
       , finer(quantities_of_load(finer_study, *load_of(finer_study, cache), spins_of_interest(omega), omega))
   {
   }
@@ -159,7 +159,7 @@ TEST(ErrorBands, OfThePaperHoldAFourTimesFinerRun)
   std::vector<RefinementAxis> axes = refinement_axes(study, 3);
   const ErrorBands full =
     refine(quantities_of_load(study, *comparison.load, spins_of_interest(comparison.omega), comparison.omega),
-           spins_of_interest(comparison.omega), axes, comparison.cache);
+           spins_of_interest(comparison.omega), axes, ThreadedExecutor(comparison.cache));
   const std::size_t index = index_of(full, "omega_terminal");
   const BandedQuantity &refined = full[index];
   const double finer = quantity_of(comparison.finer, "omega_terminal").value;
@@ -253,7 +253,7 @@ TEST(ErrorBands, TakeTwiceTheRingsThatTheFootHas)
   };
   const SharedLoad twice = on_rings(4), own = on_rings(2);
   const ring::Answer row = ring::answer(*own, Levels::question_of(study)).value();
-  const ErrorBands bands = estimate_bands(study, foot, row, std::nullopt, cache);
+  const ErrorBands bands = estimate_bands(study, foot, row, std::nullopt, ThreadedExecutor(cache));
   const auto torque = [&](const BalancedLoad &load)
   { return ring::yaw_torque(load, study.motion.orbit, 1.5 * row.terminal->omega); };
   const double changed = std::abs(torque(*twice) - torque(*own));
@@ -305,12 +305,14 @@ TEST(ErrorBands, OfEveryRowOfTheContact)
   study.contact.load_harmonics = 24;
   const test::SolvedStudy solved(study);
   fem::ComplianceCache cache;
-  const StudyRows answers = rows_by_harmonics(study, solved.foot, solved.load, spin_question(study), cache,
-                                              silent_progress(), Depth::full, model_chain(study));
+  const StudyRows answers =
+    rows_by_harmonics(study, solved.foot, solved.load, spin_question(study), ThreadedExecutor(cache),
+                      silent_progress(), Depth::full, model_chain(study));
   std::vector<BudgetRow> rows = assess_chain(study, answers);
   ASSERT_EQ(rows.back().step.number, 11u); // 1, 2, 3, 3a, 4 ... 11
   const ErrorBands bands =
-    estimate_bands(study, solved.foot, solved.row, answers.by_harmonics.front().row.omega_terminal(), cache);
+    estimate_bands(study, solved.foot, solved.row, answers.by_harmonics.front().row.omega_terminal(),
+                   ThreadedExecutor(cache));
   const std::optional<double> all = band_of(bands, "omega_terminal"),
                               first = band_of(bands, "omega_first_harmonic");
   ASSERT_TRUE(all && first);
@@ -380,7 +382,7 @@ TEST(ErrorBands, SayWhichLevelFailed)
   axes[1].levels.back().study.load.moment_ratio = 2.3; // tips
   try
   {
-    refine(quantities_of_load(study, *load, spins, std::nullopt), spins, axes, cache);
+    refine(quantities_of_load(study, *load, spins, std::nullopt), spins, axes, ThreadedExecutor(cache));
     FAIL() << "a level that tips was solved";
   }
   catch (const std::runtime_error &failure)

@@ -1,5 +1,6 @@
 // The error bands of a solid foot. Oracle: the body of revolution on the same profile, refined, with its own
 // bands. With MPI.
+#include "fem/pipeline/answer/threaded_executor.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/refinement/band_changes.h"
@@ -24,7 +25,8 @@ ErrorBands bands_of(const Study &study)
   const SharedLoad load = find_load(study, foot);
   ring::Question question = { study.motion.orbit };
   question.with_slope = true;
-  return estimate_bands(study, foot, ring::answer(*load, question).value(), std::nullopt, cache);
+  return estimate_bands(study, foot, ring::answer(*load, question).value(), std::nullopt,
+                        ThreadedExecutor(cache));
 }
 
 const BandedQuantity &find(const ErrorBands &bands, const std::string &key)

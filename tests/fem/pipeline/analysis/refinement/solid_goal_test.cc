@@ -1,4 +1,5 @@
 // Contact/Goal of a solid foot, whose estimates and meshes are judged by the body of revolution. With MPI.
+#include "fem/pipeline/answer/threaded_executor.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/refinement/goal_mesh.h"
@@ -68,7 +69,7 @@ TEST(SolidGoal, EstimatesAreTheErrorsOnACoarseMesh)
     EXPECT_LT(ratio, 1.25);
     study.contact.goal_tolerance = 1.1 * std::abs(found.error.correction / found.value);
     fem::ComplianceCache cache;
-    EXPECT_TRUE(mesh_for_goal(study, cache).discretisation.halved.empty());
+    EXPECT_TRUE(mesh_for_goal(study, ThreadedExecutor(cache)).discretisation.halved.empty());
   }
 }
 
@@ -77,7 +78,7 @@ TEST(SolidGoal, LeavesAStudyWithoutAGoalAlone)
   Study study = lifting_foot();
   study.contact.body = BodyKind::solid;
   fem::ComplianceCache cache;
-  const MeshForGoal meshed = mesh_for_goal(study, cache);
+  const MeshForGoal meshed = mesh_for_goal(study, ThreadedExecutor(cache));
   EXPECT_TRUE(meshed.discretisation.halved.empty());
   EXPECT_FALSE(meshed.outcome);
 }
@@ -118,7 +119,7 @@ TEST(SolidGoal, EstimatesAreTheErrorsAgainstTheBodyOfRevolution)
       continue;
     study.contact.goal_tolerance = std::abs(0.4 * first / value);
     fem::ComplianceCache cache;
-    EXPECT_EQ(mesh_for_goal(study, cache).discretisation.halved.size(), 1u);
+    EXPECT_EQ(mesh_for_goal(study, ThreadedExecutor(cache)).discretisation.halved.size(), 1u);
   }
 }
 

@@ -20,7 +20,7 @@ public:
   explicit SolvedCase(const Study &study)
   {
     fem::ComplianceCache cache;
-    result = test::solve_case(study, cache);
+    result = test::solve_case(study, ThreadedExecutor(cache));
   }
   std::optional<double> operator[](const std::string &key) const { return result.value(key); }
 
@@ -35,7 +35,7 @@ TEST(SweepCase, HasTheEffectOfHarmonicsOfTheBudget)
     Study study = quick_contact_study();
     study.load.coupling = coupling;
     fem::ComplianceCache cache;
-    const Budget budget = test::whole_budget(study, cache);
+    const Budget budget = test::whole_budget(study, ThreadedExecutor(cache));
     const SolvedCase solved(study);
     EXPECT_NEAR(*solved["harmonic_effect"], *budget.harmonics.absolute, 1e-9);
     EXPECT_NEAR(*solved["harmonic_effect_relative"], *budget.harmonics.relative, 1e-9);
@@ -48,7 +48,7 @@ TEST(SweepCase, HasTheClosedFormsOfTheBudget)
 {
   Study study = quick_contact_study();
   fem::ComplianceCache cache;
-  const Budget budget = test::whole_budget(study, cache);
+  const Budget budget = test::whole_budget(study, ThreadedExecutor(cache));
   const SolvedCase solved(study);
   EXPECT_EQ(budget.rows[0].name, "paper");
   EXPECT_NEAR(*solved["omega_paper"], *budget.rows[0].omega_terminal, 1e-9);
