@@ -150,7 +150,7 @@ while IFS=$'\t' read -r next command; do
     rm -f -- "$study" # the file of an earlier example is not overwritten
   fi
   # Examples of one study in the same folder are alternatives.
-  if [[ $command == "stemware sweep "* && $command != *--output* ]]; then rm -rf -- results/my_glass-sweep; fi
+  if [[ $command == "stemware sweep "* && $command != *--output* ]]; then rm -rf -- results/*-sweep; fi
   if [[ $command == ./quickstart* ]]; then
     check_quickstart "$command" && result=0 || result=$?
   elif [[ $command == "cd "*" && "* ]]; then
