@@ -81,9 +81,10 @@ TEST(UnilateralFoundation, CoefficientsAreThoseOfThePointwiseLoad)
   // Trapezoidal rule on the pointwise load: an independent projection.
   const double p = 2.5;
   const UnilateralFoundation foundation(0.03, p, 12);
-  for (const double m : { 0.3, 1., 1.42, 1.44, 1.7, 1.95 })
+  for (const double m : { 0.3, 1., 1.42, 1.428, 1.4285, 1.44, 1.7, 1.95 }) // onset at 10/7
   {
     const auto shape = foundation.shape(m);
+    EXPECT_NEAR(shape[1], m, 1e-12); // a_1 / a_0
     const unsigned int n_points = 20000;
     std::vector<double> load(n_points);
     const double c = foundation.edge(m);
