@@ -218,7 +218,7 @@ compare_studies() { # stemware of the root, folder of the cookbooks' parent in t
     (cd -- "$source" && OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 "$program" run "${words[@]}" \
       --output "$folder/$name") >"$folder/$name-here.txt" 2>&1 || true
     in_root sh -c 'cd "$1" && shift && OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 exec "$@"' - "$2" "$1" run "${words[@]}" \
-      --output "/root/$name" >"$folder/$name-there.txt" 2>&1 || true
+      --output "/srv/$name" >"$folder/$name-there.txt" 2>&1 || true
     result=$(compare "$folder/$name-here.txt" "$folder/$name-there.txt") || troubles=$((troubles + 1))
     report+=("$(printf '%-16s %s: %s' "numbers" "$study" "$result")")
   done
@@ -230,20 +230,20 @@ source_commands() {
   git -C "$source" rev-parse --verify --quiet "$commit^{commit}" >/dev/null || skip "$source is no clone that has $commit."
   [[ -x $program ]] || stop "$program is missing; build it, or name another with --program."
   make_root
-  rm -rf --one-file-system -- "$root/root/stemware"
-  git clone --quiet --no-hardlinks "$source" "$root/root/stemware"
-  git -C "$root/root/stemware" checkout --quiet --detach "$(git -C "$source" rev-parse "$commit")"
-  report=("Debian $(cat "$root/etc/debian_version") ($release), commit $(git -C "$root/root/stemware" rev-parse --short HEAD), $(nproc) cores")
+  rm -rf --one-file-system -- "$root/srv/stemware"
+  git clone --quiet --no-hardlinks "$source" "$root/srv/stemware"
+  git -C "$root/srv/stemware" checkout --quiet --detach "$(git -C "$source" rev-parse "$commit")"
+  report=("Debian $(cat "$root/etc/debian_version") ($release), commit $(git -C "$root/srv/stemware" rev-parse --short HEAD), $(nproc) cores")
   report+=("bare             $(n_packages) packages, $(megabytes) MB")
-  reported "quickstart-run" sh -c 'cd && cd stemware && ./quickstart run'
-  reported "quickstart-install" sh -c 'cd && cd stemware && ./quickstart install /root/installed' # with the solid foot
+  reported "quickstart-run" sh -c 'cd /srv/stemware && ./quickstart run'
+  reported "quickstart-install" sh -c 'cd /srv/stemware && ./quickstart install /srv/installed' # with the solid foot
   grep -h -E "^Stemware |^[1-4]/4 .* s$" "$folder/quickstart-run.txt" | sed 's/^/    /' >"$folder/steps"
   mapfile -t -O "${#report[@]}" report <"$folder/steps"
-  if [[ -x $root/root/stemware/build/${STEMWARE_PRESET:-release}/stemware ]]; then
-    compare_studies "./build/${STEMWARE_PRESET:-release}/stemware" /root/stemware
+  if [[ -x $root/srv/stemware/build/${STEMWARE_PRESET:-release}/stemware ]]; then
+    compare_studies "./build/${STEMWARE_PRESET:-release}/stemware" /srv/stemware
   fi
   if [[ -z $run_only ]]; then
-    reported "quickstart-test" sh -c 'cd && cd stemware && exec ./quickstart test "$@"' - "$@"
+    reported "quickstart-test" sh -c 'cd /srv/stemware && exec ./quickstart test "$@"' - "$@"
     grep -h -E "^Stemware |^[1-4]/4 .* s$|tests passed|^[[:space:]]+[0-9]+ - " "$folder/quickstart-test.txt" | sed 's/^/    /' >"$folder/steps"
     mapfile -t -O "${#report[@]}" report <"$folder/steps"
   fi
@@ -254,16 +254,16 @@ package_commands() {
   (($#)) || stop "name the packages: other_release.sh package stemware.deb" 2
   [[ -x $program ]] || stop "$program is missing; build it, or name another with --program."
   make_root
-  mkdir -p -- "$root/root/packages"
-  cp -- "$@" "$root/root/packages/"
+  mkdir -p -- "$root/srv/packages"
+  cp -- "$@" "$root/srv/packages/"
   report=("Debian $(cat "$root/etc/debian_version") ($release), $(nproc) cores")
   report+=("bare             $(n_packages) packages, $(megabytes) MB")
-  reported "install" sh -c 'cd && apt-get -qq update && apt-get -qq -o Dpkg::Use-Pty=0 install --yes ./packages/*.deb'
-  reported "run" sh -c 'mkdir -p empty && cd empty && stemware run'
-  mkdir -p -- "$root/root/source/docs"
-  cp -r -- "$source/docs/cookbooks" "$root/root/source/docs/"
-  cp -r -- "$source/meshes" "$root/root/source/"
-  compare_studies stemware /root/source
+  reported "install" sh -c 'cd /srv && apt-get -qq update && apt-get -qq -o Dpkg::Use-Pty=0 install --yes ./packages/*.deb'
+  reported "run" sh -c 'mkdir -p /srv/empty && cd /srv/empty && stemware run'
+  mkdir -p -- "$root/srv/source/docs"
+  cp -r -- "$source/docs/cookbooks" "$root/srv/source/docs/"
+  cp -r -- "$source/meshes" "$root/srv/source/"
+  compare_studies stemware /srv/source
 }
 
 release='' folder='' root='' keyring='' this_release='' is_temporary='' again='' run_only='' commit=HEAD child=''

@@ -49,12 +49,14 @@ TEST(FitRun, ProfilesEndWhereTheGlassTips)
 TEST(FitRun, RefusesWhatCannotBeFittedInOneSentence)
 {
   const ScratchFolder scratch;
-  const std::string data = scratch.write("run.csv", "t,omega\n0,0\n1,-1\n2,-2\n3,-3\n4,-3\n");
+  const std::string data = scratch.write("run.csv", "t,omega\n0,0\n1,-1\n2,-2\n3,-3\n4,-3\n"),
+                    steady = scratch.write("steady.csv", "t,omega\n0,-3\n1,-3\n2,-3\n3,-3\n4,-3\n");
   for (const auto &[arguments, words] : std::vector<std::pair<std::vector<std::string>, std::string>>{
          { { "fit", "--free", "Motion/Mass" }, "--data" },
          { { "fit", "--data", data }, "--free" },
          { { "fit", "--data", data, "--free", "Motion/Closure" }, "no number" },
          { { "fit", "--data", "none.csv", "--free", "Motion/Mass" }, "none.csv" },
+         { { "fit", "--data", steady, "--free", "Motion/Mass" }, "all values are equal" },
          { { "fit", "--data", data, "--free", "Motion/Mass = 3" }, "prior" } })
   {
     std::vector<std::string> all = arguments;

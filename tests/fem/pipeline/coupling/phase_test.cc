@@ -249,6 +249,31 @@ TEST(PhaseSampledLoad, HaveWhatIsBetweenSpinsInTheErrorOfTheMean)
   EXPECT_LE(loads.error().mean, 1e-2);
 }
 
+// A bound just above the error of the mean of 16 phases passes, one just below is refused.
+TEST(PhaseSampledLoad, RefuseAMeanBeyondTheGivenError)
+{
+  const PhasePeriods of_glass = { two_pi / 2, 0 };
+  const auto sampled = [&](double max_error) {
+    return sample_phases(jumping_load(0.3), of_glass, { 16, max_error });
+  };
+  const double error = sampled(HUGE_VAL).error().mean;
+  EXPECT_GT(error, 1e-3);
+  EXPECT_EQ(sampled(1.001 * error).phases().size(), 16u);
+  EXPECT_THROW(sampled(0.999 * error), ring::NoBalance);
+}
+
+// Spins of as many intervals as are allowed are sampled, those of one more are refused; what is known stays.
+TEST(PhaseSampledLoad, SampleNoMoreIntervalsThanAllowed)
+{
+  const PhasePeriods of_glass = { two_pi / 2, 0 };
+  const PhaseSamples at_rest = sample_phases(jumping_load(0.1), of_glass, { 16 });
+  const PhaseSampledLoad loads(jumping_load(0.1), of_glass, at_rest, { 3., 16, 2 });
+  for (const double omega : { -1., 2., -2. })
+    EXPECT_NO_THROW(loads.mean(omega)) << omega;
+  EXPECT_THROW(loads.mean(4.), ring::NoBalance);
+  EXPECT_NO_THROW(loads.mean(1.));
+}
+
 TEST(PhaseSampledLoad, SayThatALargeJumpIsNotResolved)
 {
   EXPECT_THROW(sample_phases(jumping_load(2.), { two_pi / 2, 0 }, { 128 }), ring::NoBalance);

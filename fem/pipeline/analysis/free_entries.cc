@@ -1,0 +1,57 @@
+#include "fem/pipeline/analysis/free_entries.h"
+
+#include "fem/pipeline/study/quantity_text.h"
+#include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/support/failures.h"
+
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/trim.hpp>
+
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+std::optional<Prior> parse_prior(const std::string &text, const std::string &unit)
+{
+  std::string plain = text;
+  for (const char *sign : { "+/-", "+-" })
+    boost::replace_all(plain, sign, "±");
+  const std::string mark = "±";
+  const auto at = plain.find(mark);
+  if (at == plain.npos)
+    return std::nullopt;
+  const std::vector<std::string> parts = with_shared_unit(
+    { boost::trim_copy(plain.substr(0, at)), boost::trim_copy(plain.substr(at + mark.size())) });
+  const auto value = parse_quantity(parts[0], unit), spread = parse_quantity(parts[1], unit);
+  return value && spread && *spread >= 0 ? std::optional(Prior{ *value, *spread }) : std::nullopt;
+}
+
+FreeEntry parse_free_entry(const std::string &text)
+{
+  const auto equals = text.find('=');
+  const std::vector<StudyEntry> entries = entries_of(Study());
+  const StudyEntry &entry = entry_at(entries, "--free ", boost::trim_copy(text.substr(0, equals)));
+  require(entry.quantity != nullptr, "--free " + entry.path() + " is no number that can be fitted.");
+  FreeEntry free = { entry.path() };
+  if (equals != text.npos)
+  {
+    free.prior = parse_prior(text.substr(equals + 1), entry.unit);
+    require(free.prior && free.prior->spread > 0,
+            "--free " + shortened(text) +
+              " gives no prior; write value ± spread, or value +- spread, such as \"" + entry.path() +
+              " = 0.3 +- 0.02\".");
+  }
+  return free;
+}
+
+Prior parse_gyroscope_zero(const std::string &text)
+{
+  const auto alone = parse_quantity(text, "rad/s");
+  const auto prior = alone ? std::optional(Prior{ *alone, 0 }) : parse_prior(text, "rad/s");
+  require(prior.has_value(), "--gyroscope-zero " + shortened(text) +
+                               " is no spin; write \"0 +- 0.02 rad/s\", or 0 if there is no zero.");
+  return *prior;
+}
+
+} // namespace stemware::pipeline
