@@ -1,6 +1,6 @@
 # The house has one order: a folder may include the folders above it in this list and nothing below. The ring model does
-# not know the finite elements, and these know its words for a load, ring_model/load, alone. A
-# portable folder includes portable folders, Eigen, Boost and the standard library alone, and knows no files. Fails with
+# not know the finite elements, and these know its words for a load, ring_model/load, alone. A portable folder includes
+# portable folders, Eigen, Boost, the JSON header and the standard library alone, and knows no files. Fails with
 # every include that says otherwise, or file that lies loose.
 # Given: SOURCE_DIR.
 cmake_policy(VERSION 3.25)
@@ -25,6 +25,7 @@ set(order
     fem/pipeline/modules
     fem/pipeline/variants
     fem/pipeline/analysis
+    fem/pipeline/pictures
     fem/pipeline/refinement
     fem/pipeline/answer
     fem/pipeline/explore
@@ -85,7 +86,7 @@ foreach(file IN LISTS files)
       endif()
       if(other GREATER -1 AND NOT folder IN_LIST portable)
         string(APPEND troubles "${file} includes ${included}, which is not portable\n")
-      elseif(other EQUAL -1 AND NOT included MATCHES "^(Eigen|unsupported/Eigen|boost)/|^[a-z_]+$|^math.h$"
+      elseif(other EQUAL -1 AND NOT included MATCHES "^(Eigen|unsupported/Eigen|boost|nlohmann)/|^[a-z_]+$|^math.h$"
              OR included MATCHES "^(filesystem|fstream|thread)$")
         string(APPEND troubles "${file} includes ${included}: a portable folder needs Eigen, Boost and no files\n")
       endif()

@@ -51,20 +51,31 @@ PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const ring::Answer 
   return study;
 }
 
-/// The spin-ups of @p all and of the @p first harmonic alone.
-SpinUpCurves spin_up_curves(const ring::Answer &all, const ring::Answer &first, const ring::Answer &paper)
+/// SpinUpCurves::instants of a spin-up under @p load.
+std::vector<Instant> instants_of(const Study &study, const ring::LoadAtSpin &load,
+                                 const std::vector<ring::YawSample> &spin_up)
 {
-  SpinUpCurves curves;
-  for (const ring::YawSample &sample : all.spin_up)
+  constexpr std::size_t n_intervals = 24;
+  constexpr double near = 0.995;
+  std::size_t n = 0; // samples before the glass tips
+  while (n < spin_up.size() && std::isfinite(spin_up[n].omega))
+    ++n;
+  if (n == 0)
+    return {};
+  std::size_t last = 0;
+  while (last + 1 < n && std::abs(spin_up[last].omega) < near * std::abs(spin_up[n - 1].omega))
+    ++last;
+  ring::Question question = spin_question(study);
+  question.with_minima = false;
+  std::vector<Instant> instants;
+  const std::size_t n_steps = std::min(n_intervals, last);
+  for (std::size_t i = 0; i <= n_steps; ++i)
   {
-    curves.time.push_back(sample.time);
-    curves.adaptive.push_back(sample.omega);
-    curves.yaw_angle.push_back(sample.yaw_angle);
+    const ring::YawSample &sample = spin_up[n_steps == 0 ? 0 : i * last / n_steps];
+    instants.push_back({ sample.time, sample.omega, sample.yaw_angle,
+                         ring::ring_state(load.at(sample.omega), question, sample.omega) });
   }
-  curves.euler = spins_of(all.euler);
-  curves.first_harmonic = spins_of(first.spin_up);
-  curves.paper = spins_of(paper.spin_up);
-  return curves;
+  return instants;
 }
 
 /// The study on one ring of its foot; nothing where it has no other.
@@ -87,6 +98,23 @@ ring::Answer beside_all(ring::Answer one_ring, const ring::Answer &all)
 }
 
 } // namespace
+
+SpinUpCurves spin_up_curves(const Study &study, const ring::LoadAtSpin &load, const ring::Answer &all,
+                            const ring::Answer &first, const ring::Answer &paper)
+{
+  SpinUpCurves curves;
+  for (const ring::YawSample &sample : all.spin_up)
+  {
+    curves.time.push_back(sample.time);
+    curves.adaptive.push_back(sample.omega);
+    curves.yaw_angle.push_back(sample.yaw_angle);
+  }
+  curves.euler = spins_of(all.euler);
+  curves.first_harmonic = spins_of(first.spin_up);
+  curves.paper = spins_of(paper.spin_up);
+  curves.instants = instants_of(study, load, all.spin_up);
+  return curves;
+}
 
 std::optional<double> TorqueCurve::spin_unit() const
 {
@@ -271,8 +299,8 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   of_all.value(); // a spin-up that is lost is no answer
   result.terminal_spins = of_all.all_spins;
   result.torque = torque_curve(shown, all.load->spin_scale(study.motion.orbit), of_all, of_first);
-  result.spin_up =
-    spin_up_curves(of_all, solved.by_harmonics.size() > 1 ? of_first : of_all, paper_curves(study, {}));
+  result.spin_up = spin_up_curves(
+    study, *all.load, of_all, solved.by_harmonics.size() > 1 ? of_first : of_all, paper_curves(study, {}));
   result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time);
   if (depth == Depth::full)
     result.budget = find_budget(study, std::move(solved), executor);

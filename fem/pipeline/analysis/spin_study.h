@@ -44,6 +44,15 @@ struct DrivenSpinUp
   std::optional<Breakaway> breakaway = {}; ///< of a hand that starts from rest
 };
 
+/// One instant of a spin-up.
+struct Instant
+{
+  double time = 0;      ///< [s]
+  double omega = 0;     ///< [rad/s]
+  double yaw_angle = 0; ///< [rad]
+  ring::RingState state;
+};
+
 /// omega(t) from rest at equally spaced times, each load in its own balance; NaN after tipping.
 struct SpinUpCurves
 {
@@ -53,6 +62,8 @@ struct SpinUpCurves
   std::vector<double> first_harmonic; ///< first harmonic only, error control [rad/s]; empty without a balance
   std::vector<double> yaw_angle;      ///< all harmonics, error control [rad]
   std::vector<double> paper; ///< the paper's model of the same glass: its moment balance, its load [rad/s]
+  /// Instants from rest until the spin has come within 0.5 % of its last one, all harmonics; at most 25.
+  std::vector<Instant> instants = {};
   std::optional<DrivenSpinUp> driven = {}; ///< under Motion/Orbit speed file, if given
 };
 
@@ -107,6 +118,12 @@ std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow>
 /// Euler step [s], 0: none. @p all_spins: compute Answer::all_spins.
 ring::Answer curves_of(const Study &study, const LoadedRow &row, const std::vector<double> &spins,
                        double euler_step = 0, bool all_spins = false);
+
+/// Returns the spin-ups of @p all, with the instants of its @p load, of the @p first harmonics alone and of
+/// the
+/// @p paper's model.
+SpinUpCurves spin_up_curves(const Study &study, const ring::LoadAtSpin &load, const ring::Answer &all,
+                            const ring::Answer &first, const ring::Answer &paper);
 
 /// Returns the curves of the paper's model (its moment balance and load) for the glass of a study.
 ring::Answer paper_curves(const Study &study, const std::vector<double> &spins);

@@ -46,17 +46,20 @@ void explore(const ExploreOptions &options)
     wish.tables.push_back(name == rigid_table.name ? rigid_table
                                                    : preset_of(table_presets(), "--table", name));
   fem::ComplianceCache cache;
-  const Page page =
-    make_page(wish, live_solver(), cache,
-              [](const PagePair &pair)
+  std::vector<PagePair> pairs;
+  const LivePart live =
+    live_part(wish, live_solver(), cache,
+              [&](const PagePair &pair)
               {
+                pairs.push_back(pair);
                 console() << fmt::format(FMT_STRING("Pair      {} on {}: {} nodes, {:.4f} rad/s"), pair.glass,
                                          pair.table, pair.n_nodes, pair.omega)
                           << (pair.band ? fmt::format(FMT_STRING(" ± {:.1e}"), *pair.band) : "") << std::endl;
               });
-  on_first_rank([&] { write_output_file(options.file, page.text); });
+  const std::string page = explore_page(live, pairs);
+  on_first_rank([&] { write_output_file(options.file, page); });
   console() << fmt::format(FMT_STRING("Written   {}, {:.0f} kB: open it in a browser\n"), options.file,
-                           static_cast<double>(page.text.size()) / 1e3)
+                           static_cast<double>(page.size()) / 1e3)
             << std::flush;
 }
 

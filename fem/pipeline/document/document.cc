@@ -1,8 +1,5 @@
 #include "fem/pipeline/document/document.h"
 
-#include "fem/pipeline/support/numbers.h"
-
-#include <cmath>
 #include <map>
 
 namespace stemware::pipeline
@@ -22,16 +19,6 @@ Json shortened_cell(const Json &cell)
 }
 
 } // namespace
-
-Json shortened(double value, int n_digits)
-{
-  if (!std::isfinite(value))
-    return nullptr;
-  const double number = rounded(value, n_digits);
-  if (number == std::round(number) && std::abs(number) < 1e15)
-    return static_cast<long>(number); // 3 is shorter than 3.0
-  return number;
-}
 
 void Document::add_rows(const std::string &name, const Json &rows, const std::string &keys,
                         const std::string &section)
@@ -53,19 +40,6 @@ void Document::add_rows(const std::string &name, const Json &rows, const std::st
     quantities[name][key] = { { "heading", quantity.heading },
                               { "unit", quantity.unit },
                               { "digits", quantity.digits } };
-  }
-}
-
-void Document::add_columns(const std::string &name,
-                           const std::vector<std::pair<std::string, std::vector<double>>> &columns)
-{
-  Json &shown = tables[name] = { { "keys", Json::array() }, { "values", Json::array() } };
-  for (const auto &[key, numbers] : columns)
-  {
-    shown["keys"].push_back(key);
-    Json &values = shown["values"].emplace_back(Json::array());
-    for (const double number : numbers)
-      values.push_back(shortened(number));
   }
 }
 

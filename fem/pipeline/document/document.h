@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/document/table.h"
+#include "fem/pipeline/pictures/pictures.h"
 
 #include <string>
 
@@ -17,13 +18,9 @@ struct Findings
 };
 
 /// Findings of a verb with the words, tables and quantities of its page.
-struct Document
+struct Document : Pictures
 {
   Findings findings; ///< for summary.json and --json
-  /// Texts by name, among them "title", "inputs" and "answer", and captions of pictures.
-  nlohmann::ordered_json words = nlohmann::ordered_json::object();
-  /// Columns of tables and pictures: {"keys": [...], "values": [[...] ...]} by name.
-  nlohmann::ordered_json tables = nlohmann::ordered_json::object();
   /// Heading, unit and digits of the columns, by table and key.
   nlohmann::ordered_json quantities = nlohmann::ordered_json::object();
   nlohmann::ordered_json entries = nlohmann::ordered_json::array(); ///< all_entries() of the study
@@ -33,15 +30,8 @@ struct Document
   void add_rows(const std::string &name, const nlohmann::ordered_json &rows, const std::string &keys = "",
                 const std::string &section = "");
 
-  /// Adds columns of numbers for a picture, with six digits.
-  void add_columns(const std::string &name,
-                   const std::vector<std::pair<std::string, std::vector<double>>> &columns);
-
   /// Adds the listed numbers of the part @p name of the findings as the table @p name, one row each.
   void add_list(const std::string &name);
 };
-
-/// Returns a number rounded to @p n_digits significant digits; null if it is not finite.
-nlohmann::ordered_json shortened(double value, int n_digits = 6);
 
 } // namespace stemware::pipeline

@@ -151,25 +151,6 @@ Json shown_chain(const Study &study, std::vector<BudgetRow> rows)
   return shown;
 }
 
-std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows)
-{
-  std::vector<BudgetRow> steps;
-  std::optional<double> first; // terminal spin of the first harmonic alone
-  for (const BudgetRow &row : rows)
-  {
-    if (row.name != "harmonics" || steps.empty() || steps.back().name != "harmonics")
-    {
-      first = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
-      steps.push_back(row);
-      continue;
-    }
-    steps.back() = row;
-    steps.back().difference =
-      first && row.omega_terminal ? std::optional(*row.omega_terminal - *first) : std::nullopt;
-  }
-  return steps;
-}
-
 Json without_rows(const Study &study, const Budget &budget)
 {
   const auto complete = budget.rows.empty() ? std::nullopt : budget.rows.back().omega_terminal;

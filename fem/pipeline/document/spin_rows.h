@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/document/json.h"
+#include "fem/pipeline/pictures/pictures.h"
 #include "fem/pipeline/study/study.h"
 #include "ring_model/spin/answer.h"
 
@@ -40,9 +41,6 @@ nlohmann::ordered_json chain_rows(const Study &study, const std::vector<BudgetRo
 /// Returns chain_rows() for display: rows without effect are omitted, differences below 1e-9 v/R are 0, and
 /// terminal spins have the digits supported by the band of the last row.
 nlohmann::ordered_json shown_chain(const Study &study, std::vector<BudgetRow> rows);
-
-/// Returns the chain with its rows of harmonics merged into one, from the first harmonic to all.
-std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows);
 
 /// Returns the complete model without one effect at a time, compared with the complete model.
 nlohmann::ordered_json without_rows(const Study &study, const Budget &budget);

@@ -1,22 +1,16 @@
 #include "fem/pipeline/explore/explore_api.h"
 
 #include "fem/contact/contact_solution.h"
+#include "fem/contact/footprint.h"
 #include "fem/pipeline/explore/explorer.h"
+#include "fem/pipeline/pictures/pictures.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/support/numbers.h"
 #include "ring_model/no_balance.h"
 
-#include <boost/math/constants/constants.hpp>
-
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <initializer_list>
 #include <memory>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace stemware::pipeline
 {
@@ -28,130 +22,89 @@ std::unique_ptr<Explorer> explorer = std::make_unique<Explorer>(); // NOLINT: a 
 std::optional<fem::ContactState> last_contact;                     // NOLINT
 std::string reply;                                                 // NOLINT: what the page reads
 
-/// A value as JSON.
-struct Json
+using Json = nlohmann::ordered_json;
+
+/// A number, or null.
+Json number(const std::optional<double> &value)
 {
-  Json(double value)
-      : text("null")
-  {
-    if (!std::isfinite(value))
-      return;
-    // Not the shortest text: where the standard library does not have it, that takes seventeen trials.
-    std::array<char, 32> digits;
-    std::snprintf(digits.data(), digits.size(), "%.17g", value);
-    text = digits.data();
-  }
-  Json(bool value)
-      : text(value ? "true" : "false")
-  {
-  }
-  Json(unsigned int value)
-      : text(std::to_string(value))
-  {
-  }
-  Json(const std::string &value)
-      : text("\"")
-  {
-    for (const char letter : value)
-      if (letter == '"' || letter == '\\')
-        text += std::string("\\") + letter;
-      else
-        text += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
-    text += '"';
-  }
-  Json(const char *value)
-      : Json(std::string(value))
-  {
-  }
-  Json(const Eigen::Vector2d &vector)
-      : Json(std::vector<double>(vector.begin(), vector.end()))
-  {
-  }
-  template <typename Value>
-  Json(const std::optional<Value> &value)
-      : text(value ? Json(*value).text : "null")
-  {
-  }
-  template <typename Value>
-  Json(const std::vector<Value> &values)
-      : text("[")
-  {
-    for (const Value &value : values)
-      text += (text == "[" ? "" : ",") + Json(value).text;
-    text += ']';
-  }
-  /// An object.
-  using Members = std::initializer_list<std::pair<const char *, Json>>;
-  Json(Members members)
-      : text("{}")
-  {
-    for (const auto &[key, value] : members)
-      add(key, value);
-  }
-
-  /// Adds a member to an object.
-  void add(const std::string &key, const Json &value)
-  {
-    text.pop_back();
-    text += (text == "{" ? "" : ",") + Json(key).text + ':' + value.text + '}';
-  }
-
-  std::string text;
-};
-
-/// State of the rim: its load by harmonics, friction and torques.
-Json state_json(const ring::RingState &state, double contact_radius)
-{
-  const ring::RingStack &load = state.load;
-  std::vector<double> a, b;
-  for (unsigned int n = 0; n <= load.n_harmonics(); ++n)
-  {
-    a.push_back(load.a(n));
-    b.push_back(load.b(n));
-  }
-  return Json{ { "a", a },
-               { "b", b },
-               { "normal_force", load.normal_force() },
-               { "moment", load.moment() },
-               { "moment_ratio", load.moment_ratio(contact_radius) },
-               { "friction", std::vector<double>{ state.friction.force_x, state.friction.force_y } },
-               { "torque", state.friction.torque },
-               { "lean_torque", state.lean_torque },
-               { "grip_torque", state.grip_torque },
-               { "minimum", state.minimum },
-               { "pulling_share", state.pulling_share } };
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-Json row_json(const ring::Answer &row, double contact_radius)
+/// An answer by the keys of summary.json/ring.
+Json ring_summary(const ring::Answer &row)
 {
-  Json object = { { "omega", row.omega_terminal() }, { "last_spin", row.last_spin() },
-                  { "falls", row.fall.has_value() }, { "time_constant", row.time_constant() },
-                  { "harmonics", row.harmonics },    { "standing", to_string(row.status) },
-                  { "reason", row.reason } };
-  if (row.at_rest)
-    object.add("at_rest", state_json(*row.at_rest, contact_radius));
-  if (row.at_terminal)
-    object.add("at_end", state_json(*row.at_terminal, contact_radius));
-  else if (row.fall)
-    object.add("at_end", state_json(row.fall->state, contact_radius));
-  return object;
+  return { { "harmonics", row.harmonics },
+           { "tau_at_rest", row.at_rest ? number(row.at_rest->friction.torque) : Json(nullptr) },
+           { "omega_terminal", number(row.omega_terminal()) },
+           { "time_constant", number(row.time_constant()) },
+           { "standing", to_string(row.status) },
+           { "fall", row.fall ? Json{ { "omega", row.fall->omega } } : Json(nullptr) },
+           { "message", row.reason } };
 }
 
-Json contact_json(const fem::ContactState &contact)
+/// A load by the keys of summary.json/load.
+Json load_summary(const ring::RingState &state, double contact_radius)
 {
-  std::vector<double> azimuths, loads;
-  for (const fem::AzimuthLoad &place : contact.load.pointwise)
+  const Eigen::Vector2d moment = state.load.moment();
+  return { { "normal_force", state.load.normal_force() },
+           { "moment", { moment.x(), moment.y() } },
+           { "moment_ratio", state.load.moment_ratio(contact_radius) },
+           { "minimum", number(state.minimum) } };
+}
+
+/// The state at the end of the spin-up, or at rest without one.
+const ring::RingState *end_of(const ring::Answer &row)
+{
+  return row.at_terminal ? &*row.at_terminal
+         : row.fall      ? &row.fall->state
+         : row.at_rest   ? &*row.at_rest
+                         : nullptr;
+}
+
+/// Document of an answer: what the page of `run` has of the same names, as far as it is known.
+Json answer_document(const LiveAnswer &found)
+{
+  const Study &study = explorer->study();
+  Pictures pictures;
+  Json summary = { { "ring", ring_summary(found.all) },
+                   { "paper", ring_summary(found.paper) },
+                   { "first_n", found.first_n ? ring_summary(*found.first_n) : Json(nullptr) } };
+  if (found.all.at_rest)
+    summary["load"] = load_summary(*found.all.at_rest, found.contact_radius);
+  if (const ring::RingState *end = end_of(found.all))
   {
-    azimuths.push_back(place.azimuth);
-    loads.push_back(place.density);
+    Json &load = summary["load_at_terminal"] = load_summary(*end, found.contact_radius);
+    LoadReport report;
+    report.rings = end->load;
+    if (found.contact)
+    {
+      report.contact_fraction = found.contact->load.contact_fraction;
+      report.pointwise = found.contact->load.pointwise;
+      load["contact_fraction"] = report.contact_fraction;
+      load["tilt"] = { found.contact->solution.motion(1), found.contact->solution.motion(2) };
+    }
+    TruncatedLoads truncated;
+    if (const ring::RingState *first_n = found.first_n ? end_of(*found.first_n) : nullptr)
+      truncated.emplace_back(found.first_n->harmonics, first_n->load);
+    add_load_columns(report, truncated, study.motion.orbit.sense_sign(), pictures);
+    add_motion(study, { { 0, found.all.last_spin().value_or(0), 0, *end } }, pictures);
+    pictures.words["sketch"] = { { "clockwise", study.motion.orbit.sense_sign() < 0 } };
+    pictures.words["numbers"] = { { "omega_end", found.all.last_spin().value_or(0) },
+                                  { "torque_at_rest", summary["ring"]["tau_at_rest"] } };
   }
-  return Json{ { "azimuth", azimuths },
-               { "load", loads },
-               { "inner_radius", contact.inner_radius },
-               { "outer_radius", contact.outer_radius },
-               { "motion",
-                 std::vector<double>(contact.solution.motion.begin(), contact.solution.motion.end()) },
-               { "contact_fraction", contact.load.contact_fraction } };
+  return { { "summary", summary }, { "words", pictures.words }, { "tables", pictures.tables } };
+}
+
+Json document_of(const Pictures &pictures, const Json &summary = Json::object())
+{
+  return { { "document",
+             { { "summary", summary }, { "words", pictures.words }, { "tables", pictures.tables } } } };
+}
+
+/// The text of @p json; bytes that are not UTF-8 become replacement characters.
+std::string text_of(const Json &json)
+{
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /// Answers with what @p make returns, or with why it throws.
@@ -160,21 +113,21 @@ const char *answer(const Make &make)
 {
   try
   {
-    reply = make().text;
+    reply = text_of(make());
   }
   catch (const ring::Tipping &failure)
   {
     const std::string sentence = with_implausible_values(explorer->study(), failure.what());
-    reply = Json{ { "error", sentence }, { "tips", true } }.text;
+    reply = text_of({ { "error", sentence }, { "tips", true } });
   }
   catch (const fem::ContactFailure &failure)
   {
     const bool tips = failure.outcome == fem::ContactOutcome::tipping;
-    reply = Json{ { "error", failure.what() }, { "tips", tips } }.text;
+    reply = text_of({ { "error", failure.what() }, { "tips", tips } });
   }
   catch (const std::exception &failure)
   {
-    reply = Json{ { "error", failure.what() }, { "tips", false } }.text;
+    reply = text_of({ { "error", failure.what() }, { "tips", false } });
   }
   return reply.c_str();
 }
@@ -207,7 +160,7 @@ const char *explore_set(const char *path, const char *value)
     [&]
     {
       explorer->set(path, value);
-      return Json(Json::Members{});
+      return Json(Json::object());
     });
 }
 
@@ -222,7 +175,7 @@ const char *explore_entries()
     [&]
     {
       Study copy = explorer->study();
-      std::vector<Json> entries;
+      Json entries = Json::array();
       for (const StudyEntry &entry : study_entries(copy))
         entries.push_back(Json{ { "path", entry.path() },
                                 { "unit", entry.unit },
@@ -230,7 +183,7 @@ const char *explore_entries()
                                 { "help", entry.help },
                                 { "value", entry.text() },
                                 { "acts", entry.has_effect } });
-      return Json(entries);
+      return entries;
     });
 }
 
@@ -241,45 +194,26 @@ const char *explore_solve(unsigned int n_harmonics, int cold)
     {
       const LiveAnswer found = explorer->solve(n_harmonics == 0 ? all_harmonics : n_harmonics, cold != 0);
       last_contact = found.contact;
-      Json object = { { "fit", name_of(found.match) },
-                      { "contact_radius", found.contact_radius },
-                      { "all", row_json(found.all, found.contact_radius) },
-                      { "paper", row_json(found.paper, found.contact_radius) },
-                      { "notes", implausible_notes(explorer->study()) } };
-      if (found.first_n)
-        object.add("first_n", row_json(*found.first_n, found.contact_radius));
-      if (found.contact)
-        object.add("contact", contact_json(*found.contact));
-      return object;
+      return Json{ { "fit", name_of(found.match) },
+                   { "notes", implausible_notes(explorer->study()) },
+                   { "document", answer_document(found) } };
     });
 }
 
-const char *explore_pressure(unsigned int n_azimuths)
+const char *explore_pressure()
 {
   return answer(
     [&]
     {
-      if (!last_contact)
-        return Json(Json::Members{});
-      const fem::PressureMap map = explorer->pressure(*last_contact);
-      const std::size_t step = std::max<std::size_t>(1, map.cuts.size() / std::max(1u, n_azimuths));
-      std::vector<double> azimuths;
-      std::vector<Json> cuts;
-      for (std::size_t i = 0; i < map.cuts.size(); i += step)
+      Pictures pictures;
+      if (last_contact)
       {
-        if (map.cuts[i].empty())
-          continue;
-        std::string radii, pressures;
-        for (const fem::PressurePoint &point : map.cuts[i])
-        {
-          radii += (radii.empty() ? "[" : ",") + to_short_text(point.radius);
-          pressures += (pressures.empty() ? "[" : ",") + to_short_text(point.pressure);
-        }
-        azimuths.push_back(map.cuts[i].front().azimuth);
-        cuts.emplace_back("");
-        cuts.back().text = "[" + radii + "]," + pressures + "]]";
+        const fem::PressureMap map = explorer->pressure(*last_contact);
+        pictures.tables["foot"] = { { "footprint",
+                                      pressure_map(map, explorer->study().glass.profile.contact_radius,
+                                                   fem::largest_pressure(map)) } };
       }
-      return Json{ { "azimuth", azimuths }, { "cuts", cuts } };
+      return document_of(pictures);
     });
 }
 
@@ -288,20 +222,14 @@ const char *explore_curves()
   return answer(
     [&]
     {
-      const std::optional<LiveCurves> curves = explorer->curves();
-      if (!curves)
-        return Json(Json::Members{});
-      const TorqueCurve &torque = curves->torque;
-      std::vector<double> of_all;
-      for (const ring::Wrench &friction : torque.friction)
-        of_all.push_back(friction.torque);
-      Json object = { { "spin", torque.omega },      { "torque", of_all },
-                      { "sum", torque.sum },         { "of_paper", curves->of_paper },
-                      { "time", curves->time },      { "omega", curves->spin },
-                      { "omega_n", curves->spin_n }, { "omega_paper", curves->spin_paper } };
-      if (!torque.truncations.empty())
-        object.add("of_n", torque.truncations.front());
-      return object;
+      Pictures pictures;
+      if (const std::optional<LiveCurves> curves = explorer->curves())
+      {
+        add_torque_columns(curves->torque, curves->rows, curves->of_paper, pictures);
+        add_spin_up_columns(curves->spin_up, curves->rows.front().harmonics, pictures);
+        add_motion(explorer->study(), curves->spin_up.instants, pictures);
+      }
+      return document_of(pictures);
     });
 }
 
@@ -310,16 +238,11 @@ const char *explore_budget()
   return answer(
     [&]
     {
-      std::vector<Json> steps;
-      for (const BudgetRow &row : explorer->budget())
-        steps.push_back(Json{ { "name", row.name },
-                              { "step", row.step.number },
-                              { "is_addition", row.step.is_addition },
-                              { "harmonics", row.harmonics },
-                              { "omega", row.omega_terminal },
-                              { "difference", row.difference },
-                              { "standing", to_string(row.status) },
-                              { "reason", row.reason } });
-      return Json{ { "rows", steps } };
+      Pictures pictures;
+      const LiveBudget budget = explorer->budget();
+      add_waterfall(budget.rows, 1e-9 * spin_scale(explorer->study()), pictures);
+      return document_of(pictures, { { "harmonic_effect",
+                                       { { "absolute", number(budget.harmonics.absolute) },
+                                         { "relative", number(budget.harmonics.relative) } } } });
     });
 }

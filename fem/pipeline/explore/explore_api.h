@@ -1,7 +1,8 @@
 #pragma once
 
 /// C interface of the live solver, one Explorer. Every function returns UTF-8 JSON, valid until the next
-/// call; failures are {"error": message}.
+/// call; failures are {"error": message}. Answers have a "document": "summary", "words" and "tables" with the
+/// keys that the page of `run` has, as far as they are known.
 extern "C"
 {
   /// Resets to the default study without compliances.
@@ -16,8 +17,10 @@ extern "C"
   const char *explore_entries();
   /// Explorer::solve(); @p n_harmonics = 0: all.
   const char *explore_solve(unsigned int n_harmonics, int cold);
-  /// Returns the pressure p(r, theta) of the last answer at no more than @p n_azimuths azimuths.
-  const char *explore_pressure(unsigned int n_azimuths);
+  /// Returns the pressure of the last answer.
+  const char *explore_pressure();
+  /// Returns torques over the spin, the spin-up and its instants.
   const char *explore_curves();
+  /// Returns the steps from the paper's model to the last answer's.
   const char *explore_budget();
 }

@@ -211,28 +211,24 @@ std::optional<LiveCurves> Explorer::curves()
     of_first_n = curves_of(
       present, with_interpolated_load(rows.front(), shown.front(), shown.back(), all.load.get()), shown);
   LiveCurves curves;
+  for (const LoadedRow &row : rows)
+    curves.rows.push_back(row.row);
   curves.torque = torque_curve(shown, all.load->spin_scale(present.motion.orbit), of_all, of_first_n);
   curves.of_paper = ring::friction_torques(paper);
-  curves.time = ring::output_times(present.motion.end_time);
-  const auto spins = [&](const ring::Answer &answer)
-  {
-    return answer.spin_up.empty() ? std::vector<double>(curves.time.size(), std::nan(""))
-                                  : ring::spins_of(answer.spin_up);
-  };
-  curves.spin = spins(of_all);
-  if (rows.size() > 1)
-    curves.spin_n = spins(of_first_n);
-  curves.spin_paper = spins(paper);
+  curves.spin_up = spin_up_curves(present, *all.load, of_all, of_first_n, paper);
   return curves;
 }
 
-std::vector<BudgetRow> Explorer::budget()
+LiveBudget Explorer::budget()
 {
   if (rows.empty())
     return {};
-  return assess_chain(present,
-                      rows_by_harmonics(present, foot, *rows.back().load, spin_question(present), executor(),
-                                        silent_progress(), Depth::full, model_chain(present)));
+  const StudyRows solved =
+    rows_by_harmonics(present, foot, *rows.back().load, spin_question(present), executor(), silent_progress(),
+                      Depth::full, model_chain(present));
+  return { assess_chain(present, solved),
+           harmonic_effect(solved.by_harmonics.front().row.omega_terminal(),
+                           solved.by_harmonics.back().row.omega_terminal(), spin_scale(present)) };
 }
 
 std::vector<double> serialized(const fem::ContactCompliance &compliance)

@@ -40,12 +40,17 @@ struct LiveAnswer
 /// Curves of a LiveAnswer; NaN without a balance.
 struct LiveCurves
 {
+  std::vector<ring::Answer> rows; ///< the first n harmonics, if n was given, and all
   TorqueCurve torque;             ///< of all harmonics, and of the first n
   std::vector<double> of_paper;   ///< tau_z of the paper's ring at the same spins [N m]
-  std::vector<double> time;       ///< [s]
-  std::vector<double> spin;       ///< omega(t), all harmonics [rad/s]
-  std::vector<double> spin_n;     ///< the first n harmonics only; empty if n was not given [rad/s]
-  std::vector<double> spin_paper; ///< of the paper's ring [rad/s]
+  SpinUpCurves spin_up;           ///< `first_harmonic` has the first n; empty if n was not given
+};
+
+/// Chain of models from the paper's to the last answer's.
+struct LiveBudget
+{
+  std::vector<BudgetRow> rows;
+  HarmonicEffect harmonics;
 };
 
 /// Study for interactive use, changed and solved repeatedly with given compliances and without meshes.
@@ -77,7 +82,7 @@ public:
   std::optional<LiveCurves> curves();
 
   /// Returns the chain of models from the paper's model to the last answer's.
-  std::vector<BudgetRow> budget();
+  LiveBudget budget();
 
   /// Returns the pressure of @p contact, the contact of the last answer.
   fem::PressureMap pressure(const fem::ContactState &contact) const

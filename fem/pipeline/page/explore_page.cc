@@ -9,9 +9,7 @@
 #include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/page/live_bodies.h"
-#include "fem/pipeline/page/page.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/system/json_text.h"
 #include "fem/pipeline/system/program.h"
 #include "fem/pipeline/system/shared_files.h"
 #include "fem/pipeline/system/text_file.h"
@@ -226,21 +224,6 @@ nlohmann::ordered_json buttons(const std::vector<Preset> &presets, const std::st
   return list;
 }
 
-/// Sentence for a browser that runs no script of the page, as HTML.
-std::string answer_without_scripts(const std::vector<PagePair> &pairs)
-{
-  std::string text;
-  for (const PagePair &pair : pairs)
-  {
-    const std::string omega =
-      boost::replace_all_copy(fmt::format(FMT_STRING("{:.4f}"), pair.omega), "-", "\u2212");
-    text += (text.empty() ? "" : ", ") + pair.glass + " on " + pair.table + ' ' + omega + " rad/s";
-  }
-  return "Terminal spins by stemware run: " + text +
-         ". If nothing moves here, this site or browser runs no scripts; save the file and open it in a "
-         "browser.";
-}
-
 /// The presets, or nothing alone for the glass or table of the study.
 std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
 {
@@ -305,29 +288,21 @@ std::string script_in(const std::string &page, const std::string &id)
 
 } // namespace
 
-LiveSolver live_solver()
+std::string live_solver()
 {
   for (const std::filesystem::path &folder : shared_folders())
-  {
-    const std::string script = read_text_file(folder / "explore.js"),
-                      wasm = read_text_file(folder / "explore.wasm");
-    if (!script.empty() && !wasm.empty())
-      return { finite_elements().compressed_base64(script), finite_elements().compressed_base64(wasm) };
-  }
+    if (const std::string wasm = read_text_file(folder / "explore.wasm"); !wasm.empty())
+      return finite_elements().compressed_base64(wasm);
   for (const std::filesystem::path &folder : shared_folders())
-  {
-    const std::string page = read_text_file(folder / "explore.html");
-    const LiveSolver solver = { script_in(page, "glue"), script_in(page, "wasm") };
-    if (!solver.script.empty() && !solver.wasm.empty())
-      return solver;
-  }
+    if (std::string wasm = script_in(read_text_file(folder / "explore.html"), "wasm"); !wasm.empty())
+      return wasm;
   throw BadInput(
     "This Stemware has no solver for a page; build it with -D STEMWARE_EXPLORE=ON, or put the page "
     "explore.html of the project into share/stemware.");
 }
 
-Page make_page(const PageOptions &options, const LiveSolver &solver, fem::ComplianceCache &cache,
-               const std::function<void(const PagePair &)> &done)
+LivePart live_part(const PageOptions &options, const std::string &solver, fem::ComplianceCache &cache,
+                   const std::function<void(const PagePair &)> &done)
 {
   std::vector<std::pair<const Preset *, const Preset *>> wanted;
   for (const Preset *glass : each_of(options.glasses))
@@ -338,7 +313,6 @@ Page make_page(const PageOptions &options, const LiveSolver &solver, fem::Compli
     .for_each(wanted.size(), [&](std::size_t i)
               { solved[i] = solve_pair(options, wanted[i].first, wanted[i].second, cache); });
 
-  Page page;
   Bodies bodies;
   nlohmann::ordered_json pairs;
   for (const std::optional<SolvedPair> &one : solved)
@@ -355,29 +329,32 @@ Page make_page(const PageOptions &options, const LiveSolver &solver, fem::Compli
       { "here", one->here },
       { "band", pair.band ? nlohmann::ordered_json(*pair.band) : nlohmann::ordered_json() }
     };
-    page.pairs.push_back(pair);
-    if (done)
-      done(pair);
+    done(pair);
   }
 
   Study defaults;
   nlohmann::ordered_json entries;
   for (const StudyEntry &entry : study_entries(defaults))
     entries[entry.path()] = entry.text();
-  const nlohmann::ordered_json data = { { "version", program_version() },
-                                        { "tolerance", tolerance },
-                                        { "near_band", close_mesh_band },
-                                        { "glasses", buttons(options.glasses, "glass of the study") },
-                                        { "tables", buttons(options.tables, "table of the study") },
-                                        { "entries", entries },
-                                        { "pairs", pairs },
-                                        { "bodies", bodies.places } };
-  page.text = live_page({ { "ANSWER", answer_without_scripts(page.pairs) },
-                          { "DATA", json_within_html(data) },
-                          { "BODIES", finite_elements().compressed_base64(bodies.bytes) },
-                          { "WASM", solver.wasm },
-                          { "GLUE", solver.script } });
-  return page;
+  return { { { "version", program_version() },
+             { "tolerance", tolerance },
+             { "near_band", close_mesh_band },
+             { "glasses", buttons(options.glasses, "glass of the study") },
+             { "tables", buttons(options.tables, "table of the study") },
+             { "entries", entries },
+             { "pairs", pairs },
+             { "bodies", bodies.places } },
+           finite_elements().compressed_base64(bodies.bytes),
+           solver };
+}
+
+std::string explore_page(const LivePart &live, const std::vector<PagePair> &pairs)
+{
+  std::string spins;
+  for (const PagePair &pair : pairs)
+    spins += (spins.empty() ? "" : ", ") + pair.glass + " on " + pair.table + ' ' +
+             boost::replace_all_copy(fmt::format(FMT_STRING("{:.4f}"), pair.omega), "-", "\u2212") + " rad/s";
+  return page_of(nullptr, "The spinning wine glass", "Terminal spins by stemware run: " + spins + '.', live);
 }
 
 } // namespace stemware::pipeline

@@ -2,6 +2,7 @@
 
 #include "fem/meridian/compliance_cache.h"
 #include "fem/pipeline/input/presets.h"
+#include "fem/pipeline/page/page.h"
 #include "fem/pipeline/study/study.h"
 
 #include <functional>
@@ -12,18 +13,11 @@
 namespace stemware::pipeline
 {
 
-/// Live solver as WebAssembly with its start script.
-struct LiveSolver
-{
-  std::string script; ///< both gzip, base64
-  std::string wasm;
-};
+/// Returns the installed solver as WebAssembly, gzip in base64: explore.wasm of share/stemware, else the
+/// solver of the page explore.html there. Throws BadInput if neither exists.
+std::string live_solver();
 
-/// Returns the installed solver: explore.js and explore.wasm of share/stemware, else the solver of the page
-/// explore.html there. Throws BadInput if neither exists.
-LiveSolver live_solver();
-
-/// Options of a page of `stemware explore`.
+/// Options of the live part of a page.
 struct PageOptions
 {
   Study study;                 ///< initial study of the page
@@ -43,15 +37,12 @@ struct PagePair
   std::size_t bytes = 0;      ///< of its compliances, before they are packed
 };
 
-/// Page with a summary of its content.
-struct Page
-{
-  std::string text;
-  std::vector<PagePair> pairs;
-};
-/// Makes the page; @p done is called for each pair, in order. Throws BadInput as live_bodies(), and for pairs
-/// that `stemware run` cannot solve.
-Page make_page(const PageOptions &options, const LiveSolver &solver, fem::ComplianceCache &cache,
-               const std::function<void(const PagePair &)> &done = {});
+/// Makes the live part of a page; @p done is called for each pair, in order. Throws BadInput as
+/// live_bodies(), and for pairs that `stemware run` cannot solve.
+LivePart live_part(const PageOptions &options, const std::string &solver, fem::ComplianceCache &cache,
+                   const std::function<void(const PagePair &)> &done);
+
+/// Returns the page of @p live, whose pairs are @p pairs, without a document.
+std::string explore_page(const LivePart &live, const std::vector<PagePair> &pairs);
 
 } // namespace stemware::pipeline

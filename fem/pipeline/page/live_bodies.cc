@@ -8,9 +8,6 @@
 namespace stemware::pipeline
 {
 
-namespace
-{
-
 void require_live(const Study &study)
 {
   require(study.load.is_from_contact(), "A page needs a contact to solve; set Load/Source = contact.");
@@ -21,8 +18,6 @@ void require_live(const Study &study)
           "A page reads no files; leave Glass/Profile file and Motion/Orbit speed file empty.");
   require(study.contact.goal == Goal::none, "A page keeps its mesh; set Contact/Goal = none.");
 }
-
-} // namespace
 
 LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache, const Discretisation &discretisation)
 {

@@ -15,8 +15,11 @@ struct LiveBodies
   std::optional<fem::ContactCompliance> disc; ///< std::nullopt on a rigid substrate
 };
 
-/// Returns the compliances of foot and disc of @p study in the expected contact zone. Throws BadInput for
-/// studies that an Explorer does not support: solid body, drawn profile, waviness, files.
+/// Throws BadInput for studies that an Explorer does not support: solid body, drawn profile, waviness, files.
+void require_live(const Study &study);
+
+/// Returns the compliances of foot and disc of @p study in the expected contact zone. Throws as
+/// require_live().
 LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache,
                        const Discretisation &discretisation = {});
 

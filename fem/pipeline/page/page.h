@@ -2,21 +2,24 @@
 
 #include <nlohmann/json.hpp>
 
-#include <map>
+#include <optional>
 #include <string>
 
-/// Page of results: HTML, style and script of page/ with an embedded document. Pictures, tables and
+/// The page of results: HTML, style and script of page/ with an embedded document. Pictures, tables and
 /// surrounding sentences are made in the browser.
 namespace stemware::pipeline
 {
 
-/// Returns report.html, a self-contained page. @p title and @p answer are also included as text, for browsers
-/// without scripts.
-std::string report_page(const nlohmann::ordered_json &document, const std::string &title,
-                        const std::string &answer);
+/// Solver and compliances of a page that solves again at every move of a slider.
+struct LivePart
+{
+  nlohmann::ordered_json data; ///< pairs of glass and table with their studies
+  std::string bodies, wasm;    ///< compliances and solver, gzip in base64
+};
 
-/// Returns the live page. @p parts: ANSWER as HTML, for browsers without scripts; DATA, JSON within HTML;
-/// BODIES, WASM and GLUE, gzip in base64.
-std::string live_page(std::map<std::string, std::string> parts);
+/// Returns a self-contained page of @p document; null: without one. @p title and @p answer are also included
+/// as text, for browsers without scripts.
+std::string page_of(const nlohmann::ordered_json &document, const std::string &title,
+                    const std::string &answer, const std::optional<LivePart> &live = {});
 
 } // namespace stemware::pipeline

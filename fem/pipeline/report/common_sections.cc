@@ -86,31 +86,18 @@ Json effect_rows(const std::vector<BudgetRow> &steps, const std::vector<WithoutR
   return rows;
 }
 
-/// The steps between the paper's model and this study's, which have no difference.
-Json waterfall_rows(std::vector<BudgetRow> steps)
-{
-  if (!steps.empty())
-  {
-    steps.push_back(steps.back());
-    steps.back().name = "this study";
-    steps.back().status = ring::Status::no_balance; // whose row says whether it is formal
-    steps.front().name = "the paper's model";
-    steps.front().difference = steps.back().difference = std::nullopt;
-  }
-  Json rows = Json::array();
-  for (const BudgetRow &row : steps)
-  {
-    const bool is_formal = row.status == ring::Status::formal;
-    rows.push_back({ { "row", row.name + (is_formal ? " (formal)" : "") },
-                     { "omega_terminal", row.omega_terminal },
-                     { "difference", row.difference },
-                     { "band", row.band },
-                     { "formal", is_formal } });
-  }
-  return rows;
-}
-
 } // namespace
+
+std::vector<double> spectrum_band(const ErrorBands &bands, unsigned int n_harmonics)
+{
+  if (bands.empty())
+    return {};
+  std::vector<double> widths(n_harmonics + 1, 0);
+  for (unsigned int n = 1; n <= std::min(n_harmonics, n_harmonics_of_interest); ++n)
+    widths[n] = std::hypot(band_of(bands, "a" + std::to_string(n)).value(),
+                           band_of(bands, "b" + std::to_string(n)).value());
+  return widths;
+}
 
 void add_chain(const Study &study, const Budget &budget, Document &document)
 {
@@ -119,9 +106,8 @@ void add_chain(const Study &study, const Budget &budget, Document &document)
   const Json chain = shown_chain(study, budget.rows);
   document.add_rows("chain", chain, keys);
   document.add_rows("chain_torques", chain, "step title torques[]", "chain");
-  document.add_rows("waterfall", waterfall_rows(steps));
+  add_waterfall(budget.rows, rounding_of_spins(study), document);
   document.add_rows("effects", effect_rows(steps, budget.without));
-  document.words["rounding"] = rounding_of_spins(study);
   document.words["band"] = budget.rows.empty() ? std::nullopt : budget.rows.back().band;
   add_harmonic_torque_columns(budget, document);
 }
@@ -129,7 +115,8 @@ void add_chain(const Study &study, const Budget &budget, Document &document)
 void add_load(const Study &study, const LoadReport &load, const ErrorBands &bands, Document &document)
 {
   const std::vector<double> band = spectrum_band(bands, load.rings.n_harmonics());
-  add_load_columns(load, band, study.motion.orbit.sense_sign(), document);
+  add_load_columns(load, first_harmonics_of(load.rings), study.motion.orbit.sense_sign(), document);
+  add_spectrum_columns(load.rings, band, document);
   document.add_rows("load_harmonics", harmonic_rows(load.rings, band));
 }
 

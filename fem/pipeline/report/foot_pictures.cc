@@ -24,58 +24,6 @@ double round_down(double factor)
   return std::floor(2 * factor / power) / 2 * power;
 }
 
-Json short_list(const std::vector<double> &values, int n_digits = 5)
-{
-  Json list = Json::array();
-  for (const double value : values)
-    list.push_back(shortened(value, n_digits));
-  return list;
-}
-
-/// Largest and mean pressure, and the width of the contact.
-Json measures_of(const fem::PressureMap &footprint, double pascals)
-{
-  if (!fem::has_cells(footprint))
-    return nullptr;
-  const fem::FootprintMeasures measures = fem::measures_of(footprint);
-  const bool is_even = measures.widest - measures.narrowest < 0.005 * measures.widest;
-  return { { "largest", measures.largest.pressure / pascals },
-           { "azimuth", measures.largest.azimuth / boost::math::double_constants::degree },
-           { "mean", measures.mean / pascals },
-           { "narrowest", is_even ? Json(nullptr) : Json(measures.narrowest * micrometres) },
-           { "widest", measures.widest * micrometres },
-           { "has_edge", footprint.has_edge } };
-}
-
-/// p(r, theta) cut by cut: azimuths [degrees], distances from the rim [µm] and pressures, on a scale that
-/// ends at @p largest [Pa].
-Json pressure_map(const fem::PressureMap &footprint, double contact_radius, double largest)
-{
-  const bool is_low = fem::largest_pressure(footprint) < 1e6;
-  const double pascals = is_low ? 1e3 : 1e6;
-  Json theta = Json::array(), distance = Json::array(), pressure = Json::array();
-  for (const auto &cut : fem::loaded_cuts(footprint))
-  {
-    std::vector<double> places, pressures;
-    for (const fem::PressurePoint &point : cut)
-    {
-      places.push_back((point.radius - contact_radius) * micrometres);
-      pressures.push_back(point.pressure / pascals);
-    }
-    theta.push_back(cut.empty() ? Json(nullptr)
-                                : shortened(cut.front().azimuth / boost::math::double_constants::degree, 6));
-    distance.push_back(short_list(places));
-    pressure.push_back(short_list(pressures, 4));
-  }
-  return { { "theta", theta },
-           { "distance", distance },
-           { "pressure", pressure },
-           { "unit", is_low ? "kPa" : "MPa" },
-           { "largest", shortened(largest / pascals) },
-           { "is_grid", fem::has_cells(footprint) },
-           { "measures", measures_of(footprint, pascals) } };
-}
-
 /// Quadrilaterals of a loaded section with displacements drawn larger, and their stresses of von Mises [MPa].
 Json stresses(const std::vector<fem::StressedPatch> &section)
 {
@@ -129,8 +77,8 @@ Json section_of(const std::vector<fem::SectionPolygon> &cells, double contact_ra
       radii.push_back(corner[0] * millimetres);
       heights.push_back(corner[1] * millimetres);
     }
-    x.push_back(short_list(radii, 6));
-    z.push_back(short_list(heights, 5));
+    x.push_back(shortened(radii, 6));
+    z.push_back(shortened(heights, 5));
   }
   return { { "x", x },
            { "z", z },

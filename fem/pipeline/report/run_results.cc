@@ -166,6 +166,18 @@ std::vector<MeasuredSpin> measured_spins(const Study &study)
                       : spins_of(read_measured_run(file, study.motion.measured_column));
 }
 
+std::vector<std::pair<std::string, std::vector<double>>>
+measured_columns(const std::vector<MeasuredSpin> &measured)
+{
+  std::vector<double> time, omega;
+  for (const MeasuredSpin &one : measured)
+  {
+    time.push_back(one.time);
+    omega.push_back(one.omega);
+  }
+  return { { "time", time }, { "omega", omega } };
+}
+
 Json ring_summary(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   const ring::Answer &all = spin.all();
@@ -265,8 +277,12 @@ void add_spin(const Study &study, const ContactReport &report, const SpinStudy &
   add_slip_columns("slip_at_rest", motion, radius, report.load.rings, 0, document);
   if (const auto omega = spin.all().omega_terminal(); omega && is_spin(study, *omega))
     add_slip_columns("slip_at_end", motion, radius, report.load_at_end.rings, *omega, document);
-  add_torque_columns(spin.torque, spin.rows, document);
-  add_spin_up_columns(spin.spin_up, measured_spins(study), document);
+  add_torque_columns(spin.torque, spin.rows, {}, document);
+  add_spin_up_columns(spin.spin_up, 1, document);
+  if (const std::vector<MeasuredSpin> measured = measured_spins(study); !measured.empty())
+    document.add_columns("measured", measured_columns(measured));
+  if (!spin.spin_up.instants.empty())
+    add_motion(study, spin.spin_up.instants, document);
   if (spin.phases)
     add_phase_columns(*spin.phases, document);
   document.add_rows("friction", friction_rows(study, spin.all()),

@@ -21,9 +21,10 @@ std::string axe_script();
 std::string hostile_text();
 
 /// Opens a page in Chromium that runs @p script, the body of an async function, and returns what the script
-/// returns. Fails the test if the browser prints anything else. Files next to @p scratch's page are of one
-/// origin with it.
-nlohmann::json found_in_browser(const ScratchFolder &scratch, const std::string &script);
+/// returns. Fails the test if the browser prints anything else, unless a policy @p forbids something, which
+/// the browser prints. Files next to @p scratch's page are of one origin with it.
+nlohmann::json found_in_browser(const ScratchFolder &scratch, const std::string &script,
+                                bool forbids = false);
 
 /// Opens pages, addresses relative to @p scratch, each in a frame of its own, until it has its answer or half
 /// a minute has passed. Returns by address its "answer", all its "words", and whether a script of

@@ -1,6 +1,7 @@
 // Glasses on their orbits, seen from above in real time.
 import { h, rich, s } from './dom.js';
-import { shown } from './words.js';
+import { en } from '../live/en.js';
+import { say, shown } from './words.js';
 import { svg_text } from './files.js';
 
 const turn = 2 * Math.PI;
@@ -44,7 +45,11 @@ function band_of(load, size, sense) {
   return s('path', { d: `M${points.join('L')}Z`, fill: 'var(--c1)', 'fill-opacity': 0.35 });
 }
 
-function glass_nodes({ title, omega, load }, x, size) {
+/** One turn in so many seconds. */
+const turns_of = (omega, spins, t) =>
+  spins ? say(t.turns, shown(turn / Math.abs(omega), '#.3g')) : omega === null ? t.none : t.still;
+
+function glass_nodes({ title, omega, load }, x, size, t) {
   const { rim, foot, orbit, sense, rate } = size;
   const spins = omega !== null && Math.abs(omega) > 1e-6 * rate;
   const against = (omega || 0) - sense * rate; // turns in the frame that goes round
@@ -57,11 +62,7 @@ function glass_nodes({ title, omega, load }, x, size) {
         circle(rim, { stroke: 'var(--soft)', 'stroke-width': 0.8 })
       ]
     : circle(rim, { 'stroke-width': 3 });
-  const says = spins
-    ? `one turn in ${shown(turn / Math.abs(omega), '#.3g')} s`
-    : omega === null
-      ? 'no terminal spin'
-      : 'does not spin';
+  const says = turns_of(omega, spins, t);
   const words = (y, content, more) => s('text', { x, y, 'text-anchor': 'middle', ...more }, content);
   return [
     words(22, title, { 'font-weight': 600 }),
@@ -95,28 +96,21 @@ function glass_nodes({ title, omega, load }, x, size) {
   ];
 }
 
-/** The drawing of a document; nothing for one without glasses. */
-export function orbits({ words, summary }) {
+/** The drawing of a document in the words `t`; nothing for one without glasses. */
+export function orbits({ words, summary }, t = en.above_words) {
   const { glasses } = words;
   if (!glasses || !summary.parameters) return null;
   const size = sizes(summary.parameters);
   const width = panel * Math.max(2, glasses.length);
-  const nodes = () => glasses.map((glass, i) => glass_nodes(glass, ((i + 0.5) * width) / glasses.length, size));
+  const nodes = () => glasses.map((glass, i) => glass_nodes(glass, ((i + 0.5) * width) / glasses.length, size, t));
   const seconds = shown(turn / size.rate, '#.3g');
-  const title = glasses
-    .map(
-      ({ title, omega }) => `${title}: ${omega ? `one turn in ${shown(turn / Math.abs(omega), '#.3g')} s` : 'no spin'}`
-    )
-    .join('. ');
-  const caption =
-    `Seen from above, in real time, once round in ${seconds} s. The dot is a mark on the glass` +
-    (glasses.some(glass => glass.load) ? '; the shaded band shows how hard the rim presses' : '') +
-    `. To scale${size.larger ? `, but for the glass, which is drawn ${shown(size.larger, '.2g')} times larger` : ''}.`;
+  const title = glasses.map(({ title, omega }) => `${title}: ${turns_of(omega, omega, t)}`).join('. ');
+  const caption = say(size.larger ? t.larger : t.caption, seconds, shown(size.larger, '.2g'));
   const node = h(
     'figure',
     { id: 'orbits', class: 'drawing' },
     s('svg', { viewBox: `0 0 ${width} 330`, role: 'img', 'aria-label': title }, nodes()),
-    h('figcaption', {}, h('b', {}, 'How it turns. '), rich(caption))
+    h('figcaption', {}, h('b', {}, `${t.title}. `), rich(caption))
   );
   const motion =
     '@keyframes round{to{transform:rotate(-360deg)}}.round{animation:round linear infinite}' +

@@ -50,6 +50,9 @@ function cell(text) {
 }
 export const is_number = text => /^[-−+]?\d/.test(text) || text === missing || text === '';
 
+/** A sentence with its numbers. */
+export const say = (text, ...values) => text.replace(/\{(\d)\}/g, (_, i) => values[i]);
+
 export const heading_of = q => q.heading + (q.unit && q.unit !== '1' ? ` (${q.unit.replace(/ /g, '\u00a0')})` : '');
 
 /** A plain text in pieces: words, and subscripts { sub } behind symbols of one letter (τ_z, a_10, z_CM). */

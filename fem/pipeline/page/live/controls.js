@@ -10,20 +10,23 @@ import {
   load_entries,
   local,
   remember,
-  say,
   state,
   value_of,
   words
 } from './state.js';
 import { h } from '../js/dom.js';
-import { shown } from '../js/words.js';
+import { say, shown } from '../js/words.js';
 
-// Entry, from, to, step, unit shown, factor of the SI value, by powers of ten.
-const sliders = [
-  ['Motion/Friction coefficient', 0.05, 0.6, 0.01, '', 1],
+const [offset, centre] = ['Motion/Force offset', 'Motion/Centre of mass height'];
+// Entry, from, to, step, unit shown, factor of the SI value, by powers of ten. The hand's height above the table is no entry:
+// its offset from the centre of mass is.
+const first = [
+  ['hand', 5, 150, 1, 'mm', 1000],
   ['Motion/Orbit speed', 0.05, 0.6, 0.01, 'm/s', 1],
+  ['Motion/Friction coefficient', 0.05, 0.6, 0.01, '', 1]
+];
+const further = [
   ['Motion/Orbit radius', 5, 40, 0.5, 'cm', 100],
-  ['Motion/Force offset', -80, 40, 1, 'mm', 1000],
   ['Motion/Mass', 100, 800, 10, 'g', 1000],
   ['Motion/Centre of mass height', 30, 150, 1, 'mm', 1000],
   ['Motion/Grip torque', 0, 3, 0.05, 'mN m', 1000],
@@ -33,16 +36,19 @@ const sliders = [
   ['Table/Decay length', -7, -5, 0.05, 'm', 1, true]
 ];
 
-function slider([path, from, to, step, unit, factor, log], solve) {
-  const id = path.replace(/\W/g, '-');
-  const place_of = value => (log ? Math.log10(value) : value * factor);
+function slider([name, from, to, step, unit, factor, log], solve) {
+  const is_hand = name === 'hand';
+  const path = is_hand ? offset : name;
+  const above = () => (is_hand ? value_of(centre) : 0);
+  const id = name.replace(/\W/g, '-');
+  const place_of = value => (log ? Math.log10(value) : (value + above()) * factor);
   const base = place_of(base_value(path));
   const output = h('output', { for: id });
   const range = { type: 'range', id, step, min: Math.min(from, base), max: Math.max(to, base) };
   const input = h('input', { ...range, value: place_of(value_of(path)) });
   const node = h('div', { class: 'slider' });
   const write = () => {
-    const value = value_of(path);
+    const value = value_of(path) + above();
     output.textContent =
       (log ? shown(value, '.2e') : local(shown(Number((value * factor).toFixed(3)), '.9g'))) + (unit && ` ${unit}`);
     input.setAttribute('aria-valuetext', output.textContent);
@@ -57,7 +63,7 @@ function slider([path, from, to, step, unit, factor, log], solve) {
     const raw = Number(input.value);
     const near = log ? 1e-9 : step / 2;
     if (Math.abs(raw - base) < near) delete state.changes[path];
-    else state.changes[path] = String(Number((log ? 10 ** raw : raw / factor).toPrecision(6)));
+    else state.changes[path] = String(Number((log ? 10 ** raw : raw / factor - above()).toPrecision(6)));
     moved();
   });
   const back = () => {
@@ -65,14 +71,21 @@ function slider([path, from, to, step, unit, factor, log], solve) {
     input.value = base;
     moved();
   };
-  const label = h('label', { for: id, ondblclick: back }, words().labels[path] || path.split('/')[1]);
+  const label = h('label', { for: id, ondblclick: back }, words().labels[name] || name.split('/')[1]);
   node.append(label, output, input);
   write();
   return node;
 }
 
-export const make_sliders = solve =>
-  $('sliders').replaceChildren(...sliders.filter(([path]) => acts(path)).map(entry => slider(entry, solve)));
+export function make_sliders(solve) {
+  for (const [box, list] of [
+    ['sliders', first],
+    ['more-sliders', further]
+  ])
+    $(box).replaceChildren(
+      ...list.filter(([name]) => acts(name === 'hand' ? offset : name)).map(entry => slider(entry, solve))
+    );
+}
 
 export function write_harmonics() {
   const text = state.harmonics >= all_harmonics ? words().all : say(words().first, state.harmonics);
@@ -87,6 +100,9 @@ const kinds = { glasses: 'glass', tables: 'table' };
 export function chosen(solve) {
   for (const [box, kind] of Object.entries(kinds))
     for (const button of $(box).children) button.setAttribute('aria-pressed', button.dataset.name === state[kind]);
+  for (const box in kinds)
+    for (const button of $(box).children)
+      button.textContent = words().names[button.dataset.name] || button.dataset.name;
   load_entries();
   make_sliders(solve);
 }
@@ -101,7 +117,7 @@ export function make_choices(choose) {
         state[kind] = name;
         choose();
       };
-      const button = h('button', { title, 'aria-pressed': String(state[kind] === name), onclick: take }, name);
+      const button = h('button', { title, 'aria-pressed': String(state[kind] === name), onclick: take });
       button.dataset.name = name;
       $(box).append(button);
     }

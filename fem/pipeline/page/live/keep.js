@@ -1,5 +1,5 @@
 // What can be taken along, and what was measured.
-import { data, found, pair, state } from './state.js';
+import { data, doc, pair, state } from './state.js';
 import { csv } from '../js/words.js';
 import { download } from '../js/dom.js';
 import { label_of } from '../js/figure.js';
@@ -23,7 +23,7 @@ export function study_text() {
     const [section, ...name] = path.split('/').map(line);
     sections.set(section, [...(sections.get(section) || []), `  set ${name.join('/')} = ${line(values[path])}`]);
   }
-  const omega = found.answer?.all?.omega;
+  const omega = doc.summary.ring?.omega_terminal;
   return [
     `# ${state.glass} on ${state.table}, from the page of Stemware ${data.version}`,
     '#\n#   stemware run explored.prm',

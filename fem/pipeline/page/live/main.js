@@ -1,62 +1,74 @@
 // The page that solves again at every move of a slider.
-import { $, all_harmonics, data, digits, errors, forget, found, local, pair, recall, remember, say, speak, spoken, state, words } from './state.js'; // prettier-ignore
+import { $, all_harmonics, data, digits, doc, errors, forget, found, learn, local, pair, recall, remember, speak, spoken, state, words } from './state.js'; // prettier-ignore
 import { Queue, start_solver } from './solver.js';
-import { calm, pictures } from './pictures.js';
+import { calm, names, picture } from './pictures.js';
 import { chosen, make_choices, make_sliders, write_harmonics } from './controls.js';
 import { download, h } from '../js/dom.js';
-import { draw_scene, start_scene } from './scene.js';
+import { draw_scene, make_scene, speak_scene } from './turning.js';
 import { read_measured, save_curves, study_text } from './keep.js';
 import { facts, tell } from './says.js';
 import { figure_of, show_anew } from '../js/sections.js';
+import { say } from '../js/words.js';
 import { sentences } from './sentences.js';
-import { side } from './side.js';
+import { show_document } from '../js/document.js';
+import { write_lesson } from './lesson.js';
 
 const opened = performance.now();
 addEventListener('error', e => errors.push(e.message));
 addEventListener('unhandledrejection', e => errors.push(String(e.reason)));
 
-const all_pictures = { ...pictures, side };
 const drawn = new Map(); // what the pictures show, by their places
 const places = [...document.querySelectorAll('[data-picture]')];
 
 function draw_picture(place) {
   const name = place.dataset.picture;
-  const given = found.answer && all_pictures[name]();
-  if (!given) {
+  const shown = found.answer && picture(name);
+  if (!shown) {
     drawn.delete(name);
-    const text = queue.rests && found.answer && !found.answer.all ? words().nothing : words().budget_wait;
+    const text = queue.rests && found.answer && !doc.summary.ring ? words().nothing : words().budget_wait;
     place.replaceChildren(h('p', { class: 'soft' }, text));
     return;
   }
-  const picture = { caption: '', ...given, id: name, title: words()[name], marks: given.marks.filter(Boolean) };
-  drawn.set(name, picture);
-  if (!show_anew(picture) || !place.querySelector('figure')) place.replaceChildren(figure_of(picture));
+  drawn.set(name, shown);
+  if (!show_anew(shown) || !place.querySelector('figure')) place.replaceChildren(figure_of(shown));
 }
-const draw = names => places.filter(place => names.includes(place.dataset.picture)).forEach(draw_picture);
+const draw = wanted => places.filter(place => wanted.includes(place.dataset.picture)).forEach(draw_picture);
 
 function show(reply, ms, is_last) {
   document.body.classList.toggle('busy', !is_last);
-  found.answer = reply.error && !reply.all ? { ...reply, all: null } : reply;
-  if (!found.answer.all) forget();
+  Object.assign(found, { answer: reply, is_last });
+  if (reply.document) learn(reply.document);
+  else forget();
   tell(ms);
-  draw(['load', 'side']);
+  draw(['load']);
   draw_scene();
+  write_lesson(draw_scene);
   // Curves, budget and pressure stay those of the last pause while something moves.
-  if (!found.answer.all || reply.was_cold) draw(calm);
+  if (!reply.document || reply.was_cold) draw(calm);
 }
 
 const queue = new Queue({
   show,
   slow: () => ($('notice').textContent = words().solving),
   use: (name, reply) => {
-    found[name] = reply;
+    learn(reply.document);
     draw(name === 'curves' ? ['torque', 'spin'] : [name]);
+    if (name === 'curves') {
+      draw_scene();
+      write_lesson(draw_scene);
+    }
     if (name === 'budget') facts(queue.times[queue.times.length - 1]);
   }
 });
 function solve(cold) {
   if (queue.busy) document.body.classList.add('busy');
   queue.solve(cold);
+}
+
+/** After the hand has moved in the scene: its slider follows. */
+function solve_hand(cold) {
+  make_sliders(solve);
+  solve(cold);
 }
 
 function choose() {
@@ -76,18 +88,18 @@ function lost(error) {
 
 function write_words() {
   document.documentElement.lang = state.language;
-  document.title = words().title;
   for (const node of document.querySelectorAll('[data-t]')) node.textContent = words()[node.dataset.t];
-  document.querySelector('main').hidden = false;
+  $('live').hidden = false;
   const button = code => {
     const take = () => {
       speak(code);
       remember();
       write_words();
-      make_sliders(solve);
+      chosen(solve);
       if (found.answer) tell(queue.times[queue.times.length - 1] || 0);
-      draw(Object.keys(all_pictures));
-      draw_scene();
+      draw(names);
+      speak_scene();
+      write_lesson(draw_scene);
     };
     const pressed = String(code === state.language);
     return h('button', { lang: code, 'aria-pressed': pressed, onclick: take }, sentences[code].name);
@@ -101,7 +113,7 @@ async function take_file(file) {
   const measured = read_measured(await file.text());
   if (!measured) $('notice').textContent = words().drop;
   else {
-    found.measured = measured;
+    doc.tables.measured = { keys: ['time', 'omega'], values: [measured.x, measured.y] };
     draw(['spin']);
   }
 }
@@ -116,13 +128,14 @@ async function copy_address() {
   }
 }
 
+show_document();
 speak(spoken());
 recall();
 make_choices(choose);
 write_words();
+make_scene(solve_hand);
+write_lesson(draw_scene);
 chosen(solve);
-draw_scene();
-start_scene();
 $('answer').textContent = words().start;
 $('harmonics').oninput = () => {
   state.harmonics = Number($('harmonics').value);
@@ -146,10 +159,12 @@ addEventListener('drop', e => {
 });
 addEventListener('hashchange', () => {
   state.changes = {};
+  state.lesson = 0;
   recall();
   write_words();
   choose();
 });
+document.body.dataset.complete = String(Math.round(performance.now()));
 // What a test asks: moves an entry, and waits for the answer of the last wish.
 window.move = (path, value) =>
   new Promise(done => {
@@ -159,9 +174,13 @@ window.move = (path, value) =>
     remember();
     solve(true);
     const wait = () => {
-      const { answer } = found;
       if (!queue.rests) return setTimeout(wait, 10);
-      done({ omega: answer.all?.omega ?? null, error: answer.error || '', errors, text: $('answer').textContent });
+      done({
+        omega: doc.summary.ring?.omega_terminal ?? null,
+        error: found.answer.error || '',
+        errors,
+        text: $('answer').textContent
+      });
     };
     wait();
   });

@@ -1,8 +1,8 @@
 // What the live page says of an answer, and its numbers.
-import { $, band, data, digits, found, local, pair, say, sense, state, words } from './state.js';
-import { band_text, end_of, harmonic_effect } from './pictures.js';
+import { $, band, data, digits, doc, found, local, pair, sense, state, words } from './state.js';
+import { band_text, harmonic_effect } from './pictures.js';
 import { h } from '../js/dom.js';
-import { shown } from '../js/words.js';
+import { say, shown } from '../js/words.js';
 
 const still = omega => Math.abs(omega) < 1e-6;
 let checked = null;
@@ -17,19 +17,19 @@ function effect_text(all, omega) {
   );
 }
 
-function answer_text({ all, first_n, paper, contact }) {
+function answer_text({ ring, first_n, paper, load_at_terminal: load }) {
   const t = words();
-  const { omega } = first_n || all;
+  const { omega_terminal: omega } = first_n || ring;
   const way = still(omega) ? t.still : omega * sense() < 0 ? t.against : t.along;
   const turns = still(omega)
     ? `${way}.`
     : say(t.answer, way, digits(omega), ((2 * Math.PI) / Math.abs(omega)).toFixed(2));
   const compared = first_n
-    ? effect_text(all.omega, omega)
-    : Number.isFinite(paper.omega)
-      ? ' ' + say(t.paper_says, digits(paper.omega))
+    ? effect_text(ring.omega_terminal, omega)
+    : Number.isFinite(paper.omega_terminal)
+      ? ' ' + say(t.paper_says, digits(paper.omega_terminal))
       : '';
-  const fraction = contact?.contact_fraction;
+  const fraction = load?.contact_fraction;
   const lies = Number.isFinite(fraction)
     ? ' ' + (fraction < 0.9995 ? say(t.lifts, (100 * fraction).toFixed(0)) : t.full)
     : '';
@@ -40,8 +40,9 @@ function failure_text({ tips, refused, error }) {
   return tips ? words().tips : refused ? say(words().refused, error) : error;
 }
 
-function notes_of({ all, first_n, fit, tips, error, notes = [] }) {
+function notes_of({ fit, tips, error, notes = [] }) {
   const t = words();
+  const { ring: all, first_n } = doc.summary;
   return [
     state.unknown.length && say(t.unknown, state.unknown.map(word => word.slice(0, 60)).join(', ')),
     !all && tips && error,
@@ -52,31 +53,30 @@ function notes_of({ all, first_n, fit, tips, error, notes = [] }) {
 }
 
 /** Compares the first answer with that of `stemware run`. */
-function check({ all, was_cold }) {
-  if (checked !== null || !was_cold || Object.keys(state.changes).length || !Number.isFinite(all.omega)) return;
-  checked = Math.abs(all.omega - pair().here) < data.tolerance;
-  const text = say(checked ? words().check_ok : words().check_bad, digits(all.omega, 10), digits(pair().omega, 10));
+function check({ was_cold }) {
+  const { omega_terminal: omega } = doc.summary.ring;
+  if (checked !== null || !was_cold || Object.keys(state.changes).length || !Number.isFinite(omega)) return;
+  checked = Math.abs(omega - pair().here) < data.tolerance;
+  const text = say(checked ? words().check_ok : words().check_bad, digits(omega, 10), digits(pair().omega, 10));
   $('check').textContent = local(text);
   $('check').classList.toggle('falls', !checked);
 }
 
 export function facts(ms) {
-  const { all, contact, fit } = found.answer;
-  if (!all) return $('facts').replaceChildren();
+  const { ring, load_at_terminal: load } = doc.summary;
+  if (!ring) return $('facts').replaceChildren();
   const f = words().facts;
-  const end = end_of(all);
   const number = (value, n, unit) => (Number.isFinite(value) ? local(digits(value, n)) + unit : '–');
-  const lean = contact && 1e6 * Math.hypot(contact.motion[1], contact.motion[2]);
   const rows = [
-    [f.omega, number(all.omega, 6, ' rad/s')],
-    [f.time_constant, number(all.time_constant || NaN, 3, ' s')],
-    [f.moment_ratio, number(end?.moment_ratio, 4, '')],
-    [f.fraction, number(contact && 100 * contact.contact_fraction, 1, ' %')],
-    [f.normal, number(end?.normal_force, 3, ' N')],
-    [f.tau0, all.at_rest ? number(1e3 * all.at_rest.torque, 4, ' mN m') : '…'],
-    [f.lean, number(lean, 1, ' µrad')],
+    [f.omega, number(ring.omega_terminal, 6, ' rad/s')],
+    [f.time_constant, number(ring.time_constant || NaN, 3, ' s')],
+    [f.moment_ratio, number(load?.moment_ratio, 4, '')],
+    [f.fraction, number(load && 100 * load.contact_fraction, 1, ' %')],
+    [f.normal, number(load?.normal_force, 3, ' N')],
+    [f.tau0, Number.isFinite(ring.tau_at_rest) ? number(1e3 * ring.tau_at_rest, 4, ' mN m') : '…'],
+    [f.lean, number(load?.tilt && 1e6 * Math.hypot(...load.tilt), 1, ' µrad')],
     [f.effect, harmonic_effect()],
-    [f.band, band_text(fit)],
+    [f.band, band_text()],
     [f.ms, `${ms.toFixed(0)} ms`]
   ];
   $('facts').replaceChildren(...rows.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))));
@@ -85,11 +85,11 @@ export function facts(ms) {
 /** Says the answer. */
 export function tell(ms) {
   const { answer } = found;
-  const chosen = answer.all && (answer.first_n || answer.all);
-  const spins = Number.isFinite(chosen?.omega);
+  const chosen = doc.summary.first_n || doc.summary.ring;
+  const spins = Number.isFinite(chosen?.omega_terminal);
   const without_spin = () =>
-    chosen.falls ? say(words().falls, digits(chosen.last_spin, 3)) : say(words().no_spin, chosen.reason);
-  const text = !chosen ? failure_text(answer) : local(spins ? answer_text(answer) : without_spin());
+    chosen.fall ? say(words().falls, digits(chosen.fall.omega, 3)) : say(words().no_spin, chosen.message);
+  const text = !chosen ? failure_text(answer) : local(spins ? answer_text(doc.summary) : without_spin());
   $('answer').textContent = text;
   $('answer').classList.toggle('falls', !spins);
   $('notice').textContent = notes_of(answer).join(' ');

@@ -2,5 +2,12 @@
 import { de } from './de.js';
 import { en } from './en.js';
 import { fr } from './fr.js';
+import { lesson_de } from './lesson_de.js';
+import { lesson_en } from './lesson_en.js';
+import { lesson_fr } from './lesson_fr.js';
 
-export const sentences = { en, de, fr };
+export const sentences = {
+  en: { ...en, lesson_words: lesson_en },
+  de: { ...de, lesson_words: lesson_de },
+  fr: { ...fr, lesson_words: lesson_fr }
+};

@@ -1,5 +1,7 @@
-// The solver in its worker. The latest wish is solved; what nobody waits for any more is cancelled where it takes long.
+// The solver in its worker, or in the page where there are no workers. The latest wish is solved; what nobody waits for any more
+// is cancelled where it takes long.
 import { $, all_harmonics, errors, pair_name, state } from './state.js';
+import { begin, reply_to } from './compute.js';
 
 const longest = 500; // ms that a newer wish waits for an older one
 const pause = 180; // ms without a move, after which curves are drawn
@@ -15,30 +17,41 @@ async function unpack(id) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
+/** A worker; its promise fails where the site or the browser has none. */
 function begin_worker() {
   worker = new Worker(parts.script);
   ready = new Promise((done, failed) => {
-    worker.onerror = e => {
-      errors.push('worker: ' + e.message);
-      failed(new Error(e.message || 'Worker'));
-    };
+    worker.onerror = e => failed(new Error(e.message || 'Worker'));
     worker.onmessage = ({ data: message }) => {
       if (message.lost) return failed(new Error(message.lost));
       if (message.ready) return done();
-      waiting.get(message.id)?.(message);
-      waiting.delete(message.id);
+      take(message);
     };
   });
-  worker.postMessage({ wasm: parts.wasm, bodies: parts.bodies, data: parts.data });
+  worker.postMessage(parts.given);
   return ready;
+}
+function take(message) {
+  waiting.get(message.id)?.(message);
+  waiting.delete(message.id);
+}
+
+/** The solver in the page, which answers after the page has been drawn. */
+function begin_in_page() {
+  worker = { postMessage: message => setTimeout(() => take(reply_to(message))) };
+  return (ready = begin(parts.given));
 }
 
 /** Starts the solver; the promise fails where it cannot. */
 export async function start_solver(data) {
-  const [glue, wasm, bodies] = await Promise.all(['glue', 'wasm', 'bodies'].map(unpack));
-  const text = new Blob([glue, '\n', $('worker').textContent], { type: 'text/javascript' });
-  parts = { script: URL.createObjectURL(text), wasm, bodies, data };
-  return begin_worker();
+  const [wasm, bodies] = await Promise.all(['wasm', 'bodies'].map(unpack));
+  const text = new Blob([$('worker').textContent], { type: 'text/javascript' });
+  parts = { script: URL.createObjectURL(text), given: { wasm, bodies, data } };
+  try {
+    return await begin_worker();
+  } catch {
+    return begin_in_page();
+  }
 }
 
 function post(message) {
@@ -53,6 +66,7 @@ function post(message) {
 }
 
 function cancel() {
+  if (!worker.terminate) return; // in the page: what runs runs to its end
   worker.terminate();
   begin_worker().catch(error => errors.push(String(error)));
   for (const done of waiting.values()) done({ cancelled: true });

@@ -11,16 +11,26 @@ export const state = {
   harmonics: all_harmonics,
   changes: {},
   language: 'en',
+  lesson: 0, // its step; 0: none
   unknown: []
 };
-export const found = { answer: null, curves: null, budget: null, pressure: null, measured: null };
-export const forget = () => Object.assign(found, { curves: null, budget: null, pressure: null });
+/** The last reply: { fit, notes, error, tips, refused, was_cold }; nothing before the first. */
+export const found = { answer: null, is_last: true }; // whether nothing newer is wished
+/** The document of the last answer, in which the views of reports look. */
+export const doc = { summary: {}, words: {}, tables: {} };
+const own = ['measured']; // tables of the reader, not of an answer
+export function forget() {
+  const kept = Object.fromEntries(own.filter(name => doc.tables[name]).map(name => [name, doc.tables[name]]));
+  Object.assign(doc, { summary: {}, words: {}, tables: kept });
+}
+/** Takes what a reply says into the document. */
+export function learn(part) {
+  for (const key of ['summary', 'words', 'tables']) Object.assign(doc[key], part[key]);
+}
 export const errors = [];
 let entries = {};
 
 export const words = () => sentences[state.language];
-/** A sentence with its numbers. */
-export const say = (text, ...values) => text.replace(/\{(\d)\}/g, (_, i) => values[i]);
 export const digits = (x, n = 4) => (Number.isFinite(x) ? x.toFixed(n).replace('-', '−') : '–');
 /** Decimals as the language has them, in what is read; files have points. */
 export const local = text => (state.language === 'en' ? text : text.replace(/(\d)\.(?=\d)/g, '$1,'));
@@ -59,6 +69,7 @@ export function remember() {
   const parts = { glass: state.glass, table: state.table, ...state.changes };
   if (state.harmonics < all_harmonics) parts.harmonics = state.harmonics;
   if (state.language !== spoken()) parts.language = state.language;
+  if (state.lesson) parts.lesson = state.lesson;
   const address = '#' + new URLSearchParams(parts);
   try {
     history.replaceState(null, '', address);
@@ -76,6 +87,7 @@ export function recall() {
     else if (key === 'table' && data.tables.some(g => g.name === value)) state.table = value;
     else if (key === 'harmonics' && Number.isInteger(harmonics) && harmonics > 0)
       state.harmonics = Math.min(harmonics, all_harmonics);
+    else if (key === 'lesson' && harmonics >= 1 && harmonics <= 5) state.lesson = Math.floor(harmonics);
     else if (key === 'language' && Object.hasOwn(sentences, value)) speak(value);
     else if (key.includes('/')) state.changes[key] = value;
     else state.unknown.push(`${key}=${value}`);

@@ -21,7 +21,7 @@ export function waterfall(doc) {
     formal: t.formal[i]
   }));
   const faster = row => Math.abs(row.omega) > Math.abs(row.before);
-  const words = row => [row.title, `${shown(rounded(row.difference, rounding), '+.4g')} rad/s to ${spin(row.omega)}`];
+  const words = row => [row.title, `${shown(rounded(row.difference, rounding), '+.4g')} rad/s → ${spin(row.omega)}`];
   const part = (name, colour, pale, wanted) => {
     const picked = rows.filter(row => row.difference !== null && wanted(row));
     return bars({
@@ -42,8 +42,7 @@ export function waterfall(doc) {
     title: 'From the paper’s spin to this study’s',
     words: `${spin(t.omega_terminal[0])} to ${spin(t.omega_terminal[last])}`,
     caption:
-      'Each step adds one effect to the model of the row above; the numbers are the changes in rad/s.' +
-      one_way(doc),
+      'Each step adds one effect to the model of the row above; the numbers are the changes in rad/s.' + one_way(doc),
     x: { label: 'terminal spin', symbol: 'ω =', unit: 'rad/s', digits: '.6g', room: 0.08 },
     y: { rows: t.row },
     marks: [

@@ -1,12 +1,46 @@
 // What every page has.
+import { h } from '../js/dom.js';
 import { orbits } from '../js/motion.js';
+import { Scene } from '../js/scene.js';
+import { en } from '../live/en.js';
 import { sketch } from '../js/sketch.js';
 import { truncation } from './spin.js';
+
+/** Why the glass turns or falls, by what the two sides press; `offset` of the hand from the centre of mass, if that is why. */
+export function why(t, falls, { inside, outside }, offset) {
+  if (falls) return t.tips;
+  const hand = offset < 0 ? t.hand_below : offset > 0 ? t.hand_above : offset === 0 ? t.hand_level : '';
+  const even = Math.abs(outside - inside) <= 1e-6 * Math.abs(outside);
+  return `${hand} ${even ? t.even : outside > inside ? t.outside : t.inside}`.trim();
+}
+
+/** Why the glass turns, beside how it turns, seen from above; without rows of its motion the latter alone. */
+function turning(doc) {
+  const above = orbits(doc);
+  const { motion } = doc.tables;
+  if (!motion) return above;
+  const { Glass: glass, Motion: given, Load: load } = doc.summary.parameters;
+  const is_given = load.Source === 'file' || load['Moment ratio'] >= 0;
+  const falls = doc.words.numbers.falls;
+  const scene = new Scene(en.scene_words);
+  scene.set({
+    rows: motion,
+    radius: glass['Contact radius'],
+    height: given['Centre of mass height'],
+    hand: given['Centre of mass height'] + given['Force offset'],
+    orbit_radius: given['Orbit radius'],
+    sense: given['Orbit sense'] === 'clockwise' ? -1 : 1,
+    falls,
+    why: why(en.scene_words, falls, doc.words.load, is_given ? undefined : given['Force offset'])
+  });
+  scene.add_tab(above.node);
+  return [scene, { id: above.id, node: h('template'), alone: above.alone }];
+}
 
 /** Title, inputs and answer, beside the sketch of the study and the glass on its orbit. */
 export const beginning = doc => {
   const { title, inputs, answer } = doc.words;
-  return { title, inputs, answer, head: [sketch(doc), orbits(doc)] };
+  return { title, inputs, answer, head: [sketch(doc), turning(doc)] };
 };
 
 export const study = doc => {

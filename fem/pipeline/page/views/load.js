@@ -1,6 +1,7 @@
 // Pictures of the load on the table and of the friction that it makes.
 import { arrows, outline, strokes } from '../js/shapes.js';
 import { columns } from '../js/tables.js';
+import { curve_keys, look_of } from './spin.js';
 import { dots, line, note, rule } from '../js/marks.js';
 import { shown } from '../js/words.js';
 
@@ -18,18 +19,19 @@ export const degrees = {
 };
 const sense_of = ({ words }) => (words.sketch.clockwise ? -1 : 1);
 
-/** Curves of the load over its mean: [name, colour, dash, table, key], all harmonics last. */
-function curves_of(doc, keys) {
+/** Curves of the load over its mean: [name, colour, dash, table, key], those of at most `most` harmonics, all harmonics last. */
+function curves_of(doc, most, least = 1) {
   const n = doc.words.load.harmonics;
   const curves = columns(doc.tables.load_curves);
   const lines = doc.tables.load_lines && columns(doc.tables.load_lines);
-  const looks = {
-    up_to_1: ['first harmonic', 'c2', '8 4'],
-    up_to_2: ['n ≤ 2', 'c3', '9 3 2 3'],
-    up_to_3: ['n ≤ 3', 'c4', '3 3']
-  };
-  const some = keys.filter(key => curves[key]).map(key => [...looks[key], curves, key]);
-  const all = n === 1 ? 'first harmonic' : lines ? 'all harmonics' : `all, n ≤ ${n}`;
+  const order = key => Number(key.replace('up_to_', ''));
+  const some = curve_keys(curves)
+    .filter(key => order(key) >= least && order(key) <= most)
+    .map(key => {
+      const [name, colour, dash] = look_of(key);
+      return [name, colour, dash, curves, key];
+    });
+  const all = n === 1 ? 'first harmonic' : 'all harmonics';
   return [...some, [all, 'c1', undefined, lines || curves, 'all']];
 }
 
@@ -39,7 +41,7 @@ export function load_polar(doc) {
   const { summary } = doc;
   const sense = sense_of(doc);
   const at = (size, t) => [(1 + size / 2) * Math.cos(radians(t)), (1 + size / 2) * Math.sin(radians(t))];
-  const parts = curves_of(doc, ['up_to_1', 'up_to_2', 'up_to_3']);
+  const parts = curves_of(doc, 3);
   const most = 1 + Math.max(2, ...parts.flatMap(([, , , t, key]) => t[key])) / 2 + 0.1;
   const curve = ([name, colour, dash, t, key]) => {
     const places = t.theta.map((theta, i) => at(t[key][i], theta));
@@ -94,8 +96,8 @@ export function load_polar(doc) {
   };
 }
 
-/** Load per length over the azimuth. */
-export function line_load(doc) {
+/** Load per length over the azimuth, with the curves of at most `most` harmonics. */
+export function line_load(doc, most = 1) {
   const mean = doc.words.load.line_load;
   const [left, right] = sense_of(doc) > 0 ? ['orbit’s centre', 'outside'] : ['outside', 'orbit’s centre'];
   const curve = ([name, colour, dash, t, key]) =>
@@ -107,7 +109,7 @@ export function line_load(doc) {
     caption: `λ(θ)/R: load per length of the rim at rest. At 90° lies ${left === 'outside' ? 'the outside' : 'the orbit’s centre'}, at 270° ${right === 'outside' ? 'the outside' : 'the orbit’s centre'}.`,
     x: degrees,
     y: { label: 'λ / R', unit: 'N/m', zero: true, digits: '.4g' },
-    marks: [...curves_of(doc, ['up_to_1']).map(curve), rule({ y: mean, name: 'mean', dash: '2 3' })]
+    marks: [...curves_of(doc, most).map(curve), rule({ y: mean, name: 'mean', dash: '2 3' })]
   };
 }
 
@@ -129,7 +131,7 @@ export function higher_harmonics(doc) {
     caption: 'Relative to its mean a_0; n harmonics kept.',
     x: degrees,
     y: { label: '(λ − λ_1) / a_0', zero: true, digits: '.3g' },
-    marks: curves_of(doc, ['up_to_2', 'up_to_3']).map(curve)
+    marks: curves_of(doc, 3, 2).map(curve)
   };
 }
 

@@ -10,6 +10,11 @@ const looks = {
   up_to_3: ['n ≤ 3', 'c4', '3 3'],
   paper: ['the paper’s model', 'c5', '9 3 2 3 2 3']
 };
+/** Name, colour and dash of the curve of a key: all, paper, or up_to_n for n harmonics. */
+export const look_of = key => looks[key] || [key.replace('up_to_', 'n ≤ '), 'c4', '3 3'];
+/** Keys of the curves in a table, the answer last. */
+export const curve_keys = t =>
+  ['paper', ...Object.keys(t).filter(key => key.startsWith('up_to_')), 'all'].filter(key => t[key]);
 const one_way = ({ words }) => (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
 const in_millinewton = list => list.map(v => (v === null ? NaN : 1e3 * v));
 
@@ -18,8 +23,8 @@ export function torque(doc) {
   const points = columns(doc.tables.terminal_points);
   const { spin_unit, numbers } = doc.words;
   const only_one = Object.keys(t).length === 2;
-  const curves = ['up_to_1', 'up_to_2', 'up_to_3', 'all'].filter(key => t[key]);
-  const look = key => (only_one ? ['', 'c1'] : looks[key]);
+  const curves = curve_keys(t);
+  const look = key => (only_one ? ['', 'c1'] : look_of(key));
   const key_of = harmonics => (harmonics ? `up_to_${harmonics}` : 'all');
   return {
     id: 'torque',
@@ -37,8 +42,8 @@ export function torque(doc) {
         return line({ x: t.omega, y: in_millinewton(t[key]), name, colour, dash });
       }),
       ...points.omega.map((omega, i) => {
-        const [name, colour] = look(key_of(points.harmonics[i])) || looks.all;
-        const words = [[name || 'all harmonics', `terminal spin ${shown(omega, '.6g')} rad/s`]];
+        const [name, colour] = look(key_of(points.harmonics[i]));
+        const words = [[name || 'all harmonics', `ω = ${shown(omega, '.6g')} rad/s`]];
         return dots({ x: [omega], y: [0], colour, name, words });
       }),
       ...(spin_unit ? [-1, 1].map(side => inside_rule(side * spin_unit, t, side > 0 ? 'v/R' : '−v/R')) : [])
@@ -69,9 +74,10 @@ export function spin_up(doc) {
     x: { label: 'time', symbol: 't =', unit: 's', room: 0 },
     y: { label: 'spin ω', unit: 'rad/s', zero: true },
     marks: [
-      ...['paper', 'up_to_1', 'all']
-        .filter(key => t[key])
-        .map(key => line({ x: t.time, y: t[key], name: looks[key][0], colour: looks[key][1], dash: looks[key][2] })),
+      ...curve_keys(t).map(key => {
+        const [name, colour, dash] = look_of(key);
+        return line({ x: t.time, y: t[key].map(v => v ?? NaN), name, colour, dash });
+      }),
       ...(measured
         ? [dots({ x: measured.time, y: measured.omega, name: 'measured', colour: 'ink', hollow: true })]
         : []),

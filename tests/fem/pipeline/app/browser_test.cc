@@ -95,7 +95,8 @@ const measure = async (frame, width) => {
   const answer_at = page.querySelector("p.answer").getBoundingClientRect().top;
   page.querySelectorAll("details").forEach(fold => fold.open = true);
   await new Promise(done => setTimeout(done, 200)); // pictures in folds are drawn again
-  const figures = Array.from(page.querySelectorAll("figure")).map(figure => {
+  const seen = Array.from(page.querySelectorAll("figure")).filter(figure => !figure.closest("[hidden]"));
+  const figures = seen.map(figure => {
     const svg = figure.querySelector("svg");
     if (!svg)
       return { name: figure.id, width: 0, height: 0, texts: 0 };

@@ -4,7 +4,9 @@
 #include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "tests/fem/pipeline/browser.h"
+#include "tests/fem/pipeline/matchers.h"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -76,6 +78,73 @@ TEST(ExplorePage, MovesInABrowserGiveTheProgramsSpins)
   }
 }
 
+/// A script that opens @p page, makes the first move, and goes through the languages and the lesson: the
+/// spin, the errors, the figures of the report, the texts without a translation, and what each step of the
+/// lesson says.
+std::string live_report_script(const std::string &page)
+{
+  return R"(
+  const frame = document.createElement("iframe");
+  frame.style = "border:0;height:900px;width:1100px";
+  frame.srcdoc = )" +
+         script_string(page) + R"(;
+  document.body.append(frame);
+  while (!frame.contentWindow?.started)
+    await new Promise(r => setTimeout(r, 20));
+  const shown = frame.contentWindow, root = shown.document;
+  const [path, value] = )" +
+         nlohmann::json(moves[0]).dump() + R"(;
+  const found = await shown.move(path, value);
+  while (!root.body.dataset.rested)
+    await new Promise(r => setTimeout(r, 20));
+  for (const button of [...root.querySelectorAll("#languages button")])
+    root.querySelector(`#languages [lang=${button.lang}]`).click();
+  found.untranslated = [...(shown.untranslated || [])];
+  root.querySelector("#languages [lang=en]").click();
+  root.querySelector("#lesson-button").click();
+  found.lesson = [];
+  for (let step = 1; step <= 5; ++step) {
+    root.querySelector("#lesson [role=group] button").click();
+    found.lesson.push(root.querySelector("#lesson").innerText);
+    root.querySelector("#lesson .row:last-child button:last-child").click();
+  }
+  return { ...found, figures: [...root.querySelectorAll("main figure")].map(figure => figure.id) };)";
+}
+
+TEST(ExplorePage, TheReportOfRunLiveSolvesItsStudyAgainAndTeaches)
+{
+  const ScratchFolder scratch;
+  const std::vector<std::string> run = { "run", "--quick", "--set", "Motion/Mass=0.25" };
+  const auto with = [&](std::vector<std::string> more)
+  {
+    more.insert(more.begin(), run.begin(), run.end());
+    return stemware(scratch, more);
+  };
+  const Ended made = with({ "--live", "--output", "live" });
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  ASSERT_EQ(with({ "--output", "moved", "--set", moves[0].first + "=" + moves[0].second }).exit_code, 0);
+  const double omega = read_summary(scratch / "moved")["ring"]["omega_terminal"].get<double>();
+  const std::string page = read_text(scratch / "live/report.html");
+  EXPECT_LT(page.size(), 1'300'000u);
+  // Where workers from blob: are forbidden, the page solves by itself.
+  for (const std::string &policy : { "worker-src blob:", "worker-src 'none'" })
+  {
+    SCOPED_TRACE(policy);
+    const nlohmann::json found =
+      found_in_browser(scratch, live_report_script(boost::replace_all_copy(page, "worker-src blob:", policy)),
+                       policy.back() == '\'');
+    EXPECT_NEAR(found["omega"].get<double>(), omega, 1e-9);
+    EXPECT_EQ(found["errors"], nlohmann::json::array());
+    EXPECT_EQ(found["untranslated"], nlohmann::json::array());
+    EXPECT_THAT(found["figures"].get<std::vector<std::string>>(),
+                testing::IsSupersetOf({ "spin_up", "load" }));
+    ASSERT_EQ(found["lesson"].size(), 5u);
+    for (const nlohmann::json &step : found["lesson"])
+      EXPECT_THAT(step.get<std::string>(), testing::Not(testing::ContainsRegex("NaN|undefined|\u2013")));
+  }
+  EXPECT_EQ(with({ "--live", "--set", "Contact/Body=solid" }).exit_code, 1);
+}
+
 TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)
 {
   const ScratchFolder scratch;
@@ -111,8 +180,9 @@ TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)
 /// The keys of the sentences of a language, each with the numbers that its sentence has.
 std::multiset<std::string> sentences_of(const std::string &language)
 {
-  const fs::path file = fs::path(STEMWARE_DOCS).parent_path() / "fem/pipeline/page/live" / (language + ".js");
-  const std::string text = read_text(file);
+  const fs::path folder = fs::path(STEMWARE_DOCS).parent_path() / "fem/pipeline/page/live";
+  const std::string text =
+    read_text(folder / (language + ".js")) + read_text(folder / ("lesson_" + language + ".js"));
   const std::regex sentence(R"((?:^|\n)\s+(\w+|'[^'\n]+'):([^\n]*(?:\n\s+['"`][^\n]*)?))"),
     number(R"(\{\d\})");
   std::multiset<std::string> keys;

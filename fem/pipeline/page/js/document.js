@@ -1,0 +1,23 @@
+// The document of a page: the view of its verb.
+import { converge } from '../views/converge.js';
+import { fit } from '../views/fit.js';
+import { run } from '../views/run.js';
+import { show } from './sections.js';
+import { sweep } from '../views/sweep.js';
+import { table_of_entries } from '../views/common.js';
+import { truncate } from '../views/truncate.js';
+
+const views = { run, truncate, converge, sweep, fit };
+
+/** Shows the document of the page; whether there is one. */
+export function show_document() {
+  const main = document.querySelector('main');
+  const doc = JSON.parse(document.getElementById('document').textContent);
+  if (!doc) {
+    main.remove();
+    return false;
+  }
+  doc.tables.entries = table_of_entries(doc.entries);
+  show(doc, views[doc.summary.verb](doc), main);
+  return true;
+}

@@ -1,0 +1,144 @@
+// Why the glass turns: the glass in perspective with the pressure round its rim, friction, the hand and what is left of the
+// torque, in slow motion. Every instant is a row of the document.
+import { Drawing, height, width } from './drawing.js';
+import { h } from './dom.js';
+import { say, shown } from './words.js';
+import { svg_text } from './files.js';
+
+const slower = 10;
+
+/** The instant between two rows. */
+function between(rows, time) {
+  const i = rows.findIndex(row => row.time >= time);
+  if (i <= 0) return rows[i < 0 ? rows.length - 1 : 0];
+  const [a, b] = [rows[i - 1], rows[i]];
+  const share = (time - a.time) / (b.time - a.time);
+  const mix = (x, y) => (Array.isArray(x) ? x.map((v, k) => mix(v, y[k])) : x + share * (y - x));
+  return Object.fromEntries(Object.keys(a).map(key => [key, mix(a[key], b[key])]));
+}
+
+/** The row that a still picture shows: where a third of the torque is gone. */
+function still_of(rows) {
+  const most = Math.abs(rows[0].torque);
+  return rows.find(row => Math.abs(row.torque) <= 0.67 * most) || rows[rows.length - 1];
+}
+
+export class Scene {
+  /** `t`: words; `dragged(height)` is called for a hand that is moved, in metres above the table. */
+  constructor(t, dragged) {
+    Object.assign(this, { t, dragged, time: 0, plays: false });
+    this.drawing = new Drawing();
+    this.svg = this.drawing.svg;
+    this.why = h('p', { class: 'why' });
+    this.button = h('button', { onclick: () => this.play(!this.plays) });
+    this.slider = h('input', { type: 'range', min: 0, step: 'any', oninput: () => this.go_to(Number(this.slider.value)) }); // prettier-ignore
+    this.caption = h('figcaption');
+    this.id = 'scene';
+    this.beside = h('div', {}, this.svg, h('div', { class: 'controls' }, this.button, this.slider), this.caption);
+    this.tabs = h('div', { class: 'controls', role: 'group' });
+    this.node = h('figure', { id: this.id, class: 'drawing' }, this.why, this.tabs, this.beside);
+    this.svg.addEventListener('pointerdown', e => this.drag(e));
+    if (dragged)
+      for (const node of [this.drawing.parts.hand, this.drawing.parts.force, this.drawing.hand_word])
+        node.classList.add('handle');
+    this.speak(t);
+  }
+
+  speak(words) {
+    const t = { ...words, instant: (...values) => say(words.instant, ...values) };
+    this.t = t;
+    this.caption.replaceChildren(h('b', {}, `${t.title}. `), t.caption);
+    this.slider.setAttribute('aria-label', t.time);
+    ['beside', 'above'].forEach((key, i) => this.tabs.children[i] && (this.tabs.children[i].textContent = t[key]));
+    this.play(this.plays);
+    if (this.given) this.set(this.given);
+  }
+
+  /** Shows other rows: { rows, radius, height, hand, orbit_radius, sense, falls, why }; lengths in metres. */
+  set(given) {
+    const same = this.given && this.given.rows.length === given.rows.length && given.rows.length > 1;
+    this.given = given;
+    const { rows } = given;
+    const still = still_of(rows);
+    this.drawing.set(given, still);
+    this.end = rows[rows.length - 1].time;
+    this.slider.max = this.end + (given.falls ? 0.15 : 0);
+    this.button.hidden = this.slider.hidden = rows.length < 2;
+    this.why.textContent = given.why;
+    this.svg.setAttribute('aria-label', `${this.t.title}. ${given.why}`);
+    if (!same && !this.plays) this.time = given.falls ? this.end + 0.06 : still.time;
+    this.go_to(this.time);
+  }
+
+  go_to(time) {
+    this.time = time;
+    this.slider.value = time;
+    this.slider.setAttribute('aria-valuetext', `${shown(time, '.2f')} s`);
+    this.drawing.draw(between(this.given.rows, time), time, this.t);
+  }
+
+  play(plays) {
+    this.plays = plays;
+    this.button.textContent = plays ? this.t.pause : this.t.play;
+    this.button.setAttribute('aria-pressed', String(plays));
+    if (!plays || this.runs) return;
+    let before = performance.now();
+    const frame = now => {
+      this.runs = this.plays && this.given.rows.length > 1;
+      if (!this.runs) return;
+      const next = this.time + Math.min(0.05, (now - before) / 1e3) / slower;
+      before = now;
+      this.go_to(next > Number(this.slider.max) + 0.1 ? 0 : next);
+      requestAnimationFrame(frame);
+    };
+    this.runs = true;
+    requestAnimationFrame(frame);
+  }
+
+  /** Drags the hand up and down, or looks from elsewhere. */
+  drag(event) {
+    const by_hand =
+      this.dragged &&
+      [this.drawing.parts.hand, this.drawing.parts.force, this.drawing.hand_word].includes(event.target);
+    const { clientX, clientY } = event;
+    const { drawing, given } = this;
+    const { camera, looked } = drawing;
+    const per_mm = (this.svg.clientWidth / width) * (camera.focus / camera.distance);
+    const move = e => {
+      if (by_hand) {
+        const at = given.hand - 1e-3 * ((e.clientY - clientY) / per_mm);
+        this.dragged(Math.max(0.002, Math.min(2.4 * given.height, at)));
+      } else {
+        drawing.looked = looked - (e.clientX - clientX) / 150;
+        this.go_to(this.time);
+      }
+    };
+    const end = () => {
+      this.svg.removeEventListener('pointermove', move);
+      for (const name of ['pointerup', 'pointercancel']) this.svg.removeEventListener(name, end);
+    };
+    this.svg.setPointerCapture(event.pointerId);
+    this.svg.addEventListener('pointermove', move);
+    for (const name of ['pointerup', 'pointercancel']) this.svg.addEventListener(name, end);
+    event.preventDefault();
+  }
+
+  /** Another drawing to choose: that from above. */
+  add_tab(above) {
+    const looks = { beside: this.beside, above };
+    const show = name => {
+      Object.entries(looks).forEach(([key, node], i) => {
+        node.hidden = key !== name;
+        this.tabs.children[i].setAttribute('aria-pressed', String(key === name));
+      });
+    };
+    this.tabs.replaceChildren(...Object.keys(looks).map(key => h('button', { onclick: () => show(key) }, this.t[key])));
+    this.node.append(above);
+    show('beside');
+  }
+
+  alone() {
+    const copies = [...this.svg.childNodes].map(child => child.cloneNode(true));
+    return { text: svg_text(this.t.title, this.given.why, copies, width, height), width, height };
+  }
+}

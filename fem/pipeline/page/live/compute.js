@@ -1,0 +1,130 @@
+// The solver: the library of `stemware run` as WebAssembly, one request at a time, called by name. A worker runs it, or the page
+// itself where a site or browser has no workers.
+let solver,
+  bodies,
+  data,
+  pair = null,
+  texts = {};
+
+/** Starts the solver of `wasm` with the compliances of a page. */
+export async function begin(given) {
+  ({ data, bodies } = given);
+  const module = await WebAssembly.compile(given.wasm);
+  const imports = {}; // it calls the system to grow and to stop only
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) (imports[from] ||= {})[name] = () => 0;
+  solver = (await WebAssembly.instantiate(module, imports)).exports;
+  solver._initialize();
+}
+
+function string(text) {
+  const bytes = new TextEncoder().encode(text + '\0');
+  const at = solver.malloc(bytes.length);
+  new Uint8Array(solver.memory.buffer).set(bytes, at);
+  return at;
+}
+function read(at) {
+  const memory = new Uint8Array(solver.memory.buffer);
+  return JSON.parse(new TextDecoder().decode(memory.subarray(at, memory.indexOf(0, at))));
+}
+
+function set(path, value) {
+  const a = string(path),
+    b = string(value),
+    reply = read(solver.explore_set(a, b));
+  solver.free(a);
+  solver.free(b);
+  return reply.error || '';
+}
+
+// A compliance as page.cc writes it: head and steps, then what a prediction by harmonic and neighbours has left, byte by byte.
+function take(index, is_disc) {
+  const at = data.bodies[index],
+    doubles = (from, count) => new Float64Array(bodies.slice(from, from + 8 * count).buffer);
+  const [n, , harmonics] = doubles(at, 3),
+    head = 6 + n,
+    steps = doubles(at + 8 * head, 3),
+    of = kind => (kind ? n * n : (n * (n + 1)) / 2);
+  const count = (harmonics + 2) * (of(0) + 2 * of(1)),
+    numbers = new Float64Array(head + count),
+    from = at + 8 * (head + 3);
+  numbers.set(doubles(at, head));
+  const change = new Int32Array(n * n),
+    sum = [0, 1, 2].map(() => new Int32Array(n * n));
+  for (let m = 0, place = 0; m < harmonics + 2; ++m)
+    for (let kind = 0; kind < 3; ++kind)
+      for (let j = 0; j < n; ++j)
+        for (let i = 0; i < n; ++i) {
+          let c;
+          if (!kind && i < j) c = change[i * n + j];
+          else {
+            let z = 0;
+            for (let b = 0; b < 4; ++b) z |= bodies[from + b * count + place] << (8 * b);
+            const left = (z >>> 1) ^ -(z & 1);
+            c =
+              (left +
+                (i ? change[j * n + i - 1] : 0) +
+                (j ? change[(j - 1) * n + i] : 0) -
+                (i && j ? change[(j - 1) * n + i - 1] : 0)) |
+              0;
+          }
+          change[j * n + i] = c;
+          const whole = (sum[kind][j * n + i] = (sum[kind][j * n + i] + c) | 0);
+          if (kind || i >= j) numbers[head + place++] = whole * steps[kind];
+        }
+  const spot = solver.malloc(numbers.length * 8);
+  new Float64Array(solver.memory.buffer, spot, numbers.length).set(numbers);
+  solver.explore_take(spot, is_disc ? 1 : 0);
+  solver.free(spot);
+}
+
+// The study of a glass on a table, and then what somebody has changed of it.
+let changed = {};
+function choose(name, changes) {
+  const stays = pair === name;
+  if (!stays) {
+    const chosen = data.pairs[name];
+    solver.explore_begin();
+    for (const [path, value] of chosen.values) set(path, value);
+    take(chosen.foot, false);
+    if (chosen.disc !== null) take(chosen.disc, true);
+    solver.explore_ready(chosen.fineness);
+    pair = name;
+    changed = {};
+    texts = Object.fromEntries(read(solver.explore_entries()).map(e => [e.path, e.value]));
+  }
+  const refused = [];
+  for (const path in { ...changed, ...changes }) {
+    const wish = Object.hasOwn(changes, path) ? changes[path] : texts[path];
+    if (stays && changed[path] === changes[path]) continue;
+    const why = set(path, wish);
+    if (why) refused.push(why);
+  }
+  changed = refused.length ? {} : { ...changes };
+  if (refused.length) pair = null;
+  return { refused, stays };
+}
+
+const work = {
+  solve: m => {
+    const { refused, stays } = choose(m.pair, m.changes);
+    if (refused.length) return { error: refused[0], refused: true };
+    return { ...read(solver.explore_solve(m.harmonics, m.cold || !stays ? 1 : 0)), was_cold: m.cold || !stays };
+  },
+  curves: () => read(solver.explore_curves()),
+  budget: () => read(solver.explore_budget()),
+  pressure: () => read(solver.explore_pressure()),
+  entries: () => read(solver.explore_entries())
+};
+
+/** The reply to a message: { id, do, reply, ms }. */
+export function reply_to(message) {
+  const start = performance.now();
+  let reply;
+  try {
+    reply = work[message.do](message);
+  } catch (error) {
+    reply = { error: String(error), lost: true };
+    pair = null;
+  }
+  return { id: message.id, do: message.do, reply, ms: performance.now() - start };
+}

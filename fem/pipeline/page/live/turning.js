@@ -1,0 +1,89 @@
+// The scene of the live page: the hand is dragged up and down, and the sense of the orbit switched.
+import { $, doc, found, remember, sense, state, value_of, words } from './state.js';
+import { Scene } from '../js/scene.js';
+import { h } from '../js/dom.js';
+import { shows } from './lesson.js';
+import { orbits } from '../js/motion.js';
+import { why } from '../views/common.js';
+
+const offset = 'Motion/Force offset';
+let scene = null;
+let above = null;
+
+/** The glass without an answer: it falls. */
+const fallen = {
+  time: 0,
+  omega: 0,
+  yaw: 0,
+  orbit: 0,
+  torque: 0,
+  hand: [0, 0],
+  load: [],
+  friction: [[], []],
+  turns: []
+};
+
+/** Makes the scene in its place; `solve` is asked for a study whose hand has moved. */
+export function make_scene(solve) {
+  scene = new Scene(words().scene_words, height => {
+    state.changes[offset] = String(Number((height - value_of('Motion/Centre of mass height')).toPrecision(3)));
+    remember();
+    solve(false);
+  });
+  const turned = () => {
+    state.changes['Motion/Orbit sense'] = sense() > 0 ? 'clockwise' : 'counterclockwise';
+    remember();
+    solve(true);
+  };
+  scene.drawing.shows = shows;
+  above = h('div');
+  scene.add_tab(above);
+  scene.tabs.append(h('button', { id: 'sense', onclick: turned }));
+  $('scene').replaceChildren(scene.node);
+}
+
+function parameters() {
+  const of = (section, ...names) => Object.fromEntries(names.map(name => [name, value_of(`${section}/${name}`)]));
+  const Motion = { ...of('Motion', 'Orbit radius', 'Orbit speed'), 'Orbit sense': sense() < 0 ? 'clockwise' : '' };
+  return { Motion, Glass: of('Glass', 'Contact radius', 'Foot radius') };
+}
+
+/** The glass from above beside the paper's ring. */
+function draw_above() {
+  const { ring, paper } = doc.summary;
+  const load = doc.tables.motion[doc.tables.motion.length - 1].load;
+  const glasses = [
+    { title: words().elastic, omega: ring.omega_terminal, load },
+    { title: words().ring, omega: paper.omega_terminal }
+  ];
+  above.replaceChildren(
+    orbits({ words: { glasses }, summary: { parameters: parameters() } }, words().above_words).node
+  );
+}
+
+export function draw_scene() {
+  if (!found.answer || !scene) return;
+  const rows = doc.tables.motion;
+  const tips = !rows && found.answer.tips;
+  if (!rows && !tips) return;
+  const height = value_of('Motion/Centre of mass height');
+  const falls = tips || Boolean(doc.summary.ring.fall);
+  scene.set({
+    rows: rows || [fallen],
+    radius: value_of('Glass/Contact radius'),
+    height,
+    hand: height + value_of(offset),
+    orbit_radius: value_of('Motion/Orbit radius'),
+    sense: sense(),
+    falls,
+    most: Math.abs(doc.summary.ring?.tau_at_rest || 0),
+    why: why(words().scene_words, falls, doc.words.load || {}, found.is_last ? value_of(offset) : undefined)
+  });
+  if (rows) draw_above();
+  $('sense').textContent = words().other_sense;
+}
+
+export function speak_scene() {
+  scene.speak(words().scene_words);
+  draw_scene();
+}
