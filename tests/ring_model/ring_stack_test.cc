@@ -1,5 +1,6 @@
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
+#include "ring_model/load/load_functional.h"
 #include "ring_model/load/ring_stack.h"
 #include "tests/ring_model/quadrature.h"
 #include "tests/ring_model/reference.h"
@@ -7,6 +8,9 @@
 
 #include <limits>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace stemware::ring
 {
@@ -209,6 +213,31 @@ TEST(RingStack, RefusesBadInputWithTheValue)
                std::invalid_argument);
   EXPECT_THROW(RingStack::first_harmonic(1., { nan, 0. }, 0.03), std::invalid_argument);
   EXPECT_THROW(RingStack::first_harmonic(-1., { 0., 0. }, 0.03), std::invalid_argument);
+}
+// The value for a rotated load by the load's own rotation; sums and multiples by their definition.
+TEST(LoadFunctional, OfRotatedLoadsSumsAndMultiples)
+{
+  test::Numbers numbers(7);
+  std::vector<RingStack::Ring> rings;
+  std::vector<LoadFunctional> functionals(2);
+  for (const double radius : { 0.028, 0.032 })
+  {
+    const auto [a, b] = numbers.nonnegative_load(5);
+    rings.push_back({ radius, a, b });
+    for (LoadFunctional &functional : functionals)
+      for (auto *part : { &functional.a, &functional.b })
+      {
+        std::vector<double> &of_ring = part->emplace_back();
+        for (unsigned int n = 0; n <= 5; ++n)
+          of_ring.push_back(part == &functional.b && n == 0 ? 0. : numbers.between(-1., 1.));
+      }
+  }
+  const RingStack load(rings);
+  const auto &[one, other] = std::tie(functionals[0], functionals[1]);
+  const double scale = load.normal_force();
+  for (const double angle : { -0.4, 0.7, 2.5 })
+    EXPECT_NEAR(one.of_rotated(angle)(load), one(load.rotated(angle)), 1e-14 * scale) << angle;
+  EXPECT_NEAR((2.5 * one + other)(load), 2.5 * one(load) + other(load), 1e-14 * scale);
 }
 } // namespace
 } // namespace stemware::ring
