@@ -31,7 +31,7 @@ def tolerance_of(check):
 
 
 def page(claim):
-    lines = [f"# {claim['title']}", "", "*This page is written by `docs/verification/pages.py` from `claims.json`.*", "", "## The problem", ""]
+    lines = [f"# {claim['title']}", "", "<!-- This page is written by `docs/verification/pages.py` from `claims.json`. -->", "", "## The problem", ""]
     lines += [f"- {sentence}" for sentence in claim["problem"]]
     lines += ["", "## The reference", "", claim["reference"], "", "## The numbers", ""]
     lines += ["| settings | quantity | reference | kind | Stemware | accepted within |", "|---|---|---|---|---|---|"]
@@ -43,11 +43,10 @@ def page(claim):
             lines.append(f"| {settings} | `{check['quantity']}` | {shown(check['reference'], tolerance)} | {check['kind']} | "
                          f"{shown(check['stemware'], tolerance)} | {accepted} |")
             settings = ""
-    lines += ["", "`a2`, `b3` and the like are over a₀; other quantities are keys of `summary.json`, in SI units.", "",
-              "## The tolerance", "", claim["why"], "", "## The command", "",
-              f"    python3 verify.py {claim['name']}", "", "in `share/stemware/verification`, where the studies are."]
+    lines += ["", "Harmonics are over a₀; the others are [keys](../summary.md) in SI units.", "", "*Tolerance.* " + claim["why"], "",
+              f"    python3 /usr/share/stemware/verification/verify.py {claim['name']}"]
     if claim.get("tests"):
-        lines += ["", "Tests of the same claim: " + ", ".join(f"`{test}`" for test in claim["tests"]) + "."]
+        lines += ["", "Tests: " + ", ".join(f"`{test}`" for test in claim["tests"]) + "."]
     return "\n".join(lines) + "\n"
 
 
