@@ -127,7 +127,7 @@ TEST(ExplorePage, TheReportOfRunLiveSolvesItsStudyAgainAndTeaches)
   const std::string page = read_text(scratch / "live/report.html");
   EXPECT_LT(page.size(), 1'300'000u);
   // Where workers from blob: are forbidden, the page solves by itself.
-  for (const std::string &policy : { "worker-src blob:", "worker-src 'none'" })
+  for (const std::string policy : { "worker-src blob:", "worker-src 'none'" })
   {
     SCOPED_TRACE(policy);
     const nlohmann::json found =
