@@ -174,6 +174,16 @@ const Eigen::VectorXd &RingWeights::at(double radius) const
     shares(static_cast<Eigen::Index>(k)) *= outside;
     outside *= (radius - radii[k]) * per_unit;
   }
+  // Beyond this the polynomials would multiply rounding; force and moment stay exact.
+  constexpr double max_extrapolation = 1e6;
+  const bool is_between = radius >= radii.front() && radius <= radii.back();
+  if (!is_between && radii.size() > 2 && shares.lpNorm<1>() > max_extrapolation)
+  {
+    const double share = (radius - radii.front()) / (radii.back() - radii.front());
+    shares.setZero();
+    shares(0) = 1 - share;
+    shares.tail<1>()(0) = share;
+  }
   return shares;
 }
 

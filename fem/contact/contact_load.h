@@ -40,8 +40,8 @@ struct ContactLoad : ring::RingStack
   ContactLoad rotated(double angle) const;
 };
 
-/// Weights of a point force on rings: Lagrange polynomials of the rings' radii at the radius of the force.
-/// Radial moments of orders below the number of rings are exact. A single ring gets the whole force.
+/// Weights of a point force on rings: Lagrange polynomials of the rings' radii, all radial moments of orders
+/// below their number exact. Far from the rings the two outermost ones share the force linearly.
 class RingWeights
 {
 public:

@@ -320,6 +320,31 @@ TEST(FreeSliding, FrictionTakesTheKineticEnergyThatTheBodyLoses)
   EXPECT_NEAR(loss, path.states[end].friction_loss, 1e-6 * loss);
 }
 
+// Other code: integration of the friction of a ring and a disc in elliptic integrals. R = 30 mm, mu g = 2.943
+// m/s^2, 20 rad/s at the start.
+TEST(FreeSliding, TimeDistanceAndTurnsToTheStop)
+{
+  struct Row
+  {
+    SlidingBody body;
+    double inertia; ///< over m R^2
+    double speed, time, distance, turns;
+  };
+  const SlidingBody ring = SlidingBody::ring(0.03), disc = SlidingBody::disc(0.03);
+  for (const Row &row : { Row{ ring, 1, 1, 0.433690092820, 0.202232922128, 0.782860723683 },
+                          Row{ ring, 1, 0.6, 0.320243899449, 0.096073169835, 0.509683995923 },
+                          Row{ ring, 1, 0.1, 0.211519534404, 0.013714514923, 0.329017871338 },
+                          Row{ disc, 0.5, 1, 0.394384128673, 0.185899327455, 0.749733928188 },
+                          Row{ disc, 0.5, 0.6, 0.273251433663, 0.077969079405, 0.469893865146 } })
+  {
+    const SlidingState stop =
+      slide_to_stop(FreeSlider{ row.body, 0.3, row.inertia * 0.3 * 9e-4, 0.3 }, row.speed, 20).states.back();
+    EXPECT_NEAR(stop.time, row.time, 2e-12) << row.speed;
+    EXPECT_NEAR(stop.distance, row.distance, 2e-12) << row.speed;
+    EXPECT_NEAR(stop.yaw / (2 * pi), row.turns, 2e-12) << row.speed;
+  }
+}
+
 TEST(FreeSliding, ADriftingRingFollowsTheClosedFormOfSlowSpin)
 {
   // a_y = -mu^2 g (h / R) eps for small eps. With I = m R^2 (1/2 - (mu h / R)^2) the ratio eps stays, and

@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/input/study_size.h"
-#include "ring_model/no_balance.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -101,9 +100,6 @@ TruncatedStudy truncate_study(const Study &study, const Executor &executor, Prog
   for (const LoadedRow &answer :
        rows_by_harmonics(study, foot, *load, spin_question(study), executor, progress).by_harmonics)
     truncated.rows.push_back(answer.row);
-  if (!truncated.rows.back().terminal)
-    throw ring::NoBalance(truncated.rows.back().reason +
-                          ": no terminal spin to compare with; stemware run shows it");
   truncated.load = load->report();
   progress.stage_done("truncations");
   return truncated;

@@ -36,8 +36,8 @@ struct TruncatedStudy
   std::vector<ring::Answer> rows = {}; ///< rows_by_harmonics()
 };
 
-/// Solves @p study with decreasing numbers of harmonics. Throws as answer_study(), and ring::NoBalance if all
-/// harmonics have no terminal spin.
+/// Solves @p study with decreasing numbers of harmonics; if the glass tips on the way, the last row has a
+/// fall. Throws as answer_study().
 TruncatedStudy truncate_study(const Study &study, const Executor &executor, Progress &progress);
 
 /// Solves @p study on the levels of @p axes, its refinement_axes(). Throws as answer_study() and refine().

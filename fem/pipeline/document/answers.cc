@@ -16,6 +16,16 @@ std::string truncation_answer(const Study &study, const std::vector<ring::Answer
                               const HarmonicEffect &effect, unsigned int n_enough)
 {
   const ring::Answer &all = rows.back();
+  const std::optional<double> first = rows.front().omega_terminal();
+  if (all.fall)
+  {
+    std::string text = fall_sentences(study, all);
+    if (rows.size() > 1)
+      append(text, first
+                     ? "The first harmonic only has a terminal spin of " + number(*first, ".6g") + " rad/s."
+                     : "The first harmonic only has no terminal spin either.");
+    return text;
+  }
   const double omega = all.omega_terminal().value();
   if (!is_spin(study, omega))
   {
@@ -25,7 +35,6 @@ std::string truncation_answer(const Study &study, const std::vector<ring::Answer
   if (all.harmonics == 1)
     return "The " + one_way_word(study) + "load has one harmonic; the terminal spin is " +
            number(omega, ".6g") + " rad/s.";
-  const std::optional<double> first = rows.front().omega_terminal();
   std::string text =
     under_its_load(study, "The glass spins up to " + number(omega, ".6g") + " rad/s with all " +
                             std::to_string(all.harmonics) + " harmonics of its load, " +

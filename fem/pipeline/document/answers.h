@@ -17,7 +17,7 @@ namespace stemware::pipeline
 {
 
 /// Returns the answer of `truncate`: effect of the harmonics on the terminal spin of @p rows (last row: all
-/// harmonics). @p n_enough harmonics give the spin to 1e-4.
+/// harmonics), or the fall of the last row. @p n_enough harmonics give the spin to 1e-4.
 std::string truncation_answer(const Study &study, const std::vector<ring::Answer> &rows,
                               const HarmonicEffect &effect, unsigned int n_enough);
 

@@ -44,20 +44,6 @@ std::string paper_sentence(const Study &study, const SpinStudy &spin)
          number(seconds_a_turn(*omega), "#.3g") + " s.";
 }
 
-std::string falling_answer(const Study &study, const SpinStudy &spin)
-{
-  const ring::Answer &all = spin.all();
-  std::string text = "The glass stands at rest and tips over while it spins up, at " +
-                     number(std::abs(all.fall->omega), ".3g") + " rad/s " + sense_of(study, all.fall->omega) +
-                     ", where the moment ratio is " + number(all.fall->state.moment_ratio, ".3g") +
-                     ": no contact pressure balances a larger moment. There is no terminal spin. At rest the "
-                     "moment ratio is " +
-                     number(all.at_rest.value().moment_ratio, ".4g") + " and the torque of friction is " +
-                     number(all.at_rest.value().friction.torque, ".4g") + " N m.";
-  append(text, paper_sentence(study, spin));
-  return text;
-}
-
 /// Answer for a glass without a spin that is more than rounding.
 std::string resting_answer(const Study &study, const ring::Answer &all)
 {
@@ -134,7 +120,10 @@ std::string run_answer(const Study &study, const SpinStudy &spin, const ErrorBan
   if (spin.is_quick())
     text = "Quick run: no budget of effects, no error bands.";
   if (all.fall)
-    append(text, falling_answer(study, spin));
+  {
+    append(text, fall_sentences(study, all));
+    append(text, paper_sentence(study, spin));
+  }
   else if (const double omega = all.omega_terminal().value(); is_spin(study, omega))
     append(text, spinning_answer(study, spin, bands, omega));
   else

@@ -70,6 +70,18 @@ std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &e
   return opening + "change the spin by " + change + ".";
 }
 
+std::string fall_sentences(const Study &study, const ring::Answer &all)
+{
+  const ring::Fall &fall = all.fall.value();
+  return "The glass stands at rest and tips over while it spins up, at " +
+         number(std::abs(fall.omega), ".3g") + " rad/s " + sense_of(study, fall.omega) +
+         ", where the moment ratio is " + number(fall.state.moment_ratio, ".3g") +
+         ": no contact pressure balances a larger moment. There is no terminal spin. At rest the moment "
+         "ratio is " +
+         number(all.at_rest.value().moment_ratio, ".4g") + " and the torque of friction is " +
+         number(all.at_rest.value().friction.torque, ".4g") + " N m.";
+}
+
 std::string lift_off_sentences(const std::vector<std::pair<std::string, const LoadReport *>> &states)
 {
   std::string text;

@@ -3,6 +3,7 @@
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/feet/contact_report.h"
 #include "fem/pipeline/study/study.h"
+#include "ring_model/spin/answer.h"
 
 #include <string>
 #include <utility>
@@ -37,6 +38,9 @@ std::string faster_or_slower(double change);
 /// Returns a sentence on the effect of the harmonics beyond the first on the terminal spin; empty without an
 /// effect.
 std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect);
+
+/// Returns sentences on a glass that stands at rest and tips on the way, whose answer @p all has a fall.
+std::string fall_sentences(const Study &study, const ring::Answer &all);
 
 /// Returns one sentence for each of @p states (name of the state, load) with lift-off or a tensile load.
 std::string lift_off_sentences(const std::vector<std::pair<std::string, const LoadReport *>> &states);

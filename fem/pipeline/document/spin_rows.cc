@@ -69,6 +69,14 @@ Json shown_spin_rows(const std::vector<ring::Answer> &rows)
   return shown;
 }
 
+Json fall_summary(const ring::Answer &all)
+{
+  return to_json_or_null(all.fall,
+                         [](const ring::Fall &fall) -> Json {
+                           return { { "omega", fall.omega }, { "moment_ratio", fall.state.moment_ratio } };
+                         });
+}
+
 Json series_summary(const ring::RingStack &load)
 {
   Json a = Json::array(), b = Json::array();

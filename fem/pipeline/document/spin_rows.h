@@ -21,6 +21,9 @@ nlohmann::ordered_json spin_rows(const std::vector<ring::Answer> &rows);
 /// torque at rest are 0.
 nlohmann::ordered_json shown_spin_rows(const std::vector<ring::Answer> &rows);
 
+/// Returns "fall" of summary.json: null without a fall, else its spin and moment ratio.
+nlohmann::ordered_json fall_summary(const ring::Answer &all);
+
 /// Returns a_n and b_n [N/rad] of a load as two lists.
 nlohmann::ordered_json series_summary(const ring::RingStack &load);
 

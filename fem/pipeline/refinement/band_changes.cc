@@ -66,26 +66,29 @@ std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned 
 }
 
 /// Other rings and harmonics that take over the pressure of the same contacts. What the friction force adds
-/// in the balance is of the size of what they change: it counts twice. @p other_rings: how many rings in the
-/// place of so many, two at least; one ring becomes those of a study that asks for usual_rings.
+/// in the balance is of the size of what they change: it counts twice. @p ring_counts: numbers of rings in
+/// the place of the foot's, two at least, whose largest change counts; one ring becomes those of a study that
+/// asks for usual_rings.
 void add_gathering(const Variant &own_study, const ElasticFoot &foot,
-                   const std::function<unsigned int(unsigned int)> &other_rings,
-                   std::vector<BandChange> &changes)
+                   const std::vector<unsigned int> &ring_counts, std::vector<BandChange> &changes)
 {
   constexpr double with_balance = 2;
   const unsigned int n = foot.n_harmonics(), resolved = foot.body().n_resolved_harmonics();
   const std::vector<double> &own = foot.ring_radii();
   changes.push_back(change_of("load_harmonics", with_balance, own_study));
   changes.back().ring_projection = { own, n < resolved ? std::min(2 * n, resolved) : std::max(n / 2, 1u) };
-  changes.push_back(change_of("rings", with_balance, own_study));
-  BandChange &rings = changes.back();
-  if (own.size() >= 2)
-    rings.ring_projection = { radii_on_band_of(own, other_rings(static_cast<unsigned int>(own.size()))), n };
-  else
+  if (own.size() < 2)
   {
-    rings.factor = usual_factor;
-    rings.on_same_foot = true;
-    rings.study.contact.rings = usual_rings;
+    changes.push_back(change_of("rings", usual_factor, own_study));
+    changes.back().on_same_foot = true;
+    changes.back().study.contact.rings = usual_rings;
+    return;
+  }
+  for (const unsigned int n_rings : ring_counts)
+  {
+    changes.push_back(change_of("rings", with_balance, own_study));
+    changes.back().ring_projection = { radii_on_band_of(own, n_rings), n };
+    changes.back().is_alternative = true;
   }
 }
 
@@ -137,8 +140,10 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
     }
   if (study.table.is_hard())
     changes.push_back(change_of("interface", 1.5, changed(own, harden)));
-  add_gathering(
-    own, foot, [](unsigned int n) { return 2 * n; }, changes);
+  // Where the slip vanishes between the rings, the error depends on the place between them and is of both
+  // signs: one other number may agree by chance, and those with common radii too.
+  const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
+  add_gathering(own, foot, { 2 * n_rings, 2 * n_rings + 1, 4 * n_rings }, changes);
   return changes;
 }
 
@@ -238,8 +243,8 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
     changes.push_back(change_of("interface", 2, changed(own, harden)));
   // Where the contact is far narrower than the distance of nodes, whose weights in the balance of moments are
   // those of the rings extrapolated, more rings would show rounding.
-  add_gathering(
-    own, foot, [](unsigned int n) { return n == 2 ? usual_rings : n - 1; }, changes);
+  const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
+  add_gathering(own, foot, { n_rings == 2 ? usual_rings : n_rings - 1 }, changes);
   return changes;
 }
 

@@ -24,8 +24,8 @@ namespace stemware::pipeline
 ///   lines           four and three times the azimuth lines; nothing in full contact; not of a solid foot
 ///   interface       a ten times stiffer spring in the place of a hard interface
 ///   load_harmonics  twice the harmonics of the load, half where the lines or cells resolve no more
-///   rings           twice the rings that the foot has, half of more than twelve; under a solid foot one
-///                   less, five instead of two; instead of one those of Contact/Rings = 5
+///   rings           2 n, 2 n + 1 and 4 n of n rings, the largest change; under a solid foot one less, five
+///                   instead of two; instead of one those of Contact/Rings = 5
 ///   interpolation   loads between sampled phases
 ///   solver          tolerances
 ///

@@ -145,12 +145,6 @@ Json goal_summary(const Study &study, const GoalOutcome &goal, const FootReport 
            { "unknowns", foot.foot.n_unknowns } };
 }
 
-/// Where the glass falls over on its way to a terminal spin.
-Json fall_summary(const ring::Fall &fall)
-{
-  return { { "omega", fall.omega }, { "moment_ratio", fall.state.moment_ratio } };
-}
-
 /// M_Nx of the load of which ring::Answer::at_rest is: of a wavy rim or table the mean over the phases, as
 /// its torque.
 double moment_at_rest(const ContactReport &report, const SpinStudy &spin)
@@ -186,7 +180,7 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
   ring.update(
     { { "tau_closed_form", study.motion.orbit.friction_at_rest() * moment_at_rest(report, spin) },
       { "standing", to_string(status_of(report, spin)) },
-      { "fall", to_json_or_null(all.fall, fall_summary) },
+      { "fall", fall_summary(all) },
       { "terminal_spins", terminal_spins_summary(spin) },
       { "driven", to_json_or_null(spin.spin_up.driven, driven_summary) },
       { "measured", is_measured ? Json{ { "points", measured_spins(study).size() } } : Json(nullptr) },

@@ -18,7 +18,7 @@ namespace
 using Json = nlohmann::ordered_json;
 
 /// The least number of harmonics from which on the terminal spin stays within @p share of that of all, which
-/// is the last of @p rows.
+/// is the last of @p rows; the last row's number without a terminal spin.
 unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double share)
 {
   unsigned int enough = rows.back().harmonics;
@@ -36,18 +36,18 @@ unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double shar
 Results make_truncation_document(const Study &study, const LoadReport &load,
                                  const std::vector<ring::Answer> &rows)
 {
-  const std::optional<double> first = rows.front().omega_terminal();
-  const double omega = rows.back().omega_terminal().value();
+  const std::optional<double> first = rows.front().omega_terminal(), omega = rows.back().omega_terminal();
   const HarmonicEffect effect = harmonic_effect(first, omega, spin_scale(study));
   const unsigned int n_enough = harmonics_enough(rows, 1e-4);
   const bool one_way = is_one_way(study);
   Results results;
   results.findings.summary = { { "load", load_summary(load) },
+                               { "fall", fall_summary(rows.back()) },
                                { "harmonic_effect", harmonic_effect_summary(effect) } };
   results.findings.key_figures = { { "omega_terminal", omega },
                                    { "harmonic_effect", effect.absolute },
                                    { "harmonic_effect_relative", effect.relative },
-                                   { "harmonics_for_1e-4", n_enough } };
+                                   { "harmonics_for_1e-4", omega ? Json(n_enough) : Json(nullptr) } };
   results.words = { { "title", title_of(study) + ": how many harmonics of the load matter" },
                     { "inputs", inputs_of(study) },
                     { "answer", truncation_answer(study, rows, effect, n_enough) },

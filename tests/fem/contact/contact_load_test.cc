@@ -67,6 +67,25 @@ TEST(ContactLoad, WithoutMomentTheRadiusIsTheLimit)
   EXPECT_NEAR(load.mean_radius, 0.031, 1e-15);
 }
 
+TEST(ContactLoad, RoundingFarFromManyRingsStaysRounding)
+{
+  // 1 N on a narrow band, and 1e-16 N five half-widths away, which Lagrange polynomials of 40 rings multiply
+  // by 1e39.
+  std::vector<double> radii;
+  for (int j = 39; j >= 0; --j)
+    radii.push_back(0.030 + 0.0004 * std::cos(pi * (j + 0.5) / 40));
+  const RingWeights weights(radii);
+  const Eigen::VectorXd share = weights.at(0.032);
+  EXPECT_NEAR(share.sum(), 1, 1e-12);
+  EXPECT_NEAR(share.dot(Eigen::Map<const Eigen::VectorXd>(radii.data(), 40)), 0.032, 1e-14);
+  EXPECT_LT(share.lpNorm<1>(), 10);
+  const ContactLoad load = harmonics_of({ { 0.0301, 0, 1 }, { 0.032, 0, 1e-16 } }, 1, radii);
+  double largest = 0;
+  for (const auto &ring : load.rings())
+    largest = std::max(largest, std::abs(ring.a[0]));
+  EXPECT_LT(largest, 1);
+}
+
 TEST(ContactLoad, RingsCarryEveryRadialMomentAtEveryAzimuth)
 {
   // Forces all over a band, the rings' radii well inside it and beyond: sum_j r_j^k lambda_j is sum f r^k.

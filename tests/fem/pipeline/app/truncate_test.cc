@@ -181,6 +181,21 @@ TEST(Truncate, OneWayRowsByPlainQuadrature)
   EXPECT_NEAR(number(rows[0], "load_minimum"), summary["load"]["a"][0].get<double>() * (1 - m), 1e-12);
 }
 
+TEST(Truncate, AGlassThatFallsOnTheWay)
+{
+  // Other code, fold over the lean at fixed spins: no balance of this height between -9.09 and -9.34 rad/s.
+  const ScratchFolder scratch;
+  const Json summary = summary_of(
+    scratch, "truncate",
+    { "Glass/Young modulus=7e16", "Contact/Friction coupling=none", "Motion/Centre of mass height=0.1346" });
+  EXPECT_NEAR(number(summary["fall"], "omega"), -9.0916, 0.015);
+  EXPECT_NEAR(number(summary["fall"], "moment_ratio"), 1.9, 0.05);
+  const Json &all = summary["truncation"].back();
+  EXPECT_TRUE(all["omega_terminal"].is_null());
+  EXPECT_TRUE(summary["harmonic_effect"]["absolute"].is_null());
+  EXPECT_NEAR(number(all, "tau_at_rest"), -3.687e-3, 2e-6); // between the heights 0.134 and 0.1438
+}
+
 TEST(Truncate, LoadsThatDoNotSpinOrHaveOneHarmonic)
 {
   const ScratchFolder scratch;

@@ -216,5 +216,30 @@ TEST(LiftedBands, OfTwoHeightsBesideTheFallHold)
   expect_limit_at_right_height(1);
 }
 
+/// Moments at which a part of the contact has the slip ratio 1 at the terminal spin: there the error of the
+/// rings falls slowly.
+void expect_bands_with_vanishing_slip_hold(double smallest_moment, unsigned int n_states)
+{
+  Ratios ratios;
+  for (unsigned int i = 0; i < n_states; ++i)
+  {
+    LiftedState state;
+    state.moment_ratio = smallest_moment + 0.01 * i;
+    state.direction = -std::acos(-1.) / 2;
+    ratios.add(state);
+  }
+  ratios.expect_fair_medians();
+}
+
+TEST(LiftedBands, WithVanishingSlipInTheContactHold)
+{
+  expect_bands_with_vanishing_slip_hold(1.90, 9);
+}
+
+TEST(LiftedBands, WithVanishingSlipInOneContactHold)
+{
+  expect_bands_with_vanishing_slip_hold(1.95, 1);
+}
+
 } // namespace
 } // namespace stemware::pipeline
