@@ -42,10 +42,11 @@ public:
   /// The spin at a time and yaw angle, found from @p near.
   double at(double time, double yaw_angle, double near) const
   {
-    const double omega = balanced(time, yaw_angle, near);
-    const double next = balanced(time + time_step, yaw_angle + omega * time_step, omega),
-                 last = balanced(time - time_step, yaw_angle - omega * time_step, omega);
-    return omega + yaw_inertia * (next - last) / (2. * time_step) / slope(time, yaw_angle, omega);
+    const double omega = balanced(time, yaw_angle, near, slope(time, yaw_angle, near));
+    const double here = slope(time, yaw_angle, omega);
+    const double next = balanced(time + time_step, yaw_angle + omega * time_step, omega, here),
+                 last = balanced(time - time_step, yaw_angle - omega * time_step, omega, here);
+    return omega + yaw_inertia * (next - last) / (2. * time_step) / here;
   }
 
 private:
@@ -55,16 +56,20 @@ private:
            (2. * spin_step);
   }
 
-  /// Where the torque vanishes, by Newton's method.
-  double balanced(double time, double yaw_angle, double omega) const
+  /// Where the torque vanishes, by the secant method; @p torque_slope: an estimate for the first step.
+  double balanced(double time, double yaw_angle, double omega, double torque_slope) const
   {
     constexpr unsigned int max_steps = 20;
+    double here = torque(time, yaw_angle, omega);
     for (unsigned int i = 0; i < max_steps; ++i)
     {
-      const double step = -torque(time, yaw_angle, omega) / slope(time, yaw_angle, omega);
+      const double step = -here / torque_slope;
       omega += step;
       if (std::abs(step) < 1e-6 * spin_step)
         return omega;
+      const double next = torque(time, yaw_angle, omega);
+      torque_slope = (next - here) / step;
+      here = next;
     }
     throw NoBalance(
       sentence("the quasi-steady spin was not found at t = ", time, " s near ", omega, " rad/s"));

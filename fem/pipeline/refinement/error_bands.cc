@@ -8,6 +8,7 @@
 #include "ring_model/spin/if_balanced.h"
 #include "ring_model/terminal_spin.h"
 
+#include <Eigen/Core>
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
@@ -42,6 +43,7 @@ struct Torques
 struct Evaluation
 {
   LoadReport at_rest;
+  Eigen::Vector3d table_motion; ///< at rest: q_0 [m], q_1 and q_2 [rad]
   std::vector<Torques> torques; ///< at EvaluationPoints::spins, means over the phases
   double torque_of_first = 0;   ///< yaw_torque() of the first harmonic, at EvaluationPoints::first
   double slope_of_first = 0;    ///< its slope [N m s]; of the study's own loads
@@ -92,6 +94,7 @@ Evaluation evaluate(const LoadsAtPhases &loads, const ElasticFoot &foot, const r
 {
   Evaluation found = {};
   found.at_rest = loads.all.front()->report();
+  found.table_motion = loads.all.front()->contact(0).value().solution.motion;
   found.torques.assign(probe.spins.size(), { 0, 0 });
   const double share = 1. / static_cast<double>(probe.phases.size());
   for (const SharedLoad &load : loads.all)
@@ -137,6 +140,17 @@ std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &
   return phases;
 }
 
+/// Adds the motion of the table at rest, of which a part in 1e9 is rounding.
+void add_table_motion(const Evaluation &found, std::vector<QuantityOfInterest> &quantities)
+{
+  const Eigen::Vector3d &q = found.table_motion;
+  const double radius = found.at_rest.mean_radius,
+               rounding = relative_noise * (std::abs(q(0)) + radius * q.tail<2>().norm());
+  quantities.push_back({ "table_motion_0", "table moved by q_0 at rest", "m", q(0), rounding });
+  quantities.push_back({ "table_motion_1", "table tilted by q_1 at rest", "rad", q(1), rounding / radius });
+  quantities.push_back({ "table_motion_2", "table tilted by q_2 at rest", "rad", q(2), rounding / radius });
+}
+
 /// The reported numbers of @p row, each changed by what changes from @p own to @p found: at a terminal spin
 /// that differs from the one looked at by what the torque there says.
 std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const EvaluationPoints &probe,
@@ -169,6 +183,7 @@ std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const E
     noise_of_differences
   };
   std::vector<QuantityOfInterest> quantities = quantities_of_interest(study, found.at_rest, spin);
+  add_table_motion(found, quantities);
   if (probe.first)
   {
     const double slope_there = std::isfinite(own.slope_of_first) ? own.slope_of_first : slope;

@@ -29,10 +29,10 @@ namespace stemware::pipeline
 ///   interpolation   loads between sampled phases
 ///   solver          tolerances
 ///
-/// The band is the sum of the parts. Quantities: the load at rest; the torque at rest, at half and at one and
-/// a half times the terminal spin; terminal spin and time constant; the effect of the harmonics beyond the
-/// first on the terminal spin. With waviness, and for a foot whose load depends on the direction of the
-/// moment, torques are means over four phases of the period.
+/// The band is the sum of the parts. Quantities: load and table motion at rest; the torque at rest, at half
+/// and at one and a half times the terminal spin; terminal spin and time constant; the effect of the
+/// harmonics beyond the first on the terminal spin. With waviness, and for a foot whose load depends on the
+/// direction of the moment, torques are means over four phases of the period.
 ///
 /// @p all: row of all harmonics; @p first: terminal spin of the first harmonic only, if any. Returns an empty
 /// list for a load without a contact, if one of the changed contacts fails (as near tipping), or if no other

@@ -63,6 +63,8 @@ TEST(OneNumber, BandsAreThoseOfTheReportedNumbers)
                                              { "omega_first_harmonic",
                                                summary["truncation"].front()["omega_terminal"] },
                                              { "harmonic_effect", summary["harmonic_effect"]["absolute"] } };
+  for (const unsigned int i : { 0u, 1u, 2u })
+    reported["table_motion_" + std::to_string(i)] = summary["contact"]["table_motion"][i];
   for (unsigned int n = 1; n <= 8; ++n)
     for (const char *part : { "a", "b" })
       reported[part + std::to_string(n)] = load[part][n].get<double>() / load["a"][0].get<double>();

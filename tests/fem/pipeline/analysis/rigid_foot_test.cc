@@ -180,9 +180,12 @@ TEST(RigidFoot, NumbersOfOtherCodeAreWithinTheBands)
     else
       study.motion.orbit.centre_of_mass_height = state.height;
     SolvedStudy solved(study, test::rigid_foot());
+    ring::Question with_slope;
+    with_slope.with_slope = true;
+    const ring::Answer all = ring::answer(solved.load, spin_question(study, with_slope)).value();
     const SharedLoad first = find_load(study, solved.foot, silent_progress(), 1);
     const ErrorBands bands = estimate_bands(
-      study, solved.foot, solved.row, ring::answer(*first, spin_question(study)).value().omega_terminal(),
+      study, solved.foot, all, ring::answer(*first, spin_question(study)).value().omega_terminal(),
       ThreadedExecutor(solved.cache));
     for (const auto &[key, expected] : state.expected)
     {

@@ -1,10 +1,11 @@
-// Do error bands hold with lift-off? Random states of a rigid crowned foot on a mat, each beside other code
-// that includes nothing of fem/: quadrature over the plane that ends at the edges of the contact
-// (tests/verification/plain_lifted_foot.h).
+// Do error bands hold with lift-off, and on flat lands? Random states of a rigid crowned foot on a mat, each
+// beside other code that includes nothing of fem/: quadrature over the plane that ends at the edges of the
+// contact (tests/verification/plain_lifted_foot.h).
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/refinement/error_bands.h"
 #include "ring_model/spin/answer.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
+#include "tests/verification/lifted_annulus.h"
 #include "tests/verification/plain_lifted_foot.h"
 
 #include <gtest/gtest.h>
@@ -239,6 +240,89 @@ TEST(LiftedBands, WithVanishingSlipInTheContactHold)
 TEST(LiftedBands, WithVanishingSlipInOneContactHold)
 {
   expect_bands_with_vanishing_slip_hold(1.95, 1);
+}
+
+// ---- rigid flat lands: on a mat closed forms of chords, on a hard bonded layer an annular punch by other
+// code (tests/verification/annular_punch.py)
+
+/// A flat land under a given moment in the direction @p direction [rad].
+Study flat_study(double width, double moment_ratio, double direction)
+{
+  Study study;
+  study.glass.profile.crown_radius = 0;
+  study.glass.profile.land_width = width;
+  study.glass.profile.foot_radius = study.glass.profile.contact_radius + width;
+  study.load.moment_ratio = moment_ratio;
+  study.load.moment_direction = direction;
+  study.contact.friction_coupling = FrictionCoupling::none;
+  return study;
+}
+
+void expect_within_bands(const Study &study, const std::map<std::string, double> &expected, double widest)
+{
+  const test::SolvedStudy solved(study, test::rigid_foot());
+  fem::ComplianceCache cache;
+  const ErrorBands bands =
+    estimate_bands(study, solved.foot, solved.row, std::nullopt, ThreadedExecutor(cache));
+  for (const auto &[key, value] : expected)
+  {
+    const auto found = find_quantity(bands, key);
+    ASSERT_NE(found, bands.end()) << key;
+    const double error = std::abs(found->quantity.value - value);
+    EXPECT_LE(error, found->band) << key << ", width " << study.glass.profile.land_width;
+    EXPECT_LT(found->band, widest * std::abs(value)) << key;
+  }
+}
+
+TEST(FlatLandBands, ThatLiftsOffAMatHold)
+{
+  struct Row
+  {
+    double width, moment_ratio, direction;
+  };
+  for (const Row &row :
+       { Row{ 0.004, 1.1, -1.3 }, Row{ 0.004, 1.3, -1.9 }, Row{ 0.010, 1.3, 0.4 }, Row{ 0.020, 1.2, -0.7 } })
+  {
+    Study study = flat_study(row.width, row.moment_ratio, row.direction);
+    study.table.foundation_modulus = 1e9;
+    const double radius = study.glass.profile.contact_radius, outer = radius + row.width / 2;
+    const verification::LiftedAnnulus exact(radius - row.width / 2, outer, row.moment_ratio * radius / 2);
+    const double slope = study.motion.orbit.normal_force() / exact.per_slope, tilt = -slope / 1e9;
+    expect_within_bands(study,
+                        { { "contact_fraction", exact.share },
+                          { "peak_pressure", slope * (outer - exact.zero) },
+                          { "table_motion_0", -tilt * exact.zero },
+                          { "table_motion_1", tilt * std::cos(row.direction) },
+                          { "table_motion_2", tilt * std::sin(row.direction) } },
+                        0.02);
+  }
+}
+
+TEST(FlatLandBands, OfPunchesOnHardLayersHold)
+{
+  struct Row
+  {
+    double thickness, load, moment; ///< [m]; P/(2 E* a delta) and 3 M/(4 E* a^3 alpha)
+  };
+  for (const Row &row : { Row{ 3, 0.904734120, 0.940845472 }, Row{ 0.005, 5.084536833, 3.147039011 } })
+  {
+    const double outer = 0.030, direction = -1.2;
+    Study study = flat_study(0.006, 0.2, direction);
+    study.glass.profile.contact_radius = 0.027;
+    study.table.interface = TableInterface::hard;
+    study.table.substrate = TableSubstrate::elastic;
+    study.table.disc.thickness = row.thickness;
+    study.table.disc.radius = 3;
+    const double modulus =
+      study.table.disc_material.young_modulus / (1 - std::pow(study.table.disc_material.poisson_ratio, 2));
+    const double force = study.motion.orbit.normal_force(), moment = 0.2 * force * 0.027 / 2;
+    const double tilt = -3 * moment / (4 * modulus * std::pow(outer, 3) * row.moment);
+    expect_within_bands(study,
+                        { { "table_motion_0", -force / (2 * modulus * outer * row.load) },
+                          { "table_motion_1", tilt * std::cos(direction) },
+                          { "table_motion_2", tilt * std::sin(direction) } },
+                        0.1);
+  }
 }
 
 } // namespace
