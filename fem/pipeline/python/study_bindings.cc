@@ -125,6 +125,7 @@ struct Found
   Study study;
   Results results;
   std::shared_ptr<const StudyAnswer> answer = {}; ///< of run
+  std::vector<FittedRun> fitted = {};             ///< of fit
 
   std::string document() const { return dump_utf8(summary_of(verb, study, results.findings)); }
 
@@ -196,7 +197,7 @@ Found fit_of(const std::vector<GivenRun> &given, const std::vector<std::string> 
   const auto work = [&](Progress &progress, const Executor &executor) -> Found
   {
     const FitResult found = fit_study(runs, question, executor, progress);
-    return { "fit", found.study, tabulate_fit(found) };
+    return { "fit", found.study, tabulate_fit(found), {}, found.runs };
   };
   return solved(listener, n_threads, work);
 }
@@ -220,9 +221,20 @@ py::array_t<Value> numpy_of(const std::vector<Value> &values)
   return py::array_t<Value>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-/// The curves of run.
-py::dict curves_of(const StudyAnswer &answer)
+/// The curves of fit: points of the runs in their order, and of run.
+py::dict curves_in(const Found &found)
 {
+  py::dict curves;
+  for (std::size_t r = 0; r < found.fitted.size(); ++r)
+  {
+    const FittedRun &run = found.fitted[r];
+    curves[("run_" + std::to_string(r + 1)).c_str()] =
+      py::dict("time"_a = numpy_of(run.times), "measured"_a = numpy_of(run.measured),
+               "fitted"_a = numpy_of(run.fitted));
+  }
+  if (!found.answer)
+    return curves;
+  const StudyAnswer &answer = *found.answer;
   const TorqueCurve &torque = answer.spin.torque;
   const SpinUpCurves &up = answer.spin.spin_up;
   const auto friction = numpy_of(torque.friction);
@@ -316,7 +328,7 @@ PYBIND11_MODULE(_study, m)
     .def(py::init(&results_of), "verb"_a, "study"_a, py::kw_only(), "quick"_a = false, "n_levels"_a = 3,
          "n_threads"_a, "progress"_a)
     .def("document", &Found::document)
-    .def("curves", [](const Found &found) { return found.answer ? curves_of(*found.answer) : py::dict(); })
+    .def("curves", &curves_in)
     .def("save", &Found::save, "folder"_a, py::call_guard<py::gil_scoped_release>());
 
   m.def("fit", &fit_of, "runs"_a, "free"_a, "zero"_a, "quick"_a, "n_threads"_a, "progress"_a);

@@ -231,8 +231,8 @@ class Result:
 
 
 class Fit(Result):
-    """Result of stemware.fit. values, spreads: by entry; correlation: an array; sentences: what the data leave open; runs: a dict
-    with start, zero, noise for each; curves: time, measured, fitted of each run."""
+    """Result of stemware.fit. values, spreads: by entry; correlation: an array; sentences: what the data leave open; runs: a list
+    of dicts with start, zero, noise for each; curves: "run_1" and so on, each with time, measured, fitted."""
 
     @property
     def values(self):
@@ -249,6 +249,10 @@ class Fit(Result):
     @property
     def sentences(self):
         return self["fit/sentences"]
+
+    @property
+    def runs(self):
+        return self["fit/runs"]
 
 
 def fit(study, data, free, gyroscope_zero="", quick=False, threads=1, progress=None):

@@ -1,6 +1,7 @@
 """The three faces of a study, command line, page and Python: the same digits, sentences, presets and units. Given: the program,
 the solver of the page."""
 import json
+import math
 import os
 import re
 import subprocess
@@ -53,6 +54,30 @@ class Faces(unittest.TestCase):
                 # A cold answer of the page has the contacts of the program; its search steps differ.
                 self.assertLess(abs(answer["all"]["omega"] - python.omega), 1e-10)
                 self.assertLess(abs(answer["all"]["at_rest"]["torque"] - python["ring/tau_at_rest"]), 1e-13)
+
+    def test_fit(self):
+        """Program and Python fit with the same digits."""
+        times = [0.04 * i for i in range(40)]
+        free = ["Motion/Friction coefficient", "Motion/Grip torque"]
+        for entries in ({"Load/Source": "first harmonic"}, {}):
+            quick = not entries
+            with self.subTest(entries), tempfile.TemporaryDirectory() as folder:
+                data = folder + "/run.csv"
+                with open(data, "w", encoding="utf-8") as file:
+                    file.write("t (s),omega (rad/s)\n" + "".join(
+                        f"{t},{-3.4 * (1 - math.exp(-max(t - 0.1, 0) / 0.19)) + 0.02 * math.sin(91 * t)}\n" for t in times))
+                done = output(program, "fit", "--data", data, *[word for one in free for word in ("--free", one)],
+                              *(["--quick"] if quick else []), "--quiet", "--threads", "1", "--output", folder + "/r",
+                              *words(entries, "--set"))
+                self.assertEqual(done.returncode, 0, done.stderr)
+                python = stemware.fit(stemware.Study(entries=entries), data, free, quick=quick)
+                with open(folder + "/r/summary.json", encoding="utf-8") as file:
+                    self.assertEqual(json.load(file)["fit"], python["fit"])
+                with open(folder + "/r/fit.csv", encoding="utf-8") as file:
+                    rows = [line.split(",") for line in file if line[0].isdigit()]
+                self.assertEqual([run["points"] for run in python.runs], [len(times)])
+                curve = python.curves["run_1"]
+                self.assertEqual([float(row[3]) for row in rows], list(curve["fitted"]))
 
     def test_sentences(self):
         for entries in REFUSED:
