@@ -52,8 +52,9 @@ class Faces(unittest.TestCase):
                 answer = by_page(entries)[0]
                 self.assertEqual((answer.get("error"), answer.get("fit")), (None, "same"))
                 # A cold answer of the page has the contacts of the program; its search steps differ.
-                self.assertLess(abs(answer["all"]["omega"] - python.omega), 1e-10)
-                self.assertLess(abs(answer["all"]["at_rest"]["torque"] - python["ring/tau_at_rest"]), 1e-13)
+                ring = answer["document"]["summary"]["ring"]
+                self.assertLess(abs(ring["omega_terminal"] - python.omega), 1e-10)
+                self.assertLess(abs(ring["tau_at_rest"] - python["ring/tau_at_rest"]), 1e-13)
 
     def test_fit(self):
         """Program and Python fit with the same digits."""
