@@ -204,7 +204,7 @@ TEST_P(Browser, ShowsEveryPictureAndTheAnswerAtEachWidthAndPrints)
   {
     const nlohmann::json &desk = measured[std::to_string(widths.front())];
     EXPECT_LT(desk["answer_at"].get<double>(), 900);
-    EXPECT_LT(desk["height"].get<double>(), 6000);
+    EXPECT_LT(desk["height"].get<double>(), 6500);
   }
 
   const fs::path pdf = scratch / "report.pdf";
