@@ -94,6 +94,25 @@ TEST(SelfConsistentRing, BalancesEverythingForAnyModelInBothSenses)
       }
 }
 
+// Moments beyond the limit of tipping come up on the way: steps towards them are shortened.
+TEST(SelfConsistentRing, BalancesAGlassThatNearlyTips)
+{
+  Motion motion;
+  motion.friction_coefficient = 0.5431;
+  motion.orbit_speed = 0.9353;
+  motion.force_offset = -0.0735;
+  motion.centre_of_mass_height = 0.1315;
+  motion.orbit_radius = 0.1214;
+  const double omega = -38.26;
+  const auto model = std::make_shared<UnilateralFoundation>(0.03, 1.907, 32);
+  const RingEquilibrium there = SelfConsistentRing(Closure::full, motion, model).at(omega);
+  const double T_x = there.friction.force_x, T_y = there.friction.force_y, z = motion.centre_of_mass_height;
+  const double F_y = 0.3 * 0.9353 * 0.9353 / 0.1214 - T_y;
+  EXPECT_NEAR(there.load.moment().x(), -0.0735 * F_y - z * T_y, 1e-13);
+  EXPECT_NEAR(there.load.moment().y(), -0.0735 * T_x + z * T_x, 1e-13);
+  EXPECT_GT(there.load.moment().norm(), 1.95 * there.load.normal_force() * 0.03 / 2.);
+}
+
 TEST(SelfConsistentRing, UprightSlidingIsStableForALoadThatOnlyPushes)
 {
   // -d tau/d eps = mu N R (<cos^2> - (mu h/R) <cos>) = mu N R Var(cos) with the hand at the centre of mass.
