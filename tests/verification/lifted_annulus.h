@@ -21,8 +21,8 @@ struct Segment
   double area, first, second;
 };
 
-/// Where the pressure of an annulus on a mat vanishes, p ~ x - c for x > c, its centre at @p eccentricity,
-/// and the share of the area beyond. In full contact the share is 1.
+/// Edge of contact c of an annulus on a mat, p ~ x - c for x > c, with its centre of pressure at @p
+/// eccentricity, and the share of the area beyond it. In full contact the share is 1.
 struct LiftedAnnulus
 {
   LiftedAnnulus(double inner, double outer, double eccentricity)

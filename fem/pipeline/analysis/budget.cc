@@ -107,11 +107,10 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
   return effect;
 }
 
-std::vector<Variant> budget_variants(const Study &study, bool depends_on_phase,
-                                     const Discretisation &discretisation, const Model &model)
+std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase)
 {
-  std::vector<Variant> variants = model_chain(study);
-  for (const Variant &variant : variants_without(study, depends_on_phase, discretisation, model))
+  std::vector<Variant> variants = model_chain(own.study);
+  for (const Variant &variant : variants_without(own, depends_on_phase))
     variants.push_back(variant);
   return variants;
 }

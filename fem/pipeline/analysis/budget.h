@@ -90,9 +90,9 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
                                double spin_scale);
 
 /// Returns the variants that find_budget() needs: the models of the chain before the study's own rows, and
-/// the study without one effect at a time. @p depends_on_phase: whether the study's load does.
-std::vector<Variant> budget_variants(const Study &study, bool depends_on_phase,
-                                     const Discretisation &discretisation = {}, const Model &model = {});
+/// the study without one effect at a time; @p own: the study itself. @p depends_on_phase: whether the study's
+/// load does.
+std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase);
 
 /// Returns the chain of models: the rows of model_chain() among @p rows.others, then the rows by harmonics,
 /// with torques if their answers have some.

@@ -91,7 +91,7 @@ void check(const RunToFit &run)
                             ": all values are equal, but a fit needs a spin-up; give a run in which the "
                             "glass begins to turn.");
   require_flat(run.study, "fit");
-  require(run.study.contact.goal == Goal::none,
+  require(!run.study.load.is_from_contact() || run.study.contact.goal == Goal::none,
           "A fit solves many studies on one mesh; set Contact/Goal = none.");
   require(!run.study.motion.orbit_speeds,
           "--data " + run.name +

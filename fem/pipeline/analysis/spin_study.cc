@@ -254,9 +254,7 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
 {
   std::vector<Variant> others;
   if (depth == Depth::full)
-    others =
-      budget_variants(study, load.phases() != nullptr, foot ? foot->discretisation() : Discretisation(),
-                      foot ? foot->model() : Model());
+    others = budget_variants(own_variant(study, foot.get()), load.phases() != nullptr);
   if (const std::optional<Variant> one_ring = variant_on_one_ring(study); one_ring && depth == Depth::full)
     others.push_back(*one_ring);
   // The curve may meet a fall that the search has stepped over, and that of the next one another.

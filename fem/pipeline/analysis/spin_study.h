@@ -120,8 +120,7 @@ ring::Answer curves_of(const Study &study, const LoadedRow &row, const std::vect
                        double euler_step = 0, bool all_spins = false);
 
 /// Returns the spin-ups of @p all, with the instants of its @p load, of the @p first harmonics alone and of
-/// the
-/// @p paper's model.
+/// the paper's model, @p paper.
 SpinUpCurves spin_up_curves(const Study &study, const ring::LoadAtSpin &load, const ring::Answer &all,
                             const ring::Answer &first, const ring::Answer &paper);
 

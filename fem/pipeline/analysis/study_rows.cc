@@ -63,6 +63,11 @@ double spin_scale(const Study &study)
   }
 }
 
+double rounding_of_spins(const Study &study)
+{
+  return 1e-9 * spin_scale(study);
+}
+
 double shown_spin(const Study &study, const ring::Answer &row, double fastest)
 {
   if (std::abs(fastest) >= 0.01 * spin_unit(study))

@@ -52,8 +52,8 @@ void explore(const ExploreOptions &options)
               [&](const PagePair &pair)
               {
                 pairs.push_back(pair);
-                console() << fmt::format(FMT_STRING("Pair      {} on {}: {} nodes, {:.4f} rad/s"), pair.glass,
-                                         pair.table, pair.n_nodes, pair.omega)
+                console() << fmt::format(FMT_STRING("Pair      {} on {}: {} nodes, {}"), pair.glass,
+                                         pair.table, pair.n_nodes, spin_text(pair))
                           << (pair.band ? fmt::format(FMT_STRING(" ± {:.1e}"), *pair.band) : "") << std::endl;
               });
   const std::string page = explore_page(live, pairs);

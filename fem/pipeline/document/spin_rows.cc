@@ -187,11 +187,6 @@ Json harmonic_effect_summary(const HarmonicEffect &effect)
   return { { "absolute", effect.absolute }, { "relative", effect.relative } };
 }
 
-double rounding_of_spins(const Study &study)
-{
-  return 1e-9 * spin_scale(study);
-}
-
 bool is_spin(const Study &study, double omega)
 {
   return std::abs(omega) >= rounding_of_spins(study);

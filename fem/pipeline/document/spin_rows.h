@@ -55,9 +55,6 @@ nlohmann::ordered_json budget_summary(const Study &study, const std::vector<Budg
 /// Returns "harmonic_effect" of summary.json: absolute [rad/s] and relative.
 nlohmann::ordered_json harmonic_effect_summary(const HarmonicEffect &effect);
 
-/// Returns the spin below which relative changes are null [rad/s]: 1e-9 v/R.
-double rounding_of_spins(const Study &study);
-
 /// Returns whether a spin exceeds rounding_of_spins().
 bool is_spin(const Study &study, double omega);
 

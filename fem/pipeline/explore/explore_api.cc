@@ -240,7 +240,7 @@ const char *explore_budget()
     {
       Pictures pictures;
       const LiveBudget budget = explorer->budget();
-      add_waterfall(budget.rows, 1e-9 * spin_scale(explorer->study()), pictures);
+      add_waterfall(budget.rows, rounding_of_spins(explorer->study()), pictures);
       return document_of(pictures, { { "harmonic_effect",
                                        { { "absolute", number(budget.harmonics.absolute) },
                                          { "relative", number(budget.harmonics.relative) } } } });

@@ -4,6 +4,7 @@
 #include "fem/pipeline/answer/threaded_executor.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/document/json.h"
 #include "fem/pipeline/explore/explorer.h"
 #include "fem/pipeline/feet/finite_elements.h"
 #include "fem/pipeline/feet/make_foot.h"
@@ -159,15 +160,15 @@ std::vector<std::string> acting_entries(const Study &study)
   return acting;
 }
 
-double spin_of(const Study &study, fem::ComplianceCache &cache)
+ring::Answer answer_of(const Study &study, fem::ComplianceCache &cache)
 {
   const auto foot = study_foot(study, cache);
-  return ring::answer(*find_load(study, foot), spin_question(study)).value().terminal.value().omega;
+  return ring::answer(*find_load(study, foot), spin_question(study)).value();
 }
 
-/// The spin by an Explorer on the compliances as the page has them, of a mesh of @p fineness.
-double spin_in_page(const Study &study, double fineness, const PagedCompliance &foot,
-                    const PagedCompliance *disc)
+/// The answer by an Explorer on the compliances as the page has them, of a mesh of @p fineness.
+ring::Answer answer_in_page(const Study &study, double fineness, const PagedCompliance &foot,
+                            const PagedCompliance *disc)
 {
   Explorer explorer;
   for (const auto &[path, value] : values_of(study))
@@ -176,8 +177,7 @@ double spin_in_page(const Study &study, double fineness, const PagedCompliance &
   if (disc)
     explorer.take(std::make_shared<const fem::ContactCompliance>(deserialized(disc->numbers())), true);
   explorer.ready(fineness);
-  const LiveAnswer answer = explorer.solve(all_harmonics, true);
-  return answer.all.omega_terminal().value();
+  return explorer.solve(all_harmonics, true).all.value();
 }
 
 /// The compliances of all pairs, each once.
@@ -245,7 +245,7 @@ struct SolvedPair
   double fineness; ///< of its mesh
   PagedCompliance foot;
   std::optional<PagedCompliance> disc;
-  double here; ///< terminal spin by an Explorer on these compliances [rad/s]
+  std::optional<double> here; ///< terminal spin by an Explorer on these compliances [rad/s]
 };
 
 /// Solves a pair, with as few digits of its compliances as the tolerance allows.
@@ -256,7 +256,8 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
   PagePair pair;
   pair.glass = glass ? glass->name : "glass of the study";
   pair.table = table ? table->name : "table of the study";
-  pair.omega = spin_of(study, cache);
+  const ring::Answer program = answer_of(study, cache);
+  pair.omega = program.omega_terminal();
   const Discretisation mesh = coarsened(study, options.max_nodes, cache);
   const bool is_coarse = mesh.fineness < 1;
   const LiveBodies live = live_bodies(study, cache, mesh);
@@ -265,14 +266,14 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
   {
     const PagedCompliance foot(live.foot, bits);
     const auto disc = live.disc ? std::optional(PagedCompliance(*live.disc, bits)) : std::nullopt;
-    const double here = spin_in_page(study, mesh.fineness, foot, disc ? &*disc : nullptr),
-                 error = std::abs(here - pair.omega);
+    const ring::Answer here = answer_in_page(study, mesh.fineness, foot, disc ? &*disc : nullptr);
+    const double error = std::abs(here.last_spin().value() - program.last_spin().value());
     if (!is_coarse && bits < 30 && error > tolerance)
       continue;
     if (is_coarse)
       pair.band = 2 * error;
     pair.bytes = foot.bytes().size() + (disc ? disc->bytes().size() : 0);
-    return { pair, study, mesh.fineness, foot, disc, here };
+    return { pair, study, mesh.fineness, foot, disc, here.omega_terminal() };
   }
 }
 
@@ -327,7 +328,7 @@ LivePart live_part(const PageOptions &options, const std::string &solver, fem::C
       { "nodes", pair.n_nodes },
       { "omega", pair.omega },
       { "here", one->here },
-      { "band", pair.band ? nlohmann::ordered_json(*pair.band) : nlohmann::ordered_json() }
+      { "band", pair.band }
     };
     done(pair);
   }
@@ -348,12 +349,17 @@ LivePart live_part(const PageOptions &options, const std::string &solver, fem::C
            solver };
 }
 
+std::string spin_text(const PagePair &pair)
+{
+  return pair.omega ? fmt::format(FMT_STRING("{:.4f} rad/s"), *pair.omega) : "falls over";
+}
+
 std::string explore_page(const LivePart &live, const std::vector<PagePair> &pairs)
 {
   std::string spins;
   for (const PagePair &pair : pairs)
     spins += (spins.empty() ? "" : ", ") + pair.glass + " on " + pair.table + ' ' +
-             boost::replace_all_copy(fmt::format(FMT_STRING("{:.4f}"), pair.omega), "-", "\u2212") + " rad/s";
+             boost::replace_all_copy(spin_text(pair), "-", "\u2212");
   return page_of(nullptr, "The spinning wine glass", "Terminal spins by stemware run: " + spins + '.', live);
 }
 

@@ -32,15 +32,18 @@ struct PagePair
 {
   std::string glass, table;
   unsigned int n_nodes = 0;
-  double omega = 0;           ///< terminal spin by the program [rad/s]
-  std::optional<double> band; ///< twice |omega - spin on the page's mesh|, if that mesh is coarser [rad/s]
-  std::size_t bytes = 0;      ///< of its compliances, before they are packed
+  std::optional<double> omega; ///< terminal spin by the program [rad/s]; std::nullopt if the glass falls
+  std::optional<double> band;  ///< twice |spin - spin on the page's mesh|, if that mesh is coarser [rad/s]
+  std::size_t bytes = 0;       ///< of its compliances, before they are packed
 };
 
 /// Makes the live part of a page; @p done is called for each pair, in order. Throws BadInput as
 /// live_bodies(), and for pairs that `stemware run` cannot solve.
 LivePart live_part(const PageOptions &options, const std::string &solver, fem::ComplianceCache &cache,
                    const std::function<void(const PagePair &)> &done);
+
+/// Returns the terminal spin of a pair with its unit, or that the glass falls.
+std::string spin_text(const PagePair &pair);
 
 /// Returns the page of @p live, whose pairs are @p pairs, without a document.
 std::string explore_page(const LivePart &live, const std::vector<PagePair> &pairs);

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 
 namespace stemware::pipeline
 {
@@ -18,7 +20,7 @@ namespace
 using Json = nlohmann::ordered_json;
 using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
 
-constexpr double degree_of_picture = boost::math::double_constants::degree;
+using boost::math::double_constants::degree;
 
 /// Every k-th value and the last, so that at most @p max_size are left: a picture shows no more.
 std::vector<double> thinned(const std::vector<double> &values, std::size_t max_size = 200)
@@ -42,7 +44,7 @@ Json measures_of(const fem::PressureMap &footprint, double pascals)
   const fem::FootprintMeasures measures = fem::measures_of(footprint);
   const bool is_even = measures.widest - measures.narrowest < 0.005 * measures.widest;
   return { { "largest", measures.largest.pressure / pascals },
-           { "azimuth", measures.largest.azimuth / boost::math::double_constants::degree },
+           { "azimuth", measures.largest.azimuth / degree },
            { "mean", measures.mean / pascals },
            { "narrowest", is_even ? Json(nullptr) : Json(measures.narrowest * micrometres) },
            { "widest", measures.widest * micrometres },
@@ -84,7 +86,7 @@ Json shortened(double value, int n_digits)
     return nullptr;
   const double number = rounded(value, n_digits);
   if (number == std::round(number) && std::abs(number) < 1e15)
-    return static_cast<long>(number); // 3 is shorter than 3.0
+    return static_cast<std::int64_t>(number); // 3 is shorter than 3.0
   return number;
 }
 
@@ -114,11 +116,11 @@ void add_load_columns(const LoadReport &report, const TruncatedLoads &truncated,
     theta.push_back(360. * i / n_intervals);
   Columns curves = { { "theta", theta } };
   for (const auto &[order, kept] : truncated)
-    curves.emplace_back("up_to_" + std::to_string(order),
-                        column_of(theta, [&kept = kept, &load](double angle)
-                                  { return kept(angle * degree_of_picture) / load.a(0); }));
-  curves.emplace_back(
-    "all", column_of(theta, [&](double angle) { return load(angle * degree_of_picture) / load.a(0); }));
+    curves.emplace_back(
+      "up_to_" + std::to_string(order),
+      column_of(theta, [&kept = kept, &load](double angle) { return kept(angle * degree) / load.a(0); }));
+  curves.emplace_back("all",
+                      column_of(theta, [&](double angle) { return load(angle * degree) / load.a(0); }));
   pictures.add_columns("load_curves", curves);
   const bool lifts = report.contact_fraction < 1 && !report.pointwise.empty();
   if (lifts) // a series overshoots there
@@ -127,7 +129,7 @@ void add_load_columns(const LoadReport &report, const TruncatedLoads &truncated,
     lines.push_back({ lines.front().azimuth + boost::math::double_constants::two_pi, lines.front().density });
     pictures.add_columns(
       "load_lines",
-      { { "theta", column_of(lines, [](const auto &line) { return line.azimuth / degree_of_picture; }) },
+      { { "theta", column_of(lines, [](const auto &line) { return line.azimuth / degree; }) },
         { "all", column_of(lines, [&](const auto &line) { return line.density / load.a(0); }) } });
   }
   // The orbit's centre lies at theta = 90 degrees of a counter-clockwise orbit.
@@ -168,13 +170,13 @@ void add_slip_columns(const std::string &name, const ring::Motion &motion, doubl
                       const ring::RingStack &load, double omega, Pictures &pictures)
 {
   const std::vector<ring::RimSlip> places = ring::rim_slip(motion, radius, load, omega);
-  pictures.add_columns(name, { { "theta", column_of(places, [](const ring::RimSlip &place)
-                                                    { return place.azimuth / degree_of_picture; }) },
-                               { "slip_x", column_of(places, &ring::RimSlip::slip_x) },
-                               { "slip_y", column_of(places, &ring::RimSlip::slip_y) },
-                               { "friction_x", column_of(places, &ring::RimSlip::friction_x) },
-                               { "friction_y", column_of(places, &ring::RimSlip::friction_y) },
-                               { "torque", column_of(places, torque_of) } });
+  pictures.add_columns(
+    name, { { "theta", column_of(places, [](const ring::RimSlip &place) { return place.azimuth / degree; }) },
+            { "slip_x", column_of(places, &ring::RimSlip::slip_x) },
+            { "slip_y", column_of(places, &ring::RimSlip::slip_y) },
+            { "friction_x", column_of(places, &ring::RimSlip::friction_x) },
+            { "friction_y", column_of(places, &ring::RimSlip::friction_y) },
+            { "torque", column_of(places, torque_of) } });
 }
 
 void add_motion(const Study &study, const std::vector<Instant> &instants, Pictures &pictures)
@@ -271,12 +273,11 @@ void add_phase_columns(const PhaseStudy &phases, Pictures &pictures)
 {
   const bool of_glass = phases.n_glass_phases > 1;
   pictures.words["marked"] = of_glass ? "glass" : "table";
-  pictures.add_columns(
-    "phases",
-    { { "theta", column_of(phases.phases, [=](const ring::Orientation &phase)
-                           { return (of_glass ? phase.glass : phase.table) / degree_of_picture; }) },
-      { "at_rest", phases.torque_at_rest },
-      { "at_terminal", phases.torque_at_terminal } });
+  pictures.add_columns("phases",
+                       { { "theta", column_of(phases.phases, [=](const ring::Orientation &phase)
+                                              { return (of_glass ? phase.glass : phase.table) / degree; }) },
+                         { "at_rest", phases.torque_at_rest },
+                         { "at_terminal", phases.torque_at_terminal } });
 }
 
 std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows)
@@ -340,8 +341,7 @@ Json pressure_map(const fem::PressureMap &footprint, double contact_radius, doub
       places.push_back((point.radius - contact_radius) * micrometres);
       pressures.push_back(point.pressure / pascals);
     }
-    theta.push_back(cut.empty() ? Json(nullptr)
-                                : shortened(cut.front().azimuth / boost::math::double_constants::degree, 6));
+    theta.push_back(cut.empty() ? Json(nullptr) : shortened(cut.front().azimuth / degree, 6));
     distance.push_back(shortened(places, 5));
     pressure.push_back(shortened(pressures, 4));
   }

@@ -253,7 +253,7 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
 std::vector<BandChange> band_changes(const Study &study, const ElasticFoot &foot, const LoadReport &at_rest,
                                      bool is_full)
 {
-  const Variant own = { "", "", study, foot.discretisation(), foot.model() };
+  const Variant own = own_variant(study, &foot);
   return abilities(study.contact.body).is_of_revolution ? changes_of_revolution(own, foot, is_full)
                                                         : changes_of_solid(own, foot, at_rest);
 }

@@ -74,9 +74,10 @@ std::vector<Variant> model_chain(const Study &study)
   return chain;
 }
 
-std::vector<Variant> variants_without(const Study &study, bool depends_on_phase,
-                                      const Discretisation &discretisation, const Model &model)
+std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
 {
+  const Study &study = own.study;
+  const Model &model = own.model;
   std::vector<Variant> variants;
   if (!study.load.is_from_contact())
     return variants;
@@ -84,7 +85,9 @@ std::vector<Variant> variants_without(const Study &study, bool depends_on_phase,
   {
     if (!applies)
       return;
-    Variant &variant = variants.emplace_back(Variant{ "without", name, study, discretisation, model });
+    Variant &variant = variants.emplace_back(own);
+    variant.key = "without";
+    variant.name = name;
     leave_out(variant);
     const bool is_solid = !abilities(study.contact.body).is_of_revolution;
     if (!has_compliance(variant.study, variant.model))

@@ -26,10 +26,8 @@ std::vector<Variant> model_chain(const Study &study);
 /// the foot", "friction in the substrate", "elasticity of the foot", "elasticity of the substrate",
 /// "compliance of the interface", "dependence of friction on slip", "tilt", "lean of the liquid", "grip",
 /// "waviness". Variants without any compliance are not defined; variants of a solid foot on a hard table take
-/// too long if the load @p depends_on_phase. These are not to be solved. @p discretisation, @p model: of the
-/// study's foot.
-std::vector<Variant> variants_without(const Study &study, bool depends_on_phase = false,
-                                      const Discretisation &discretisation = {}, const Model &model = {});
+/// too long if the load @p depends_on_phase. These are not to be solved. @p own: the study itself.
+std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase = false);
 
 /// Returns whether foot, substrate or interface is compliant; otherwise the pressure is not defined.
 bool has_compliance(const Study &study, const Model &model);

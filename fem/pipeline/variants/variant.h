@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/coupling/balanced_load.h"
-#include "fem/pipeline/coupling/discretisation.h"
+#include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/study/study.h"
 
 #include <memory>
@@ -25,5 +25,12 @@ struct Variant
   std::string reason = {};                  ///< reason for not being solved; empty if it is to be solved
   bool on_other_rings = false;              ///< on the same foot, but with newly chosen rings
 };
+
+/// Returns the study itself on @p foot, its foot, of which other variants are changes; nullptr: without a
+/// contact.
+inline Variant own_variant(const Study &study, const ElasticFoot *foot)
+{
+  return foot ? Variant{ "", "", study, foot->discretisation(), foot->model() } : Variant{ "", "", study };
+}
 
 } // namespace stemware::pipeline

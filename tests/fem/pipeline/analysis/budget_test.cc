@@ -36,7 +36,7 @@ Texts rows_of(const Budget &budget)
 Texts names_without(const Study &study, const Model &model = {})
 {
   Texts names;
-  for (const Variant &variant : variants_without(study, false, {}, model))
+  for (const Variant &variant : variants_without({ "", "", study, {}, model }))
     names.push_back(variant.name);
   return names;
 }
@@ -45,7 +45,8 @@ Texts names_without(const Study &study, const Model &model = {})
 StudyRows rows_of(const Study &study, const ring::RingStack &load, const Executor &executor)
 {
   return rows_by_harmonics(study, nullptr, *given_load(load), spin_question(study), executor,
-                           silent_progress(), Depth::full, budget_variants(study, false));
+                           silent_progress(), Depth::full,
+                           budget_variants(own_variant(study, nullptr), false));
 }
 
 /// The budget of a load that the test gives.
@@ -136,7 +137,7 @@ TEST(Budget, AFilledGlassIsAnEmptyOneOfItsMassWithTheMetacentreOfTheLiquid)
   };
   const double omega = test::SolvedStudy(filled).omega();
   EXPECT_NEAR(omega / empty(middle + up * (1 + slope * slope / 2)), 1, 1e-9);
-  for (const Variant &variant : variants_without(filled))
+  for (const Variant &variant : variants_without(own_variant(filled, nullptr)))
     if (variant.name == "lean of the liquid")
     {
       const double level_surface = test::SolvedStudy(variant.study).omega();
@@ -220,7 +221,7 @@ TEST(Budget, LeavesOutWhatAStudyHas)
   EXPECT_EQ(names_without(study), (Texts{ "friction in the foot", "friction in the substrate",
                                           "elasticity of the foot", "elasticity of the substrate",
                                           "compliance of the interface", "tilt", "grip", "waviness" }));
-  for (const Variant &variant : variants_without(study))
+  for (const Variant &variant : variants_without(own_variant(study, nullptr)))
     EXPECT_EQ(names_without(variant.study, variant.model).size(),
               7u -
                 (variant.name == "elasticity of the foot" || variant.name == "elasticity of the substrate"))
@@ -409,7 +410,7 @@ TEST(Budget, RowsOfAWavyFootAreOfMeanSpins)
   study.glass.waviness = { { 3, 1e-7, 0 } };
   study.load.coupling = LoadCoupling::one_way;
   study.contact.friction_coupling = FrictionCoupling::none;
-  const std::vector<Variant> variants = variants_without(study);
+  const std::vector<Variant> variants = variants_without(own_variant(study, nullptr));
   ASSERT_EQ(variants.back().name, "waviness");
   fem::ComplianceCache cache;
   const ring::Answer wavy =

@@ -50,9 +50,10 @@ inline pipeline::Budget whole_budget(const pipeline::Study &study, const pipelin
   const pipeline::SharedLoad load = pipeline::find_load(study, foot);
   return pipeline::find_budget(
     study,
-    pipeline::rows_by_harmonics(study, foot, *load, pipeline::spin_question(study), executor,
-                                pipeline::silent_progress(), pipeline::Depth::full,
-                                pipeline::budget_variants(study, load->phases() != nullptr)),
+    pipeline::rows_by_harmonics(
+      study, foot, *load, pipeline::spin_question(study), executor, pipeline::silent_progress(),
+      pipeline::Depth::full,
+      pipeline::budget_variants(pipeline::own_variant(study, foot.get()), load->phases() != nullptr)),
     executor);
 }
 

@@ -143,6 +143,8 @@ TEST(ExplorePage, TheReportOfRunLiveSolvesItsStudyAgainAndTeaches)
       EXPECT_THAT(step.get<std::string>(), testing::Not(testing::ContainsRegex("NaN|undefined|\u2013")));
   }
   EXPECT_EQ(with({ "--live", "--set", "Contact/Body=solid" }).exit_code, 1);
+  const Ended falls = with({ "--live", "--output", "falls", "--set", "Motion/Centre of mass height=0.138" });
+  EXPECT_EQ(falls.exit_code, 0) << falls.err;
 }
 
 TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)

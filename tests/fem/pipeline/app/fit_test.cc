@@ -57,10 +57,13 @@ TEST(FitRun, RefusesWhatCannotBeFittedInOneSentence)
          { { "fit", "--data", data, "--free", "Motion/Closure" }, "no number" },
          { { "fit", "--data", "none.csv", "--free", "Motion/Mass" }, "none.csv" },
          { { "fit", "--data", steady, "--free", "Motion/Mass" }, "all values are equal" },
-         { { "fit", "--data", data, "--free", "Motion/Mass = 3" }, "prior" } })
+         { { "fit", "--data", data, "--free", "Motion/Mass = 3" }, "prior" },
+         { { "fit", "--data", data, "--free", "Motion/Mass", "--set", "Load/Source=contact", "--set",
+             "Contact/Body=solid", "--set", "Contact/Goal=a2" },
+           "Contact/Goal = none" } })
   {
     std::vector<std::string> all = arguments;
-    all.insert(all.end(), { "--set", ring });
+    all.insert(all.begin() + 1, { "--set", ring });
     const Ended ended = stemware(scratch, all);
     EXPECT_EQ(ended.exit_code, 1) << words;
     EXPECT_THAT(ended.err, testing::HasSubstr(words));
