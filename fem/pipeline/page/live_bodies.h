@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/meridian/compliance_cache.h"
+#include "fem/pipeline/coupling/discretisation.h"
 #include "fem/pipeline/study/study.h"
 
 #include <optional>
