@@ -4,6 +4,7 @@
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -14,17 +15,21 @@ namespace
 {
 constexpr double inertia = 3e-4; // kg m^2
 
-/// A damped ring with one mark on it: tau = -damping (omega - drive) + bump cos(psi - orbit t).
+/// A damped ring with one mark on it, phi = psi - orbit t:
+/// tau = -damping (1 + roughness sin phi) (omega - drive) + bump cos phi.
 struct MarkedRing
 {
   double damping = 1.2e-3; ///< [N m s]
   double drive = -3.6;     ///< [rad/s]
   double bump = 4e-4;      ///< [N m]
   double orbit = 2.3;      ///< [rad/s]
+  double roughness = 0.;   ///< of the damping, relative
+  double inertia = ring::inertia;
 
   double operator()(double time, double yaw_angle, double omega) const
   {
-    return -damping * (omega - drive) + bump * std::cos(yaw_angle - orbit * time);
+    const double phase = yaw_angle - orbit * time;
+    return -damping * (1. + roughness * std::sin(phase)) * (omega - drive) + bump * std::cos(phase);
   }
 };
 
@@ -58,7 +63,8 @@ std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns
   const double step = -2. * M_PI / n_steps; // the mark falls back behind the orbit
   const auto rates = [&](double angle, double omega)
   {
-    return std::array{ ring(0., angle, omega) / (inertia * (omega - ring.orbit)), 1. / (omega - ring.orbit) };
+    return std::array{ ring(0., angle, omega) / (ring.inertia * (omega - ring.orbit)),
+                       1. / (omega - ring.orbit) };
   };
   double omega = ring.drive, period = 0., most = 0., least = 0.;
   for (unsigned int turn = 0; turn < n_turns; ++turn)
@@ -178,6 +184,43 @@ TEST(LongTimeSpin, WalksWithLongStepsWhereTheSpinFollowsItsTorque)
   EXPECT_NEAR(spin.mean, ring.orbit - std::sqrt(lag * lag - swing * swing), 1e-8);
   EXPECT_NEAR(spin.ripple, swing, 1e-5);
   EXPECT_LT(n_torques, 2000000u);
+}
+
+TEST(LongTimeSpin, LagsBehindABalanceWhoseDampingChanges)
+{
+  // With roughness the inertia changes the mean at first order, I / damping; without it at second order only.
+  MarkedRing ring;
+  ring.roughness = 0.5;
+  ring.inertia = 2e-8;
+  const LongTimeSpin spin = long_time_spin(ring, ring.inertia, 0., 25., 1e-10, 10.);
+  const double mean = spin_by_angle(ring, 2, 200000)[0];
+  ring.inertia /= 2.;
+  EXPECT_GT(std::abs(spin_by_angle(ring, 2, 200000)[0] - mean), 1e-6);
+  EXPECT_NEAR(spin.mean, mean, 5e-9);
+}
+
+TEST(LongTimeSpin, IsTakenOverWholeWindows)
+{
+  const MarkedRing ring;
+  double end = 0.;
+  const auto noted = [&](double time, double yaw_angle, double omega)
+  {
+    end = std::max(end, time);
+    return ring(time, yaw_angle, omega);
+  };
+  const double window = 25.;
+  long_time_spin(noted, inertia, 0., window, 1e-9, 10.);
+  EXPECT_GE(end, 2. * window);
+  EXPECT_NEAR(std::remainder(end, window), 0., 1e-9);
+}
+
+TEST(LongTimeSpin, OfASlowDecayHasItsLeastSpinAtTheEnd)
+{
+  // The means of two windows of 1 s agree to the requested 1e-5 rad/s; the spin falls through both.
+  const double drive = -3.6, start = 1e-5, rate = 0.1;
+  const auto torque = [=](double, double, double omega) { return -inertia * rate * (omega - drive); };
+  const LongTimeSpin spin = long_time_spin(torque, inertia, drive + start, 1., 1e-6, 10.);
+  EXPECT_NEAR(spin.ripple, start * (std::exp(-rate) - std::exp(-2. * rate)) / 2., 1e-9);
 }
 
 TEST(LongTimeSpin, LocksToTheOrbitWhereTheMarkHoldsTheGlass)
