@@ -1,9 +1,12 @@
 #include "ring_model/hand_drive.h"
 
 #include "ring_model/first_harmonic_ring.h"
+#include "ring_model/friction_law.h"
 #include "ring_model/self_consistent_ring.h"
+#include "ring_model/spin/all_spins.h"
 
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <utility>
 
@@ -24,9 +27,19 @@ PhasedTorqueFunction driven_torque(Closure closure, const Motion &motion, double
   { return FirstHarmonicRing(closure, speeds.motion_at(motion, time), radius).torque(omega); };
 }
 
+PhasedTorqueFunction driven_torque(const Motion &motion, OrbitSpeedTable speeds, DrivenLoad load)
+{
+  return [motion, speeds = std::move(speeds), load = std::move(load)](double time, double, double omega)
+  {
+    const Motion now = speeds.motion_at(motion, time);
+    const LeaningLoad at_spin = load(now, time, omega);
+    return wrench(now, at_spin, omega).torque + at_spin.lean_torque();
+  };
+}
+
 std::vector<YawSample> driven_motion(const PhasedTorqueFunction &torque, const OrbitSpeedTable &speeds,
-                                     double yaw_inertia, const std::vector<double> &times, double accuracy,
-                                     double spin_scale)
+                                     const Motion &motion, double grip, double radius,
+                                     const std::vector<double> &times, double accuracy)
 {
   const double start =
     speeds.starts_from_rest() ? speeds.time_of(std::cbrt(accuracy / 10.) * speeds.max_speed()) : 0.;
@@ -38,12 +51,43 @@ std::vector<YawSample> driven_motion(const PhasedTorqueFunction &torque, const O
     else
       later.push_back(time - start);
   const auto torque_since = [&](double time, double angle, double omega)
-  { return torque(start + time, angle, omega); };
-  for (YawSample sample : yaw_motion(torque_since, yaw_inertia, 0., later, accuracy, spin_scale))
+  { return torque_with_grip(torque(start + time, angle, omega), omega, grip); };
+  for (YawSample sample :
+       yaw_motion(torque_since, motion.yaw_inertia, 0., later, accuracy, motion.orbit_speed / radius))
   {
     sample.time += start;
     samples.push_back(sample);
   }
   return samples;
+}
+
+std::vector<double> interpolation_changes(Closure closure, const Motion &motion, double grip, double radius,
+                                          const OrbitSpeedTable &speeds, const std::vector<double> &times)
+{
+  constexpr double accuracy = 1e-7; // acceleration jumps where lines meet
+  const auto motion_of = [&](const OrbitSpeedTable &table)
+  {
+    return driven_motion(driven_torque(closure, motion, radius, table), table, motion, grip, radius, times,
+                         accuracy);
+  };
+  const std::vector<YawSample> cubic = motion_of(speeds), lines = motion_of(speeds.joined_by_lines());
+  std::vector<double> changes;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    changes.push_back(std::abs(lines[i].omega - cubic[i].omega));
+  return changes;
+}
+
+Breakaway find_breakaway(Closure closure, const Motion &motion, double static_friction, double radius,
+                         const OrbitSpeedTable &speeds)
+{
+  const double start = speeds.time_of(0);
+  Motion at_start = speeds.motion_at(motion, start);
+  at_start.orbit_acceleration = 0;
+  at_start.friction_coefficient =
+    at_start.has_constant_friction() && static_friction > 0 ? static_friction : at_start.friction_at(0);
+  at_start.friction_law = FrictionLawKind::coulomb;
+  const double moment = required_moment_at_rest(closure, at_start).norm();
+  return { start, at_start, at_start.friction_coefficient * at_start.normal_force(),
+           2 * moment / (at_start.normal_force() * radius) };
 }
 } // namespace stemware::ring

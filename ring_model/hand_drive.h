@@ -2,7 +2,11 @@
 
 #include "ring_model/moment_balance.h"
 #include "ring_model/orbit_speed_table.h"
+#include "ring_model/spin/leaning_load.h"
 #include "ring_model/yaw_motion.h"
+
+#include <functional>
+#include <vector>
 
 namespace stemware::ring
 {
@@ -16,12 +20,39 @@ namespace stemware::ring
 PhasedTorqueFunction driven_torque(Closure closure, const Motion &motion, double radius,
                                    OrbitSpeedTable speeds);
 
+/// Load of a glass whose orbit is @p now at the time @p time [s], at the spin @p omega [rad/s].
+using DrivenLoad = std::function<LeaningLoad(const Motion &now, double time, double omega)>;
+
+/// Returns the yaw torque of friction and lean for driven_motion() under @p load.
+PhasedTorqueFunction driven_torque(const Motion &motion, OrbitSpeedTable speeds, DrivenLoad load);
+
 /**
- * yaw_motion() from rest while the hand follows @p speeds, also from rest: the spin stays 0 until v is
- * (accuracy / 10)^(1/3) of the largest speed. Until then it is smaller than @p accuracy, because a spin that
- * follows its torque grows with v^3 (docs/theory/dynamics.md).
+ * yaw_motion() from rest while the hand follows @p speeds, also from rest, and the fingers resist with up to
+ * @p grip [N m] in addition to @p torque: the spin stays 0 until v is (accuracy / 10)^(1/3) of the largest
+ * speed. Until then it is smaller than @p accuracy, because a spin that follows its torque grows with v^3
+ * (docs/theory/dynamics.md). @p motion: its inertia, and v / R with @p radius [m] as the scale of spins.
  */
 std::vector<YawSample> driven_motion(const PhasedTorqueFunction &torque, const OrbitSpeedTable &speeds,
-                                     double yaw_inertia, const std::vector<double> &times, double accuracy,
-                                     double spin_scale);
+                                     const Motion &motion, double grip, double radius,
+                                     const std::vector<double> &times, double accuracy);
+
+/// Returns the absolute change of driven_motion()'s spin at each of @p times if the entries of @p speeds are
+/// interpolated linearly instead of by the monotone cubic, with a first harmonic on a rigid ring of @p radius
+/// [m] in balance [rad/s].
+std::vector<double> interpolation_changes(Closure closure, const Motion &motion, double grip, double radius,
+                                          const OrbitSpeedTable &speeds, const std::vector<double> &times);
+
+/// The moment at which a glass that rests begins to slide under a growing force of the hand.
+struct Breakaway
+{
+  double time;         ///< at which the hand starts [s]
+  Motion motion;       ///< then, with the static friction coefficient and without an acceleration
+  double force;        ///< of the hand, along the motion to come [N]
+  double moment_ratio; ///< |M_N| / (N R / 2); from 2 on the glass falls over first
+};
+
+/// Returns the breakaway of a rigid ring of @p radius [m] whose hand starts from rest. @p static_friction:
+/// its coefficient; 0: that of the law at rest.
+Breakaway find_breakaway(Closure closure, const Motion &motion, double static_friction, double radius,
+                         const OrbitSpeedTable &speeds);
 } // namespace stemware::ring

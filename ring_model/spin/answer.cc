@@ -175,17 +175,28 @@ void find_spin(const LoadAtSpin &load, const Question &question, Answer &found)
   found.status = found.at_terminal->minimum < 0 ? Status::formal : Status::full_contact;
 }
 
+Question without_minima_of(const Question &question)
+{
+  Question asked = { question.motion, question.grip_torque, question.contact_radius };
+  asked.with_minima = false;
+  return asked;
+}
+
 /// Torques at the spins of the question; NaN without a balance, and the reason of @p found says why.
 void find_torques(const LoadAtSpin &load, const Question &question, Answer &found)
 {
-  Question without_minima = { question.motion, question.grip_torque, question.contact_radius };
-  without_minima.with_minima = false;
+  if (question.spins.empty())
+    return;
+  const Question without_minima = without_minima_of(question);
+  std::string reason;
+  found.torques.clear();
   for (const double omega : question.spins)
   {
     const auto find = [&]() -> Torques { return ring_state(load.at(omega), without_minima, omega); };
-    found.torques.push_back(
-      if_balanced(find, &found.reason).value_or(Torques{ { nan, nan, nan }, nan, nan }));
+    found.torques.push_back(if_balanced(find, &reason).value_or(Torques{ { nan, nan, nan }, nan, nan }));
   }
+  if (found.reason.empty())
+    found.reason = reason;
 }
 
 /// Equal steps of the forward Euler method of at most @p longest [s] in each of @p n_intervals equal
@@ -226,6 +237,50 @@ void spin_up(const LoadAtSpin &load, const Question &question, Answer &found)
     yaw_motion_euler(torque, motion.yaw_inertia, 0, times.back() / n_steps, n_steps);
   for (unsigned int i = 0; i <= n_intervals; ++i)
     found.euler.push_back(unless_fallen(samples[i * stride]));
+}
+/// Adds the instants of the spin-up to @p found.
+void add_instants(const LoadAtSpin &load, const Question &question, Answer &found)
+{
+  constexpr std::size_t n_intervals = 24;
+  constexpr double near = 0.995;
+  const std::vector<YawSample> &spin_up = found.spin_up;
+  std::size_t n = 0; // samples before the glass tips
+  while (n < spin_up.size() && std::isfinite(spin_up[n].omega))
+    ++n;
+  if (n == 0)
+    return;
+  std::size_t last = 0;
+  while (last + 1 < n && std::abs(spin_up[last].omega) < near * std::abs(spin_up[n - 1].omega))
+    ++last;
+  const Question without_minima = without_minima_of(question);
+  const std::size_t n_steps = std::min(n_intervals, last);
+  for (std::size_t i = 0; i <= n_steps; ++i)
+  {
+    const YawSample &sample = spin_up[n_steps == 0 ? 0 : i * last / n_steps];
+    found.instants.push_back({ sample, ring_state(load.at(sample.omega), without_minima, sample.omega) });
+  }
+}
+
+std::vector<double> torques_by_phase(const PhaseSampledLoad &phases, const Motion &motion, double omega)
+{
+  std::vector<double> torques;
+  for (const RingStack &load : phases.samples(omega))
+    torques.push_back(wrench(motion, load, omega).torque);
+  return torques;
+}
+
+void find_curves(const LoadAtSpin &load, const Question &question, Answer &found)
+{
+  if (question.all_spins)
+    found.all_spins = all_terminal_spins(load, question, found);
+  if (!question.times.empty())
+    spin_up(load, question, found);
+  if (!question.with_instants)
+    return;
+  add_instants(load, question, found);
+  if (const PhaseSampledLoad *phases = load.phases(); phases && found.last_spin())
+    found.phase_torques = { torques_by_phase(*phases, question.motion, 0),
+                            torques_by_phase(*phases, question.motion, *found.last_spin()) };
 }
 } // namespace
 
@@ -289,21 +344,45 @@ const Answer &Answer::value() const
 Answer answer(const LoadAtSpin &load, const Question &question)
 {
   Answer found = question.known ? *question.known : Answer();
-  try
+  const auto complete = [&](const auto &find)
   {
-    if (!question.known)
-      find_spin(load, question, found);
-    find_torques(load, question, found);
-    if (question.all_spins)
-      found.all_spins = all_terminal_spins(load, question, found);
-    if (!question.times.empty())
-      spin_up(load, question, found);
-    return found;
-  }
-  catch (const NoBalance &)
+    try
+    {
+      find(load, question, found);
+      return true;
+    }
+    catch (const NoBalance &)
+    {
+      found = failed_answer(std::current_exception(), std::move(found));
+      return false;
+    }
+  };
+  const bool is_found = question.known || complete(find_spin);
+  find_torques(load, question, found);
+  if (is_found)
+    complete(find_curves);
+  return found;
+}
+
+SharedLoad interpolated_for_curves(const SharedLoad &load, const Answer &found, double lower, double upper,
+                                   const LoadAtSpin *like)
+{
+  const auto between = [&](double one, double other, double enough = 2e-5)
   {
-    return failed_answer(std::current_exception(), std::move(found));
+    return if_balanced(
+             [&] { return interpolated(load, std::min(one, other), std::max(one, other), enough, like); })
+      .value_or(nullptr);
+  };
+  if (found.fall) // steep where the balance ends
+  {
+    const SharedLoad curve = between(0, found.fall->omega, 1e-3);
+    return curve ? curve : load;
   }
+  if (const SharedLoad curve = between(lower, upper))
+    return curve;
+  const double terminal = found.omega_terminal().value_or(0), margin = 0.02 * std::abs(terminal);
+  const SharedLoad curve = between(std::min(0., terminal - margin), std::max(0., terminal + margin));
+  return curve ? curve : load;
 }
 
 Answer failed_answer(const std::exception_ptr &failure, Answer answer)
@@ -359,22 +438,6 @@ bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Mot
   const std::optional<ZeroGuess> zero = all.zero_guess();
   return zero && truncation_bound(motion, all.at_terminal->load, n_harmonics, zero->omega) <
                    negligible * std::abs(zero->slope * zero->omega);
-}
-
-std::vector<double> friction_torques(const Answer &answer)
-{
-  std::vector<double> torques;
-  for (const Torques &at_spin : answer.torques)
-    torques.push_back(at_spin.friction.torque);
-  return torques;
-}
-
-std::vector<double> spins_of(const std::vector<YawSample> &samples)
-{
-  std::vector<double> spins;
-  for (const YawSample &sample : samples)
-    spins.push_back(sample.omega);
-  return spins;
 }
 
 double yaw_torque(const LoadAtSpin &load, const Motion &motion, double omega,

@@ -40,6 +40,7 @@ struct Question
   std::vector<double> spins = {}; ///< spins of Answer::torques [rad/s]
   bool all_spins = false;         ///< compute Answer::all_spins
   std::vector<double> times = {}; ///< equally spaced times of Answer::spin_up [s]
+  bool with_instants = false;     ///< compute Answer::instants and Answer::phase_torques
   double euler_step = 0.;         ///< longest step of Answer::euler [s]; 0: no Euler curve
 };
 
@@ -87,6 +88,18 @@ struct Fall
   RingState state; ///< at that spin
 };
 
+/// One instant of a spin-up.
+struct Instant : YawSample
+{
+  RingState state; ///< without minima
+};
+
+/// tau_z of friction at each of the sampled phases, in the order of PhaseSampledLoad::phases() [N m].
+struct PhaseTorques
+{
+  std::vector<double> at_rest, at_last_spin; ///< at Answer::last_spin()
+};
+
 /// Answer to a Question about a load or its truncation. Quantities that do not exist are std::nullopt or
 /// empty; `status` and `reason` say why.
 struct Answer
@@ -123,6 +136,9 @@ struct Answer
   /// Spin-up from rest at Question::times, with error control (spin_up) and by forward Euler (euler). NaN
   /// after tipping, empty without a balance.
   std::vector<YawSample> spin_up = {}, euler = {};
+  /// Instants from rest until the spin has come within 0.5 % of its last one before tipping; at most 25.
+  std::vector<Instant> instants = {};
+  PhaseTorques phase_torques = {}; ///< empty if the load does not depend on the phase
 
   std::optional<double> omega_terminal() const; ///< [rad/s]
   /// Returns the terminal spin, or the spin at which the glass tips [rad/s]; std::nullopt without either.
@@ -139,8 +155,15 @@ struct Answer
 };
 
 /// Answers @p question about @p load. Does not throw NoBalance: a failed balance is reported in
-/// Answer::reason. A glass that stands at rest and tips on the way has no terminal spin but a `fall`.
+/// Answer::reason. A glass that stands at rest and tips on the way has no terminal spin but a `fall`. Torques
+/// at Question::spins do not need a terminal spin.
 Answer answer(const LoadAtSpin &load, const Question &question);
+
+/// Returns @p load, to which @p found is the answer, interpolated in the spin from @p lower to @p upper
+/// [rad/s], or to the fall, for curves of thousands of values. If some spins have no balance: from rest to
+/// the terminal spin; exact if that fails too. @p like as in interpolated().
+SharedLoad interpolated_for_curves(const SharedLoad &load, const Answer &found, double lower, double upper,
+                                   const LoadAtSpin *like = nullptr);
 
 /// Returns the incomplete @p answer with @p failure as the reason for its missing quantities.
 Answer failed_answer(const std::exception_ptr &failure, Answer answer = {});
@@ -153,11 +176,6 @@ Answer compared_with_all(Answer answer, const Answer &all, const LoadAtSpin &loa
 /// Returns whether the harmonics above @p n_harmonics are negligible at the terminal spin of @p all: the
 /// bound on their torque is below a tenth of the search's tolerance.
 bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Motion &motion);
-
-/// Returns tau_z of friction of @p answer at Question::spins [N m].
-std::vector<double> friction_torques(const Answer &answer);
-/// Spins of @p samples [rad/s].
-std::vector<double> spins_of(const std::vector<YawSample> &samples);
 
 /// Returns the torque of fingers that resist @p torque or the spin @p omega [rad/s] with up to @p grip [N m];
 /// at rest it cancels @p torque up to that limit.

@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/variants/model_variants.h"
 
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 
@@ -21,12 +20,6 @@ std::optional<double> unless_nan(double value)
 ChainStep step_of(const Variant &model)
 {
   return { static_cast<unsigned int>(model.key.front() - '0'), model.key.size() > 1 };
-}
-
-/// Whether a variant is a model of the chain: its key begins with the number of a ChainStep.
-bool is_of_chain(const Variant &variant)
-{
-  return std::isdigit(static_cast<unsigned char>(variant.key.front())) != 0;
 }
 
 /// Puts the answer to a model under those in @p rows.
@@ -53,32 +46,15 @@ WithoutRow judge_without(const LoadedRow &solved, const ring::Answer &complete)
   return row;
 }
 
-/// Adds the torques at @p spins [rad/s] to @p solved.
-ring::Answer with_torques(const LoadedRow &solved, const Study &study, const std::vector<double> &spins)
-{
-  if (!solved.load)
-    return solved.row;
-  ring::Question question = spin_question(study);
-  question.known = &solved.row;
-  question.spins = spins;
-  return ring::answer(*solved.load, question);
-}
-
-/// Torques of all harmonics and of the first, from rest to a little beyond the terminal spin, or to the fall.
-void add_curves(const Study &study, const std::vector<LoadedRow> &by_harmonics, Budget &budget)
+/// Spins of the curves of torque, from rest to a little beyond the terminal spin of @p all, or to the fall.
+std::vector<double> curve_spins(const Study &study, const ring::Answer &all)
 {
   constexpr unsigned int n_intervals = 32;
-  const ring::Answer &all = by_harmonics.back().row;
   const double last = all.fall ? all.fall->omega : 1.2 * shown_spin(study, all, *all.omega_terminal());
+  std::vector<double> spins;
   for (unsigned int i = 0; i <= n_intervals; ++i)
-    budget.omega.push_back(last * i / n_intervals);
-  const auto torques_of = [&](const LoadedRow &solved)
-  {
-    return solved.load ? ring::friction_torques(with_torques(solved, study, budget.omega))
-                       : std::vector<double>(budget.omega.size(), std::nan(""));
-  };
-  budget.torque_all = torques_of(by_harmonics.back());
-  budget.torque_first = torques_of(by_harmonics.front());
+    spins.push_back(last * i / n_intervals);
+  return spins;
 }
 
 } // namespace
@@ -119,7 +95,7 @@ std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
 {
   std::vector<BudgetRow> rows;
   for (const auto &[variant, answer, load] : solved.others)
-    if (is_of_chain(variant))
+    if (variant.is_of_chain)
       add_row(step_of(variant), variant.name, variant.study, answer, rows);
   if (study.load.source == LoadSource::first_harmonic)
     return rows;
@@ -143,40 +119,18 @@ std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
   return rows;
 }
 
-Budget find_budget(const Study &study, StudyRows rows, const Executor &executor)
+Budget find_budget(const Study &study, const StudyRows &rows)
 {
-  const ring::Answer all = rows.by_harmonics.back().row;
-  const std::optional<double> terminal = all.omega_terminal();
+  const ring::Answer &all = rows.by_harmonics.back().row;
   Budget budget;
-  budget.shown_spins = { 0 };
-  if (terminal)
-    budget.shown_spins = { 0, *terminal / 2, *terminal };
-  add_curves(study, rows.by_harmonics, budget);
-
-  std::vector<LoadedRow *> chain;
-  for (LoadedRow &solved : rows.others)
-    if (is_of_chain(solved.variant))
-      chain.push_back(&solved);
-    else if (solved.variant.key == "without")
+  budget.shown_spins = budget_spins(all);
+  budget.omega = curve_spins(study, all);
+  for (const LoadedRow &solved : rows.others)
+    if (solved.variant.key == "without")
       budget.without.push_back(judge_without(solved, all));
-  const std::size_t n_models = chain.size();
-  for (LoadedRow &solved : rows.by_harmonics)
-    chain.push_back(&solved);
-  const auto add_torques = [&](std::size_t i)
-  {
-    chain[i]->row =
-      with_torques(*chain[i], i < n_models ? chain[i]->variant.study : study, budget.shown_spins);
-  };
-  // Loads that were cut off share the phases of what they are cut from.
-  executor.for_each(chain.size(), add_torques, !study.load.is_in_balance());
-  // Of the last row, whose load is interpolated, the exact ones are known.
-  std::vector<ring::Torques> &torques = rows.by_harmonics.back().row.torques;
-  torques.front() = *all.at_rest;
-  if (all.at_terminal)
-    torques.back() = *all.at_terminal;
   budget.rows = assess_chain(study, rows);
   budget.harmonics =
-    harmonic_effect(rows.by_harmonics.front().row.omega_terminal(), terminal, spin_scale(study));
+    harmonic_effect(rows.by_harmonics.front().row.omega_terminal(), all.omega_terminal(), spin_scale(study));
   return budget;
 }
 

@@ -99,7 +99,7 @@ std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase);
 std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &rows);
 
 /// Returns the budget from @p rows, rows_by_harmonics() with the answers to budget_variants() among the
-/// others. Torques are computed from their loads. A failed row has its reason.
-Budget find_budget(const Study &study, StudyRows rows, const Executor &executor);
+/// others; torque_all and torque_first are left empty. A failed row has its reason.
+Budget find_budget(const Study &study, const StudyRows &rows);
 
 } // namespace stemware::pipeline

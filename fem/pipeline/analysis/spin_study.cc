@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/variants/model_variants.h"
-#include "ring_model/friction_law.h"
 #include "ring_model/hand_drive.h"
 #include "ring_model/spin/phase_loads.h"
 
@@ -22,16 +21,7 @@ double half_range(const std::vector<double> &values)
   return (*most - *least) / 2;
 }
 
-std::vector<double> torques_at(double omega, const ring::PhaseSampledLoad &loads, const ring::Motion &motion)
-{
-  std::vector<double> torques;
-  for (const ring::RingStack &load : loads.samples(omega))
-    torques.push_back(ring::wrench(motion, load, omega).torque);
-  return torques;
-}
-
-PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const ring::Answer &row,
-                        const ring::Motion &motion)
+PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const ring::Answer &row)
 {
   PhaseStudy study;
   study.spin_ripple = row.ripple;
@@ -45,37 +35,10 @@ PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const ring::Answer 
   study.interpolation_error = loads.error().between;
   for (unsigned int i = 0; i < loads.phases().size(); ++i)
     study.phases.push_back(loads.phases().phase(i));
-  study.torque_at_rest = torques_at(0, loads, motion);
-  study.torque_at_terminal = torques_at(row.last_spin().value(), loads, motion);
+  study.torque_at_rest = row.phase_torques.at_rest;
+  study.torque_at_terminal = row.phase_torques.at_last_spin;
   study.torque_ripple = half_range(study.torque_at_terminal);
   return study;
-}
-
-/// SpinUpCurves::instants of a spin-up under @p load.
-std::vector<Instant> instants_of(const Study &study, const ring::LoadAtSpin &load,
-                                 const std::vector<ring::YawSample> &spin_up)
-{
-  constexpr std::size_t n_intervals = 24;
-  constexpr double near = 0.995;
-  std::size_t n = 0; // samples before the glass tips
-  while (n < spin_up.size() && std::isfinite(spin_up[n].omega))
-    ++n;
-  if (n == 0)
-    return {};
-  std::size_t last = 0;
-  while (last + 1 < n && std::abs(spin_up[last].omega) < near * std::abs(spin_up[n - 1].omega))
-    ++last;
-  ring::Question question = spin_question(study);
-  question.with_minima = false;
-  std::vector<Instant> instants;
-  const std::size_t n_steps = std::min(n_intervals, last);
-  for (std::size_t i = 0; i <= n_steps; ++i)
-  {
-    const ring::YawSample &sample = spin_up[n_steps == 0 ? 0 : i * last / n_steps];
-    instants.push_back({ sample.time, sample.omega, sample.yaw_angle,
-                         ring::ring_state(load.at(sample.omega), question, sample.omega) });
-  }
-  return instants;
 }
 
 /// The study on one ring of its foot; nothing where it has no other.
@@ -97,24 +60,65 @@ ring::Answer beside_all(ring::Answer one_ring, const ring::Answer &all)
   return one_ring;
 }
 
-} // namespace
-
-SpinUpCurves spin_up_curves(const Study &study, const ring::LoadAtSpin &load, const ring::Answer &all,
-                            const ring::Answer &first, const ring::Answer &paper)
+std::vector<double> spins_of(const std::vector<ring::YawSample> &samples)
 {
-  SpinUpCurves curves;
-  for (const ring::YawSample &sample : all.spin_up)
-  {
-    curves.time.push_back(sample.time);
-    curves.adaptive.push_back(sample.omega);
-    curves.yaw_angle.push_back(sample.yaw_angle);
-  }
-  curves.euler = spins_of(all.euler);
-  curves.first_harmonic = spins_of(first.spin_up);
-  curves.paper = spins_of(paper.spin_up);
-  curves.instants = instants_of(study, load, all.spin_up);
-  return curves;
+  std::vector<double> spins;
+  for (const ring::YawSample &sample : samples)
+    spins.push_back(sample.omega);
+  return spins;
 }
+
+SpinUpCurves spin_up_curves(const StudyCurves &curves)
+{
+  SpinUpCurves spin_up;
+  for (const ring::YawSample &sample : curves.all.spin_up)
+  {
+    spin_up.time.push_back(sample.time);
+    spin_up.adaptive.push_back(sample.omega);
+    spin_up.yaw_angle.push_back(sample.yaw_angle);
+  }
+  spin_up.euler = spins_of(curves.all.euler);
+  spin_up.first_harmonic = spins_of(curves.first.spin_up);
+  spin_up.paper = spins_of(curves.paper.spin_up);
+  spin_up.instants = curves.all.instants;
+  return spin_up;
+}
+
+/// The torques of @p all at @p spins, with those of @p first, if it has any.
+TorqueCurve torque_curve(const std::vector<double> &spins, double spin_scale, const ring::Answer &all,
+                         const ring::Answer &first)
+{
+  TorqueCurve curve;
+  curve.omega = spins;
+  for (std::size_t i = 0; i < spins.size(); ++i)
+  {
+    const ring::Torques &torques = all.torques[i];
+    curve.slip_ratio.push_back(spins[i] / spin_scale);
+    curve.friction.push_back(torques.friction);
+    curve.lean_torque.push_back(torques.lean_torque);
+    curve.grip_torque.push_back(torques.grip_torque);
+    curve.sum.push_back(torques.torque());
+  }
+  if (!first.torques.empty())
+  {
+    curve.harmonics = { first.harmonics };
+    std::vector<double> torques = friction_torques(first);
+    torques.resize(spins.size());
+    curve.truncations = { std::move(torques) };
+  }
+  return curve;
+}
+
+/// The last @p n of the friction torques of @p answer, which follow @p n_before others; NaN without torques.
+std::vector<double> torques_after(std::size_t n_before, const ring::Answer &answer, std::size_t n)
+{
+  std::vector<double> torques = friction_torques(answer);
+  torques.resize(n_before + n, std::nan(""));
+  torques.erase(torques.begin(), torques.begin() + static_cast<std::ptrdiff_t>(n_before));
+  return torques;
+}
+
+} // namespace
 
 std::optional<double> TorqueCurve::spin_unit() const
 {
@@ -161,61 +165,48 @@ std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow>
   return spins;
 }
 
-ring::Answer curves_of(const Study &study, const LoadedRow &row, const std::vector<double> &spins,
-                       double euler_step, bool all_spins)
+StudyCurves find_curves(const Study &study, const RowsOfCurves &rows, const std::vector<double> &spins,
+                        const Executor &executor, const std::vector<double> &further, double euler_step,
+                        bool all_spins)
 {
-  if (!row.load)
-    return row.row;
-  ring::Question question = spin_question(study);
-  question.known = &row.row;
+  const bool together = is_collective(study);
+  ring::Question question = spin_question(study), of_paper = spin_question(rows.paper->variant.study);
   question.spins = spins;
-  question.times = ring::output_times(study.motion.end_time);
-  question.euler_step = euler_step;
-  question.all_spins = all_spins;
-  return ring::answer(*row.load, question);
-}
-
-ring::Answer paper_curves(const Study &study, const std::vector<double> &spins)
-{
-  const Study paper = paper_study(study);
-  return curves_of(paper, { {}, {}, first_harmonic_load(paper, paper.motion.closure) }, spins);
-}
-
-TorqueCurve torque_curve(const std::vector<double> &spins, double spin_scale, const ring::Answer &all,
-                         const ring::Answer &first)
-{
-  TorqueCurve curve;
-  curve.omega = spins;
-  for (std::size_t i = 0; i < spins.size(); ++i)
+  question.spins.insert(question.spins.end(), further.begin(), further.end());
+  question.times = of_paper.times = ring::output_times(study.motion.end_time);
+  of_paper.spins = spins;
+  of_paper.known = &rows.paper->row;
+  StudyCurves curves;
+  // The curve of the first harmonic is told by how it differs from that of all.
+  const auto find = [&](std::size_t i)
   {
-    const ring::Torques &torques = all.torques[i];
-    curve.slip_ratio.push_back(spins[i] / spin_scale);
-    curve.friction.push_back(torques.friction);
-    curve.lean_torque.push_back(torques.lean_torque);
-    curve.grip_torque.push_back(torques.grip_torque);
-    curve.sum.push_back(torques.torque());
-  }
-  if (!first.torques.empty())
-  {
-    curve.harmonics = { first.harmonics };
-    curve.truncations = { friction_torques(first) };
-  }
-  return curve;
-}
-
-/// omega(t) [rad/s] from rest at @p times while the hand leads the glass with @p speeds.
-std::vector<double> driven_spins(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                 const ring::OrbitSpeedTable &speeds, const std::vector<double> &times,
-                                 double accuracy)
-{
-  const ring::PhasedTorqueFunction table_torque = driven_torque(study, foot, speeds);
-  const auto torque = [&](double time, double yaw_angle, double omega)
-  {
-    const double of_table = table_torque(time, yaw_angle, omega);
-    return of_table + ring::grip_torque(of_table, omega, study.motion.grip_torque);
+    const LoadedRow *row = i == 0 ? rows.all : rows.first;
+    ring::Question asked = question;
+    asked.known = &row->row;
+    if (i == 0)
+    {
+      asked.euler_step = euler_step;
+      asked.all_spins = all_spins;
+      asked.with_instants = true;
+      curves.all = ring::answer(*rows.load, asked);
+    }
+    else if (row->load)
+      curves.first = ring::answer(
+        *ring::interpolated_for_curves(row->load, row->row, spins.front(), spins.back(), rows.load.get()),
+        asked);
+    else
+      curves.first = row->row;
   };
-  return spins_of(
-    ring::driven_motion(torque, speeds, study.motion.orbit.yaw_inertia, times, accuracy, spin_unit(study)));
+  executor.for_each(rows.first ? 2 : 1, find, together);
+  if (rows.paper->load)
+    curves.paper = ring::answer(*rows.paper->load, of_paper);
+  const double spin_scale = rows.load->spin_scale(study.motion.orbit);
+  curves.all.value(); // a spin-up that is lost is no answer
+  curves.torque = torque_curve(spins, spin_scale, curves.all, curves.first);
+  curves.spin_up = spin_up_curves(curves);
+  if (!rows.first)
+    curves.spin_up.first_harmonic = curves.spin_up.adaptive;
+  return curves;
 }
 
 std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
@@ -223,85 +214,79 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
 {
   if (!study.motion.orbit_speeds)
     return std::nullopt;
-  // Each step takes a dozen contacts; speeds that are measured are not known to a millionth.
-  const double accuracy = study.load.is_from_contact() ? 1e-6 : 1e-10;
-  constexpr double accuracy_of_change = 1e-7; // acceleration jumps where lines meet
   const ring::OrbitSpeedTable &speeds = *study.motion.orbit_speeds;
   DrivenSpinUp driven;
   if (speeds.starts_from_rest())
     driven.breakaway = find_breakaway(study, foot, speeds);
+  // Each step takes a dozen contacts; speeds that are measured are not known to a millionth.
+  const double accuracy = study.load.is_from_contact() ? 1e-6 : 1e-10;
+  const double radius = study.glass.profile.contact_radius, grip = study.motion.grip_torque;
+  const ring::PhasedTorqueFunction torque = driven_torque(study, foot, speeds);
+  const std::vector<ring::YawSample> samples =
+    ring::driven_motion(torque, speeds, study.motion.orbit, grip, radius, times, accuracy);
+  const std::vector<double> changes =
+    ring::interpolation_changes(study.motion.closure, study.motion.orbit, grip, radius, speeds, times);
   driven.time = times;
   for (const double time : times)
   {
     driven.speed.push_back(speeds.speed(time));
     driven.acceleration.push_back(speeds.acceleration(time));
   }
-  driven.omega = driven_spins(study, foot, speeds, times, accuracy);
-  const Study rigid = first_harmonic_study(study);
-  const std::vector<double> cubic = driven_spins(rigid, nullptr, speeds, times, accuracy_of_change),
-                            lines = driven_spins(rigid, nullptr, speeds.joined_by_lines(), times,
-                                                 accuracy_of_change);
-  for (std::size_t i = 0; i < times.size(); ++i)
-  {
-    driven.interpolation_change_at_end = std::abs(lines[i] - cubic[i]);
-    driven.interpolation_change = std::max(driven.interpolation_change, driven.interpolation_change_at_end);
-  }
+  driven.omega = spins_of(samples);
+  driven.interpolation_change_at_end = changes.back();
+  driven.interpolation_change = *std::max_element(changes.begin(), changes.end());
   return driven;
 }
 
 SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                      const ring::LoadAtSpin &load, const Executor &executor, Progress &progress, Depth depth)
 {
-  std::vector<Variant> others;
-  if (depth == Depth::full)
-    others = budget_variants(own_variant(study, foot.get()), load.phases() != nullptr);
-  if (const std::optional<Variant> one_ring = variant_on_one_ring(study); one_ring && depth == Depth::full)
+  std::vector<Variant> others = budget_variants(own_variant(study, foot.get()), load.phases() != nullptr);
+  if (depth != Depth::full)
+    others.erase(others.begin() + 1, others.end()); // the paper's model alone
+  else if (const std::optional<Variant> one_ring = variant_on_one_ring(study))
     others.push_back(*one_ring);
   // The curve may meet a fall that the search has stepped over, and that of the next one another.
   constexpr unsigned int max_falls = 8;
   StudyRows solved;
   std::vector<double> shown;
-  LoadedRow all;
+  RowsOfCurves rows;
   for (unsigned int i = 0; i <= max_falls; ++i)
   {
     solved = rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth, others);
     shown = shown_spins(study, solved.by_harmonics);
-    all = with_interpolated_load(solved.by_harmonics.back(), shown.front(), shown.back());
+    const LoadedRow &all = solved.by_harmonics.back();
+    rows = { &all, solved.by_harmonics.size() > 1 ? &solved.by_harmonics.front() : nullptr,
+             &solved.others.front(),
+             ring::interpolated_for_curves(all.load, all.row, shown.front(), shown.back()) };
     if (!load.nearest_unbalanced_spin(all.row.last_spin().value_or(0)))
       break;
   }
-  solved.by_harmonics.back() = all;
-
   SpinStudy result;
+  const bool is_slow = study.load.is_in_balance() && is_collective(study); // each torque takes minutes
+  if (depth == Depth::full)
+    result.budget = find_budget(study, solved);
+  const StudyCurves curves =
+    find_curves(study, rows, shown, executor, result.budget.omega, study.motion.euler_step, !is_slow);
   for (const LoadedRow &row : solved.by_harmonics)
     result.rows.push_back(row.row);
   if (load.phases())
-    result.phases = study_phases(*load.phases(), all.row, study.motion.orbit);
+    result.phases = study_phases(*load.phases(), curves.all);
   for (const LoadedRow &other : solved.others)
     if (other.variant.key == "one_ring")
-      result.one_ring = beside_all(other.row, all.row);
-  result.curve_error = all.load->interpolation_error();
-  ring::Answer of_all, of_first;
-  const bool is_slow = study.load.is_in_balance() && is_collective(study); // each torque takes minutes
-  // The curve of the first harmonic is told by how it differs from that of all.
-  const auto find_curves = [&](std::size_t i)
-  {
-    LoadedRow &first = solved.by_harmonics.front();
-    if (i == 0)
-      of_all = curves_of(study, all, shown, study.motion.euler_step, !is_slow);
-    else if (solved.by_harmonics.size() > 1)
-      of_first = curves_of(
-        study, first = with_interpolated_load(first, shown.front(), shown.back(), all.load.get()), shown);
-  };
-  executor.for_each(2, find_curves, is_collective(study));
-  of_all.value(); // a spin-up that is lost is no answer
-  result.terminal_spins = of_all.all_spins;
-  result.torque = torque_curve(shown, all.load->spin_scale(study.motion.orbit), of_all, of_first);
-  result.spin_up = spin_up_curves(
-    study, *all.load, of_all, solved.by_harmonics.size() > 1 ? of_first : of_all, paper_curves(study, {}));
+      result.one_ring = beside_all(other.row, result.all());
+  result.curve_error = rows.load->interpolation_error();
+  result.terminal_spins = curves.all.all_spins;
+  result.torque = curves.torque;
+  result.spin_up = curves.spin_up;
   result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time);
   if (depth == Depth::full)
-    result.budget = find_budget(study, std::move(solved), executor);
+  {
+    result.budget.torque_all = torques_after(shown.size(), curves.all, result.budget.omega.size());
+    result.budget.torque_first = rows.first
+                                   ? torques_after(shown.size(), curves.first, result.budget.omega.size())
+                                   : result.budget.torque_all;
+  }
   else
     result.budget.harmonics =
       harmonic_effect(result.rows.front().omega_terminal(), result.all().omega_terminal(), spin_scale(study));

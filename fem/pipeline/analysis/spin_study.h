@@ -39,18 +39,9 @@ struct DrivenSpinUp
   std::vector<double> omega;        ///< all harmonics, error control [rad/s]
   /// Change of omega if the file's entries are interpolated linearly instead of by the monotone cubic,
   /// estimated with a first harmonic on a rigid rim in balance [rad/s].
-  double interpolation_change = 0;         ///< largest absolute change over the times
-  double interpolation_change_at_end = 0;  ///< at the last one
-  std::optional<Breakaway> breakaway = {}; ///< of a hand that starts from rest
-};
-
-/// One instant of a spin-up.
-struct Instant
-{
-  double time = 0;      ///< [s]
-  double omega = 0;     ///< [rad/s]
-  double yaw_angle = 0; ///< [rad]
-  ring::RingState state;
+  double interpolation_change = 0;               ///< largest absolute change over the times
+  double interpolation_change_at_end = 0;        ///< at the last one
+  std::optional<ring::Breakaway> breakaway = {}; ///< of a hand that starts from rest
 };
 
 /// omega(t) from rest at equally spaced times, each load in its own balance; NaN after tipping.
@@ -62,9 +53,8 @@ struct SpinUpCurves
   std::vector<double> first_harmonic; ///< first harmonic only, error control [rad/s]; empty without a balance
   std::vector<double> yaw_angle;      ///< all harmonics, error control [rad]
   std::vector<double> paper; ///< the paper's model of the same glass: its moment balance, its load [rad/s]
-  /// Instants from rest until the spin has come within 0.5 % of its last one, all harmonics; at most 25.
-  std::vector<Instant> instants = {};
-  std::optional<DrivenSpinUp> driven = {}; ///< under Motion/Orbit speed file, if given
+  std::vector<ring::Instant> instants = {}; ///< Answer::instants of all harmonics
+  std::optional<DrivenSpinUp> driven = {};  ///< under Motion/Orbit speed file, if given
 };
 
 /// Additional results for a load that depends on the phase.
@@ -114,23 +104,28 @@ struct SpinStudy
 /// fastest terminal spin, or to tipping [rad/s].
 std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow> &rows);
 
-/// Returns the curves of @p row at @p spins [rad/s] and over the time of the study. @p euler_step: longest
-/// Euler step [s], 0: none. @p all_spins: compute Answer::all_spins.
-ring::Answer curves_of(const Study &study, const LoadedRow &row, const std::vector<double> &spins,
-                       double euler_step = 0, bool all_spins = false);
+/// Curves of a study: torques over the spin and spin-ups.
+struct StudyCurves
+{
+  TorqueCurve torque;
+  SpinUpCurves spin_up;
+  ring::Answer all, first, paper; ///< with their torques; first without an answer if all are its harmonics
+};
 
-/// Returns the spin-ups of @p all, with the instants of its @p load, of the @p first harmonics alone and of
-/// the paper's model, @p paper.
-SpinUpCurves spin_up_curves(const Study &study, const ring::LoadAtSpin &load, const ring::Answer &all,
-                            const ring::Answer &first, const ring::Answer &paper);
+/// Rows of a study's curves.
+struct RowsOfCurves
+{
+  const LoadedRow *all, *first, *paper; ///< first: nullptr without harmonics beyond it
+  ring::SharedLoad load;                ///< of all, ring::interpolated_for_curves() between the first and the
+                                        ///< last spin
+};
 
-/// Returns the curves of the paper's model (its moment balance and load) for the glass of a study.
-ring::Answer paper_curves(const Study &study, const std::vector<double> &spins);
-
-/// Returns the torques of @p all at @p spins [rad/s], with the torques of @p first, an answer with fewer
-/// harmonics, if any.
-TorqueCurve torque_curve(const std::vector<double> &spins, double spin_scale, const ring::Answer &all,
-                         const ring::Answer &first);
+/// Returns the curves of @p rows at @p spins, shown_spins() [rad/s], and over the time of the study. @p
+/// further: more spins at which the torques of the answers are computed, after those. @p euler_step: longest
+/// Euler step [s], 0: none. @p all_spins: compute Answer::all_spins. Throws if the spin-up of all is lost.
+StudyCurves find_curves(const Study &study, const RowsOfCurves &rows, const std::vector<double> &spins,
+                        const Executor &executor, const std::vector<double> &further = {},
+                        double euler_step = 0, bool all_spins = false);
 
 /// Returns the spin-up under the speeds of Motion/Orbit speed file, with the contact in balance at every
 /// instant, at @p times; std::nullopt without such a file. @p foot is study_foot() with its rings chosen.

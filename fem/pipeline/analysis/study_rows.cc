@@ -4,7 +4,6 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
-#include "ring_model/spin/if_balanced.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,26 +107,56 @@ ring::Question spin_question(const Study &study, ring::Question question)
 
 std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
                                   const std::shared_ptr<ElasticFoot> &foot, const ring::Question &asked,
-                                  const Executor &executor, Progress &progress, const std::string &pieces)
+                                  const Executor &executor, Progress &progress, const std::string &pieces,
+                                  const ring::SharedLoad &of_study)
 {
   const auto row_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &its_foot)
   {
     if (variant.on_other_rings)
       its_foot->reset_rings();
-    const SharedLoad load = load_of(variant, its_foot, asked);
-    return LoadedRow{ variant, ring::answer(*load, spin_question(variant.study, asked)), load };
+    const ring::SharedLoad load = variant.on_same_load ? of_study : load_of(variant, its_foot, asked);
+    ring::Question question = spin_question(variant.study, asked);
+    if (!variant.is_of_chain)
+      question.spins.clear();
+    const ring::SharedLoad kept = ring::truncated(load, variant.n_harmonics);
+    return LoadedRow{ variant, ring::answer(*kept, question), kept };
   };
-  std::vector<LoadedRow> rows;
-  for (const Solved<LoadedRow> &solved :
-       solve(variants, foot, row_of, executor, counting_callback(progress, pieces, variants.size())))
+  // Rows on the study's load share its contacts: one after another, and first.
+  std::vector<LoadedRow> rows(variants.size());
+  std::vector<Variant> others;
+  for (std::size_t i = 0; i < variants.size(); ++i)
+    if (variants[i].on_same_load)
+      rows[i] = row_of(variants[i], foot);
+    else
+      others.push_back(variants[i]);
+  const std::vector<Solved<LoadedRow>> solved =
+    solve(others, foot, row_of, executor, counting_callback(progress, pieces, others.size()));
+  for (std::size_t i = 0, next = 0; i < variants.size(); ++i)
   {
-    const Variant &variant = variants[rows.size()];
-    LoadedRow &added =
-      rows.emplace_back(solved.answer ? *solved.answer : LoadedRow{ variant, failed_row(solved.failure) });
-    if (variant.n_harmonics != all_harmonics)
-      added.row.harmonics = variant.n_harmonics;
+    if (!variants[i].on_same_load)
+    {
+      rows[i] = solved[next].answer ? *solved[next].answer
+                                    : LoadedRow{ variants[i], failed_row(solved[next].failure) };
+      ++next;
+    }
+    if (variants[i].n_harmonics != all_harmonics)
+      rows[i].row.harmonics = variants[i].n_harmonics;
   }
   return rows;
+}
+
+std::vector<double> friction_torques(const ring::Answer &answer)
+{
+  std::vector<double> torques;
+  for (const ring::Torques &at_spin : answer.torques)
+    torques.push_back(at_spin.friction.torque);
+  return torques;
+}
+
+std::vector<double> budget_spins(const ring::Answer &all)
+{
+  const std::optional<double> terminal = all.omega_terminal();
+  return terminal ? std::vector<double>{ 0, *terminal / 2, *terminal } : std::vector<double>{ 0 };
 }
 
 ring::Answer failed_row(const std::exception_ptr &failure)
@@ -152,83 +181,45 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
                             Progress &progress, Depth depth, const std::vector<Variant> &others)
 {
   const std::vector<unsigned int> orders = row_orders(study, load.n_harmonics(), depth);
-  const ring::Motion &motion = question.motion;
   question.with_slope = true;
-  const LoadedRow whole = { {}, ring::answer(load, question).value(), load.shared_from_this() };
+  LoadedRow whole = { {}, ring::answer(load, question).value(), load.shared_from_this() };
   // Rows, curves and bands take about twice as long as the answer itself, the curves alone about as long.
   progress.share_done(depth == Depth::full ? 0.3 : 0.6);
-  const std::optional<ring::TerminalSpin> &terminal = whole.row.terminal;
   question.with_slope = false;
   question.near = whole.row.zero_guess();
   if (whole.row.fall) // as far as the models with fewer harmonics, or without an effect, are known to stand
     question.initial_guess = whole.row.fall->omega;
-  StudyRows rows;
-  std::vector<LoadedRow> sharing;
   std::vector<Variant> variants;
-  for (const unsigned int n : orders)
-    if (n == orders.back())
-      break;
-    else if (study.load.is_in_balance() &&
-             (load.phases() || !ring::are_negligible_above(n, whole.row, motion)))
-      variants.push_back({ "harmonics", std::to_string(n), study, {}, {}, n, true });
-    else
-    {
-      const ring::SharedLoad less = ring::truncated(whole.load, n);
-      sharing.push_back({ {}, ring::answer(*less, question), less });
-    }
-  // Torques of rows that share the contacts of the whole load are asked for side by side, and that of the
-  // whole is reported: half-way it is to be known.
-  if (terminal && load.is_costly() && depth == Depth::full)
-    ring::if_balanced([&] { return load.at(terminal->omega / 2); });
-  std::copy_if(others.begin(), others.end(), std::back_inserter(variants),
-               [](const Variant &other) { return !other.on_same_load; });
-  std::vector<LoadedRow> solved;
-  if (!variants.empty())
-    solved = solve_rows(variants, foot, question, executor, progress, "models");
-  auto next = solved.begin();
-  for (; next != solved.end() && next->variant.key == "harmonics"; ++next)
-    rows.by_harmonics.push_back(std::move(*next));
-  for (const Variant &other : others)
-    rows.others.push_back(
-      other.on_same_load
-        ? LoadedRow{ other, ring::answer(load, spin_question(other.study, question)), whole.load }
-        : std::move(*next++));
-  std::move(sharing.begin(), sharing.end(), std::back_inserter(rows.by_harmonics));
+  for (std::size_t i = 0; i + 1 < orders.size(); ++i)
+  {
+    Variant &fewer = variants.emplace_back(Variant{ "harmonics", std::to_string(orders[i]), study });
+    fewer.n_harmonics = orders[i];
+    fewer.is_of_chain = true;
+    const bool has_own_balance =
+      study.load.is_in_balance() &&
+      (load.phases() || !ring::are_negligible_above(orders[i], whole.row, question.motion));
+    (has_own_balance ? fewer.on_same_foot : fewer.on_same_load) = true;
+  }
+  variants.insert(variants.end(), others.begin(), others.end());
+  if (depth == Depth::full)
+  {
+    ring::Question at_budget_spins = question;
+    at_budget_spins.known = &whole.row;
+    question.spins = at_budget_spins.spins = budget_spins(whole.row);
+    whole.row = ring::answer(load, at_budget_spins);
+    if (whole.row.at_terminal) // with phases the terminal spin is a mean, at which torques do not vanish
+      whole.row.torques.back() = *whole.row.at_terminal;
+  }
+  std::vector<LoadedRow> solved =
+    solve_rows(variants, foot, question, executor, progress, "models", whole.load);
+  const auto first_other = solved.begin() + static_cast<std::ptrdiff_t>(orders.size()) - 1;
+  StudyRows rows;
+  rows.by_harmonics.assign(std::make_move_iterator(solved.begin()), std::make_move_iterator(first_other));
+  rows.others.assign(std::make_move_iterator(first_other), std::make_move_iterator(solved.end()));
   rows.by_harmonics.push_back(whole);
-  for (std::size_t i = 0; i < orders.size(); ++i)
-  {
-    ring::Answer &row = rows.by_harmonics[i].row;
-    row.harmonics = orders[i];
-    row = ring::compared_with_all(row, whole.row, load, motion);
-  }
+  for (LoadedRow &row : rows.by_harmonics)
+    row.row = ring::compared_with_all(row.row, whole.row, load, question.motion);
   return rows;
-}
-
-LoadedRow with_interpolated_load(LoadedRow row, double lower, double upper, const ring::LoadAtSpin *like)
-{
-  if (!row.load)
-    return row;
-  const auto between = [&](double one, double other, double enough = 2e-5)
-  {
-    return ring::if_balanced(
-             [&] {
-               return ring::interpolated(row.load, std::min(one, other), std::max(one, other), enough, like);
-             })
-      .value_or(nullptr);
-  };
-  ring::SharedLoad curve;
-  if (const std::optional<ring::Fall> &fall = row.row.fall) // steep where the balance ends
-    curve = between(0, fall->omega, 1e-3);
-  else
-  {
-    const double terminal = row.row.omega_terminal().value_or(0), margin = 0.02 * std::abs(terminal);
-    curve = between(lower, upper);
-    if (!curve)
-      curve = between(std::min(0., terminal - margin), std::max(0., terminal + margin));
-  }
-  if (curve)
-    row.load = curve;
-  return row;
 }
 
 } // namespace stemware::pipeline

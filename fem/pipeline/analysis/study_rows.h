@@ -49,19 +49,28 @@ std::string grip_holds_note(const Study &study, const ring::Answer &row);
 enum class Depth
 {
   answer, ///< all harmonics and the first harmonic only
-  full    ///< rows by harmonics, one ring, budget, leave-one-out
+  rows,   ///< rows by harmonics and other models
+  full    ///< the same with torques, one ring, budget, leave-one-out
 };
 
 /// Returns @p asked with motion, grip and contact radius of @p study.
 ring::Question spin_question(const Study &study, ring::Question asked = {});
 
 /// Returns the rows of @p variants: the answers to @p asked with each variant's motion, grip and contact
-/// radius; @p foot as in solve(). Failures of meshes, contacts, balances and spins do not throw: the row has
-/// the available quantities and the reason. @p progress receives @p pieces.
+/// radius; @p foot as in solve(), @p of_study the load for variants on the study's load. Torques at the spins
+/// of @p asked have the rows of the chain alone. Failures of meshes, contacts, balances and spins do not
+/// throw: the row has the available quantities and the reason. @p progress receives @p pieces.
 std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
                                   const std::shared_ptr<ElasticFoot> &foot, const ring::Question &asked,
                                   const Executor &executor, Progress &progress = silent_progress(),
-                                  const std::string &pieces = "");
+                                  const std::string &pieces = "", const ring::SharedLoad &of_study = nullptr);
+
+/// Returns tau_z of friction of @p answer at the spins of its question [N m].
+std::vector<double> friction_torques(const ring::Answer &answer);
+
+/// Returns the spins of torques in the budget: 0, half and all of the terminal spin of @p all [rad/s]; only 0
+/// if the glass tips on the way.
+std::vector<double> budget_spins(const ring::Answer &all);
 
 /// Returns the row of a variant whose load failed with @p failure.
 ring::Answer failed_row(const std::exception_ptr &failure);
@@ -73,18 +82,12 @@ std::vector<unsigned int> truncation_orders(unsigned int n_all);
 /// Returns the answer for 1, 2, 3, 4, 6, 8, 12, ... and all harmonics, last row: @p load, find_load() of @p
 /// foot. The others have their own balance if the load is two-way, else the truncated load; each is compared
 /// with the last row. A solid body in balance, whose balances take minutes, and Depth::answer have the rows 1
-/// and all only. Throws as @p load, and if all harmonics have no answer; if the glass tips on the way, the
-/// last row has a `fall` and nothing is compared with it. @p others are solved beside the rows, so that no
-/// thread waits for the slowest row.
+/// and all only; Depth::full adds torques at budget_spins(). Throws as @p load, and if all harmonics have no
+/// answer; if the glass tips on the way, the last row has a `fall` and nothing is compared with it. @p others
+/// are solved beside the rows, so that no thread waits for the slowest row.
 StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                             const ring::LoadAtSpin &load, ring::Question question, const Executor &executor,
                             Progress &progress = silent_progress(), Depth depth = Depth::full,
                             const std::vector<Variant> &others = {});
-
-/// Returns @p row with its load interpolated in the spin from @p lower to @p upper [rad/s], or to tipping,
-/// for curves of thousands of values. If some spins have no balance: from rest to the terminal spin; exact if
-/// that fails too. @p like as in ring::interpolated().
-LoadedRow with_interpolated_load(LoadedRow row, double lower, double upper,
-                                 const ring::LoadAtSpin *like = nullptr);
 
 } // namespace stemware::pipeline

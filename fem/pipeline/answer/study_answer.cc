@@ -98,7 +98,8 @@ TruncatedStudy truncate_study(const Study &study, const Executor &executor, Prog
     announced_foot(study, executor, progress, mesh_for_goal(study, executor, progress).discretisation);
   const SharedLoad load = find_load(study, foot, progress);
   for (const LoadedRow &answer :
-       rows_by_harmonics(study, foot, *load, spin_question(study), executor, progress).by_harmonics)
+       rows_by_harmonics(study, foot, *load, spin_question(study), executor, progress, Depth::rows)
+         .by_harmonics)
     truncated.rows.push_back(answer.row);
   truncated.load = load->report();
   progress.stage_done("truncations");

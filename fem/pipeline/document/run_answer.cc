@@ -241,7 +241,7 @@ std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
   if (const auto &start = driven->breakaway)
     text += " The glass rests until t = " + number(start->time, ".4g") +
             " s and begins to slide when the hand's force reaches " + number(start->force, ".4g") +
-            " N, with a friction coefficient of " + number(start->friction_coefficient, ".4g") +
+            " N, with a friction coefficient of " + number(start->motion.friction_coefficient, ".4g") +
             " and a moment ratio of " + number(start->moment_ratio, ".4g") + ".";
   return text;
 }

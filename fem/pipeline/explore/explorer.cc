@@ -121,8 +121,9 @@ LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
   if (!from_last || !follow(*last, n_harmonics, answer))
     solve_cold(from_last ? last.get() : nullptr, n_harmonics, answer);
   answer.contact_radius = foot->radius();
-  const Study paper = paper_study(present);
-  answer.paper = ring::answer(*find_load(paper, nullptr), spin_question(paper));
+  paper.variant.study = paper_study(present);
+  paper.load = find_load(paper.variant.study, nullptr);
+  paper.row = answer.paper = ring::answer(*paper.load, spin_question(paper.variant.study));
   if (answer.first_n)
     shift_of_first_n = answer.first_n->last_spin().value_or(0) - answer.all.last_spin().value_or(0);
   return answer;
@@ -204,18 +205,15 @@ std::optional<LiveCurves> Explorer::curves()
   if (rows.empty() || !rows.back().row.last_spin())
     return std::nullopt;
   const std::vector<double> shown = shown_spins(present, rows);
-  const LoadedRow all = with_interpolated_load(rows.back(), shown.front(), shown.back());
-  const ring::Answer of_all = curves_of(present, all, shown), paper = paper_curves(present, shown);
-  ring::Answer of_first_n;
-  if (rows.size() > 1)
-    of_first_n = curves_of(
-      present, with_interpolated_load(rows.front(), shown.front(), shown.back(), all.load.get()), shown);
-  LiveCurves curves;
+  const LoadedRow &all = rows.back();
+  const StudyCurves found =
+    find_curves(present,
+                { &all, rows.size() > 1 ? &rows.front() : nullptr, &paper,
+                  ring::interpolated_for_curves(all.load, all.row, shown.front(), shown.back()) },
+                shown, executor());
+  LiveCurves curves = { {}, found.torque, friction_torques(found.paper), found.spin_up };
   for (const LoadedRow &row : rows)
     curves.rows.push_back(row.row);
-  curves.torque = torque_curve(shown, all.load->spin_scale(present.motion.orbit), of_all, of_first_n);
-  curves.of_paper = ring::friction_torques(paper);
-  curves.spin_up = spin_up_curves(present, *all.load, of_all, of_first_n, paper);
   return curves;
 }
 
@@ -225,7 +223,7 @@ LiveBudget Explorer::budget()
     return {};
   const StudyRows solved =
     rows_by_harmonics(present, foot, *rows.back().load, spin_question(present), executor(), silent_progress(),
-                      Depth::full, model_chain(present));
+                      Depth::rows, model_chain(present));
   return { assess_chain(present, solved),
            harmonic_effect(solved.by_harmonics.front().row.omega_terminal(),
                            solved.by_harmonics.back().row.omega_terminal(), spin_scale(present)) };

@@ -105,6 +105,7 @@ private:
   bool is_ready = false;
   std::shared_ptr<const fem::ContactCompliance> compliance, disc_compliance;
   std::shared_ptr<ElasticFoot> foot; ///< of the last answer
+  LoadedRow paper;                   ///< of the last answer
   std::vector<LoadedRow> rows;       ///< rows of the last answer, all harmonics last; empty after follow()
   LivePath path;
   /// Terminal spin of the first n harmonics minus terminal spin of all, in the last answer [rad/s].

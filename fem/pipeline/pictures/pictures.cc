@@ -179,13 +179,13 @@ void add_slip_columns(const std::string &name, const ring::Motion &motion, doubl
             { "torque", column_of(places, torque_of) } });
 }
 
-void add_motion(const Study &study, const std::vector<Instant> &instants, Pictures &pictures)
+void add_motion(const Study &study, const std::vector<ring::Instant> &instants, Pictures &pictures)
 {
   constexpr unsigned int n_places = 48;
   const ring::Motion &motion = study.motion.orbit;
   const double rate = motion.sense_sign() * motion.orbit_speed / motion.orbit_radius;
   Json &rows = pictures.tables["motion"] = Json::array();
-  for (const Instant &instant : instants)
+  for (const ring::Instant &instant : instants)
   {
     const ring::RingState &state = instant.state;
     std::vector<double> load, friction_x, friction_y, turns;

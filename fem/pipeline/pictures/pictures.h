@@ -53,7 +53,7 @@ void add_slip_columns(const std::string &name, const ring::Motion &motion, doubl
 
 /// Adds "motion": instants of a spin-up, each with the load over its mean at 48 places of the rim and the
 /// friction at 24, the sense of its torque, the hand's force, and the torque that is left.
-void add_motion(const Study &study, const std::vector<Instant> &instants, Pictures &pictures);
+void add_motion(const Study &study, const std::vector<ring::Instant> &instants, Pictures &pictures);
 
 /// Adds "torque" and "terminal_points": torque of friction with fewer and with all harmonics and, if given,
 /// of the paper's model, and the terminal spins.

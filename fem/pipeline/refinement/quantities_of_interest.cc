@@ -1,5 +1,6 @@
 #include "fem/pipeline/refinement/quantities_of_interest.h"
 
+#include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/support/numbers.h"
 #include "ring_model/no_balance.h"
 #include "ring_model/spin/answer.h"
@@ -70,7 +71,7 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
   terminal_spin_of(row);
   constexpr double noise_of_differences = 10; // the slope is one by finite differences
   return quantities_of_interest(study, load.report(),
-                                { row.at_rest->friction.torque, spins, ring::friction_torques(row),
+                                { row.at_rest->friction.torque, spins, friction_torques(row),
                                   row.terminal->omega, row.terminal->time_constant,
                                   load.report().rings.radius(), load.spin_scale(motion),
                                   noise_of_differences });

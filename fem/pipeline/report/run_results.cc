@@ -102,9 +102,13 @@ Json driven_summary(const DrivenSpinUp &driven)
 {
   Json summary = { { "speed_at_end", driven.speed.back() }, { "omega_at_end", driven.omega.back() } };
   summary.update(STEMWARE_JSON(driven, interpolation_change, interpolation_change_at_end));
-  summary["breakaway"] =
-    to_json_or_null(driven.breakaway, [](const Breakaway &start)
-                    { return STEMWARE_JSON(start, time, friction_coefficient, force, moment_ratio); });
+  summary["breakaway"] = to_json_or_null(driven.breakaway,
+                                         [](const ring::Breakaway &start)
+                                         {
+                                           Json fields = STEMWARE_JSON(start, time, force, moment_ratio);
+                                           fields["friction_coefficient"] = start.motion.friction_coefficient;
+                                           return fields;
+                                         });
   return summary;
 }
 

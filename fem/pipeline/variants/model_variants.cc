@@ -44,7 +44,7 @@ std::vector<Variant> model_chain(const Study &study)
   {
     Variant &variant = chain.emplace_back(Variant{ key, name, model });
     variant.n_harmonics = 1;
-    variant.on_same_foot = true;
+    variant.on_same_foot = variant.is_of_chain = true;
   };
   Study model = paper_study(study);
   add("1", "paper", model);

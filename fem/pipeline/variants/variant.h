@@ -21,7 +21,8 @@ struct Variant
   Model model = {};
   unsigned int n_harmonics = all_harmonics; ///< whose friction acts
   bool on_same_foot = false;                ///< uses the study's foot
-  bool on_same_load = false;                ///< uses the study's load: only the question to the ring differs
+  bool on_same_load = false;                ///< uses the study's load, truncated to n_harmonics
+  bool is_of_chain = false;                 ///< a row of the budget's chain, with torques
   std::string reason = {};                  ///< reason for not being solved; empty if it is to be solved
   bool on_other_rings = false;              ///< on the same foot, but with newly chosen rings
 };

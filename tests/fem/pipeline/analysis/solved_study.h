@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/answer/sweep_case.h"
 #include "fem/pipeline/answer/threaded_executor.h"
 #include "fem/pipeline/coupling/study_load.h"
@@ -47,14 +47,7 @@ inline pipeline::Model rigid_foot()
 inline pipeline::Budget whole_budget(const pipeline::Study &study, const pipeline::Executor &executor)
 {
   const auto foot = pipeline::study_foot(study, executor.make_foot);
-  const pipeline::SharedLoad load = pipeline::find_load(study, foot);
-  return pipeline::find_budget(
-    study,
-    pipeline::rows_by_harmonics(
-      study, foot, *load, pipeline::spin_question(study), executor, pipeline::silent_progress(),
-      pipeline::Depth::full,
-      pipeline::budget_variants(pipeline::own_variant(study, foot.get()), load->phases() != nullptr)),
-    executor);
+  return pipeline::study_spin(study, foot, *pipeline::find_load(study, foot), executor).budget;
 }
 
 /// The result of a study as a case of a sweep.
