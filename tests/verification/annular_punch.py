@@ -79,7 +79,7 @@ def row(ratio, n_points, thickness=None, poisson=0.3):
 
 def main():
     rows = []
-    for ratio in (0.5, 0.8, 0.96):
+    for ratio in (0.5, 0.7, 0.8, 0.9, 0.96):
         for thickness, poisson in ((None, 0.3), (100, 0.3), (1 / 6, 0.3), (1 / 6, 0.0)):
             rows.append({"ratio": ratio, "thickness": thickness, "poisson_ratio": poisson, **row(ratio, 40, thickness, poisson)})
             coarser = row(ratio, 28, thickness, poisson)

@@ -116,10 +116,12 @@ TEST(Derivatives, BorderIsThatOfTheConditions)
     law->evaluate(rim.displacement + rim.modes * motion, contact);
     return contact;
   };
+  const ContactForces start = forces_at(Eigen::Vector3d::Zero());
+  const Eigen::Matrix3d stiffness = motion_stiffness(start.tangent, conditions.weights(), rim.modes),
+                        product = conditions.weights().transpose() * start.tangent * rim.modes;
+  EXPECT_LT((stiffness - product).norm(), 1e-13 * product.norm());
   // Residual of the balance over the motions of the table under a rigid foot: -L'TQ + H.
-  const Eigen::Matrix3d border =
-    conditions.motion_weights() -
-    motion_stiffness(forces_at(Eigen::Vector3d::Zero()).tangent, conditions.weights(), rim.modes);
+  const Eigen::Matrix3d border = conditions.motion_weights() - product;
   for (unsigned int i = 0; i < 3; ++i)
   {
     const Eigen::Vector3d step = i == 0 ? Eigen::Vector3d(1e-6, 0, 0) : 3e-5 * Eigen::Vector3d::Unit(i);
@@ -127,6 +129,11 @@ TEST(Derivatives, BorderIsThatOfTheConditions)
     { return conditions.residual(forces_at(h * step).forces, h * step); };
     EXPECT_TRUE(is_derivative(residual, Eigen::VectorXd(border * step), 0.5)) << i;
   }
+  // To first order the Newton increment of a rigid foot takes the residual to zero.
+  const Eigen::Vector3d rest = Eigen::Vector3d::Zero(), residual = conditions.residual(start.forces, rest);
+  const Eigen::Vector3d increment =
+    RigidFoot(rim.surface).solve(start.tangent, start.forces, conditions, rest).motion;
+  EXPECT_LT((border * increment + residual).norm(), 1e-10 * residual.norm());
 }
 
 // Reference: the balance of moments written out with the load's own rings, their friction and the lean of the
