@@ -88,7 +88,7 @@ class Build:
         for program in self.program(file):
             path = next(p for p in self.build.rglob(program) if p.is_file())
             try:
-                done = subprocess.run([path, f"--gtest_filter={chosen}", "--gtest_brief=1"], capture_output=True, env=environment, timeout=1800)
+                done = subprocess.run([path, f"--gtest_filter={chosen}", "--gtest_brief=1", "--gtest_fail_fast"], capture_output=True, env=environment, timeout=1800)
             except subprocess.TimeoutExpired:
                 return False
             if done.returncode != 0:

@@ -2,6 +2,7 @@
 // functions; mat: theta_c).
 #include "fem/contact/rigid_foot.h"
 #include "fem/contact/rough_interface.h"
+#include "fem/contact/sliding_traction.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <boost/math/special_functions/bessel.hpp>
@@ -204,4 +205,20 @@ TEST(RigidLimit, CrownedRingOnAMat)
     for (unsigned int n = 2; n <= 8; ++n)
       EXPECT_NEAR(load.a(n) / load.a(0), row.a[n - 2], 1e-4) << "m = " << row.m << ", n = " << n;
   }
+}
+
+// Reference: the relative velocity of the point in the frame of the slip, and its components in the local
+// axes.
+TEST(SlidingTraction, OpposesTheSlipInTurnedAxes)
+{
+  const double mu = 0.3, spin = -40., radius = 0.03;
+  for (const double rotation : { 0., 0.7, -2. })
+    for (const double azimuth : { 0.1, 1.9, -2.4 })
+    {
+      const double theta = azimuth + rotation, c = std::cos(theta), s = std::sin(theta);
+      const Eigen::Vector2d velocity(1 - spin * radius * s, spin * radius * c), radial(c, s), around(-s, c);
+      const Eigen::Vector2d traction = SlidingTraction{ mu, spin, rotation }.direction(radius, azimuth);
+      EXPECT_NEAR(traction(0), -mu * velocity.dot(radial) / velocity.norm(), 1e-15) << rotation;
+      EXPECT_NEAR(traction(1), -mu * velocity.dot(around) / velocity.norm(), 1e-15) << rotation;
+    }
 }
