@@ -28,8 +28,8 @@ struct FrictionFunctionals
 
 /**
  * Coulomb friction with one coefficient on rings that slide with speed v along x and spin with omega about z.
- * Every point of a ring feels mu lambda against its own slip velocity (v - omega r sin theta, omega r cos
- * theta):
+ * The friction on each point of a ring is mu lambda against the slip velocity of the point, (v - omega r sin
+ * theta, omega r cos theta):
  *
  *   tau_z = mu r int lambda (v sin theta - omega r) / |v_rel| dtheta
  *

@@ -50,21 +50,22 @@ private:
   Parameters parameters;
 };
 
-/// Law of a motion; Coulomb's is Stribeck's with equal coefficients.
+/// Returns the friction law of @p motion; Coulomb's is Stribeck's with equal coefficients.
 StribeckLaw friction_law_of(const Motion &motion);
 
 /**
- * Functionals T_x, T_y and tau_z of a stack under @p law: friction is linear in the load even if its
- * coefficient depends on the slip. Exact kernels for a constant coefficient, else quadrature of all harmonics
- * at once, refined until the coefficients agree to 1e-12 of the largest. docs/theory/friction_laws.md.
+ * Returns the functionals T_x, T_y and tau_z of a stack under @p law: friction is linear in the load even if
+ * its coefficient depends on the slip. Exact kernels for a constant coefficient, else quadrature of all
+ * harmonics at once, refined until the coefficients agree to 1e-12 of the largest.
+ * docs/theory/friction_laws.md.
  *
- * @throws std::invalid_argument as friction_functionals() of a constant coefficient, std::runtime_error where
+ * @throws std::invalid_argument as friction_functionals() of a constant coefficient, std::runtime_error if
  * the refinement does not end.
  */
 FrictionFunctionals friction_functionals(const FrictionLaw &law, const std::vector<double> &radii,
                                          unsigned int n_max, double omega, double speed);
 
-/// friction_functionals() under the law of @p motion, at its orbit speed.
+/// Returns friction_functionals() under the law of @p motion, at its orbit speed.
 FrictionFunctionals friction_functionals(const Motion &motion, const std::vector<double> &radii,
                                          unsigned int n_max, double omega);
 
@@ -73,8 +74,8 @@ FrictionFunctionals friction_functionals(const Motion &motion, const std::vector
 Wrench wrench(const Motion &motion, const RingStack &load, double omega);
 
 /**
- * A-priori bound [N m] on the change of tau_z under the law of @p motion if the harmonics above @p n_max are
- * left out: sum_j sum_{n > n_max} |lambda_{j,n}| |K_{j,n}|, where |lambda_{j,n}| = sqrt(a_{j,n}^2 +
+ * Returns an a-priori bound [N m] on the change of tau_z under the law of @p motion if the harmonics above @p
+ * n_max are left out: sum_j sum_{n > n_max} |lambda_{j,n}| |K_{j,n}|, where |lambda_{j,n}| = sqrt(a_{j,n}^2 +
  * b_{j,n}^2) and |K_{j,n}| is the torque functional's coefficient, mu r_j |K_n(eps_j)| for Coulomb.
  */
 double truncation_bound(const Motion &motion, const RingStack &load, unsigned int n_max, double omega);

@@ -27,10 +27,12 @@ using DrivenLoad = std::function<LeaningLoad(const Motion &now, double time, dou
 PhasedTorqueFunction driven_torque(const Motion &motion, OrbitSpeedTable speeds, DrivenLoad load);
 
 /**
- * yaw_motion() from rest while the hand follows @p speeds, also from rest, and the fingers resist with up to
+ * Integrates yaw_motion() from rest while the hand follows @p speeds, also from rest, and the fingers resist
+ * with up to
  * @p grip [N m] in addition to @p torque: the spin stays 0 until v is (accuracy / 10)^(1/3) of the largest
- * speed. Until then it is smaller than @p accuracy, because a spin that follows its torque grows with v^3
- * (docs/theory/dynamics.md). @p motion: its inertia, and v / R with @p radius [m] as the scale of spins.
+ * speed. Until then a free spin would be smaller than @p accuracy, because a spin that follows its torque
+ * grows with v^3 (docs/theory/dynamics.md). @p motion: its inertia, and v / R with @p radius [m] as the scale
+ * of spins.
  */
 std::vector<YawSample> driven_motion(const PhasedTorqueFunction &torque, const OrbitSpeedTable &speeds,
                                      const Motion &motion, double grip, double radius,
@@ -42,12 +44,12 @@ std::vector<YawSample> driven_motion(const PhasedTorqueFunction &torque, const O
 std::vector<double> interpolation_changes(Closure closure, const Motion &motion, double grip, double radius,
                                           const OrbitSpeedTable &speeds, const std::vector<double> &times);
 
-/// The moment at which a glass that rests begins to slide under a growing force of the hand.
+/// Instant at which a glass at rest begins to slide under a growing force of the hand.
 struct Breakaway
 {
-  double time;         ///< at which the hand starts [s]
-  Motion motion;       ///< then, with the static friction coefficient and without an acceleration
-  double force;        ///< of the hand, along the motion to come [N]
+  double time;   ///< time at which the hand starts [s]
+  Motion motion; ///< motion at that time, with the static friction coefficient and without an acceleration
+  double force;  ///< force of the hand at breakaway, along the motion to come [N]
   double moment_ratio; ///< |M_N| / (N R / 2); from 2 on the glass falls over first
 };
 

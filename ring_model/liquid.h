@@ -3,15 +3,16 @@
 namespace stemware::ring
 {
 /**
- * Liquid at rest in an upright circular cylinder, a bowl, that is led without turning: its surface is a plane
- * that leans against the acceleration a by tan(alpha) = |a| / g (docs/theory/liquid.md). SI units.
+ * Liquid at rest in a bowl, an upright circular cylinder that moves without turning. The surface of the
+ * liquid is a plane that rises opposite to the acceleration a, by tan(alpha) = |a| / g
+ * (docs/theory/liquid.md). SI units.
  */
 struct Liquid
 {
   double mass = 0.;           ///< [kg]; 0: the bowl is empty
   double density = 990.;      ///< [kg/m^3]
-  double bowl_radius = 0.035; ///< R_b, inside, where the surface is [m]
-  double bowl_height = 0.09;  ///< of the bowl's bottom above the table [m]
+  double bowl_radius = 0.035; ///< R_b, inner radius at the surface [m]
+  double bowl_height = 0.09;  ///< height of the bowl's bottom above the table [m]
   double bowl_depth = 0.09;   ///< from that bottom to the brim [m]
   bool surface_leans = true;  ///< false: the liquid is a solid with a level surface
 
@@ -21,8 +22,8 @@ struct Liquid
   /// Height of the centre of mass above the table [m] if the surface leans by @p slope = tan(alpha).
   double centre_height(double slope) const;
 
-  /// Distance R_b^2 / (4 h) [m] from the centre of mass up to the metacentre: times tan(alpha), the outward
-  /// displacement of the centre of mass. 0 if the surface does not lean.
+  /// Distance R_b^2 / (4 h) [m] from the centre of mass up to the metacentre. Times tan(alpha) it is the
+  /// outward displacement of the centre of mass. 0 if the surface does not lean.
   double metacentric_radius() const;
 
   /// Throws std::invalid_argument with one sentence for values that are not allowed, for liquid that leaves

@@ -17,7 +17,7 @@ public:
 
   /**
    * Returns the load with the resultants N = @p normal_force [N] and M_N = @p moment [N m] in the slip frame.
-   * @throws Tipping if no load that only pushes can carry the moment, std::invalid_argument for values that
+   * @throws Tipping if no compressive load has the moment, std::invalid_argument for values that
    * are not finite or not allowed.
    */
   virtual RingStack rings(double normal_force, const Eigen::Vector2d &moment) const = 0;
@@ -25,7 +25,7 @@ public:
   /// Nominal contact radius R [m], which defines the moment ratio m = |M_N| / (N R / 2).
   virtual double radius() const = 0;
 
-  /// Moment ratio below which rings() has an answer.
+  /// Moment ratio below which rings() has a solution.
   virtual double moment_ratio_limit() const { return 2.; }
 };
 

@@ -16,7 +16,7 @@ enum class OrbitSense
 /// Dependence of the friction coefficient on the slip speed.
 enum class FrictionLawKind
 {
-  coulomb, ///< not at all
+  coulomb, ///< constant coefficient
   stribeck ///< mu = mu_k + (mu_s - mu_k) exp(-(|v_rel| / v_s)^2) + c |v_rel|
 };
 

@@ -40,8 +40,8 @@ public:
 
   double max_speed() const;
 
-  /// The first time [s] at which the hand is at least as fast as @p speed [m/s], and faster than 0: for 0,
-  /// when it starts. @throws std::out_of_range for more than max_speed().
+  /// Returns the first time [s] at which the hand is at least as fast as @p speed [m/s] and moves; for @p
+  /// speed = 0 the time at which the hand starts. @throws std::out_of_range for more than max_speed().
   double time_of(double speed) const;
 
 private:

@@ -17,7 +17,7 @@ struct RingEquilibrium
   RingStack load;             ///< normal load
   Wrench friction;            ///< T and tau_z of the table on the ring
   double moment_ratio;        ///< m = |M_N| / (N R / 2)
-  double moment_residual;     ///< |required - carried moment| / (N R)
+  double moment_residual;     ///< |required moment - moment of the load| / (N R)
   unsigned int n_evaluations; ///< loads computed on the way
 };
 
@@ -26,21 +26,21 @@ struct RingEquilibrium
  * lambda enters T. Solved for M_N by Broyden's method, started from the closed form of the first harmonic and
  * its Jacobian, so that a first-harmonic load takes one step. docs/theory/closures.md.
  *
- * Truncated to n_max, it is the balance of a ring that feels only these harmonics. Normal force and M_N lie
- * in the harmonics 0 and 1, so the truncated load still carries them; its friction differs and acts back on
- * M_N and on the harmonics that are kept. With n_max = 1 and a thin ring it is the formal first harmonic.
+ * Truncated to n_max, only the kept harmonics exert friction. Normal force and M_N depend on the harmonics 0
+ * and 1 only, so the truncated load still has them; the changed friction changes M_N and thereby the kept
+ * harmonics. With n_max = 1 and a thin ring it is the formal first harmonic.
  */
 class SelfConsistentRing
 {
 public:
-  /// @throws std::invalid_argument if the motion is not allowed, there is no model, or @p n_max is 0: that
-  /// load would carry no moment.
+  /// @throws std::invalid_argument if the motion is not allowed, there is no model, or @p n_max is 0: a load
+  /// without a first harmonic has no moment.
   SelfConsistentRing(Closure closure, const Motion &motion, std::shared_ptr<const LoadModel> model,
                      unsigned int n_max = std::numeric_limits<unsigned int>::max());
 
   /**
    * Returns the equilibrium at the spin @p omega [rad/s], converged to rounding.
-   * @throws Tipping if the required moment is more than the ring can carry, std::runtime_error if the
+   * @throws Tipping if the required moment exceeds the limit of the load model, std::runtime_error if the
    * iteration does not converge.
    */
   RingEquilibrium at(double omega) const;
@@ -52,7 +52,8 @@ public:
   TerminalSpin terminal_spin() const;
 
 private:
-  /// Residual of one Broyden step: required minus carried moment, with the friction of the load of @p moment.
+  /// Residual of one Broyden step: required moment minus moment of the load, with the friction of the load of
+  /// @p moment.
   struct Trial;
   Trial attempt(double omega, const Eigen::Vector2d &moment) const;
 

@@ -32,9 +32,9 @@ public:
   /// Uniform pressure on a disc [m].
   static SlidingBody disc(double radius) { return annulus(0., radius); }
 
-  /// Any pressure between two radii [m], smooth between them. It may vanish at either radius like a root, as
-  /// Hertz's does. @throws std::invalid_argument unless 0 <= inner < outer, the pressure is finite, nowhere
-  /// negative and somewhere positive.
+  /// Any pressure between two radii [m], smooth between them. It may vanish at either radius like a square
+  /// root, as Hertz's does. @throws std::invalid_argument unless 0 <= inner < outer, the pressure is finite,
+  /// non-negative and not zero everywhere.
   static SlidingBody with_pressure(Pressure pressure, double inner_radius, double outer_radius);
 
   /**

@@ -35,7 +35,7 @@ struct SpinZero
 {
   double omega;               ///< [rad/s]
   bool held;                  ///< |tau_z(0)| <= tau_g, tau_g > 0: the fingers keep the glass at rest
-  unsigned int n_evaluations; ///< of the torque
+  unsigned int n_evaluations; ///< number of torques evaluated
   double asked;               ///< last evaluated spin, at the zero or within 1e-7 of it [rad/s]
 };
 

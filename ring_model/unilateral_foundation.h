@@ -21,8 +21,8 @@ public:
   /**
    * @param radius      R > 0 [m].
    * @param exponent    p > 0.
-   * @param n_harmonics Harmonics of the loads that come out; with lift-off a_n decays like n^{-1-p} only, but
-   * acts on the torque with K_n(eps), which decays like |eps|^n.
+   * @param n_harmonics Highest harmonic of the returned loads. With lift-off a_n decays like n^{-1-p} only,
+   * but its factor in the torque, K_n(eps), decays like |eps|^n.
    * @throws std::invalid_argument if a value is not allowed.
    */
   UnilateralFoundation(double radius, double exponent, unsigned int n_harmonics = 128);

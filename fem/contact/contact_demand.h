@@ -29,7 +29,7 @@ struct ContactDemand : Resultants
   /// Radii of the rings that represent the load, ascending [m]. Empty: a single ring with the load's moment
   /// and first harmonic.
   std::vector<double> ring_radii;
-  unsigned int n_harmonics = 0; ///< of the load; 0: as many as the contact resolves
+  unsigned int n_harmonics = 0; ///< harmonics of the load; 0: as many as the contact resolves
   /// Moment of the load's friction [N m] as functions of the load on `ring_radii`; empty: none.
   ring::LoadFunctional friction_x;
   ring::LoadFunctional friction_y;

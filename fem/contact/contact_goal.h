@@ -10,13 +10,13 @@ namespace stemware::fem
 {
 
 /// Quantity of interest of a contact, linearised: dJ = of_load(d load) + of_moment' (dM_Nx, dM_Ny) +
-/// of_motion' dq. J has any unit [J].
+/// of_motion' dq. [J] stands for the unit of J.
 struct ContactGoal
 {
-  std::vector<double> ring_radii;                      ///< of the projected load, ascending [m]
+  std::vector<double> ring_radii;                      ///< radii of the projected load, ascending [m]
   ring::LoadFunctional of_load;                        ///< [J rad/N]
   Eigen::Vector2d of_moment = Eigen::Vector2d::Zero(); ///< [J/(N m)]
-  Eigen::Vector3d of_motion = Eigen::Vector3d::Zero(); ///< of the table motions [J/m, J/rad, J/rad]
+  Eigen::Vector3d of_motion = Eigen::Vector3d::Zero(); ///< by the table motions [J/m, J/rad, J/rad]
 };
 
 /// Discretisation error of a quantity of interest of a solved contact, to first order.

@@ -65,9 +65,9 @@ private:
 ContactLoad extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics,
                          const std::vector<double> &ring_radii = {});
 
-/// Returns the minimum of a load given at azimuths, in their order round the rim [N/rad]: the minimum of the
-/// trigonometric interpolant between the neighbours of the lowest value if the azimuths are equidistant, else
-/// of the parabola through these three values; 0 if the lowest value is 0.
+/// Returns the minimum of a load given at azimuths, in their order round the rim [N/rad]. Equidistant
+/// azimuths: minimum of the trigonometric interpolant between the neighbours of the lowest value. Other
+/// azimuths: minimum of the parabola through these three values. 0 if the lowest value is 0.
 double least_load(const std::vector<AzimuthLoad> &pointwise);
 
 /// Returns the number of parts into which TableLaw::load() divides each contact line so that its quadrature
@@ -78,11 +78,11 @@ unsigned int n_line_parts(std::size_t n_rings);
 /// largest.
 std::pair<double, double> loaded_band(const TableLoad &load);
 
-/// Returns the harmonics 0 ... @p n_harmonics of @p forces: a_n = sum f_i cos(n theta_i) / pi (half of that
-/// for a_0), b_n likewise. On rings with @p radii [m], ring j gets f_i l_j(r_i), with the Lagrange
-/// polynomials l_j of the radii. With J rings sum_j r_j^k lambda_j equals the load's radial moment of order
-/// k at every azimuth, k < J; forces outside the radii are extrapolated. Without radii one ring gets the
-/// whole force. @p forces may belong to one of the @p parts of a surface.
+/// Returns the harmonics 0 ... @p n_harmonics of @p forces: a_n = sum f_i cos(n theta_i) / pi, b_n
+/// likewise, a_0 = sum f_i / (2 pi). On rings with @p radii [m], ring j gets f_i l_j(r_i), with the Lagrange
+/// polynomials l_j of the radii. With J rings sum_j r_j^k lambda_j equals the load's radial moment of order k
+/// at every azimuth, k < J; forces outside the radii are extrapolated. Without radii one ring gets the whole
+/// force. The @p forces may belong to one of the @p parts of a surface.
 ///
 /// Leaves extent, minimum and pointwise load empty. Throws std::invalid_argument without a load, or if the
 /// radii are not positive and ascending.

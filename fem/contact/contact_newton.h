@@ -16,7 +16,7 @@ struct ContactIteration
   unsigned int n_loaded = 0;  ///< size of the active set
   unsigned int n_changed = 0; ///< members of the active set that changed in this iteration
   double residual = 0; ///< relative residual: of the body's forces and of the resultants, whichever is larger
-  double step_length = 0; ///< share of the Newton step that was taken
+  double step_length = 0; ///< length of the step over the length of the Newton step
   unsigned int linear_iterations = 0;
 };
 
@@ -26,7 +26,7 @@ struct ContactIteration
 struct ContactStart
 {
   Eigen::Vector3d motion;
-  Eigen::VectorXd normal_displacement;  ///< at the contact nodes [m]
+  Eigen::VectorXd normal_displacement;  ///< values at the contact nodes [m]
   unsigned int n_steps = 0;             ///< Newton steps already taken by a continued solve
   unsigned int n_linear_iterations = 0; ///< linear iterations of those steps
   /// Expected elastic forces of the body [N]; empty: the present forces. The error of an inexact Newton step
@@ -41,9 +41,9 @@ struct ContactControl
   double tolerance = 1e-11;
   /// Tolerance of the body's relative residual. Its rounding floor grows with the mesh.
   double equilibrium_tolerance = 1e-9;
-  /// Final check of the conditions: |sum f - N| / N and the other two over N R.
+  /// Tolerance of the final check: |sum f - N| / N, and the residuals of the two moments over N R.
   double resultant_tolerance = 1e-9;
-  unsigned int max_steps = 100; ///< Newton steps in all
+  unsigned int max_steps = 100; ///< bound of the total number of Newton steps
   /// Residual above which a start is abandoned after six steps (outcome too_many_steps).
   double divergence_residual = std::numeric_limits<double>::infinity();
   /// Disables the line search: for starts close to the solution, and for conditions without an energy.

@@ -25,8 +25,8 @@ struct ContactState
   ContactLoad load;                      ///< in the slip frame
   ContactSolution solution;              ///< slip frame
   std::vector<ContactIteration> history; ///< Newton steps
-  ContactDemand demand;                  ///< that it was solved for
-  ring::Slip slip;                       ///< that it was solved for
+  ContactDemand demand;                  ///< required resultants that the contact has
+  ring::Slip slip;                       ///< slip of the contact
   /// Radii that enclose the load, up to rounding [m].
   double inner_radius = 0;
   double outer_radius = 0;
@@ -49,11 +49,11 @@ struct ContactGuess
 struct FootDescription
 {
   std::string body;                    ///< "revolution", "solid"
-  std::optional<unsigned int> n_cells; ///< of a three-dimensional mesh
-  unsigned int n_unknowns = 0;         ///< of the finite-element system, or displacement harmonics
+  std::optional<unsigned int> n_cells; ///< number of cells of a three-dimensional mesh
+  unsigned int n_unknowns = 0;         ///< unknowns; body of revolution: nodal forces and three motions
   unsigned int n_contact_nodes = 0;
   std::optional<MeshReport> mesh_report; ///< of a mesh file
-  double contact_cell_size = 0; ///< of a three-dimensional mesh: smallest extent of a contact cell [m]
+  double contact_cell_size = 0; ///< smallest extent of a contact cell of a three-dimensional mesh [m]
 };
 
 /// Abilities of a foot, queried instead of its type.
@@ -68,7 +68,7 @@ struct FootCapabilities
   bool is_collective = false;
 };
 
-/// File of a result, in memory.
+/// Result file held in memory.
 struct FieldFile
 {
   std::string name; ///< "contact.vtu"; on several ranks "contact_0.vtu" ... and "contact.pvtu"

@@ -26,7 +26,7 @@ std::vector<std::vector<PressurePoint>> loaded_cuts(const PressureMap &footprint
 /// Largest pressure and width of a footprint with cells.
 struct FootprintMeasures
 {
-  PressurePoint largest; ///< of all points
+  PressurePoint largest; ///< point of largest pressure
   double mean = 0;       ///< mean pressure over the contact [Pa]; NaN without load
   double narrowest = 0;  ///< smallest width of the contact [m]; 0 if a cut has no load
   double widest = 0;

@@ -14,7 +14,7 @@ namespace stemware::fem
 class LinePattern
 {
 public:
-  /// Takes the lines of @p surface, whose nodes and shapes do not change; keeps a reference to it.
+  /// Keeps a reference to @p surface, whose lines must keep their nodes and shapes.
   explicit LinePattern(const ContactSurface &surface);
 
   /// Sets @p tangent to the sparsity pattern of nodes on common lines, with zero entries. @p tangent must be

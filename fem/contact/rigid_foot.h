@@ -6,8 +6,9 @@ namespace stemware::fem
 {
 
 /// Returns L'TQ, the derivative of the conditions L'f with respect to the motions of a table with @p
-/// tangent T under a rigid foot; for a part of the surface, its share. @p modes Q as
-/// ContactSurface::motion_modes(). With L = Q, the stiffness of the table against its three motions.
+/// tangent T under a rigid foot; for one part of a distributed surface, the contribution of the part. @p
+/// modes Q as ContactSurface::motion_modes(). With L = Q, the stiffness of the table against its three
+/// motions.
 Eigen::Matrix3d motion_stiffness(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &weights,
                                  const Eigen::MatrixX3d &modes);
 

@@ -25,8 +25,8 @@ public:
 private:
   struct Visit
   {
-    ActiveSet set;   ///< of this part
-    double residual; ///< of the whole
+    ActiveSet set;   ///< active set of this part
+    double residual; ///< residual of the whole surface
   };
 
   const SurfaceParts &parts;

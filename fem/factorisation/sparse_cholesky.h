@@ -17,7 +17,7 @@ namespace stemware::fem
 /// Lower triangle of a symmetric matrix, column by column.
 using LowerTriangle = Eigen::SparseMatrix<double>;
 
-/// The lower triangle of @p matrix, which is symmetric.
+/// Returns the lower triangle of the symmetric @p matrix.
 LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix);
 
 /// Factors L L' of a sparse symmetric positive definite matrix (CHOLMOD, ordered by approximate minimum
@@ -32,7 +32,7 @@ public:
   explicit SparseCholesky(const dealii::SparseMatrix<double> &matrix);
   ~SparseCholesky();
 
-  /// Solutions for the columns of @p right_hand_sides.
+  /// Returns the solutions for the columns of @p right_hand_sides.
   Eigen::MatrixXd solve(const Eigen::MatrixXd &right_hand_sides) const;
 
 private:
@@ -53,7 +53,7 @@ public:
   /// definite.
   void factorise(const LowerTriangle &matrix);
 
-  /// Solution with the matrix of the last factorise().
+  /// Returns the solution for the matrix of the last factorise().
   Eigen::VectorXd solve(const Eigen::VectorXd &right_hand_side) const;
 
 private:

@@ -25,7 +25,7 @@ struct MeridianResolution
   double focus_growth = 1.75; ///< bound of the cell size: (growth - 1) times the distance from the band
 
   bool has_focus() const { return focus_size > 0; }
-  /// Largest cell at @p distance from the focus [m].
+  /// Returns the bound of the cell size at @p distance from the focus [m].
   double size_at(double distance) const { return std::max(focus_size, (focus_growth - 1) * distance); }
 
   /// Throws std::invalid_argument for inadmissible counts, ratios and lengths.

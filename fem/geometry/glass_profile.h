@@ -20,11 +20,11 @@ enum class GlassShape
 struct Fillet
 {
   double radius = 0;
-  double centre_radius = 0; ///< of the arc's centre, distance from the axis
-  double centre_height = 0; ///< of the arc's centre above the land; there the arc meets the stem
-  double middle_radius = 0; ///< of the point half-way along the arc
+  double centre_radius = 0; ///< distance of the arc's centre from the axis
+  double centre_height = 0; ///< height of the arc's centre, and of the arc's end at the stem, above the land
+  double middle_radius = 0; ///< radius of the point half-way along the arc
   double middle_height = 0;
-  double end_radius = 0; ///< where the arc meets the top of the foot
+  double end_radius = 0; ///< radius at which the arc meets the top of the foot
 };
 
 /// Foot of the glass as a profile of revolution, SI units (m); formulas in docs/method/profile.md.
@@ -33,17 +33,17 @@ struct Fillet
 /// (see gap()), not geometry: a crown of 3 mm rises 0.7 mm at the border of a 4 mm land, where contact never
 /// occurs.
 ///
-/// GlassShape::step: the land is land_height high, the foot (r <= foot_radius) lies foot_thickness thick upon
-/// it, the stem (r <= stem_radius) stands on that.
+/// GlassShape::step: the land is land_height high, the foot (r <= foot_radius) above the land is
+/// foot_thickness thick, and the stem (r <= stem_radius) stands on the foot.
 ///
 /// GlassShape::foot: the underside leaves the land tangentially, rises to underside_rise at the axis and to
 /// land_height at the outer edge. The top is a cone from foot_thickness above the underside at r =
 /// stem_radius to edge_thickness above it at r = foot_radius, rounded into the stem with fillet_radius.
 ///
-/// In both the stem ends stem_height above the top of the foot, at the stem cut.
+/// In both shapes the stem ends stem_height above the top of the foot, at the stem cut.
 ///
 /// GlassShape::profile: underside, top and stem come from `section`, which also gives the outer radius and
-/// the height of the cut; of the lengths only contact_radius, land_width and crown_radius are used. On the
+/// the height of the cut; only the lengths contact_radius, land_width and crown_radius are used. On the
 /// land the underside is lowered to z = 0; beside the land the lowering fades out over half a land width.
 struct GlassProfile
 {
@@ -67,7 +67,7 @@ struct GlassProfile
   double land_inner_radius() const { return contact_radius - land_width / 2; }
   /// Outer border of the land [m].
   double land_outer_radius() const { return contact_radius + land_width / 2; }
-  /// Height of the foot's top at the stem's surface, before rounding [m]; not of a profile.
+  /// Height of the foot's top at the stem's surface, before rounding [m]; undefined for GlassShape::profile.
   double foot_top() const;
   /// Height of the stem cut above the land [m].
   double height() const;
@@ -79,8 +79,8 @@ struct GlassProfile
   /// Height of the lower surface at @p radius <= outer_radius() [m]. The borders of a step's land belong to
   /// the land.
   double underside(double radius) const;
-  /// Height of the upper surface at @p radius <= outer_radius() [m]; above the stem (r < stem_radius) the
-  /// stem cut's.
+  /// Height of the upper surface at @p radius <= outer_radius() [m]; for r < stem_radius the height of the
+  /// stem cut.
   double topside(double radius) const;
   /// Returns the rounding between foot and stem; a point (the corner) for a step or if fillet_radius is 0.
   /// For a profile: the part near 45 degrees between foot and stem, not necessarily an arc (radius 0).

@@ -19,12 +19,12 @@ struct MeshReport
 /// Options of a mesh file: unit of its coordinates, ids of its faces.
 struct MeshFileOptions
 {
-  unsigned int contact_id = 2; ///< of the faces that may touch the table
-  unsigned int stem_id = 1;    ///< of the faces where the stem was cut
+  unsigned int contact_id = 2; ///< id of the faces that may touch the table
+  unsigned int stem_id = 1;    ///< id of the faces of the stem cut
   /// Height above the mesh's lowest point [m] below which downward faces are the contact zone, whatever their
   /// ids; without faces of stem_id the top is the stem cut. 0: ids only.
   double contact_height = 0;
-  double unit = 1; ///< of the coordinates [m]
+  double unit = 1; ///< unit of the coordinates [m]
 };
 
 } // namespace stemware::fem

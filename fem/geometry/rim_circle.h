@@ -14,8 +14,8 @@ struct RimCircle
 {
   double contact_radius = 0; ///< distance of its lowest point from the axis
   double crown_radius = 0;
-  double rms_distance = 0;  ///< of the points from the circle, weighted
-  std::size_t n_points = 0; ///< of the land, each counted once
+  double rms_distance = 0;  ///< rms distance of the points from the circle, weighted
+  std::size_t n_points = 0; ///< points of the land, each counted once
 };
 
 /// Returns the least-squares circle through the points of the underside of @p polyline near its lowest point.

@@ -13,9 +13,9 @@ using SectionPolygon = std::vector<std::array<double, 2>>;
 struct SectionLengths
 {
   double outer_radius = 0;
-  double height = 0;      ///< of the stem's cut
-  double stem_radius = 0; ///< at the stem's cut
-  double thickness = 0;   ///< of the glass at the radius of lengths_of()
+  double height = 0;      ///< height of the stem's cut
+  double stem_radius = 0; ///< radius at the stem's cut
+  double thickness = 0;   ///< thickness of the glass at the radius of lengths_of()
 };
 
 /// Returns the lengths of a section of one or more cells, with the thickness at @p radius [m].

@@ -7,8 +7,8 @@ namespace stemware::fem
 
 /// One harmonic of an out-of-flat rim or table: gap = amplitude * cos n (chi - azimuth) [m], chi in the frame
 /// of the glass or of the ground. At t = 0 chi is counted from the direction that points away from the
-/// orbit's centre. The gap is constant across the rim, except n = 1, which is a tilt and grows with r; its
-/// amplitude is that at the contact radius.
+/// orbit's centre. The gap is constant across the rim, except for n = 1: a tilt, proportional to r, whose
+/// amplitude holds at the contact radius.
 struct WavinessHarmonic
 {
   unsigned int n = 2;

@@ -32,7 +32,7 @@ public:
   /// Computes @p dst = K @p src. Rows and columns of constrained unknowns are those of the identity.
   virtual void vmult(Vector &dst, const Vector &src) const = 0;
 
-  /// The diagonal of K [N/m], 1 for constrained unknowns.
+  /// Computes the diagonal of K [N/m], 1 for constrained unknowns.
   virtual void compute_diagonal(Vector &diagonal) const = 0;
 
   /// Initialises @p vector with the partition of vmult(), ghosts included, and zeros.

@@ -83,10 +83,10 @@ public:
 
 private:
   void find_contact_nodes();
-  /// Nodes at r = 0; none for an annular section.
+  /// Finds the nodes at r = 0; an annular section has none.
   void find_axis();
-  /// Constraints of the clamp, of hanging nodes, and of a single-valued displacement on the axis: n = 0 moves
-  /// along the axis, n = 1 across it (u_theta = -u_r), higher harmonics vanish.
+  /// Returns the constraints of the clamp, of hanging nodes, and of a single-valued displacement on the axis:
+  /// along the axis for n = 0, across the axis for n = 1 (u_theta = -u_r), zero for higher harmonics.
   dealii::AffineConstraints<double> make_constraints(unsigned int harmonic) const;
   /// Entries of K_n with @p constraints eliminated.
   void make_pattern(const dealii::AffineConstraints<double> &constraints,

@@ -26,11 +26,11 @@ public:
   MeridianStiffness(const dealii::Mapping<2> &mapping, const dealii::DoFHandler<2> &dof_handler,
                     const ElasticMaterial &material);
 
-  /// Factors of K_0, K_1 and K_2 in K_n: 1, n and n^2.
+  /// Returns the factors of K_0, K_1 and K_2 in K_n: 1, n and n^2.
   static std::array<double, 3> factors_of(unsigned int harmonic);
 
-  /// Sum of K_0, K_1 and K_2 times @p factors with @p constraints eliminated symmetrically. @p matrix
-  /// comes with its sparsity and is overwritten.
+  /// Assembles the sum of K_0, K_1 and K_2 times @p factors, with @p constraints eliminated symmetrically.
+  /// The entries of @p matrix, whose sparsity pattern must fit, are overwritten.
   void assemble(const std::array<double, 3> &factors, const dealii::AffineConstraints<double> &constraints,
                 dealii::SparseMatrix<double> &matrix) const;
 

@@ -98,12 +98,12 @@ public:
   {
   }
 
-  /// Next word; empty after the last.
+  /// Returns the next word; empty after the last.
   std::string_view next();
 
-  /// Reads a number. Throws UnreadableMesh if the next word is missing or no number.
+  /// Reads a number. Throws UnreadableMesh if the next word is missing or is not a number.
   double number();
-  /// Reads an integer. Throws UnreadableMesh if the next word is missing or no integer.
+  /// Reads an integer. Throws UnreadableMesh if the next word is missing or is not an integer.
   long whole_number();
 
 private:
@@ -114,7 +114,7 @@ private:
 /// ASCII.
 std::string printable(std::string_view text, std::size_t max_length = 30);
 
-/// Returns the number in @p word; std::nullopt if it is none.
+/// Returns the number in @p word; std::nullopt if @p word is not a number.
 std::optional<double> number_in(std::string_view word);
 std::optional<long> whole_number_in(std::string_view word);
 

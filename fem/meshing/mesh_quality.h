@@ -18,24 +18,24 @@ struct MeshCheck
 {
   unsigned int n_cells = 0;
   unsigned int n_vertices = 0;
-  std::map<unsigned int, unsigned int> n_faces; ///< of the surface, by boundary id (FootBoundary)
+  std::map<unsigned int, unsigned int> n_faces; ///< faces of the surface by boundary id (FootBoundary)
   std::array<double, 3> lower = {}, upper = {}; ///< box round all vertices
 
-  double inner_radius = 0, outer_radius = 0; ///< of the contact zone's vertices, from the axis
+  double inner_radius = 0, outer_radius = 0; ///< distances of the contact zone's vertices from the axis
   double lowest = 0, highest = 0;            ///< z of the contact zone's vertices
-  double contact_area = 0;                   ///< of its faces, edges taken as straight [m^2]
-  double upward_share = 0;                   ///< share of that area that faces up, away from the table
-  double sideways_share = 0;                 ///< share of that area that faces neither up nor down
-  unsigned int n_zones = 0;                  ///< parts of the contact zone that share no edge
-  std::array<double, 2> centre = {};         ///< its centre of area in (x, y)
-  std::array<double, 2> rim_centre = {};     ///< of the circle nearest to its outer border
-  double rim_deviation = 0; ///< largest distance of that border from this circle, over its radius
-  double mean_height = 0;   ///< of its faces
+  double contact_area = 0;                   ///< area of the contact faces, edges taken as straight [m^2]
+  double upward_share = 0;                   ///< share of contact_area that faces up, away from the table
+  double sideways_share = 0;                 ///< share of contact_area that faces neither up nor down
+  unsigned int n_zones = 0;                  ///< number of parts of the contact zone without a common edge
+  std::array<double, 2> centre = {};         ///< centroid of the contact zone (x, y)
+  std::array<double, 2> rim_centre = {};     ///< centre of the circle fitted to the outer border
+  double rim_deviation = 0; ///< largest distance of the outer border from this circle, over its radius
+  double mean_height = 0;   ///< of the contact faces
 
   double stem_height = 0;                        ///< mean z of the faces of the stem cut
-  double stem_radius = 0;                        ///< of its vertices, from the axis
+  double stem_radius = 0;                        ///< of the vertices of the stem cut, from the axis
   unsigned int n_disconnected = 0;               ///< cells that are not joined to the stem cut by faces
-  std::array<double, 3> disconnected_place = {}; ///< centre of one of them
+  std::array<double, 3> disconnected_place = {}; ///< centre of one disconnected cell
 
   double min_jacobian = 1; ///< smallest scaled Jacobian of all cells
   double mean_jacobian = 1;

@@ -32,8 +32,9 @@ struct ChartPoint
 /// (docs/method/profile.md, "Mesh").
 ///
 /// In the foot level runs from the underside to the top; under the stem the top is the height of the fillet's
-/// middle. In the stem level runs from there to the cut, and radii stretch with the stem's surface. Smooth
-/// but for the radii where the section itself has a corner or a jump of curvature, and for level 1.
+/// middle. In the stem level runs from there to the cut, and radii stretch with the stem's surface. The
+/// coordinates are smooth except at radii where the section has a corner or a jump of curvature, and at
+/// level 1.
 class ProfileChart
 {
 public:

@@ -67,9 +67,9 @@ private:
   std::shared_ptr<ContactSurface> surface;
   Eigen::MatrixXd state;           ///< forces on the lines, shape [n_radii, n_lines]
   Eigen::MatrixXd displacement;    ///< their elastic response
-  Eigen::MatrixXd increment;       ///< of the forces, by the last solve()
+  Eigen::MatrixXd increment;       ///< increment of the forces in the last solve()
   Eigen::MatrixXd moved;           ///< increment of the displacement
-  LineNewton::Functions functions; ///< of the last solve()
+  LineNewton::Functions functions; ///< functions of the last solve()
 };
 
 } // namespace stemware::fem

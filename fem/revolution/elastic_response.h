@@ -27,7 +27,7 @@ struct ForceModes
 /// one compliance, ContactCompliance::tail: at wave lengths between the width of the contact and the size of
 /// the foot it is the compliance of line contact, where each line responds to its own force only. The sum is
 ///
-///   u_j = D f_j + sum_{n <= n_max} (C_n - C_beyond) f_n cos n(theta - theta_n) ...,  D = C_beyond n_lines /
+///   u_j = D f_j + sum_{n <= n_max} (C_n - C_tail) f_n cos n(theta - theta_n) ...,  D = C_tail n_lines /
 ///   2 pi,
 ///
 /// positive definite on every line for any number of lines. Friction tractions t = s f with the sliding

@@ -40,9 +40,9 @@ struct RevolutionSetup
   /// Penalty that represents a hard interface, over the stiffness of the contact.
   double hardness = 1000;
   double fineness = 1;                   ///< refinement of the cells in the contact, over the default
-  unsigned int halvings_beyond_zone = 0; ///< of the cells beyond zone_half_width()
+  unsigned int halvings_beyond_zone = 0; ///< halvings of the cells beyond zone_half_width()
   double normal_force = 1;       ///< N for which the mesh resolves the contact [N], see resolved_for()
-  double contact_half_width = 0; ///< of a crowned rim under it, expected_half_width() [m]
+  double contact_half_width = 0; ///< expected_half_width() of a crowned rim under normal_force [m]
 
   /// Returns this setup with a meridional mesh that resolves the contact under @p normal_force [N]. If the
   /// elasticity of the bodies shapes the pressure, cells are a sixth of the contact's half-width and a third

@@ -29,7 +29,7 @@ struct SolvedSolidContact
 /// The contact is solved again from the present displacement, on elements of one degree more that are halved
 /// under the load and at re-entrant edges, friction and conditions included: the correction is the change of
 /// the goal. The cells' shares are the residual of the present displacement under the new forces times the
-/// difference of the dual displacement to its interpolant, unknown by unknown; the dual system is taken
+/// difference between the dual displacement and its interpolant, unknown by unknown; the dual system is taken
 /// without friction and with prescribed resultants. Cells are numbered by CellNumbers.
 ///
 /// Both systems are solved by multigrid (MeshHierarchy). Collective. Throws std::invalid_argument if the

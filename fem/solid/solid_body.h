@@ -126,12 +126,12 @@ private:
 
   Vector displacement;
   Vector elastic_forces;                        ///< K u
-  Vector increment;                             ///< of the last solve
+  Vector increment;                             ///< increment of the last solve
   Vector increment_forces;                      ///< K du
   std::array<FloatVector, 3> eliminated_border; ///< W of the last solve that needed it
   bool border_matters = true;                   ///< whether W improves on the inverse of K + B' T B
-  double border_stiffness = 0;                  ///< of the table when that was found [N/m]
-  double residual_before = 0;                   ///< of the last solve [N]; 0: none
+  double border_stiffness = 0; ///< stiffness of the table when border_matters was determined [N/m]
+  double residual_before = 0;  ///< residual before the last solve [N]; 0: none
 };
 
 } // namespace stemware::fem

@@ -53,7 +53,7 @@ struct SolidSetup
   /// mu as a function of |v_rel| / v. Empty: friction_coefficient everywhere.
   std::function<double(double relative_slip)> friction_by_slip;
   SolidOptions options; ///< its straight_edges follow from the mesh
-  double hardness = 1;  ///< of the penalty law of a hard interface, over the default; below 1 for any
+  double hardness = 1;  ///< penalty of a hard interface over the default; below 1 for any
                         ///< interface, over its own stiffness
 };
 
@@ -87,9 +87,10 @@ public:
   std::vector<PointForce> point_forces(const ContactState &state) const override;
   PressureMap pressure_map(const ContactState &state) const override;
   std::vector<FieldFile> fields(const ContactState &state) const override;
-  /// Estimates the error by estimate_mesh_error(). Returns std::nullopt for a hard table on a mesh without a
-  /// hierarchy (nodal multipliers have no counterpart on other elements), and for a contact narrower than two
-  /// cells, which finer elements resolve too little, except beside the right angle of a step's flat land.
+  /// Estimates the error by estimate_mesh_error(). Returns std::nullopt in two cases: a hard table on a mesh
+  /// without a hierarchy (nodal multipliers have no counterpart on other elements), and a contact narrower
+  /// than two cells, which finer elements do not resolve (except beside the right angle of a step's flat
+  /// land).
   std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
                                       bool with_cells) const override;
 

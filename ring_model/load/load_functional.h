@@ -12,8 +12,8 @@ namespace stemware::ring
  */
 struct LoadFunctional
 {
-  std::vector<std::vector<double>> a; ///< of the cosines: [ring][n], n = 0...n_max
-  std::vector<std::vector<double>> b; ///< of the sines, as many; b[ring][0] = 0
+  std::vector<std::vector<double>> a; ///< coefficients of the cosines: [ring][n], n = 0...n_max
+  std::vector<std::vector<double>> b; ///< coefficients of the sines, as many; b[ring][0] = 0
 
   /**
    * Returns the value for @p load. Harmonics missing in the load or in the functional count as 0.

@@ -14,9 +14,9 @@ namespace stemware::ring
  *   lambda_j(theta) = a_{j,0} + sum_{n>=1} (a_{j,n} cos n theta + b_{j,n} sin n theta)   [N/rad],
  *
  * with theta from the direction of sliding, counter-clockwise seen from above (slip frame: x along the
- * motion, y to its left, z up). Their sum lambda(theta) is the load of the whole contact; where this class
- * speaks of the load, a_n, b_n or a value at theta, it means the sum. One ring may be negative somewhere, or
- * altogether; a sum that is negative pulls.
+ * motion, y to its left, z up). Their sum lambda(theta) is the load of the whole contact; "the load", a_n,
+ * b_n and values at theta refer to the sum. The load of one ring may be negative, even everywhere; a negative
+ * sum is tensile.
  *
  *     const RingStack load({ a_0, a_1 }, { 0, b_1 }, radius);   // [N/rad], [m]
  *     load.normal_force();                                      // 2 pi a_0 [N]
@@ -94,8 +94,8 @@ public:
   double minimum() const;
 
   /**
-   * Tension that the table would have to carry, int max(0, -lambda) dtheta [N]; 0 unless minimum() is
-   * negative. The integral is exact between the sign changes, which are polished like minimum().
+   * Returns the tension that the table would have to exert, int max(0, -lambda) dtheta [N]; 0 unless
+   * minimum() is negative. The integral is exact between the sign changes, which are polished like minimum().
    */
   double pulling_force() const;
 

@@ -25,7 +25,7 @@ struct Answer;
 struct Question
 {
   Motion motion;
-  double grip_torque = 0.; ///< of the fingers, against the spin [N m]
+  double grip_torque = 0.; ///< grip of the fingers, against the spin [N m]
   /// Nominal radius R of moment ratios [m]; std::nullopt: the radius of the load's single ring.
   std::optional<double> contact_radius = {};
   double initial_guess = 0.; ///< initial guess of the terminal spin [rad/s]; 0: from the load at rest
@@ -62,8 +62,8 @@ std::string to_string(Status status);
 struct Torques
 {
   Wrench friction = {};    ///< T and tau_z
-  double lean_torque = 0.; ///< of the normal forces on the leaning glass, LeaningLoad::lean_torque() [N m]
-  double grip_torque = 0.; ///< of the fingers; at rest it cancels the other torques up to its limit [N m]
+  double lean_torque = 0.; ///< torque of the normal forces, LeaningLoad::lean_torque() [N m]
+  double grip_torque = 0.; ///< torque of the fingers; at rest it cancels the others up to its limit [N m]
 
   /// Friction, lean and grip torque together: I d omega / dt, zero at a terminal spin [N m].
   double torque() const { return friction.torque + lean_torque + grip_torque; }
@@ -85,7 +85,7 @@ RingState ring_state(const LeaningLoad &load, const Question &question, double o
 struct Fall
 {
   double omega;    ///< the last spin in balance, known to v / (4096 R) [rad/s]
-  RingState state; ///< at that spin
+  RingState state; ///< state at `omega`
 };
 
 /// One instant of a spin-up.
@@ -97,14 +97,14 @@ struct Instant : YawSample
 /// tau_z of friction at each of the sampled phases, in the order of PhaseSampledLoad::phases() [N m].
 struct PhaseTorques
 {
-  std::vector<double> at_rest, at_last_spin; ///< at Answer::last_spin()
+  std::vector<double> at_rest, at_last_spin; ///< torques at rest and at Answer::last_spin()
 };
 
 /// Answer to a Question about a load or its truncation. Quantities that do not exist are std::nullopt or
 /// empty; `status` and `reason` say why.
 struct Answer
 {
-  unsigned int harmonics = 0; ///< that act on the ring
+  unsigned int harmonics = 0; ///< harmonics that act on the ring
 
   std::optional<RingState> at_rest;
   std::optional<TerminalSpin> terminal; ///< if the phase matters the mean spin after the transient
@@ -122,12 +122,12 @@ struct Answer
   std::exception_ptr failure = nullptr; ///< exception behind the reason; nullptr if the glass tips on the way
 
   // Relative to the answer of all harmonics, compared_with_all():
-  std::optional<double> relative_change = {}; ///< of the terminal spin; std::nullopt if the full load's spin
-                                              ///< is 0
+  std::optional<double> relative_change = {}; ///< change of the terminal spin; std::nullopt if the full
+                                              ///< load's spin is 0
   /// A-priori bound on the change of tau_z at the full load's terminal spin [N m].
   std::optional<double> bound = {};
 
-  std::vector<Torques> torques = {}; ///< at Question::spins
+  std::vector<Torques> torques = {}; ///< torques at Question::spins
   /// All spins within 1.5 v / R of rest at which the torques balance, in ascending order, each with its
   /// stability; includes `terminal` and a glass held at rest. Two spins closer together than v / (32 R) may
   /// be missed. The search ends where the load has no balance, and at 1.05 v / R if friction brakes under

@@ -105,8 +105,8 @@ double torque_difference(const LeaningLoad &one, const LeaningLoad &other);
 /// Errors of a sampled load, measured by torque_difference().
 struct SampleError
 {
-  double mean = 0;    ///< of its mean
-  double between = 0; ///< largest between samples
+  double mean = 0;    ///< error of the mean load
+  double between = 0; ///< largest error between samples
 };
 
 /// Load at one spin, or a sum of loads, sampled at phases.

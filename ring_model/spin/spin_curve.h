@@ -31,9 +31,9 @@ struct CurveSource
 /// Tolerance of a curve of a load, over a_0 (RingStack::difference()).
 struct CurveTolerance
 {
-  double wanted = 1e-6;   ///< with up to `usual_samples`
-  double enough = 2e-5;   ///< with up to four times as many
-  double coarsest = 1e-3; ///< with `max_samples`
+  double wanted = 1e-6;   ///< tolerance with up to `usual_samples`
+  double enough = 2e-5;   ///< tolerance with up to four times as many
+  double coarsest = 1e-3; ///< tolerance with `max_samples`
   std::size_t usual_samples = 20;
   std::size_t max_samples = 200;
 };
@@ -81,7 +81,7 @@ private:
     bool kink_at_begin, kink_at_end;
     LoadFunction reference;                   ///< CurveSource::reference
     std::map<double, LeaningLoad> nodes = {}; ///< by coordinate()
-    double estimate = 0;                      ///< of the interpolation error, from its nodes
+    double estimate = 0;                      ///< estimate of the interpolation error, from the nodes
     unsigned int n_harmonics = 0;
     Eigen::MatrixXd rows = {}; ///< LeaningLoad::coefficients() of the nodes minus the reference's
   };
@@ -101,7 +101,7 @@ private:
   std::map<double, LeaningLoad> samples; ///< by x
   std::vector<Piece> pieces;             ///< ascending
   std::vector<double> kinks;
-  std::size_t n_new = 0; ///< of the samples
+  std::size_t n_new = 0; ///< number of new samples
 };
 
 } // namespace stemware::ring

@@ -14,7 +14,7 @@ namespace stemware::pipeline
 struct ChainStep
 {
   unsigned int number = 1;  ///< 1 the paper, 2 the study's moment, 3 its contact, 4 ... more harmonics
-  bool is_addition = false; ///< to the model of that number: 1a, 2a, 3a
+  bool is_addition = false; ///< addition to the model `number`: 1a, 2a, 3a
 
   /// True if the terminal spin comes from the study's contact, not from a closed form.
   bool is_of_contact() const { return number >= 3; }
@@ -71,7 +71,8 @@ struct Budget
   std::vector<WithoutRow> without;
   HarmonicEffect harmonics;
 
-  /// 0, half and all of the study's terminal spin [rad/s]; only 0 if the glass tips on the way.
+  /// Spins of BudgetRow::torques: 0, half and all of the study's terminal spin [rad/s]; only 0 if the glass
+  /// tips on the way.
   std::vector<double> shown_spins = {};
 
   /// tau_z of friction with all harmonics and with the first only, from 0 to 1.2 times the terminal spin or
@@ -79,9 +80,9 @@ struct Budget
   std::vector<double> omega, torque_all, torque_first;
 };
 
-/// Returns @p difference over @p reference; 0 if the difference is rounding. Returns std::nullopt if one is
-/// missing, or if the reference or the sum of both is rounding (below 1e-9 @p spin_scale [rad/s]) or they
-/// have opposite signs.
+/// Returns @p difference over @p reference; 0 if the difference is rounding. Returns std::nullopt if one of
+/// the two is missing, or if the reference or the sum of both is rounding (below 1e-9 @p spin_scale [rad/s])
+/// or they have opposite signs.
 std::optional<double> relative_to(const std::optional<double> &reference,
                                   const std::optional<double> &difference, double spin_scale);
 

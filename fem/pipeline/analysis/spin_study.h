@@ -18,7 +18,7 @@ struct TorqueCurve
   /// Spins from slightly before rest to beyond the terminal spins, or to tipping [rad/s].
   std::vector<double> omega;
   std::vector<double> slip_ratio;      ///< omega R / v
-  std::vector<ring::Wrench> friction;  ///< of all harmonics
+  std::vector<ring::Wrench> friction;  ///< friction with all harmonics
   std::vector<double> lean_torque;     ///< Torques::lean_torque of all harmonics [N m]
   std::vector<double> grip_torque;     ///< Torques::grip_torque of all harmonics [N m]
   std::vector<double> sum;             ///< tau_z, lean and grip torque: I d omega / dt of all harmonics [N m]
@@ -40,8 +40,8 @@ struct DrivenSpinUp
   /// Change of omega if the file's entries are interpolated linearly instead of by the monotone cubic,
   /// estimated with a first harmonic on a rigid rim in balance [rad/s].
   double interpolation_change = 0;               ///< largest absolute change over the times
-  double interpolation_change_at_end = 0;        ///< at the last one
-  std::optional<ring::Breakaway> breakaway = {}; ///< of a hand that starts from rest
+  double interpolation_change_at_end = 0;        ///< change at the last time
+  std::optional<ring::Breakaway> breakaway = {}; ///< breakaway of a hand that starts from rest
 };
 
 /// omega(t) from rest at equally spaced times, each load in its own balance; NaN after tipping.
@@ -70,7 +70,7 @@ struct PhaseStudy
   unsigned int n_glass_phases = 1;   ///< sampled
   unsigned int n_table_phases = 1;
   std::size_t n_spins = 1;        ///< sampled; 1 for a load that does not depend on the spin
-  double interpolation_error = 0; ///< of the load between samples, torque_difference()
+  double interpolation_error = 0; ///< error of the load between samples, torque_difference()
 
   /// Sampled phases: azimuths of the marks [rad], torque at rest and at the mean spin [N m].
   std::vector<ring::Orientation> phases;

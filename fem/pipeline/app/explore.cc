@@ -73,10 +73,10 @@ void add_explore_verb(CLI::App &program, Verb &chosen)
              [options] { explore(*options); });
   options->study.verb = verb->get_name();
   add_study_option(*verb, options->study);
-  verb->add_option("--glass", options->glasses, "A glass to choose in the page; may be repeated")
+  verb->add_option("--glass", options->glasses, "Selectable glass of the page; may be repeated")
     ->type_name("GLASS")
     ->allow_extra_args(false);
-  verb->add_option("--table", options->tables, "A table to choose in the page; may be repeated")
+  verb->add_option("--table", options->tables, "Selectable table of the page; may be repeated")
     ->type_name("TABLE")
     ->allow_extra_args(false);
   verb->add_option("--nodes", options->max_nodes, "Upper bound of the nodes across the rim on hard tables")

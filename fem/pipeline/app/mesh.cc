@@ -48,7 +48,7 @@ void check_options(const MeshOptions &options)
     const std::string extension = fs::path(file).extension();
     if (extension != ".msh" && extension != ".vtu")
       throw BadInput("--write " + shortened_path(file) +
-                     " ends in neither .msh nor .vtu; end it in the format that you want.");
+                     " ends in neither .msh nor .vtu; write a name with one of these endings.");
     on_first_rank([&] { require_writable(file); });
   }
 }

@@ -71,7 +71,7 @@ ring::Breakaway find_breakaway(const Study &study, const std::shared_ptr<Elastic
   {
     return filled(
       "Motion/Orbit speed file = {}: the glass falls over at t = {} s, before the hand's force reaches "
-      "the {} N at which it slides; lead it lower, or reduce the friction.",
+      "the {} N at which it slides; hold the glass lower, or reduce the friction.",
       { shortened_path(study.motion.orbit_speed_file), to_short_text(breakaway.time),
         to_short_text(breakaway.force) });
   };

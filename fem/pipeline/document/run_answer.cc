@@ -185,8 +185,8 @@ std::string thin_layer_remark(const Study &study, double half_width)
   if (study.table.interface != TableInterface::winkler || !(layer > 0) || !(half_width > 0) ||
       half_width >= layer)
     return "";
-  return "Note: the contact is " + number(2 * half_width, "1e3*.2g") + " mm wide, half of it less than the " +
-         number(layer, "1e3*.3g") +
+  return "Note: the contact is " + number(2 * half_width, "1e3*.2g") +
+         " mm wide; its half-width is less than the " + number(layer, "1e3*.3g") +
          " mm of the layer (Table/Layer thickness). A Winkler interface represents a layer only if the "
          "contact is much wider than the layer is thick; use an elastic disc (Table/Substrate = elastic).";
 }

@@ -11,7 +11,8 @@
 
 /// The quantities of summary.json and of all tables, as summary.schema.json declares them: a key, its type,
 /// unit and one sentence there are JSON Schema's; "name", "heading", "label", "digits" and "console_digits"
-/// beside them are those of a Quantity, and "listed" has it stand in lists of the part that it belongs to.
+/// beside them are those of a Quantity, and "listed" marks a Quantity for the list of its part of the
+/// summary.
 namespace stemware::pipeline
 {
 

@@ -9,13 +9,13 @@ extern "C"
   void explore_begin();
   /// Sets the compliance, serialized(), of the foot or of the disc.
   void explore_take(const double *numbers, int is_disc);
-  /// Gives an entry another value.
+  /// Sets the entry @p path to @p value.
   const char *explore_set(const char *path, const char *value);
-  /// Explorer::ready().
+  /// Calls Explorer::ready().
   void explore_ready(double fineness);
   /// Returns all entries: path, unit, allowed values, help, value, whether it is a number.
   const char *explore_entries();
-  /// Explorer::solve(); @p n_harmonics = 0: all.
+  /// Calls Explorer::solve(); @p n_harmonics = 0: all harmonics.
   const char *explore_solve(unsigned int n_harmonics, int cold);
   /// Returns the pressure of the last answer.
   const char *explore_pressure();

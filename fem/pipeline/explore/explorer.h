@@ -104,8 +104,8 @@ private:
   Discretisation discretisation; ///< of the compliances
   bool is_ready = false;
   std::shared_ptr<const fem::ContactCompliance> compliance, disc_compliance;
-  std::shared_ptr<ElasticFoot> foot; ///< of the last answer
-  LoadedRow paper;                   ///< of the last answer
+  std::shared_ptr<ElasticFoot> foot; ///< foot of the last answer
+  LoadedRow paper;                   ///< the paper's row of the last answer
   std::vector<LoadedRow> rows;       ///< rows of the last answer, all harmonics last; empty after follow()
   LivePath path;
   /// Terminal spin of the first n harmonics minus terminal spin of all, in the last answer [rad/s].

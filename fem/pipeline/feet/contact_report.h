@@ -21,7 +21,7 @@ struct FootReport
   /// Contact at the end of the spin-up; std::nullopt if the load does not depend on the spin, and for a
   /// collective foot.
   std::optional<fem::ContactState> at_end = {};
-  fem::PressureMap footprint; ///< at rest
+  fem::PressureMap footprint; ///< pressure at rest
   std::optional<fem::PressureMap> footprint_at_end = {};
   /// Section at rest along the line to the orbit's centre, x > 0 outside; empty if the foot has none.
   std::vector<fem::StressedPatch> stressed_section = {};
@@ -34,7 +34,7 @@ struct FootReport
 /// tipping.
 struct ContactReport
 {
-  LoadReport load; ///< at rest
+  LoadReport load; ///< load at rest
   LoadReport load_at_end;
   std::optional<FootReport> foot;             ///< std::nullopt for a load without a contact
   std::optional<CouplingStatistics> coupling; ///< std::nullopt for a load that does not depend on the spin

@@ -52,7 +52,7 @@ Failure present_failure()
   catch (const std::filesystem::filesystem_error &failure)
   {
     return { failure.path1().string() + " cannot be made, read or written (" + failure.code().message() +
-               "); make room, or choose another folder with --output.",
+               "); free some space, or choose another folder with --output.",
              ExitCode::output_failure };
   }
   catch (const std::bad_alloc &)

@@ -12,9 +12,9 @@ struct StudyOptions
 {
   std::string verb;                   ///< its name, "run"
   std::string study_file;             ///< empty: the default study; "-": standard input
-  std::string output;                 ///< of --output; empty: the default place
+  std::string output;                 ///< folder of --output; empty: the default folder
   std::vector<std::string> overrides; ///< "Section/Entry=value", of --set
-  unsigned int n_threads = 0;         ///< that share the work; 0: as many as there are cores
+  unsigned int n_threads = 0;         ///< threads that share the work; 0: number of cores
   bool quiet = false;                 ///< nothing on the console but failures
   bool json = false;                  ///< standard output holds one JSON object and nothing else
 

@@ -9,10 +9,10 @@ namespace stemware::pipeline
 /// measured factors; accurate to a factor of two or three.
 struct StudySize
 {
-  double cells = 0;    ///< of the mesh, of a file at most; 0 without a contact
-  double unknowns = 0; ///< of the largest linear system
+  double cells = 0;    ///< cells of the mesh (of a file: upper bound); 0 without a contact
+  double unknowns = 0; ///< unknowns of the largest linear system
   double memory = 0;   ///< [byte]
-  double steps = 0;    ///< of the spin-up
+  double steps = 0;    ///< time steps of the spin-up
 };
 
 /// Returns FootResolution::edge_halvings of a solid foot: fem::edge_halvings_for() for a generated mesh, but

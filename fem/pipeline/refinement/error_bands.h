@@ -17,13 +17,13 @@ namespace stemware::pipeline
 /// (docs/method/error_bands.md):
 ///
 ///   mesh            cells twice as large, in the contact where they are smaller there; then also those
-///                   beyond half as large; of a solid foot half as large where no larger ones can be had
+///                   beyond half as large; of a solid foot half as large if larger are not possible
 ///   degree          elements of one degree more (on hard tables both on cells twice as large); of a solid
-///                   foot where they are linear
+///                   foot if they are linear
 ///   harmonics       half the elastic harmonics; not of a solid foot
 ///   lines           four and three times the azimuth lines; nothing in full contact; not of a solid foot
-///   interface       a ten times stiffer spring in the place of a hard interface
-///   load_harmonics  twice the harmonics of the load, half where the lines or cells resolve no more
+///   interface       ten times the penalty of a hard interface
+///   load_harmonics  twice the harmonics of the load, half if the lines or cells resolve no more
 ///   rings           2 n, 2 n + 1 and 4 n of n rings, the largest change; under a solid foot one less, five
 ///                   instead of two; instead of one those of Contact/Rings = 5
 ///   interpolation   loads between sampled phases

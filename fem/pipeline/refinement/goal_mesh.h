@@ -13,7 +13,7 @@ namespace stemware::pipeline
 /// Discretisation error of one number of a study, due to the mesh of a solid foot.
 struct GoalError
 {
-  double value = 0;     ///< of the study
+  double value = 0;     ///< value of the number in the study
   fem::MeshError error; ///< its correction in the unit of the value: rad/s, 1 or N m
 };
 
@@ -33,10 +33,10 @@ std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot,
 /// Value of the goal of a mesh, with its remaining error.
 struct GoalOutcome
 {
-  double value = 0;           ///< of the number: rad/s, 1 or N m
+  double value = 0;           ///< value of the number [rad/s, 1 or N m]
   double estimated_error = 0; ///< estimate of exact minus computed value
   std::size_t n_meshes = 0;
-  std::size_t n_cells = 0; ///< of the last one
+  std::size_t n_cells = 0; ///< cells of the last mesh
 };
 
 /// Mesh for the goal of a study.

@@ -50,7 +50,7 @@ struct SpinNumbers
   double omega_terminal = 0;   ///< [rad/s]
   double time_constant = 0;    ///< [s]
   // Scales of rounding:
-  double radius = 0;      ///< of friction [m]
+  double radius = 0;      ///< radius of friction [m]
   double spin_scale = 0;  ///< [rad/s]
   double slope_noise = 1; ///< relative noise of the time constant over the noise of the torque
 };

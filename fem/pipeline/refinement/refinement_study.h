@@ -34,7 +34,7 @@ struct RefinementAxis
   std::string name; ///< displayed name: "meridional mesh"
   std::string size; ///< unit of the sizes: "halvings of every cell"
   AxisKind kind = AxisKind::cells;
-  std::vector<unsigned int> sizes = {}; ///< of the levels, coarsest first
+  std::vector<unsigned int> sizes = {}; ///< sizes of the levels, coarsest first
   std::vector<Variant> levels = {};
   std::size_t own = 0;                             ///< index of the study's own level
   std::vector<RefinementSequence> quantities = {}; ///< one per quantity, once the levels are solved

@@ -31,17 +31,17 @@ void add_chain(const Study &study, const Budget &budget, Document &document);
 nlohmann::ordered_json shown_truncations(const std::vector<ring::Answer> &rows,
                                          const std::optional<ring::Answer> &one_ring);
 
-/// "truncation" of summary.json, "truncations" of shown_truncations(), and "truncation_change".
+/// Adds "truncation" of summary.json, "truncations" of shown_truncations(), and "truncation_change".
 void add_truncations(const std::vector<ring::Answer> &rows, const std::optional<ring::Answer> &one_ring,
                      Document &document);
 
-/// "bands" and "band_parts".
+/// Adds the tables "bands" and "band_parts".
 void add_bands(const std::vector<BandedQuantity> &bands, Document &document);
 
 // ---- parts of summary.json
 
-/// "load" and "load_at_terminal" of summary.json: a_n and b_n of each ring beside its radius and of their
-/// sum.
+/// Returns "load" or "load_at_terminal" of summary.json: a_n and b_n of each ring beside its radius and of
+/// their sum.
 nlohmann::ordered_json load_summary(const LoadReport &load);
 
 /// Returns quantities of interest with error bands and Richardson values, for display.
@@ -57,27 +57,27 @@ nlohmann::ordered_json band_summary(const std::vector<BandedQuantity> &bands);
 /// several.
 Table load_table(const ring::RingStack &load);
 
-/// Fourier coefficients ring by ring: lambda_j(theta) = a_0 + sum a_n cos(n theta) + b_n sin(n theta); the
-/// load is the sum of the rings.
+/// Returns the table of Fourier coefficients ring by ring: lambda_j(theta) = a_0 + sum a_n cos(n theta) + b_n
+/// sin(n theta); the load is the sum of the rings.
 Table ring_table(const ring::RingStack &load);
 
 /// Returns the Fourier coefficients of a load, summed over its rings, in the format of read_load_file(): ring
 /// radius, then rows n a_n b_n; further columns: amplitude over a_0, direction of the crest.
 std::string load_file_text(const ring::RingStack &load);
 
-/// lambda(theta) at rest at the azimuths of the contact's lines, 0 where they carry none.
+/// Returns the table of lambda(theta) at rest at the azimuths of the contact's lines, 0 on unloaded lines.
 Table pointwise_table(const std::vector<fem::AzimuthLoad> &pointwise);
 
 /// Returns p(r, theta): one row per point, cut by cut.
 Table footprint_table(const fem::PressureMap &footprint);
 
-/// tau_z, T_x and T_y over the spin.
+/// Returns the table of tau_z, T_x and T_y over the spin.
 Table torque_table(const TorqueCurve &curve);
 
-/// omega(t) from rest.
+/// Returns the table of omega(t) from rest.
 Table spin_up_table(const SpinUpCurves &curves);
 
-/// omega(t) from rest with the speeds of Motion/Orbit speed file.
+/// Returns the table of omega(t) from rest with the speeds of Motion/Orbit speed file.
 Table driven_spin_table(const DrivenSpinUp &driven);
 
 /// Returns the torque over the phase (positions of the marks of glass and table in the slip frame).
@@ -86,7 +86,7 @@ Table phase_table(const PhaseStudy &phases);
 /// Returns the answer by number of harmonics, from "truncation" of summary.json.
 Table truncation_table(const nlohmann::ordered_json &truncation);
 
-/// Newton steps of the contact at rest.
+/// Returns the table of the Newton steps of the contact at rest.
 Table history_table(const std::vector<fem::ContactIteration> &history);
 
 } // namespace stemware::pipeline

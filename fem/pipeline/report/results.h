@@ -15,7 +15,7 @@ namespace stemware::pipeline
 struct ResultFile
 {
   std::string name; ///< relative to the results folder; .csv decides for CSV, anything else for a data table
-  std::string description; ///< in the page's list of files; empty: not listed there
+  std::string description; ///< description in the page's list of files; empty: not listed
   /// Table, text, or std::monostate for a file written elsewhere.
   std::variant<std::monostate, Table, std::string> content = {};
 };

@@ -36,8 +36,8 @@ constexpr BodyAbilities abilities(BodyKind body)
 
 enum class FrictionCoupling
 {
-  none,   ///< friction tractions do not act back on the pressure
-  elastic ///< they deform foot and substrate
+  none,   ///< friction tractions do not change the pressure
+  elastic ///< friction tractions deform foot and substrate
 };
 
 /// Units of a mesh file's coordinates [m].
@@ -52,7 +52,7 @@ enum class Goal
   none,
   terminal_spin,
   a2,    ///< a_2 / a_0 at rest
-  torque ///< at half the terminal spin
+  torque ///< tau_z at half the terminal spin
 };
 
 /// Upper bound of the number of rings. Forces also lie outside the band of the J Chebyshev points, where the
@@ -72,13 +72,13 @@ struct ContactSection
   fem::LinearSolver linear_solver = fem::LinearSolver::automatic;
   unsigned int refinements = 0; ///< halvings of every cell
   double land_grading = 3;      ///< size ratio of neighbouring cells across the land of a body of revolution
-  unsigned int harmonics = 16;  ///< of a body of revolution
+  unsigned int harmonics = 16;  ///< elastic harmonics of a body of revolution
   unsigned int azimuth_lines = 128; ///< lines on which the table law of a body of revolution is integrated
   unsigned int rings = 5;           ///< rings that represent the pressure
   unsigned int load_harmonics = 0;  ///< of each ring; 0: as many as the lines resolve and the kernels need
   FrictionCoupling friction_coupling = FrictionCoupling::elastic;
   Goal goal = Goal::none;
-  double goal_tolerance = 1e-5; ///< on the goal's estimated error, relative to its value
+  double goal_tolerance = 1e-5; ///< tolerance of the goal's estimated error, relative to the goal's value
   double memory_limit = 4e9;    ///< estimated memory above which a study is refused [byte]
 
   /// Declares the entries with their facts. A template, to be compiled in one file only.

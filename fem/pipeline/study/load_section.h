@@ -22,7 +22,7 @@ enum class LoadCoupling
   one_way  ///< the load of omega = 0 is kept at every spin
 };
 
-/// Subsection Load: where lambda(theta) comes from.
+/// Subsection Load: source of lambda(theta).
 struct LoadSection
 {
   LoadSource source = LoadSource::contact;

@@ -41,7 +41,7 @@ struct Study
   fem::Resultants required_resultants() const;
 };
 
-/// m = |M_N| / (N R / 2).
+/// Returns the moment ratio m = |M_N| / (N R / 2) of @p load, R = @p contact_radius [m].
 double moment_ratio(const fem::Resultants &load, double contact_radius);
 
 /// Returns a clause for the console: whether friction deforms the foot of a contact, and that this may matter

@@ -229,7 +229,7 @@ void check_values(const Study &study)
   require(
     study.motion.breakaway_friction == 0 || study.motion.breakaway_friction >= motion.friction_coefficient,
     filled("Motion/Breakaway friction = {} is less than Motion/Friction coefficient = {}, with which the "
-           "glass slides; give at least that, or 0 for the same.",
+           "glass slides; give at least the coefficient of sliding, or 0 to use it.",
            { to_text(study.motion.breakaway_friction), to_text(motion.friction_coefficient) }));
   require_conceivable(study);
   require_able_body(study);

@@ -21,8 +21,8 @@ std::pair<std::string, std::string> distinct_texts(double one, double other, int
 /// Returns the finite number @p value rounded to @p n_digits significant digits: 0.3 for 0.30000000000000004.
 double rounded(double value, int n_digits);
 
-/// Returns @p text with the blanks and minus signs of the keyboard in place of those that pages and
-/// spreadsheets print: no-break, figure, thin and narrow no-break space, minus sign and en dash.
+/// Returns @p text with typographic characters replaced by blanks and hyphens of the keyboard: no-break,
+/// figure, thin and narrow no-break space; minus sign and en dash.
 std::string as_typed(std::string text);
 
 /// Parses the whole of @p text as a finite number (as_typed(); leading + and surrounding blanks allowed);
@@ -33,7 +33,7 @@ std::optional<double> parse_number(const std::string &text);
 struct LeadingNumber
 {
   double value = 0;
-  std::size_t length = 0; ///< 0: there is none
+  std::size_t length = 0; ///< 0: no number
 };
 
 /// Returns the leading number of @p text; no blanks and no leading + allowed.

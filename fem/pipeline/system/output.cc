@@ -290,7 +290,7 @@ void ResultsFolder::remove_partial() noexcept
 void ResultsFolder::publish()
 {
   if (const auto name = foreign_name(partial))
-    throw std::logic_error("A verb writes " + *name + ", which is not listed in support/output.cc.");
+    throw std::logic_error("A verb writes " + *name + ", which is not listed in system/output.cc.");
   fs::path whole;
   whole.swap(partial); // from here on it is removed by nobody
   created_parents.clear();

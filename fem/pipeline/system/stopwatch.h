@@ -27,7 +27,7 @@ public:
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  /// Seconds per stage, in order, and "total".
+  /// Returns the seconds per stage, in order, and "total".
   nlohmann::ordered_json times() const
   {
     nlohmann::ordered_json all = seconds;

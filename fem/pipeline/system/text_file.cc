@@ -25,7 +25,8 @@ void write_text_file(const fs::path &file, const std::string &text)
     trouble = errno;
   if (trouble != 0)
     throw OutputFailure(fmt::format(
-      FMT_STRING("The file {} cannot be written ({}); make room, or choose another place with --output."),
+      FMT_STRING(
+        "The file {} cannot be written ({}); free some space, or choose another place with --output."),
       file.filename().string(), std::generic_category().message(trouble)));
 }
 

@@ -22,7 +22,7 @@ void require_regular_file(const std::string &setting, const std::filesystem::pat
 std::string without_byte_order_mark(const std::string &origin, std::string text);
 
 /// Reads the text of a file of at most 16 MB, without a byte order mark. Throws BadInput with one sentence,
-/// which begins with @p setting, for anything that is no such file.
+/// which begins with @p setting, for any other file.
 std::string read_input_text(const std::string &setting, const std::filesystem::path &file);
 
 /// A line of a text file.
