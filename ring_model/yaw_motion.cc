@@ -3,6 +3,7 @@
 #include "ring_model/load/require.h"
 #include "ring_model/no_balance.h"
 
+#include <Eigen/Dense>
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace stemware::ring
@@ -19,95 +21,171 @@ namespace
 /// psi and omega / spin_scale: one accuracy for both.
 using YawState = std::array<double, 2>;
 
-/// A spin that follows its torque so fast that stability would ask an explicit method for very many steps: it
-/// is the spin at which the torque is I d omega / dt, by the inertia's first order.
-class FollowingSpin
+/// Motion of a spin that follows its torque so fast that stability would limit an explicit method to steps of
+/// its time constant. Three-stage Radau IIA collocation: order 5, and without inertia each stage is the zero
+/// of the torque (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.5).
+class StiffMotion
 {
 public:
-  FollowingSpin(const PhasedTorqueFunction &torque, double yaw_inertia, double spin_scale, double time_step)
+  StiffMotion(const PhasedTorqueFunction &torque, double yaw_inertia, double accuracy, double spin_scale)
       : torque(torque)
       , yaw_inertia(yaw_inertia)
-      , spin_step(1e-5 * spin_scale)
-      , time_step(time_step)
+      , accuracy(accuracy)
+      , spin_scale(spin_scale)
   {
   }
 
-  /// Whether the spin next to @p start, followed for @p time [s], is one.
-  bool is_one(const YawSample &start, double time) const
+  /// Whether few steps between the @p n_times outputs until the time @p end [s] after @p start are cheaper
+  /// than explicit steps.
+  bool is_stiff(const YawSample &start, double end, std::size_t n_times) const
   {
-    constexpr double many_time_constants = 1e6;
-    return -slope(start.time, start.yaw_angle, start.omega) / yaw_inertia * time > many_time_constants;
+    // Some 30 torques a step, while explicit steps take two a time constant.
+    constexpr double min_time_constants = 20.;
+    return -slopes(start).spin / yaw_inertia * end > min_time_constants * static_cast<double>(n_times);
   }
 
-  /// The spin at a time and yaw angle, found from @p near.
-  double at(double time, double yaw_angle, double near) const
+  /// Follows the motion from @p state to the time @p end [s]; @p step [s] is the step tried first, and next.
+  YawSample advanced(YawSample state, double end, double &step) const
   {
-    const double omega = balanced(time, yaw_angle, near, slope(time, yaw_angle, near));
-    const double here = slope(time, yaw_angle, omega);
-    const double next = balanced(time + time_step, yaw_angle + omega * time_step, omega, here),
-                 last = balanced(time - time_step, yaw_angle - omega * time_step, omega, here);
-    return omega + yaw_inertia * (next - last) / (2. * time_step) / here;
+    constexpr double safety = 0.9, max_growth = 5., max_shrinkage = 0.2;
+    constexpr unsigned int max_steps = 100000;
+    for (unsigned int n_steps = 0; state.time < end; ++n_steps)
+    {
+      const bool is_last = state.time + 1.01 * step >= end;
+      const double tried = is_last ? end - state.time : step;
+      if (n_steps > max_steps || state.time + tried == state.time)
+        throw NoBalance(
+          sentence("the spin follows its torque with a time constant of ", -yaw_inertia / slopes(state).spin,
+                   " s and was not found beyond t = ", state.time, " s; increase the yaw inertia"));
+      const Slopes slope = slopes(state);
+      const std::optional<YawSample> whole = collocated(state, slope, tried);
+      std::optional<YawSample> halves = collocated(state, slope, tried / 2.);
+      if (halves)
+        halves = collocated(*halves, slope, tried / 2.);
+      const double error = whole && halves ? relative_difference(*whole, *halves) : infinity;
+      const double growth =
+        std::clamp(safety * std::pow(error, -1. / 6.), max_shrinkage, max_growth); // of a local error O(h^6)
+      if (error <= 1.)
+      {
+        state = *halves;
+        if (is_last)
+          state.time = end;
+      }
+      if (!is_last || growth < 1.)
+        step = tried * growth;
+    }
+    return state;
   }
 
 private:
-  double slope(double time, double yaw_angle, double omega) const
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  /// Derivatives of the torque.
+  struct Slopes
   {
-    return (torque(time, yaw_angle, omega + spin_step) - torque(time, yaw_angle, omega - spin_step)) /
-           (2. * spin_step);
+    double angle; ///< by the yaw angle [N m]
+    double spin;  ///< by the spin [N m s]
+  };
+
+  Slopes slopes(const YawSample &at) const
+  {
+    constexpr double angle_step = 1e-5;
+    const double spin_step = 1e-5 * spin_scale;
+    return { (torque(at.time, at.yaw_angle + angle_step, at.omega) -
+              torque(at.time, at.yaw_angle - angle_step, at.omega)) /
+               (2. * angle_step),
+             (torque(at.time, at.yaw_angle, at.omega + spin_step) -
+              torque(at.time, at.yaw_angle, at.omega - spin_step)) /
+               (2. * spin_step) };
   }
 
-  /// Where the torque vanishes, by the secant method; @p torque_slope: an estimate for the first step.
-  double balanced(double time, double yaw_angle, double omega, double torque_slope) const
+  /// Difference of the ends of two steps relative to the requested accuracy.
+  double relative_difference(const YawSample &a, const YawSample &b) const
   {
-    constexpr unsigned int max_steps = 20;
-    double here = torque(time, yaw_angle, omega);
-    for (unsigned int i = 0; i < max_steps; ++i)
+    return std::max(std::abs(a.yaw_angle - b.yaw_angle) / (1. + std::abs(b.yaw_angle)),
+                    std::abs(a.omega - b.omega) / (spin_scale + std::abs(b.omega))) /
+           accuracy;
+  }
+
+  /// The end of one step from @p start; std::nullopt if Newton's method does not converge with the @p slope.
+  std::optional<YawSample> collocated(const YawSample &start, const Slopes &slope, double step) const
+  {
+    static const double root = std::sqrt(6.);
+    static const Eigen::Vector3d nodes((4. - root) / 10., (4. + root) / 10., 1.);
+    static const Eigen::Matrix3d weights = []
     {
-      const double step = -here / torque_slope;
-      omega += step;
-      if (std::abs(step) < 1e-6 * spin_step)
-        return omega;
-      const double next = torque(time, yaw_angle, omega);
-      torque_slope = (next - here) / step;
-      here = next;
+      Eigen::Matrix3d a;
+      a << (88. - 7. * root) / 360., (296. - 169. * root) / 1800., (-2. + 3. * root) / 225., //
+        (296. + 169. * root) / 1800., (88. + 7. * root) / 360., (-2. - 3. * root) / 225.,    //
+        (16. - root) / 36., (16. + root) / 36., 1. / 9.;
+      return a;
+    }();
+    static const Eigen::Matrix3d differences = weights.inverse();
+    constexpr unsigned int max_increments = 12;
+    const Eigen::Matrix3d inertia = yaw_inertia / step * differences;
+    const Eigen::PartialPivLU<Eigen::Matrix3d> newton(inertia - slope.spin * Eigen::Matrix3d::Identity() -
+                                                      slope.angle * step * weights);
+    Eigen::Vector3d spins = Eigen::Vector3d::Constant(start.omega);
+    for (unsigned int n = 0; n < max_increments; ++n)
+    {
+      const Eigen::Vector3d turned = step * (weights * spins);
+      Eigen::Vector3d residual = -inertia * (spins.array() - start.omega).matrix();
+      for (unsigned int i = 0; i < 3; ++i)
+        residual(i) += torque(start.time + nodes(i) * step, start.yaw_angle + turned(i), spins(i));
+      const Eigen::Vector3d increment = newton.solve(residual);
+      spins += increment;
+      if (!spins.allFinite())
+        return std::nullopt;
+      if (increment.lpNorm<Eigen::Infinity>() <= 0.03 * accuracy * spin_scale)
+        return YawSample{ start.time + step, start.yaw_angle + step * weights.row(2).dot(spins), spins(2) };
     }
-    throw NoBalance(
-      sentence("the quasi-steady spin was not found at t = ", time, " s near ", omega, " rad/s"));
+    return std::nullopt;
   }
 
   const PhasedTorqueFunction &torque;
-  const double yaw_inertia;
-  const double spin_step; ///< of differences [rad/s]
-  const double time_step; ///< over which the phase changes little [s]
+  const double yaw_inertia, accuracy, spin_scale;
 };
 
-/// The motion from @p start on, sampled at @p times counted from there: by the
+/// The motion from @p start on, sampled at @p times counted from there: a StiffMotion, or the
 /// Dormand-Prince pair with step control and dense output (Boost.Odeint). The torque is never asked for at
-/// times beyond the last of @p times, but by a FollowingSpin, which @p may_follow allows.
+/// times beyond the last of @p times.
 std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFunction &torque,
                                    double yaw_inertia, const std::vector<double> &times, double accuracy,
-                                   double spin_scale, bool may_follow = false)
+                                   double spin_scale)
 {
   // The error of one step is held a decade below the request: errors of all steps add up, and the
   // interpolation between steps is one order lower than the steps themselves.
-  namespace odeint = boost::numeric::odeint;
-  auto stepper =
-    odeint::make_dense_output(accuracy / 10., accuracy / 10., odeint::runge_kutta_dopri5<YawState>());
+  const double accuracy_of_step = accuracy / 10.;
   const double end = times.empty() ? 0. : times.back();
-  const FollowingSpin following(torque, yaw_inertia, spin_scale, 1e-5 * end);
-  const bool follows = may_follow && following.is_one(start, end);
-  const auto rate_of = [&](const YawState &state, YawState &rate, double time)
-  {
-    rate[0] = (follows ? following.at(start.time + time, state[0], start.omega) : state[1] * spin_scale);
-    rate[1] =
-      follows ? 0. : torque(start.time + std::min(time, end), state[0], rate[0]) / (yaw_inertia * spin_scale);
-  };
-  const double push = std::abs(torque(start.time, start.yaw_angle, start.omega)) / yaw_inertia;
-  const YawState first = { start.yaw_angle, start.omega / spin_scale };
-  stepper.initialize(first, 0., 1e-3 / std::max(push / spin_scale, 1.));
+  const PhasedTorqueFunction until_end = [&](double time, double yaw_angle, double omega)
+  { return torque(start.time + std::min(time, end), yaw_angle, omega); };
+  const double push = std::abs(until_end(0., start.yaw_angle, start.omega)) / yaw_inertia;
+  double first_step = 1e-3 / std::max(push / spin_scale, 1.);
 
   std::vector<YawSample> samples;
   samples.reserve(times.size());
+  const StiffMotion stiff(until_end, yaw_inertia, accuracy_of_step, spin_scale);
+  YawSample now = { 0., start.yaw_angle, start.omega };
+  if (stiff.is_stiff(now, end, times.size()))
+  {
+    for (const double time : times)
+    {
+      now = stiff.advanced(now, time, first_step);
+      samples.push_back({ start.time + time, now.yaw_angle, now.omega });
+    }
+    return samples;
+  }
+
+  namespace odeint = boost::numeric::odeint;
+  auto stepper =
+    odeint::make_dense_output(accuracy_of_step, accuracy_of_step, odeint::runge_kutta_dopri5<YawState>());
+  const auto rate_of = [&](const YawState &state, YawState &rate, double time)
+  {
+    rate[0] = state[1] * spin_scale;
+    rate[1] = until_end(time, state[0], rate[0]) / (yaw_inertia * spin_scale);
+  };
+  const YawState first = { start.yaw_angle, start.omega / spin_scale };
+  stepper.initialize(first, 0., first_step);
   for (const double time : times)
   {
     unsigned int n_steps = 0;
@@ -126,9 +204,7 @@ std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFun
     YawState state = first;
     if (time > 0.)
       stepper.calc_state(time, state);
-    const double omega =
-      follows ? following.at(start.time + time, state[0], start.omega) : state[1] * spin_scale;
-    samples.push_back({ start.time + time, state[0], omega });
+    samples.push_back({ start.time + time, state[0], state[1] * spin_scale });
   }
   return samples;
 }
@@ -222,7 +298,7 @@ LongTimeSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inert
     for (unsigned int i = 0; i < n_windows; ++i)
     {
       const std::vector<YawSample> samples =
-        motion_from(state, torque, yaw_inertia, times, accuracy / 10., spin_scale, true);
+        motion_from(state, torque, yaw_inertia, times, accuracy / 10., spin_scale);
       state = samples.back();
       spin.mean = smooth_mean(samples);
       spin.ripple = half_range(samples);

@@ -19,7 +19,8 @@ struct YawSample
 
 /**
  * Integrates I_z d omega/dt = tau_z(t, psi, omega), d psi/dt = omega from psi = 0 at t = 0 by the
- * Dormand-Prince pair with step control and dense output (Boost.Odeint), sampled at @p times.
+ * Dormand-Prince pair with step control and dense output (Boost.Odeint), sampled at @p times; by an implicit
+ * method (Radau IIA) if the time constant is far below the time between outputs.
  *
  * @param times    Output times [s], increasing, the first one >= 0.
  * @param accuracy Requested accuracy of psi in radians and of omega relative to @p spin_scale; relative to

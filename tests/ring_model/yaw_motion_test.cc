@@ -127,6 +127,36 @@ TEST(YawMotion, FollowsAForcedLinearRing)
   EXPECT_NEAR(spin.ripple, force / std::hypot(damping, inertia * nu), 1e-7);
 }
 
+TEST(YawMotion, FollowsAStiffForcedRingThroughItsTransient)
+{
+  // The same closed form with time constants of 1e-5 to 1e-12 s between outputs of 0.1 s: the limit is the
+  // zero of the torque at each time. The yaw angle is its integral from rest.
+  const double damping = 1.2e-3, drive = -3.6, force = 4e-4, nu = 4.6;
+  unsigned int n_torques = 0;
+  const auto torque = [&](double time, double, double omega)
+  {
+    ++n_torques;
+    return -damping * (omega - drive) + force * std::cos(nu * time);
+  };
+  for (const double stiff_inertia : { 1e-8, 1e-11, 1e-15 })
+  {
+    n_torques = 0;
+    const double rate = damping / stiff_inertia, amplitude = force / stiff_inertia / (rate * rate + nu * nu);
+    for (const YawSample &sample :
+         yaw_motion(torque, stiff_inertia, 0., { 2e-6, 2e-5, 0.1, 0.7, 2. }, 1e-10, 10.))
+    {
+      const double time = sample.time, decay = std::exp(-rate * time), cosine = std::cos(nu * time),
+                   sine = std::sin(nu * time);
+      const double omega = drive * (1. - decay) + amplitude * (rate * cosine + nu * sine - rate * decay);
+      const double angle =
+        drive * (time - (1. - decay) / rate) + amplitude * (rate / nu * sine + 1. - cosine - (1. - decay));
+      EXPECT_NEAR(sample.omega, omega, 1e-9) << stiff_inertia << " at " << time;
+      EXPECT_NEAR(sample.yaw_angle, angle, 1e-9) << stiff_inertia << " at " << time;
+    }
+    EXPECT_LT(n_torques, 20000u) << stiff_inertia;
+  }
+}
+
 TEST(YawMotion, AgreesWithFixedSteps)
 {
   const MarkedRing ring;
@@ -183,7 +213,7 @@ TEST(LongTimeSpin, WalksWithLongStepsWhereTheSpinFollowsItsTorque)
   const double lag = ring.orbit - ring.drive, swing = ring.bump / ring.damping;
   EXPECT_NEAR(spin.mean, ring.orbit - std::sqrt(lag * lag - swing * swing), 1e-8);
   EXPECT_NEAR(spin.ripple, swing, 1e-5);
-  EXPECT_LT(n_torques, 2000000u);
+  EXPECT_LT(n_torques, 1500000u);
 }
 
 TEST(LongTimeSpin, LagsBehindABalanceWhoseDampingChanges)
@@ -197,6 +227,20 @@ TEST(LongTimeSpin, LagsBehindABalanceWhoseDampingChanges)
   ring.inertia /= 2.;
   EXPECT_GT(std::abs(spin_by_angle(ring, 2, 200000)[0] - mean), 1e-6);
   EXPECT_NEAR(spin.mean, mean, 5e-9);
+}
+
+TEST(LongTimeSpin, IsTheSameForAStiffAndASlowSpin)
+{
+  // The windows hold 2e4 to 6e5 time constants: below 4e4 explicit steps, above them implicit ones.
+  MarkedRing ring;
+  for (const double stiff_inertia : { 1.5e-6, 6e-7, 5e-8 })
+  {
+    ring.inertia = stiff_inertia;
+    const LongTimeSpin spin = long_time_spin(ring, ring.inertia, 0., 25., 1e-9, 10.);
+    const auto [mean, ripple] = spin_by_angle(ring, 2, 100000);
+    EXPECT_NEAR(spin.mean, mean, 1e-8) << stiff_inertia;
+    EXPECT_NEAR(spin.ripple, ripple, 1e-5) << stiff_inertia;
+  }
 }
 
 TEST(LongTimeSpin, IsTakenOverWholeWindows)
