@@ -136,6 +136,23 @@ TEST(Derivatives, BorderIsThatOfTheConditions)
   EXPECT_LT((border * increment + residual).norm(), 1e-10 * residual.norm());
 }
 
+// Reference: the two ends of the scale, the normal force alone and the whole balance. All parts are linear.
+TEST(Derivatives, ConditionsScaleWithTheMoment)
+{
+  const LeaningRim rim;
+  const LinearConditions whole = conditions_of(rim.surface, friction_and_tilt()),
+                         none = prescribed_resultants(rim.surface, { weight, 0, 0 });
+  const Eigen::VectorXd forces = Eigen::VectorXd::LinSpaced(rim.surface.n_nodes(), 0.1, 0.3);
+  const Eigen::Vector3d motion(1e-6, 2e-4, -1e-4);
+  for (const double share : { 0., 0.3, 1. })
+  {
+    const Eigen::Vector3d expected =
+      (1 - share) * none.residual(forces, motion) + share * whole.residual(forces, motion);
+    const Eigen::Vector3d residual = whole.with_scaled_moment(rim.surface, share).residual(forces, motion);
+    EXPECT_LT((residual - expected).norm(), 1e-14 * expected.norm()) << share;
+  }
+}
+
 // Reference: the balance of moments written out with the load's own rings, their friction and the lean of the
 // weight. It is linear in the forces and the motions, so the conditions meet it at every state.
 TEST(Derivatives, ConditionsAreTheBalanceOfMoments)
