@@ -403,6 +403,29 @@ std::string drawn(const fs::path &report, const std::string &name, const fs::pat
   return text.substr(first, last + end.size() - first) + "\n";
 }
 
+/// Heights of the marks of a picture, in the order of its text [px]: end points of lines, circles, bars.
+/// Widths depend on the fonts of the machine, heights do not.
+std::vector<double> heights_of(const std::string &svg)
+{
+  static const std::regex mark("[ML]-?[0-9.]+[ ,](-?[0-9.]+)|V(-?[0-9.]+)|(?:cy|height)=\"([0-9.]+)\"");
+  std::vector<double> heights;
+  for (std::sregex_iterator found(svg.begin(), svg.end(), mark), end; found != end; ++found)
+    for (std::size_t group = 1; group < found->size(); ++group)
+      if ((*found)[group].matched)
+        heights.push_back(std::stod((*found)[group]));
+  return heights;
+}
+
+/// Whether the picture @p now, drawn from today's results, has the data of the one beside the page.
+bool shows_its_data(const fs::path &page_file, const std::string &now)
+{
+  constexpr double tolerance = 0.5; // of some 220 px between the frame's lower and upper side
+  const std::vector<double> before = heights_of(read_file(page_file)), after = heights_of(now);
+  return !before.empty() &&
+         std::equal(before.begin(), before.end(), after.begin(), after.end(),
+                    [](double one, double other) { return std::abs(one - other) <= tolerance; });
+}
+
 int work_on(const std::vector<std::string> &arguments, bool only_check)
 {
   const fs::path source = arguments[1], work = arguments[2];
@@ -418,15 +441,23 @@ int work_on(const std::vector<std::string> &arguments, bool only_check)
     if (!only_check && after != before)
       std::ofstream(page, std::ios::binary) << after;
   }
-  if (!only_check)
-    for (const Picture &picture : list.pictures)
+  for (const Picture &picture : list.pictures)
+  {
+    const fs::path page_file = source / picture.page_file;
+    const std::string now = drawn(results.folder(picture.study) / "report.html", picture.name, work);
+    if (!only_check)
     {
-      fs::create_directories((source / picture.page_file).parent_path());
-      std::ofstream(source / picture.page_file, std::ios::binary)
-        << drawn(results.folder(picture.study) / "report.html", picture.name, work);
+      fs::create_directories(page_file.parent_path());
+      std::ofstream(page_file, std::ios::binary) << now;
     }
-  std::cout << n_numbers << " numbers, " << n_drifted << (only_check ? " drifted" : " rewritten")
-            << std::endl;
+    else if (!shows_its_data(page_file, now))
+    {
+      std::cout << picture.page_file << " shows other data than the report of " << picture.study << std::endl;
+      ++n_drifted;
+    }
+  }
+  std::cout << n_numbers << " numbers, " << list.pictures.size() << " pictures, " << n_drifted
+            << (only_check ? " drifted" : " rewritten") << std::endl;
   if (n_numbers == 0)
     throw std::runtime_error("no page shows a number: the markers are gone.");
   return only_check && n_drifted > 0 ? 1 : 0;

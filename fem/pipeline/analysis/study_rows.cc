@@ -27,6 +27,16 @@ std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Dep
   return truncation_orders(n_all);
 }
 
+/// Share of the time of a study in which its answer is found. Of 200 random studies (seeds 71 and 72 of
+/// random_studies) it was 0.10 to 0.34; 0.5 to 0.7 for solid feet with one contact at all spins.
+double share_of_answer(const Study &study, Depth depth)
+{
+  if (depth != Depth::full)
+    return 0.6;
+  const bool has_one_contact = !varies_with_spin(study) && !study.has_waviness();
+  return has_one_contact && is_collective(study) ? 0.6 : 0.17;
+}
+
 /// The load of @p variant on its @p foot, whose terminal spin is believed to be where @p asked has it.
 SharedLoad load_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
                    const ring::Question &asked)
@@ -183,8 +193,7 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
   const std::vector<unsigned int> orders = row_orders(study, load.n_harmonics(), depth);
   question.with_slope = true;
   LoadedRow whole = { {}, ring::answer(load, question).value(), load.shared_from_this() };
-  // Rows, curves and bands take about twice as long as the answer itself, the curves alone about as long.
-  progress.share_done(depth == Depth::full ? 0.3 : 0.6);
+  progress.share_done(share_of_answer(study, depth));
   question.with_slope = false;
   question.near = whole.row.zero_guess();
   if (whole.row.fall) // as far as the models with fewer harmonics, or without an effect, are known to stand
