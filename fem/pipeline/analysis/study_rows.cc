@@ -163,12 +163,6 @@ std::vector<double> friction_torques(const ring::Answer &answer)
   return torques;
 }
 
-std::vector<double> budget_spins(const ring::Answer &all)
-{
-  const std::optional<double> terminal = all.omega_terminal();
-  return terminal ? std::vector<double>{ 0, *terminal / 2, *terminal } : std::vector<double>{ 0 };
-}
-
 ring::Answer failed_row(const std::exception_ptr &failure)
 {
   try
@@ -191,9 +185,10 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
                             Progress &progress, Depth depth, const std::vector<Variant> &others)
 {
   const std::vector<unsigned int> orders = row_orders(study, load.n_harmonics(), depth);
+  const double share = share_of_answer(study, depth);
   question.with_slope = true;
   LoadedRow whole = { {}, ring::answer(load, question).value(), load.shared_from_this() };
-  progress.share_done(share_of_answer(study, depth));
+  progress.share_done(share);
   question.with_slope = false;
   question.near = whole.row.zero_guess();
   if (whole.row.fall) // as far as the models with fewer harmonics, or without an effect, are known to stand
@@ -210,19 +205,22 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
     (has_own_balance ? fewer.on_same_foot : fewer.on_same_load) = true;
   }
   variants.insert(variants.end(), others.begin(), others.end());
+  StudyRows rows;
   if (depth == Depth::full)
   {
-    ring::Question at_budget_spins = question;
-    at_budget_spins.known = &whole.row;
-    question.spins = at_budget_spins.spins = budget_spins(whole.row);
-    whole.row = ring::answer(load, at_budget_spins);
+    ring::Question with_torques = question;
+    with_torques.known = &whole.row;
+    rows.torque_spins = { 0 };
+    if (const std::optional<double> terminal = whole.row.omega_terminal())
+      rows.torque_spins = { 0, *terminal / 2, *terminal };
+    question.spins = with_torques.spins = rows.torque_spins;
+    whole.row = ring::answer(load, with_torques);
     if (whole.row.at_terminal) // with phases the terminal spin is a mean, at which torques do not vanish
       whole.row.torques.back() = *whole.row.at_terminal;
   }
   std::vector<LoadedRow> solved =
     solve_rows(variants, foot, question, executor, progress, "models", whole.load);
   const auto first_other = solved.begin() + static_cast<std::ptrdiff_t>(orders.size()) - 1;
-  StudyRows rows;
   rows.by_harmonics.assign(std::make_move_iterator(solved.begin()), std::make_move_iterator(first_other));
   rows.others.assign(std::make_move_iterator(first_other), std::make_move_iterator(solved.end()));
   rows.by_harmonics.push_back(whole);

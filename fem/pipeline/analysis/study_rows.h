@@ -25,6 +25,9 @@ struct StudyRows
 {
   std::vector<LoadedRow> by_harmonics; ///< all harmonics last
   std::vector<LoadedRow> others;       ///< further variants
+  /// Spins of the torques of the chain's rows: 0, half and all of the terminal spin, or 0 if the glass tips
+  /// on the way [rad/s]; empty unless asked for with Depth::full.
+  std::vector<double> torque_spins = {};
 };
 
 /// v / R with the contact radius of the study's glass [rad/s].
@@ -68,10 +71,6 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
 /// Returns tau_z of friction of @p answer at the spins of its question [N m].
 std::vector<double> friction_torques(const ring::Answer &answer);
 
-/// Returns the spins of torques in the budget: 0, half and all of the terminal spin of @p all [rad/s]; only 0
-/// if the glass tips on the way.
-std::vector<double> budget_spins(const ring::Answer &all);
-
 /// Returns the row of a variant whose load failed with @p failure.
 ring::Answer failed_row(const std::exception_ptr &failure);
 
@@ -82,9 +81,9 @@ std::vector<unsigned int> truncation_orders(unsigned int n_all);
 /// Returns the answer for 1, 2, 3, 4, 6, 8, 12, ... and all harmonics, last row: @p load, find_load() of @p
 /// foot. The others have their own balance if the load is two-way, else the truncated load; each is compared
 /// with the last row. A solid body in balance, whose balances take minutes, and Depth::answer have the rows 1
-/// and all only; Depth::full adds torques at budget_spins(). Throws as @p load, and if all harmonics have no
-/// answer; if the glass tips on the way, the last row has a `fall` and nothing is compared with it. @p others
-/// are solved beside the rows, so that no thread waits for the slowest row.
+/// and all only; Depth::full adds torques at StudyRows::torque_spins. Throws as @p load, and if all harmonics
+/// have no answer; if the glass tips on the way, the last row has a `fall` and nothing is compared with it.
+/// @p others are solved beside the rows, so that no thread waits for the slowest row.
 StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                             const ring::LoadAtSpin &load, ring::Question question, const Executor &executor,
                             Progress &progress = silent_progress(), Depth depth = Depth::full,

@@ -346,9 +346,10 @@ SharedLoad load_from_file(const LoadSection &section, unsigned int n_harmonics)
   const ring::RingStack &load = *section.from_file;
   const double ratio = load.moment_ratio(load.radius());
   const auto [given, limit] = distinct_texts(ratio, 2);
-  require(ratio < 2, "The load of " + shortened_path(section.file) +
-                       " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " + given + ", but a ring tips at " +
-                       limit + "; give smaller a_1, b_1.");
+  const std::string sentence = "The load of " + shortened_path(section.file) +
+                               " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " + given +
+                               ", but a ring tips at " + limit + "; give smaller a_1, b_1.";
+  require(ratio < 2, sentence);
   return std::make_shared<GivenLoad>(report_of(load), n_harmonics);
 }
 
