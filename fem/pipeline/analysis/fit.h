@@ -76,6 +76,13 @@ struct NextRun
   double spread_now = 0, spread_then = 0; ///< of the combination that is known worst, relative
 };
 
+/// Sentence with the values in it, for faces that have the sentence of the key in another language.
+struct FitSentence
+{
+  std::string key, text;
+  std::vector<std::string> values;
+};
+
 /// Fit of measured runs.
 struct FitResult
 {
@@ -87,7 +94,7 @@ struct FitResult
   double chi_square = 0;       ///< residuals over their noise, priors included
   double n_free_points = 0;    ///< points without the fitted numbers
   std::optional<NextRun> next_run = {};
-  std::vector<std::string> sentences = {}; ///< what the data do not determine, and what the errors leave out
+  std::vector<FitSentence> sentences = {}; ///< what the data do not determine, and what the errors leave out
 };
 
 /// Fits @p question.free to @p runs: Levenberg-Marquardt on spins or yaw angles of a spin-up from rest, of

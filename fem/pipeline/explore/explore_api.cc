@@ -2,15 +2,20 @@
 
 #include "fem/contact/contact_solution.h"
 #include "fem/contact/footprint.h"
+#include "fem/pipeline/analysis/free_entries.h"
 #include "fem/pipeline/explore/explorer.h"
+#include "fem/pipeline/pictures/fit_pictures.h"
 #include "fem/pipeline/pictures/pictures.h"
+#include "fem/pipeline/study/measured_run.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "ring_model/no_balance.h"
 
 #include <cmath>
 #include <memory>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace stemware::pipeline
 {
@@ -23,6 +28,11 @@ std::optional<fem::ContactState> last_contact;                     // NOLINT
 std::string reply;                                                 // NOLINT: what the page reads
 
 using Json = nlohmann::ordered_json;
+
+MeasuredRun measured_run(const char *name, const char *table)
+{
+  return parse_measured_run(name, table, explorer->study().motion.measured_column);
+}
 
 /// A number, or null.
 Json number(const std::optional<double> &value)
@@ -244,5 +254,40 @@ const char *explore_budget()
       return document_of(pictures, { { "harmonic_effect",
                                        { { "absolute", number(budget.harmonics.absolute) },
                                          { "relative", number(budget.harmonics.relative) } } } });
+    });
+}
+
+const char *explore_measured(const char *name, const char *table)
+{
+  return answer(
+    [&]
+    {
+      const MeasuredRun run = measured_run(name, table);
+      std::vector<double> times, spins;
+      for (const MeasuredSpin &spin : spins_of(run))
+      {
+        times.push_back(spin.time);
+        spins.push_back(spin.omega);
+      }
+      Pictures pictures;
+      pictures.words["data"] = run.summary;
+      pictures.add_columns("measured", { { "time", times }, { "omega", spins } });
+      return document_of(pictures);
+    });
+}
+
+const char *explore_fit(const char *name, const char *table, const char *free)
+{
+  return answer(
+    [&]
+    {
+      std::vector<FreeEntry> entries;
+      std::istringstream lines(free);
+      for (std::string line; std::getline(lines, line);)
+        entries.push_back(parse_free_entry(line));
+      const FitResult found = explorer->fit(name, measured_run(name, table), entries);
+      Pictures pictures;
+      add_fit_columns(found, pictures);
+      return document_of(pictures, { { "fit", fit_summary(found) } });
     });
 }

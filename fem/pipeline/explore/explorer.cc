@@ -107,6 +107,12 @@ Executor Explorer::executor() const
                          const fem::Foot *) { return make_foot(asked, mesh, model); });
 }
 
+void Explorer::require_mesh() const
+{
+  require(mesh_match() != MeshMatch::none,
+          "The mesh of this page does not resolve the width of this contact; use `stemware run`.");
+}
+
 LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
 {
   const std::shared_ptr<ElasticFoot> last = std::exchange(foot, nullptr);
@@ -114,9 +120,8 @@ LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
   check_values(present);
   require_no_tipping(present);
   LiveAnswer answer;
+  require_mesh();
   answer.match = mesh_match();
-  require(answer.match != MeshMatch::none,
-          "The mesh of this page does not resolve the width of this contact; use `stemware run`.");
   const bool from_last = !cold && last && last->has_rings();
   if (!from_last || !follow(*last, n_harmonics, answer))
     solve_cold(from_last ? last.get() : nullptr, n_harmonics, answer);
@@ -227,6 +232,21 @@ LiveBudget Explorer::budget()
   return { assess_chain(present, solved),
            harmonic_effect(solved.by_harmonics.front().row.omega_terminal(),
                            solved.by_harmonics.back().row.omega_terminal(), spin_scale(present)) };
+}
+
+FitResult Explorer::fit(const std::string &name, const MeasuredRun &data,
+                        const std::vector<FreeEntry> &free) const
+{
+  check_values(present);
+  require_no_tipping(present);
+  require_mesh();
+  FitQuestion question;
+  question.free = free;
+  question.with_profiles = question.with_next_run = false;
+  // The mesh is that of the compliances, whatever a study alone would have.
+  const Executor on_this_mesh([this](const Study &asked, const Discretisation &, const Model &model,
+                                     const fem::Foot *) { return make_foot(asked, discretisation, model); });
+  return pipeline::fit({ { name, present, data } }, question, on_this_mesh);
 }
 
 std::vector<double> serialized(const fem::ContactCompliance &compliance)

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/fit.h"
+#include "fem/pipeline/analysis/free_entries.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/explore/live_path.h"
+#include "fem/pipeline/study/measured_run.h"
 #include "fem/revolution/contact_compliance.h"
 
 #include <memory>
@@ -84,6 +87,10 @@ public:
   /// Returns the chain of models from the paper's model to the last answer's.
   LiveBudget budget();
 
+  /// Fits @p free to @p data with fit(), by the data's noise alone: without profiles and next run. Throws
+  /// BadInput for a rejected study or run, and as balances.
+  FitResult fit(const std::string &name, const MeasuredRun &data, const std::vector<FreeEntry> &free) const;
+
   /// Returns the pressure of @p contact, the contact of the last answer.
   fem::PressureMap pressure(const fem::ContactState &contact) const
   {
@@ -94,6 +101,7 @@ private:
   std::shared_ptr<fem::Foot> make_foot(const Study &study, const Discretisation &discretisation,
                                        const Model &model) const;
   Executor executor() const;
+  void require_mesh() const;
   /// Solves @p answer from the previous balances on the rings of @p last; returns whether that converged.
   /// Leaves no curve and no budget.
   bool follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAnswer &answer);

@@ -1,6 +1,7 @@
 #include "fem/pipeline/report/fit_results.h"
 
 #include "fem/pipeline/document/study_words.h"
+#include "fem/pipeline/pictures/fit_pictures.h"
 
 #include <boost/algorithm/string/join.hpp>
 
@@ -13,60 +14,6 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
-
-Json ends_of(const FittedRange &range)
-{
-  return { finite_or_null(range.lower), finite_or_null(range.upper) };
-}
-
-Json ends_of(const std::optional<FittedRange> &range)
-{
-  return range ? ends_of(*range) : Json(nullptr);
-}
-
-Json entry_summary(const FittedEntry &entry)
-{
-  return { { "entry", entry.path },
-           { "unit", entry.unit },
-           { "value", entry.value },
-           { "spread", entry.spread },
-           { "range_68", ends_of(entry.range_68) },
-           { "range_95", ends_of(entry.range_95) },
-           { "profile_68", ends_of(entry.profile_68) },
-           { "profile_95", ends_of(entry.profile_95) },
-           { "band", entry.band },
-           { "per_percent", entry.per_percent },
-           { "determined", entry.is_determined } };
-}
-
-Json run_summary(const FittedRun &run)
-{
-  Json json = { { "name", run.name },
-                { "measured", run.is_angle ? "angle" : "spin" },
-                { "points", run.times.size() } };
-  json.update(STEMWARE_JSON(run, start, start_spread, zero, zero_spread, noise, autocorrelation));
-  return json;
-}
-
-Json summary_of_fit(const FitResult &found)
-{
-  Json summary = { { "entries", Json::array() },
-                   { "correlation", Json::array() },
-                   { "runs", Json::array() } };
-  for (const FittedEntry &entry : found.entries)
-    summary["entries"].push_back(entry_summary(entry));
-  for (const auto &row : found.correlation.rowwise())
-    summary["correlation"].push_back(std::vector<double>(row.begin(), row.end()));
-  for (const FittedRun &run : found.runs)
-    summary["runs"].push_back(run_summary(run));
-  summary["chi_square"] = found.chi_square;
-  summary["free_points"] = found.n_free_points;
-  summary["next_run"] =
-    to_json_or_null(found.next_run, [](const NextRun &next)
-                    { return STEMWARE_JSON(next, entry, value, spread_now, spread_then); });
-  summary["sentences"] = found.sentences;
-  return summary;
-}
 
 std::string answer_of(const FitResult &found)
 {
@@ -86,7 +33,7 @@ std::string answer_of(const FitResult &found)
 Results tabulate_fit(const FitResult &found)
 {
   Results results;
-  Json &summary = results.findings.summary["fit"] = summary_of_fit(found);
+  Json &summary = results.findings.summary["fit"] = fit_summary(found);
   for (const FittedEntry &entry : found.entries)
     results.findings.key_figures[entry.path] = { entry.value, entry.spread };
   std::vector<double> number, time, measured, fitted;
@@ -97,8 +44,6 @@ Results tabulate_fit(const FitResult &found)
     time.insert(time.end(), run.times.begin(), run.times.end());
     measured.insert(measured.end(), run.measured.begin(), run.measured.end());
     fitted.insert(fitted.end(), run.fitted.begin(), run.fitted.end());
-    results.add_columns("fit_of_run_" + std::to_string(r + 1),
-                        { { "time", run.times }, { "measured", run.measured }, { "fitted", run.fitted } });
   }
   const std::string unit = "rad/s or rad";
   const Table points = { "",
@@ -107,9 +52,10 @@ Results tabulate_fit(const FitResult &found)
   results.words = { { "title", title_of(found.study) + ": fit of measured runs" },
                     { "inputs", inputs_of(found.study) },
                     { "answer", answer_of(found) },
-                    { "remarks", found.sentences },
+                    { "remarks", summary["sentences"] },
                     { "sketch", sketch_labels(found.study) },
                     { "glasses", Json::array() } };
+  add_fit_columns(found, results);
   results.entries = all_entries(found.study);
   results.add_rows("study_differences", changed_entries(found.study));
   const std::string entries = "entry value spread per_percent band unit",
@@ -121,8 +67,8 @@ Results tabulate_fit(const FitResult &found)
                     { "fit.csv", "measured and fitted points", points },
                     { "timings.json", "how long it took" } };
   results.console = { { results.words["answer"] }, { "", table_of(summary["entries"], entries, "fit") } };
-  for (const std::string &sentence : found.sentences)
-    results.console.push_back({ sentence });
+  for (const FitSentence &sentence : found.sentences)
+    results.console.push_back({ sentence.text });
   return results;
 }
 

@@ -27,14 +27,14 @@ function read(at) {
   return JSON.parse(new TextDecoder().decode(memory.subarray(at, memory.indexOf(0, at))));
 }
 
-function set(path, value) {
-  const a = string(path),
-    b = string(value),
-    reply = read(solver.explore_set(a, b));
-  solver.free(a);
-  solver.free(b);
-  return reply.error || '';
+/** The reply of a function to texts. */
+function called(name, ...texts) {
+  const places = texts.map(string);
+  const reply = read(solver[name](...places));
+  places.forEach(solver.free);
+  return reply;
 }
+const set = (path, value) => called('explore_set', path, value).error || '';
 
 // A compliance as page.cc writes it: head and steps, then what a prediction by harmonic and neighbours has left, byte by byte.
 function take(index, is_disc) {
@@ -111,6 +111,14 @@ const work = {
     return { ...read(solver.explore_solve(m.harmonics, m.cold || !stays ? 1 : 0)), was_cold: m.cold || !stays };
   },
   curves: () => read(solver.explore_curves()),
+  measured: m => {
+    const { refused } = choose(m.pair, m.changes);
+    return refused.length ? { error: refused[0], refused: true } : called('explore_measured', m.name, m.text);
+  },
+  fit: m => {
+    const { refused } = choose(m.pair, m.changes);
+    return refused.length ? { error: refused[0], refused: true } : called('explore_fit', m.name, m.text, m.free);
+  },
   budget: () => read(solver.explore_budget()),
   pressure: () => read(solver.explore_pressure()),
   entries: () => read(solver.explore_entries())

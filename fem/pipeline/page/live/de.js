@@ -40,6 +40,26 @@ export const de = {
   elastic: 'elastischer Fuß',
   ring: 'Ring des Artikels',
   drop: 'CSV hierher ziehen oder wählen: Zeit (s), Drehung (rad/s) oder Winkel (rad, °)',
+  fit: 'Anpassung an einen gemessenen Lauf',
+  fit_free: 'Frei, neben dem Beginn:',
+  fit_now: 'Anpassen',
+  fit_cancel: 'Abbrechen',
+  fit_wait: 'Die anderen Einträge bleiben wie oben.',
+  fitting: 'Wird angepasst …',
+  fit_done: 'Angepasst in {0} s. Jedes ± ist eine Standardabweichung aus dem Rauschen.',
+  fit_cancelled: 'Abgebrochen.',
+  fit_large: 'Die Datei ist größer als 20 MB: Das ist kein Lauf eines Glases.',
+  fit_start: 'Beginn',
+  fit_curve: 'Gemessen und angepasst',
+  fit_ellipse: 'Werte, die zusammen passen, mit 95 %',
+  fit_sentences: {
+    open: 'Die Daten bestimmen {0} nicht.',
+    together:
+      '{0} und {1} sind nur zusammen bekannt (Korrelation {2}): {1} / ({0})^{5} auf {6}, jeder allein auf {7} und {8}.',
+    correlated:
+      'Die Abweichungen von {0} sind korreliert ({1} von Punkt zu Punkt): Modell oder Sensor ist anders, als die Anpassung annimmt. Die Fehler sind erweitert wie für weniger Punkte.',
+    errors: 'Die Fehler enthalten nicht die des Modells: starre Finger, eine ruhige Hand, ein Reibgesetz.'
+  },
   pictures:
     'Jedes Bild lässt sich an seiner Ecke als SVG, PNG und CSV speichern. Die Adresse hinter # enthält den Stand der Seite.',
   as_prm: 'Studie (.prm)',
@@ -137,6 +157,8 @@ export const de = {
     'torque τ_z': 'Drehmoment τ_z',
     time: 'Zeit',
     measured: 'gemessen',
+    fitted: 'angepasst',
+    'yaw angle ψ': 'Gierwinkel ψ',
     'terminal spin': 'Enddrehung',
     "the paper's model": 'Modell des Artikels',
     'this study': 'diese Studie',

@@ -40,6 +40,26 @@ export const en = {
   elastic: 'elastic foot',
   ring: 'paper’s ring',
   drop: 'Drop or choose a CSV: time (s), spin (rad/s) or angle (rad, °)',
+  fit: 'Fit to a measured run',
+  fit_free: 'Free, beside the start:',
+  fit_now: 'Fit',
+  fit_cancel: 'Cancel',
+  fit_wait: 'The other entries stay as they are above.',
+  fitting: 'Fitting …',
+  fit_done: 'Fitted in {0} s. All ± are standard deviations by the noise.',
+  fit_cancelled: 'Cancelled.',
+  fit_large: 'The file is larger than 20 MB: it is no run of one glass.',
+  fit_start: 'Start',
+  fit_curve: 'Measured and fitted',
+  fit_ellipse: 'Values that fit together, with 95 %',
+  fit_sentences: {
+    open: 'The data do not determine {0}.',
+    together:
+      '{0} and {1} are known together only (correlation {2}): {1} / ({0})^{5} to {6}, each alone to {7} and {8}.',
+    correlated:
+      'The residuals of {0} are correlated ({1} from point to point): the model, or the sensor, is not what the fit takes it for. Errors are widened as for fewer points.',
+    errors: 'The errors leave out those of the model: rigid fingers, a steady hand, one friction law.'
+  },
   pictures:
     'Each picture can be saved as SVG, PNG and CSV at its corner. The address after # contains the state of the page.',
   as_prm: 'Study (.prm)',
@@ -136,6 +156,8 @@ export const en = {
     'torque τ_z': 'torque τ_z',
     time: 'time',
     measured: 'measured',
+    fitted: 'fitted',
+    'yaw angle ψ': 'yaw angle ψ',
     'terminal spin': 'terminal spin',
     "the paper's model": 'the paper’s model',
     'this study': 'this study',

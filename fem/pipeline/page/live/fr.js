@@ -40,6 +40,27 @@ export const fr = {
   elastic: 'pied élastique',
   ring: 'anneau de l’article',
   drop: 'Déposer ou choisir un CSV : temps (s), rotation (rad/s) ou angle (rad, °)',
+  fit: 'Ajustement à une mesure',
+  fit_free: 'Libres, avec le début :',
+  fit_now: 'Ajuster',
+  fit_cancel: 'Annuler',
+  fit_wait: 'Les autres entrées restent comme ci-dessus.',
+  fitting: 'Ajustement …',
+  fit_done: 'Ajusté en {0} s. Chaque ± est un écart-type dû au bruit.',
+  fit_cancelled: 'Annulé.',
+  fit_large: 'Le fichier dépasse 20 Mo : ce n’est pas la mesure d’un verre.',
+  fit_start: 'Début',
+  fit_curve: 'Mesuré et ajusté',
+  fit_ellipse: 'Valeurs qui vont ensemble, à 95 %',
+  fit_sentences: {
+    open: 'Les données ne déterminent pas : {0}.',
+    together:
+      '{0} et {1} ne sont connus qu’ensemble (corrélation {2}) : {1} / ({0})^{5} à {6} près, chacun seul à {7} et {8} près.',
+    correlated:
+      'Les écarts de {0} sont corrélés ({1} d’un point au suivant) : le modèle ou le capteur diffère de ce que suppose l’ajustement. Les erreurs sont élargies comme pour moins de points.',
+    errors:
+      'Les erreurs ne comprennent pas celles du modèle : doigts rigides, main régulière, une seule loi de frottement.'
+  },
   pictures: 'Chaque image s’enregistre en SVG, PNG et CSV dans son coin. L’adresse après # contient l’état de la page.',
   as_prm: 'Étude (.prm)',
   as_csv: 'Toutes les courbes (.csv)',
@@ -137,6 +158,8 @@ export const fr = {
     'torque τ_z': 'couple τ_z',
     time: 'temps',
     measured: 'mesuré',
+    fitted: 'ajusté',
+    'yaw angle ψ': 'angle de lacet ψ',
     'terminal spin': 'rotation finale',
     "the paper's model": 'modèle de l’article',
     'this study': 'cette étude',

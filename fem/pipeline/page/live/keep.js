@@ -1,4 +1,4 @@
-// What can be taken along, and what was measured.
+// What can be taken along.
 import { data, doc, pair, state } from './state.js';
 import { csv } from '../js/words.js';
 import { download } from '../js/dom.js';
@@ -31,27 +31,4 @@ export function study_text() {
     ...[...sections].map(([section, lines]) => `\nsubsection ${section}\n${lines.join('\n')}\nend`),
     ''
   ].join('\n');
-}
-
-/**
- * Rows of time and spin, or time and angle (a head that says angle, psi or deg); decimals by point, or by comma where columns
- * are by semicolon. Nothing where there are none.
- */
-export function read_measured(text) {
-  const lines = text
-    .split(/\r?\n/)
-    .map(line => line.trim())
-    .filter(line => line && !line.startsWith('#'));
-  const head = lines.find(line => /[a-z]/i.test(line.replace(/e[-+]?\d/gi, ''))) || '';
-  const cells = line => (line.includes(';') ? line.replace(/,/g, '.').split(';') : line.split(/[,\t ]+/));
-  const rows = lines
-    .map(line => cells(line).map(Number))
-    .filter(row => row.length >= 2 && row.slice(0, 2).every(Number.isFinite));
-  if (rows.length < 2) return null;
-  const factor = /deg|°/i.test(head) ? Math.PI / 180 : /rpm|1\/min/i.test(head) ? Math.PI / 30 : 1;
-  const x = rows.map(row => row[0]);
-  const y = rows.map(row => row[1] * factor);
-  if (!/angle|psi|winkel|ψ/i.test(head)) return { x, y };
-  const steps = x.map((_, i) => i).filter(i => i > 0 && x[i] > x[i - 1]);
-  return { x: steps.map(i => (x[i] + x[i - 1]) / 2), y: steps.map(i => (y[i] - y[i - 1]) / (x[i] - x[i - 1])) };
 }

@@ -5,7 +5,8 @@ import { calm, names, picture } from './pictures.js';
 import { chosen, make_choices, make_sliders, write_harmonics } from './controls.js';
 import { download, h } from '../js/dom.js';
 import { draw_scene, make_scene, speak_scene } from './turning.js';
-import { read_measured, save_curves, study_text } from './keep.js';
+import { make_measured, write as write_fit } from './measured.js';
+import { save_curves, study_text } from './keep.js';
 import { facts, tell } from './says.js';
 import { figure_of, show_anew } from '../js/sections.js';
 import { say } from '../js/words.js';
@@ -106,16 +107,7 @@ function write_words() {
   };
   $('languages').replaceChildren(...Object.keys(sentences).map(button));
   write_harmonics();
-}
-
-async function take_file(file) {
-  if (!file) return;
-  const measured = read_measured(await file.text());
-  if (!measured) $('notice').textContent = words().drop;
-  else {
-    doc.tables.measured = { keys: ['time', 'omega'], values: [measured.x, measured.y] };
-    draw(['spin']);
-  }
+  write_fit();
 }
 
 async function copy_address() {
@@ -151,12 +143,7 @@ $('as-prm').onclick = () => download('explored.prm', study_text(), 'text/plain')
 $('as-csv').onclick = () => save_curves(drawn.values());
 $('as-link').onclick = copy_address;
 $('as-print').onclick = () => print();
-$('measured').onchange = e => take_file(e.target.files[0]);
-addEventListener('dragover', e => e.preventDefault());
-addEventListener('drop', e => {
-  e.preventDefault();
-  take_file(e.dataTransfer.files[0]);
-});
+make_measured(queue, () => draw(['spin']));
 addEventListener('hashchange', () => {
   state.changes = {};
   state.lesson = 0;

@@ -30,16 +30,20 @@ function translated(text) {
 export function picture(name) {
   const [table, make] = pictures[name];
   const given = doc.tables[table] && make();
-  if (!given) return null;
+  return given ? in_language(given, `live_${name}`, words()[name]) : null;
+}
+
+/** A picture of reports on this page; `is_named`: its axes have their names already. */
+export function in_language(given, id, title, is_named) {
   const axis = ({ label, rows, ...more }) => ({
     ...more,
-    label: translated(label),
+    label: is_named ? label : translated(label),
     ...(rows && { rows: rows.map(translated) })
   });
   return {
     ...given,
-    id: `live_${name}`,
-    title: words()[name],
+    id,
+    title,
     words: '',
     caption: '',
     x: axis(given.x),

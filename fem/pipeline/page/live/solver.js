@@ -124,9 +124,24 @@ export class Queue {
     this.next();
   }
 
+  /** Asks for something beside the answers: { reply, ms }, or nothing where a move or cancel() ended it. */
+  async wait_for(message) {
+    this.stopped = false;
+    while (!this.rests) await new Promise(done => setTimeout(done, 20));
+    const asked = this.stopped ? null : await this.ask(message);
+    this.next();
+    return asked;
+  }
+
+  cancel() {
+    this.stopped = true;
+    if (this.busy) cancel();
+  }
+
   /** After a pause: once more from the beginning, as `stemware run` solves it; then what takes longer. */
   async rest(reply) {
-    if (reply.error || !this.rests) return;
+    if (reply.error) return;
+    if (!this.rests) return (this.resting = setTimeout(() => this.rest(reply), pause));
     if (!reply.was_cold) return this.solve(true);
     for (const name of ['curves', 'pressure', 'budget']) {
       const asked = await this.ask({ do: name });

@@ -118,7 +118,7 @@ TEST(Fit, TwoHandsSeparateFrictionAndGrip)
   EXPECT_LT(both.entries[1].spread, alone.entries[1].spread / 3);
   ASSERT_TRUE(alone.next_run);
   EXPECT_LT(alone.next_run->spread_then, alone.next_run->spread_now / 3);
-  EXPECT_THAT(alone.sentences.front(), testing::HasSubstr("together"));
+  EXPECT_THAT(alone.sentences.front().text, testing::HasSubstr("together"));
 }
 
 /// A noise-free curve has the truth, and its profile is the parabola of the covariance.

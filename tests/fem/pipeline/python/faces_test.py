@@ -57,7 +57,7 @@ class Faces(unittest.TestCase):
                 self.assertLess(abs(ring["tau_at_rest"] - python["ring/tau_at_rest"]), 1e-13)
 
     def test_fit(self):
-        """Program and Python fit with the same digits."""
+        """Program, Python and page fit with the same digits; a bad file gives all of them the reader's sentence."""
         times = [0.04 * i for i in range(40)]
         free = ["Motion/Friction coefficient", "Motion/Grip torque"]
         for entries in ({"Load/Source": "first harmonic"}, {}):
@@ -79,6 +79,20 @@ class Faces(unittest.TestCase):
                 self.assertEqual([run["points"] for run in python.runs], [len(times)])
                 curve = python.curves["run_1"]
                 self.assertEqual([float(row[3]) for row in rows], list(curve["fitted"]))
+                if quick:  # the page has a study with a contact, and no profiles
+                    in_page = json.loads(output(page, "fit", data, *free).stdout)["document"]["summary"]["fit"]
+                    with open(folder + "/r/summary.json", encoding="utf-8") as file:
+                        by_program = json.load(file)["fit"]
+                    self.assertEqual(in_page["sentences"][:-1], by_program["sentences"][:-1])
+                    for one, other in zip(in_page["entries"], by_program["entries"]):
+                        self.assertLess(abs(one["value"] - other["value"]), 1e-6 * one["spread"])
+                        self.assertLess(abs(one["spread"] / other["spread"] - 1), 1e-6)
+                    with open(data, "a", encoding="utf-8") as file:
+                        file.write("0.5,-3\n")  # the time falls
+                    sentence = json.loads(output(page, "fit", data, *free).stdout)["error"]
+                    done = output(program, "fit", "--data", data, "--free", free[0], "--output", folder + "/bad")
+                    self.assertTrue(sentence.startswith(data), sentence)
+                    self.assertIn(sentence[len(data):], " ".join(done.stderr.split()))
 
     def test_sentences(self):
         for entries in REFUSED:

@@ -1,0 +1,116 @@
+// A measured run: read, drawn and fitted by the solver, while the page stays as it is.
+import { $, doc, local, pair_name, state, words } from './state.js';
+import { curve, ellipse } from '../views/fit.js';
+import { figure_of, show_anew } from '../js/sections.js';
+import { h } from '../js/dom.js';
+import { in_language } from './pictures.js';
+import { say, shown } from '../js/words.js';
+
+const offered = ['Motion/Friction coefficient', 'Motion/Grip torque', 'Motion/Centre of mass height'];
+const free = new Set(offered.slice(0, 2));
+let queue, run; // { name, text } of the file
+let fitted = null; // document of the last fit, with `reads`: what was read
+
+const label = path => words().labels[path] || path.split('/')[1];
+let said = () => words().fit_wait; // in the language of the page
+const status = (make = said) => ($('fit-status').textContent = (said = make)());
+
+/** Files of this size are no runs of a glass; the whole text goes to the solver. */
+const largest = 2e7;
+
+async function take(file, draw_spin) {
+  if (!file) return;
+  if (file.size > largest) return status(() => words().fit_large);
+  run = { name: file.name, text: (await file.text()).replaceAll('\0', ' ') };
+  fitted = null;
+  write();
+  const asked = await queue.wait_for({ do: 'measured', pair: pair_name(), changes: { ...state.changes }, ...run });
+  if (!asked) return status(() => words().fit_cancelled);
+  if (asked.reply.error) {
+    run = null;
+    delete doc.tables.measured;
+    write();
+    status(() => asked.reply.error);
+  } else {
+    doc.tables.measured = asked.reply.document.tables.measured;
+    const text = `${run.name}: ${asked.reply.document.words.data}`;
+    status(() => text);
+  }
+  draw_spin();
+}
+
+async function fit() {
+  const message = { do: 'fit', pair: pair_name(), changes: { ...state.changes }, ...run, free: [...free].join('\n') };
+  status(() => words().fitting);
+  $('fit').hidden = true;
+  $('fit-cancel').hidden = false;
+  const asked = await queue.wait_for(message);
+  $('fit-cancel').hidden = true;
+  $('fit').hidden = false;
+  fitted = asked?.reply.document || null;
+  write();
+  if (!asked) status(() => words().fit_cancelled);
+  else if (asked.reply.error) status(() => asked.reply.error);
+  else status(() => local(say(words().fit_done, (asked.ms / 1000).toFixed(1))));
+}
+
+function value_of({ value, spread, unit }) {
+  const own = unit === '1' ? '' : ` ${unit}`;
+  return `${shown(value, '.5g')} ± ${shown(spread, '.2g')}${own}`;
+}
+
+/** Values, curve, ellipses and sentences of the fit. */
+function result() {
+  const { entries, runs } = fitted.summary.fit;
+  const rows = [
+    ...entries.map(entry => [label(entry.entry), value_of(entry)]),
+    [words().fit_start, value_of({ value: runs[0].start, spread: runs[0].start_spread, unit: 's' })]
+  ];
+  const pictures = [in_language(curve(fitted, runs[0], 0), 'live_fit', words().fit_curve)];
+  entries.forEach((_, j) => {
+    for (let i = 0; i < j; ++i) {
+      const given = ellipse(fitted, i, j, label);
+      pictures.push(in_language(given, `live_${given.id}`, words().fit_ellipse, true));
+    }
+  });
+  pictures.forEach(show_anew);
+  return [
+    h('dl', { class: 'fitted' }, rows.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value)))), // prettier-ignore
+    fitted.words.fit_sentences.map(({ key, text, values }) => {
+      const own = words().fit_sentences[key];
+      const named = values.map(value => (offered.includes(value) ? label(value) : value));
+      return h('p', {}, own ? local(say(own, ...named)) : text);
+    }),
+    h('div', { class: 'figures' }, pictures.map(figure_of))
+  ];
+}
+
+/** Writes the card in the language of the page. */
+export function write() {
+  $('fit-free').replaceChildren(
+    ...offered.map(path => {
+      const change = e => {
+        free[e.target.checked ? 'add' : 'delete'](path);
+        $('fit').disabled = !run || !free.size;
+      };
+      const box = h('input', { type: 'checkbox', checked: free.has(path), onchange: change });
+      return h('label', { class: 'choice' }, box, ' ', label(path));
+    })
+  );
+  $('fit').disabled = !run || !free.size;
+  $('fit-result').replaceChildren(...(fitted ? result() : []).flat());
+  status();
+}
+
+/** The card of measured runs; `draw_spin` draws the spin-up anew. */
+export function make_measured(given, draw_spin) {
+  queue = given;
+  $('measured').onchange = e => take(e.target.files[0], draw_spin);
+  $('fit').onclick = fit;
+  $('fit-cancel').onclick = () => queue.cancel();
+  addEventListener('dragover', e => e.preventDefault());
+  addEventListener('drop', e => {
+    e.preventDefault();
+    take(e.dataTransfer.files[0], draw_spin);
+  });
+}

@@ -1,0 +1,133 @@
+#include "fem/pipeline/pictures/fit_pictures.h"
+
+#include <Eigen/Core>
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+/// A number, or null.
+Json number(double value)
+{
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json ends_of(const FittedRange &range)
+{
+  return { number(range.lower), number(range.upper) };
+}
+
+Json ends_of(const std::optional<FittedRange> &range)
+{
+  return range ? ends_of(*range) : Json(nullptr);
+}
+
+Json entry_summary(const FittedEntry &entry)
+{
+  return { { "entry", entry.path },
+           { "unit", entry.unit },
+           { "value", entry.value },
+           { "spread", entry.spread },
+           { "range_68", ends_of(entry.range_68) },
+           { "range_95", ends_of(entry.range_95) },
+           { "profile_68", ends_of(entry.profile_68) },
+           { "profile_95", ends_of(entry.profile_95) },
+           { "band", entry.band ? Json(*entry.band) : Json(nullptr) },
+           { "per_percent", entry.per_percent },
+           { "determined", entry.is_determined } };
+}
+
+Json run_summary(const FittedRun &run)
+{
+  return { { "name", run.name },
+           { "measured", run.is_angle ? "angle" : "spin" },
+           { "points", run.times.size() },
+           { "start", run.start },
+           { "start_spread", run.start_spread },
+           { "zero", run.zero },
+           { "zero_spread", run.zero_spread },
+           { "noise", run.noise },
+           { "autocorrelation", run.autocorrelation } };
+}
+
+/// Border of the region in which @p one and @p other, normally distributed in what is fitted, lie with 95 %.
+std::vector<std::pair<std::string, std::vector<double>>>
+ellipse_of(const FittedEntry &one, const FittedEntry &other, double correlation)
+{
+  constexpr int n_points = 72;
+  const double reach = std::sqrt(-2 * std::log(0.05));
+  const auto at = [&](const FittedEntry &entry, double deviations)
+  {
+    const double shift = reach * deviations * entry.spread;
+    return entry.is_positive ? entry.value * std::exp(shift / entry.value) : entry.value + shift;
+  };
+  std::vector<double> x, y;
+  for (int k = 0; k <= n_points; ++k)
+  {
+    const double angle = boost::math::double_constants::two_pi * k / n_points;
+    x.push_back(at(one, std::cos(angle)));
+    y.push_back(at(other, correlation * std::cos(angle) +
+                            std::sqrt(std::max(1 - correlation * correlation, 0.)) * std::sin(angle)));
+  }
+  return { { "x", x }, { "y", y } };
+}
+
+} // namespace
+
+nlohmann::ordered_json fit_summary(const FitResult &found)
+{
+  Json summary = { { "entries", Json::array() },
+                   { "correlation", Json::array() },
+                   { "runs", Json::array() } };
+  for (const FittedEntry &entry : found.entries)
+    summary["entries"].push_back(entry_summary(entry));
+  for (const auto &row : found.correlation.rowwise())
+    summary["correlation"].push_back(std::vector<double>(row.begin(), row.end()));
+  for (const FittedRun &run : found.runs)
+    summary["runs"].push_back(run_summary(run));
+  summary["chi_square"] = found.chi_square;
+  summary["free_points"] = found.n_free_points;
+  summary["next_run"] = found.next_run ? Json{ { "entry", found.next_run->entry },
+                                               { "value", found.next_run->value },
+                                               { "spread_now", found.next_run->spread_now },
+                                               { "spread_then", found.next_run->spread_then } }
+                                       : Json(nullptr);
+  summary["sentences"] = Json::array();
+  for (const FitSentence &sentence : found.sentences)
+    summary["sentences"].push_back(sentence.text);
+  return summary;
+}
+
+void add_fit_columns(const FitResult &found, Pictures &pictures)
+{
+  for (std::size_t r = 0; r < found.runs.size(); ++r)
+  {
+    const FittedRun &run = found.runs[r];
+    pictures.add_columns("fit_of_run_" + std::to_string(r + 1),
+                         { { "time", run.times }, { "measured", run.measured }, { "fitted", run.fitted } });
+  }
+  for (std::size_t i = 0; i < found.entries.size(); ++i)
+    for (std::size_t j = i + 1; j < found.entries.size(); ++j)
+      pictures.add_columns(
+        "fit_ellipse_" + std::to_string(i + 1) + "_" + std::to_string(j + 1),
+        ellipse_of(found.entries[i], found.entries[j],
+                   found.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j))));
+  Json &sentences = pictures.words["fit_sentences"] = Json::array();
+  for (const FitSentence &sentence : found.sentences)
+    sentences.push_back(
+      { { "key", sentence.key }, { "text", sentence.text }, { "values", sentence.values } });
+}
+
+} // namespace stemware::pipeline
