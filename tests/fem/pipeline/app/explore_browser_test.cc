@@ -9,8 +9,13 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
 #include <regex>
 #include <set>
+#include <sstream>
+#include <string>
 #include <utility>
 
 namespace stemware::test
@@ -177,6 +182,82 @@ TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)
   for (const std::string &one : refusing)
     EXPECT_EQ(shown[one]["answer"].get<std::string>().find("Not available in this page: "), 0u)
       << one << ": " << shown[one]["answer"];
+}
+
+/// A script that opens @p page, gives the card of measured runs the tables @p good and @p bad, and fits: what
+/// it says in each language, and of the bad table.
+std::string fitting_script(const std::string &page, const std::string &good, const std::string &bad)
+{
+  return R"(
+  const frame = document.createElement("iframe");
+  frame.style = "border:0;height:900px;width:400px";
+  frame.srcdoc = )" +
+         script_string(page) + R"(;
+  document.body.append(frame);
+  const wait = async until => { while (!until()) await new Promise(r => setTimeout(r, 20)); };
+  await wait(() => frame.contentWindow?.started);
+  const shown = frame.contentWindow, root = shown.document, $ = id => root.getElementById(id);
+  const give = async (name, text) => {
+    const files = new shown.DataTransfer();
+    files.items.add(new shown.File([text], name));
+    const before = $("fit-status").textContent;
+    $("measured").files = files.files;
+    $("measured").dispatchEvent(new shown.Event("change"));
+    await wait(() => $("fit-status").textContent !== before && $("fit-status").textContent.includes(name));
+    return $("fit-status").textContent;
+  };
+  const found = { read: await give("run.csv", )" +
+         script_string(good) + R"() };
+  $("fit").click();
+  await wait(() => $("fit-result").children.length);
+  found.figures = [...root.querySelectorAll("#fit-result figure")].map(figure => figure.id);
+  found.width = root.documentElement.scrollWidth;
+  for (const language of ["de", "fr", "en"]) {
+    root.querySelector(`#languages [lang=${language}]`).click();
+    found[language] = $("fit-card").innerText;
+  }
+  found.untranslated = [...(shown.untranslated || [])];
+  found.bad = await give("<img src=x onerror=parent.ran=1>.csv", )" +
+         script_string(bad) + R"();
+  found.left = $("fit-result").children.length;
+  found.disabled = $("fit").disabled;
+  found.ran = Boolean(window.ran);
+  return found;)";
+}
+
+TEST(ExplorePage, AMeasuredRunIsFittedAndABadFileGivesTheReadersSentence)
+{
+  std::string run = "t (s);omega (rad/s)\n";
+  for (int i = 0; i < 40; ++i)
+  {
+    const double t = 0.04 * i;
+    run += std::to_string(t) + ';' +
+           std::to_string(-3.4 * (1 - std::exp(-std::max(t - 0.1, 0.) / 0.19)) + 0.02 * std::sin(91 * t)) +
+           '\n';
+  }
+  const ScratchFolder scratch;
+  ASSERT_EQ(stemware(scratch, { "explore", "--output", "page.html" }).exit_code, 0);
+  scratch.write("run.csv", run);
+  const Ended done = stemware(scratch, { "fit", "--data", "run.csv", "--quick", "--output", "fit", "--free",
+                                         "Motion/Friction coefficient", "--free", "Motion/Grip torque" });
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const nlohmann::json found =
+    found_in_browser(scratch, fitting_script(read_text(scratch / "page.html"), run, run + "0.5;-3\n"));
+  EXPECT_THAT(found["read"].get<std::string>(), testing::HasSubstr("40 rows"));
+  EXPECT_EQ(found["figures"], nlohmann::json({ "live_fit", "live_fit_ellipse_1_2" }));
+  EXPECT_LE(found["width"].get<int>(), 400);
+  EXPECT_EQ(found["untranslated"], nlohmann::json::array());
+  const double friction = read_summary(scratch / "fit")["fit"]["entries"][0]["value"].get<double>();
+  std::ostringstream digits;
+  digits << std::setprecision(5) << friction;
+  EXPECT_THAT(found["en"].get<std::string>(), testing::HasSubstr(digits.str() + " ±"));
+  EXPECT_THAT(found["en"].get<std::string>(), testing::HasSubstr("known together only"));
+  EXPECT_THAT(found["de"].get<std::string>(), testing::HasSubstr("nur zusammen bekannt"));
+  EXPECT_THAT(found["fr"].get<std::string>(), testing::HasSubstr("connus qu’ensemble"));
+  EXPECT_THAT(found["bad"].get<std::string>(), testing::HasSubstr("line 42"));
+  EXPECT_EQ(found["left"], 0);
+  EXPECT_TRUE(found["disabled"].get<bool>());
+  EXPECT_FALSE(found["ran"].get<bool>());
 }
 
 /// The keys of the sentences of a language, each with the numbers that its sentence has.
