@@ -5,7 +5,7 @@ import { calm, names, picture } from './pictures.js';
 import { chosen, make_choices, make_sliders, write_harmonics } from './controls.js';
 import { download, h } from '../js/dom.js';
 import { draw_scene, make_scene, speak_scene } from './turning.js';
-import { make_measured, write as write_fit } from './measured.js';
+import { make_measured, write_measured } from './measured.js';
 import { save_curves, study_text } from './keep.js';
 import { facts, tell } from './says.js';
 import { figure_of, show_anew } from '../js/sections.js';
@@ -107,7 +107,7 @@ function write_words() {
   };
   $('languages').replaceChildren(...Object.keys(sentences).map(button));
   write_harmonics();
-  write_fit();
+  write_measured();
 }
 
 async function copy_address() {

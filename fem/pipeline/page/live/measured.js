@@ -23,13 +23,13 @@ async function take(file, draw_spin) {
   if (file.size > largest) return status(() => words().fit_large);
   run = { name: file.name, text: (await file.text()).replaceAll('\0', ' ') };
   fitted = null;
-  write();
+  write_measured();
   const asked = await queue.wait_for({ do: 'measured', pair: pair_name(), changes: { ...state.changes }, ...run });
   if (!asked) return status(() => words().fit_cancelled);
   if (asked.reply.error) {
     run = null;
     delete doc.tables.measured;
-    write();
+    write_measured();
     status(() => asked.reply.error);
   } else {
     doc.tables.measured = asked.reply.document.tables.measured;
@@ -48,7 +48,7 @@ async function fit() {
   $('fit-cancel').hidden = true;
   $('fit').hidden = false;
   fitted = asked?.reply.document || null;
-  write();
+  write_measured();
   if (!asked) status(() => words().fit_cancelled);
   else if (asked.reply.error) status(() => asked.reply.error);
   else status(() => local(say(words().fit_done, (asked.ms / 1000).toFixed(1))));
@@ -86,7 +86,7 @@ function result() {
 }
 
 /** Writes the card in the language of the page. */
-export function write() {
+export function write_measured() {
   $('fit-free').replaceChildren(
     ...offered.map(path => {
       const change = e => {
