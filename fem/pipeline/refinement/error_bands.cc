@@ -140,17 +140,6 @@ std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &
   return phases;
 }
 
-/// Adds the motion of the table at rest, of which a part in 1e9 is rounding.
-void add_table_motion(const Evaluation &found, std::vector<QuantityOfInterest> &quantities)
-{
-  const Eigen::Vector3d &q = found.table_motion;
-  const double radius = found.at_rest.mean_radius,
-               rounding = relative_noise * (std::abs(q(0)) + radius * q.tail<2>().norm());
-  quantities.push_back({ "table_motion_0", "table moved by q_0 at rest", "m", q(0), rounding });
-  quantities.push_back({ "table_motion_1", "table tilted by q_1 at rest", "rad", q(1), rounding / radius });
-  quantities.push_back({ "table_motion_2", "table tilted by q_2 at rest", "rad", q(2), rounding / radius });
-}
-
 /// The reported numbers of @p row, each changed by what changes from @p own to @p found: at a terminal spin
 /// that differs from the one looked at by what the torque there says.
 std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const EvaluationPoints &probe,
@@ -182,8 +171,8 @@ std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const E
     spin_scale(study),
     noise_of_differences
   };
-  std::vector<QuantityOfInterest> quantities = quantities_of_interest(study, found.at_rest, spin);
-  add_table_motion(found, quantities);
+  std::vector<QuantityOfInterest> quantities =
+    quantities_of_interest(study, found.at_rest, found.table_motion, spin);
   if (probe.first)
   {
     const double slope_there = std::isfinite(own.slope_of_first) ? own.slope_of_first : slope;

@@ -36,6 +36,7 @@ std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double s
 }
 
 std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
+                                                       const Eigen::Vector3d &table_motion,
                                                        const SpinNumbers &spin)
 {
   const ContactSection &contact = study.contact;
@@ -54,6 +55,17 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
     { "omega_terminal", "terminal spin", "rad/s", spin.omega_terminal, relative_noise * spin.spin_scale });
   quantities.push_back({ "time_constant", "time constant", "s", spin.time_constant,
                          spin.slope_noise * relative_noise * spin.time_constant });
+  const double radius = at_rest.mean_radius,
+               move_noise =
+                 relative_noise * (std::abs(table_motion(0)) + radius * table_motion.tail<2>().norm());
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const std::string order = std::to_string(i);
+    quantities.push_back(
+      { "table_motion_" + order,
+        std::string("table ") + (i == 0 ? "moved" : "tilted") + " by q_" + order + " at rest",
+        i == 0 ? "m" : "rad", table_motion(i), i == 0 ? move_noise : move_noise / radius });
+  }
   return quantities;
 }
 
@@ -70,7 +82,7 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
   const ring::Answer row = ring::answer(load, question);
   terminal_spin_of(row);
   constexpr double noise_of_differences = 10; // the slope is one by finite differences
-  return quantities_of_interest(study, load.report(),
+  return quantities_of_interest(study, load.report(), load.contact(0).value().solution.motion,
                                 { row.at_rest->friction.torque, spins, friction_torques(row),
                                   row.terminal->omega, row.terminal->time_constant,
                                   load.report().rings.radius(), load.spin_scale(motion),

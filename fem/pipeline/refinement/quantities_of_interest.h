@@ -4,6 +4,8 @@
 #include "fem/pipeline/study/study.h"
 #include "ring_model/spin/answer.h"
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -60,13 +62,16 @@ struct SpinNumbers
 std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double share_noise = relative_noise);
 
 /// Returns the quantities of interest: load_quantities() @p at_rest, torque at rest and at
-/// SpinNumbers::spins, terminal spin, time constant. Always the same quantities in the same order for equally
+/// SpinNumbers::spins, terminal spin, time constant, and the motion of the table at rest, @p table_motion
+/// (q_0 [m], q_1 and q_2 [rad]). Always the same quantities in the same order for equally
 /// many spins.
 std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
+                                                       const Eigen::Vector3d &table_motion,
                                                        const SpinNumbers &spin);
 
 /// Returns the quantities of interest of a study from its @p load, with the torque at @p spins [rad/s]. @p
-/// near: initial guess of the terminal spin. Throws as @p load and ring::terminal_spin().
+/// near: initial guess of the terminal spin. The load is one of a contact. Throws as @p load and
+/// ring::terminal_spin().
 std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
                                                    const std::vector<double> &spins,
                                                    const std::optional<double> &near);

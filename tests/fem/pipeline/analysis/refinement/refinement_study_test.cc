@@ -160,6 +160,13 @@ TEST(ErrorBands, OfThePaperHoldAFourTimesFinerRun)
   const ErrorBands full =
     refine(quantities_of_load(study, *comparison.load, spins_of_interest(comparison.omega), comparison.omega),
            spins_of_interest(comparison.omega), axes, ThreadedExecutor(comparison.cache));
+  const double depth = std::abs(quantity_of(comparison.finer, "table_motion_0").value);
+  for (const std::string key : { "table_motion_0", "table_motion_1", "table_motion_2" })
+  {
+    const BandedQuantity &motion = full[index_of(full, key)];
+    EXPECT_NEAR(motion.quantity.value, quantity_of(comparison.finer, key).value, motion.band) << key;
+    EXPECT_LT(motion.band, 1e-3 * (motion.quantity.unit == "m" ? depth : depth / 0.03)) << key;
+  }
   const std::size_t index = index_of(full, "omega_terminal");
   const BandedQuantity &refined = full[index];
   const double finer = quantity_of(comparison.finer, "omega_terminal").value;
