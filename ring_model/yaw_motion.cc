@@ -41,7 +41,10 @@ public:
   {
     // Some 30 torques a step, while explicit steps take two a time constant.
     constexpr double min_time_constants = 20.;
-    return -slopes(start).spin / yaw_inertia * end > min_time_constants * static_cast<double>(n_times);
+    // The torque of a grip jumps at rest: its slope is that beside the jump, where the glass turns to.
+    YawSample beside = start;
+    beside.omega += std::copysign(2e-5 * spin_scale, torque(start.time, start.yaw_angle, start.omega));
+    return -slopes(beside).spin / yaw_inertia * end > min_time_constants * static_cast<double>(n_times);
   }
 
   /// Follows the motion from @p state to the time @p end [s]; @p step [s] is the step tried first, and next.

@@ -157,6 +157,28 @@ TEST(YawMotion, FollowsAStiffForcedRingThroughItsTransient)
   }
 }
 
+TEST(YawMotion, AGripThatJumpsAtRestDoesNotMakeItStiff)
+{
+  // Fingers shift the drive of a linear ring that starts from rest: the same steps, the shifted closed form.
+  const double inertia = 1e-4, damping = 1.2e-3, drive = -3.6;
+  std::vector<unsigned int> n_torques;
+  for (const double grip : { 0., 1.5e-3 })
+  {
+    unsigned int n = 0;
+    const auto torque = [&](double, double, double omega)
+    {
+      ++n;
+      const double of_table = -damping * (omega - drive);
+      return of_table - std::copysign(grip, omega == 0. ? of_table : omega);
+    };
+    const double reached = drive + grip / damping;
+    for (const YawSample &sample : yaw_motion(torque, inertia, 0., { 0.05, 0.2, 0.6 }, 1e-10, 10.))
+      EXPECT_NEAR(sample.omega, -reached * std::expm1(-damping / inertia * sample.time), 1e-9) << sample.time;
+    n_torques.push_back(n);
+  }
+  EXPECT_LT(n_torques[1], 1.3 * n_torques[0]);
+}
+
 TEST(YawMotion, AgreesWithFixedSteps)
 {
   const MarkedRing ring;
