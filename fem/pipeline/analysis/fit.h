@@ -56,7 +56,7 @@ struct FittedEntry
   double per_percent = 0;          ///< change of value if the model's spin is 1 % too large
 };
 
-/// Fitted run: numbers that belong to it alone, and its residuals.
+/// Fitted run: its own numbers, which no other run shares, and its residuals.
 struct FittedRun
 {
   std::string name;

@@ -135,7 +135,7 @@ public:
   /// Derivatives of the residuals; zero for unknowns without a spin-up, where the search ends.
   int df(const Eigen::VectorXd &x, Eigen::MatrixXd &jacobian) const;
 
-  /// Sum of squares without that of the unknown that is held.
+  /// Sum of the squared residuals; the prior of a held unknown is left out.
   double chi_square(const Eigen::VectorXd &x) const;
 
   /// Returns the unknowns with the least sum of squares, searched from @p x on.

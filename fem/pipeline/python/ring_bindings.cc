@@ -386,7 +386,7 @@ void bind_loads(py::module_ &m)
   py::class_<B>(
     m, "Pressure",
     "Normal pressure p(r) that is the same all round, between two radii [m], of any unit: only its shape "
-    "counts. p takes an array of radii. Integrated by Gauss points that gather at both radii and at "
+    "counts. p takes an array of radii. Integrated by Gauss points that lie closest at both radii and at "
     "v / |omega|, where points of the contact rest and friction is singular; a RingStack of as many rings "
     "has an error of 1e-4 there.")
     .def(py::init(

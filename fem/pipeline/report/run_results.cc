@@ -369,8 +369,8 @@ Json words_of(const Study &study, const ContactReport &report, const SpinStudy &
     words["mesh_for_goal"] =
       "The mesh was made for the " + study_as_json(study)["Contact"]["Goal"].get<std::string>() + ": " +
       format::number(goal->estimated_error, ".1e") +
-      " is estimated to be missing to its value, and the band has " +
-      format::number(*band_of_mesh(study, bands), ".1e") + " for the mesh, from what another mesh changes.";
+      " is the estimated error of its value; the mesh's part of the band is " +
+      format::number(*band_of_mesh(study, bands), ".1e") + ", the change of the value by another mesh.";
   return words;
 }
 
