@@ -190,7 +190,8 @@ TEST(OrbitSpeed, BreakawayIsThatOfTheStaticFriction)
     EXPECT_EQ(falls.exit_code, 1);
     EXPECT_THAT(falls.err, testing::HasSubstr("before the hand's force reaches"));
   }
-  EXPECT_THAT(run({ ring, "Motion/Breakaway friction=0.2" }).err, testing::HasSubstr("at least that"));
+  EXPECT_THAT(run({ ring, "Motion/Breakaway friction=0.2" }).err,
+              testing::HasSubstr("at least the coefficient of sliding"));
 }
 
 TEST(OrbitSpeed, SaysWhatTheReadingOfTheRowsMatters)
