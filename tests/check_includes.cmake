@@ -7,6 +7,7 @@ cmake_policy(VERSION 3.25)
 set(order
     ring_model/load
     ring_model
+    ring_model/spin
     fem/geometry
     fem/elasticity
     fem/factorisation
@@ -35,16 +36,19 @@ set(order
     fem/pipeline/python
     fem/pipeline/app)
 
-# The place in `order` of the folder that a path lies in, -1 for none.
+# The place in `order` of the innermost folder that a path lies in, -1 for none.
 function(place_of path result)
   set(place -1)
+  set(longest 0)
   list(LENGTH order n)
   math(EXPR last "${n} - 1")
   foreach(i RANGE ${last})
     list(GET order ${i} folder)
     string(FIND "${path}" "${folder}/" begin)
-    if(begin EQUAL 0 AND place EQUAL -1)
+    string(LENGTH "${folder}" length)
+    if(begin EQUAL 0 AND length GREATER longest)
       set(place ${i})
+      set(longest ${length})
     endif()
   endforeach()
   set(${result} ${place} PARENT_SCOPE)
@@ -52,7 +56,11 @@ endfunction()
 
 set(portable "")
 foreach(folder IN LISTS order)
-  file(READ ${SOURCE_DIR}/${folder}/CMakeLists.txt text)
+  set(makes ${SOURCE_DIR}/${folder}/CMakeLists.txt)
+  if(NOT EXISTS ${makes}) # a part of the library of the folder round it
+    set(makes ${SOURCE_DIR}/${folder}/../CMakeLists.txt)
+  endif()
+  file(READ ${makes} text)
   if(text MATCHES "stemware_library\\([a-z_]+ PORTABLE")
     list(APPEND portable ${folder})
   endif()

@@ -1,5 +1,5 @@
 #include "ring_model/first_harmonic_ring.h"
-#include "ring_model/hand_drive.h"
+#include "ring_model/spin/hand_drive.h"
 #include "ring_model/yaw_motion.h"
 #include "tests/ring_model/reference.h"
 #include "tests/taylor_remainder.h"

@@ -1,6 +1,7 @@
 #include "fem/pipeline/analysis/fit.h"
 
 #include "fem/pipeline/analysis/fit_problem.h"
+#include "fem/pipeline/analysis/fit_sentences.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
@@ -10,7 +11,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <boost/algorithm/string/replace.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
@@ -72,13 +72,6 @@ double autocorrelation(const VectorXd &residuals)
   return n < 3 || square == 0 ? 0 : centred.head(n - 1).dot(centred.tail(n - 1)) / square;
 }
 
-/// Factor by which the variance of a mean grows if successive residuals are correlated beyond chance.
-double widening(double correlation, Index n)
-{
-  const bool is_chance = correlation < 2 / std::sqrt(static_cast<double>(n));
-  return is_chance ? 1 : (1 + correlation) / (1 - std::min(correlation, 0.99));
-}
-
 /// A run that refuses to be fitted.
 void check(const RunToFit &run)
 {
@@ -100,19 +93,6 @@ void check(const RunToFit &run)
   require(!run.study.load.is_static(), "--data " + run.name +
                                          ": the load has a given moment; a fit needs the moment of the hand, "
                                          "leave out the entries of Load but Source.");
-}
-
-std::string percent(double share)
-{
-  return to_short_text(rounded(100 * share, 2)) + " %";
-}
-
-/// The sentence @p text with @p values in the places of {0}, {1} and so on.
-FitSentence sentence(const std::string &key, std::string text, const std::vector<std::string> &values)
-{
-  for (std::size_t i = 0; i < values.size(); ++i)
-    boost::replace_all(text, "{" + std::to_string(i) + "}", values[i]);
-  return { key, text, values };
 }
 
 /// Fit in the making.
@@ -140,7 +120,7 @@ public:
       add_profiles(result);
     if (question.with_next_run)
       add_next_run(result);
-    add_sentences(result);
+    result.sentences = fit_sentences(parameters, result);
     progress.stage_done("profiles");
     return result;
   }
@@ -429,64 +409,6 @@ private:
         if (!is_variant_failure(failure))
           throw;
       }
-  }
-
-  void add_sentences(FitResult &result) const
-  {
-    for (const FittedEntry &entry : result.entries)
-      if (!entry.is_determined)
-        result.sentences.push_back(
-          sentence("open", "The data do not determine {0}; give a prior, --free \"{0} = value ± spread\".",
-                   { entry.path }));
-    constexpr double strong = 0.95, worth_saying = 0.03;
-    for (Index i = 0; i < problem.n_parameters; ++i)
-      for (Index j = i + 1; j < problem.n_parameters; ++j)
-        if (std::abs(result.correlation(i, j)) > strong &&
-            std::sqrt(std::max(result.covariance(i, i), result.covariance(j, j))) > worth_saying)
-          result.sentences.push_back(result.covariance(i, i) > result.covariance(j, j)
-                                       ? words_of_pair(i, j, result)
-                                       : words_of_pair(j, i, result));
-    if (result.next_run && result.next_run->spread_now > worth_saying)
-    {
-      const NextRun &next = *result.next_run;
-      const std::string unit = next.entry == "Motion/Orbit speed" ? " m/s" : " m";
-      result.sentences.push_back(sentence("next",
-                                          "A run with {0} = {1} beside the first would narrow what is known "
-                                          "worst from {2} to {3}.",
-                                          { next.entry, to_short_text(rounded(next.value, 3)) + unit,
-                                            percent(next.spread_now), percent(next.spread_then) }));
-    }
-    for (const FittedRun &run : result.runs)
-      if (widening(run.autocorrelation, static_cast<Index>(run.times.size())) > 1)
-        result.sentences.push_back(
-          sentence("correlated",
-                   "The residuals of {0} are correlated ({1} from point to point): the "
-                   "model, or the sensor, is not what the fit takes it for. Errors are "
-                   "widened as for fewer points.",
-                   { run.name, to_short_text(rounded(run.autocorrelation, 2)) }));
-    result.sentences.push_back(
-      sentence("errors",
-               "Errors are those of noise. They leave out the model's own: rigid "
-               "fingers, a steady hand, one friction law. If the model spins 1 % too "
-               "fast, the values change as the table says.",
-               {}));
-  }
-
-  /// "Motion/Grip torque and Motion/Friction coefficient are known together only: ..."; the first one is the
-  /// one that is known worse.
-  FitSentence words_of_pair(Index i, Index j, const FitResult &result) const
-  {
-    const FitParameter &one = parameters[static_cast<std::size_t>(i)],
-                       &other = parameters[static_cast<std::size_t>(j)];
-    const double slope = result.covariance(i, j) / result.covariance(i, i),
-                 left = std::sqrt(std::max(result.covariance(j, j) - slope * result.covariance(i, j), 0.));
-    const auto spread = [&](Index k) { return percent(std::sqrt(result.covariance(k, k))); };
-    return sentence(
-      "together",
-      "{0} and {1} are known together only (correlation {2}): {3} / ({4})^{5} to {6}, each alone "
-      "to {7} and {8}.",
-      { one.path, other.path, to_short_text(rounded(result.correlation(i, j), 4)), other.name, one.name,
-        to_short_text(rounded(slope, 2)), percent(left), spread(i), spread(j) });
   }
 
   const FitQuestion &question;

@@ -265,4 +265,10 @@ VectorXd FitProblem::minimum(VectorXd x)
   return x;
 }
 
+double widening(double correlation, Eigen::Index n)
+{
+  const bool is_chance = correlation < 2 / std::sqrt(static_cast<double>(n));
+  return is_chance ? 1 : (1 + correlation) / (1 - std::min(correlation, 0.99));
+}
+
 } // namespace stemware::pipeline

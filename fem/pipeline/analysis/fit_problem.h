@@ -151,4 +151,8 @@ private:
   void add_derivatives(const Eigen::VectorXd &x, Eigen::MatrixXd &jacobian) const;
 };
 
+/// Returns the factor by which the variance of a mean of @p n values grows if successive residuals are
+/// correlated beyond chance.
+double widening(double correlation, Eigen::Index n);
+
 } // namespace stemware::pipeline

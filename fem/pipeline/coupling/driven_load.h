@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/study/study.h"
-#include "ring_model/hand_drive.h"
+#include "ring_model/spin/hand_drive.h"
 
 #include <memory>
 

@@ -83,17 +83,20 @@ TEST(ExplorePage, MovesInABrowserGiveTheProgramsSpins)
   }
 }
 
+/// The begin of a script: @p page in a frame of the width @p width [px].
+std::string framed(const std::string &page, int width)
+{
+  return "const frame = document.createElement('iframe');\nframe.style = 'border:0;height:900px;width:" +
+         std::to_string(width) + "px';\nframe.srcdoc = " + script_string(page) +
+         ";\ndocument.body.append(frame);\n";
+}
+
 /// A script that opens @p page, makes the first move, and goes through the languages and the lesson: the
 /// spin, the errors, the figures of the report, the texts without a translation, and what each step of the
 /// lesson says.
 std::string live_report_script(const std::string &page)
 {
-  return R"(
-  const frame = document.createElement("iframe");
-  frame.style = "border:0;height:900px;width:1100px";
-  frame.srcdoc = )" +
-         script_string(page) + R"(;
-  document.body.append(frame);
+  return framed(page, 1100) + R"(
   while (!frame.contentWindow?.started)
     await new Promise(r => setTimeout(r, 20));
   const shown = frame.contentWindow, root = shown.document;
@@ -188,12 +191,7 @@ TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)
 /// it says in each language, and of the bad table.
 std::string fitting_script(const std::string &page, const std::string &good, const std::string &bad)
 {
-  return R"(
-  const frame = document.createElement("iframe");
-  frame.style = "border:0;height:900px;width:400px";
-  frame.srcdoc = )" +
-         script_string(page) + R"(;
-  document.body.append(frame);
+  return framed(page, 400) + R"(
   const wait = async until => { while (!until()) await new Promise(r => setTimeout(r, 20)); };
   await wait(() => frame.contentWindow?.started);
   const shown = frame.contentWindow, root = shown.document, $ = id => root.getElementById(id);

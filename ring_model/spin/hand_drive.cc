@@ -1,4 +1,4 @@
-#include "ring_model/hand_drive.h"
+#include "ring_model/spin/hand_drive.h"
 
 #include "ring_model/first_harmonic_ring.h"
 #include "ring_model/friction_law.h"
