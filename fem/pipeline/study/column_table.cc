@@ -121,8 +121,8 @@ public:
 private:
   std::string no_rows() const
   {
-    return setting + " has no rows; write " + std::to_string(columns.size()) + " numbers a line, " +
-           boost::join(names, ", ") + ".";
+    return setting + " has no rows with numbers; write " + std::to_string(columns.size()) +
+           " numbers a line, " + boost::join(names, ", ") + ".";
   }
 
   /// "2 numbers, t, v, in SI units or in those of a first line "t (ms), v (cm/s)"."
