@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Builds Stemware with one small fault at a time and runs the tests that must catch it.
 
-    seeded_faults.py --check                       every fault of faults.txt and random.txt fits the source; builds nothing
-    seeded_faults.py --random SEED N               draws N faults by operators (random.txt: --random 48 100)
+    seeded_faults.py --check                       every fault of faults.txt, random.txt and stiff_motion.txt fits the source; builds nothing
+    seeded_faults.py --random SEED N               draws N faults by operators (random.txt: --random 48 100); --folder: where
     seeded_faults.py --run [FILE] [--first N] [--last N] [--folder ring_model] [--build FOLDER]
 
 --run copies the source to FOLDER (default: a temporary one) and configures it there, once, file by file instead of unity, so
@@ -43,10 +43,11 @@ def with_fault(fault):
     return text.replace(fault[2], fault[3])
 
 
-def draw(seed, count):
+def draw(seed, count, below):
     """Random faults, as lines of a list: an operator on a drawn line that has it and stands once in its file."""
     numbers = random.Random(seed)
     files = sorted(str(f.relative_to(source)) for folder in ("ring_model", "fem/contact") for f in (source / folder).rglob("*.cc"))
+    files = [file for file in files if file.startswith(below)]
     found = set()
     while len(found) < count:
         file = numbers.choice(files)
@@ -120,11 +121,11 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, help="folder of source and build, kept")
     options = parser.parse_args()
     if options.random:
-        print("\n".join(draw(*options.random)))
+        print("\n".join(draw(*options.random, options.folder)))
         return 0
     if options.check:
         troubles = []
-        lists = [file for file in ("faults.txt", "random.txt") if (here / file).exists()]
+        lists = [file for file in ("faults.txt", "random.txt", "stiff_motion.txt") if (here / file).exists()]
         faults = [fault for file in lists for fault in read(file)]
         tests = {".".join(pair) for file in (source / "tests").rglob("*_test.cc")
                  for pair in re.findall(r"TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", file.read_text())}
