@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
-"""Writes the pages of docs/verification from claims.json; numbers of Stemware come from `verify.py --json`.
+"""Writes the pages of docs/verification and their figures from claims.json; numbers of Stemware come from `verify.py --json`.
 
     pages.py [RESULTS.json]           takes the numbers of RESULTS.json into claims.json and writes the pages
-    pages.py --check [RESULTS.json]   exit code 1 if a page, a number or the name of a test has drifted
+    pages.py --check [RESULTS.json]   exit code 1 if a page, a figure, a number or the name of a test has drifted
 """
 import json
 import math
 import pathlib
 import re
 import sys
+
+sys.dont_write_bytecode = True  # nothing beside the source
+import figures  # noqa: E402
 
 here = pathlib.Path(__file__).resolve().parent
 kinds = ["closed form", "published", "other code", "other body", "plain quadrature"]
@@ -43,11 +46,21 @@ def page(claim):
             lines.append(f"| {settings} | `{check['quantity']}` | {shown(check['reference'], tolerance)} | {check['kind']} | "
                          f"{shown(check['stemware'], tolerance)} | {accepted} |")
             settings = ""
+    if drawing := figure(claim):
+        lines += ["", f"![{drawing[0]}](figures/{claim['name']}.svg)"]
     lines += ["", "Harmonics are over a₀; the others are [keys](../summary.md) in SI units.", "", "*Tolerance.* " + claim["why"], "",
               f"    python3 /usr/share/stemware/verification/verify.py {claim['name']}"]
     if claim.get("tests"):
         lines += ["", "Tests: " + ", ".join(f"`{test}`" for test in claim["tests"]) + "."]
     return "\n".join(lines) + "\n"
+
+
+def figure(claim):
+    """Description and SVG text of a claim's figure, None without numbers to draw."""
+    if claim["name"] == "annular_punch":
+        return "Harmonics 2 to 6 of three widths, reference and Stemware with its band", figures.harmonics(claim)
+    drawn = figures.deviations(claim, tolerance_of)
+    return drawn and ("Differences from the references over the accepted differences", drawn)
 
 
 def kinds_of(claim):
@@ -75,7 +88,7 @@ def index(claims):
               "the layers of Stemware are bonded to their base.", "", "The claims below are checked by the tests of the source, not by a study:", "", "| claim | kind of reference | test |",
               "|---|---|---|"]
     lines += [f"| {c['title']} | {c['kind']} | {', '.join(f'`{test}`' for test in c['tests'])} |" for c in tested]
-    lines += ["", "How many claims have a reference of each kind:", "", "| kind | claims |", "|---|---|"]
+    lines += ["", "How many claims have a reference of each kind; a claim with several kinds counts in each:", "", "| kind | claims |", "|---|---|"]
     lines += [f"| {kind} | {sum(kind in kinds_of(c) for c in claims)} |" for kind in kinds]
     lines += ["", "No claim rests on Stemware's own output. Numbers of Stemware that only guard against changes are not listed.", ""]
     return "\n".join(lines)
@@ -123,12 +136,13 @@ def main():
     if not only_check:
         source.write_text(json.dumps({"claims": claims}, indent=1) + "\n")
     pages = {"index.md": index(claims), "benchmark.md": benchmark(), **{f"{c['name']}.md": page(c) for c in claims if c.get("cases")}}
+    pages |= {f"figures/{c['name']}.svg": figure(c)[1] for c in claims if c.get("cases") and figure(c)}
     for name, text in pages.items():
         if not only_check:
             (here / name).write_text(text)
         elif not (here / name).exists() or (here / name).read_text() != text:
-            troubles.append(f"docs/verification/{name} is not what pages.py writes; run it and commit the page")
-    print("\n".join(troubles) or f"{len(pages)} pages are those of claims.json.")
+            troubles.append(f"docs/verification/{name} is not what pages.py writes; run it and commit the file")
+    print("\n".join(troubles) or f"{len(pages)} pages and figures are those of claims.json.")
     return len(troubles) > 0
 
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Compares friction of a ring, a disc and a Hertz patch with the laws of simulators, and with a quadrature of its own.
 
-    simulators.py            writes the tables of simulators.md beside it
-    simulators.py --check    exit code 1 if a table has drifted or Stemware and the quadrature differ
+    simulators.py            writes the tables of simulators.md beside it, and its figure
+    simulators.py --check    exit code 1 if a table or the figure has drifted or Stemware and the quadrature differ
 
 Needs numpy and the Python package `stemware`.
 """
@@ -14,7 +14,10 @@ import numpy as np
 
 from stemware import ring
 
+import figures
+
 page = pathlib.Path(__file__).resolve().parent / "simulators.md"
+drawing = page.parent / "figures" / "simulators.svg"
 tolerance = 1e-9  # of force, torque and stop ratio
 R = 0.03
 x, weight = np.polynomial.legendre.leggauss(12)
@@ -100,17 +103,28 @@ def tables():
     return worst, {"friction": head + friction, "stops": head_of_stops + stops}
 
 
+def figure():
+    """Torque over force at slip ratios from pure sliding to pure spin."""
+    ratios, panels = np.tan(np.linspace(0, np.pi / 2, 41)[1:-1]), {}
+    for name, (pressure, _, arm, inverse, square) in contacts.items():
+        curves = {"Stemware": lambda e: stemware(pressure, e), **laws(arm, inverse, square)}
+        panels[name] = {law: tuple(zip((1, 0), *(at(ratio) for ratio in ratios), (0, arm))) for law, at in curves.items()}
+    return figures.laws(panels)
+
+
 def main():
     worst, written = tables()
     text = page.read_text()
     for name, lines in written.items():
         text = re.sub(f"<!-- {name} -->.*?<!-- end -->", f"<!-- {name} -->\n" + "\n".join(lines) + "\n<!-- end -->", text, flags=re.S)
     print(f"Stemware and the quadrature differ by {worst:.1e} at most; accepted: {tolerance:.0e}")
-    drifted = text != page.read_text()
+    picture = figure()
+    drifted = text != page.read_text() or not drawing.exists() or picture != drawing.read_text()
     if "--check" not in sys.argv:
         page.write_text(text)
+        drawing.write_text(picture)
     elif drifted:
-        print("docs/verification/simulators.md is not what simulators.py writes; run it and commit the page")
+        print("docs/verification/simulators.md or its figure is not what simulators.py writes; run it and commit both")
     return worst > tolerance or ("--check" in sys.argv and drifted)
 
 
