@@ -159,12 +159,6 @@ struct Answer
 /// at Question::spins do not need a terminal spin.
 Answer answer(const LoadAtSpin &load, const Question &question);
 
-/// Returns @p load, to which @p found is the answer, interpolated in the spin from @p lower to @p upper
-/// [rad/s], or to the fall, for curves of thousands of values. If some spins have no balance: from rest to
-/// the terminal spin; exact if that fails too. @p like as in interpolated().
-SharedLoad interpolated_for_curves(const SharedLoad &load, const Answer &found, double lower, double upper,
-                                   const LoadAtSpin *like = nullptr);
-
 /// Returns the incomplete @p answer with @p failure as the reason for its missing quantities.
 Answer failed_answer(const std::exception_ptr &failure, Answer answer = {});
 
@@ -181,11 +175,11 @@ bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Mot
 /// at rest it cancels @p torque up to that limit.
 double grip_torque(double torque, double omega, double grip);
 
+/// Returns @p torque plus grip_torque() at the spin @p omega [rad/s] [N m].
+double torque_with_grip(double torque, double omega, double grip);
+
 /// Returns tau_z of friction plus the lean torque with the marks at @p marks, or the mean over the phases
 /// without @p marks; the grip is not included [N m].
 double yaw_torque(const LoadAtSpin &load, const Motion &motion, double omega,
                   const std::optional<Orientation> &marks = {});
-
-/// Returns 201 equally spaced times from 0 to @p end [s].
-std::vector<double> output_times(double end);
 } // namespace stemware::ring

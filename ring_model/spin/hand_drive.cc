@@ -3,7 +3,7 @@
 #include "ring_model/first_harmonic_ring.h"
 #include "ring_model/friction_law.h"
 #include "ring_model/self_consistent_ring.h"
-#include "ring_model/spin/all_spins.h"
+#include "ring_model/spin/answer.h"
 
 #include <cmath>
 #include <cstddef>

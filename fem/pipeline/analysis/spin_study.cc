@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/variants/model_variants.h"
+#include "ring_model/spin/curves.h"
 #include "ring_model/spin/hand_drive.h"
 #include "ring_model/spin/phase_loads.h"
 

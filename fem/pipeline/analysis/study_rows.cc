@@ -37,17 +37,6 @@ double share_of_answer(const Study &study, Depth depth)
   return has_one_contact && is_collective(study) ? 0.6 : 0.17;
 }
 
-/// The load of @p variant on its @p foot, whose terminal spin is believed to be where @p asked has it.
-SharedLoad load_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
-                   const ring::Question &asked)
-{
-  const std::optional<double> expected = asked.near                 ? std::optional(asked.near->omega)
-                                         : asked.initial_guess != 0 ? std::optional(asked.initial_guess)
-                                                                    : std::nullopt;
-  return find_load(variant.study, foot, silent_progress(), variant.n_harmonics, expected,
-                   PhaseSampling::coarse);
-}
-
 } // namespace
 
 double spin_unit(const Study &study)
@@ -120,11 +109,14 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
                                   const Executor &executor, Progress &progress, const std::string &pieces,
                                   const ring::SharedLoad &of_study)
 {
-  const auto row_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &its_foot)
+  const auto solved_row = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &its_foot)
   {
     if (variant.on_other_rings)
       its_foot->reset_rings();
-    const ring::SharedLoad load = variant.on_same_load ? of_study : load_of(variant, its_foot, asked);
+    const ring::SharedLoad load =
+      variant.on_same_load
+        ? of_study
+        : find_load(variant.study, its_foot, silent_progress(), variant.n_harmonics, PhaseSampling::coarse);
     ring::Question question = spin_question(variant.study, asked);
     if (!variant.is_of_chain)
       question.spins.clear();
@@ -136,11 +128,11 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
   std::vector<Variant> others;
   for (std::size_t i = 0; i < variants.size(); ++i)
     if (variants[i].on_same_load)
-      rows[i] = row_of(variants[i], foot);
+      rows[i] = solved_row(variants[i], foot);
     else
       others.push_back(variants[i]);
   const std::vector<Solved<LoadedRow>> solved =
-    solve(others, foot, row_of, executor, counting_callback(progress, pieces, others.size()));
+    solve(others, foot, solved_row, executor, counting_callback(progress, pieces, others.size()));
   for (std::size_t i = 0, next = 0; i < variants.size(); ++i)
   {
     if (!variants[i].on_same_load)

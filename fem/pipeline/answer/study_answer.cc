@@ -93,13 +93,13 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
 
 TruncatedStudy truncate_study(const Study &study, const Executor &executor, Progress &progress)
 {
-  TruncatedStudy truncated;
-  const std::shared_ptr<ElasticFoot> foot =
-    announced_foot(study, executor, progress, mesh_for_goal(study, executor, progress).discretisation);
+  const MeshForGoal mesh = mesh_for_goal(study, executor, progress);
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress, mesh.discretisation);
   const SharedLoad load = find_load(study, foot, progress);
+  const ring::Question question = spin_question(study);
+  TruncatedStudy truncated;
   for (const LoadedRow &answer :
-       rows_by_harmonics(study, foot, *load, spin_question(study), executor, progress, Depth::rows)
-         .by_harmonics)
+       rows_by_harmonics(study, foot, *load, question, executor, progress, Depth::rows).by_harmonics)
     truncated.rows.push_back(answer.row);
   truncated.load = load->report();
   progress.stage_done("truncations");

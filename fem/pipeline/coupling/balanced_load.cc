@@ -5,8 +5,10 @@
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace stemware::pipeline
 {
@@ -40,6 +42,17 @@ private:
   mutable std::map<double, ring::RingStack> loads;
 };
 
+/// Azimuths in [0, 2 pi), sorted.
+std::vector<fem::AzimuthLoad> by_azimuth(std::vector<fem::AzimuthLoad> pointwise)
+{
+  constexpr double turn = boost::math::double_constants::two_pi;
+  for (fem::AzimuthLoad &place : pointwise)
+    place.azimuth -= turn * std::floor(place.azimuth / turn);
+  std::sort(pointwise.begin(), pointwise.end(),
+            [](const auto &one, const auto &other) { return one.azimuth < other.azimuth; });
+  return pointwise;
+}
+
 } // namespace
 
 SharedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const ring::Motion &motion,
@@ -65,6 +78,26 @@ LoadReport report_of(const ring::RingStack &load)
   report.contact_fraction = static_cast<double>(n_loaded) / n_azimuths;
   report.azimuth_fraction = report.contact_fraction;
   report.minimum = load.minimum();
+  return report;
+}
+
+LoadReport report_of(const fem::ContactState &state, double contact_radius, bool tilts)
+{
+  const fem::ContactLoad &load = state.load;
+  LoadReport report = { load };
+  report.normal_force = load.normal_force();
+  report.moment = load.moment();
+  report.moment_ratio = load.moment_ratio(contact_radius);
+  report.mean_radius = load.mean_radius;
+  report.contact_fraction = load.contact_fraction;
+  report.azimuth_fraction = load.azimuth_fraction;
+  report.peak_pressure = load.peak_pressure;
+  report.minimum = load.least;
+  report.inner_radius = state.inner_radius;
+  report.outer_radius = state.outer_radius;
+  if (tilts)
+    report.tilt = state.solution.motion.tail<2>();
+  report.pointwise = by_azimuth(load.pointwise);
   return report;
 }
 

@@ -82,4 +82,7 @@ SharedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const ri
 /// Returns the report of a load given by a formula; pointwise quantities are evaluated from the series.
 LoadReport report_of(const ring::RingStack &load);
 
+/// Returns the report on the load of a contact state, with the tilt if @p tilts.
+LoadReport report_of(const fem::ContactState &state, double contact_radius, bool tilts);
+
 } // namespace stemware::pipeline

@@ -1,25 +1,16 @@
 #include "fem/pipeline/coupling/ring_choice.h"
 
-#include "fem/pipeline/coupling/balanced_contact.h"
-#include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/terminal_spin.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace stemware::pipeline
 {
 
 namespace
 {
-
-/// Whole band of radii of two contacts.
-fem::ContactWidth together(const fem::ContactWidth &one, const fem::ContactState &other)
-{
-  return { std::min(one.inner, other.inner_radius), std::max(one.outer, other.outer_radius) };
-}
 
 /// The band of radii that carries load in @p state. A contact on nodes of a hard table may lie on one circle
 /// of them. Rings of a band without a width would extrapolate by a million widths to the nodes beside, which
@@ -56,13 +47,10 @@ unsigned int harmonics_for(double eps)
 
 } // namespace
 
-void choose_rings(const Study &study, const std::shared_ptr<ElasticFoot> &shared,
-                  const fem::ContactState &at_rest, const std::optional<double> &expected)
+void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState &at_rest)
 {
-  ElasticFoot &foot = *shared;
-  fem::ContactWidth band = band_of(at_rest, foot.body().description().contact_cell_size);
-  const ring::Motion &motion = study.motion.orbit;
-  const auto place = [&](unsigned int n_rings, unsigned int n_harmonics)
+  const fem::ContactWidth band = band_of(at_rest, foot.body().description().contact_cell_size);
+  const auto set_rings = [&](unsigned int n_rings, unsigned int n_harmonics)
   {
     if (n_rings == 1)
       return foot.set_rings({}, n_harmonics);
@@ -72,28 +60,19 @@ void choose_rings(const Study &study, const std::shared_ptr<ElasticFoot> &shared
       n_harmonics);
   };
   unsigned int n_rings = study.contact.rings, n_harmonics = foot.body().n_resolved_harmonics();
-  place(n_rings, n_harmonics);
+  set_rings(n_rings, n_harmonics);
   try
   {
-    // The load of rest tells about where the terminal spin is, the contact there where it carries.
-    double omega = expected ? *expected : ring::terminal_spin(foot.project_onto_rings(at_rest), motion).omega;
-    if (n_rings > 1 && varies_with_spin(study) && !foot.body().capabilities().is_collective)
-    {
-      const fem::ContactState spinning = BalancedContact(shared, moment_balance(study)).contact(omega);
-      band = together(band, spinning);
-      omega = ring::terminal_spin(spinning.load, motion).omega;
-    }
-    const double eps = omega * foot.radius() / motion.orbit_speed;
+    const double omega = ring::terminal_spin(foot.project_onto_rings(at_rest), study.motion.orbit).omega;
+    const double eps = omega * foot.radius() / study.motion.orbit.orbit_speed;
     n_harmonics = harmonics_for(eps);
     if (n_rings > 1)
       n_rings = rings_for(band, eps, n_rings);
   }
-  catch (const std::runtime_error &failure)
+  catch (const ring::NoBalance &) // without a spin to expect, the rings of rest are as good as any
   {
-    if (!is_balance_failure(failure)) // without a spin to expect, the rings of rest are as good as any
-      throw;
   }
-  place(n_rings, study.contact.load_harmonics > 0 ? study.contact.load_harmonics : n_harmonics);
+  set_rings(n_rings, study.contact.load_harmonics > 0 ? study.contact.load_harmonics : n_harmonics);
 }
 
 } // namespace stemware::pipeline

@@ -1,11 +1,13 @@
 #pragma once
 
-#include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/discretisation.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
+#include "fem/pipeline/coupling/foot_load.h"
+#include "fem/pipeline/coupling/study_balance.h"
 #include "fem/pipeline/study/study.h"
-#include "ring_model/spin/phases.h"
+#include "fem/pipeline/support/progress.h"
 
+#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
@@ -31,14 +33,6 @@ bool is_balance_failure(const std::exception &failure);
 /// Throws ring::Tipping if the foot of a study tips at rest.
 void require_no_tipping(const Study &study);
 
-/// Number of phases at which a load that depends on the phase is sampled. Under a hard table each phase takes
-/// ten times as long; `coarse`, for results beside the answer, then has a quarter of the samples of `full`.
-enum class PhaseSampling
-{
-  full,
-  coarse
-};
-
 /// Returns the load of a study on the ring, by Load/Source and Load/Coupling. @p foot: study_foot().
 ///
 /// A contact is solved at rest. `one-way`, and with a given moment: this load at every spin. `two-way`:
@@ -47,39 +41,15 @@ enum class PhaseSampling
 /// moment of friction, no friction that deforms the foot), the load at rest is used. Loads with waviness are
 /// sampled over the phases.
 ///
-/// @p progress must outlive the load, which keeps @p foot. Rings are chosen from the contact at rest and at
-/// @p expected, a spin near the terminal spin [rad/s]; std::nullopt: the terminal spin of the load at rest.
+/// @p progress must outlive the load, which keeps @p foot; the rings of a foot without rings are chosen here.
 /// Throws BadInput and fem::ContactFailure; the load throws as balance()'s.
 SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                      Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics,
-                     const std::optional<double> &expected = {}, PhaseSampling phases = PhaseSampling::full);
-
-/// Returns find_load() of a contact with the marks of glass and table at @p orientation, for a study with
-/// waviness.
-SharedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                              const ring::Orientation &orientation, unsigned int n_harmonics = all_harmonics);
-
-/// Returns the periods of a load with this waviness: 2 pi over the greatest common divisor of the harmonics.
-ring::PhasePeriods phase_periods(const fem::RimImperfection &imperfection);
-/// Returns the periods of the study's waviness and of the mesh of @p foot, which may lack axial symmetry.
-ring::PhasePeriods phase_periods(const Study &study, const ElasticFoot &foot);
-
-/// Returns the moment balance of a study with the marks of glass and table at their positions at t = 0.
-ContactBalance moment_balance(const Study &study);
+                     PhaseSampling phases = PhaseSampling::full);
 
 /// Returns the paper's load: a first harmonic on a ring of the contact radius, in balance by @p closure at
 /// every spin; in closed form if friction does not depend on the slip.
 SharedLoad first_harmonic_load(const Study &study, ring::Closure closure);
-
-/// Returns the report on the load of a contact state, with the tilt if @p tilts.
-LoadReport report_of(const fem::ContactState &state, double contact_radius, bool tilts);
-
-/// Returns whether find_load() gives a load that varies with the spin.
-bool varies_with_spin(const Study &study);
-
-/// Returns whether the spin affects the contact: the friction's moment enters the moment balance, or friction
-/// deforms the foot.
-bool depends_on_spin(const Study &study);
 
 /// Returns a sentence if the load at rest is used although it depends on the spin, else an empty string.
 std::string frozen_note(const Study &study);

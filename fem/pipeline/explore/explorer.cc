@@ -8,6 +8,7 @@
 #include "fem/revolution/revolution_foot.h"
 #include "ring_model/no_balance.h"
 #include "ring_model/spin/answer.h"
+#include "ring_model/spin/curves.h"
 
 #include <algorithm>
 #include <cmath>

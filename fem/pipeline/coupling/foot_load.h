@@ -1,0 +1,31 @@
+#pragma once
+
+#include "fem/pipeline/coupling/balanced_load.h"
+#include "fem/pipeline/coupling/elastic_foot.h"
+#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/support/progress.h"
+#include "ring_model/spin/phases.h"
+
+#include <memory>
+
+namespace stemware::pipeline
+{
+
+/// Number of phases at which a load that depends on the phase is sampled. Under a hard table each phase takes
+/// ten times as long; `coarse`, for results beside the answer, then has a quarter of the samples of `full`.
+enum class PhaseSampling
+{
+  full,
+  coarse
+};
+
+/// Returns find_load() of a study whose load comes from a contact.
+SharedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                        unsigned int n_harmonics, Progress &progress, PhaseSampling phases);
+
+/// Returns find_load() of a contact with the marks of glass and table at @p orientation, for a study with
+/// waviness.
+SharedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                              const ring::Orientation &orientation, unsigned int n_harmonics = all_harmonics);
+
+} // namespace stemware::pipeline

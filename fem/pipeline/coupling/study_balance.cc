@@ -1,0 +1,55 @@
+#include "fem/pipeline/coupling/study_balance.h"
+
+#include "fem/pipeline/coupling/revolution_setup.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <numeric>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+double period_of(const std::vector<fem::WavinessHarmonic> &harmonics)
+{
+  unsigned int divisor = 0;
+  for (const fem::WavinessHarmonic &harmonic : harmonics)
+    divisor = std::gcd(divisor, harmonic.n);
+  return divisor > 0 ? boost::math::double_constants::two_pi / divisor : 0;
+}
+
+} // namespace
+
+ContactBalance moment_balance(const Study &study)
+{
+  return { study.motion.orbit, study.motion.closure, ring::orientation_of_marks(study.motion.orbit, 0, 0),
+           study.tilts() };
+}
+
+bool varies_with_spin(const Study &study)
+{
+  return study.load.is_in_balance() && depends_on_spin(study);
+}
+
+bool depends_on_spin(const Study &study)
+{
+  return ring::friction_arm(study.motion.closure, study.motion.orbit) != 0 || study.friction_deforms();
+}
+
+ring::PhasePeriods phase_periods(const fem::RimImperfection &imperfection)
+{
+  return { period_of(imperfection.glass), period_of(imperfection.table) };
+}
+
+ring::PhasePeriods phase_periods(const Study &study, const ElasticFoot &foot)
+{
+  ring::PhasePeriods periods = phase_periods(imperfection_of(study));
+  if (const double of_mesh = foot.body().capabilities().glass_period; of_mesh > 0)
+    periods.glass = of_mesh;
+  return periods;
+}
+
+} // namespace stemware::pipeline
