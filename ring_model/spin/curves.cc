@@ -17,7 +17,7 @@ namespace stemware::ring
 {
 namespace
 {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double spin_up_accuracy = 1e-10; ///< of omega(t), relative to v / R
 
 /// Friction, lean and grip torque together [N m]; time and yaw angle matter if the phase does.
@@ -61,7 +61,7 @@ void spin_up(const LoadAtSpin &load, const Question &question, Answer &found)
   const auto unless_fallen = [&](YawSample sample)
   {
     if (found.fall && std::abs(sample.omega) > limit)
-      sample.omega = sample.yaw_angle = nan;
+      sample.omega = sample.yaw_angle = unknown;
     return sample;
   };
   for (const YawSample &sample :
@@ -120,7 +120,8 @@ void add_torques(const LoadAtSpin &load, const Question &question, Answer &found
   for (const double omega : question.spins)
   {
     const auto find = [&]() -> Torques { return ring_state(load.at(omega), without_minima, omega); };
-    found.torques.push_back(if_balanced(find, &reason).value_or(Torques{ { nan, nan, nan }, nan, nan }));
+    found.torques.push_back(
+      if_balanced(find, &reason).value_or(Torques{ { unknown, unknown, unknown }, unknown, unknown }));
   }
   if (found.reason.empty())
     found.reason = reason;

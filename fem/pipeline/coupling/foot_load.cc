@@ -161,16 +161,15 @@ private:
   static constexpr std::size_t n_latest = 6;
 };
 
-/// The load of a contact whose marks stay where they are.
+/// The load of a contact whose marks stay where they are @p at_rest.
 SharedLoad load_at_one_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                             const ring::Orientation &orientation, const fem::ContactState &at_rest,
-                             unsigned int n_harmonics, Progress &progress)
+                             const fem::ContactState &at_rest, unsigned int n_harmonics, Progress &progress)
 {
   const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
   if (!varies_with_spin(study))
     return std::make_shared<GivenLoad>(report, n_harmonics, at_rest);
   ContactBalance balance = moment_balance(study);
-  balance.orientation = orientation;
+  balance.orientation = at_rest.slip.orientation;
   balance.n_harmonics = n_harmonics;
   return std::make_shared<ContactInBalance>(foot, balance, report, at_rest, progress);
 }
@@ -249,7 +248,7 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
     {
       const fem::ContactState state = contact_at_phase(study, *foot, phase, at_rest);
       progress.pieces_done("phases", by_phase->size(), 0);
-      load = load_at_one_phase(study, foot, phase, state, n_harmonics, progress);
+      load = load_at_one_phase(study, foot, state, n_harmonics, progress);
     }
     return load->at(omega);
   };
@@ -281,7 +280,7 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
     worst.least_contact_fraction = std::min(worst.least_contact_fraction, load->report().contact_fraction);
   }
   return std::make_shared<LoadByPhase>(
-    load_at_one_phase(study, foot, moment_balance(study).orientation, at_rest, n_harmonics, progress),
+    load_at_one_phase(study, foot, at_rest, n_harmonics, progress),
     std::make_shared<const ring::PhaseSampledLoad>(exact, periods, samples, spins, worst));
 }
 
@@ -308,14 +307,14 @@ SharedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &
   progress.stage_done("contact");
   return phase_periods(study, *foot).any()
            ? load_over_phases(study, foot, state, n_harmonics, phases, progress)
-           : load_at_one_phase(study, foot, marks, state, n_harmonics, progress);
+           : load_at_one_phase(study, foot, state, n_harmonics, progress);
 }
 
 SharedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                               const ring::Orientation &orientation, unsigned int n_harmonics)
 {
   const fem::ContactState state = contact_at_rest(study, foot, orientation, silent_progress());
-  return load_at_one_phase(study, foot, orientation, state, n_harmonics, silent_progress());
+  return load_at_one_phase(study, foot, state, n_harmonics, silent_progress());
 }
 
 } // namespace stemware::pipeline
