@@ -82,3 +82,25 @@ TEST(AzimuthalDensity, OfNodesStandsAtTheirMeanAzimuth)
   for (const AzimuthLoad &place : density_of_nodes(surface, forces))
     EXPECT_NEAR(place.density, 1 + (density_at(place.azimuth) - 1) * mean, 1e-12) << place.azimuth;
 }
+
+TEST(AzimuthalDensity, ASectorWithoutNodesStandsInItsMiddle)
+{
+  // Nodes in three of four sectors; the first sector begins a quarter of its breadth before the first node.
+  const double azimuths[] = { 0.2, 0.3, 0.2 + M_PI / 2, 0.3 + 3 * M_PI / 2 };
+  ContactSurface surface;
+  surface.n_sectors = 4;
+  surface.node_position.resize(4, 2);
+  surface.node_gap = Eigen::VectorXd::Zero(4);
+  for (unsigned int i = 0; i < 4; ++i)
+    surface.node_position.row(i) << 0.03 * std::cos(azimuths[i]), 0.03 * std::sin(azimuths[i]);
+  // The fourth node lies at -1.27, so the sectors begin at -1.27 - pi / 8.
+  const double begin = 0.3 - M_PI / 2 - M_PI / 8;
+  const std::vector<AzimuthLoad> density = density_of_nodes(surface, Eigen::VectorXd::Ones(4));
+  ASSERT_EQ(density.size(), 4u);
+  EXPECT_NEAR(density[0].azimuth, 0.3 - M_PI / 2, 1e-14);
+  EXPECT_NEAR(density[1].azimuth, 0.25, 1e-14);
+  EXPECT_NEAR(density[2].azimuth, 0.2 + M_PI / 2, 1e-14);
+  EXPECT_NEAR(density[3].azimuth, begin + 7 * M_PI / 4, 1e-14);
+  EXPECT_NEAR(density[1].density, 2 * 2 / M_PI, 1e-14);
+  EXPECT_EQ(density[3].density, 0);
+}

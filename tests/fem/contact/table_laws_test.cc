@@ -222,3 +222,36 @@ TEST(SlidingTraction, OpposesTheSlipInTurnedAxes)
       EXPECT_NEAR(traction(1), -mu * velocity.dot(around) / velocity.norm(), 1e-15) << rotation;
     }
 }
+
+TEST(SlidingTraction, MayBeWithoutFriction)
+{
+  const SlidingTraction smooth{ 0, -40. };
+  EXPECT_NO_THROW(smooth.validate());
+  EXPECT_EQ(smooth.direction(0.03, 0.4).norm(), 0);
+  EXPECT_THROW((SlidingTraction{ -0.1, -40. }).validate(), std::invalid_argument);
+}
+
+// Reference: the pressure of the law summed over the width of a crown of the radius rho, x^2 / (2 rho) high.
+TEST(InterfaceHalfWidth, CarriesTheLineLoadUnderACrown)
+{
+  const double line_load = 5e3, crown_radius = 2e-3;
+  const WinklerInterface mat(3e11);
+  const double half_width = mat.half_width(line_load, crown_radius);
+  double sum = 0;
+  const int n = 10000;
+  for (int i = 0; i < n; ++i)
+  {
+    const double x = half_width * (2 * (i + 0.5) / n - 1);
+    sum += mat.pressure((half_width * half_width - x * x) / (2 * crown_radius)) * 2 * half_width / n;
+  }
+  EXPECT_NEAR(sum / line_load, 1, 1e-7);
+}
+
+TEST(InterfaceHalfWidth, OfARoughTableIsTwoAndAHalfDeviations)
+{
+  const double crown_radius = 2e-3;
+  const RoughInterface rough(1e9, 1e-6);
+  const double x = rough.half_width(5e3, crown_radius) / 2.5, lowest = -3e-6;
+  EXPECT_NEAR(rough.pressure(lowest - x * x / (2 * crown_radius)) / rough.pressure(lowest), std::exp(-0.5),
+              1e-12);
+}

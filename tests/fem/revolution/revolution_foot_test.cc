@@ -244,6 +244,16 @@ TEST(RevolutionFoot, SaysThatTheFootTips)
   EXPECT_NO_THROW(foot.solve(load_at(0.5)));
 }
 
+TEST(Imperfection, HasItsCrestsWhereItSays)
+{
+  const RimImperfection rim = { { { 3, 2e-6, 0.4 } }, {} };
+  for (const unsigned int crest : { 0u, 1u, 2u })
+  {
+    EXPECT_NEAR(rim.gap(1, 0.4 + 2 * M_PI * crest / 3, 0, 0), 2e-6, 1e-20);
+    EXPECT_NEAR(rim.gap(1, 0.4 + 2 * M_PI * (crest + 0.5) / 3, 0, 0), -2e-6, 1e-20);
+  }
+}
+
 TEST(Imperfection, OffsetAndTiltChangeNothing)
 {
   RevolutionSetup setup;

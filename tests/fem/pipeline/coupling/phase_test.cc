@@ -65,16 +65,6 @@ TEST(Waviness, TakesNothingElse)
     EXPECT_FALSE(parse_waviness(text)) << text;
 }
 
-TEST(Waviness, HasItsCrestsWhereItSays)
-{
-  const stemware::fem::RimImperfection rim = { { { 3, 2e-6, 0.4 } }, {} };
-  for (const unsigned int crest : { 0u, 1u, 2u })
-  {
-    EXPECT_NEAR(rim.gap(1, 0.4 + two_pi * crest / 3, 0, 0), 2e-6, 1e-20);
-    EXPECT_NEAR(rim.gap(1, 0.4 + two_pi * (crest + 0.5) / 3, 0, 0), -2e-6, 1e-20);
-  }
-}
-
 TEST(Marks, StandWhereTheOrbitAndTheYawPutThem)
 {
   // At t = 0 azimuth 0 points away from the orbit's centre: to the right of a counter-clockwise motion.
