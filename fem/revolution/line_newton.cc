@@ -16,9 +16,13 @@ namespace stemware::fem
 namespace
 {
 
-/// How far the step may miss that of Newton's method: share of the compliance that its functions leave out.
+/// Bound of the error of a step: share of the compliance that its functions leave out.
 constexpr double step_accuracy = 1e-4;
-constexpr Eigen::Index max_functions = 10;
+/// Number of functions from which on an error of a step that the next steps reduce is accepted. Lands that
+/// are wide compared with the wavelength of the highest harmonic need more functions.
+constexpr Eigen::Index many_functions = 10;
+/// Factor by which a step must reduce the error of the forces under a rigid table.
+constexpr double slowest_contraction = 0.2;
 
 /// Orthonormal polynomials of degree 0 ... @p n_functions - 1 at @p radii.
 Eigen::MatrixXd polynomials(const Eigen::VectorXd &radii, Eigen::Index n_functions)
@@ -154,27 +158,36 @@ LineNewton::Functions LineNewton::chosen_functions() const
   std::vector<HarmonicCompliance> whole;
   for (unsigned int n = 0; n <= n_max; ++n)
     whole.push_back(response.difference(n, circles.first, circles.size));
-  const double allowed =
-    step_accuracy * (response.compliance()
-                       .tail.normal.block(circles.first, circles.first, circles.size, circles.size)
-                       .norm() +
-                     whole[0].normal.norm());
+  const Eigen::MatrixXd tail =
+    response.compliance().tail.normal.block(circles.first, circles.first, circles.size, circles.size);
+  const double allowed = step_accuracy * (tail.norm() + whole[0].normal.norm());
+  const Eigen::LLT<Eigen::MatrixXd> factor(tail);
   for (Eigen::Index n_functions = std::min<Eigen::Index>(2, circles.size);; ++n_functions)
   {
     const Eigen::MatrixXd functions = polynomials(radii, n_functions);
-    const auto left_out = [&](const Eigen::MatrixXd &matrix)
+    double worst = 0, contraction = 0;
+    const auto leave_out = [&](const Eigen::MatrixXd &matrix)
     {
-      return (matrix - functions * (functions.transpose() * matrix * functions) * functions.transpose())
-        .norm();
+      const Eigen::MatrixXd rest =
+        matrix - functions * (functions.transpose() * matrix * functions) * functions.transpose();
+      worst = std::max(worst, rest.norm());
+      if (n_functions < many_functions)
+        return;
+      // The tail L L^T remains of the compliance: |L^-1 rest L^-T|.
+      const Eigen::MatrixXd half = factor.matrixL().solve(rest);
+      contraction = std::max(contraction, factor.matrixL().solve(half.transpose()).norm());
     };
-    double worst = 0;
     for (const unsigned int n : { 0u, 1u, n_max / 2, n_max })
     {
-      worst = std::max(worst, left_out(whole[n].normal));
+      leave_out(whole[n].normal);
       if (response.has_sliding())
-        worst = std::max({ worst, left_out(whole[n].radial), left_out(whole[n].azimuthal) });
+      {
+        leave_out(whole[n].radial);
+        leave_out(whole[n].azimuthal);
+      }
     }
-    if (worst <= allowed || n_functions >= std::min(circles.size, max_functions))
+    const bool contracts = n_functions >= many_functions && !(contraction > slowest_contraction);
+    if (worst <= allowed || contracts || n_functions >= circles.size)
     {
       for (const HarmonicCompliance &harmonic : whole)
         chosen.reduced.push_back(reduced_to(functions, harmonic));

@@ -18,7 +18,7 @@ namespace stemware::fem
 /// is the sum of a part local to the lines and of a few smooth functions of r times the modes up to n_max
 /// (ElasticResponse). The lines are eliminated one by one; a small dense system remains for the amplitudes of
 /// these functions and the table motions. Polynomials in r approximate the smooth functions: the step is
-/// accurate to 1e-4 or better, the converged solution is exact.
+/// accurate to 1e-4, or reduces the error of the forces to a fifth; the converged solution is exact.
 class LineNewton
 {
 public:

@@ -1,7 +1,9 @@
 // Thick discs and layers against an elastic half-space and a bonded layer. Kinds of reference: closed forms
 // under quadrature (Boussinesq, Cerruti, the layer's transfer function), and the flat annular punch by other
 // code.
+#include "fem/contact/hard_interface.h"
 #include "fem/meridian/compute_compliance.h"
+#include "fem/meridian/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/half_space_formulas.h"
 
@@ -156,4 +158,45 @@ TEST(HalfSpace, AnnularPunchCarriesItsHarmonics)
       before[n] = now;
     }
   }
+}
+
+// Kind of the reference: other code (tests/verification/annular_punch.py, a layer of 100 outer radii). A land
+// that is wide compared with the wavelength of the highest harmonic takes more smooth functions in a Newton
+// step than a narrow one; with ten, the widest did not converge on many cells. The error is that of the
+// singular edges.
+TEST(HalfSpace, WideAnnularPunchesStandOnManyCells)
+{
+  const struct
+  {
+    double ratio, load, moment; ///< P/(2 E* a delta) and 3 M/(4 E* a^3 alpha)
+  } punches[] = { { 0.5, 0.9895262242, 0.9960429791 },
+                  { 0.7, 0.9473028987, 0.9741349404 },
+                  { 0.9, 0.8269807294, 0.8624369366 } };
+  const struct
+  {
+    unsigned int n_cells;
+    double error_of_depth, error_of_tilt;
+  } meshes[] = { { 16, 7e-3, 1.8e-2 }, { 32, 3.5e-3, 9e-3 } };
+  const double outer = 0.030, force = 981;
+  for (const auto &[ratio, load, moment] : punches)
+    for (const auto &[n_cells, error_of_depth, error_of_tilt] : meshes)
+    {
+      RevolutionSetup setup;
+      setup.profile = strip(outer * (1 - ratio));
+      setup.profile.contact_radius = outer * (1 + ratio) / 2;
+      setup.table.interface = std::make_shared<HardInterface>();
+      setup.table.substrate = Substrate{ { 3, 3 }, wood };
+      setup.foot_is_rigid = true;
+      setup.resolution.land_cells = n_cells;
+      setup.n_lines = 128;
+      const MeshedRevolutionFoot foot(setup.resolved_for(force));
+      const double torque = 0.2 * force * setup.profile.contact_radius / 2;
+      const Eigen::Vector3d motion = foot.solve({ force, torque, 0 }).solution.motion;
+      const double modulus = plane_strain_modulus(wood);
+      EXPECT_NEAR(std::abs(motion(0)) * 2 * modulus * outer * load / force, 1, error_of_depth)
+        << ratio << ", " << n_cells << " cells";
+      EXPECT_NEAR(motion.tail<2>().norm() * 4 * modulus * std::pow(outer, 3) * moment / (3 * torque), 1,
+                  error_of_tilt)
+        << ratio << ", " << n_cells << " cells";
+    }
 }
