@@ -2,9 +2,9 @@
 
 #include "fem/contact/azimuthal_density.h"
 #include "fem/contact/line_integral.h"
+#include "ring_model/load/lagrange.h"
 
 #include <boost/math/constants/constants.hpp>
-#include <boost/math/interpolators/barycentric_rational.hpp>
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
@@ -102,8 +102,10 @@ double largest_between(const std::vector<CutValue> &cuts)
         (reach > 1 && *std::max_element(values.begin(), values.end()) >= 0))
       continue;
     const double before = azimuths[reach - 1], after = azimuths[reach + 1];
-    const boost::math::barycentric_rational<double> polynomial(std::move(azimuths), std::move(values),
-                                                               2 * reach);
+    const auto n_nodes = static_cast<Eigen::Index>(azimuths.size());
+    const Eigen::Map<const Eigen::VectorXd> nodes(azimuths.data(), n_nodes), at_nodes(values.data(), n_nodes);
+    const auto polynomial = [&](double azimuth)
+    { return ring::lagrange_values(nodes, azimuth).dot(at_nodes); };
     return std::max(largest->value, -boost::math::tools::brent_find_minima(
                                        polynomial, before, after, std::numeric_limits<double>::digits / 2)
                                        .second);
