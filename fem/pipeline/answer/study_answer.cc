@@ -32,10 +32,11 @@ std::string size_text(const fem::FootDescription &foot)
   return text;
 }
 
-/// study_foot(); @p progress is told its size, and what a reader should know about its friction and its load.
-/// Nothing where the load does not come from a contact.
+/// Returns study_foot(), nullptr if the load does not come from a contact; reports its size, and notes on
+/// friction and coupling, to @p progress.
 std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &executor, Progress &progress,
-                                            const Discretisation &discretisation = {})
+                                            const Discretisation &discretisation = {},
+                                            const ElasticFoot *similar = nullptr)
 {
   constexpr double worth_saying = 1e9;
   if (const StudySize size = size_of(study); size.memory > worth_saying)
@@ -43,7 +44,7 @@ std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &
                   fmt::format(FMT_STRING("about {:.2g} GB for {:.0f} cells"), size.memory / 1e9, size.cells));
   std::shared_ptr<ElasticFoot> foot;
   executor.for_each(
-    1, [&](std::size_t) { foot = study_foot(study, executor.make_foot, progress, nullptr, discretisation); },
+    1, [&](std::size_t) { foot = study_foot(study, executor.make_foot, progress, similar, discretisation); },
     is_collective(study));
   if (!foot)
     return foot;
@@ -58,11 +59,12 @@ std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &
 } // namespace
 
 StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, Progress &progress,
-                         bool with_fields)
+                         bool with_fields, std::shared_ptr<ElasticFoot> *start)
 {
-  // 1. The load on the table, and what it does to the ring.
+  // 1. The load on the table, and the spin.
   const MeshForGoal mesh = mesh_for_goal(study, executor, progress);
-  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress, mesh.discretisation);
+  const std::shared_ptr<ElasticFoot> foot =
+    announced_foot(study, executor, progress, mesh.discretisation, start ? start->get() : nullptr);
   const SharedLoad load = find_load(study, foot, progress);
   StudyAnswer answer = { mesh.outcome };
   answer.spin = study_spin(study, foot, *load, executor, progress, depth);
@@ -70,7 +72,7 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
   answer.contact = describe(study, foot, *load, answer.spin.all().last_spin().value());
   progress.stage_done("report_of_contact");
 
-  // 2. Fields, and meanwhile what the discretisation leaves open.
+  // 2. Fields and, in parallel, error bands.
   const std::shared_ptr<const ElasticFoot> of_fields = foot && with_fields ? foot->clone() : nullptr;
   const auto find = [&](std::size_t i)
   {
@@ -88,6 +90,8 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
               answer.spin.budget.rows);
   }
   progress.stage_done("bands_and_fields");
+  if (start)
+    *start = foot;
   return answer;
 }
 

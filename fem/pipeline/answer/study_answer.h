@@ -7,6 +7,7 @@
 #include "fem/pipeline/refinement/goal_mesh.h"
 #include "fem/pipeline/refinement/refinement_study.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -23,11 +24,11 @@ struct StudyAnswer
   ErrorBands bands = {}; ///< empty with Depth::answer
 };
 
-/// Answers @p study, a checked study. @p with_fields: also fields and stressed section of the foot.
-/// Collective if the body is. Throws BadInput, fem::ContactFailure, and ring::NoBalance without a balance or
-/// a terminal spin.
+/// Answers @p study, a checked study. @p with_fields: also fields and stressed section of the foot. @p start
+/// as of case_result(). Collective if the body is. Throws BadInput, fem::ContactFailure, and ring::NoBalance
+/// without a balance or a terminal spin.
 StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, Progress &progress,
-                         bool with_fields);
+                         bool with_fields, std::shared_ptr<ElasticFoot> *start = nullptr);
 
 /// Answer of `truncate`.
 struct TruncatedStudy

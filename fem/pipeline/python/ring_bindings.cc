@@ -1,5 +1,5 @@
-// stemware._ring: the Coulomb ring for Python, of ring_model, pybind11 and numpy alone. Arrays of equal shape
-// come in (stemware/ring.py broadcasts them), arrays of that shape go out. SI units.
+// stemware._ring: Python bindings of ring_model. Arguments are arrays of equal shape, which stemware/ring.py
+// broadcasts; results have that shape. SI units.
 
 #include "ring_model/free_sliding.h"
 #include "ring_model/friction_kernels.h"
@@ -29,7 +29,7 @@ using Row = std::vector<double>;
 namespace
 {
 
-/// A function that lets Ctrl-C through 20 times a second, in loops without the GIL.
+/// Returns a check for Ctrl-C, at most 20 times a second, for loops without the GIL.
 auto interruption()
 {
   return [next = std::chrono::steady_clock::now()]() mutable
@@ -44,7 +44,7 @@ auto interruption()
   };
 }
 
-/// @p function that lets Ctrl-C through at each call.
+/// Returns @p function with a check for Ctrl-C before each call.
 template <typename Result, typename... Arguments>
 std::function<Result(Arguments...)> interruptible(std::function<Result(Arguments...)> function)
 {
@@ -62,15 +62,14 @@ auto without_gil(const Work &work)
   return work();
 }
 
-/// Numbers, or plain structs as a structured array.
+/// Returns numbers, or plain structs as a structured array.
 template <typename Value>
 py::array_t<Value> numpy_of(const std::vector<Value> &values)
 {
   return py::array_t<Value>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-/// Array (..., n): @p write(to, values...) fills its n numbers for each entry of the arrays, which are of one
-/// size.
+/// Returns an array (..., n): @p write(to, values...) sets n numbers for each entry of the arrays.
 template <typename Write, typename... Arrays>
 Array filled(py::ssize_t n, const Write &write, const Array &first, const Arrays &...others)
 {
@@ -89,7 +88,7 @@ Array filled(py::ssize_t n, const Write &write, const Array &first, const Arrays
   return out;
 }
 
-/// Array (..., 3) of T_x, T_y, tau_z.
+/// Returns the array (..., 3) of T_x, T_y, tau_z.
 template <typename WrenchAt, typename... Arrays>
 Array wrenches(const WrenchAt &wrench_at, const Arrays &...arrays)
 {
@@ -102,7 +101,7 @@ Array wrenches(const WrenchAt &wrench_at, const Arrays &...arrays)
   return filled(3, write, arrays...);
 }
 
-/// P_n, K_n, U_n: (..., 3 (n_max + 1)).
+/// Returns P_n, K_n, U_n for n = 0...n_max, shape (..., 3 (n_max + 1)).
 Array kernels(const Array &rim_speed, const Array &speed, unsigned int n_max)
 {
   const auto write = [n_max](double *to, double u, double v)
@@ -115,7 +114,7 @@ Array kernels(const Array &rim_speed, const Array &speed, unsigned int n_max)
   return filled(3 * (static_cast<py::ssize_t>(n_max) + 1), write, rim_speed, speed);
 }
 
-/// Law of friction written in Python: slow, but any.
+/// Friction law written in Python.
 struct LawInPython : FrictionLaw
 {
   double coefficient(double slip_speed) const override
@@ -135,7 +134,7 @@ LeaningLoad stack_of(const Row &radii, const std::vector<Row> &a, const std::vec
   return { RingStack(std::move(rings)), tilt };
 }
 
-/// The coefficients a or b, ring by ring.
+/// Returns the coefficients a or b of all rings, shape (J, n_max + 1).
 template <Row RingStack::Ring::*row>
 py::array rows(const LeaningLoad &load)
 {
@@ -145,18 +144,26 @@ py::array rows(const LeaningLoad &load)
   return py::cast(all);
 }
 
-/// Friction on a load that moves with the velocity (v_x, v_y) [m/s] in its own frame and spins [rad/s].
+/// Self-consistent ring with its motion and radius, which are private there.
+struct BalancedRing
+{
+  Motion motion;
+  double radius;
+  SelfConsistentRing ring;
+
+  LeaningLoad load(double omega) const { return ring.at(omega).load; }
+};
+
+/// Friction on a load with the velocity (v_x, v_y) [m/s] in the load's frame and the spin omega [rad/s].
 struct Friction
 {
-  /// The law has to outlive it. Kernels want the slip along x.
+  /// @p law must outlive this object. The kernels need a velocity along x: the load is rotated.
   Friction(const LeaningLoad &load, const FrictionLaw &law)
   {
     at = [load, &law](double v_x, double v_y, double omega)
     {
       const double speed = std::hypot(v_x, v_y), angle = std::atan2(v_y, v_x);
       const auto friction = friction_functionals(law, load.radii(), load.n_harmonics(), omega, speed);
-      if (v_y == 0. && v_x >= 0.)
-        return friction(load);
       const Wrench one = friction(load.RingStack::rotated(-angle));
       const Eigen::Vector2d force = Eigen::Rotation2Dd(angle) * Eigen::Vector2d(one.force_x, one.force_y);
       return Wrench{ one.torque, force.x(), force.y() };
@@ -168,15 +175,11 @@ struct Friction
     one.validate();
     at = [one](double speed, double, double omega) { return sliding_friction(one, speed, omega); };
   }
+  explicit Friction(const BalancedRing &one)
+      : at([ring = one.ring](double, double, double omega) { return ring.at(omega).friction; })
+  {
+  }
   std::function<Wrench(double, double, double)> at;
-};
-
-/// Rigid ring that still has its motion and radius, which the C++ class keeps to itself.
-struct BalancedRing
-{
-  Motion motion;
-  double radius;
-  SelfConsistentRing ring;
 };
 
 BalancedRing balanced_ring(const Motion &motion, const std::string &closure, double radius,
@@ -191,21 +194,23 @@ BalancedRing balanced_ring(const Motion &motion, const std::string &closure, dou
   throw std::invalid_argument("the closure is \"" + closure + "\", but must be paper, hand or full");
 }
 
-/// Load of a Question: a stack, which does not react to the spin, a ring in balance, or a function.
-struct AskedLoad : LoadFromFunction
+/// Returns the load function of the spin [rad/s] for a RingStack, a SelfConsistentRing or a function.
+std::function<LeaningLoad(double)> load_function(const py::object &load)
 {
-  using Function = std::function<LeaningLoad(double)>;
-  explicit AskedLoad(const Function &load)
-      : LoadFromFunction(interruptible(load))
-  {
-  }
-};
+  if (py::isinstance<LeaningLoad>(load))
+    return [stack = load.cast<LeaningLoad>()](double) { return stack; };
+  if (py::isinstance<BalancedRing>(load))
+    return [ring = load.cast<BalancedRing>()](double omega) { return ring.load(omega); };
+  return load.cast<std::function<LeaningLoad(double)>>();
+}
 
-/// The spin reached from rest, all balances, torque of table and lean at rest [N m], v / R [rad/s], spin-up.
-py::tuple answer_about(const AskedLoad &load, const Motion &motion, double grip_torque, bool all,
+/// Returns the terminal spin, all balances, the torque of friction and lean at rest [N m], v / R [rad/s] and
+/// the spin-up.
+py::tuple answer_about(const py::object &given, const Motion &motion, double grip_torque, bool all,
                        const Row &times)
 {
   motion.validate();
+  const LoadFromFunction load(interruptible(load_function(given)));
   Question question{ motion, grip_torque };
   question.with_slope = true;
   question.with_minima = false;
@@ -215,12 +220,10 @@ py::tuple answer_about(const AskedLoad &load, const Motion &motion, double grip_
   if (found.fall && times.empty())
     throw BalanceLost(found.reason, found.fall->omega, true);
   found.value();
-  std::vector<TerminalSpin> reached;
-  if (found.terminal)
-    reached.push_back(*found.terminal);
-  return py::make_tuple(numpy_of(reached), numpy_of(found.all_spins),
-                        found.at_rest->friction.torque + found.at_rest->lean_torque, load.spin_scale(motion),
-                        numpy_of(found.spin_up));
+  return py::make_tuple(
+    numpy_of(std::vector<TerminalSpin>(found.terminal ? 1 : 0, found.terminal.value_or(TerminalSpin()))),
+    numpy_of(found.all_spins), found.at_rest->friction.torque + found.at_rest->lean_torque,
+    load.spin_scale(motion), numpy_of(found.spin_up));
 }
 
 py::array motion_of(const PhasedTorqueFunction &torque, double yaw_inertia, const Row &times,
@@ -231,24 +234,26 @@ py::array motion_of(const PhasedTorqueFunction &torque, double yaw_inertia, cons
     without_gil([&] { return yaw_motion(at, yaw_inertia, initial_spin, times, accuracy, spin_scale); }));
 }
 
-py::tuple slide(const Friction &friction, const SlidingInertia &inertia, double speed, double omega,
-                double accuracy)
+py::tuple slide(const Friction &friction, double mass, double yaw_inertia, double radius, double speed,
+                double omega, double accuracy)
 {
   const auto along = interruptible(SlidingFriction([&](double v, double w) { return friction.at(v, 0, w); }));
+  const SlidingInertia inertia = { mass, yaw_inertia, radius };
   const SlidingPath path = without_gil([&] { return slide_to_stop(inertia, along, speed, omega, accuracy); });
   return py::make_tuple(numpy_of(path.states), path.final_slip_ratio);
 }
 
-/// Exceptions of physics; what() is the sentence. BalanceLost keeps its last spin: that takes a translator of
-/// its own, which pybind11 asks first because it comes last.
+/// Defines the exceptions; the translator of BalanceLost, registered last, is called first.
 void bind_failures(py::module_ &m)
 {
   py::register_exception<std::invalid_argument>(m, "BadInput", PyExc_ValueError).doc() =
-    "A value that is not allowed; the message says which, what is allowed and what to do.";
+    "Value that is not allowed; the message names it, the allowed values and the remedy.";
   const auto base = py::register_exception<NoBalance>(m, "NoBalance", PyExc_RuntimeError);
-  py::register_exception<Tipping>(m, "Tipping", base);
-  py::register_exception<NoTerminalSpin>(m, "NoTerminalSpin", base);
+  base.doc() = "Failure of a balance of forces, moments or torques: the result does not exist.";
+  py::register_exception<Tipping>(m, "Tipping", base).doc() = "The required moment tips the glass.";
+  py::register_exception<NoTerminalSpin>(m, "NoTerminalSpin", base).doc() = "The torque vanishes at no spin.";
   static const py::handle lost = py::exception<BalanceLost>(m, "BalanceLost", base).release();
+  lost.doc() = "The balance of moments is lost during the spin-up, after last_spin [rad/s].";
   py::register_exception_translator(
     [](std::exception_ptr failure)
     {
@@ -268,33 +273,31 @@ void bind_failures(py::module_ &m)
 void bind_motion(py::module_ &m)
 {
   using M = Motion;
-  static const std::map<std::string, double M::*> numbers = {
-    { "mass", &M::mass },
-    { "yaw_inertia", &M::yaw_inertia },
-    { "centre_of_mass_height", &M::centre_of_mass_height },
-    { "force_offset", &M::force_offset },
-    { "orbit_radius", &M::orbit_radius },
-    { "orbit_speed", &M::orbit_speed },
-    { "orbit_acceleration", &M::orbit_acceleration },
-    { "friction_coefficient", &M::friction_coefficient },
-    { "static_coefficient", &M::static_coefficient },
-    { "friction_decay_speed", &M::friction_decay_speed },
-    { "viscous_friction", &M::viscous_friction },
-    { "gravity", &M::gravity }
+  static const std::map<std::string, double &(*)(M &)> numbers = {
+    { "mass", [](M &one) -> double & { return one.mass; } },
+    { "yaw_inertia", [](M &one) -> double & { return one.yaw_inertia; } },
+    { "centre_of_mass_height", [](M &one) -> double & { return one.centre_of_mass_height; } },
+    { "force_offset", [](M &one) -> double & { return one.force_offset; } },
+    { "orbit_radius", [](M &one) -> double & { return one.orbit_radius; } },
+    { "orbit_speed", [](M &one) -> double & { return one.orbit_speed; } },
+    { "orbit_acceleration", [](M &one) -> double & { return one.orbit_acceleration; } },
+    { "friction_coefficient", [](M &one) -> double & { return one.friction_coefficient; } },
+    { "static_coefficient", [](M &one) -> double & { return one.static_coefficient; } },
+    { "friction_decay_speed", [](M &one) -> double & { return one.friction_decay_speed; } },
+    { "viscous_friction", [](M &one) -> double & { return one.viscous_friction; } },
+    { "gravity", [](M &one) -> double & { return one.gravity; } },
+    { "liquid_mass", [](M &one) -> double & { return one.liquid.mass; } },
+    { "liquid_density", [](M &one) -> double & { return one.liquid.density; } },
+    { "bowl_radius", [](M &one) -> double & { return one.liquid.bowl_radius; } },
+    { "bowl_height", [](M &one) -> double & { return one.liquid.bowl_height; } },
+    { "bowl_depth", [](M &one) -> double & { return one.liquid.bowl_depth; } }
   };
-  static const std::map<std::string, double Liquid::*> of_liquid = { { "liquid_mass", &Liquid::mass },
-                                                                     { "liquid_density", &Liquid::density },
-                                                                     { "bowl_radius", &Liquid::bowl_radius },
-                                                                     { "bowl_height", &Liquid::bowl_height },
-                                                                     { "bowl_depth", &Liquid::bowl_depth } };
-  const auto as_dict = [](const M &one)
+  const auto as_dict = [](M one)
   {
     py::dict all("clockwise"_a = one.orbit_sense == OrbitSense::clockwise,
                  "stribeck"_a = one.friction_law == FrictionLawKind::stribeck);
-    for (const auto &[name, member] : numbers)
-      all[name.c_str()] = one.*member;
-    for (const auto &[name, member] : of_liquid)
-      all[name.c_str()] = one.liquid.*member;
+    for (const auto &[name, number] : numbers)
+      all[name.c_str()] = number(one);
     return all;
   };
   const auto changed = [](M one, const py::dict &values)
@@ -305,28 +308,30 @@ void bind_motion(py::module_ &m)
       else if (name == "stribeck")
         one.friction_law = value.cast<bool>() ? FrictionLawKind::stribeck : FrictionLawKind::coulomb;
       else if (const auto number = numbers.find(name); number != numbers.end())
-        one.*(number->second) = value.cast<double>();
-      else if (const auto entry = of_liquid.find(name); entry != of_liquid.end())
-        one.liquid.*(entry->second) = value.cast<double>();
+        number->second(one) = value.cast<double>();
       else
         throw py::type_error("a motion has no " + name + "; see Motion().as_dict()");
     one.validate();
     return one;
   };
   py::class_<M> motion(m, "Motion",
-                       "The glass and how the hand leads it: Motion(mass=0.3, ...) in SI units, as listed by "
-                       "as_dict(); clockwise and stribeck are True or False. Defaults: the paper's glass.");
+                       R"(Glass, liquid, orbit and friction, read-only: Motion(mass=0.3, ...).
+
+mass [kg], yaw_inertia [kg m^2] about the axis, centre_of_mass_height [m]: of the glass without liquid. liquid_mass [kg],
+liquid_density [kg/m^3], bowl_radius, bowl_height (of the bowl's bottom above the table), bowl_depth [m]. force_offset [m]:
+height of the hand's force above the centre of mass. orbit_radius [m], orbit_speed [m/s], orbit_acceleration [m/s^2], clockwise
+(bool, seen from above). friction_coefficient; with stribeck=True (bool) the kinetic one, beside static_coefficient,
+friction_decay_speed [m/s] and viscous_friction [s/m]. gravity [m/s^2]. Defaults: the values of Motion().as_dict().)");
   motion.def(py::init([=](const py::kwargs &values) { return changed(M(), values); }))
-    .def("replace", [=](const M &one, const py::kwargs &values) { return changed(one, values); })
-    .def("as_dict", as_dict)
+    .def(
+      "replace", [=](const M &one, const py::kwargs &values) { return changed(one, values); },
+      "Returns a copy with other values: replace(mass=0.25).")
+    .def("as_dict", as_dict, "Returns the arguments of Motion() with their values.")
     .def_property_readonly("normal_force", &M::normal_force, "m g of glass and liquid [N]")
     .def("__repr__", [=](const M &one) { return "Motion(**" + std::string(py::str(as_dict(one))) + ")"; })
     .def(py::pickle(as_dict, [=](const py::dict &values) { return changed(M(), values); }));
-  for (const auto &[name, member] : numbers)
-    motion.def_readonly(name.c_str(), member);
-  for (const auto &[name, member] : of_liquid)
-    motion.def_property_readonly(name.c_str(),
-                                 [member = member](const M &one) { return one.liquid.*member; });
+  for (const auto &[name, number] : numbers)
+    motion.def_property_readonly(name.c_str(), [number = number](M one) { return number(one); });
 }
 
 void bind_loads(py::module_ &m)
@@ -334,10 +339,10 @@ void bind_loads(py::module_ &m)
   using R = LeaningLoad;
   py::class_<R>(
     m, "RingStack",
-    "Normal load on concentric rings, lambda_j(theta) = sum_n a_jn cos n theta + b_jn sin n theta "
-    "[N/rad], theta counter-clockwise from the direction of travel.\n\nradii [m]: (J,); a, b [N/rad]: "
-    "(J, n_max + 1); tilt [rad]: of the table in the frame of the glass, which turns the glass by "
-    "the lean torque -tilt.moment.")
+    R"(Normal load on concentric rings, lambda_j(theta) = sum_n a_jn cos n theta + b_jn sin n theta [N/rad].
+
+theta: counter-clockwise from the direction of travel. radii [m]: (J,); a, b [N/rad]: (J, n_max + 1); tilt [rad]: (2,), tilts of
+the table about x and y in the frame of the glass, which give the lean torque -tilt.moment [N m] on the glass.)")
     .def(py::init(&stack_of), py::kw_only(), "radii"_a, "a"_a, "b"_a,
          "tilt"_a = Eigen::Vector2d(Eigen::Vector2d::Zero()))
     .def_static(
@@ -345,50 +350,49 @@ void bind_loads(py::module_ &m)
       [](double force, const Eigen::Vector2d &moment, double radius)
       { return R{ RingStack::first_harmonic(force, moment, radius) }; },
       py::kw_only(), "normal_force"_a, "moment"_a, "radius"_a,
-      "One ring whose first harmonic carries the normal force [N] with the moment (M_x, M_y) [N m].")
+      "Returns one ring with harmonics 0 and 1 for the normal force [N] and the moment (M_x, M_y) [N m].")
     .def_property_readonly(
       "radii", [](const R &one) { return numpy_of(one.radii()); }, "[m], (J,)")
     .def_property_readonly("a", &rows<&RingStack::Ring::a>, "[N/rad], (J, n_max + 1)")
     .def_property_readonly("b", &rows<&RingStack::Ring::b>, "[N/rad], (J, n_max + 1)")
     .def_readonly("tilt", &R::tilt, "[rad], (2,)")
     .def_property_readonly("lean_torque", &R::lean_torque, "-tilt.moment [N m]")
-    .def_property_readonly("n_harmonics", &R::n_harmonics)
+    .def_property_readonly("n_harmonics", &R::n_harmonics, "Highest harmonic n_max")
     .def_property_readonly("normal_force", &R::normal_force, "[N]")
-    .def_property_readonly("radius", &R::radius, "Of the one ring of equal force, moment, harmonic 1 [m]")
+    .def_property_readonly("radius", &R::radius, "Of one ring with the same force, moment, harmonic 1 [m]")
     .def_property_readonly("moment", &R::moment, "(M_x, M_y) of the normal forces about the centre [N m]")
-    .def_property_readonly("minimum", &R::minimum, "Least value of the sum of the rings [N/rad]")
-    .def_property_readonly("pulling_force", &R::pulling_force, "[N]")
-    .def("truncated", &R::truncated)
-    .def("rotated",
-         [](const R &one, double angle) {
-           return R{ one.RingStack::rotated(angle), Eigen::Rotation2Dd(angle) * one.tilt };
-         })
+    .def_property_readonly("minimum", &R::minimum, "Minimum over theta of the sum of the rings [N/rad]")
+    .def_property_readonly("pulling_force", &R::pulling_force, "Integral of the tension, max(0, -lambda) [N]")
+    .def("truncated", &R::truncated, "n_max"_a, "Returns a copy with the harmonics up to n_max.")
+    .def(
+      "rotated",
+      [](const R &one, double angle) {
+        return R{ one.RingStack::rotated(angle), Eigen::Rotation2Dd(angle) * one.tilt };
+      },
+      "angle"_a, "Returns a copy rotated counter-clockwise by the angle [rad].")
     .def("at", py::vectorize([](const R *one, double theta) { return (*one)(theta); }), "theta"_a,
-         "Sum of the rings at theta [rad]: [N/rad].")
+         "Returns the sum of the rings at theta [rad], an array [N/rad].")
     .def("__repr__", [](const R &one)
          { return sentence("RingStack(", one.rings().size(), " rings, ", one.normal_force(), " N)"); });
 
-  py::class_<BalancedRing>(
-    m, "SelfConsistentRing",
-    "Rigid ring whose load, friction and hand force balance at every spin. closure: paper, "
-    "hand or full. exponent: None for a first harmonic (exact where the whole rim is on a "
-    "linear support), 1 for a flat rim that may lift off a mat, 1.5 for a round one.")
+  py::class_<BalancedRing>(m, "SelfConsistentRing",
+                           R"(Rigid ring whose load, friction and hand force balance at every spin.
+
+closure: moments in the balance: "paper" (centripetal part of the hand force), "hand" (whole hand force), "full" (friction too).
+radius [m]. exponent: None for harmonics 0 and 1 only, exact for a linear support in full contact; 1 for a flat rim that may lift off
+a mat, 1.5 for a round rim, with n_harmonics.)")
     .def(py::init(&balanced_ring), py::kw_only(), "motion"_a, "closure"_a = "full", "radius"_a = 0.03,
          "exponent"_a = py::none(), "n_harmonics"_a = 128)
     .def_readonly("motion", &BalancedRing::motion)
     .def_readonly("radius", &BalancedRing::radius)
-    .def("load", [](const BalancedRing &one, double omega) { return LeaningLoad{ one.ring.at(omega).load }; })
-    .def("wrench", [](const BalancedRing &one, const Array &omega)
-         { return wrenches([&](double w) { return one.ring.at(w).friction; }, omega); });
+    .def("load", &BalancedRing::load, "omega"_a, "Returns the RingStack in balance at a spin [rad/s].");
 
   using B = SlidingBody;
   using Profile = std::function<Eigen::VectorXd(const Eigen::VectorXd &)>;
-  py::class_<B>(
-    m, "Pressure",
-    "Normal pressure p(r) that is the same all round, between two radii [m], of any unit: only its shape "
-    "counts. p takes an array of radii. Integrated by Gauss points that lie closest at both radii and at "
-    "v / |omega|, where points of the contact rest and friction is singular; a RingStack of as many rings "
-    "has an error of 1e-4 there.")
+  py::class_<B>(m, "Pressure", R"(Axisymmetric normal pressure p(r) between the radii inner and outer [m].
+
+p takes an array of radii [m] and returns an array in any unit: only its shape counts. Gauss points are clustered at both radii
+and at v / |omega|, where friction is singular; a RingStack of as many rings has an error of 1e-4 there.)")
     .def(py::init(
            [](const Profile &p, double inner, double outer)
            {
@@ -401,12 +405,12 @@ void bind_loads(py::module_ &m)
              return B::with_pressure(at, inner, outer);
            }),
          "p"_a, "inner"_a, "outer"_a)
-    .def_static("ring", &B::ring, "radius"_a)
-    .def_static("annulus", &B::annulus, "inner"_a, "outer"_a)
-    .def_static("disc", &B::disc, "radius"_a)
+    .def_static("ring", &B::ring, "radius"_a, "Returns a thin ring.")
+    .def_static("annulus", &B::annulus, "inner"_a, "outer"_a, "Returns a uniform pressure on an annulus.")
+    .def_static("disc", &B::disc, "radius"_a, "Returns a uniform pressure on a disc.")
     .def_property_readonly("radius", &B::outer_radius, "Outer radius [m]")
     .def("mean_power", &B::mean_power, "exponent"_a,
-         "Mean of r^exponent over the normal force [m^exponent].");
+         "Returns the mean of r^exponent weighted with the normal force [m^exponent].");
 }
 
 } // namespace
@@ -417,12 +421,13 @@ PYBIND11_MODULE(_ring, m)
   bind_motion(m);
   bind_loads(m);
   py::class_<FrictionLaw, LawInPython>(m, "FrictionLaw",
-                                       "Subclasses have coefficient(self, slip_speed [m/s]).")
+                                       "Base class of friction laws: override coefficient(self, slip_speed).")
     .def(py::init<>())
-    .def("coefficient", &FrictionLaw::coefficient, "slip_speed"_a);
-  py::class_<StribeckLaw, FrictionLaw>(
-    m, "Stribeck",
-    "kinetic + (static - kinetic) exp(-(u / decay_speed)^decay_exponent) + viscous u, u: slip speed [m/s]")
+    .def("coefficient", &FrictionLaw::coefficient, "slip_speed"_a, "Returns mu at a slip speed [m/s].");
+  py::class_<StribeckLaw, FrictionLaw>(m, "Stribeck",
+                                       "Friction law mu(u) = kinetic + (static - kinetic) exp(-(u / "
+                                       "decay_speed)^decay_exponent) + viscous u.\n\n"
+                                       "u: slip speed [m/s]; decay_speed [m/s], viscous [s/m].")
     .def(py::init(
            [](double s, double k, double v, double c, double p) {
              return StribeckLaw({ s, k, v, c, p });
@@ -432,23 +437,14 @@ PYBIND11_MODULE(_ring, m)
   py::class_<Friction>(m, "Friction")
     .def(py::init<const LeaningLoad &, const FrictionLaw &>(), py::keep_alive<1, 3>())
     .def(py::init<const SlidingBody &, double, double, double, double, double>())
+    .def(py::init<const BalancedRing &>())
     .def("wrench", [](const Friction &one, const Array &x, const Array &y, const Array &omega)
          { return wrenches(one.at, x, y, omega); })
-    .def("slide",
-         [](const Friction &one, double mass, double yaw_inertia, double radius, double v, double omega,
-            double accuracy) {
-           return slide(one, { mass, yaw_inertia, radius }, v, omega, accuracy);
-         });
+    .def("slide", &slide);
 
   PYBIND11_NUMPY_DTYPE(TerminalSpin, omega, torque_slope, time_constant, stable, held);
   PYBIND11_NUMPY_DTYPE(YawSample, time, yaw_angle, omega);
   PYBIND11_NUMPY_DTYPE(SlidingState, time, x, y, yaw, speed, heading, omega, friction_loss, distance);
-  py::class_<AskedLoad, std::shared_ptr<AskedLoad>>(m, "AskedLoad")
-    .def(py::init([](const LeaningLoad &load) { return AskedLoad([=](double) { return load; }); }))
-    .def(py::init(
-      [](const BalancedRing &one)
-      { return AskedLoad([ring = one.ring](double omega) -> LeaningLoad { return ring.at(omega).load; }); }))
-    .def(py::init<const AskedLoad::Function &>());
   m.def("answer", &answer_about);
   m.def("yaw_motion", &motion_of);
 }

@@ -1,7 +1,7 @@
-"""The ring alone, stemware.ring, from a checkout: pip install ./fem/pipeline/python --no-build-isolation
+"""Builds stemware.ring, the ring model, from a checkout: pip install ./fem/pipeline/python --no-build-isolation
 
-Compiles ring_model/ of the same checkout; needs the headers of Eigen, Boost and pybind11. The study, which stands on deal.II,
-is built by CMake.
+Compiles ring_model/ of this checkout with the headers of Eigen, Boost and pybind11. stemware.Study needs deal.II and is built
+by CMake.
 """
 import glob
 import os

@@ -1,5 +1,5 @@
-// stemware._study: a study as the program solves it, for Python, by the functions that the verbs call. No
-// console, no signals; MPI starts for a solid foot only.
+// stemware._study: Python bindings of Study and of the functions that the program's verbs call. Nothing is
+// printed, no signal handler is set; MPI starts for a solid foot only.
 
 #include "fem/contact/contact_solution.h"
 #include "fem/meridian/compliance_cache.h"
@@ -22,6 +22,7 @@
 #include "fem/pipeline/system/console.h"
 #include "fem/pipeline/system/program.h"
 #include "fem/pipeline/system/ranks.h"
+#include "fem/pipeline/variants/solve.h"
 #include "ring_model/no_balance.h"
 
 #include <map>
@@ -38,13 +39,13 @@ using namespace stemware::pipeline;
 namespace
 {
 
-/// Exception of Python on its way out. No std::exception: models without an answer would swallow it.
+/// Python exception that ends the work. Not derived from std::exception, which variants catch.
 struct Interrupted
 {
   std::exception_ptr cause;
 };
 
-/// Lets Ctrl-C through in Python's main thread.
+/// Throws Interrupted after Ctrl-C, in Python's main thread.
 void check_signals()
 {
   const py::gil_scoped_acquire gil;
@@ -52,7 +53,7 @@ void check_signals()
     throw Interrupted{ std::make_exception_ptr(py::error_already_set()) };
 }
 
-/// Progress for Python: Ctrl-C, and a function (what, done, all) or None. The pipeline calls it from one
+/// Progress that checks for Ctrl-C and calls a Python function (stage, done, all), or None. Called from one
 /// thread at a time.
 class PythonProgress : public Progress
 {
@@ -91,17 +92,17 @@ private:
   }
 
   py::object listener;
-  std::exception_ptr cause; ///< of the interruption, which ends what the other threads do
+  std::exception_ptr cause; ///< first exception of Python, which ends the other threads too
 };
 
-/// Compliances that equal feet share. Never destroyed: threads may outlive the interpreter.
+/// Cache of compliances, shared by equal feet. Never destroyed: threads may outlive the interpreter.
 std::shared_ptr<fem::ComplianceCache> &cache()
 {
   static auto *const one = new auto(std::make_shared<fem::ComplianceCache>(128, &check_signals));
   return *one;
 }
 
-/// Calls @p work(progress, executor) without Python's lock.
+/// Returns @p work(progress, executor), called without the GIL.
 template <typename Work>
 auto solved(const py::object &listener, unsigned int n_threads, const Work &work)
 {
@@ -118,7 +119,13 @@ auto solved(const py::object &listener, unsigned int n_threads, const Work &work
   }
 }
 
-/// Results of a verb, with what Python asks of them.
+/// Initial guess of the next study: the foot of the last one.
+struct Start
+{
+  std::shared_ptr<ElasticFoot> foot;
+};
+
+/// Results of a verb for Python.
 struct Found
 {
   std::string verb;
@@ -129,7 +136,7 @@ struct Found
 
   std::string document() const { return dump_utf8(summary_of(verb, study, results.findings)); }
 
-  /// Writes the folder that the program would write.
+  /// Writes the program's folder of results.
   void save(const std::string &folder) const
   {
     StudyOptions options;
@@ -143,7 +150,7 @@ struct Found
   }
 };
 
-/// @p given, read again with its files and checked as the program does at its start.
+/// Returns @p given with its files read again, checked as at the program's start.
 Study checked(const Study &given)
 {
   Study study = with_values(given, "", {});
@@ -152,7 +159,7 @@ Study checked(const Study &given)
 }
 
 Found results_of(const std::string &verb, const Study &given, bool quick, unsigned int n_levels,
-                 unsigned int n_threads, const py::object &listener)
+                 unsigned int n_threads, const py::object &listener, Start *start)
 {
   const auto work = [&](Progress &progress, const Executor &executor) -> Found
   {
@@ -168,15 +175,15 @@ Found results_of(const std::string &verb, const Study &given, bool quick, unsign
       const ErrorBands bands = converge_study(study, axes, executor, progress);
       return { verb, study, make_document(study, axes, bands) };
     }
-    const auto answer = std::make_shared<StudyAnswer>(
-      answer_study(study, quick ? Depth::answer : Depth::full, executor, progress, false));
+    const auto answer = std::make_shared<StudyAnswer>(answer_study(
+      study, quick ? Depth::answer : Depth::full, executor, progress, false, start ? &start->foot : nullptr));
     return { verb, study, make_document(study, answer->contact, answer->spin, answer->bands, answer->goal),
              answer };
   };
   return solved(listener, n_threads, work);
 }
 
-/// Measured run of Python: name, study, times, values, whether these are angles.
+/// Measured run: name, study, times, values, true for angles.
 using GivenRun = std::tuple<std::string, Study, std::vector<double>, std::vector<double>, bool>;
 
 Found fit_of(const std::vector<GivenRun> &given, const std::vector<std::string> &free,
@@ -202,26 +209,27 @@ Found fit_of(const std::vector<GivenRun> &given, const std::vector<std::string> 
   return solved(listener, n_threads, work);
 }
 
-/// The numbers of a case of a sweep, and its foot; @p start: the foot of a study before, or nothing.
-py::tuple case_of(const Study &given, std::shared_ptr<ElasticFoot> start)
+/// Returns the numbers of one case of a sweep by key.
+py::dict case_of(const Study &given, Start *start)
 {
-  const CaseResult found = solved(py::none(), 1,
-                                  [&](Progress &progress, const Executor &executor)
-                                  { return case_result(checked(given), executor, progress, &start); });
+  const CaseResult found =
+    solved(py::none(), 1,
+           [&](Progress &progress, const Executor &executor)
+           { return case_result(checked(given), executor, progress, start ? &start->foot : nullptr); });
   py::dict all;
   for (const std::string &key : sweep_keys())
     all[key.c_str()] = found.value(key);
-  return py::make_tuple(all, start);
+  return all;
 }
 
-/// Numbers, or plain structs as a structured array.
+/// Returns numbers, or plain structs as a structured array.
 template <typename Value>
 py::array_t<Value> numpy_of(const std::vector<Value> &values)
 {
   return py::array_t<Value>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-/// The curves of fit: points of the runs in their order, and of run.
+/// Returns the curves of a run, or of each measured run of a fit, by name.
 py::dict curves_in(const Found &found)
 {
   py::dict curves;
@@ -257,8 +265,8 @@ py::dict curves_in(const Found &found)
       py::dict("r"_a = pressure["radius"], "theta"_a = pressure["azimuth"], "p"_a = pressure["pressure"]));
 }
 
-/// The program's classes of failure as those of stemware.ring, with the program's sentences. Exceptions of
-/// other modules are told from ours by their names alone.
+/// Translates the program's exceptions into those of stemware.ring, with the program's sentences. They are
+/// found by std::type_index, because modules have type_info objects of their own.
 void bind_failures(py::module_ &m)
 {
   const py::module_ ring = py::module_::import("stemware._ring");
@@ -297,12 +305,27 @@ PYBIND11_MODULE(_study, m)
 {
   bind_failures(m);
   py::class_<Study>(m, "Study")
-    .def(py::init([](const std::string &file) { return read_study(file); }), "file"_a)
+    .def(py::init(
+           [](const std::string &file)
+           {
+             static const Study standard = read_study("");
+             return file.empty() ? standard : read_study(file);
+           }),
+         "file"_a)
     .def_static("of_text", &read_study_text, "origin"_a, "text"_a)
-    .def("assign", [](Study &study, const std::string &path, const std::string &text)
-         { assign(study_entries(study), "", full_path(study_entries(study), path), text); })
-    .def("value", [](const Study &study, const std::string &path)
-         { return entry_at(entries_of(study), "", full_path(entries_of(study), path)).value(); })
+    .def("assign",
+         [](Study &study, const std::string &path, const std::string &text)
+         {
+           const std::vector<StudyEntry> entries = study_entries(study);
+           assign(entries, "", full_path(entries, path), text);
+         })
+    .def("value",
+         [](const Study &study, const std::string &path)
+         {
+           const std::vector<StudyEntry> entries = entries_of(study);
+           return entry_at(entries, "", full_path(entries, path)).value();
+         })
+    .def_property_readonly("is_collective", &is_collective)
     .def("entries",
          [](const Study &study)
          {
@@ -316,8 +339,11 @@ PYBIND11_MODULE(_study, m)
     .def("notes", &implausible_notes)
     .def_readwrite("name", &Study::name)
     .def("prm", &study_as_prm)
-    .def("answer", &case_of);
-  const py::class_<ElasticFoot, std::shared_ptr<ElasticFoot>> foot(m, "Foot");
+    .def("answer", &case_of, "start"_a);
+  py::class_<Start>(m, "Start",
+                    "Initial guess (warm start) of the next Study.answer(start=...) or "
+                    "run(start=...): the contacts of the last one. For one thread.")
+    .def(py::init<>());
   m.def("limit_cache",
         [](std::size_t n) { cache() = std::make_shared<fem::ComplianceCache>(n, &check_signals); });
 
@@ -326,7 +352,7 @@ PYBIND11_MODULE(_study, m)
   PYBIND11_NUMPY_DTYPE(fem::PressurePoint, radius, azimuth, pressure);
   py::class_<Found>(m, "Found")
     .def(py::init(&results_of), "verb"_a, "study"_a, py::kw_only(), "quick"_a = false, "n_levels"_a = 3,
-         "n_threads"_a, "progress"_a)
+         "n_threads"_a, "progress"_a, "start"_a = py::none())
     .def("document", &Found::document)
     .def("curves", &curves_in)
     .def("save", &Found::save, "folder"_a, py::call_guard<py::gil_scoped_release>());

@@ -1,6 +1,6 @@
-"""Friction of a ring that slides and spins, and the elastic foot of a glass that makes it spin on a table.
+"""Stemware in Python: friction of loads that slide and spin (stemware.ring), and studies of a wine glass that spins on a table.
 
-`import stemware` loads the ring alone (stemware.ring). Study, solve and figures load what they need when they are asked for.
+`import stemware` loads stemware.ring only. Study, fit, read, solve and figures load their libraries at first use.
 """
 import importlib
 
@@ -8,7 +8,8 @@ from . import ring  # noqa: F401
 from .ring import BadInput, BalanceLost, NoBalance, NoTerminalSpin, Tipping  # noqa: F401
 
 _places = {"Study": "study", "Result": "study", "read": "study", "presets": "study", "ContactFailure": "study",
-           "OutputFailure": "study", "fit": "study", "Start": "study", "limit_cache": "study", "solve": "many", "study": "", "many": "", "figures": ""}
+           "OutputFailure": "study", "fit": "study", "Start": "study", "limit_cache": "study", "solve": "many",
+           "study": "", "many": "", "figures": ""}
 
 
 def __getattr__(name):

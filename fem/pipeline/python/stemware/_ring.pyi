@@ -14,6 +14,23 @@ class Motion:
     def __init__(self, **values: Any) -> None: ...
     def replace(self, **values: Any) -> Motion: ...
     def as_dict(self) -> dict[str, Any]: ...
+    mass: float
+    yaw_inertia: float
+    centre_of_mass_height: float
+    force_offset: float
+    orbit_radius: float
+    orbit_speed: float
+    orbit_acceleration: float
+    friction_coefficient: float
+    static_coefficient: float
+    friction_decay_speed: float
+    viscous_friction: float
+    gravity: float
+    liquid_mass: float
+    liquid_density: float
+    bowl_radius: float
+    bowl_height: float
+    bowl_depth: float
     normal_force: float
 
 class FrictionLaw:
@@ -47,7 +64,6 @@ class SelfConsistentRing:
     motion: Motion
     radius: float
     def load(self, omega: float) -> RingStack: ...
-    def wrench(self, omega: ArrayLike) -> ndarray: ...  # (..., 3): T_x, T_y, tau_z
 
 class Pressure:
     def __init__(self, p: Callable[[ndarray], ArrayLike], inner: float, outer: float) -> None: ...

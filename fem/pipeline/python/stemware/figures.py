@@ -1,4 +1,4 @@
-"""Figures for papers and notebooks by matplotlib: each takes a Result (or a LimitSurface) and axes, and returns the axes."""
+"""Figures for papers and notebooks by matplotlib: each function draws a Result or a LimitSurface into axes and returns them."""
 import numpy as np
 
 
@@ -10,7 +10,7 @@ def _axes(ax, **kind):
 
 
 def pressure(result, ax=None, cmap="viridis"):
-    """p(r, theta) of the contact at rest, unrolled along the rim."""
+    """Draws the pressure p(r, theta) of the contact at rest, unrolled along the rim."""
     ax, p = _axes(ax), result.curves["pressure"]
     dots = ax.scatter(np.degrees(p["theta"]), 1e3 * p["r"], c=p["p"] / 1e3, s=9, cmap=cmap)
     ax.figure.colorbar(dots, ax=ax, label="pressure (kPa)")
@@ -19,7 +19,7 @@ def pressure(result, ax=None, cmap="viridis"):
 
 
 def load(result, ax=None, **style):
-    """λ(θ) of the contact at rest, and the sum of its harmonics."""
+    """Draws the load λ(θ) of the contact at rest, and the sum of its harmonics."""
     ax, theta = _axes(ax), np.linspace(0, 2 * np.pi, 721)
     ax.plot(np.degrees(theta), result.load().at(theta), **{"color": "C0", "label": "harmonics", **style})
     if result.curves["load"]["theta"].size:
@@ -30,7 +30,7 @@ def load(result, ax=None, **style):
 
 
 def torque(result, ax=None, **style):
-    """Sum of all torques on the glass over its spin; it stays where the sum vanishes."""
+    """Draws the total torque on the glass over its spin; a circle marks the terminal spin."""
     ax, curve = _axes(ax), result.curves["torque"]
     ax.plot(curve["omega"], 1e3 * curve["sum"], **style)
     ax.axhline(0, color="0.7", lw=0.8)
@@ -41,7 +41,7 @@ def torque(result, ax=None, **style):
 
 
 def spin_up(result, ax=None, **style):
-    """ω(t) from rest, and that of the paper's model of the same glass."""
+    """Draws the spin-up ω(t) from rest, and the spin-up of the paper's model for the same glass."""
     ax, up = _axes(ax), result.curves["spin_up"]
     ax.plot(up["time"], up["omega"], **{"label": "elastic foot", **style})
     ax.plot(up["time"], up["paper"], color="0.6", label="the paper's model")
@@ -50,7 +50,7 @@ def spin_up(result, ax=None, **style):
 
 
 def budget(result, ax=None, at_least=1e-3):
-    """Waterfall from the paper's number to the study's own, in steps of at_least [rad/s] or more."""
+    """Draws the budget as a waterfall from the paper's spin to the study's; steps below at_least [rad/s] are left out."""
     ax = _axes(ax)
     rows = [row for row in result["budget"] if row["omega_terminal"] is not None
             and (row["difference"] is None or abs(row["difference"]) >= at_least)]
@@ -66,7 +66,7 @@ def budget(result, ax=None, at_least=1e-3):
 
 
 def limit_surface(surface, ax=None, pade=True):
-    """Limit surface with the ellipsoid and, of a Pressure, the Pade forms that stand for it."""
+    """Draws a limit surface with the ellipsoid and, for a Pressure, the Pade forms."""
     ax = _axes(ax)
     ax.plot(surface.force, surface.torque, "k", lw=2, label="exact")
     ax.plot(*surface.ellipsoid(), "C0--", lw=1, label="ellipsoid")

@@ -1,9 +1,9 @@
-"""Many studies: a table of cases in, a table of answers out, by any executor of concurrent.futures."""
+"""Many studies: solve() takes a table of cases and returns a table of answers; any executor of concurrent.futures works."""
 from .ring import BadInput, NoBalance
 
 
 def _solve_one(source, changes, case, quantities):
-    """One case, wherever it runs: texts and numbers only, so that it travels."""
+    """Solves one case, perhaps in another process; arguments and result are texts and numbers only, which can be pickled."""
     from .study import Study
     try:
         study = Study(source[0], text=source[1], entries={**changes, **case})
@@ -14,12 +14,13 @@ def _solve_one(source, changes, case, quantities):
 
 
 def solve(cases, executor=None, study=None, quantities=None, progress=None):
-    """DataFrame of the cases with their answers: the columns of cases, those of sweep.csv, and failure, a sentence for a case
-    without an answer; attrs["units"]: unit by column.
+    """Solves the study with the entries of each case; returns a DataFrame with the columns of cases, the columns of sweep.csv,
+    and failure, a sentence if a case has no answer, else empty. attrs["units"]: unit by column.
 
-    cases: DataFrame or list of dicts, a column for each entry (numbers in SI units, or texts with units; NaN: the study's).
-    executor: None, or one with map(): threads, processes, dask's, mpi4py.futures'. study: whose other entries hold, Study or
-    file. quantities: paths of the document of run(quick=True) in the place of the columns of sweep. progress(what, done, all).
+    cases: DataFrame or list of dicts with a column for each entry: numbers in SI units, texts with units, NaN for the study's
+    value. executor: None, or an object with map(): threads, processes, dask's, mpi4py.futures'. study: a Study or file with the
+    other entries. quantities: paths in the document of run(quick=True), which replace the columns of sweep.csv. progress: a
+    function called as progress("cases", done, all).
     """
     import pandas
 

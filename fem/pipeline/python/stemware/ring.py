@@ -1,7 +1,9 @@
-"""The Coulomb ring: loads, friction over numpy arrays, limit surfaces, the terminal spin, free sliding.
+"""The ring model: normal loads on concentric rings, their friction over numpy arrays, limit surfaces, the terminal spin of a
+glass, and free sliding.
 
-SI units. Slip frame: x along the direction of travel, y to its left, z up; spins and angles counter-clockwise. A bad value
-raises BadInput, physics without an answer NoBalance or a class derived from it (Tipping, NoTerminalSpin, BalanceLost).
+SI units. Slip frame: x along the direction of travel, y to its left, z up. Spins and angles are positive counter-clockwise,
+seen from above. The rim speed is |omega| R, the slip ratio omega R / v. A value that is not allowed raises BadInput. A load or
+a spin that does not exist raises NoBalance or a class derived from it: Tipping, NoTerminalSpin, BalanceLost.
 
 >>> disc = Pressure.disc(0.03)
 >>> round(float(-wrench(disc, 0.0, 5.0, mu=0.3, normal_force=3.0).torque) / (0.3 * 3.0 * 0.03), 12)   # 2/3 mu N R
@@ -28,7 +30,7 @@ def _stack(radii, a, b, tilt):
 
 
 def coulomb(mu):
-    """Law with the same coefficient at every slip speed."""
+    """Returns Coulomb's law: the coefficient mu at every slip speed."""
     return Stribeck(static=mu, kinetic=mu, decay_speed=1.0)
 
 
@@ -41,7 +43,10 @@ def _broadcast(*arrays):
 
 
 def kernels(rim_speed, speed, n_max):
-    """P_n, K_n, U_n at eps = rim_speed / speed, n = 0...n_max: three arrays (..., n_max + 1).
+    """Returns the friction kernels P_n, K_n, U_n of eps = rim_speed / speed for n = 0...n_max, arrays (..., n_max + 1).
+
+    P_n(eps) = int_0^{2 pi} sqrt(1 + eps^2 - 2 eps cos psi) cos(n psi) dpsi; K_n = -P_n' belongs to the torque, U_n = P_n + eps
+    K_n to the force against the travel. rim_speed, speed >= 0 [m/s]: arrays that broadcast, not both zero.
 
     >>> P, K, U = kernels(0.0, 1.0, 2)
     >>> [round(float(u / (2 * np.pi)), 12) + 0.0 for u in U]
@@ -52,11 +57,13 @@ def kernels(rim_speed, speed, n_max):
 
 
 def stack_from_pressure(r, theta, p, n_max=16, weights=None):
-    """RingStack of a pressure p[i, k] [Pa] at radii r[i] [m] and angles theta[k] [rad], evenly spaced over a turn from 0.
+    """Returns the RingStack of a pressure p[i, k] [Pa] at radii r[i] [m] and angles theta[k] [rad], the angles evenly spaced
+    from 0 over one turn.
 
-    weights [m]: of the radii, trapezoids unless given. The rings show one by one where |omega| r_i = v: an annulus of 21
-    rings has a torque that is wrong by up to 2e-4 mu N R. The stack of every second ring, stack_from_pressure(r[::2], theta,
-    p[::2]), tells the size of that error. For a pressure that is the same all round use Pressure, which is exact.
+    n_max: highest harmonic of the stack. weights [m]: quadrature weights of the radii, by default those of the trapezoidal
+    rule. The torque has a kink where |omega| r_i = v: 21 rings instead of an annulus give an error of up to 2e-4 mu N R. The
+    difference from a stack of every second ring, stack_from_pressure(r[::2], theta, p[::2]), estimates that error. For an
+    axisymmetric pressure use Pressure, which has no such error.
     """
     r, theta, p = np.asarray(r, float), np.asarray(theta, float), np.asarray(p, float)
     even = np.arange(theta.size) * 2 * np.pi / max(theta.size, 1)
@@ -74,7 +81,8 @@ def stack_from_pressure(r, theta, p, n_max=16, weights=None):
 
 
 def stack_from_csv(file, n_max=16):
-    """RingStack of a table with the columns r [m], theta [rad] and p [Pa] (a header names them): a full grid, in any order."""
+    """Returns the RingStack of a CSV file with the columns r [m], theta [rad] and p [Pa], named in its first line: one row for
+    each pair of radius and angle, in any order; see stack_from_pressure()."""
     table = np.genfromtxt(file, delimiter=",", names=True)
     if not {"r", "theta", "p"} <= set(table.dtype.names or ()):
         raise BadInput(f"{file} has the columns {', '.join(table.dtype.names or ())}; name them r, theta and p")
@@ -91,13 +99,15 @@ def _friction(friction, *slip):
 
 
 def wrench(load, speed, omega, mu=None, law=None, normal_force=1.0, direction=0.0):
-    """Friction (T_x, T_y, tau_z) [N, N, N m] of the table about the load's centre, arrays that broadcast.
+    """Returns the friction of the table on the load: Wrench(force_x, force_y, torque) [N, N, N m], the torque about the load's
+    centre.
 
-    load: RingStack (with mu or a law; it may travel in a direction [rad] of its frame), Pressure (with mu and normal_force
-    [N]) or SelfConsistentRing (which has its own motion: of the arguments only omega counts). speed >= 0 [m/s], omega [rad/s].
+    load: a RingStack, with mu or a law; a Pressure, with mu and normal_force [N]; or a SelfConsistentRing, whose motion gives
+    speed and friction coefficient (only omega is used). speed >= 0 [m/s] and omega [rad/s]: arrays that broadcast, not both
+    zero. direction [rad]: of the velocity in the frame of a RingStack; the force has components in that frame.
     """
     if isinstance(load, SelfConsistentRing):
-        return Wrench(*np.moveaxis(load.wrench(np.asarray(omega, float)), -1, 0))
+        return _friction(_ring.Friction(load), 0.0, 0.0, omega)
     if mu is None and law is None:
         raise BadInput("the friction is not given; give mu or, for a RingStack, a law")
     if isinstance(load, Pressure):
@@ -109,10 +119,11 @@ def wrench(load, speed, omega, mu=None, law=None, normal_force=1.0, direction=0.
 
 
 class LimitSurface:
-    """Friction in all slips of one direction, for mu N = 1: see limit_surface().
+    """Limit surface for one direction of travel, in arrays (n,): see limit_surface().
 
-    angle (n,): of the slip, v = cos(angle), omega R = sin(angle); force, across (n,): along and across the slip's direction,
-    over mu N; torque (n,): about the reference point, over mu N times arm; arm [m]: torque of pure spin over mu N; R = radius.
+    angle [rad]: slip with v = cos(angle), omega R = sin(angle). force, across: friction against the direction of travel and
+    perpendicular to it, over mu N. torque: against the spin, about the reference point, over mu N arm. arm [m]: torque of pure
+    spin over mu N. radius [m]: R.
     """
 
     def __init__(self, angle, force, across, torque, arm, radius, pressure):
@@ -124,17 +135,18 @@ class LimitSurface:
         return np.where(at_end, 0, np.cos(self.angle)), np.sin(self.angle)
 
     def ellipsoid(self):
-        """(force, torque) on f^2 + t^2 = 1 that dissipates most in the same slips: the elliptic cone that MuJoCo, Drake's
-        limit surfaces and most planners take, at one normal force."""
+        """Returns (force, torque) of the ellipsoid f^2 + t^2 = 1 in the same slips, by maximum dissipation. The ellipsoid is
+        the section of MuJoCo's elliptic cone at one normal force; Drake and most planners of pushing use it too."""
         v, u = self._slip()
         u = self.arm / self.radius * u
         return v / np.hypot(v, u), u / np.hypot(v, u)
 
     def pade(self, order=1):
-        """(force, torque) by Contensou-Pade forms of a Pressure, with the exact slopes at pure spin and pure sliding.
+        """Returns (force, torque) of the Contensou-Pade form for a Pressure, with its exact slopes at pure spin and at pure
+        sliding.
 
         order 1: f = v / (v + p u), t = u / (u + q v), u = |omega| R (Zhuravlev 1998; Hertz: p = 8 / (3 pi), q = 15 pi / 16).
-        order 2: f = (v^2 + b c v u) / (v^2 + b c v u + b u^2) and t likewise, with the exact curvature at the other end too.
+        order 2: f = (v^2 + b c v u) / (v^2 + b c v u + b u^2), t likewise; exact curvatures at pure sliding (f) and spin (t).
         """
         if self._pressure is None:
             raise BadInput("Pade forms are those of a load that is the same all round; give a Pressure")
@@ -149,7 +161,7 @@ class LimitSurface:
         return f / (f + b * u * u), sign * t / (t + d * v * v)
 
     def excess(self, force, torque):
-        """How far wrenches (force, torque) lie beyond the surface, as a share of the way to it from zero (negative: inside)."""
+        """Returns the relative distance of points (force, torque) beyond the surface, on the ray from 0; negative inside."""
         way = np.arctan2(self.torque, self.force)
         order = np.argsort(way)
         return np.hypot(force, torque) / np.interp(np.arctan2(torque, force), way[order],
@@ -157,10 +169,10 @@ class LimitSurface:
 
 
 def limit_surface(load, n=361, about="axis", direction=0.0):
-    """LimitSurface of a RingStack or Pressure, from pure clockwise to pure counter-clockwise spin.
+    """Returns the LimitSurface of a RingStack or Pressure: n slips from pure clockwise to pure counter-clockwise spin.
 
-    about: reference point of velocity and torque, "axis", "centre of pressure" or (x, y) [m]; direction [rad]: of its
-    velocity in the load's frame. A load with a first harmonic has another curve in each direction.
+    about: reference point of velocity and torque: "axis", "centre of pressure" or (x, y) [m]. direction [rad]: of the point's
+    velocity in the load's frame. A load with a first harmonic has a different curve for each direction.
 
     >>> s = limit_surface(Pressure.hertz(0.03))
     >>> round(s.arm / 0.03 * 16 / (3 * np.pi), 9), round(float(s.force[180]), 12)
@@ -193,7 +205,7 @@ def limit_surface(load, n=361, about="axis", direction=0.0):
 
 
 def _ask(load, motion, grip_torque, all=False, times=()):
-    """What _ring.answer() finds about a load of answer()."""
+    """Returns _ring.answer() for the arguments of answer()."""
     def at(omega):
         found = load(omega)
         if not isinstance(found, RingStack):
@@ -204,16 +216,18 @@ def _ask(load, motion, grip_torque, all=False, times=()):
     motion = motion or getattr(load, "motion", None)
     if motion is None:
         raise BadInput("the load does not say how the glass moves; give a Motion")
-    asked = _ring.AskedLoad(at if callable(load) else load)
-    return _ring.answer(asked, motion, grip_torque, all, times)
+    return _ring.answer(at if callable(load) else load, motion, grip_torque, all, times)
 
 
 def answer(load, motion=None, grip_torque=0.0, all=True):
-    """The spin reached from rest, Answer(omega, ...), and in its field all every balance within 1.5 v/R of rest (dicts).
+    """Returns the terminal spin that the glass reaches from rest.
 
-    load: RingStack (frozen: it does not react to the spin; its lean torque counts), SelfConsistentRing (has its motion) or a
-    function of omega [rad/s] that returns a RingStack. Options: grip_torque [N m] of the fingers, all=False (quicker).
-    Raises NoTerminalSpin, Tipping, BalanceLost (with last_spin).
+    load: a RingStack, the same at every spin; a SelfConsistentRing, which has its own motion; or a function of omega [rad/s]
+    that returns a RingStack. The lean torque of a RingStack is included. grip_torque [N m]: of the fingers, against the spin.
+
+    Answer: omega [rad/s]; stable, held (True if the fingers stop the glass); torque_slope, d torque / d omega [N m s];
+    time_constant [s]; torque_at_rest [N m], without the grip; spin_scale, v / R [rad/s]; all: a list of dicts of all balances
+    within 1.5 v / R of rest, empty with all=False, which is faster. Raises NoTerminalSpin, Tipping, BalanceLost (last_spin).
 
     >>> paper = SelfConsistentRing(motion=Motion(), closure="paper", radius=0.03)
     >>> round(answer(paper).omega, 9)
@@ -225,20 +239,28 @@ def answer(load, motion=None, grip_torque=0.0, all=True):
 
 
 def spin_up(load, times, motion=None, grip_torque=0.0):
-    """omega(t) from rest at times [s] under what answer() takes: dict of arrays time, yaw_angle, omega; NaN beyond a fall."""
+    """Returns the spin-up from rest at equally spaced times [s], a dict of arrays time, yaw_angle [rad] and omega [rad/s]; NaN
+    after the glass has tipped. The other arguments are those of answer()."""
     return _columns(_ask(load, motion, grip_torque, times=times)[-1])
 
 
 def yaw_motion(torque, *, yaw_inertia, times, initial_spin=0.0, accuracy=1e-9, spin_scale):
-    """time, yaw_angle, omega: dict of arrays at the times [s] from I d omega/dt = torque(time, yaw_angle, omega)."""
+    """Integrates yaw_inertia d omega/dt = torque(time, yaw_angle, omega) [N m]; returns a dict of arrays time, yaw_angle [rad]
+    and omega [rad/s] at the increasing times [s].
+
+    yaw_inertia [kg m^2]. accuracy: of the angle in rad, and of omega relative to spin_scale [rad/s], for instance v / R.
+    """
     return _columns(_ring.yaw_motion(torque, yaw_inertia, times, initial_spin, accuracy, spin_scale))
 
 
 def slide(body, *, mu, mass, speed, omega, yaw_inertia=None, gravity=9.81, centre_of_mass_height=0.0, accuracy=1e-12):
-    """Free sliding of a Pressure or RingStack from speed >= 0 and omega to the stop: dict of arrays time, x, y, yaw, speed,
-    heading, omega, friction_loss, distance, and final_slip_ratio, the limit of omega R / v.
+    """Computes the free sliding of a Pressure or RingStack with the initial speed >= 0 [m/s] and omega [rad/s] to the stop.
 
-    yaw_inertia: mass spread like the weight unless given. A RingStack is held level: its load does not follow the friction.
+    Returns a dict: arrays time [s], x, y [m], yaw [rad], speed [m/s], heading [rad], omega [rad/s], friction_loss [J], distance
+    [m] in a fixed frame with x along the initial velocity; and final_slip_ratio, the limit of omega R / v at the stop.
+
+    mass [kg]; yaw_inertia [kg m^2], by default of a mass distributed like the load; gravity [m/s^2]. centre_of_mass_height [m]:
+    the friction shifts a Pressure forward in proportion to it; a RingStack keeps its load. accuracy: relative, of a step.
 
     >>> round(1 / slide(Pressure.disc(0.03), mu=0.3, mass=0.3, speed=1.0, omega=20.0)["final_slip_ratio"], 10)
     0.6530017892

@@ -1,4 +1,4 @@
-"""A study as the program solves it: entries in, a Result out. Loads the program's libraries; deal.II when a foot is made."""
+"""Studies with the program's digits: a Study has entries, a Result has the document and curves."""
 import atexit
 import functools
 import html
@@ -21,18 +21,18 @@ except ImportError as failure:
                       f"python3-stemware ({failure})") from failure
 finally:
     sys.setdlopenflags(_flags)
-from ._study import ContactFailure, OutputFailure  # noqa: F401
+from ._study import ContactFailure, OutputFailure, Start  # noqa: F401
 
 
 @functools.lru_cache(None)
 def _mpi():
-    """MPI, from the first solid foot to the end of Python."""
+    """Starts MPI at the first solid foot; it ends with Python."""
     atexit.register(_mpi.cache_clear)
     return _study.MpiSession()
 
 
 def _text(value):
-    """What a study file would say: numbers to the last digit, texts (with units) as they are."""
+    """Returns the text of a value in a study file: numbers to the last digit, texts (with units) unchanged."""
     if isinstance(value, (bool, np.bool_)):
         raise ring.BadInput("an entry takes a number or a text, not True or False")
     return value if isinstance(value, str) else repr(int(value) if isinstance(value, (int, np.integer)) else float(value))
@@ -43,28 +43,25 @@ def _presets():
 
 
 def limit_cache(n):
-    """Forgets what studies with equal meshes share, their compliances, and keeps at most n of them from now on (at first 128),
-    0.1 to 1 MB each."""
+    """Empties the cache of compliances, which studies with equal meshes share, and limits it to n entries (at start 128) of 0.1
+    to 1 MB each."""
     _study.limit_cache(n)
 
 
 def presets():
-    """Glasses and tables with names: a DataFrame with kind, name, words and entries (lines of a study file)."""
+    """Returns the presets of glasses and tables: a DataFrame with kind, name, words (a description) and entries (lines of a
+    study file)."""
     import pandas
     return pandas.DataFrame([{"kind": kind, "name": one.name, "words": one.words, "entries": one.entries}
                              for kind, all in _presets().items() for one in all])
 
 
-class Start:
-    """Keeps the contact of one Study.answer(start=...) for the next; for one thread."""
-    _foot = None
-
-
 class Study:
     """Study(), Study("my_glass.prm"), Study(text="..."), Study(glass="tumbler", table="oak"); entries={path: value}.
 
-    study["Motion/Mass"] = "250 g" refuses at once, with the program's sentence, what is no mass; numbers are in SI units. What
-    must go together is checked when the study is solved, or by check(). Progress is a function (what, done, all).
+    study["Motion/Mass"] = "250 g" sets an entry: a text as in a study file, or a number in SI units. A value of the wrong kind
+    raises BadInput at once; the combination of entries is checked by check() and when the study is solved. Arguments of the
+    solvers: threads, their number; progress, a function called as progress(stage, done, all); Ctrl-C ends the work.
 
     >>> study = Study()
     >>> study["Motion/Mass"] = "250 g"
@@ -104,48 +101,46 @@ class Study:
         return f"Study({self._study.name!r}, entries={self.changes!r})"
 
     def entries(self):
-        """All that can be set: a DataFrame by path with value, unit, allowed, help, given."""
+        """Returns all entries: a DataFrame by path with value, unit, allowed, help and given (False: the default)."""
         import pandas
         return pandas.DataFrame(self._study.entries()).set_index("path")
 
     def prm(self):
-        """The study as the text of a study file."""
+        """Returns the text of a study file."""
         return self._study.prm()
 
     def check(self):
-        """Raises BadInput if the entries do not go together; returns a list of warnings about values that no glass has."""
+        """Returns a list of warnings about implausible values; raises BadInput if the entries contradict each other."""
         self._study.check()
         return self._study.notes()
 
     def _ready(self):
-        if self["Contact/Body"] == "solid":
+        if self._study.is_collective:
             if int(os.environ.get("OMPI_COMM_WORLD_SIZE", os.environ.get("PMI_SIZE", 1))) > 1:
                 raise ring.BadInput("a solid foot is solved by one process in Python; use `mpirun stemware run` for several")
             _mpi()
         return self._study
 
     def answer(self, start=None):
-        """The numbers that a case of `sweep` has: a dict by key; None where there is none. The quickest way to a spin.
+        """Returns the numbers of one case of `stemware sweep`, a dict by key; None for a number that does not exist. It is the
+        fastest way to a terminal spin. Raises BadInput, ContactFailure, NoBalance or a class derived from NoBalance.
 
-        start: a stemware.Start(), which keeps the contact of its last answer() for the next one to start near it: quicker for
-        studies that differ little; the numbers then depend on the one before, by rounding or the tolerance of the contact.
+        start: a stemware.Start(), whose contact is the initial guess (warm start) and is replaced by the contact of this study.
+        It saves time for similar studies; the numbers then depend on it within the tolerance of the contact.
         """
-        numbers, foot = self._ready().answer(start and start._foot)
-        if start is not None:
-            start._foot = foot
-        return numbers
+        return self._ready().answer(start)
 
-    def run(self, quick=False, threads=1, progress=None):
-        """Result of `stemware run`, without files and fields; quick: without budget and bands. Raises BadInput, NoBalance
-        (and classes derived from it), ContactFailure; Ctrl-C ends it."""
-        return Result._of(_study.Found("run", self._ready(), quick=quick, n_threads=threads, progress=progress))
+    def run(self, quick=False, threads=1, progress=None, start=None):
+        """Returns the Result of `stemware run`, without files and fields; quick: without budget and bands. start and exceptions
+        as of answer()."""
+        return Result._of(_study.Found("run", self._ready(), quick=quick, n_threads=threads, progress=progress, start=start))
 
     def truncate(self, threads=1, progress=None):
-        """Result of `stemware truncate`: how many harmonics matter, result.table("truncation")."""
+        """Returns the Result of `stemware truncate`: the spin over the number of harmonics, result.table("truncation")."""
         return Result._of(_study.Found("truncate", self._ready(), n_threads=threads, progress=progress))
 
     def converge(self, levels=3, threads=1, progress=None):
-        """Result of `stemware converge`: observed orders, limits, bands (the grid convergence index)."""
+        """Returns the Result of `stemware converge`: observed orders, limits and bands (grid convergence index)."""
         return Result._of(_study.Found("converge", self._ready(), n_levels=levels, n_threads=threads, progress=progress))
 
 
@@ -154,8 +149,8 @@ def _restored(file, text, changes):
 
 
 class Result:
-    """document: what summary.json says (docs/summary.md); curves: torque, spin_up, load, pressure, each a dict of arrays in SI
-    units. result["ring/omega_terminal"] finds a number of the document by its path, result.ring a part of it."""
+    """Result of a solver. document: the dict of summary.json (docs/summary.md). curves: "torque", "spin_up", "load" and
+    "pressure", each a dict of arrays in SI units. result["ring/omega_terminal"]: value by its path; result.ring: a part."""
 
     def __init__(self, document, curves=None, found=None):
         self.document, self.curves, self._found = document, curves or {}, found
@@ -180,38 +175,38 @@ class Result:
 
     @property
     def omega(self):
-        """Terminal spin [rad/s]; None where there is none."""
+        """Terminal spin [rad/s]; None without one."""
         return self["ring/omega_terminal"]
 
     def table(self, name):
-        """A list of the document (budget, without, truncation) as a DataFrame; attrs["units"]: unit by column."""
+        """Returns a list of the document ("budget", "without", "truncation") as a DataFrame; attrs["units"]: unit by column."""
         import pandas
         frame = pandas.DataFrame(self[name])
         frame.attrs["units"] = {key: _study.unit(key, name) for key in frame}
         return frame
 
     def bands(self):
-        """error_bands as a DataFrame by quantity: value, band, and its parts."""
+        """Returns the error bands, a DataFrame by quantity: value, band (half-width) and the parts of the band."""
         import pandas
         rows = {key: {"value": one["value"], "band": one["band"], **one["parts"]} for key, one in self["error_bands"].items()}
         return pandas.DataFrame.from_dict(rows, orient="index")
 
     def load(self, at="rest"):
-        """The load as stemware.ring takes it: frozen, it does not react to the spin as the study's does. at: rest or terminal.
-        Its tilt is the least one with the lean torque that the glass has there."""
+        """Returns the load at "rest" or at the "terminal" spin as a ring.RingStack, the same at every spin. Its tilt is the
+        smallest one with the lean torque of the glass in that state."""
         part, lean = self["load" if at == "rest" else "load_at_terminal"], self["ring/lean_torque_at_" + at] or 0.0
         load = {"radii": part["radii"], **{key: [one[key] for one in part["rings"]] for key in "ab"}}
         moment = ring.RingStack(**load).moment
         return ring.RingStack(**load, tilt=-lean * moment / (moment @ moment) if lean else (0.0, 0.0))
 
     def save(self, folder):
-        """Writes the folder of results that the program writes, without fields; also over an earlier one."""
+        """Writes the program's folder of results, without fields; overwrites an earlier one."""
         if self._found is None:
             raise ring.BadInput("this result was read or sent from another process; save it where it was solved")
         self._found.save(os.path.abspath(folder))
 
     def page(self, path):
-        """Writes report.html as the file path."""
+        """Writes the report, an HTML file, to path."""
         with tempfile.TemporaryDirectory() as folder:
             self.save(os.path.join(folder, "results"))
             shutil.move(os.path.join(folder, "results", "report.html"), path)
@@ -231,8 +226,8 @@ class Result:
 
 
 class Fit(Result):
-    """Result of stemware.fit. values, spreads: by entry; correlation: an array; sentences: what the data leave open; runs: a list
-    of dicts with start, zero, noise for each; curves: "run_1" and so on, each with time, measured, fitted."""
+    """Result of stemware.fit. values, spreads (standard deviations): by entry; correlation: an array; sentences: remarks on the
+    entries; runs: a list of dicts with start, zero, noise; curves: "run_1", "run_2", ..., each with time, measured, fitted."""
 
     @property
     def values(self):
@@ -256,10 +251,11 @@ class Fit(Result):
 
 
 def fit(study, data, free, gyroscope_zero="", quick=False, threads=1, progress=None):
-    """Fits entries to measured runs of a spin-up, as `stemware fit` does: a Fit.
+    """Fits entries of a study to measured spin-ups, as `stemware fit`; returns a Fit.
 
-    data: a file, or arrays (time, spin) in SI units, or a list of runs, each such data or a pair (data, study of its own).
-    free: entries, each a path or "path = value +- spread". Files of angles are fitted as angles.
+    data: a file, a pair of arrays (time [s], spin [rad/s]), or a list of runs, each of them data or a pair (data, own study).
+    A file of angles is fitted as angles. free: entries to fit, each a path or "path = value +- spread". gyroscope_zero: offset
+    of the measured spin, as --gyroscope-zero. quick: without profiles and the advice on the next run.
     """
     def run_of(one, own):
         if isinstance(one, (str, os.PathLike)):
@@ -274,6 +270,6 @@ def fit(study, data, free, gyroscope_zero="", quick=False, threads=1, progress=N
 
 
 def read(folder):
-    """The Result of a folder that the program or save() has written; without curves."""
+    """Returns the Result in a folder written by the program or by save(); without curves."""
     with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
         return Result(json.load(file))

@@ -1,7 +1,9 @@
 """stemware.ring against closed forms, elliptic integrals of scipy and an integration of its own."""
+import ast
 import doctest
 import os
 import pickle
+import re
 import subprocess
 import sys
 import tempfile
@@ -310,6 +312,24 @@ class Manners(unittest.TestCase):
 
     def test_examples_of_the_docstrings(self):
         self.assertEqual(doctest.testmod(ring).failed, 0)
+
+    def test_the_stubs_name_the_classes_members_and_arguments_of_the_module(self):
+        with open(os.path.join(os.path.dirname(ring.__file__), "_ring.pyi"), encoding="utf-8") as file:
+            stubs = {one.name: one for one in ast.parse(file.read()).body if isinstance(one, ast.ClassDef)}
+        classes = {name: one for name, one in vars(ring._ring).items() if isinstance(one, type) and name != "Friction"}
+        self.assertEqual(set(stubs), set(classes))
+        for name, stub in stubs.items():
+            functions = {one.name: one.args for one in stub.body if isinstance(one, ast.FunctionDef)}
+            members = {one.target.id for one in stub.body if isinstance(one, ast.AnnAssign)} | set(functions)
+            if issubclass(classes[name], Exception):
+                self.assertEqual([base.id for base in stub.bases], [classes[name].__base__.__name__])
+                continue
+            self.assertEqual({key for key in members if key[0] != "_"}, {key for key in vars(classes[name]) if key[0] != "_"}, name)
+            for key, arguments in functions.items():
+                given = re.findall(r"(\w+): ", (getattr(classes[name], key).__doc__ or "").partition("\n")[0])
+                expected = [one.arg for one in arguments.args + arguments.kwonlyargs]
+                self.assertTrue(not given or [one for one in given if one != "self"] == [one for one in expected if one != "self"],
+                                (name, key, given, expected))
 
     def test_interruption(self):
         seconds = seconds_until_stopped(

@@ -270,6 +270,19 @@ class Manners(unittest.TestCase):
             self.assertAlmostEqual(one["omega_terminal"], other["omega_terminal"], delta=1e-11)
             self.assertLess(other["contact_iterations"], one["contact_iterations"])
 
+    def test_a_warm_start_of_a_whole_run_has_the_same_answer(self):
+        start = stemware.Start()
+        stemware.Study(entries={"Motion/Mass": 0.29}).answer(start=start)
+        study = stemware.Study()
+        cold, warm = study.run(), study.run(start=start)
+        self.assertLess(warm["contact/iterations"], cold["contact/iterations"])
+        self.assertAlmostEqual(warm.omega, cold.omega, delta=1e-11)
+        self.assertAlmostEqual(warm["load/moment_ratio"], cold["load/moment_ratio"], delta=1e-11)
+        for one, other in zip(cold.budget, warm.budget):
+            self.assertAlmostEqual(one["omega_terminal"], other["omega_terminal"], delta=1e-10)
+        bands = [result.bands().loc["omega_terminal", "band"] for result in (cold, warm)]
+        self.assertAlmostEqual(bands[1] / bands[0], 1, delta=1e-3)
+
     def test_interruption(self):
         slow = {"Table/Interface": "hard", "Table/Substrate": "elastic", "Contact/Refinements": 2, "Contact/Harmonics": 64}
         for entries, loop in (({}, "while True: study.run()"), ({}, "while True: study.run(threads=2)"), (slow, "study.answer()")):
