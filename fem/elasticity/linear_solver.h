@@ -3,11 +3,11 @@
 namespace stemware::fem
 {
 
-/// Preconditioner of the linear systems of a three-dimensional body; the outer method is always conjugate
-/// gradients.
+/// Linear solver of a three-dimensional body: condensation to the contact nodes, or conjugate gradients
+/// with a preconditioner.
 enum class LinearSolver
 {
-  automatic, ///< multigrid on refined meshes and above max_direct_unknowns unknowns, else direct
+  automatic, ///< condensed to the contact nodes where SolidFoot can; else multigrid or, if small, direct
   direct,    ///< factorisation (MUMPS) of a recent tangent
   multigrid  ///< over the meshes that the body's was refined from and its mean body of revolution
              ///< (MeshHierarchy)

@@ -50,6 +50,8 @@ public:
   unsigned int n_unknowns() const override { return static_cast<unsigned int>(dofs().n_dofs()); }
 
   const dealii::DoFHandler<3> &dofs() const { return mesh().dof_handler; }
+  const SolidLevel &mesh() const { return stiffness->mesh(); }
+  const ContactNodes &contact_nodes() const { return contact.nodes(); }
   const ElasticMaterial &glass() const { return material; }
   /// Smallest extent h of a contact cell [m]; E / h is the natural penalty of a rigid table.
   double contact_cell_size() const { return zone.smallest_cell; }
@@ -57,6 +59,9 @@ public:
   /// Sets the friction that deforms the body, proportional to the contact forces, by @p traction in the axes
   /// of the mesh. Throws as SlidingTraction::validate().
   void set_sliding(const SlidingTraction &traction);
+  /// Returns the friction force (x, y) on the foot per normal force at the contact nodes, shape [n_nodes, 2];
+  /// empty without friction.
+  Eigen::MatrixX2d friction_per_force() const { return has_friction() ? friction : Eigen::MatrixX2d(); }
   /// Sets SolidOptions::linear_tolerance.
   void set_linear_tolerance(double tolerance) { linear_tolerance = tolerance; }
 
@@ -72,6 +77,8 @@ public:
   void read_state(std::istream &stream);
 
   void set_displacement(const Vector &vector);
+  /// Sets the displacement under nodal @p forces [N] and their friction. Throws as solve().
+  void set_forces(const Eigen::VectorXd &forces);
   /// Returns the displacement with ghost values.
   Vector displacement_for_output() const;
   /// Returns the load of nodal @p forces with their friction, minus K u.
@@ -94,7 +101,6 @@ private:
   struct ProjectedPreconditioner;
   struct SymmetricStep;
 
-  const SolidLevel &mesh() const { return stiffness->mesh(); }
   bool has_friction() const { return sliding.friction_coefficient != 0; }
   /// Returns B' @p forces with the friction of these forces.
   Vector contact_load(const Eigen::VectorXd &forces) const;

@@ -3,9 +3,11 @@
 #include "fem/contact/winkler_interface.h"
 #include "fem/meshing/mesh_io.h"
 #include "fem/solid/cell_numbers.h"
+#include "fem/solid/condensed_body.h"
 #include "fem/solid/mesh_estimate.h"
 #include "fem/solid/nested_contact.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
 
 #include <Eigen/Geometry>
@@ -59,8 +61,20 @@ struct FootNumbers
   unsigned int max_steps = 300;
   /// A mesh of as many equal parts round the axis is one of a body of revolution, as far as it can say.
   unsigned int min_symmetry_sectors = 12;
+  /// Largest body and contact zone whose stiffness is condensed to the contact nodes.
+  unsigned int max_condensed_unknowns = 60000, max_condensed_nodes = 1000;
 };
 constexpr FootNumbers foot_numbers = {};
+
+/// Whether contacts are solved on the compliance between the contact nodes, which costs about as much as four
+/// contacts of the whole body.
+bool is_condensed(const SolidBody &body, const SolidOptions &options)
+{
+  return options.linear_solver == LinearSolver::automatic && !body.has_coarser_mesh() &&
+         dealii::Utilities::MPI::n_mpi_processes(body.dofs().get_communicator()) == 1 &&
+         body.n_unknowns() <= foot_numbers.max_condensed_unknowns &&
+         body.contact_surface().n_nodes() <= foot_numbers.max_condensed_nodes;
+}
 
 bool is_spring(const SolidSetup &setup, const SolidBody &body)
 {
@@ -116,6 +130,15 @@ SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup, const Solid
 {
   if (has_multipliers() && setup.options.linear_tolerance == 0)
     body->set_linear_tolerance(foot_numbers.reduction);
+  if (!is_condensed(*body, setup.options))
+    return;
+  const bool slides = setup.friction_coefficient > 0;
+  if (similar && similar->compliance && (!slides || similar->compliance->along_x.size() > 0))
+    compliance = similar->compliance;
+  else
+    compliance = std::make_shared<const NodalCompliance>(
+      condense(body->mesh(), setup.material, body->contact_nodes(), slides));
+  condensed = std::make_unique<CondensedBody>(body->contact_surface(), compliance);
 }
 
 SolidFoot::~SolidFoot() = default;
@@ -159,19 +182,42 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const ring::Slip &sli
   };
   const double axis = axis_of(slip);
   state.solution = press(axis == 0 ? demand : demand.in_rotated_axes(axis), slip, guess.previous, control);
-  std::ostringstream written;
-  body->write_state(written);
-  state.body = std::make_shared<const std::string>(written.str());
+  if (!condensed)
+  {
+    std::ostringstream written;
+    body->write_state(written);
+    state.body = std::make_shared<const std::string>(written.str());
+  }
   state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis) * state.solution.motion.tail<2>();
   state.load = project_onto_rings(state, demand.ring_radii, demand.n_harmonics);
   std::tie(state.inner_radius, state.outer_radius) = loaded_band(law->load(state.solution, 1));
   return state;
 }
 
+ElasticBody &SolidFoot::pressed_body() const
+{
+  if (condensed)
+    return *condensed;
+  return *body;
+}
+
 void SolidFoot::restore(const ContactState &state) const
 {
+  if (condensed)
+  {
+    condensed->set_forces(state.solution.forces);
+    return;
+  }
   std::istringstream written(*state.body);
   body->read_state(written);
+}
+
+void SolidFoot::restore_displacement(const ContactState &state) const
+{
+  if (!condensed)
+    return restore(state);
+  body->set_sliding(sliding_at(state.slip));
+  body->set_forces(state.solution.forces);
 }
 
 SlidingTraction SolidFoot::sliding_at(const ring::Slip &slip) const
@@ -191,7 +237,7 @@ ContactSolution SolidFoot::find_contact(const LinearConditions &conditions, Cont
 {
   const auto solve = [&](const ContactControl &to)
   {
-    return solve_contact(*body, *law, conditions, setup.profile.contact_radius, to,
+    return solve_contact(pressed_body(), *law, conditions, setup.profile.contact_radius, to,
                          start ? &*start : nullptr);
   };
   if (!has_multipliers())
@@ -216,6 +262,8 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const ring::Slip &
   const double radius = setup.profile.contact_radius;
   const LinearConditions conditions = conditions_of(body->contact_surface(), demand);
   body->set_sliding(sliding_at(slip));
+  if (condensed)
+    condensed->set_friction(body->friction_per_force());
   if (before)
     try
     {
@@ -282,7 +330,7 @@ std::optional<MeshError> SolidFoot::mesh_error(const ContactState &state, const 
     !is_at_right_angle && state.outer_radius - state.inner_radius < 2 * body->contact_cell_size();
   if (has_multipliers() || (setup.table.interface->is_hard() && is_narrow))
     return std::nullopt;
-  restore(state);
+  restore_displacement(state);
   const double axis = axis_of(state.slip);
   const Eigen::Rotation2Dd back(-axis);
   SolvedSolidContact contact = { *body, *interface, gap_of(mesh, setup.profile), sliding_at(state.slip) };
@@ -304,7 +352,7 @@ std::optional<MeshError> SolidFoot::mesh_error(const ContactState &state, const 
 std::vector<FieldFile> SolidFoot::fields(const ContactState &state) const
 {
   const ContactSolution solution = in_mesh_axes(state);
-  restore(state);
+  restore_displacement(state);
   return body->fields(solution.motion, law->nodal_pressure(solution));
 }
 

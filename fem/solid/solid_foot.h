@@ -22,7 +22,10 @@ class Triangulation;
 namespace stemware::fem
 {
 
+class CondensedBody;
+class ElasticBody;
 class SolidBody;
+struct NodalCompliance;
 
 /// Mesh of a solid foot, distributed over all MPI ranks.
 struct SolidMesh
@@ -96,8 +99,12 @@ public:
 
 private:
   SlidingTraction sliding_at(const ring::Slip &slip) const;
-  /// Sets the body to the displacement of @p state.
+  /// Returns the body whose contacts are solved: condensed() or `body`.
+  ElasticBody &pressed_body() const;
+  /// Sets the pressed body to the displacement of @p state.
   void restore(const ContactState &state) const;
+  /// Sets `body` to the displacement of @p state.
+  void restore_displacement(const ContactState &state) const;
   /// Contact of @p state in the axes of the mesh.
   ContactSolution in_mesh_axes(const ContactState &state) const;
   /// Azimuth of the mesh's x axis in the slip frame [rad].
@@ -113,6 +120,8 @@ private:
   const SolidSetup setup;
   const SolidMesh mesh;
   const std::unique_ptr<SolidBody> body; ///< work space of contacts; its state between calls is undefined
+  std::shared_ptr<const NodalCompliance> compliance;   ///< nullptr: contacts are solved on the whole body
+  std::unique_ptr<CondensedBody> condensed;            ///< nullptr without compliance
   const std::shared_ptr<const InterfaceLaw> interface; ///< a penalty law for a hard interface on a mesh
                                                        ///< hierarchy
   const double softening_of_coarser;                   ///< see start_from_coarser_mesh()

@@ -60,6 +60,9 @@ namespace
 struct StepNumbers
 {
   unsigned int max_iterations = 200; ///< of conjugate gradients, which take 20 to 75 on meshes of use
+  /// The same for the displacement under given forces, whose error no Newton step mends; distorted cells take
+  /// some 250.
+  unsigned int max_iterations_of_forces = 2000;
 
   /// Share of the forces that Newton's method may leave unbalanced: a fifth of what its stopping rule allows.
   double unbalanced_share = 2e-10;
@@ -87,9 +90,10 @@ using BodyVector = BodyStiffness::Vector;
 /// iterations do not do.
 template <typename Operator, typename Preconditioner>
 unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &preconditioner,
-                                 const BodyVector &rhs, double target, BodyVector &solution)
+                                 const BodyVector &rhs, double target, BodyVector &solution,
+                                 unsigned int max_iterations = tuned.max_iterations)
 {
-  SolverControl control(tuned.max_iterations, target, false, false);
+  SolverControl control(max_iterations, target, false, false);
   try
   {
     SolverCG<BodyVector>(control).solve(matrix, solution, rhs, preconditioner);
@@ -264,6 +268,18 @@ SolidBody::Vector SolidBody::solve_symmetric(const Eigen::SparseMatrix<double> &
   contact.nodes().scatter_add(nodal, load);
   const Vector rhs = step.projected(std::move(load), missing);
   return step.solve(rhs, missing, reduction * rhs.l2_norm()).body;
+}
+
+void SolidBody::set_forces(const Eigen::VectorXd &forces)
+{
+  contact.set(Eigen::SparseMatrix<double>(zone.surface.n_nodes(), zone.surface.n_nodes()));
+  stiffness->set_contact(contact.matrix());
+  const Vector load = contact_load(forces);
+  Vector found;
+  stiffness->initialize(found);
+  conjugate_gradients(TangentOperator{ *stiffness, contact }, TangentPreconditioner{ *stiffness }, load,
+                      tuned.unbalanced_share * load.l2_norm(), found, tuned.max_iterations_of_forces);
+  set_displacement(found);
 }
 
 SolidBody::Border SolidBody::make_border(const Eigen::MatrixX3d &modes, double tolerance)

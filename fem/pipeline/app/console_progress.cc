@@ -19,6 +19,8 @@ ConsoleProgress::ConsoleProgress(Stopwatch &stopwatch)
 void ConsoleProgress::stage_done(const std::string &stage)
 {
   stopwatch.finish(stage);
+  if (stage == "mesh_and_stiffness")
+    before_contacts = stopwatch.elapsed();
 }
 
 void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, std::size_t n_all)
@@ -41,7 +43,8 @@ void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, s
 
 void ConsoleProgress::share_done(double share)
 {
-  if (const double whole = stopwatch.elapsed() / share; whole > worth_telling)
+  const double in_contacts = stopwatch.elapsed() - before_contacts;
+  if (const double whole = before_contacts + in_contacts / share; whole > worth_telling)
     note("Time", "about " + rough_duration(whole) + " in all");
 }
 

@@ -1,6 +1,7 @@
 #include "fem/pipeline/feet/solid_feet.h"
 
 #include "fem/pipeline/coupling/revolution_setup.h"
+#include "fem/pipeline/coupling/study_balance.h"
 #include "fem/pipeline/feet/usable_mesh.h"
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/input/study_size.h"
@@ -52,6 +53,20 @@ fem::SolidMesh solid_mesh(const Study &study, const Discretisation &discretisati
   return mesh;
 }
 
+/// Returns the linear solver of @p study: a mesh that is pressed once or twice is not worth a condensation.
+fem::LinearSolver linear_solver_of(const Study &study, const Discretisation &discretisation)
+{
+  const ContactSection &contact = study.contact;
+  const bool is_refined =
+    contact.refinements > 0 || edge_halvings(study) > 0 || !discretisation.halved.empty();
+  const bool has_phases = !contact.mesh_file.empty() || study.has_waviness();
+  if (contact.linear_solver != fem::LinearSolver::automatic || is_refined || has_phases ||
+      varies_with_spin(study))
+    return contact.linear_solver;
+  return size_of(study).unknowns > fem::max_direct_unknowns ? fem::LinearSolver::multigrid
+                                                            : fem::LinearSolver::direct;
+}
+
 fem::SolidSetup solid_setup(const Study &study, const Discretisation &discretisation, const Model &model)
 {
   fem::SolidSetup setup;
@@ -59,7 +74,7 @@ fem::SolidSetup solid_setup(const Study &study, const Discretisation &discretisa
   setup.material = study.glass.material;
   setup.table = study.table.make();
   setup.options.degree = study.contact.degree;
-  setup.options.linear_solver = study.contact.linear_solver;
+  setup.options.linear_solver = linear_solver_of(study, discretisation);
   setup.hardness = discretisation.hardness;
   if (model.friction_in_foot)
     set_friction(study, setup);

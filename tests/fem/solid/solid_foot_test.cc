@@ -64,6 +64,34 @@ TEST(SolidFoot, StatesOutliveTheNextSolution)
   }
 }
 
+/// The compliance between the contact nodes against multigrid on the whole body, with friction and a weight
+/// that leans.
+TEST(SolidFoot, CondensedContactsAreThoseOfTheWholeBody)
+{
+  const std::shared_ptr<const InterfaceLaw> interfaces[] = { std::make_shared<WinklerInterface>(1e11),
+                                                             std::make_shared<HardInterface>() };
+  for (const auto &interface : interfaces)
+    for (const double mu : { 0., 0.4 })
+    {
+      SolidSetup setup = coarse_setup(interface);
+      setup.options.degree = 2;
+      setup.friction_coefficient = mu;
+      const SolidFoot condensed(coarse_mesh(), setup);
+      setup.options.linear_solver = LinearSolver::multigrid;
+      const SolidFoot whole(coarse_mesh(), setup);
+      ContactDemand demand = load_at(1.2, 0.4);
+      demand.tilt_moment = 0.05 * demand.normal_force;
+      const stemware::ring::Slip slip = { 7., {} };
+      const ContactState one = condensed.solve(demand, slip), other = whole.solve(demand, slip);
+      for (unsigned int n = 0; n <= 4; ++n)
+        EXPECT_NEAR(one.load.a(n), other.load.a(n), 1e-8 * other.load.a(0)) << n;
+      const ContactSolution &found = one.solution, &expected = other.solution;
+      EXPECT_LE((found.motion - expected.motion).norm(), 1e-8 * expected.motion.norm());
+      EXPECT_LE((found.forces - expected.forces).norm(), 1e-7 * expected.forces.norm());
+      EXPECT_NEAR(found.stability_margin, expected.stability_margin, 1e-2);
+    }
+}
+
 /// A mesh file says all about its rim: an arc in the generated foot, a polygon in the file.
 TEST(SolidFoot, OfAWrittenMeshHasTheLoadOfTheGeneratedOne)
 {

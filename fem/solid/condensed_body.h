@@ -1,0 +1,64 @@
+#pragma once
+
+#include "fem/contact/elastic_body.h"
+#include "fem/elasticity/elastic_material.h"
+#include "fem/solid/contact_nodes.h"
+#include "fem/solid/mesh_hierarchy.h"
+
+#include <memory>
+
+namespace stemware::fem
+{
+
+/// Compliance of a solid foot between its contact nodes on one rank: vertical displacement of the row's node
+/// per unit force at the column's node [m/N], shape [n_nodes, n_nodes].
+struct NodalCompliance
+{
+  Eigen::MatrixXd normal;           ///< of vertical forces; symmetric
+  Eigen::MatrixXd along_x, along_y; ///< of horizontal forces; empty unless asked for
+};
+
+/// Returns the compliance of @p level between its contact @p nodes, by a static condensation of its
+/// stiffness; @p with_horizontal: of horizontal forces too. Throws std::runtime_error unless the stiffness is
+/// positive definite.
+NodalCompliance condense(const SolidLevel &level, const ElasticMaterial &material, const ContactNodes &nodes,
+                         bool with_horizontal);
+
+/// Solid foot condensed to its contact nodes: each Newton step is a dense system of the loaded nodes. The
+/// state is the vector of nodal forces whose elastic response is the displacement.
+class CondensedBody : public ElasticBody
+{
+public:
+  /// @p surface of one rank, which must outlive the body.
+  CondensedBody(const ContactSurface &surface, std::shared_ptr<const NodalCompliance> compliance);
+
+  /// Sets the friction force (x, y) on the foot per normal force at each node, shape [n_nodes, 2]; empty:
+  /// without friction. Keeps the forces.
+  void set_friction(const Eigen::MatrixX2d &friction);
+  /// Sets the state to the displacement under nodal @p forces [N].
+  void set_forces(const Eigen::VectorXd &forces);
+
+  const ContactSurface &contact_surface() const override { return surface; }
+  Eigen::VectorXd contact_displacement() const override { return displacement; }
+  NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
+                        const LinearConditions &conditions, const Eigen::Vector3d &motion) override;
+  void update(double step_length) override;
+  void reset() override;
+  Eigen::VectorXd elastic_forces(const Eigen::VectorXd &) const override { return state; }
+  double equilibrium_residual(const Eigen::VectorXd &forces) const override;
+  unsigned int n_unknowns() const override { return static_cast<unsigned int>(state.size()) + 3; }
+
+private:
+  const ContactSurface &surface;
+  const std::shared_ptr<const NodalCompliance> compliance;
+  Eigen::MatrixXd with_friction; ///< compliance of normal forces with their friction; empty without friction
+  Eigen::VectorXd state, displacement;
+  Eigen::VectorXd increment, moved; ///< of the last solve()
+
+  const Eigen::MatrixXd &matrix() const
+  {
+    return with_friction.size() > 0 ? with_friction : compliance->normal;
+  }
+};
+
+} // namespace stemware::fem
