@@ -28,19 +28,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Noise of a smooth curve by its second differences.
-double rough_noise(const MeasuredRun &data)
-{
-  double sum = 0, largest = 0;
-  for (std::size_t i = 1; i + 1 < data.values.size(); ++i)
-    sum += std::pow(data.values[i - 1] - 2 * data.values[i] + data.values[i + 1], 2);
-  for (const double value : data.values)
-    largest = std::max(largest, std::abs(value));
-  return std::max(std::sqrt(sum / 6 / static_cast<double>(data.values.size())), 1e-6 * largest);
-}
-
-/// Start and zero of run @p r that fit best with the parameters as they are in @p x.
-void guess_start(const FitProblem &problem, std::size_t r, VectorXd &x)
+/// Start, if it is not @p given, and zero of run @p r that fit best with the parameters as they are in @p x.
+void guess_start(const FitProblem &problem, std::size_t r, const std::optional<Prior> &given, VectorXd &x)
 {
   constexpr int n_tried = 400;
   const PreparedRun &run = problem.runs[r];
@@ -48,9 +37,9 @@ void guess_start(const FitProblem &problem, std::size_t r, VectorXd &x)
   const SpinUp &spin_up = run.spin_ups->at(x.head(problem.n_parameters));
   const double earliest = data.times.front() - 5 * run.time_scale;
   double best = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < n_tried; ++k)
+  for (int k = 0; k < (given ? 1 : n_tried); ++k)
   {
-    const double start = earliest + (data.times.back() - earliest) * k / n_tried;
+    const double start = given ? given->value : earliest + (data.times.back() - earliest) * k / n_tried;
     VectorXd difference(run.n_points());
     for (Index i = 0; i < run.n_points(); ++i)
       difference(i) = data.values[static_cast<std::size_t>(i)] - run.model(spin_up, i, start);
@@ -72,29 +61,6 @@ double autocorrelation(const VectorXd &residuals)
   return n < 3 || square == 0 ? 0 : centred.head(n - 1).dot(centred.tail(n - 1)) / square;
 }
 
-/// A run that refuses to be fitted.
-void check(const RunToFit &run)
-{
-  constexpr std::size_t min_points = 5;
-  require(run.data.times.size() >= min_points,
-          "--data " + run.name + " has " + std::to_string(run.data.times.size()) +
-            " points; measure at least " + std::to_string(min_points) + ".");
-  require(run.data.times.back() > run.data.times.front(), "--data " + run.name + ": all times are equal.");
-  const auto [least, most] = std::minmax_element(run.data.values.begin(), run.data.values.end());
-  require(*most > *least, "--data " + run.name +
-                            ": all values are equal, but a fit needs a spin-up; give a run in which the "
-                            "glass begins to turn.");
-  require_flat(run.study, "fit");
-  require(!run.study.load.is_from_contact() || run.study.contact.goal == Goal::none,
-          "A fit solves many studies on one mesh; set Contact/Goal = none.");
-  require(!run.study.motion.orbit_speeds,
-          "--data " + run.name +
-            ": a fit has no table of the hand's speed; leave out Motion/Orbit speed file.");
-  require(!run.study.load.is_static(), "--data " + run.name +
-                                         ": the load has a given moment; a fit needs the moment of the hand, "
-                                         "leave out the entries of Load but Source.");
-}
-
 /// Fit in the making.
 class Fit
 {
@@ -105,7 +71,7 @@ public:
       , executor(executor)
       , progress(progress)
       , parameters(parameters_of(given, question))
-      , problem(parameters, runs_of(given), question.gyroscope_zero)
+      , problem(parameters, runs_of(given), question.gyroscope_zero, question.start)
       , x(problem.inputs())
   {
   }
@@ -145,37 +111,38 @@ private:
   {
     std::vector<PreparedRun> runs;
     for (const RunToFit &run : given)
-    {
-      check(run);
-      const ring::Motion &motion = run.study.motion.orbit;
-      const double radius = run.study.glass.profile.contact_radius;
-      runs.push_back({ run, std::make_shared<SpinUps>(run.study, parameters, executor),
-                       motion.yaw_inertia * motion.orbit_speed /
-                         (motion.friction_at_rest() * motion.normal_force() * radius * radius),
-                       rough_noise(run.data) });
-    }
+      runs.push_back(prepared(run, parameters, executor));
     return runs;
   }
 
-  /// Fits with the noise of the residuals, which the fit itself tells.
+  /// Fits with the noise of the residuals, which the fit itself tells, and the loads solved where the search
+  /// ends.
   void find_minimum()
   {
-    constexpr int max_rounds = 6;
-    constexpr double enough = 0.01;
+    constexpr int max_rounds = 10;
+    constexpr double enough = 0.01, enough_of_spread = 1e-3;
     for (std::size_t j = 0; j < parameters.size(); ++j)
       x(static_cast<Index>(j)) = parameters[j].start;
     for (std::size_t r = 0; r < problem.runs.size(); ++r)
     {
       require_same_sense(problem.runs[r]);
-      guess_start(problem, r, x);
+      guess_start(problem, r, question.start, x);
     }
     for (int round = 0; round < max_rounds; ++round)
     {
+      const VectorXd before = x;
       x = problem.minimum(x);
       progress.pieces_done("rounds", static_cast<std::size_t>(round) + 1, 0);
-      if (take_noise() < enough)
+      const bool same_noise = take_noise() < enough;
+      load_shift = solve_loads(x, true);
+      if (!problem.has_spin_ups(x)) // the glass tips there, which loads between others did not tell
+        x = before;
+      else if (same_noise && load_shift < enough_of_spread)
         break;
     }
+    x = problem.minimum(x);
+    solve_slopes();
+    load_shift += shift_by_missed_torques();
     for (std::size_t j = 0; j < parameters.size(); ++j)
       if (parameters[j].is_never_negative)
         x(static_cast<Index>(j)) = std::abs(x(static_cast<Index>(j)));
@@ -192,6 +159,58 @@ private:
       "--data " + run.given.name + ": the measured glass turns " +
         (measured > 0 ? "counter-clockwise" : "clockwise") +
         ", the glass of the study the other way; change the sign of the values, or Motion/Orbit sense.");
+  }
+
+  /// Solves the loads at @p unknowns, where loads are interpolated. Returns how far that moves what is
+  /// fitted, in spreads of the combination of unknowns that moves most.
+  double solve_loads(const VectorXd &unknowns, bool is_centre)
+  {
+    MatrixXd slopes;
+    VectorXd before, after;
+    problem.df(unknowns, slopes);
+    problem(unknowns, before);
+    for (PreparedRun &run : problem.runs)
+      run.spin_ups->solve_at(unknowns.head(problem.n_parameters), is_centre);
+    problem(unknowns, after);
+    return shift_by(after - before, slopes);
+  }
+
+  /// Shift of what is fitted by a @p change of the residuals, in spreads of the combination that shifts most.
+  static double shift_by(const VectorXd &change, const MatrixXd &slopes)
+  {
+    const VectorXd pull = slopes.transpose() * change;
+    return std::sqrt(std::max(pull.dot(covariance_of(slopes) * pull), 0.));
+  }
+
+  double shift_by_missed_torques()
+  {
+    problem.df(x, jacobian);
+    VectorXd change = VectorXd::Zero(problem.values());
+    Index row = 0;
+    for (std::size_t r = 0; r < problem.runs.size(); ++r)
+    {
+      const PreparedRun &run = problem.runs[r];
+      const SpinCourse missed = run.spin_ups->missed(x.head(problem.n_parameters));
+      for (Index i = 0; i < run.n_points(); ++i)
+        change(row++) = run.model(missed, i, x(problem.of_run(r)) * run.time_scale) / run.noise;
+    }
+    return shift_by(change, jacobian);
+  }
+
+  /// Solves a load beside the fitted one for each entry, for the derivatives: as far away as the entry may
+  /// well be, within a tenth.
+  void solve_slopes()
+  {
+    problem.df(x, jacobian);
+    const MatrixXd covariance = covariance_of_all();
+    for (Index j = 0; j < problem.n_parameters; ++j)
+      if (parameters[static_cast<std::size_t>(j)].acts_on_load())
+        for (PreparedRun &run : problem.runs)
+        {
+          VectorXd beside = x.head(problem.n_parameters);
+          beside(j) += std::clamp(2 * std::sqrt(covariance(j, j)), 0.01, 0.1);
+          run.spin_ups->solve_at(beside, false);
+        }
   }
 
   /// Sets the noise of each run by its residuals. Returns the largest relative change.
@@ -221,9 +240,11 @@ private:
     return change;
   }
 
-  MatrixXd covariance_of_all() const
+  MatrixXd covariance_of_all() const { return covariance_of(jacobian); }
+
+  static MatrixXd covariance_of(const MatrixXd &slopes)
   {
-    return (jacobian.transpose() * jacobian).ldlt().solve(MatrixXd::Identity(x.size(), x.size()));
+    return (slopes.transpose() * slopes).ldlt().solve(MatrixXd::Identity(slopes.cols(), slopes.cols()));
   }
 
   /// Half-width of an interval of @p n_sigma normal standard deviations, in standard deviations.
@@ -250,6 +271,9 @@ private:
                          spread.cwiseInverse().asDiagonal();
     result.study = with_parameters(problem.runs.front().given.study, parameters, x.head(k));
     result.chi_square = problem.chi_square(x);
+    result.load_shift = load_shift;
+    for (const PreparedRun &run : problem.runs)
+      result.n_contacts += run.spin_ups->n_contacts();
     result.n_free_points = n_free_points;
     VectorXd per_percent = VectorXd::Zero(k), by_band = VectorXd::Zero(k);
     bool has_band = false;
@@ -281,6 +305,7 @@ private:
       FittedEntry entry = { parameter.path, parameter.unit, parameter.value(x(j)), parameter.is_log };
       const double slope = parameter.is_log ? entry.value : parameter.scale;
       entry.spread = slope * spread(j);
+      entry.is_never_negative = parameter.is_never_negative;
       entry.is_determined = spread(j) < 1;
       const auto range = [&](double n_sigma)
       {
@@ -321,6 +346,8 @@ private:
   /// Goes one and two standard deviations to either side, all else fitted again.
   void add_profiles(FitResult &result)
   {
+    constexpr double enough = 0.01; // of a spread
+    constexpr int most_loads = 3;
     const MatrixXd covariance = covariance_of_all();
     const double least = result.chi_square;
     for (Index j = 0; j < problem.n_parameters; ++j)
@@ -336,8 +363,9 @@ private:
         {
           problem.held = { j, x(j) + side * n * spread };
           problem.held_to = 1e-4 * spread;
-          const VectorXd moved =
-            problem.minimum(x + covariance.col(j) / covariance(j, j) * side * n * spread);
+          VectorXd moved = problem.minimum(x + covariance.col(j) / covariance(j, j) * side * n * spread);
+          for (int i = 0; i < most_loads && solve_loads(moved, false) > enough; ++i)
+            moved = problem.minimum(moved);
           roots[n] = std::sqrt(std::max(problem.chi_square(moved) - least, 0.));
           problem.held.reset();
         }
@@ -387,7 +415,7 @@ private:
         RunToFit other = first;
         assign(study_entries(other.study), "", path, to_text(value));
         check_values(other.study);
-        FitProblem alone(parameters, runs_of({ other }), question.gyroscope_zero);
+        FitProblem alone(parameters, runs_of({ other }), question.gyroscope_zero, question.start);
         alone.runs.front().noise = problem.runs.front().noise;
         VectorXd at = x.head(alone.inputs());
         MatrixXd rows;
@@ -419,6 +447,7 @@ private:
   VectorXd x;
   MatrixXd jacobian;
   double n_free_points = 0;
+  double load_shift = 0; ///< see solve_loads(), of the last round
 };
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -30,6 +31,9 @@ struct FitQuestion
 {
   std::vector<FreeEntry> free = {};
   Prior gyroscope_zero = { 0., 0.01 }; ///< added to measured spins, of each run its own; spread 0: fixed
+  /// Time at which the glass begins to slide, of each run its own [s]; spread 0: fixed. std::nullopt:
+  /// unknown.
+  std::optional<Prior> start = {};
   bool with_profiles = true;
   bool with_next_run = true; ///< whether FitResult::next_run is wanted
   /// Returns the relative error band of a study's terminal spin; std::nullopt if none is known.
@@ -48,6 +52,7 @@ struct FittedEntry
   std::string path, unit;
   double value = 0;
   bool is_positive = false;                 ///< fitted as logarithm: errors are factors
+  bool is_never_negative = false;           ///< may be 0, but not less
   bool is_determined = false;               ///< by the data or the prior, to a factor of e or better
   double spread = 0;                        ///< standard deviation, of the logarithm if `is_positive`
   FittedRange range_68 = {}, range_95 = {}; ///< from the covariance, with Student's t
@@ -93,6 +98,10 @@ struct FitResult
   Eigen::MatrixXd correlation; ///< the same shape
   double chi_square = 0;       ///< residuals over their noise, priors included
   double n_free_points = 0;    ///< points without the fitted numbers
+  /// Estimate of the shift of the entries by the loads that are interpolated between solved ones, in spreads
+  /// of the combination that shifts most; 0 if every load is solved.
+  double load_shift = 0;
+  std::size_t n_contacts = 0; ///< contacts solved for all runs, without those of the next one
   std::optional<NextRun> next_run = {};
   std::vector<FitSentence> sentences = {}; ///< what the data do not determine, and what the errors leave out
 };

@@ -1,133 +1,20 @@
 #include "fem/pipeline/analysis/fit_problem.h"
 
-#include "fem/pipeline/analysis/study_rows.h"
-#include "fem/pipeline/study/study_checks.h"
-#include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/variants/solve.h"
 
+#include <algorithm>
+#include <cmath>
 #include <unsupported/Eigen/NonLinearOptimization>
 
 namespace stemware::pipeline
-{
-
-namespace
 {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-boost::math::interpolators::cardinal_cubic_b_spline<double>
-spline(const std::vector<ring::YawSample> &samples, double ring::YawSample::*value, double step)
-{
-  std::vector<double> values;
-  for (const ring::YawSample &sample : samples)
-    values.push_back(sample.*value);
-  return { values.begin(), values.end(), 0., step };
-}
-
-} // namespace
-
-FitParameter fit_parameter(const Study &study, const FreeEntry &free)
-{
-  const std::vector<StudyEntry> entries = entries_of(study);
-  const StudyEntry &entry = entry_at(entries, "--free ", free.path);
-  FitParameter parameter = { entry.path(), entry.name, entry.unit };
-  const double given = free.prior ? free.prior->value : std::get<double>(entry.value());
-  const double usual = entry.plausible ? std::max(std::abs(entry.plausible->min), entry.plausible->max) : 1;
-  parameter.is_log = !entry.assign("0"); // of a copy
-  parameter.is_never_negative = !parameter.is_log && !entry.assign("-1e-9");
-  require(!parameter.is_log || given > 0, "--free " + entry.path() + ": the value is not greater than 0.");
-  parameter.scale = parameter.is_log ? 1 : given != 0 ? std::abs(given) : usual / 100;
-  parameter.start = parameter.is_log ? std::log(given) : given / parameter.scale;
-  parameter.prior = parameter.start;
-  if (free.prior)
-    parameter.prior_spread = free.prior->spread / (parameter.is_log ? given : parameter.scale);
-  return parameter;
-}
-
-Study with_parameters(Study study, const std::vector<FitParameter> &parameters, const VectorXd &x)
-{
-  const std::vector<StudyEntry> entries = study_entries(study);
-  for (std::size_t j = 0; j < parameters.size(); ++j)
-  {
-    const StudyEntry &entry = entry_at(entries, "--free ", parameters[j].path);
-    const double value = parameters[j].value(x(static_cast<Index>(j)));
-    if (!entry.assign(to_text(value)))
-      assign(entry, "--free ", to_text(std::abs(value)));
-  }
-  check_values(study);
-  return study;
-}
-
-SpinUp::SpinUp(const std::vector<ring::YawSample> &samples, double step)
-    : end(step * static_cast<double>(samples.size() - 1))
-    , last(samples.back())
-    , omega(spline(samples, &ring::YawSample::omega, step))
-    , angle(spline(samples, &ring::YawSample::yaw_angle, step))
-{
-}
-
-const SpinUp &SpinUps::at(const VectorXd &x)
-{
-  const std::vector<double> key(x.begin(), x.end());
-  const auto known = spin_ups.find(key);
-  return known != spin_ups.end() ? known->second : spin_ups.emplace(key, find(x)).first->second;
-}
-
-SpinUp SpinUps::find(const VectorXd &x)
-{
-  constexpr int n_steps = 1200;
-  constexpr double n_time_constants = 60; // of the spin without grip
-  const Study now = with_parameters(study, parameters, x);
-  const ring::SharedLoad load = load_of(now, x);
-  const ring::Motion &motion = now.motion.orbit;
-  const double torque = motion.friction_at_rest() * motion.normal_force() * load->radius(),
-               step = n_time_constants / n_steps * motion.yaw_inertia * load->spin_scale(motion) / torque;
-  ring::Question question = spin_question(now);
-  question.with_minima = false;
-  for (int i = 0; i <= n_steps; ++i)
-    question.times.push_back(i * step);
-  const ring::Answer found = ring::answer(*load, question).value();
-  if (found.fall)
-    throw ring::NoBalance(found.reason);
-  return { found.spin_up, step };
-}
-
-ring::SharedLoad SpinUps::load_of(const Study &now, const VectorXd &x)
-{
-  std::vector<double> key;
-  bool on_same_foot = true;
-  for (std::size_t j = 0; j < parameters.size(); ++j)
-  {
-    const std::string &path = parameters[j].path;
-    if (path == "Motion/Grip torque" || path == "Motion/Yaw inertia")
-      continue;
-    key.push_back(x(static_cast<Index>(j)));
-    on_same_foot = on_same_foot && path.rfind("Motion/", 0) == 0;
-  }
-  ring::SharedLoad &load = loads[key];
-  if (load)
-    return load;
-  Variant variant = { "", "", now };
-  variant.on_same_foot = on_same_foot && foot;
-  const std::shared_ptr<ElasticFoot> own = foot_of(variant, foot, executor);
-  const ring::SharedLoad exact = find_load(now, own);
-  if (!foot)
-    foot = own;
-  if (!exact->is_costly())
-    return load = exact;
-  ring::Question free = spin_question(now);
-  free.grip_torque = 0;
-  free.with_minima = false;
-  const double last = ring::answer(*exact, free).value().last_spin().value();
-  return load = ring::interpolated(exact, std::min(0., 1.001 * last), std::max(0., 1.001 * last));
-}
-
 FitProblem::FitProblem(const std::vector<FitParameter> &parameters, std::vector<PreparedRun> all_runs,
-                       const Prior &gyroscope_zero)
+                       const Prior &gyroscope_zero, const std::optional<Prior> &start)
     : runs(std::move(all_runs))
     , n_parameters(static_cast<Index>(parameters.size()))
     , priors(n_parameters + 2 * static_cast<Index>(runs.size()))
@@ -142,10 +29,13 @@ FitProblem::FitProblem(const std::vector<FitParameter> &parameters, std::vector<
   {
     const MeasuredRun &data = runs[r].given.data;
     const bool is_angle = data.is_angle;
-    priors.segment<2>(of_run(r)) << data.times.front() / runs[r].time_scale,
-      is_angle ? data.values.front() : gyroscope_zero.value;
+    const double time_scale = runs[r].time_scale;
     constexpr double fixed = 1e-9, any_turns = 1e4;
-    spreads.segment<2>(of_run(r)) << 100 + (data.times.back() - data.times.front()) / runs[r].time_scale,
+    const Prior begins =
+      start.value_or(Prior{ data.times.front(), 100 * time_scale + data.times.back() - data.times.front() });
+    priors.segment<2>(of_run(r)) << begins.value / time_scale,
+      is_angle ? data.values.front() : gyroscope_zero.value;
+    spreads.segment<2>(of_run(r)) << std::max(begins.spread / time_scale, fixed),
       is_angle ? any_turns : std::max(gyroscope_zero.spread, fixed);
   }
 }
@@ -203,35 +93,18 @@ int FitProblem::df(const VectorXd &x, MatrixXd &jacobian) const
 
 void FitProblem::add_derivatives(const VectorXd &x, MatrixXd &jacobian) const
 {
-  constexpr double step = 1e-3;
   Index row = 0;
   for (std::size_t r = 0; r < runs.size(); ++r)
   {
     const PreparedRun &run = runs[r];
-    const SpinUp &spin_up = run.spin_ups->at(x.head(n_parameters));
+    const VectorXd entries = x.head(n_parameters);
+    const SpinUp spin_up = run.spin_ups->at(entries); // which a derivative may forget
     const double start = x(of_run(r)) * run.time_scale;
     for (Index j = 0; j < n_parameters; ++j)
     {
-      VectorXd moved = x.head(n_parameters);
-      const SpinUp *other = nullptr;
-      for (const double way : { step, -step }) // one of them may be beyond a fall
-        try
-        {
-          moved(j) = x(j) + way;
-          other = other ? other : &run.spin_ups->at(moved);
-          if (moved(j) == x(j) + way && other == &run.spin_ups->at(moved))
-          {
-            for (Index i = 0; i < run.n_points(); ++i)
-              jacobian(row + i, j) =
-                (run.model(*other, i, start) - run.model(spin_up, i, start)) / (way * run.noise);
-            break;
-          }
-        }
-        catch (const std::exception &failure)
-        {
-          if (!is_variant_failure(failure))
-            throw;
-        }
+      const SpinCourse &derivative = run.spin_ups->derivative(entries, j);
+      for (Index i = 0; i < run.n_points(); ++i)
+        jacobian(row + i, j) = run.model(derivative, i, start) / run.noise;
     }
     for (Index i = 0; i < run.n_points(); ++i)
     {
@@ -246,6 +119,22 @@ void FitProblem::add_derivatives(const VectorXd &x, MatrixXd &jacobian) const
   jacobian.block(row, 0, inputs(), inputs()) = spreads.cwiseInverse().asDiagonal();
   if (held)
     jacobian(values() - 1, held->first) = 1 / held_to;
+}
+
+bool FitProblem::has_spin_ups(const VectorXd &x) const
+{
+  try
+  {
+    for (const PreparedRun &run : runs)
+      run.spin_ups->at(x.head(n_parameters));
+    return true;
+  }
+  catch (const std::exception &failure)
+  {
+    if (!is_variant_failure(failure))
+      throw;
+    return false;
+  }
 }
 
 double FitProblem::chi_square(const VectorXd &x) const

@@ -89,6 +89,11 @@ std::vector<FitSentence> fit_sentences(const std::vector<FitParameter> &paramete
                                    "model, or the sensor, is not what the fit takes it for. Errors are "
                                    "widened as for fewer points.",
                                    { run.name, to_short_text(rounded(run.autocorrelation, 2)) }));
+  if (constexpr double worth_telling = 0.01; result.load_shift > worth_telling)
+    sentences.push_back(sentence("interpolated",
+                                 "The loads between solved ones are interpolated; that may shift the values "
+                                 "by {0} of their spread.",
+                                 { percent(result.load_shift) }));
   sentences.push_back(sentence("errors",
                                "Errors are those of noise. They leave out the model's own: rigid "
                                "fingers, a steady hand, one friction law. If the model spins 1 % too "

@@ -12,6 +12,20 @@
 namespace stemware::pipeline
 {
 
+namespace
+{
+
+Prior value_or_prior(const std::string &option, const std::string &text, const std::string &unit,
+                     const std::string &cure)
+{
+  const auto alone = parse_quantity(text, unit);
+  const auto prior = alone ? std::optional(Prior{ *alone, 0 }) : parse_prior(text, unit);
+  require(prior.has_value(), option + shortened(text) + cure);
+  return *prior;
+}
+
+} // namespace
+
 std::optional<Prior> parse_prior(const std::string &text, const std::string &unit)
 {
   std::string plain = text;
@@ -47,11 +61,14 @@ FreeEntry parse_free_entry(const std::string &text)
 
 Prior parse_gyroscope_zero(const std::string &text)
 {
-  const auto alone = parse_quantity(text, "rad/s");
-  const auto prior = alone ? std::optional(Prior{ *alone, 0 }) : parse_prior(text, "rad/s");
-  require(prior.has_value(), "--gyroscope-zero " + shortened(text) +
-                               " is no spin; write \"0 +- 0.02 rad/s\", or 0 if there is no zero.");
-  return *prior;
+  return value_or_prior("--gyroscope-zero ", text, "rad/s",
+                        " is no spin; write \"0 +- 0.02 rad/s\", or 0 if there is no zero.");
+}
+
+Prior parse_start(const std::string &text)
+{
+  return value_or_prior("--start ", text, "s",
+                        " is no time; write \"1.2 +- 0.05 s\", or 1.2 for a start that is known.");
 }
 
 } // namespace stemware::pipeline

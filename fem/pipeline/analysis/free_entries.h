@@ -29,4 +29,7 @@ FreeEntry parse_free_entry(const std::string &text);
 /// Parses --gyroscope-zero: "0 ± 0.02 rad/s", or a value alone, which is then fixed. Throws BadInput.
 Prior parse_gyroscope_zero(const std::string &text);
 
+/// Parses --start: "1.2 ± 0.05 s", or a value alone, which is then fixed. Throws BadInput.
+Prior parse_start(const std::string &text);
+
 } // namespace stemware::pipeline

@@ -22,6 +22,7 @@ struct FitOptions : StudyOptions
   std::vector<std::string> data; ///< --data run.csv or run.csv:study.prm
   std::vector<std::string> free; ///< --free, see parse_free_entry()
   std::string gyroscope_zero;    ///< --gyroscope-zero, see parse_prior()
+  std::string start;             ///< --start, see parse_start()
   bool quick = false;            ///< without profiles, next run and band
 };
 
@@ -57,6 +58,8 @@ void fit_verb(const FitOptions &options)
                      question.free.push_back(parse_free_entry(free));
                    if (!options.gyroscope_zero.empty())
                      question.gyroscope_zero = parse_gyroscope_zero(options.gyroscope_zero);
+                   if (!options.start.empty())
+                     question.start = parse_start(options.start);
                    question.with_profiles = question.with_next_run = !options.quick;
                    runs = runs_of(options, study);
                  });
@@ -77,6 +80,8 @@ void add_fit_verb(CLI::App &program, Verb &chosen)
     ->type_name("\"Section/Entry[=value +- spread]\"")
     ->allow_extra_args(false);
   verb->add_option("--gyroscope-zero", options->gyroscope_zero, "Default 0 +- 0.01 rad/s; 0 for a film")
+    ->type_name("\"value +- spread\"");
+  verb->add_option("--start", options->start, "Time at which each glass begins to slide; default: any")
     ->type_name("\"value +- spread\"");
   verb->add_flag("--quick", options->quick, "Without profiles, next run and band of the discretisation");
 }

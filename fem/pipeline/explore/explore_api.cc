@@ -276,7 +276,7 @@ const char *explore_measured(const char *name, const char *table)
     });
 }
 
-const char *explore_fit(const char *name, const char *table, const char *free)
+const char *explore_fit(const char *name, const char *table, const char *free, const char *start)
 {
   return answer(
     [&]
@@ -285,7 +285,8 @@ const char *explore_fit(const char *name, const char *table, const char *free)
       std::istringstream lines(free);
       for (std::string line; std::getline(lines, line);)
         entries.push_back(parse_free_entry(line));
-      const FitResult found = explorer->fit(name, measured_run(name, table), entries);
+      const FitResult found = explorer->fit(name, measured_run(name, table), entries,
+                                            *start ? std::optional(parse_start(start)) : std::nullopt);
       Pictures pictures;
       add_fit_columns(found, pictures);
       return document_of(pictures, { { "fit", fit_summary(found) } });

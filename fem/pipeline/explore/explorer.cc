@@ -235,14 +235,15 @@ LiveBudget Explorer::budget()
                            solved.by_harmonics.back().row.omega_terminal(), spin_scale(present)) };
 }
 
-FitResult Explorer::fit(const std::string &name, const MeasuredRun &data,
-                        const std::vector<FreeEntry> &free) const
+FitResult Explorer::fit(const std::string &name, const MeasuredRun &data, const std::vector<FreeEntry> &free,
+                        const std::optional<Prior> &start) const
 {
   check_values(present);
   require_no_tipping(present);
   require_mesh();
   FitQuestion question;
   question.free = free;
+  question.start = start;
   question.with_profiles = question.with_next_run = false;
   // The mesh is that of the compliances, whatever a study alone would have.
   const Executor on_this_mesh([this](const Study &asked, const Discretisation &, const Model &model,

@@ -87,9 +87,10 @@ public:
   /// Returns the chain of models from the paper's model to the last answer's.
   LiveBudget budget();
 
-  /// Fits @p free to @p data with fit(), by the data's noise alone: without profiles and next run. Throws
-  /// BadInput for a rejected study or run, and as balances.
-  FitResult fit(const std::string &name, const MeasuredRun &data, const std::vector<FreeEntry> &free) const;
+  /// Fits @p free to @p data with fit(), by the data's noise alone: without profiles and next run. @p start:
+  /// FitQuestion::start. Throws BadInput for a rejected study or run, and as balances.
+  FitResult fit(const std::string &name, const MeasuredRun &data, const std::vector<FreeEntry> &free,
+                const std::optional<Prior> &start) const;
 
   /// Returns the pressure of @p contact, the contact of the last answer.
   fem::PressureMap pressure(const fem::ContactState &contact) const

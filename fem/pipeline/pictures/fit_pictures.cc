@@ -4,7 +4,9 @@
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -62,7 +64,33 @@ Json run_summary(const FittedRun &run)
            { "autocorrelation", run.autocorrelation } };
 }
 
-/// Border of the region in which @p one and @p other, normally distributed in what is fitted, lie with 95 %.
+using Point = std::array<double, 2>;
+
+/// The part of a closed convex border in which coordinate @p k is not negative.
+std::vector<Point> without_negative(const std::vector<Point> &border, std::size_t k)
+{
+  std::vector<Point> kept;
+  for (std::size_t i = 0; i + 1 < border.size(); ++i)
+  {
+    const Point &from = border[i], &to = border[i + 1];
+    if (from[k] >= 0)
+      kept.push_back(from);
+    if ((from[k] < 0) != (to[k] < 0))
+    {
+      const double share = from[k] / (from[k] - to[k]);
+      Point end = { from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1]) };
+      end[k] = 0;
+      kept.push_back(end);
+    }
+  }
+  if (!kept.empty())
+    kept.push_back(kept.front());
+  return kept;
+}
+
+/// Border of the region in which @p one and @p other, normally distributed in what is fitted, lie with 95 %:
+/// an ellipse, in the logarithm of a positive entry, and without the part below 0 of an entry that is never
+/// negative.
 std::vector<std::pair<std::string, std::vector<double>>>
 ellipse_of(const FittedEntry &one, const FittedEntry &other, double correlation)
 {
@@ -73,13 +101,24 @@ ellipse_of(const FittedEntry &one, const FittedEntry &other, double correlation)
     const double shift = reach * deviations * entry.spread;
     return entry.is_positive ? entry.value * std::exp(shift / entry.value) : entry.value + shift;
   };
-  std::vector<double> x, y;
+  std::vector<Point> border;
   for (int k = 0; k <= n_points; ++k)
   {
     const double angle = boost::math::double_constants::two_pi * k / n_points;
-    x.push_back(at(one, std::cos(angle)));
-    y.push_back(at(other, correlation * std::cos(angle) +
-                            std::sqrt(std::max(1 - correlation * correlation, 0.)) * std::sin(angle)));
+    border.push_back(
+      { at(one, std::cos(angle)),
+        at(other, correlation * std::cos(angle) +
+                    std::sqrt(std::max(1 - correlation * correlation, 0.)) * std::sin(angle)) });
+  }
+  if (one.is_never_negative)
+    border = without_negative(border, 0);
+  if (other.is_never_negative)
+    border = without_negative(border, 1);
+  std::vector<double> x, y;
+  for (const Point &point : border)
+  {
+    x.push_back(point[0]);
+    y.push_back(point[1]);
   }
   return { { "x", x }, { "y", y } };
 }
@@ -99,6 +138,8 @@ nlohmann::ordered_json fit_summary(const FitResult &found)
     summary["runs"].push_back(run_summary(run));
   summary["chi_square"] = found.chi_square;
   summary["free_points"] = found.n_free_points;
+  summary["load_shift"] = found.load_shift;
+  summary["contacts"] = found.n_contacts;
   summary["next_run"] = found.next_run ? Json{ { "entry", found.next_run->entry },
                                                { "value", found.next_run->value },
                                                { "spread_now", found.next_run->spread_now },

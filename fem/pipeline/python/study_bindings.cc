@@ -187,7 +187,8 @@ Found results_of(const std::string &verb, const Study &given, bool quick, unsign
 using GivenRun = std::tuple<std::string, Study, std::vector<double>, std::vector<double>, bool>;
 
 Found fit_of(const std::vector<GivenRun> &given, const std::vector<std::string> &free,
-             const std::string &zero, bool quick, unsigned int n_threads, const py::object &listener)
+             const std::string &zero, const std::string &start, bool quick, unsigned int n_threads,
+             const py::object &listener)
 {
   std::vector<RunToFit> runs;
   for (const auto &[name, study, times, values, is_angle] : given)
@@ -200,6 +201,8 @@ Found fit_of(const std::vector<GivenRun> &given, const std::vector<std::string> 
     question.free.push_back(parse_free_entry(entry));
   if (!zero.empty())
     question.gyroscope_zero = parse_gyroscope_zero(zero);
+  if (!start.empty())
+    question.start = parse_start(start);
   question.with_profiles = question.with_next_run = !quick;
   const auto work = [&](Progress &progress, const Executor &executor) -> Found
   {
@@ -357,7 +360,7 @@ PYBIND11_MODULE(_study, m)
     .def("curves", &curves_in)
     .def("save", &Found::save, "folder"_a, py::call_guard<py::gil_scoped_release>());
 
-  m.def("fit", &fit_of, "runs"_a, "free"_a, "zero"_a, "quick"_a, "n_threads"_a, "progress"_a);
+  m.def("fit", &fit_of, "runs"_a, "free"_a, "zero"_a, "start"_a, "quick"_a, "n_threads"_a, "progress"_a);
   m.def("read_run",
         [](const std::string &file, const std::string &column)
         {

@@ -326,8 +326,8 @@ const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::st
   refuse_renamed(origin, path);
   const auto entry = std::find_if(entries.begin(), entries.end(),
                                   [&](const StudyEntry &candidate) { return candidate.path() == path; });
-  require(entry != entries.end(),
-          origin + "there is no entry \"" + shortened(path) + '"' + suggestion(entries, path));
+  if (entry == entries.end()) // the suggestion takes long
+    throw BadInput(origin + "there is no entry \"" + shortened(path) + '"' + suggestion(entries, path));
   return *entry;
 }
 

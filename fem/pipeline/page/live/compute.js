@@ -117,7 +117,7 @@ const work = {
   },
   fit: m => {
     const { refused } = choose(m.pair, m.changes);
-    return refused.length ? { error: refused[0], refused: true } : called('explore_fit', m.name, m.text, m.free);
+    return refused.length ? { error: refused[0], refused: true } : called('explore_fit', m.name, m.text, m.free, m.start);
   },
   budget: () => read(solver.explore_budget()),
   pressure: () => read(solver.explore_pressure()),

@@ -41,7 +41,8 @@ export const de = {
   ring: 'Ring des Artikels',
   drop: 'CSV hierher ziehen oder wählen: Zeit (s), Drehung (rad/s) oder Winkel (rad, °)',
   fit: 'Anpassung an einen gemessenen Lauf',
-  fit_free: 'Frei, neben dem Beginn:',
+  fit_free: 'Frei:',
+  fit_held: 'festgehalten bei, in s',
   fit_now: 'Anpassen',
   fit_cancel: 'Abbrechen',
   fit_wait: 'Die anderen Einträge bleiben wie oben.',
@@ -58,6 +59,7 @@ export const de = {
       '{0} und {1} sind nur zusammen bekannt (Korrelation {2}): {1} / ({0})^{5} auf {6}, jeder allein auf {7} und {8}.',
     correlated:
       'Die Abweichungen von {0} sind korreliert ({1} von Punkt zu Punkt): Modell oder Sensor ist anders, als die Anpassung annimmt. Die Fehler sind erweitert wie für weniger Punkte.',
+    interpolated: 'Die Lasten zwischen gelösten sind interpoliert; das kann die Werte um {0} ihrer Streuung verschieben.',
     errors: 'Die Fehler enthalten nicht die des Modells: starre Finger, eine ruhige Hand, ein Reibgesetz.'
   },
   pictures:

@@ -41,7 +41,8 @@ export const en = {
   ring: 'paper’s ring',
   drop: 'Drop or choose a CSV: time (s), spin (rad/s) or angle (rad, °)',
   fit: 'Fit to a measured run',
-  fit_free: 'Free, beside the start:',
+  fit_free: 'Free:',
+  fit_held: 'held at, in s',
   fit_now: 'Fit',
   fit_cancel: 'Cancel',
   fit_wait: 'The other entries stay as they are above.',
@@ -58,6 +59,7 @@ export const en = {
       '{0} and {1} are known together only (correlation {2}): {1} / ({0})^{5} to {6}, each alone to {7} and {8}.',
     correlated:
       'The residuals of {0} are correlated ({1} from point to point): the model, or the sensor, is not what the fit takes it for. Errors are widened as for fewer points.',
+    interpolated: 'The loads between solved ones are interpolated; that may shift the values by {0} of their spread.',
     errors: 'The errors leave out those of the model: rigid fingers, a steady hand, one friction law.'
   },
   pictures:

@@ -41,7 +41,8 @@ export const fr = {
   ring: 'anneau de l’article',
   drop: 'Déposer ou choisir un CSV : temps (s), rotation (rad/s) ou angle (rad, °)',
   fit: 'Ajustement à une mesure',
-  fit_free: 'Libres, avec le début :',
+  fit_free: 'Libres :',
+  fit_held: 'fixé à, en s',
   fit_now: 'Ajuster',
   fit_cancel: 'Annuler',
   fit_wait: 'Les autres entrées restent comme ci-dessus.',
@@ -58,6 +59,7 @@ export const fr = {
       '{0} et {1} ne sont connus qu’ensemble (corrélation {2}) : {1} / ({0})^{5} à {6} près, chacun seul à {7} et {8} près.',
     correlated:
       'Les écarts de {0} sont corrélés ({1} d’un point au suivant) : le modèle ou le capteur diffère de ce que suppose l’ajustement. Les erreurs sont élargies comme pour moins de points.',
+    interpolated: 'Les charges sont interpolées entre celles qui sont résolues ; cela peut déplacer les valeurs de {0} de leur écart.',
     errors:
       'Les erreurs ne comprennent pas celles du modèle : doigts rigides, main régulière, une seule loi de frottement.'
   },

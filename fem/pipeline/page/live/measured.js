@@ -9,6 +9,8 @@ import { say, shown } from '../js/words.js';
 const offered = ['Motion/Friction coefficient', 'Motion/Grip torque', 'Motion/Centre of mass height'];
 const free = new Set(offered.slice(0, 2));
 let queue, run; // { name, text } of the file
+let is_start_free = true,
+  held_start = 0; // s
 let fitted = null; // document of the last fit, with `reads`: what was read
 
 const label = path => words().labels[path] || path.split('/')[1];
@@ -40,7 +42,8 @@ async function take(file, draw_spin) {
 }
 
 async function fit() {
-  const message = { do: 'fit', pair: pair_name(), changes: { ...state.changes }, ...run, free: [...free].join('\n') };
+  const start = is_start_free ? '' : String(held_start);
+  const message = { do: 'fit', pair: pair_name(), changes: { ...state.changes }, ...run, free: [...free].join('\n'), start };
   status(() => words().fitting);
   $('fit').hidden = true;
   $('fit-cancel').hidden = false;
@@ -85,6 +88,13 @@ function result() {
   ];
 }
 
+/** Frees the start, or holds it where the last fit has it. */
+function hold(e) {
+  is_start_free = e.target.checked;
+  if (fitted) held_start = Number(fitted.summary.fit.runs[0].start.toPrecision(4));
+  write_measured();
+}
+
 /** Writes the card in the language of the page. */
 export function write_measured() {
   $('fit-free').replaceChildren(
@@ -95,7 +105,9 @@ export function write_measured() {
       };
       const box = h('input', { type: 'checkbox', checked: free.has(path), onchange: change });
       return h('label', { class: 'choice' }, box, ' ', label(path));
-    })
+    }),
+    h('label', { class: 'choice' }, h('input', { id: 'fit-start-free', type: 'checkbox', checked: is_start_free, onchange: hold }), ' ', words().fit_start), // prettier-ignore
+    is_start_free ? '' : h('label', { class: 'choice' }, words().fit_held, ' ', h('input', { id: 'fit-start', type: 'number', step: 'any', value: held_start, onchange: e => (held_start = e.target.valueAsNumber || 0) })) // prettier-ignore
   );
   $('fit').disabled = !run || !free.size;
   $('fit-result').replaceChildren(...(fitted ? result() : []).flat());

@@ -250,12 +250,13 @@ class Fit(Result):
         return self["fit/runs"]
 
 
-def fit(study, data, free, gyroscope_zero="", quick=False, threads=1, progress=None):
+def fit(study, data, free, gyroscope_zero="", quick=False, threads=1, progress=None, start=""):
     """Fits entries of a study to measured spin-ups, as `stemware fit`; returns a Fit.
 
     data: a file, a pair of arrays (time [s], spin [rad/s]), or a list of runs, each of them data or a pair (data, own study).
     A file of angles is fitted as angles. free: entries to fit, each a path or "path = value +- spread". gyroscope_zero: offset
-    of the measured spin, as --gyroscope-zero. quick: without profiles and the advice on the next run.
+    of the measured spin, as --gyroscope-zero. quick: without profiles and the advice on the next run. start: time at which the
+    glass begins to slide, as --start.
     """
     def run_of(one, own):
         if isinstance(one, (str, os.PathLike)):
@@ -265,7 +266,7 @@ def fit(study, data, free, gyroscope_zero="", quick=False, threads=1, progress=N
 
     runs = [run_of(*one) if isinstance(one, tuple) and isinstance(one[1], Study) else run_of(one, study)
             for one in (data if isinstance(data, list) else [data])]
-    found = _study.fit(runs, [free] if isinstance(free, str) else list(free), gyroscope_zero, quick, threads, progress)
+    found = _study.fit(runs, [free] if isinstance(free, str) else list(free), gyroscope_zero, start, quick, threads, progress)
     return Fit._of(found)
 
 

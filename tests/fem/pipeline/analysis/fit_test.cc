@@ -2,6 +2,7 @@
 #include "fem/pipeline/analysis/fit.h"
 #include "fem/pipeline/answer/threaded_executor.h"
 #include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/pictures/fit_pictures.h"
 #include "tests/fem/pipeline/analysis/synthetic_run.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
@@ -10,6 +11,7 @@
 
 #include <array>
 #include <iostream>
+#include <vector>
 
 namespace stemware::pipeline
 {
@@ -145,6 +147,31 @@ TEST(Fit, TruthComesBack)
   }
 }
 
+/// An entry that is fitted as a logarithm, and one that ends at 0, have no negative values with 95 %.
+TEST(Fit, EllipsesOfPositiveEntriesDoNotReachBelowZero)
+{
+  FitResult found;
+  found.entries.resize(2);
+  FittedEntry &one = found.entries[0], &other = found.entries[1];
+  one.value = 0.3;
+  one.spread = 0.3;
+  one.is_positive = true;
+  other.value = 4e-4;
+  other.spread = 3e-4;
+  other.is_never_negative = true;
+  found.correlation = Eigen::Matrix2d::Identity();
+  found.correlation(0, 1) = found.correlation(1, 0) = 0.6;
+  Pictures pictures;
+  add_fit_columns(found, pictures);
+  const auto &columns = pictures.tables.at("fit_ellipse_1_2")["values"];
+  const auto x = columns[0].get<std::vector<double>>(), y = columns[1].get<std::vector<double>>();
+  EXPECT_THAT(x, testing::Each(testing::Gt(0.)));
+  EXPECT_THAT(y, testing::Each(testing::Ge(0.)));
+  EXPECT_THAT(y, testing::Contains(0.));
+  EXPECT_EQ(x.front(), x.back());
+  EXPECT_EQ(y.front(), y.back());
+}
+
 TEST(Fit, PriorsAreReadAndBadOnesRefused)
 {
   const FreeEntry mass = parse_free_entry("Motion/Mass = 300 ± 2 g");
@@ -154,6 +181,9 @@ TEST(Fit, PriorsAreReadAndBadOnesRefused)
   EXPECT_DOUBLE_EQ(parse_free_entry("Friction coefficient=0.3+-0.02").prior->spread, 0.02);
   EXPECT_FALSE(parse_free_entry("Motion/Grip torque").prior);
   EXPECT_EQ(parse_gyroscope_zero("0").spread, 0);
+  EXPECT_DOUBLE_EQ(parse_start("1200 +- 50 ms").value, 1.2);
+  EXPECT_EQ(parse_start("1.2").spread, 0);
+  EXPECT_THROW(parse_start("1.2 m"), BadInput);
   for (const char *bad : { "Motion/Mass = 0.3", "Motion/Mass = 0.3 ± x", "Motion/Closure", "Motion/Mas" })
     EXPECT_THROW(parse_free_entry(bad), BadInput) << bad;
 }

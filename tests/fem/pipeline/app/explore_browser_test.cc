@@ -215,6 +215,8 @@ std::string fitting_script(const std::string &page, const std::string &good, con
     found[language] = $("fit-card").innerText;
   }
   found.untranslated = [...(shown.untranslated || [])];
+  $("fit-start-free").click();
+  found.start = $("fit-start").valueAsNumber;
   found.bad = await give("<img src=x onerror=parent.ran=1>.csv", )" +
          script_string(bad) + R"();
   found.left = $("fit-result").children.length;
@@ -252,6 +254,9 @@ TEST(ExplorePage, AMeasuredRunIsFittedAndABadFileGivesTheReadersSentence)
   EXPECT_THAT(found["en"].get<std::string>(), testing::HasSubstr("known together only"));
   EXPECT_THAT(found["de"].get<std::string>(), testing::HasSubstr("nur zusammen bekannt"));
   EXPECT_THAT(found["fr"].get<std::string>(), testing::HasSubstr("connus qu’ensemble"));
+  // A start that is held stays where the fit has it.
+  EXPECT_NEAR(found["start"].get<double>(),
+              read_summary(scratch / "fit")["fit"]["runs"][0]["start"].get<double>(), 1e-4);
   EXPECT_THAT(found["bad"].get<std::string>(), testing::HasSubstr("line 42"));
   EXPECT_EQ(found["left"], 0);
   EXPECT_TRUE(found["disabled"].get<bool>());

@@ -1,6 +1,7 @@
 // The solver of the page on the command line, for tests: on the feet of the default study each argument, such
 // as "Motion/Mass=0.25", is set as the page sets it. Prints the answer of the page and its entries, or its
-// error. "fit" and a file before them, and entries in the place of a study: fits the entries to the run.
+// error. "fit" and a file before them, and entries in the place of a study: fits the entries to the run,
+// "start=0.1 s" with a start that is known.
 #include "fem/meridian/compliance_cache.h"
 #include "fem/pipeline/explore/explore_api.h"
 #include "fem/pipeline/explore/explorer.h"
@@ -20,10 +21,15 @@ int main(int n_arguments, char **arguments)
   explore_take(pipeline::serialized(bodies.foot).data(), 0);
   explore_ready(1);
   const bool is_fit = n_arguments > 2 && arguments[1] == std::string("fit");
-  std::string free;
+  std::string free, start;
   for (int i = is_fit ? 3 : 1; i < n_arguments; ++i)
   {
     const std::string entry = arguments[i];
+    if (is_fit && entry.rfind("start=", 0) == 0)
+    {
+      start = entry.substr(6);
+      continue;
+    }
     const std::size_t end = entry.find('=');
     if (end == std::string::npos)
     {
@@ -41,7 +47,7 @@ int main(int n_arguments, char **arguments)
   {
     std::ifstream file(arguments[2]);
     const std::string table(std::istreambuf_iterator<char>(file), {});
-    std::puts(explore_fit(arguments[2], table.c_str(), free.c_str()));
+    std::puts(explore_fit(arguments[2], table.c_str(), free.c_str(), start.c_str()));
     return 0;
   }
   std::puts(explore_solve(0, 1));

@@ -87,6 +87,12 @@ class Faces(unittest.TestCase):
                     for one, other in zip(in_page["entries"], by_program["entries"]):
                         self.assertLess(abs(one["value"] - other["value"]), 1e-6 * one["spread"])
                         self.assertLess(abs(one["spread"] / other["spread"] - 1), 1e-6)
+                    held = stemware.fit(stemware.Study(entries=entries), data, free, quick=True, start="0.1")
+                    in_page = json.loads(output(page, "fit", data, "start=0.1", *free).stdout)["document"]["summary"]["fit"]
+                    for run in (held.runs[0], in_page["runs"][0]):
+                        self.assertAlmostEqual(run["start"], 0.1)
+                    for one, other in zip(in_page["entries"], held["fit/entries"]):
+                        self.assertLess(abs(one["value"] - other["value"]), 1e-6 * one["spread"])
                     with open(data, "a", encoding="utf-8") as file:
                         file.write("0.5,-3\n")  # the time falls
                     sentence = json.loads(output(page, "fit", data, *free).stdout)["error"]
