@@ -4,6 +4,7 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/measured_run.h"
 #include "fem/pipeline/support/progress.h"
+#include "fem/pipeline/support/sentence.h"
 #include "fem/pipeline/variants/executor.h"
 
 #include <Eigen/Core>
@@ -81,12 +82,8 @@ struct NextRun
   double spread_now = 0, spread_then = 0; ///< of the combination that is known worst, relative
 };
 
-/// Sentence with the values in it, for faces that have the sentence of the key in another language.
-struct FitSentence
-{
-  std::string key, text;
-  std::vector<std::string> values;
-};
+/// Sentence about a fit.
+using FitSentence = Sentence;
 
 /// Fit of measured runs.
 struct FitResult

@@ -20,22 +20,6 @@ std::string percent(double share)
   return to_short_text(rounded(100 * share, 2)) + " %";
 }
 
-/// The sentence @p text with @p values in the places of {0}, {1} and so on. Braces within a value, of a
-/// file's name, stay as they are.
-FitSentence sentence(const std::string &key, const std::string &text, const std::vector<std::string> &values)
-{
-  std::string filled;
-  for (std::size_t i = 0; i < text.size(); ++i)
-    if (text[i] != '{')
-      filled += text[i];
-    else
-    {
-      filled += values.at(static_cast<std::size_t>(text.at(i + 1) - '0'));
-      i += 2;
-    }
-  return { key, filled, values };
-}
-
 /// "Motion/Grip torque and Motion/Friction coefficient are known together only: ..."; the first one is the
 /// one that is known worse.
 FitSentence words_of_pair(const std::vector<FitParameter> &parameters, Index i, Index j,

@@ -62,7 +62,7 @@ void require_no_tipping(const Study &study)
     }
     catch (const BadInput &failure)
     {
-      throw ring::Tipping(failure.what());
+      std::throw_with_nested(ring::Tipping(failure.what()));
     }
 }
 

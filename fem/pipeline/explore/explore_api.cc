@@ -9,9 +9,11 @@
 #include "fem/pipeline/study/measured_run.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/support/sentence.h"
 #include "ring_model/no_balance.h"
 
 #include <cmath>
+#include <exception>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -40,6 +42,12 @@ Json number(const std::optional<double> &value)
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
+/// A sentence: the page has it by its key in other languages.
+Json json_of(const Sentence &given)
+{
+  return { { "key", given.key }, { "text", given.text }, { "values", given.values } };
+}
+
 /// An answer by the keys of summary.json/ring.
 Json ring_summary(const ring::Answer &row)
 {
@@ -49,7 +57,7 @@ Json ring_summary(const ring::Answer &row)
            { "time_constant", number(row.time_constant()) },
            { "standing", to_string(row.status) },
            { "fall", row.fall ? Json{ { "omega", row.fall->omega } } : Json(nullptr) },
-           { "message", row.reason } };
+           { "message", json_of(sentence("no_spin", "{0}", { row.reason })) } };
 }
 
 /// A load by the keys of summary.json/load.
@@ -96,6 +104,8 @@ Json answer_document(const LiveAnswer &found)
     TruncatedLoads truncated;
     if (const ring::RingState *first_n = found.first_n ? end_of(*found.first_n) : nullptr)
       truncated.emplace_back(found.first_n->harmonics, first_n->load);
+    else if (end->load.n_harmonics() > 1)
+      truncated.emplace_back(1, end->load.truncated(1));
     add_load_columns(report, truncated, study.motion.orbit.sense_sign(), pictures);
     add_motion(study, { { 0, found.all.last_spin().value_or(0), 0, *end } }, pictures);
     pictures.words["sketch"] = { { "clockwise", study.motion.orbit.sense_sign() < 0 } };
@@ -117,6 +127,37 @@ std::string text_of(const Json &json)
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+Json notes()
+{
+  Json list = Json::array();
+  for (const Sentence &note : implausible_sentences(explorer->study()))
+    list.push_back(json_of(note));
+  return list;
+}
+
+/// A failure: its sentence with and without a key, and unusual values, its likelier cause.
+Json failure_of(const Sentence &given, bool tips)
+{
+  return { { "error", given.text }, { "sentence", json_of(given) }, { "tips", tips }, { "notes", notes() } };
+}
+
+/// Sentence nested in the failure of a balance.
+Sentence sentence_of(const ring::Tipping &failure)
+{
+  try
+  {
+    std::rethrow_if_nested(failure);
+  }
+  catch (const KeyedInput &cause)
+  {
+    return cause.sentence;
+  }
+  catch (...) // NOLINT: without a key
+  {
+  }
+  return sentence("tips", "{0}", { failure.what() });
+}
+
 /// Answers with what @p make returns, or with why it throws.
 template <typename Make>
 const char *answer(const Make &make)
@@ -127,17 +168,20 @@ const char *answer(const Make &make)
   }
   catch (const ring::Tipping &failure)
   {
-    const std::string sentence = with_implausible_values(explorer->study(), failure.what());
-    reply = text_of({ { "error", sentence }, { "tips", true } });
+    reply = text_of(failure_of(sentence_of(failure), true));
   }
   catch (const fem::ContactFailure &failure)
   {
     const bool tips = failure.outcome == fem::ContactOutcome::tipping;
-    reply = text_of({ { "error", failure.what() }, { "tips", tips } });
+    reply = text_of(failure_of(sentence("no_contact", "{0}", { failure.what() }), tips));
+  }
+  catch (const KeyedInput &failure)
+  {
+    reply = text_of(failure_of(failure.sentence, false));
   }
   catch (const std::exception &failure)
   {
-    reply = text_of({ { "error", failure.what() }, { "tips", false } });
+    reply = text_of(failure_of(sentence("other_failure", "{0}", { failure.what() }), false));
   }
   return reply.c_str();
 }
@@ -169,7 +213,18 @@ const char *explore_set(const char *path, const char *value)
   return answer(
     [&]
     {
-      explorer->set(path, value);
+      try
+      {
+        explorer->set(path, value);
+      }
+      catch (const KeyedInput &)
+      {
+        throw;
+      }
+      catch (const BadInput &failure)
+      {
+        throw KeyedInput(sentence("not_allowed", "{0}", { failure.what(), path, value }));
+      }
       return Json(Json::object());
     });
 }
@@ -205,7 +260,7 @@ const char *explore_solve(unsigned int n_harmonics, int cold)
       const LiveAnswer found = explorer->solve(n_harmonics == 0 ? all_harmonics : n_harmonics, cold != 0);
       last_contact = found.contact;
       return Json{ { "fit", name_of(found.match) },
-                   { "notes", implausible_notes(explorer->study()) },
+                   { "notes", notes() },
                    { "document", answer_document(found) } };
     });
 }

@@ -3,7 +3,7 @@
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/sentence.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "fem/revolution/revolution_foot.h"
 #include "ring_model/no_balance.h"
@@ -55,8 +55,9 @@ void Explorer::set(const std::string &entry_path, const std::string &value)
 {
   const std::vector<StudyEntry> entries = study_entries(present);
   const StudyEntry &entry = entry_at(entries, "", entry_path);
-  require(!is_ready || is_live(entry_path) || entry.text() == value,
-          entry_path + " needs another mesh than this page has; use `stemware run`.");
+  require(
+    !is_ready || is_live(entry_path) || entry.text() == value,
+    sentence("other_mesh", "{0} needs another mesh than this page has; use `stemware run`.", { entry_path }));
   const auto quantity = [&entry] { return entry.quantity ? *entry.quantity : std::nan(""); };
   const double before = quantity();
   assign(entry, "", value);
@@ -111,7 +112,8 @@ Executor Explorer::executor() const
 void Explorer::require_mesh() const
 {
   require(mesh_match() != MeshMatch::none,
-          "The mesh of this page does not resolve the width of this contact; use `stemware run`.");
+          sentence("contact_width",
+                   "The mesh of this page does not resolve the width of this contact; use `stemware run`."));
 }
 
 LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
@@ -218,6 +220,8 @@ std::optional<LiveCurves> Explorer::curves()
                   ring::interpolated_for_curves(all.load, all.row, shown.front(), shown.back()) },
                 shown, executor());
   LiveCurves curves = { {}, found.torque, friction_torques(found.paper), found.spin_up };
+  if (rows.size() == 1)
+    curves.spin_up.first_harmonic.clear();
   for (const LoadedRow &row : rows)
     curves.rows.push_back(row.row);
   return curves;

@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
 
@@ -283,10 +282,13 @@ std::string unused_entries_note(const std::vector<std::string> &entries)
 std::string implausible_note(const std::string &path, double value)
 {
   const StudyEntry entry = find_entry("", path);
-  if (!is_implausible(entry, value))
-    return "";
-  const std::string number = to_short_text(value);
-  std::string advice = "check number and unit";
+  return is_implausible(entry, value) ? implausible_sentence(entry, value).text : "";
+}
+
+Sentence implausible_sentence(const StudyEntry &entry, double value)
+{
+  const std::string number = to_short_text(value), least = to_short_text(entry.plausible->min),
+                    most = to_short_text(entry.plausible->max) + unit_behind_number(entry);
   const std::vector<std::string> units = usual_units(entry.unit);
   const auto meant = std::find_if(units.begin(), units.end(),
                                   [&](const std::string &unit)
@@ -295,16 +297,25 @@ std::string implausible_note(const std::string &path, double value)
                                     return other && entry.plausible->contains(*other);
                                   });
   if (meant != units.end())
-    advice = "write " + number + ' ' + *meant + " if that is meant";
-  return filled("{} is outside {} for a glass; {}.",
-                { assignment(entry, value), plausible_text(entry), advice });
+    return sentence("implausible_unit", "{0} is outside {1} to {2} for a glass; write {3} if that is meant.",
+                    { assignment(entry, value), least, most, number + ' ' + *meant });
+  return sentence("implausible", "{0} is outside {1} to {2} for a glass; check number and unit.",
+                  { assignment(entry, value), least, most });
+}
+
+std::vector<Sentence> implausible_sentences(const Study &study)
+{
+  std::vector<Sentence> sentences;
+  for (const StudyEntry &entry : implausible_entries(study))
+    sentences.push_back(implausible_sentence(entry, *entry.quantity));
+  return sentences;
 }
 
 std::vector<std::string> implausible_notes(const Study &study)
 {
   std::vector<std::string> notes;
-  for (const StudyEntry &entry : implausible_entries(study))
-    notes.push_back(implausible_note(entry.path(), *entry.quantity));
+  for (const Sentence &note : implausible_sentences(study))
+    notes.push_back(note.text);
   return notes;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/support/sentence.h"
 
 #include <string>
 #include <vector>
@@ -20,7 +21,11 @@ std::string unused_entries_note(const std::vector<std::string> &entries);
 /// optional entry.
 std::string implausible_note(const std::string &path, double value);
 
-/// Returns implausible_note() of each given entry with an effect.
+/// Returns implausible_note() of @p entry, whose @p value is implausible, with its values.
+Sentence implausible_sentence(const StudyEntry &entry, double value);
+
+/// Returns the note of each given entry with an effect.
+std::vector<Sentence> implausible_sentences(const Study &study);
 std::vector<std::string> implausible_notes(const Study &study);
 
 /// Returns @p sentence, the reason why the glass tips at rest, preceded by implausible values, the likelier

@@ -34,7 +34,7 @@ function called(name, ...texts) {
   places.forEach(solver.free);
   return reply;
 }
-const set = (path, value) => called('explore_set', path, value).error || '';
+const set = (path, value) => called('explore_set', path, value);
 
 // A compliance as page.cc writes it: head and steps, then what a prediction by harmonic and neighbours has left, byte by byte.
 function take(index, is_disc) {
@@ -93,21 +93,24 @@ function choose(name, changes) {
     texts = Object.fromEntries(read(solver.explore_entries()).map(e => [e.path, e.value]));
   }
   const refused = [];
+  let failure = null; // the first reply that refuses
   for (const path in { ...changed, ...changes }) {
     const wish = Object.hasOwn(changes, path) ? changes[path] : texts[path];
     if (stays && changed[path] === changes[path]) continue;
     const why = set(path, wish);
-    if (why) refused.push(why);
+    if (!why.error) continue;
+    refused.push(why.error);
+    failure ||= { ...why, refused: true };
   }
   changed = refused.length ? {} : { ...changes };
   if (refused.length) pair = null;
-  return { refused, stays };
+  return { refused, failure, stays };
 }
 
 const work = {
   solve: m => {
-    const { refused, stays } = choose(m.pair, m.changes);
-    if (refused.length) return { error: refused[0], refused: true };
+    const { failure, stays } = choose(m.pair, m.changes);
+    if (failure) return failure;
     return { ...read(solver.explore_solve(m.harmonics, m.cold || !stays ? 1 : 0)), was_cold: m.cold || !stays };
   },
   curves: () => read(solver.explore_curves()),

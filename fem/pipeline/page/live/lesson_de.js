@@ -29,7 +29,7 @@ export const lesson_de = {
       ],
       answer:
         'Er steigt und fällt einmal: eine erste Harmonische. In Ruhe sind es {0} N/m innen und {1} N/m außen. Das Momentenverhältnis ist {2}; über 1 hebt der Rand teilweise ab, bei 2 kippt das Glas.',
-      then: 'Die Kurve zeigt die Last über dem Winkel. Ein weicherer Tisch und ein breiterer Fuß machen sie ungleichmäßiger.'
+      then: 'Die durchgezogene Kurve ist die Last über dem Winkel, die gestrichelte nur ihre erste Harmonische. Wählen Sie Eiche: eine zweite, kleinere Welle kommt hinzu.'
     },
     {
       title: 'Reibung',

@@ -25,7 +25,7 @@ export const lesson_en = {
       ],
       answer:
         'It rises and falls once: a first harmonic. At rest it is {0} N/m on the inside and {1} N/m on the outside. The moment ratio is {2}; beyond 1 a part of the rim lifts off, at 2 the glass tips.',
-      then: 'The curve shows the load by angle. A softer table and a wider foot make it less even.'
+      then: 'The solid curve is the load by angle, the dashed one its first harmonic only. Choose oak: a second, smaller wave is added.'
     },
     {
       title: 'friction',

@@ -29,7 +29,7 @@ export const lesson_fr = {
       ],
       answer:
         'Elle monte et descend une fois : une première harmonique. Au repos, {0} N/m à l’intérieur et {1} N/m à l’extérieur. Le rapport de moment est {2} ; au-delà de 1 le bord se soulève en partie, à 2 le verre bascule.',
-      then: 'La courbe montre la charge selon l’angle. Une table plus molle et un pied plus large la rendent moins régulière.'
+      then: 'La courbe continue est la charge selon l’angle, la courbe en tirets sa première harmonique seule. Choisir le chêne : une deuxième onde, plus petite, s’ajoute.'
     },
     {
       title: 'frottement',

@@ -1,5 +1,5 @@
 // What the live page says of an answer, and its numbers.
-import { $, band, data, digits, doc, found, local, pair, sense, state, words } from './state.js';
+import { $, band, data, digits, doc, found, local, pair, sense, state, told, words } from './state.js';
 import { band_text, harmonic_effect } from './pictures.js';
 import { h } from '../js/dom.js';
 import { say, shown } from '../js/words.js';
@@ -10,11 +10,8 @@ let checked = null;
 /** A change of the spin in per cent; nothing where there is no spin. */
 function effect_text(all, omega) {
   if (!Number.isFinite(all) || still(omega)) return '';
-  const percent = shown(all / omega - 1, '+.2f%');
-  return (
-    ' ' +
-    say(state.harmonics === 1 ? words().effect_of_first : words().effect, percent, digits(all - omega), state.harmonics)
-  );
+  const numbers = [shown(all / omega - 1, '+.2f%'), shown(all - omega, '+.3g')];
+  return ' ' + say(state.harmonics === 1 ? words().effect_of_first : words().effect, ...numbers, state.harmonics);
 }
 
 function answer_text({ ring, first_n, paper, load_at_terminal: load }) {
@@ -36,18 +33,19 @@ function answer_text({ ring, first_n, paper, load_at_terminal: load }) {
   return turns + compared + lies;
 }
 
-function failure_text({ tips, refused, error }) {
-  return tips ? words().tips : refused ? say(words().refused, error) : error;
+function failure_text({ tips, refused, error, sentence }) {
+  const why = sentence ? told(sentence) : error;
+  return tips ? words().tips : refused ? say(words().refused, why) : why;
 }
 
-function notes_of({ fit, tips, error, notes = [] }) {
+function notes_of({ fit, tips, sentence, notes = [] }) {
   const t = words();
   const { ring: all, first_n } = doc.summary;
   return [
     state.unknown.length && say(t.unknown, state.unknown.map(word => word.slice(0, 60)).join(', ')),
-    !all && tips && error,
+    !all && tips && told(sentence),
     all && fit === 'near' && local(say(t.near, shown(band(), '.2e'))),
-    ...notes,
+    ...notes.map(told),
     first_n?.standing === 'formal' && t.pulls
   ].filter(Boolean);
 }
@@ -88,7 +86,7 @@ export function tell(ms) {
   const chosen = doc.summary.first_n || doc.summary.ring;
   const spins = Number.isFinite(chosen?.omega_terminal);
   const without_spin = () =>
-    chosen.fall ? say(words().falls, digits(chosen.fall.omega, 3)) : say(words().no_spin, chosen.message);
+    chosen.fall ? say(words().falls, digits(chosen.fall.omega, 3)) : say(words().no_spin, told(chosen.message));
   const text = !chosen ? failure_text(answer) : local(spins ? answer_text(doc.summary) : without_spin());
   $('answer').textContent = text;
   $('answer').classList.toggle('falls', !spins);

@@ -1,5 +1,5 @@
 // What the live page holds: a glass, a table, the number of harmonics, what has been changed of the study, and the answer.
-import { decimals } from '../js/words.js';
+import { decimals, say } from '../js/words.js';
 import { sentences } from './sentences.js';
 
 export const $ = id => document.getElementById(id);
@@ -34,6 +34,12 @@ export const words = () => sentences[state.language];
 export const digits = (x, n = 4) => (Number.isFinite(x) ? x.toFixed(n).replace('-', '−') : '–');
 /** Decimals as the language has them, in what is read; files have points. */
 export const local = text => (state.language === 'en' ? text : text.replace(/(\d)\.(?=\d)/g, '$1,'));
+
+/** A sentence of the solver { key, text, values } in the language of the page; its English text without one. */
+export function told({ key, text, values }) {
+  const own = words().answers?.[key];
+  return own ? local(say(own, ...values)) : text;
+}
 
 export const pair_name = () => `${state.glass}|${state.table}`;
 export const pair = () => data.pairs[pair_name()];

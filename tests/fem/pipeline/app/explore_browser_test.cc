@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -93,7 +94,7 @@ std::string framed(const std::string &page, int width)
 
 /// A script that opens @p page, makes the first move, and goes through the languages and the lesson: the
 /// spin, the errors, the figures of the report, the texts without a translation, and what each step of the
-/// lesson says.
+/// lesson says; "told" in German of a study that tips, an unusual value and one that is not allowed.
 std::string live_report_script(const std::string &page)
 {
   return framed(page, 1100) + R"(
@@ -108,6 +109,13 @@ std::string live_report_script(const std::string &page)
   for (const button of [...root.querySelectorAll("#languages button")])
     root.querySelector(`#languages [lang=${button.lang}]`).click();
   found.untranslated = [...(shown.untranslated || [])];
+  root.querySelector("#languages [lang=de]").click();
+  found.told = [];
+  for (const [path, value] of [["Motion/Force offset", 0.06], ["Motion/Mass", 3], ["Motion/Orbit speed", -1]]) {
+    await shown.move(path, value);
+    found.told.push(root.querySelector("#answer").textContent + " " + root.querySelector("#notice").textContent);
+    await shown.move(path);
+  }
   root.querySelector("#languages [lang=en]").click();
   root.querySelector("#lesson-button").click();
   found.lesson = [];
@@ -146,6 +154,11 @@ TEST(ExplorePage, TheReportOfRunLiveSolvesItsStudyAgainAndTeaches)
     EXPECT_EQ(found["untranslated"], nlohmann::json::array());
     EXPECT_THAT(found["figures"].get<std::vector<std::string>>(),
                 testing::IsSupersetOf({ "spin_up", "load" }));
+    const nlohmann::json &told = found["told"];
+    EXPECT_THAT(told[0].get<std::string>(), testing::HasSubstr("verlangt ein Momentenverhältnis von"));
+    EXPECT_THAT(told[1].get<std::string>(),
+                testing::HasSubstr("liegt für ein Glas außerhalb von 0,02 bis 2"));
+    EXPECT_THAT(told[2].get<std::string>(), testing::HasSubstr("ist nicht zulässig"));
     ASSERT_EQ(found["lesson"].size(), 5u);
     for (const nlohmann::json &step : found["lesson"])
       EXPECT_THAT(step.get<std::string>(), testing::Not(testing::ContainsRegex("NaN|undefined|\u2013")));
@@ -267,8 +280,9 @@ TEST(ExplorePage, AMeasuredRunIsFittedAndABadFileGivesTheReadersSentence)
 std::multiset<std::string> sentences_of(const std::string &language)
 {
   const fs::path folder = fs::path(STEMWARE_DOCS).parent_path() / "fem/pipeline/page/live";
-  const std::string text =
-    read_text(folder / (language + ".js")) + read_text(folder / ("lesson_" + language + ".js"));
+  std::string text = read_text(folder / (language + ".js"));
+  if (const fs::path lesson = folder / ("lesson_" + language + ".js"); fs::exists(lesson))
+    text += read_text(lesson);
   const std::regex sentence(R"((?:^|\n)\s+(\w+|'[^'\n]+'):([^\n]*(?:\n\s+['"`][^\n]*)?))"),
     number(R"(\{\d\})");
   std::multiset<std::string> keys;
@@ -284,6 +298,52 @@ std::multiset<std::string> sentences_of(const std::string &language)
     keys.insert(key);
   }
   return keys;
+}
+
+/// The sentences with a key in C++, without those of fits: numbers in each by key.
+std::map<std::string, std::set<std::string>> sentences_of_solver()
+{
+  const fs::path folder = fs::path(STEMWARE_DOCS).parent_path() / "fem/pipeline";
+  const std::regex sentence(R"rx(\bsentence\(\s*"(\w+)",\s*((?:"[^"]*"\s*)+))rx"), number(R"(\{\d\})");
+  std::map<std::string, std::set<std::string>> found;
+  for (const auto &file : fs::recursive_directory_iterator(folder))
+    if (file.path().extension() == ".cc" && file.path().filename() != "fit_sentences.cc")
+    {
+      const std::string text = read_text(file.path());
+      if (text.find("sentence(") == std::string::npos)
+        continue;
+      for (std::sregex_iterator i(text.begin(), text.end(), sentence), end; i != end; ++i)
+      {
+        const std::string words = (*i)[2];
+        std::set<std::string> &numbers = found[(*i)[1]];
+        for (std::sregex_iterator k(words.begin(), words.end(), number); k != end; ++k)
+          numbers.insert(k->str());
+      }
+    }
+  return found;
+}
+
+TEST(ExplorePage, EveryLanguageHasEverySentenceOfTheSolver)
+{
+  const auto english = sentences_of_solver();
+  EXPECT_GE(english.size(), 9u);
+  for (const char *const language : { "answers_de", "answers_fr" })
+  {
+    SCOPED_TRACE(language);
+    std::set<std::string> keys;
+    for (const std::string &sentence : sentences_of(language))
+    {
+      std::istringstream words(sentence);
+      std::string key;
+      words >> key;
+      keys.insert(key);
+      ASSERT_EQ(english.count(key), 1u) << key;
+      for (std::string number; english.at(key) != std::set<std::string>{ "{0}" } && words >> number;)
+        EXPECT_EQ(english.at(key).count(number), 1u) << key << ' ' << number;
+    }
+    for (const auto &[key, numbers] : english)
+      EXPECT_EQ(keys.count(key), 1u) << key;
+  }
 }
 
 TEST(ExplorePage, EveryLanguageHasEverySentenceWithItsNumbers)
