@@ -57,6 +57,14 @@ double torque_of(const ring::RimSlip &place)
   return place.friction_y * std::cos(place.azimuth) - place.friction_x * std::sin(place.azimuth);
 }
 
+/// Numbers of the size of 1 for a drawing, rounded to thousandths.
+Json thousandths(std::vector<double> values)
+{
+  for (double &value : values)
+    value = std::round(1e3 * value) / 1e3;
+  return shortened(values);
+}
+
 /// Values of @p rows by a member or function.
 template <typename Rows, typename Value>
 std::vector<double> column_of(const Rows &rows, Value value)
@@ -208,8 +216,8 @@ void add_motion(const Study &study, const std::vector<ring::Instant> &instants, 
                      { "orbit", shortened(rate * instant.time) },
                      { "torque", shortened(state.torque()) },
                      { "hand", { shortened(hand.x(), 4), shortened(hand.y(), 4) } },
-                     { "load", shortened(load, 4) },
-                     { "friction", { shortened(friction_x, 4), shortened(friction_y, 4) } },
+                     { "load", thousandths(load) },
+                     { "friction", { thousandths(friction_x), thousandths(friction_y) } },
                      { "turns", shortened(turns) } });
   }
 }
@@ -342,8 +350,8 @@ Json pressure_map(const fem::PressureMap &footprint, double contact_radius, doub
       pressures.push_back(point.pressure / pascals);
     }
     theta.push_back(cut.empty() ? Json(nullptr) : shortened(cut.front().azimuth / degree, 6));
-    distance.push_back(shortened(places, 5));
-    pressure.push_back(shortened(pressures, 4));
+    distance.push_back(shortened(places, 4));
+    pressure.push_back(shortened(pressures, 3));
   }
   return { { "theta", theta },
            { "distance", distance },

@@ -24,6 +24,12 @@ double round_down(double factor)
   return std::floor(2 * factor / power) / 2 * power;
 }
 
+/// A length of a drawing of the whole foot [mm], to a hundredth, a part of a pixel.
+Json drawn(double length)
+{
+  return shortened(std::round(1e2 * length * millimetres) / 1e2);
+}
+
 /// Quadrilaterals of a loaded section with displacements drawn larger, and their stresses of von Mises [MPa].
 Json stresses(const std::vector<fem::StressedPatch> &section)
 {
@@ -49,8 +55,8 @@ Json stresses(const std::vector<fem::StressedPatch> &section)
         double mean = 0;
         for (const fem::StressedPoint *corner : corners)
         {
-          x.push_back(shortened((corner->x + magnification * corner->displacement_x) * millimetres, 4));
-          z.push_back(shortened((corner->z + magnification * corner->displacement_z) * millimetres, 4));
+          x.push_back(drawn(corner->x + magnification * corner->displacement_x));
+          z.push_back(drawn(corner->z + magnification * corner->displacement_z));
           mean += corner->von_mises / 4;
         }
         values.push_back(shortened(mean * 1e-6, 3));
@@ -77,8 +83,8 @@ Json section_of(const std::vector<fem::SectionPolygon> &cells, double contact_ra
       radii.push_back(corner[0] * millimetres);
       heights.push_back(corner[1] * millimetres);
     }
-    x.push_back(shortened(radii, 6));
-    z.push_back(shortened(heights, 5));
+    x.push_back(shortened(radii, 5));
+    z.push_back(shortened(heights, 4));
   }
   return { { "x", x },
            { "z", z },
