@@ -4,6 +4,8 @@
 #include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/document/sentences.h"
 #include "fem/pipeline/document/spin_rows.h"
+#include "fem/pipeline/document/study_words.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,9 +108,9 @@ std::string pressed_sentence(const std::string &state, const LoadReport &load)
 {
   if (!load.peak_pressure)
     return "";
-  return state + " the largest pressure is " + number(*load.peak_pressure, ".4g") + " Pa" +
-         (load.contact_width ? ", the contact at most " + number(*load.contact_width, ".4g") + " m wide."
-                             : ".");
+  const auto text = [](double value, const char *unit) { return in_usual_unit(rounded(value, 3), unit); };
+  return state + " the largest pressure is " + text(*load.peak_pressure, "Pa") +
+         (load.contact_width ? ", the contact at most " + text(*load.contact_width, "m") + " wide." : ".");
 }
 
 } // namespace
@@ -230,9 +232,11 @@ std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
     number(spin.spin_up.adaptive.back(), ".6g") +
     " rad/s. Contact, friction and moments are in balance at every instant, including the force "
     "that accelerates the glass along its orbit. Linear interpolation of the file instead of the "
-    "monotone cubic changes the spin by up to " +
-    number(driven->interpolation_change, ".1e") + " rad/s in between and " +
-    number(driven->interpolation_change_at_end, ".1e") + " rad/s at the end";
+    "monotone cubic changes the spin by " +
+    (driven->interpolation_change < 1e-9 // rounding
+       ? "less than 1e-9 rad/s"
+       : "up to " + number(driven->interpolation_change, ".1e") + " rad/s in between and " +
+           number(driven->interpolation_change_at_end, ".1e") + " rad/s at the end");
   if (const auto band = band_of(bands, "omega_terminal"))
     text += (driven->interpolation_change > *band ? "; this exceeds the discretisation error of about "
                                                   : "; the discretisation error is about ") +

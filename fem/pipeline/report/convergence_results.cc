@@ -81,7 +81,7 @@ Results make_document(const Study &study, const std::vector<RefinementAxis> &axe
   results.findings.key_figures = { { "omega_terminal", spin.quantity.value },
                                    { "omega_terminal_band", spin.band } };
   const auto order = axes.front().quantities[index].order;
-  results.words = { { "title", "Refinement study of " + study.name },
+  results.words = { { "title", title_of(study) + ": discretisation error" },
                     { "inputs", inputs_of(study) },
                     { "answer", convergence_answer(spin, axes.front().name, order) },
                     { "has_order", order.has_value() },

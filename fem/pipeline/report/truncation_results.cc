@@ -56,7 +56,7 @@ Results make_truncation_document(const Study &study, const LoadReport &load,
                     { "sketch", sketch_labels(study) },
                     { "glasses",
                       { { { "title", "all harmonics" }, { "omega", omega } },
-                        { { "title", "the first alone" }, { "omega", first } } } } };
+                        { { "title", "first harmonic only" }, { "omega", first } } } } };
   for (const ring::Answer &row : rows)
     if (!row.reason.empty())
       results.words["reasons"].push_back("With " + std::to_string(row.harmonics) +

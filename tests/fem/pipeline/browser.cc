@@ -41,6 +41,38 @@ const serious = async shown => {
 )";
 }
 
+std::string troubles_script()
+{
+  return R"(const troubles = page => Array.from(page.querySelectorAll("figure svg")).flatMap(svg => {
+  const frame = svg.getBoundingClientRect(), name = svg.closest("figure").id, found = [];
+  const texts = Array.from(svg.querySelectorAll("text"))
+    .map(text => ({ words: text.textContent.trim(), box: text.getBoundingClientRect() }))
+    .filter(text => text.words && text.box.width > 0);
+  for (const { words, box } of texts)
+    if (box.left < frame.left - 1 || box.right > frame.right + 1 || box.top < frame.top - 1 ||
+        box.bottom > frame.bottom + 1)
+      found.push(name + ": '" + words + "' is cut off");
+  for (let i = 0; i < texts.length; ++i)
+    for (let j = 0; j < i; ++j) {
+      const a = texts[i].box, b = texts[j].box;
+      const width = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+      const height = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+      if (width > 2 && height > 0.3 * Math.min(a.height, b.height))
+        found.push(name + ": '" + texts[i].words + "' lies on '" + texts[j].words + "'");
+    }
+  // An axis with one number has no scale.
+  for (const anchor of ["middle", "end"]) {
+    const numbers = [...svg.querySelectorAll(`text.soft[text-anchor=${anchor}]`)].filter(text => /^[−\d.]+( · 10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?$|^10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+$/.test(text.textContent));
+    if (numbers.length == 1)
+      found.push(name + ": '" + numbers[0].textContent + "' is the only number of an axis");
+  }
+  return found;
+}).concat([...page.querySelectorAll("main *")].filter(node => !node.closest(".wide, svg, .said"))
+  .filter(node => node.getBoundingClientRect().right > page.documentElement.clientWidth + 1)
+  .map(node => node.tagName + " '" + node.textContent.slice(0, 60) + "' reaches beyond the page"));
+)";
+}
+
 std::string hostile_text()
 {
   const std::string script = "document.documentElement.dataset.ran=1";
@@ -105,8 +137,8 @@ nlohmann::json opened_in_browser(const ScratchFolder &scratch, const std::vector
 
 nlohmann::json reports_in_browser(const ScratchFolder &scratch, const std::vector<std::string> &addresses)
 {
-  return found_in_browser(scratch,
-                          "const addresses = " + script_string(nlohmann::json(addresses).dump()) + R"(;
+  return found_in_browser(scratch, axe_script() + troubles_script() + "const addresses = " +
+                                     script_string(nlohmann::json(addresses).dump()) + R"(;
   const found = {}, no_number = /NaN|undefined|Infinity|\[object/;
   const parsed = csv => csv.trim().split("\r\n").map(row => row.match(/("([^"]|"")*"|[^,]*)(,|$)/g)
     .map(cell => cell.replace(/,$/, "").replace(/^"|"$/g, "").replaceAll('""', '"')));
@@ -146,6 +178,15 @@ nlohmann::json reports_in_browser(const ScratchFolder &scratch, const std::vecto
       const title = table.caption.firstChild ? table.caption.innerText.replace(/ CSV$/, "") : "";
       tables[title] = [...table.rows].map(row => [...row.cells].map(cell => cell.innerText));
     }
+    flaws.push(...await serious(contentWindow));
+    for (const width of [1100, 400]) {
+      frame.style.width = width + "px";
+      await new Promise(done => setTimeout(done, 300)); // pictures are drawn again
+      flaws.push(...troubles(page).map(trouble => trouble + " at " + width + " px"));
+    }
+    for (const { name } of contentWindow.performance.getEntriesByType("resource"))
+      if (!/^(data|blob):/.test(name))
+        flaws.push("the page asks for " + name);
     for (const link of page.querySelectorAll("dl a"))
       if (!(await fetch(link.href)).ok)
         flaws.push("no file " + link.href);

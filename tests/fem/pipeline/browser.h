@@ -15,6 +15,10 @@ std::string script_string(const std::string &text);
 /// reading a page) finds serious or critical, a string for each; of nothing where it is not installed.
 std::string axe_script();
 
+/// Returns a script that defines `troubles(document)`: a sentence for each text of a figure that is cut off
+/// or lies on another, each axis with one number only, and each element that is wider than the page.
+std::string troubles_script();
+
 /// A text that would run a script or a command, end an element or a string, or be taken for a mark of a
 /// template, if anything but its characters were looked at. A script that it runs sets data-ran of the page's
 /// root element. It is a path without the name of its file: folders parted by the slashes of its tags.
@@ -33,8 +37,8 @@ nlohmann::json opened_in_browser(const ScratchFolder &scratch, const std::vector
 
 /// Opens reports, addresses relative to @p scratch, with all folds open. Returns by address: "answer";
 /// "flaws", a sentence for each thing that no page may have (a script that has not ended, a number that is
-/// none, a file of a picture that is no SVG); "figures", by id the rows of its CSV file; "tables", by title
-/// its rows of texts.
+/// none, a file of a picture that is no SVG, serious findings of axe-core, troubles at 1100 and 400 px, a
+/// request); "figures", by id the rows of its CSV file; "tables", by title its rows of texts.
 nlohmann::json reports_in_browser(const ScratchFolder &scratch, const std::vector<std::string> &addresses);
 
 /// The page without its Content-Security-Policy: what it runs then has to be harmless by itself.

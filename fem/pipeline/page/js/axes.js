@@ -2,11 +2,15 @@
 import { shown } from './words.js';
 import { width_of } from './dom.js';
 
-/** Easy numbers between two ends, about n of them, and how they are written. */
+/** Easy numbers between two ends, about n of them but at least two, and how they are written. */
 function ticks_of(low, high, n) {
   const raw = (high - low) / n;
   const power = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 5, 10].map(x => x * power).find(x => x >= raw * (1 - 1e-9));
+  const steps = [0.1, 0.2, 0.5, 1, 2, 5, 10].map(x => x * power);
+  const has_two = x => Math.floor(high / x + 1e-9) > Math.ceil(low / x - 1e-9);
+  let k = steps.findIndex((x, i) => i > 2 && x >= raw * (1 - 1e-9));
+  while (k > 0 && !has_two(steps[k])) --k;
+  const step = steps[k];
   const list = [];
   for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) list.push(i * step);
   const digits = step >= 1 || step < 1e-4 ? '.9g' : `.${Math.ceil(-Math.log10(step) - 1e-9)}f`;
@@ -16,11 +20,16 @@ function ticks_of(low, high, n) {
 function log_ticks_of(low, high, n) {
   const first = Math.floor(Math.log10(low));
   const last = Math.ceil(Math.log10(high));
-  const every = Math.ceil((last - first) / n);
-  const list = [];
-  for (let p = first; p <= last; ++p)
-    for (const digit of last - first <= 2 ? [1, 2, 5] : (p - last) % every ? [] : [1]) list.push(digit * 10 ** p);
-  const inside = list.filter(x => x >= low * (1 - 1e-9) && x <= high * (1 + 1e-9));
+  const is_inside = x => x >= low * (1 - 1e-9) && x <= high * (1 + 1e-9);
+  const powers = (every, digits) => {
+    const list = [];
+    for (let p = first; p <= last; ++p)
+      for (const digit of (p - last) % every ? [] : digits) list.push(digit * 10 ** p);
+    return list.filter(is_inside);
+  };
+  const few = powers(Math.ceil((last - first) / n), [1]);
+  const more = [[1], [1, 2, 5], [1, 2, 3, 4, 5, 6, 7, 8, 9]].map(digits => powers(1, digits));
+  const inside = (last - first > 2 ? [few, ...more] : more.slice(1)).find(list => list.length > 1) || more[2];
   return { list: inside, text: x => shown(x, high < 1e5 && low >= 1e-3 ? '.3g' : '.0e') };
 }
 

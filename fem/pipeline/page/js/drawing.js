@@ -1,6 +1,6 @@
 // Draws one instant of the scene: a row of the document.
 import { Camera, circle, Glass, height_of_glass } from './space.js';
-import { s } from './dom.js';
+import { h, s } from './dom.js';
 import { shown } from './words.js';
 
 const turn = 2 * Math.PI;
@@ -40,8 +40,8 @@ export class Drawing {
     this.looked = 0; // turned by hand
     this.parts = make_parts();
     this.hand_word = s('text', { fill: 'var(--c3)', 'text-anchor': 'end' });
-    this.number = s('text', { x: 8, y: height - 10 });
-    this.svg = s('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img' }, Object.values(this.parts), this.hand_word, this.number); // prettier-ignore
+    this.number = h('p', { class: 'instant' });
+    this.svg = s('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img' }, Object.values(this.parts), this.hand_word);
     this.shows = () => true; // whether a part is shown
   }
 

@@ -10,6 +10,16 @@ import { heading_of } from './words.js';
 const clip_ids = { last: 0 };
 export const label_of = axis => heading_of({ heading: axis.label || '', unit: axis.unit });
 
+/** A text in two lines where it is wider than `room`. */
+function lines_of(text, room) {
+  if (width_of(text) <= room) return [text];
+  const words = text.split(' ');
+  const longer = k => Math.max(words.slice(0, k).join(' ').length, words.slice(k).join(' ').length);
+  const breaks = words.map((_, k) => k).slice(1);
+  const at = breaks.reduce((best, k) => (longer(k) < longer(best) ? k : best), breaks[0]);
+  return at ? [words.slice(0, at).join(' '), words.slice(at).join(' ')] : [text];
+}
+
 export class Figure {
   constructor(picture) {
     this.hidden = new Set(); // names of marks that are switched off
@@ -88,7 +98,7 @@ export class Figure {
     const zoomed = this.zoomed || {};
     const ends = y.rows ? [box.top, box.bottom] : [box.bottom, box.top];
     let Y = scale({ ...y, range: zoomed.y || y.range }, found.y, ...ends);
-    if (!equal) box.left = Math.min(0.6 * width, Math.max(30, widest(Y) + 12));
+    if (!equal) box.left = Math.min((y.rows && width < 440 ? 0.44 : 0.6) * width, Math.max(30, widest(Y) + 12));
     const close = { close: x.log ? 48 : 78 };
     let X = scale({ ...x, ...close, range: zoomed.x || x.range }, found.x, box.left, box.right);
     if (equal) [X, Y] = same_step(X, Y, box);
@@ -130,12 +140,14 @@ export class Figure {
     return [
       Y.ticks.list.map(v => [
         y.rows ? [] : grid(`M${box.left} ${Y(v).toFixed(1)}H${box.right}`),
-        text(Y.ticks.text(v), {
-          x: box.left - 7,
-          y: (Y(v) + 4.5).toFixed(1),
-          'text-anchor': 'end',
-          class: y.rows ? '' : 'soft'
-        })
+        lines_of(Y.ticks.text(v), box.left - 9).map((words, i, { length }) =>
+          text(words, {
+            x: box.left - 7,
+            y: (Y(v) + 4.5 + 15 * (i - (length - 1) / 2)).toFixed(1),
+            'text-anchor': 'end',
+            class: y.rows ? '' : 'soft'
+          })
+        )
       ]),
       X.ticks.list.map(v => [
         y.rows ? grid(`M${X(v).toFixed(1)} ${box.top}V${box.bottom}`) : [],

@@ -34,7 +34,8 @@ export class Scene {
     this.slider = h('input', { type: 'range', min: 0, step: 'any', oninput: () => this.go_to(Number(this.slider.value)) }); // prettier-ignore
     this.caption = h('figcaption');
     this.id = 'scene';
-    this.beside = h('div', {}, this.svg, h('div', { class: 'controls' }, this.button, this.slider), this.caption);
+    const controls = h('div', { class: 'controls' }, this.button, this.slider);
+    this.beside = h('div', {}, this.svg, this.drawing.number, controls, this.caption);
     this.tabs = h('div', { class: 'controls', role: 'group' });
     this.node = h('figure', { id: this.id, class: 'drawing' }, this.why, this.tabs, this.beside);
     this.svg.addEventListener('pointerdown', e => this.drag(e));

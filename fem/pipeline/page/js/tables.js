@@ -26,6 +26,7 @@ export function table(doc, { name, keys, title }) {
   const n_rows = shown_columns[0]?.cells.length || 0;
   const rows = Array.from({ length: n_rows }, (_, i) => i);
   const headings = shown_columns.map(c => heading_of(c.quantity));
+  const has_sentences = shown_columns.some(c => c.texts.some(text => text.length > 40));
   const save = () =>
     download(`${name}.csv`, csv([headings, ...rows.map(i => shown_columns.map(c => c.cells[i]))]), 'text/csv');
   const named = title || name.replace(/_/g, ' ');
@@ -35,7 +36,7 @@ export function table(doc, { name, keys, title }) {
     { class: 'wide', tabindex: 0, role: 'group', 'aria-label': named },
     h(
       'table',
-      {},
+      { class: has_sentences && 'sentences' },
       h('caption', {}, rich(title || ''), ' ', button),
       headings.some(Boolean) &&
         h(
@@ -54,7 +55,9 @@ export function table(doc, { name, keys, title }) {
           h(
             'tr',
             {},
-            shown_columns.map(c => h('td', { class: c.is_number && 'number' }, rich(c.texts[i])))
+            shown_columns.map((c, k) =>
+              h('td', { class: c.is_number && 'number', 'data-heading': headings[k] }, rich(c.texts[i]))
+            )
           )
         )
       )

@@ -46,18 +46,27 @@ function with_point(value, digits) {
 /** The text of a cell: a number has a true minus and powers of ten as print has them. */
 function cell(text) {
   const number = /^[-+]?\d/.test(text) && /^\S+$/.test(text);
-  return number ? true_minus(pretty(text)) : true_minus(text);
+  return number ? true_minus(/^0\.?0*e/.test(text) ? '0' : pretty(text)) : true_minus(text);
 }
 export const is_number = text => /^[-−+]?\d/.test(text) || text === missing || text === '';
 
 /** A sentence with its numbers. */
-export const say = (text, ...values) => text.replace(/\{(\d)\}/g, (_, i) => values[i]);
+export const say = (text, ...values) => with_units(text.replace(/\{(\d)\}/g, (_, i) => values[i]));
 
 export const heading_of = q => q.heading + (q.unit && q.unit !== '1' ? ` (${q.unit.replace(/ /g, '\u00a0')})` : '');
 
+/** Numbers stay with their units, which have raised exponents, and French marks with their words. */
+export const with_units = text =>
+  text
+    .replace(/(?<=\d ?)um(?=[\s.,;)/]|$)/g, 'µm')
+    .replace(/ (?=%|rad\/s)|(?<=[\d…}]) (?=(?:°|[kMGcmµn]?(?:m|s|g|N|Pa))(?:[\s/.,;:)\]]|$))/g, '\u00a0')
+    .replace(/ (?=[;:!?](?:\s|$))/g, '\u00a0')
+    .replace(/(?<=\u00a0[mµn]?N) m(?=[\s.,;:)]|$)/g, '\u00a0m')
+    .replace(/(?<=[mgs])\^([23])(?!\d)/g, (_, n) => raised(n));
+
 /** A plain text in pieces: words, and subscripts { sub } behind symbols of one letter (τ_z, a_10, z_CM). */
 export function pieces(text) {
-  const whole = true_minus(String(text)).replace(/ (%|rad\/s)/g, '\u00a0$1');
+  const whole = with_units(true_minus(String(text)));
   const parts = whole.split(/(?<=(?:^|[^A-Za-z0-9_])[A-Za-z\u0370-\u03ff])_([A-Za-z0-9]+)/);
   return parts.map((part, i) => (i % 2 ? { sub: part } : part));
 }

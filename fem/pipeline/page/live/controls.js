@@ -101,8 +101,10 @@ export function chosen(solve) {
   for (const [box, kind] of Object.entries(kinds))
     for (const button of $(box).children) button.setAttribute('aria-pressed', button.dataset.name === state[kind]);
   for (const box in kinds)
-    for (const button of $(box).children)
+    for (const button of $(box).children) {
       button.textContent = words().names[button.dataset.name] || button.dataset.name;
+      button.title = state.language === 'en' ? button.dataset.words : '';
+    }
   load_entries();
   make_sliders(solve);
 }
@@ -117,8 +119,8 @@ export function make_choices(choose) {
         state[kind] = name;
         choose();
       };
-      const button = h('button', { title, 'aria-pressed': String(state[kind] === name), onclick: take });
-      button.dataset.name = name;
+      const button = h('button', { 'aria-pressed': String(state[kind] === name), onclick: take });
+      Object.assign(button.dataset, { name, words: title });
       $(box).append(button);
     }
 }

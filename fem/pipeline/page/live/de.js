@@ -120,6 +120,7 @@ export const de = {
       'Die Außenseite wird stärker gedrückt und hat mehr Reibung; diese dreht das Glas gegen die Umlaufrichtung.',
     inside: 'Die Innenseite wird stärker gedrückt und hat mehr Reibung; diese dreht das Glas mit der Umlaufrichtung.',
     even: 'Beide Seiten werden gleich gedrückt, und die Reibung dreht das Glas nicht.',
+    held: 'Die Finger halten das Glas: ihr Drehmoment ist größer als das der Reibung.',
     tips: 'Das Moment der Hand ist größer, als das Gewicht ausgleichen kann: das Glas kippt.'
   },
   above_words: {

@@ -119,6 +119,7 @@ export const en = {
     outside: 'The outside is pressed harder and has more friction, which turns the glass against its orbit.',
     inside: 'The inside is pressed harder and has more friction, which turns the glass with its orbit.',
     even: 'Both sides are pressed alike, and friction does not turn the glass.',
+    held: 'The fingers hold the glass: their torque is larger than the torque of friction.',
     tips: 'The moment of the hand is larger than the weight can balance: the glass tips over.'
   },
   above_words: {

@@ -121,6 +121,7 @@ export const fr = {
     inside:
       'Le côté intérieur est plus pressé et frotte plus ; ce frottement fait tourner le verre dans le sens de son orbite.',
     even: 'Les deux côtés sont pressés de même, et le frottement ne fait pas tourner le verre.',
+    held: 'Les doigts retiennent le verre : leur couple dépasse celui du frottement.',
     tips: 'Le moment de la main dépasse ce que le poids peut équilibrer : le verre bascule.'
   },
   above_words: {

@@ -27,7 +27,7 @@ function numbers() {
   const { load: at_rest = {} } = doc.words;
   const spin = ring.omega_terminal;
   return [
-    [shown(1e3 * Math.abs(offset()), '.3g'), shown(1e3 * (load?.moment?.[0] ?? NaN), '.3g')],
+    [shown(1e3 * Math.abs(offset()), '.3g'), shown(1e3 * Math.abs(load?.moment?.[0] ?? NaN), '.3g')],
     [shown(at_rest.inside, '.3g'), shown(at_rest.outside, '.3g'), shown(load?.moment_ratio, '.2g')],
     [shown(Math.abs(doc.tables.motion?.[0].hand[0] ?? NaN), '.3g')],
     [shown(1e3 * ring.tau_at_rest, '.3g')],
@@ -62,12 +62,12 @@ export function write_lesson(changed) {
     changed();
   };
   const predictions = options.map((text, i) =>
-    h('button', { 'aria-pressed': String(mine === i), onclick: () => choose(i) }, text)
+    h('button', { 'aria-pressed': String(mine === i), onclick: () => choose(i) }, say(text))
   );
-  const said = mine === undefined ? [] : [h('p', {}, h('b', {}, mine === right[step - 1]() ? t.right : t.other), ' ', say(answer, ...numbers()[step - 1])), h('p', {}, then)]; // prettier-ignore
+  const said = mine === undefined ? [] : [h('p', {}, h('b', {}, mine === right[step - 1]() ? t.right : t.other), ' ', say(answer, ...numbers()[step - 1])), h('p', {}, say(then))]; // prettier-ignore
   $('lesson').replaceChildren(
     h('h2', {}, say(t.step, step, title)),
-    h('p', {}, question),
+    h('p', {}, say(question)),
     h('p', { class: 'row', role: 'group', 'aria-label': question }, predictions),
     ...said,
     h('p', { class: 'row' }, step > 1 && h('button', { onclick: () => go(step - 1) }, t.back), step < 5 && h('button', { disabled: mine === undefined, onclick: () => go(step + 1) }, t.next)) // prettier-ignore

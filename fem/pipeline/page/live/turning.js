@@ -68,6 +68,7 @@ export function draw_scene() {
   if (!rows && !tips) return;
   const height = value_of('Motion/Centre of mass height');
   const falls = tips || Boolean(doc.summary.ring.fall);
+  const held = value_of('Motion/Grip torque') > 0 && doc.summary.ring?.omega_terminal === 0;
   scene.set({
     rows: rows || [fallen],
     radius: value_of('Glass/Contact radius'),
@@ -77,7 +78,7 @@ export function draw_scene() {
     sense: sense(),
     falls,
     most: Math.abs(doc.summary.ring?.tau_at_rest || 0),
-    why: why(words().scene_words, falls, doc.words.load || {}, found.is_last ? value_of(offset) : undefined)
+    why: why(words().scene_words, { falls, held }, doc.words.load || {}, found.is_last ? value_of(offset) : undefined)
   });
   if (rows) draw_above();
   $('sense').textContent = words().other_sense;

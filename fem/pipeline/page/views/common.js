@@ -6,9 +6,13 @@ import { en } from '../live/en.js';
 import { sketch } from '../js/sketch.js';
 import { truncation } from './spin.js';
 
-/** Why the glass turns or falls, by what the two sides press; `offset` of the hand from the centre of mass, if that is why. */
-export function why(t, falls, { inside, outside }, offset) {
+/**
+ * Why the glass turns, falls or is held, by what the two sides press; `offset` of the hand from the centre of mass, if that
+ * is why.
+ */
+export function why(t, { falls, held }, { inside, outside }, offset) {
   if (falls) return t.tips;
+  if (held) return t.held;
   const hand = offset < 0 ? t.hand_below : offset > 0 ? t.hand_above : offset === 0 ? t.hand_level : '';
   const even = Math.abs(outside - inside) <= 1e-6 * Math.abs(outside);
   return `${hand} ${even ? t.even : outside > inside ? t.outside : t.inside}`.trim();
@@ -22,6 +26,7 @@ function turning(doc) {
   const { Glass: glass, Motion: given, Load: load } = doc.summary.parameters;
   const is_given = load.Source === 'file' || load['Moment ratio'] >= 0;
   const falls = doc.words.numbers.falls;
+  const held = given['Grip torque'] > 0 && doc.summary.ring.omega_terminal === 0;
   const scene = new Scene(en.scene_words);
   scene.set({
     rows: motion,
@@ -31,7 +36,7 @@ function turning(doc) {
     orbit_radius: given['Orbit radius'],
     sense: given['Orbit sense'] === 'clockwise' ? -1 : 1,
     falls,
-    why: why(en.scene_words, falls, doc.words.load, is_given ? undefined : given['Force offset'])
+    why: why(en.scene_words, { falls, held }, doc.words.load, is_given ? undefined : given['Force offset'])
   });
   scene.add_tab(above.node);
   return [scene, { id: above.id, node: h('template'), alone: above.alone }];

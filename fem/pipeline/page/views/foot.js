@@ -40,7 +40,7 @@ function pressures(map, at) {
   const { polygons, value, spots } = cells_of(map, at);
   const words = i => [
     `θ = ${shown(spots[i][0], '.4g')}°, r − R = ${shown(spots[i][1], '.4g')} µm`,
-    `p = ${shown(value[i], '.4g')} ${map.unit}`
+    `p = ${shown(value[i], '.3g')} ${map.unit}`
   ];
   return { colours, mark: patches({ polygons, value, colours, words }) };
 }
@@ -96,8 +96,8 @@ export function foot_from_above({ foot }, { sketch }) {
       arrows({ x: [0], y: [0], u: [0.45 * R], v: [0], colour: 'ink' }),
       note({ x: 0.52 * R, y: 0, text: 'v' }),
       strokes({ lines: [[0, 0, 0, 0.36 * side * R]], colour: 'ink', dash: '6 4', heads: 1 }),
-      note({ x: 0, y: side * 0.47 * R, text: 'to the orbit’s centre,' }),
-      note({ x: 0, y: side * 0.47 * R, dy: 21, text: `${sketch.orbit_radius} from here` })
+      note({ x: 0, y: side * 0.4 * R, dy: side > 0 ? -24 : 16, text: 'to the orbit’s centre,' }),
+      note({ x: 0, y: side * 0.4 * R, dy: side > 0 ? -6 : 34, text: `${sketch.orbit_radius} from here` })
     ]
   };
 }

@@ -42,7 +42,11 @@ export function load_polar(doc) {
   const sense = sense_of(doc);
   const at = (size, t) => [(1 + size / 2) * Math.cos(radians(t)), (1 + size / 2) * Math.sin(radians(t))];
   const parts = curves_of(doc, 3);
-  const most = 1 + Math.max(2, ...parts.flatMap(([, , , t, key]) => t[key])) / 2 + 0.1;
+  const all_places = parts.flatMap(([, , , t, key]) => t.theta.map((theta, i) => at(t[key][i], theta)));
+  const range = k => [
+    Math.min(-1.6, ...all_places.map(p => p[k] - 0.1)),
+    Math.max(1.6, ...all_places.map(p => p[k] + 0.1))
+  ];
   const curve = ([name, colour, dash, t, key]) => {
     const places = t.theta.map((theta, i) => at(t[key][i], theta));
     const words = i => [name, `θ = ${shown(t.theta[i], '.4g')}°`, `λ/a_0 = ${shown(t[key][i], '.4g')}`];
@@ -51,7 +55,7 @@ export function load_polar(doc) {
   const loaded = parts[parts.length - 1][3];
   const lifted = loaded.all.some(v => v <= 0);
   const pressed = loaded.theta.map((theta, i) => (loaded.all[i] > 0 ? at(0, theta) : [NaN, NaN]));
-  const arc = Array.from({ length: 13 }, (_, k) => radians(load.turn > 0 ? 200 + 4 * k : 250 - 4 * k));
+  const arc = Array.from({ length: 13 }, (_, k) => sense * radians(sense * load.turn > 0 ? 200 + 4 * k : 250 - 4 * k));
   const sense_arrow = load.turn
     ? [
         line({ x: arc.map(a => 0.6 * Math.cos(a)), y: arc.map(a => 0.6 * Math.sin(a)), colour: 'c4' }),
@@ -63,7 +67,7 @@ export function load_polar(doc) {
           colour: 'c4',
           width: 2
         }),
-        note({ x: 0.42 * Math.cos(radians(225)), y: 0.42 * Math.sin(radians(225)), text: 'ω' })
+        note({ x: 0.42 * Math.cos(radians(225)), y: 0.42 * sense * Math.sin(radians(225)), text: 'ω' })
       ].map(mark => ({ ...mark, near: () => null, value: undefined, count: 0, rows: () => [] }))
     : [];
   return {
@@ -72,8 +76,8 @@ export function load_polar(doc) {
     equal: true,
     aspect: 0.85,
     words: `mean ${shown(load.line_load, '.3g')} N/m, least ${shown(summary.load.minimum, '.3g')} N/rad, moment ratio ${shown(summary.load.moment_ratio, '.3g')}`,
-    x: { range: [-most, most] },
-    y: { range: [-most, most] },
+    x: { range: range(0) },
+    y: { range: range(1) },
     caption: `Seen from above and drawn outwards from the rim, the mean, ${shown(load.line_load, '.3g')} N/m, as half a radius; v is the direction of travel, n the harmonics kept. A curve inside the rim is tensile (not physical).`,
     marks: [
       circle(1, { colour: 'c8', width: 1 }),
@@ -137,6 +141,7 @@ export function higher_harmonics(doc) {
 
 export function spectrum(doc) {
   const t = columns(doc.tables.spectrum);
+  if (t.n.length < 2) return null;
   const part = (name, more, wanted) => {
     const picked = t.n.map((_, i) => i).filter(i => t.resolved[i] === wanted);
     const values = key => picked.map(i => t[key][i]);
@@ -190,13 +195,15 @@ export function slip(doc, name, state) {
       ...more
     });
   const friction = ['friction_x', 'friction_y'];
+  const ends = (key, around) => t[key].map((v, i) => around(radians(t.theta[i])) + 0.5 * v);
+  const [ends_x, ends_y] = [ends('friction_x', Math.cos), ends('friction_y', Math.sin)];
   return {
     id: name,
     title: `Slip and friction round the rim ${state}`,
     equal: true,
     aspect: 0.82,
-    x: { range: [-1.75, 1.75] },
-    y: { range: [-1.6, 1.75] },
+    x: { range: [Math.min(-1.5, ...ends_x) - 0.1, Math.max(1.5, ...ends_x) + 0.1] },
+    y: { range: [Math.min(-1.2, ...ends_y) - 0.1, Math.max(1.62, ...ends_y) + 0.1] },
     words:
       name === 'slip_at_rest'
         ? `friction turns the glass with ${shown(doc.words.numbers.torque_at_rest, '.3g')} N m`

@@ -34,16 +34,20 @@ function budget_sections(doc) {
   ];
 }
 
+/** Parts of a vector, those that are rounding as 0. */
+const without_rounding = parts => parts.map(part => (Math.abs(part) > 1e-6 * Math.hypot(...parts) ? part : 0));
+
 function load_sections(doc) {
   const { load } = doc.summary;
   const { numbers, load: words } = doc.words;
+  const [moment_x, moment_y] = without_rounding([numbers.moment_x, numbers.moment_y]);
   const ring = numbers.rings > 1 ? `The pressure acts on ${numbers.rings} rings; one ring` : 'The ring';
   return [
     {
       title: 'The load on the table',
       text:
         `At rest the glass presses on the table with N = ${shown(load.normal_force)} N and the moment ` +
-        `M_N = (${shown(numbers.moment_x)}, ${shown(numbers.moment_y)}) N m, a moment ratio m = |M_N| / (N R / 2) of ` +
+        `M_N = (${shown(moment_x)}, ${shown(moment_y)}) N m, a moment ratio m = |M_N| / (N R / 2) of ` +
         `${shown(load.moment_ratio, '.4g')}. Above 1 a first-harmonic load is negative somewhere; at 2 the glass tips. ` +
         `${shown(load.contact_fraction, '.1f%')} of the land is under pressure; the minimum load is ${shown(load.minimum, '.4g')} N/rad.`,
       pictures: [
