@@ -111,7 +111,7 @@ std::string live_report_script(const std::string &page)
   found.untranslated = [...(shown.untranslated || [])];
   root.querySelector("#languages [lang=de]").click();
   found.told = [];
-  for (const [path, value] of [["Motion/Force offset", 0.06], ["Motion/Mass", 3], ["Motion/Orbit speed", -1]]) {
+  for (const [path, value] of [["Motion/Force offset", 0.3], ["Motion/Mass", 3], ["Motion/Orbit speed", -1]]) {
     await shown.move(path, value);
     found.told.push(root.querySelector("#answer").textContent + " " + root.querySelector("#notice").textContent);
     await shown.move(path);
