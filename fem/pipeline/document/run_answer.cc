@@ -99,7 +99,7 @@ std::string spinning_answer(const Study &study, const SpinStudy &spin, const Err
   if (band)
     append(text, "The band is the discretisation error. It contains neither uncertain inputs (friction, "
                  "heights, grip) nor effects missing in the " +
-                   one_way_word(study) + "model; docs/limits.md lists both with their sizes.");
+                   one_way_word(study) + "model; docs/limits.md lists both, with the sizes that are known.");
   return text;
 }
 
