@@ -20,7 +20,7 @@ struct WorkNumbers
   double phases = 4;                          ///< phases at which bands are evaluated
   /// Costs of the changes of a band: cells, degree and harmonics; four and three times the lines; a harder
   /// spring; a mesh file with all cells halved, by multigrid, over multigrid and over a condensed foot.
-  double cells = 1.2, lines = 7, spring = 1.5, halved_file = 10, halved_over_condensed = 100;
+  double cells = 1.2, lines = 7, spring = 1.5, halved_file = 10, halved_over_condensed = 200;
 };
 constexpr WorkNumbers numbers = {};
 
@@ -42,8 +42,9 @@ double contacts_of_bands(const Study &study, const AnswerWork &answer)
     cost +=
       numbers.cells + (answer.lifts_off ? numbers.lines : 0) + (study.table.is_hard() ? numbers.spring : 0);
   else if (!study.contact.mesh_file.empty() && study.contact.refinements == 0)
-    cost += study.contact.linear_solver == fem::LinearSolver::automatic ? numbers.halved_over_condensed
-                                                                        : numbers.halved_file;
+    cost += (study.table.is_hard() ? 2 : 1) * (study.contact.linear_solver == fem::LinearSolver::automatic
+                                                 ? numbers.halved_over_condensed
+                                                 : numbers.halved_file);
   const double spins = !varies_with_spin(study) ? 1
                        : answer.lifts_off       ? numbers.spins_with_lift_off
                                                 : numbers.spins;
