@@ -135,10 +135,12 @@ Json notes()
   return list;
 }
 
-/// A failure: its sentence with and without a key, and unusual values, its likelier cause.
+/// A failure: its sentence with and without a key, and unusual values, its likelier cause. `error` is the
+/// sentence of the other faces.
 Json failure_of(const Sentence &given, bool tips)
 {
-  return { { "error", given.text }, { "sentence", json_of(given) }, { "tips", tips }, { "notes", notes() } };
+  const std::string error = tips ? with_implausible_values(explorer->study(), given.text) : given.text;
+  return { { "error", error }, { "sentence", json_of(given) }, { "tips", tips }, { "notes", notes() } };
 }
 
 /// Sentence nested in the failure of a balance.
