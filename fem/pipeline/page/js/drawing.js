@@ -61,8 +61,9 @@ export class Drawing {
     camera.azimuth = this.heading + turn / 2 + 0.5 * given.sense + this.looked;
     camera.aim([0, 0, 0.43 * glass.height], width, height);
     const fallen = given.falls ? Math.max(0, (time - this.end) / 0.12) : 0;
-    const hardest = travel + (turn * row.load.indexOf(Math.max(...row.load))) / row.load.length;
-    glass.lean_by(Math.min(1.45, 1.45 * fallen ** 2), hardest);
+    // Towards where it presses hardest; a glass that has no load falls forwards.
+    const hardest = row.load.length ? row.load.indexOf(Math.max(...row.load)) / row.load.length : 0;
+    glass.lean_by(Math.min(1.45, 1.45 * fallen ** 2), travel + turn * hardest);
     const set = (name, d) => parts[name].setAttribute('d', d);
     this.draw_table(row, set);
     this.draw_wall(row, travel, set);
