@@ -1,7 +1,6 @@
 #include "fem/pipeline/analysis/fit_parameters.h"
 
 #include "fem/pipeline/study/study_checks.h"
-#include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 
@@ -29,9 +28,15 @@ FitParameter fit_parameter(const Study &study, const FreeEntry &free)
   return parameter;
 }
 
-Study with_parameters(Study study, const std::vector<FitParameter> &parameters, const Eigen::VectorXd &x)
+MovedStudy::MovedStudy(const Study &study, const std::vector<FitParameter> &parameters)
+    : now(study)
+    , entries(study_entries(now))
+    , parameters(parameters)
 {
-  const std::vector<StudyEntry> entries = study_entries(study);
+}
+
+const Study &MovedStudy::at(const Eigen::VectorXd &x)
+{
   for (std::size_t j = 0; j < parameters.size(); ++j)
   {
     const StudyEntry &entry = entry_at(entries, "--free ", parameters[j].path);
@@ -39,8 +44,14 @@ Study with_parameters(Study study, const std::vector<FitParameter> &parameters, 
     if (!entry.assign(to_text(value)))
       assign(entry, "--free ", to_text(std::abs(value)));
   }
-  check_values(study);
-  return study;
+  check_values(now);
+  return now;
+}
+
+Study with_parameters(const Study &study, const std::vector<FitParameter> &parameters,
+                      const Eigen::VectorXd &x)
+{
+  return MovedStudy(study, parameters).at(x);
 }
 
 } // namespace stemware::pipeline

@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/analysis/free_entries.h"
 #include "fem/pipeline/study/study.h"
+#include "fem/pipeline/study/study_entries.h"
 
 #include <Eigen/Core>
 
@@ -38,7 +39,27 @@ struct FitParameter
 /// logarithm.
 FitParameter fit_parameter(const Study &study, const FreeEntry &free);
 
-/// Returns @p study with @p parameters at @p x; an entry that may not be negative gets the absolute value.
-Study with_parameters(Study study, const std::vector<FitParameter> &parameters, const Eigen::VectorXd &x);
+/// Study whose parameters move. Its entries are listed once, which takes longer than to set some of them.
+class MovedStudy
+{
+public:
+  /// @p parameters must outlive it.
+  MovedStudy(const Study &study, const std::vector<FitParameter> &parameters);
+  MovedStudy(const MovedStudy &) = delete;
+  MovedStudy &operator=(const MovedStudy &) = delete;
+
+  /// Returns the study with the parameters at @p x until the next call; an entry that may not be negative
+  /// gets the absolute value. Throws BadInput for values that are not allowed.
+  const Study &at(const Eigen::VectorXd &x);
+
+private:
+  Study now;
+  const std::vector<StudyEntry> entries; ///< of `now`
+  const std::vector<FitParameter> &parameters;
+};
+
+/// Returns MovedStudy::at() of @p study.
+Study with_parameters(const Study &study, const std::vector<FitParameter> &parameters,
+                      const Eigen::VectorXd &x);
 
 } // namespace stemware::pipeline

@@ -232,7 +232,7 @@ void SpinUps::solve_at(const VectorXd &x, bool is_centre)
     return;
   try
   {
-    const Study now = with_parameters(study, parameters, x);
+    const Study now = moved_study.at(x);
     torque_at(now, place); // the first load, if there is none
     if (is_interpolated && beyond_first_harmonic.centre() != place)
       add_solved(now, place, *load_of(now), is_centre);
@@ -296,7 +296,7 @@ const SpinUp &SpinUps::at(const VectorXd &x)
   const auto known = spin_ups.find(key_of(x));
   if (known != spin_ups.end())
     return known->second;
-  const Study now = with_parameters(study, parameters, x);
+  const Study now = moved_study.at(x);
   const TorqueBySpin torque = torque_at(now, place_of(x));
   const ring::Motion &motion = now.motion.orbit;
   const double scale = motion.orbit_speed / radius_of(now);
@@ -309,7 +309,7 @@ const SpinUp &SpinUps::at(const VectorXd &x)
 
 SpinCourse SpinUps::missed(const VectorXd &x)
 {
-  const double torque = error * unit_torque(with_parameters(study, parameters, x));
+  const double torque = error * unit_torque(moved_study.at(x));
   return at(x).derivative([=](double) { return torque; });
 }
 
@@ -342,7 +342,10 @@ SpinCourse SpinUps::find_derivative(const VectorXd &x, Index j)
       VectorXd moved = x;
       moved(j) += way;
       if (is_cheap || found.empty())
-        found.emplace_back(way, torque_at(with_parameters(study, parameters, moved), place_of(moved)));
+      {
+        const Study now = moved_study.at(moved);
+        found.emplace_back(way, torque_at(now, place_of(moved)));
+      }
     }
     catch (const std::exception &failure)
     {

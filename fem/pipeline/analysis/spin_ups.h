@@ -58,6 +58,7 @@ public:
       : study(study)
       , parameters(parameters)
       , executor(executor)
+      , moved_study(study, parameters)
   {
   }
 
@@ -114,6 +115,7 @@ private:
   const Study study;
   const std::vector<FitParameter> &parameters;
   const Executor &executor;
+  MovedStudy moved_study;
   std::shared_ptr<ElasticFoot> foot; ///< of the last load
   bool is_interpolated = study.load.is_from_contact();
   ScatteredPolynomial beyond_first_harmonic; ///< at TorqueBySpin::shares(), over mu N R
