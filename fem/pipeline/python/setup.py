@@ -3,10 +3,13 @@
 Compiles ring_model/ of this checkout with the headers of Eigen, Boost and pybind11. stemware.Study needs deal.II and is built
 by CMake.
 """
+import atexit
 import glob
 import os
 import re
+import shutil
 import subprocess
+import tempfile
 
 from pybind11.setup_helpers import ParallelCompile, Pybind11Extension
 from setuptools import setup
@@ -22,6 +25,12 @@ def eigen():
     return found[2:] or "/usr/include/eigen3"
 
 
+# Objects go where their sources' "../../.." leads from the build: three folders deep, they stay in the temporary one.
+scratch = tempfile.mkdtemp(prefix="stemware-")
+atexit.register(shutil.rmtree, scratch, ignore_errors=True)
+build = os.path.join(scratch, "ring", "python", "build")
+os.makedirs(build)
+
 sources = ["ring_bindings.cc", *sorted(glob.glob(top + "/ring_model/*.cc") + glob.glob(top + "/ring_model/*/*.cc"))]
 ParallelCompile("STEMWARE_COMPILERS", default=2).install()
 setup(
@@ -33,5 +42,6 @@ setup(
     install_requires=["numpy"],
     packages=["stemware"],
     package_data={"stemware": ["py.typed", "*.pyi"]},
+    options={"build": {"build_base": build}, "egg_info": {"egg_base": build}},
     ext_modules=[Pybind11Extension("stemware._ring", sources, include_dirs=[top, eigen()], cxx_std=17)],
 )
