@@ -1,5 +1,7 @@
 #include "fem/contact/line_integral.h"
 
+#include <boost/math/quadrature/gauss.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,6 +27,18 @@ unsigned int interior_roots(double c0, double c1, double c2, std::array<double, 
   return n_roots;
 }
 } // namespace
+
+// The header is included by many files, and Boost's takes seconds to compile.
+template <unsigned int n_points>
+const std::vector<double>
+  GaussRule<n_points>::abscissas = boost::math::quadrature::gauss<double, n_points>::abscissa();
+template <unsigned int n_points>
+const std::vector<double>
+  GaussRule<n_points>::weights = boost::math::quadrature::gauss<double, n_points>::weights();
+
+template struct GaussRule<2>;
+template struct GaussRule<4>;
+template struct GaussRule<6>;
 
 PositiveSegments::PositiveSegments(const Eigen::Vector3d &samples)
 {

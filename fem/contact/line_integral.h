@@ -3,11 +3,11 @@
 #include "fem/contact/contact_surface.h"
 
 #include <Eigen/Core>
-#include <boost/math/quadrature/gauss.hpp>
 
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace stemware::fem
 {
@@ -95,18 +95,28 @@ inline std::pair<ContactLine, Eigen::Vector3d> part_of(const ContactLine &line, 
   return { part, at_samples * depth };
 }
 
+/// Gauss quadrature on [-1, 1] with an even number of points: the positive abscissas and their weights.
+template <unsigned int n_points>
+struct GaussRule
+{
+  static const std::vector<double> abscissas, weights;
+};
+extern template struct GaussRule<2>;
+extern template struct GaussRule<4>;
+extern template struct GaussRule<6>;
+
 /// Calls visit(const LinePoint &) at the @p n_points Gauss points (an even number) of one segment of a line;
 /// exact for polynomials of degree 2 n_points - 1 in the local coordinate, area element included.
 template <unsigned int n_points = 4, typename Visitor>
 void for_each_point(const AreaElement &area, const LineSegment &segment, const Visitor &visit)
 {
-  using Rule = boost::math::quadrature::gauss<double, n_points>;
+  using Rule = GaussRule<n_points>;
   const double middle = (segment.begin + segment.end) / 2, half_length = (segment.end - segment.begin) / 2;
   for (const double side : { -1., 1. })
     for (std::size_t q = 0; q < n_points / 2; ++q)
     {
-      const double xi = middle + side * half_length * Rule::abscissa()[q];
-      visit(LinePoint{ xi, area(xi) * half_length * Rule::weights()[q] });
+      const double xi = middle + side * half_length * Rule::abscissas[q];
+      visit(LinePoint{ xi, area(xi) * half_length * Rule::weights[q] });
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/contact/pressure_law.h"
+#include "fem/contact/roughness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,12 +17,15 @@ namespace stemware::fem
 /// Greenwood & Williamson, Proc. R. Soc. A 295 (1966) 300, for exponentially distributed summits; Persson,
 /// Phys. Rev. Lett. 99 (2007) 125502, for self-affine surfaces at low pressure. A factor in p0 is an offset
 /// of the table: for d < 0 everywhere the load depends on the decay length only.
-struct RoughInterface : PressureInterface<RoughInterface>
+struct RoughInterface : PressureInterface<RoughInterface>, Roughness
 {
   RoughInterface() = default;
+  explicit RoughInterface(const Roughness &roughness)
+      : Roughness(roughness)
+  {
+  }
   RoughInterface(double reference_pressure, double decay_length)
-      : reference_pressure(reference_pressure)
-      , decay_length(decay_length)
+      : Roughness{ reference_pressure, decay_length }
   {
   }
 
@@ -44,9 +48,6 @@ struct RoughInterface : PressureInterface<RoughInterface>
   {
     return std::make_shared<RoughInterface>(reference_pressure, decay_length * factor);
   }
-
-  double reference_pressure = 1e9; ///< p0, at touching mean planes [Pa]
-  double decay_length = 1e-6;      ///< s [m], half the rms roughness
 
   double pressure(double depth) const
   {

@@ -1,6 +1,7 @@
 #include "fem/pipeline/study/study.h"
 
 #include "fem/contact/hard_interface.h"
+#include "fem/contact/rough_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/sentence.h"

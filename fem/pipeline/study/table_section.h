@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/contact/rough_interface.h"
+#include "fem/contact/roughness.h"
 #include "fem/contact/table.h"
 #include "fem/elasticity/elastic_material.h"
 #include "fem/pipeline/study/entry_facts.h"
@@ -31,7 +31,7 @@ struct TableSection
   TableSubstrate substrate = TableSubstrate::rigid;
   double foundation_modulus = 1e10; ///< of the Winkler interface [Pa/m]
   double layer_thickness = 0;       ///< of the layer represented by a Winkler interface [m]; 0: not given
-  fem::RoughInterface roughness;
+  fem::Roughness roughness;
   fem::TableDisc disc; ///< the elastic substrate
   fem::ElasticMaterial disc_material = { 10e9, 0.3 };
   Waviness waviness; ///< fixed to the ground: positive where the table is lower
