@@ -95,14 +95,14 @@ private:
   static std::vector<FitParameter> parameters_of(const std::vector<RunToFit> &given,
                                                  const FitQuestion &question)
   {
-    require(!given.empty(), "There are no runs to fit; give --data run.csv.");
-    require(!question.free.empty(), "No entry is free; give --free \"Motion/Friction coefficient\".");
+    ensure(!given.empty(), "There are no runs to fit; give --data run.csv.");
+    ensure(!question.free.empty(), "No entry is free; give --free \"Motion/Friction coefficient\".");
     std::vector<FitParameter> parameters;
     for (const FreeEntry &free : question.free)
     {
       parameters.push_back(fit_parameter(given.front().study, free));
       for (std::size_t j = 0; j + 1 < parameters.size(); ++j)
-        require(parameters[j].path != parameters.back().path, "--free " + free.path + " is given twice.");
+        ensure(parameters[j].path != parameters.back().path, "--free " + free.path + " is given twice.");
     }
     return parameters;
   }
@@ -154,11 +154,10 @@ private:
     const std::vector<double> &values = run.given.data.values;
     const double measured = run.given.data.is_angle ? values.back() - values.front() : values.back(),
                  model = run.spin_ups->at(x.head(problem.n_parameters)).spin(1e9);
-    require(
-      measured * model >= 0 || std::abs(measured) < 10 * run.noise,
-      "--data " + run.given.name + ": the measured glass turns " +
-        (measured > 0 ? "counter-clockwise" : "clockwise") +
-        ", the glass of the study the other way; change the sign of the values, or Motion/Orbit sense.");
+    ensure(measured * model >= 0 || std::abs(measured) < 10 * run.noise,
+           "--data " + run.given.name + ": the measured glass turns " +
+             (measured > 0 ? "counter-clockwise" : "clockwise") +
+             ", the glass of the study the other way; change the sign of the values, or Motion/Orbit sense.");
   }
 
   /// Solves the loads at @p unknowns, where loads are interpolated. Returns how far that moves what is

@@ -19,7 +19,7 @@ FitParameter fit_parameter(const Study &study, const FreeEntry &free)
   const double usual = entry.plausible ? std::max(std::abs(entry.plausible->min), entry.plausible->max) : 1;
   parameter.is_log = !entry.assign("0"); // of a copy
   parameter.is_never_negative = !parameter.is_log && !entry.assign("-1e-9");
-  require(!parameter.is_log || given > 0, "--free " + entry.path() + ": the value is not greater than 0.");
+  ensure(!parameter.is_log || given > 0, "--free " + entry.path() + ": the value is not greater than 0.");
   parameter.scale = parameter.is_log ? 1 : given != 0 ? std::abs(given) : usual / 100;
   parameter.start = parameter.is_log ? std::log(given) : given / parameter.scale;
   parameter.prior = parameter.start;

@@ -20,7 +20,7 @@ Prior value_or_prior(const std::string &option, const std::string &text, const s
 {
   const auto alone = parse_quantity(text, unit);
   const auto prior = alone ? std::optional(Prior{ *alone, 0 }) : parse_prior(text, unit);
-  require(prior.has_value(), option + shortened(text) + cure);
+  ensure(prior.has_value(), option + shortened(text) + cure);
   return *prior;
 }
 
@@ -46,15 +46,15 @@ FreeEntry parse_free_entry(const std::string &text)
   const auto equals = text.find('=');
   const std::vector<StudyEntry> entries = entries_of(Study());
   const StudyEntry &entry = entry_at(entries, "--free ", boost::trim_copy(text.substr(0, equals)));
-  require(entry.quantity != nullptr, "--free " + entry.path() + " is no number that can be fitted.");
+  ensure(entry.quantity != nullptr, "--free " + entry.path() + " is no number that can be fitted.");
   FreeEntry free = { entry.path() };
   if (equals != text.npos)
   {
     free.prior = parse_prior(text.substr(equals + 1), entry.unit);
-    require(free.prior && free.prior->spread > 0,
-            "--free " + shortened(text) +
-              " gives no prior; write value ± spread, or value +- spread, such as \"" + entry.path() +
-              " = 0.3 +- 0.02\".");
+    ensure(free.prior && free.prior->spread > 0,
+           "--free " + shortened(text) +
+             " gives no prior; write value ± spread, or value +- spread, such as \"" + entry.path() +
+             " = 0.3 +- 0.02\".");
   }
   return free;
 }

@@ -28,23 +28,23 @@ double rough_noise(const MeasuredRun &data)
 void require_fittable(const RunToFit &run)
 {
   constexpr std::size_t min_points = 5;
-  require(run.data.times.size() >= min_points,
-          "--data " + run.name + " has " + std::to_string(run.data.times.size()) +
-            " points; measure at least " + std::to_string(min_points) + ".");
-  require(run.data.times.back() > run.data.times.front(), "--data " + run.name + ": all times are equal.");
+  ensure(run.data.times.size() >= min_points,
+         "--data " + run.name + " has " + std::to_string(run.data.times.size()) +
+           " points; measure at least " + std::to_string(min_points) + ".");
+  ensure(run.data.times.back() > run.data.times.front(), "--data " + run.name + ": all times are equal.");
   const auto [least, most] = std::minmax_element(run.data.values.begin(), run.data.values.end());
-  require(*most > *least, "--data " + run.name +
-                            ": all values are equal, but a fit needs a spin-up; give a run in which the "
-                            "glass begins to turn.");
+  ensure(*most > *least, "--data " + run.name +
+                           ": all values are equal, but a fit needs a spin-up; give a run in which the "
+                           "glass begins to turn.");
   require_flat(run.study, "fit");
-  require(!run.study.load.is_from_contact() || run.study.contact.goal == Goal::none,
-          "A fit solves many studies on one mesh; set Contact/Goal = none.");
-  require(!run.study.motion.orbit_speeds,
-          "--data " + run.name +
-            ": a fit has no table of the hand's speed; leave out Motion/Orbit speed file.");
-  require(!run.study.load.is_static(), "--data " + run.name +
-                                         ": the load has a given moment; a fit needs the moment of the hand, "
-                                         "leave out the entries of Load but Source.");
+  ensure(!run.study.load.is_from_contact() || run.study.contact.goal == Goal::none,
+         "A fit solves many studies on one mesh; set Contact/Goal = none.");
+  ensure(!run.study.motion.orbit_speeds,
+         "--data " + run.name +
+           ": a fit has no table of the hand's speed; leave out Motion/Orbit speed file.");
+  ensure(!run.study.load.is_static(), "--data " + run.name +
+                                        ": the load has a given moment; a fit needs the moment of the hand, "
+                                        "leave out the entries of Load but Source.");
 }
 
 } // namespace

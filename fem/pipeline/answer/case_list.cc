@@ -62,9 +62,9 @@ std::vector<std::string> range_values(const std::string &origin, const std::vect
 {
   const auto check = [&](bool is_good, const std::string &trouble)
   {
-    require(is_good, origin + trouble +
-                       "; write \"Section/Entry=first:last:number\", the same with :log at its end for equal "
-                       "factors, or a list \"Section/Entry=a,b,c\".");
+    ensure(is_good, origin + trouble +
+                      "; write \"Section/Entry=first:last:number\", the same with :log at its end for equal "
+                      "factors, or a list \"Section/Entry=a,b,c\".");
   };
   const bool is_log = parts.size() == 4 && parts.back() == "log";
   check(parts.size() == 3 || is_log, "is not a range");
@@ -96,11 +96,11 @@ VariedEntry parse_varied(const std::string &text)
 {
   const std::string quoted = "--vary \"" + shortened(text) + "\" ";
   const auto equal_sign = text.find('=');
-  require(equal_sign != text.npos && text.find('/') < equal_sign,
-          quoted + "is not of the form \"Section/Entry=values\"; `stemware sweep --help` shows examples.");
+  ensure(equal_sign != text.npos && text.find('/') < equal_sign,
+         quoted + "is not of the form \"Section/Entry=values\"; `stemware sweep --help` shows examples.");
   const StudyEntry entry = find_entry("--vary", boost::trim_copy(text.substr(0, equal_sign)));
   const std::string given = boost::trim_copy(text.substr(equal_sign + 1));
-  require(!given.empty(), quoted + "names no values; write \"" + entry.path() + "=first:last:number\".");
+  ensure(!given.empty(), quoted + "names no values; write \"" + entry.path() + "=first:last:number\".");
   VariedEntry varied = { entry.path(), entry.unit };
   const std::vector<std::string> parts = pieces(given, ':');
   if (parts.size() > 1 && !entry.unit.empty())
@@ -114,8 +114,8 @@ VariedEntry parse_varied(const std::string &text)
   for (std::string &value : varied.values)
   {
     value = canonical(entry, "--vary: ", value);
-    require(seen.insert(value).second,
-            "--vary: " + entry.path() + " = " + shortened(value) + " stands twice; give each value once.");
+    ensure(seen.insert(value).second,
+           "--vary: " + entry.path() + " = " + shortened(value) + " stands twice; give each value once.");
   }
   return varied;
 }
@@ -124,8 +124,8 @@ void require_different(const CaseList &list)
 {
   std::set<std::string> paths;
   for (const VariedEntry &entry : list.entries)
-    require(paths.insert(entry.path).second,
-            list.origin + " varies " + entry.path + " twice; give all its values in one place.");
+    ensure(paths.insert(entry.path).second,
+           list.origin + " varies " + entry.path + " twice; give all its values in one place.");
 }
 
 /// Factor of the unit in a heading, as text to be written behind a number.
@@ -133,9 +133,9 @@ std::string unit_of_heading(const StudyEntry &entry, const ColumnHeading &headin
 {
   const bool is_plain = heading.unit.empty() || entry.unit.empty();
   const std::string trouble = is_plain ? "" : unit_error("1 " + heading.unit, entry.unit);
-  require(trouble.empty() && (heading.unit.empty() || !entry.unit.empty()),
-          place + heading.name + " (" + shortened(heading.unit) + ")" +
-            (trouble.empty() ? " is words; leave the unit out." : trouble));
+  ensure(trouble.empty() && (heading.unit.empty() || !entry.unit.empty()),
+         place + heading.name + " (" + shortened(heading.unit) + ")" +
+           (trouble.empty() ? " is words; leave the unit out." : trouble));
   return heading.unit;
 }
 
@@ -164,17 +164,17 @@ std::string CaseList::values_of(std::size_t index) const
 
 CaseList cases_of_grid(const std::vector<std::string> &varied)
 {
-  require(varied.size() <= 2,
-          fmt::format(FMT_STRING("--vary names {} entries and takes one or two; write the cases of more "
-                                 "entries into a table and give it with --cases."),
-                      varied.size()));
+  ensure(varied.size() <= 2,
+         fmt::format(FMT_STRING("--vary names {} entries and takes one or two; write the cases of more "
+                                "entries into a table and give it with --cases."),
+                     varied.size()));
   CaseList list = { "--vary", {}, {}, { {} } };
   for (const std::string &text : varied)
   {
     const VariedEntry &entry = list.entries.emplace_back(parse_varied(text));
-    require(list.cases.size() * entry.values.size() <= max_cases,
-            fmt::format(FMT_STRING("--vary asks for {} cases, but at most {} are possible; ask for fewer."),
-                        list.cases.size() * entry.values.size(), max_cases));
+    ensure(list.cases.size() * entry.values.size() <= max_cases,
+           fmt::format(FMT_STRING("--vary asks for {} cases, but at most {} are possible; ask for fewer."),
+                       list.cases.size() * entry.values.size(), max_cases));
     std::vector<std::vector<std::string>> cases;
     for (const auto &before : list.cases)
       for (const std::string &value : entry.values)
@@ -189,9 +189,9 @@ CaseList cases_from_file(const std::string &file)
 {
   CaseList list = { "--cases " + shortened_path(file) };
   const TextTable table = read_table(list.origin, file);
-  require(table.rows.size() >= 2,
-          list.origin + " has no cases; write a first row of entries such as \"Motion/Mass (g)\", and a row "
-                        "of values for each case.");
+  ensure(table.rows.size() >= 2,
+         list.origin + " has no cases; write a first row of entries such as \"Motion/Mass (g)\", and a row "
+                       "of values for each case.");
   const TableRow &header = table.rows.front();
   std::vector<StudyEntry> entries;
   std::vector<std::string> units;
@@ -207,10 +207,10 @@ CaseList cases_from_file(const std::string &file)
   require_different(list);
   for (auto row = table.rows.begin() + 1; row != table.rows.end(); ++row)
   {
-    require(row->cells.size() == entries.size(),
-            fmt::format(FMT_STRING("{}, line {}: the row has {} cells, but there are {} columns; write one "
-                                   "value for each."),
-                        list.origin, row->line, row->cells.size(), entries.size()));
+    ensure(row->cells.size() == entries.size(),
+           fmt::format(FMT_STRING("{}, line {}: the row has {} cells, but there are {} columns; write one "
+                                  "value for each."),
+                       list.origin, row->line, row->cells.size(), entries.size()));
     std::vector<std::string> &values = list.cases.emplace_back();
     for (std::size_t i = 0; i < entries.size(); ++i)
     {
@@ -221,9 +221,9 @@ CaseList cases_from_file(const std::string &file)
       values.push_back(canonical(entries[i], position_in_table(list.origin, *row, i), cell));
     }
   }
-  require(list.cases.size() <= max_cases,
-          fmt::format(FMT_STRING("{} has {} cases, but at most {} are possible; split it."), list.origin,
-                      list.cases.size(), max_cases));
+  ensure(list.cases.size() <= max_cases,
+         fmt::format(FMT_STRING("{} has {} cases, but at most {} are possible; split it."), list.origin,
+                     list.cases.size(), max_cases));
   return list;
 }
 

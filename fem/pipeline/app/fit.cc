@@ -34,8 +34,8 @@ std::vector<RunToFit> runs_of(const FitOptions &options, const Study &study)
   {
     const auto colon = data.rfind(':');
     const bool has_study = boost::ends_with(data, ".prm") || boost::ends_with(data, ".json");
-    require(!has_study || colon != data.npos,
-            "--data " + data + " names no data before the study; write run.csv:study.prm.");
+    ensure(!has_study || colon != data.npos,
+           "--data " + data + " names no data before the study; write run.csv:study.prm.");
     const std::string file = data.substr(0, has_study ? colon : data.size());
     Study own = has_study ? read_study(data.substr(colon + 1), options.overrides) : study;
     runs.push_back({ file, own, read_measured_run(file, own.motion.measured_column, "--data ") });

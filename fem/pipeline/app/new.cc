@@ -33,16 +33,16 @@ struct NewOptions
 /// nothing is written then.
 void write_study(const std::string &file, const std::vector<StudyPart> &parts, const std::string &words)
 {
-  require(file.find_first_not_of(" \t") != std::string::npos,
-          "The name of the study file is empty; write stemware new my_glass.prm.");
+  ensure(file.find_first_not_of(" \t") != std::string::npos,
+         "The name of the study file is empty; write stemware new my_glass.prm.");
   const auto is_control = [](unsigned char letter) { return std::iscntrl(letter); };
-  require(
+  ensure(
     std::none_of(file.begin(), file.end(), is_control),
     "The name of the study file has a line end or another control character, which the file's first comment "
     "cannot have; write stemware new my_glass.prm.");
-  require(std::filesystem::path(file).extension() == ".prm", "A study file ends in .prm, but " +
-                                                               shortened_path(file) +
-                                                               " does not; write stemware new my_glass.prm.");
+  ensure(std::filesystem::path(file).extension() == ".prm", "A study file ends in .prm, but " +
+                                                              shortened_path(file) +
+                                                              " does not; write stemware new my_glass.prm.");
   on_first_rank(
     [&parts]
     {

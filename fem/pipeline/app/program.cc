@@ -125,9 +125,9 @@ std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *ar
 void require_utf8(int argc, char *argv[])
 {
   for (int i = 1; i < argc; ++i)
-    require(is_utf8(argv[i]), "\"" + shortened(argv[i]) +
-                                "\" on the command line is not in UTF-8; rename the file, or set a locale of "
-                                "UTF-8 (LANG=C.UTF-8).");
+    ensure(is_utf8(argv[i]), "\"" + shortened(argv[i]) +
+                               "\" on the command line is not in UTF-8; rename the file, or set a locale of "
+                               "UTF-8 (LANG=C.UTF-8).");
 }
 
 } // namespace

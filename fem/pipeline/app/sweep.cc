@@ -43,19 +43,19 @@ RowRange rows_of(const SweepOptions &options, std::size_t n_cases)
   const auto colon = std::min(options.rows.find(':'), options.rows.size());
   const auto first = parse_count(options.rows.substr(0, colon)),
              last = colon < options.rows.size() ? parse_count(options.rows.substr(colon + 1)) : first;
-  require(first && last && 1 <= *first && *first <= *last && *last <= n_cases,
-          fmt::format(FMT_STRING("--rows {} is not a part of the {} cases; give the first and the last one, "
-                                 "--rows 1:{}."),
-                      shortened(options.rows), n_cases, n_cases));
+  ensure(first && last && 1 <= *first && *first <= *last && *last <= n_cases,
+         fmt::format(FMT_STRING("--rows {} is not a part of the {} cases; give the first and the last one, "
+                                "--rows 1:{}."),
+                     shortened(options.rows), n_cases, n_cases));
   return { *first - 1, *last - 1 };
 }
 
 CaseList list_of(const SweepOptions &options)
 {
-  require(options.cases.empty() || options.varied.empty(),
-          "--cases and --vary do not go together; write the cases of both into one table.");
-  require(!options.cases.empty() || !options.varied.empty(),
-          "The sweep has no cases; give --cases cases.csv, or --vary \"Section/Entry=first:last:number\".");
+  ensure(options.cases.empty() || options.varied.empty(),
+         "--cases and --vary do not go together; write the cases of both into one table.");
+  ensure(!options.cases.empty() || !options.varied.empty(),
+         "The sweep has no cases; give --cases cases.csv, or --vary \"Section/Entry=first:last:number\".");
   return options.cases.empty() ? cases_of_grid(options.varied) : cases_from_file(options.cases);
 }
 
@@ -89,9 +89,9 @@ void sweep(const SweepOptions &options)
 {
   // 1. Everything that can be refused is refused here.
   Stopwatch stopwatch;
-  require(n_ranks() == 1,
-          "A sweep runs in one process and not under mpirun; split its cases into processes with "
-          "--rows 1:100, --rows 101:200 and so on.");
+  ensure(n_ranks() == 1,
+         "A sweep runs in one process and not under mpirun; split its cases into processes with "
+         "--rows 1:100, --rows 101:200 and so on.");
   CaseList list = list_of(options);
   const RowRange rows = rows_of(options, list.cases.size());
   const StudyOptions placed = with_place(options, rows);

@@ -32,7 +32,7 @@ SharedLoad load_from_file(const LoadSection &section, unsigned int n_harmonics)
   const std::string sentence = "The load of " + shortened_path(section.file) +
                                " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " + given +
                                ", but a ring tips at " + limit + "; give smaller a_1, b_1.";
-  require(ratio < 2, sentence);
+  ensure(ratio < 2, sentence);
   return std::make_shared<GivenLoad>(report_of(load), n_harmonics);
 }
 

@@ -55,7 +55,7 @@ void Explorer::set(const std::string &entry_path, const std::string &value)
 {
   const std::vector<StudyEntry> entries = study_entries(present);
   const StudyEntry &entry = entry_at(entries, "", entry_path);
-  require(
+  ensure(
     !is_ready || is_live(entry_path) || entry.text() == value,
     sentence("other_mesh", "{0} needs another mesh than this page has; use `stemware run`.", { entry_path }));
   const auto quantity = [&entry] { return entry.quantity ? *entry.quantity : std::nan(""); };
@@ -111,9 +111,9 @@ Executor Explorer::executor() const
 
 void Explorer::require_mesh() const
 {
-  require(mesh_match() != MeshMatch::none,
-          sentence("contact_width",
-                   "The mesh of this page does not resolve the width of this contact; use `stemware run`."));
+  ensure(mesh_match() != MeshMatch::none,
+         sentence("contact_width",
+                  "The mesh of this page does not resolve the width of this contact; use `stemware run`."));
 }
 
 LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)

@@ -28,12 +28,12 @@ void require_readable_size(const std::string &file, double memory_limit)
   constexpr double memory_per_byte = 12; // 7 were measured for hexahedra; short rows take more
   std::error_code error;
   const auto size = static_cast<double>(std::filesystem::file_size(file, error));
-  require(error || memory_per_byte * size <= memory_limit,
-          fmt::format(
-            FMT_STRING("The mesh {} has {:.2g} GB, and reading it takes about {:.2g} GB of memory, above "
-                       "{} GB; give a coarser mesh, or allow more with Contact/Memory limit = {:.0f} GB."),
-            shortened_path(file), size / 1e9, memory_per_byte * size / 1e9, to_short_text(memory_limit / 1e9),
-            std::ceil(memory_per_byte * size / 1e9)));
+  ensure(error || memory_per_byte * size <= memory_limit,
+         fmt::format(
+           FMT_STRING("The mesh {} has {:.2g} GB, and reading it takes about {:.2g} GB of memory, above "
+                      "{} GB; give a coarser mesh, or allow more with Contact/Memory limit = {:.0f} GB."),
+           shortened_path(file), size / 1e9, memory_per_byte * size / 1e9, to_short_text(memory_limit / 1e9),
+           std::ceil(memory_per_byte * size / 1e9)));
 }
 
 } // namespace
@@ -54,13 +54,13 @@ catch (const std::invalid_argument &error)
 void require_usable(const std::string &origin, const fem::MeshCheck &check, const fem::MeshFileOptions &marks)
 {
   const std::string mesh = "The mesh (" + shortened_path(origin) + ")";
-  require(
+  ensure(
     check.n_disconnected == 0,
     fmt::format(FMT_STRING("{} has {} of {} cells not connected to the stem cut by faces, one at ({:.4g}, "
                            "{:.4g}, {:.4g}) m; export the foot only, as one body."),
                 mesh, check.n_disconnected, check.n_cells, check.disconnected_place[0],
                 check.disconnected_place[1], check.disconnected_place[2]));
-  require(
+  ensure(
     check.n_inverted == 0,
     fmt::format(FMT_STRING("{} has {} cells that are flat or inverted at a corner, the worst near ({:.4g}, "
                            "{:.4g}, {:.4g}); remesh this region."),
@@ -75,29 +75,29 @@ void require_usable(const std::string &origin, const fem::MeshCheck &check, cons
     throw BadInput(mesh + " has its contact zone above its stem cut, facing up; " +
                    (are_swapped ? swap + ", or if they are right, " + turn : turn + ", or " + swap) + ".");
   }
-  require(
+  ensure(
     check.n_zones == 1,
     fmt::format(FMT_STRING("{} has a contact zone of {} parts that share no edge; mark one ring of faces "
                            "round the axis."),
                 mesh, check.n_zones));
   const bool looks_up = check.upward_share > 0;
-  require(!looks_up && !(check.sideways_share > 0),
-          fmt::format(FMT_STRING("{} has a contact zone of which {:.3g} % faces {}; mark only faces that "
-                                 "face down, and rotate the mesh so that z points upwards."),
-                      mesh, 100 * (looks_up ? check.upward_share : check.sideways_share),
-                      looks_up ? "up" : "sideways"));
+  ensure(!looks_up && !(check.sideways_share > 0),
+         fmt::format(FMT_STRING("{} has a contact zone of which {:.3g} % faces {}; mark only faces that "
+                                "face down, and rotate the mesh so that z points upwards."),
+                     mesh, 100 * (looks_up ? check.upward_share : check.sideways_share),
+                     looks_up ? "up" : "sideways"));
   const auto &[x, y] = check.rim_centre;
   constexpr double round = 1e-3;
-  require(check.rim_deviation > round || std::hypot(x, y) <= 1e-3 * check.outer_radius,
-          fmt::format(
-            FMT_STRING("{} has its rim round {}; move the mesh by {}, so that the axis of the glass is x = "
-                       "y = 0."),
-            mesh, place(x, y, check.outer_radius), place(-x, -y, check.outer_radius)));
-  require(std::hypot(check.centre[0], check.centre[1]) <= 0.01 * check.outer_radius,
-          fmt::format(
-            FMT_STRING("{} has its contact zone round {}; move it so that the axis of the glass is x = y = "
-                       "0."),
-            mesh, place(check.centre[0], check.centre[1], check.outer_radius)));
+  ensure(check.rim_deviation > round || std::hypot(x, y) <= 1e-3 * check.outer_radius,
+         fmt::format(
+           FMT_STRING("{} has its rim round {}; move the mesh by {}, so that the axis of the glass is x = "
+                      "y = 0."),
+           mesh, place(x, y, check.outer_radius), place(-x, -y, check.outer_radius)));
+  ensure(std::hypot(check.centre[0], check.centre[1]) <= 0.01 * check.outer_radius,
+         fmt::format(
+           FMT_STRING("{} has its contact zone round {}; move it so that the axis of the glass is x = y = "
+                      "0."),
+           mesh, place(check.centre[0], check.centre[1], check.outer_radius)));
 }
 
 void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study)

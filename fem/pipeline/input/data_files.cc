@@ -39,8 +39,8 @@ std::optional<double> ring_radius_in(const std::string &where, const std::string
   if (comment.rfind(key, 0) != 0 || end == std::string::npos)
     return std::nullopt;
   const auto radius = parse_number(comment.substr(key.size(), end - key.size()));
-  require(radius && *radius > 0 && *radius < largest_number,
-          where + "\"" + shortened(comment) + "\" gives no radius; write \"# ring radius: 0.03 (m)\".");
+  ensure(radius && *radius > 0 && *radius < largest_number,
+         where + "\"" + shortened(comment) + "\" gives no radius; write \"# ring radius: 0.03 (m)\".");
   return radius;
 }
 
@@ -72,15 +72,15 @@ ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file)
          .rows)
   {
     const std::string place = fmt::format(FMT_STRING("{}, line {}: "), setting, row.line);
-    require(row.values[1] > 0 || (row.values[1] == 0 && (speeds.empty() || speeds.back() == 0)),
-            place + "the speed is not greater than 0, which it may be at the beginning only; end the table "
-                    "before the hand stops.");
-    require(times.empty() || row.values[0] > times.back(),
-            place + "the time is not later than in the row before; sort the rows by time.");
+    ensure(row.values[1] > 0 || (row.values[1] == 0 && (speeds.empty() || speeds.back() == 0)),
+           place + "the speed is not greater than 0, which it may be at the beginning only; end the table "
+                   "before the hand stops.");
+    ensure(times.empty() || row.values[0] > times.back(),
+           place + "the time is not later than in the row before; sort the rows by time.");
     times.push_back(row.values[0]);
     speeds.push_back(row.values[1]);
   }
-  require(times.size() >= 2, setting + " has one row; give at least two.");
+  ensure(times.size() >= 2, setting + " has one row; give at least two.");
   try
   {
     return { times, speeds };
@@ -102,35 +102,35 @@ ring::RingStack read_load_file(const std::string &file)
     if (line.text.front() == '#')
     {
       const auto stated = ring_radius_in(where, line.text);
-      require(!radius || !stated, where + "the ring radius is given a second time; leave one of them.");
+      ensure(!radius || !stated, where + "the ring radius is given a second time; leave one of them.");
       radius = radius ? radius : stated;
       continue;
     }
-    require(all_a.size() <= max_harmonics,
-            fmt::format(FMT_STRING("{} has more than {} harmonics, the most that a torque is computed from; "
-                                   "remove the higher harmonics."),
-                        setting, max_harmonics));
+    ensure(all_a.size() <= max_harmonics,
+           fmt::format(FMT_STRING("{} has more than {} harmonics, the most that a torque is computed from; "
+                                  "remove the higher harmonics."),
+                       setting, max_harmonics));
     const TextTable table = parse_table(where, line.text, true);
     std::vector<std::string> cells =
       table.rows.empty() ? std::vector<std::string>() : table.rows.front().cells;
     cells.resize(std::max<std::size_t>(cells.size(), 3));
     const auto n = parse_count(cells[0]);
     const auto a = parse_number(table.with_point(cells[1])), b = parse_number(table.with_point(cells[2]));
-    require(n && a && b && *n == all_a.size() && (*n > 0 || (*a > 0 && *b == 0)),
-            fmt::format(FMT_STRING("{}expected \"{} a b\" with finite numbers in N/rad{}."), where,
-                        all_a.size(), all_a.empty() ? ", a greater than 0 and b = 0" : ""));
+    ensure(n && a && b && *n == all_a.size() && (*n > 0 || (*a > 0 && *b == 0)),
+           fmt::format(FMT_STRING("{}expected \"{} a b\" with finite numbers in N/rad{}."), where,
+                       all_a.size(), all_a.empty() ? ", a greater than 0 and b = 0" : ""));
     all_a.push_back(*a);
     all_b.push_back(*b);
     const double size = std::max(std::abs(*a), std::abs(*b));
-    require(size <= std::min(largest_number, largest_share * all_a.front()),
-            fmt::format(FMT_STRING("{}a coefficient of {} N/rad beside a_0 = {} N/rad is no load of a table; "
-                                   "give all in N/rad, none larger than 1000 a_0 and 1e12."),
-                        where, to_short_text(size), to_short_text(all_a.front())));
+    ensure(size <= std::min(largest_number, largest_share * all_a.front()),
+           fmt::format(FMT_STRING("{}a coefficient of {} N/rad beside a_0 = {} N/rad is no load of a table; "
+                                  "give all in N/rad, none larger than 1000 a_0 and 1e12."),
+                       where, to_short_text(size), to_short_text(all_a.front())));
   }
-  require(radius.has_value(),
-          setting + " does not say how large the ring is; add a line \"# ring radius: 0.03 (m)\".");
-  require(all_a.size() >= 2,
-          setting + " holds no first harmonic; give at least the rows \"0 a b\" and \"1 a b\".");
+  ensure(radius.has_value(),
+         setting + " does not say how large the ring is; add a line \"# ring radius: 0.03 (m)\".");
+  ensure(all_a.size() >= 2,
+         setting + " holds no first harmonic; give at least the rows \"0 a b\" and \"1 a b\".");
   return { all_a, all_b, *radius };
 }
 

@@ -147,14 +147,14 @@ std::vector<StudyPart> cookbook_parts(const std::string &name, const fs::path &f
   std::string places;
   for (const fs::path &shared : shared_folders())
     places += (places.empty() ? "" : " nor ") + (shared / "cookbooks").string();
-  require(!folder.empty(),
-          "The cookbooks are not installed with this program: there is neither " + places + ".");
+  ensure(!folder.empty(),
+         "The cookbooks are not installed with this program: there is neither " + places + ".");
   const std::vector<std::string> names = cookbook_names();
   const auto meant = closest_match(name, names);
-  require(std::find(names.begin(), names.end(), name) != names.end(),
-          "\"" + shortened(name) + "\" is no cookbook" +
-            (meant ? "; did you mean " + *meant + "? There are " : "; there are ") +
-            boost::algorithm::join(names, ", ") + ".");
+  ensure(std::find(names.begin(), names.end(), name) != names.end(),
+         "\"" + shortened(name) + "\" is no cookbook" +
+           (meant ? "; did you mean " + *meant + "? There are " : "; there are ") +
+           boost::algorithm::join(names, ", ") + ".");
 
   const fs::path study = folder / (name + ".prm");
   std::vector<StudyPart> parts = { { file, read_text_file(study) } };

@@ -30,11 +30,10 @@ std::vector<fem::SectionVertex> points_in(const std::string &file)
          .rows)
   {
     const double r = row.values[0], z = row.values[1];
-    require(
-      std::abs(r) < 1 && std::abs(z) < 1,
-      fmt::format(FMT_STRING("{}, line {}: r = {} m, z = {} m is larger than any glass; these look like "
-                             "millimetres: write \"r (mm), z (mm)\" as the first line."),
-                  entry_of(file), row.line, to_short_text(r), to_short_text(z)));
+    ensure(std::abs(r) < 1 && std::abs(z) < 1,
+           fmt::format(FMT_STRING("{}, line {}: r = {} m, z = {} m is larger than any glass; these look like "
+                                  "millimetres: write \"r (mm), z (mm)\" as the first line."),
+                       entry_of(file), row.line, to_short_text(r), to_short_text(z)));
     points.push_back({ r, z, row.line });
   }
   return points;
@@ -61,11 +60,11 @@ void fit_rim(const std::vector<fem::SectionVertex> &points, Study &study)
   const bool has_radius =
     is_given("Glass/Contact radius", profile.contact_radius, &fem::RimCircle::contact_radius);
   const bool has_crown = is_given("Glass/Crown radius", profile.crown_radius, &fem::RimCircle::crown_radius);
-  require(circle || has_crown,
-          entry_of(study.glass.profile_file) +
-            ": no circle fits the points within half of Glass/Land width = " + to_text(profile.land_width) +
-            " m of the lowest one; draw at least three points of the rounded rim "
-            "there, or give Glass/Crown radius (0 for a flat land).");
+  ensure(circle || has_crown,
+         entry_of(study.glass.profile_file) +
+           ": no circle fits the points within half of Glass/Land width = " + to_text(profile.land_width) +
+           " m of the lowest one; draw at least three points of the rounded rim "
+           "there, or give Glass/Crown radius (0 for a flat land).");
   if (!has_radius)
     profile.contact_radius = circle ? circle->contact_radius : lowest_radius(points);
   if (!has_crown)
@@ -84,8 +83,8 @@ void attach_profile(Study &study)
   if (profile.shape != fem::GlassShape::profile)
     return;
   const std::string &file = study.glass.profile_file;
-  require(!file.empty(), "Glass/Shape = profile needs Glass/Profile file; name a file with the points (r, z) "
-                         "of the foot's section.");
+  ensure(!file.empty(), "Glass/Shape = profile needs Glass/Profile file; name a file with the points (r, z) "
+                        "of the foot's section.");
   const std::vector<fem::SectionVertex> points = points_in(file);
   try
   {

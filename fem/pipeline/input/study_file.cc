@@ -54,10 +54,10 @@ void require_study_file(const std::string &the_file, const std::filesystem::path
                    " does not exist; give the path of a .prm file, or write one with `stemware new " +
                    (is_cookbook ? "--cookbook " + name : "study.prm") + "`.");
   }
-  require(std::filesystem::is_regular_file(status),
-          the_file + " is not a file; give the path of a .prm file.");
-  require(file.extension() == ".prm" || file.extension() == ".json",
-          the_file + " ends in neither .prm nor .json; rename it so that its format is clear.");
+  ensure(std::filesystem::is_regular_file(status),
+         the_file + " is not a file; give the path of a .prm file.");
+  ensure(file.extension() == ".prm" || file.extension() == ".json",
+         the_file + " ends in neither .prm nor .json; rename it so that its format is clear.");
 }
 
 /// @p bytes as the text of a study. Throws BadInput, with a sentence that begins with @p the_file, for what
@@ -65,14 +65,14 @@ void require_study_file(const std::string &the_file, const std::filesystem::path
 std::string checked_text(const std::string &the_file, const std::string &bytes)
 {
   const std::string text = without_byte_order_mark(the_file, bytes);
-  require(text.size() <= longest_study,
-          the_file + " is longer than 1 MB; give a study file, which has a line for each entry.");
+  ensure(text.size() <= longest_study,
+         the_file + " is longer than 1 MB; give a study file, which has a line for each entry.");
   const auto is_control = [](unsigned char letter) { return letter < ' ' && !std::isspace(letter); };
-  require(std::none_of(text.begin(), text.end(), is_control),
-          the_file + " is not a text file; give the path of a .prm or .json file.");
-  require(text.find_first_not_of(" \t\r\n") != std::string::npos,
-          the_file +
-            " is empty; write at least a comment into it to get the defaults, or start from `stemware new`.");
+  ensure(std::none_of(text.begin(), text.end(), is_control),
+         the_file + " is not a text file; give the path of a .prm or .json file.");
+  ensure(text.find_first_not_of(" \t\r\n") != std::string::npos,
+         the_file +
+           " is empty; write at least a comment into it to get the defaults, or start from `stemware new`.");
   return text;
 }
 
@@ -88,8 +88,8 @@ std::string text_of_study(const std::string &the_file, const std::string &file)
     require_study_file(the_file, file);
     std::ifstream stream(file);
     bytes = beginning_of(stream);
-    require(stream.eof() || bytes.size() > longest_study,
-            the_file + " cannot be read; check its permissions.");
+    ensure(stream.eof() || bytes.size() > longest_study,
+           the_file + " cannot be read; check its permissions.");
   }
   return checked_text(the_file, bytes);
 }
@@ -118,14 +118,14 @@ std::map<unsigned int, std::string> whole_lines(const std::string &text)
 void read_json(const std::string &file, const std::string &text, const std::vector<StudyEntry> &entries)
 {
   const nlohmann::ordered_json sections = parse_json(file, text);
-  require(sections.is_object(),
-          file + " is not a JSON object; write {\"Glass\": {\"Contact radius\": 0.03}, ...}.");
+  ensure(sections.is_object(),
+         file + " is not a JSON object; write {\"Glass\": {\"Contact radius\": 0.03}, ...}.");
   for (const auto &[section, values] : sections.items())
   {
-    require(values.is_object(),
-            fmt::format(
-              FMT_STRING("{}: \"{}\" is not an object of entries; write {{\"{}\": {{\"Entry\": value}}}}."),
-              file, shortened(section), shortened(section)));
+    ensure(values.is_object(),
+           fmt::format(
+             FMT_STRING("{}: \"{}\" is not an object of entries; write {{\"{}\": {{\"Entry\": value}}}}."),
+             file, shortened(section), shortened(section)));
     for (const auto &[name, value] : values.items())
       assign(entries, file + ": ", section + '/' + name,
              value.is_string() ? value.get<std::string>() : value.dump());
@@ -140,13 +140,13 @@ void apply(const std::vector<std::string> &overrides, const std::vector<StudyEnt
   for (const std::string &text : overrides)
   {
     const auto equal_sign = text.find('=');
-    require(equal_sign != std::string::npos && equal_sign > 0,
-            "--set \"" + shortened(text) + "\" is not an assignment; write --set \"Section/Entry=value\".");
+    ensure(equal_sign != std::string::npos && equal_sign > 0,
+           "--set \"" + shortened(text) + "\" is not an assignment; write --set \"Section/Entry=value\".");
     const std::string path = full_path(entries, boost::trim_copy(text.substr(0, equal_sign)));
     assign(entries, "--set: ", path, boost::trim_copy(text.substr(equal_sign + 1)));
     const auto [before, is_first] = text_of.emplace(path, text);
-    require(is_first, fmt::format(FMT_STRING("--set sets {} twice, to \"{}\" and \"{}\"; leave one of them."),
-                                  path, shortened(before->second), shortened(text)));
+    ensure(is_first, fmt::format(FMT_STRING("--set sets {} twice, to \"{}\" and \"{}\"; leave one of them."),
+                                 path, shortened(before->second), shortened(text)));
   }
 }
 
@@ -241,34 +241,33 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
                       rest = boost::trim_copy(line.substr(word.size()));
     if (line.empty())
       continue;
-    require(is_utf8(line), where + "the line is not in UTF-8; save the study file as UTF-8.");
+    ensure(is_utf8(line), where + "the line is not in UTF-8; save the study file as UTF-8.");
     if (boost::iequals(word, "subsection") && !rest.empty())
     {
-      require(section.empty(), fmt::format(FMT_STRING("{}the subsection {} of line {} is not closed; {}"),
-                                           where, section, section_line, one_end));
+      ensure(section.empty(), fmt::format(FMT_STRING("{}the subsection {} of line {} is not closed; {}"),
+                                          where, section, section_line, one_end));
       const auto meant = closest_match(rest, known);
-      require(std::find(known.begin(), known.end(), rest) != known.end(),
-              fmt::format(FMT_STRING("{}there is no subsection \"{}\"; {}use {}."), where, shortened(rest),
-                          meant ? "did you mean " + *meant + "? Else " : "", listed(known)));
+      ensure(std::find(known.begin(), known.end(), rest) != known.end(),
+             fmt::format(FMT_STRING("{}there is no subsection \"{}\"; {}use {}."), where, shortened(rest),
+                         meant ? "did you mean " + *meant + "? Else " : "", listed(known)));
       section = rest;
       section_line = number;
     }
     else if (boost::iequals(word, "set"))
     {
       const auto equal_sign = rest.find('=');
-      require(equal_sign != std::string::npos,
-              where + "a line that begins with set has no = ; write set ENTRY = VALUE.");
+      ensure(equal_sign != std::string::npos,
+             where + "a line that begins with set has no = ; write set ENTRY = VALUE.");
       const std::string name = boost::trim_copy(rest.substr(0, equal_sign)),
                         path = section.empty() ? full_path(entries, name) : section + '/' + name;
       const auto [before, is_first] = line_of.emplace(path, number);
-      require(is_first,
-              fmt::format(FMT_STRING("{}{} is set a second time, after line {}; leave one of them."), where,
-                          path, before->second));
+      ensure(is_first, fmt::format(FMT_STRING("{}{} is set a second time, after line {}; leave one of them."),
+                                   where, path, before->second));
       assign(entries, where, path, boost::trim_copy(rest.substr(equal_sign + 1)));
     }
     else if (boost::iequals(line, "end"))
     {
-      require(!section.empty(), where + "an \"end\" has no \"subsection\" above it; " + one_end);
+      ensure(!section.empty(), where + "an \"end\" has no \"subsection\" above it; " + one_end);
       section.clear();
     }
     else
@@ -277,8 +276,8 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
           "{}\"{}\" is not a line of a study file; write subsection NAME, set ENTRY = VALUE, or end."),
         where, shortened(line)));
   }
-  require(section.empty(), fmt::format(FMT_STRING("{}the subsection {} is not closed; {}"),
-                                       place(section_line), section, one_end));
+  ensure(section.empty(), fmt::format(FMT_STRING("{}the subsection {} is not closed; {}"),
+                                      place(section_line), section, one_end));
 }
 
 void check_study(const Study &study)
@@ -388,8 +387,8 @@ std::string commented_defaults(const std::string &section)
   const auto is_another = [&](const StudyEntry &entry) { return !boost::iequals(entry.section, section); };
   if (!section.empty())
     entries.erase(std::remove_if(entries.begin(), entries.end(), is_another), entries.end());
-  require(!entries.empty(),
-          "There is no section \"" + shortened(section) + "\"; give " + sections + ", or nothing for all.");
+  ensure(!entries.empty(),
+         "There is no section \"" + shortened(section) + "\"; give " + sections + ", or nothing for all.");
   const std::string head =
     "# A study of Stemware with every entry at its default. A study file needs to state only what differs.\n";
   return (section.empty() ? head : "") + prm_text(entries, true);

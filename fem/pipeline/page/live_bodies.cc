@@ -10,14 +10,14 @@ namespace stemware::pipeline
 
 void require_live(const Study &study)
 {
-  require(study.load.is_from_contact(), "A page needs a contact to solve; set Load/Source = contact.");
-  require(abilities(study.contact.body).is_of_revolution,
-          "A page solves bodies of revolution only; set Contact/Body = revolution.");
-  require(!study.has_waviness(),
-          "A page solves one load over the spin; leave Glass/Rim waviness and Table/Waviness empty.");
-  require(files_of(study).empty(),
-          "A page reads no files; leave Glass/Profile file and Motion/Orbit speed file empty.");
-  require(study.contact.goal == Goal::none, "A page keeps its mesh; set Contact/Goal = none.");
+  ensure(study.load.is_from_contact(), "A page needs a contact to solve; set Load/Source = contact.");
+  ensure(abilities(study.contact.body).is_of_revolution,
+         "A page solves bodies of revolution only; set Contact/Body = revolution.");
+  ensure(!study.has_waviness(),
+         "A page solves one load over the spin; leave Glass/Rim waviness and Table/Waviness empty.");
+  ensure(files_of(study).empty(),
+         "A page reads no files; leave Glass/Profile file and Motion/Orbit speed file empty.");
+  ensure(study.contact.goal == Goal::none, "A page keeps its mesh; set Contact/Goal = none.");
 }
 
 LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache, const Discretisation &discretisation)

@@ -193,7 +193,7 @@ Found fit_of(const std::vector<GivenRun> &given, const std::vector<std::string> 
   std::vector<RunToFit> runs;
   for (const auto &[name, study, times, values, is_angle] : given)
   {
-    require(times.size() == values.size(), name + ": times and values have different lengths.");
+    ensure(times.size() == values.size(), name + ": times and values have different lengths.");
     runs.push_back({ name, checked(study), { times, values, is_angle, "" } });
   }
   FitQuestion question;

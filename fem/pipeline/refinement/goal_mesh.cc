@@ -66,9 +66,9 @@ GoalError error_of(const Study &study, const Discretisation &discretisation, con
 {
   const auto error = [&](const Variant &, const std::shared_ptr<ElasticFoot> &foot)
   {
-    require(foot->body().capabilities().glass_period == 0,
-            "Contact/Goal needs a foot whose load does not depend on the direction of the moment, but this "
-            "Contact/Mesh file is not axisymmetric; set Contact/Goal = none.");
+    ensure(foot->body().capabilities().glass_period == 0,
+           "Contact/Goal needs a foot whose load does not depend on the direction of the moment, but this "
+           "Contact/Mesh file is not axisymmetric; set Contact/Goal = none.");
     const SharedLoad load = find_load(study, foot);
     const ring::Question question = { study.motion.orbit, study.motion.grip_torque };
     const double omega = ring::answer(*load, question).value().omega_terminal().value();

@@ -51,12 +51,12 @@ std::vector<Parameter> parameters_of(ContactSection &contact)
 
 std::vector<RefinementAxis> refinement_axes(Study study, unsigned int n_levels)
 {
-  require(study.load.is_from_contact(), "This study's load does not come from a contact, so it has no "
-                                        "discretisation to refine; set Load/Source = contact.");
-  require(!study.has_waviness(), "A refinement study needs a flat rim and a flat table; leave Glass/Rim "
-                                 "waviness and Table/Waviness empty.");
-  require(study.contact.goal == Goal::none,
-          "Contact/Goal makes its own mesh, without coarser and finer levels; set Contact/Goal = none.");
+  ensure(study.load.is_from_contact(), "This study's load does not come from a contact, so it has no "
+                                       "discretisation to refine; set Load/Source = contact.");
+  ensure(!study.has_waviness(), "A refinement study needs a flat rim and a flat table; leave Glass/Rim "
+                                "waviness and Table/Waviness empty.");
+  ensure(study.contact.goal == Goal::none,
+         "Contact/Goal makes its own mesh, without coarser and finer levels; set Contact/Goal = none.");
   std::vector<RefinementAxis> axes;
   for (auto &[axis, value, min, max, step] : parameters_of(study.contact))
   {

@@ -76,7 +76,7 @@ public:
   std::optional<Layout> layout_by_heading(const std::string &text)
   {
     table = parse_table(setting, text, true);
-    require(!table.rows.empty(), no_rows());
+    ensure(!table.rows.empty(), no_rows());
     commas_are_decimal = table.separator != ',';
     std::optional<Layout> layout;
     // A title above the heading may lack the separator, and blanks would join empty cells.
@@ -114,7 +114,7 @@ public:
         found.rows.push_back({ values, table.rows[i].line });
       else
         ++found.n_skipped;
-    require(!found.rows.empty(), no_rows());
+    ensure(!found.rows.empty(), no_rows());
     return found;
   }
 
@@ -168,9 +168,9 @@ private:
           }
       if (!names_each_column(row))
         continue;
-      require(layout.places.size() == columns.size(),
-              setting + ", line " + std::to_string(row.line) + ": the header names a column twice (" +
-                shortened(boost::join(layout.headings, ", ")) + "); rename all but one of them.");
+      ensure(layout.places.size() == columns.size(),
+             setting + ", line " + std::to_string(row.line) + ": the header names a column twice (" +
+               shortened(boost::join(layout.headings, ", ")) + "); rename all but one of them.");
       layout.first_row = i + 1;
       layout.n_columns = n_cells(row);
       take_row_of_units(layout);
@@ -216,16 +216,15 @@ private:
   {
     commas_are_decimal = table.separator != ',';
     const TableRow &row = table.rows.front();
-    require(
-      std::find(row.cells.begin(), row.cells.end(), "->") == row.cells.end(),
-      setting + ", line " + std::to_string(row.line) + ": \"" + shortened(row.cells.front()) +
-        " ->\" is the clock of a serial monitor; switch its timestamps off, or delete it in each line.");
-    require(n_cells(row) != columns.size() ||
-              std::any_of(row.cells.begin(), row.cells.end(),
-                          [&](const auto &cell) { return number_in(cell).has_value(); }),
-            bad_heading(row));
+    ensure(std::find(row.cells.begin(), row.cells.end(), "->") == row.cells.end(),
+           setting + ", line " + std::to_string(row.line) + ": \"" + shortened(row.cells.front()) +
+             " ->\" is the clock of a serial monitor; switch its timestamps off, or delete it in each line.");
+    ensure(n_cells(row) != columns.size() ||
+             std::any_of(row.cells.begin(), row.cells.end(),
+                         [&](const auto &cell) { return number_in(cell).has_value(); }),
+           bad_heading(row));
     const bool is_long = n_cells(row) > columns.size() && !number_in(row.cells.front());
-    require(!is_long, bad_heading(row));
+    ensure(!is_long, bad_heading(row));
     Layout layout;
     for (std::size_t i = 0; i < columns.size(); ++i)
       layout.places.push_back(i);
@@ -263,10 +262,10 @@ private:
         const std::string whole = boost::trim_left_copy_if(cell.substr(0, comma), boost::is_any_of("+-"));
         has_decimals = has_decimals || whole == "0" || cell.size() - comma != 4;
       }
-    require(with_comma.empty() || (has_decimals && !has_point),
-            with_comma +
-              " may stand for decimals or for thousands; write all numbers with a decimal point and "
-              "nothing between thousands.");
+    ensure(with_comma.empty() || (has_decimals && !has_point),
+           with_comma +
+             " may stand for decimals or for thousands; write all numbers with a decimal point and "
+             "nothing between thousands.");
     commas_are_decimal = true;
   }
 
@@ -276,12 +275,12 @@ private:
     const std::size_t n = n_cells(row);
     const bool is_short = n < layout.n_columns && (layout.headings.empty() || table.separator == ' ');
     const bool has_two_commas = table.separator == ',' && n == 2 * layout.n_columns;
-    require(n <= layout.n_columns && (!is_short || (n == 0 && missing_values == MissingValues::skipped)),
-            setting + ", line " + std::to_string(row.line) + ": the row has " +
-              (n == 1 ? std::string("1 cell") : std::to_string(n) + " cells") + ", but there are " +
-              std::to_string(layout.n_columns) + " columns; " +
-              (has_two_commas ? "if commas are decimal too, separate the cells by semicolons. Else " : "") +
-              remedy());
+    ensure(n <= layout.n_columns && (!is_short || (n == 0 && missing_values == MissingValues::skipped)),
+           setting + ", line " + std::to_string(row.line) + ": the row has " +
+             (n == 1 ? std::string("1 cell") : std::to_string(n) + " cells") + ", but there are " +
+             std::to_string(layout.n_columns) + " columns; " +
+             (has_two_commas ? "if commas are decimal too, separate the cells by semicolons. Else " : "") +
+             remedy());
     std::vector<double> values;
     for (std::size_t i = 0; i < columns.size(); ++i)
     {
@@ -290,8 +289,8 @@ private:
       if ((small.empty() || small == "nan" || small == "-") && missing_values == MissingValues::skipped)
         return {};
       const auto number = number_in(cell);
-      require(number.has_value(), position_in_table(setting, row, layout.places[i]) + "\"" + shortened(cell) +
-                                    "\" is not a number; " + remedy());
+      ensure(number.has_value(), position_in_table(setting, row, layout.places[i]) + "\"" + shortened(cell) +
+                                   "\" is not a number; " + remedy());
       values.push_back(*number * factors[i]);
     }
     return values;

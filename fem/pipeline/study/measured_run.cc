@@ -35,9 +35,9 @@ MeasuredRun parse_measured_run(const std::string &setting, const std::string &te
                                 with_angle = { time_column, { column.empty() ? angle_names : own, "rad" } };
   MeasuredRun run;
   run.is_angle = !has_columns(setting, text, with_spin) && has_columns(setting, text, with_angle);
-  require(column.empty() || run.is_angle || has_columns(setting, text, with_spin),
-          setting + " has no column \"" + shortened(column) +
-            "\" of spins or angles beside a column t; write its heading into Motion/Measured column.");
+  ensure(column.empty() || run.is_angle || has_columns(setting, text, with_spin),
+         setting + " has no column \"" + shortened(column) +
+           "\" of spins or angles beside a column t; write its heading into Motion/Measured column.");
   const std::vector<FileColumn> &columns = run.is_angle ? with_angle : with_spin;
   ColumnTable table;
   try
@@ -56,17 +56,17 @@ MeasuredRun parse_measured_run(const std::string &setting, const std::string &te
   {
     const std::string place = setting + ", line " + std::to_string(row.line) + ": ";
     const double time = row.values[0], before = run.times.empty() ? time : run.times.back();
-    require(time >= before, place + "the time " + to_short_text(time) + " s is earlier than " +
-                              to_short_text(before) +
-                              " s in the row before; sort the rows by time, and write nothing between "
-                              "thousands.");
-    require(run.is_angle || !table.units[1].empty() || std::abs(row.values[1]) <= largest_spin_without_unit,
-            place + "omega = " + to_short_text(row.values[1]) +
-              " rad/s is faster than any glass spins; it looks like degrees per second: name the unit in the "
-              "heading, \"omega (deg/s)\".");
-    require(!run.is_angle || !table.units[1].empty(),
-            setting +
-              ": the angles have no unit; name it in the heading, \"angle (deg)\" or \"angle (rad)\".");
+    ensure(time >= before, place + "the time " + to_short_text(time) + " s is earlier than " +
+                             to_short_text(before) +
+                             " s in the row before; sort the rows by time, and write nothing between "
+                             "thousands.");
+    ensure(run.is_angle || !table.units[1].empty() || std::abs(row.values[1]) <= largest_spin_without_unit,
+           place + "omega = " + to_short_text(row.values[1]) +
+             " rad/s is faster than any glass spins; it looks like degrees per second: name the unit in the "
+             "heading, \"omega (deg/s)\".");
+    ensure(!run.is_angle || !table.units[1].empty(),
+           setting +
+             ": the angles have no unit; name it in the heading, \"angle (deg)\" or \"angle (rad)\".");
     if (!run.times.empty() && time == before && ++n_equal == 1)
       equal_line = row.line;
     run.times.push_back(time);

@@ -82,7 +82,7 @@ fem::Resultants Study::required_resultants() const
     return required;
   const double ratio = pipeline::moment_ratio(required, radius);
   const auto [asked, limit] = distinct_texts(ratio, 2);
-  require(
+  ensure(
     ratio < 2,
     sentence("tips_at_rest",
              "The closure {0} asks for a moment ratio of {1}, but the foot tips at {2}; change the height "

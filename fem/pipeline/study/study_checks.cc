@@ -60,9 +60,9 @@ void require_conceivable(const Study &study)
     {
       const auto [least, most] = *entry.plausible;
       const double size = std::abs(*entry.quantity);
-      require(size <= far * std::max(std::abs(least), most) && (size == 0 || size >= least / far),
-              filled("{} is more than a billion times outside {}, {}; check number and unit.",
-                     { assignment(entry, *entry.quantity), plausible_text(entry), entry.plausible_reason }));
+      ensure(size <= far * std::max(std::abs(least), most) && (size == 0 || size >= least / far),
+             filled("{} is more than a billion times outside {}, {}; check number and unit.",
+                    { assignment(entry, *entry.quantity), plausible_text(entry), entry.plausible_reason }));
     }
 }
 
@@ -76,11 +76,11 @@ void require_alike_lengths(const Study &study)
     {
       const double times = *entry.quantity / radius;
       const std::string text = distinct_texts(times, times < range->min ? range->min : range->max).first;
-      require(range->contains(times),
-              filled("{} = {} m is {} times Glass/Contact radius = {} m, but from {} to {} is allowed; give "
-                     "both in one unit.",
-                     { entry.path(), to_text(*entry.quantity), text, to_text(radius), to_text(range->min),
-                       to_text(range->max) }));
+      ensure(range->contains(times),
+             filled("{} = {} m is {} times Glass/Contact radius = {} m, but from {} to {} is allowed; give "
+                    "both in one unit.",
+                    { entry.path(), to_text(*entry.quantity), text, to_text(radius), to_text(range->min),
+                      to_text(range->max) }));
     }
 }
 
@@ -90,19 +90,19 @@ void require_able_body(const Study &study)
 {
   const ContactSection &contact = study.contact;
   const BodyAbilities can = abilities(contact.body);
-  require(can.reads_meshes || contact.mesh_file.empty(),
-          "Contact/Mesh file = " + shortened_path(contact.mesh_file) +
-            " is read by a solid body only; set Contact/Body = solid, or leave Mesh file empty.");
-  require(contact.degree <= can.highest_degree,
-          "Contact/Degree = " + std::to_string(contact.degree) +
-            " is not allowed for Contact/Body = solid; give 1 or 2, or set Contact/Body = revolution.");
-  require(can.stands_on_elastic_disc || !study.table.make().substrate,
-          "Table/Substrate = elastic needs a body of revolution; set Contact/Body = revolution.");
-  require(!can.is_of_revolution || 2 * contact.load_harmonics < contact.azimuth_lines,
-          filled("Contact/Load harmonics = {} needs more than {} Contact/Azimuth lines, not {}; give more "
-                 "lines, or fewer load harmonics.",
-                 { std::to_string(contact.load_harmonics), std::to_string(2 * contact.load_harmonics),
-                   std::to_string(contact.azimuth_lines) }));
+  ensure(can.reads_meshes || contact.mesh_file.empty(),
+         "Contact/Mesh file = " + shortened_path(contact.mesh_file) +
+           " is read by a solid body only; set Contact/Body = solid, or leave Mesh file empty.");
+  ensure(contact.degree <= can.highest_degree,
+         "Contact/Degree = " + std::to_string(contact.degree) +
+           " is not allowed for Contact/Body = solid; give 1 or 2, or set Contact/Body = revolution.");
+  ensure(can.stands_on_elastic_disc || !study.table.make().substrate,
+         "Table/Substrate = elastic needs a body of revolution; set Contact/Body = revolution.");
+  ensure(!can.is_of_revolution || 2 * contact.load_harmonics < contact.azimuth_lines,
+         filled("Contact/Load harmonics = {} needs more than {} Contact/Azimuth lines, not {}; give more "
+                "lines, or fewer load harmonics.",
+                { std::to_string(contact.load_harmonics), std::to_string(2 * contact.load_harmonics),
+                  std::to_string(contact.azimuth_lines) }));
 }
 
 /// A mat that is far stiffer than the glass is a hard table, but for rounding.
@@ -112,7 +112,7 @@ void require_mat_that_yields(const Study &study)
   const double of_glass = study.glass.material.young_modulus / study.glass.profile.contact_radius;
   const auto [ratio, limit] = distinct_texts(study.table.foundation_modulus / of_glass, most);
   if (study.load.is_from_contact() && study.table.interface == TableInterface::winkler)
-    require(
+    ensure(
       study.table.foundation_modulus <= most * of_glass,
       filled("Table/Foundation modulus = {} Pa/m is {} times Glass/Young modulus over Glass/Contact radius, "
              "but at most {} is allowed; write Table/Interface = hard for a rigid interface.",
@@ -124,33 +124,32 @@ void require_goal_with_estimate(const Study &study)
   if (study.contact.goal == Goal::none || !study.load.is_from_contact())
     return;
   const std::string rest = ", or set Contact/Goal = none.";
-  require(!abilities(study.contact.body).is_of_revolution,
-          "Contact/Goal is given for a body of revolution, but halves cells of a solid body only; write "
-          "Contact/Refinements, which halves all cells at little cost, or Contact/Body = solid" +
-            rest);
+  ensure(!abilities(study.contact.body).is_of_revolution,
+         "Contact/Goal is given for a body of revolution, but halves cells of a solid body only; write "
+         "Contact/Refinements, which halves all cells at little cost, or Contact/Body = solid" +
+           rest);
   // Without a hierarchy of meshes a hard table is known by its nodes alone.
-  require(!study.table.is_hard() ||
-            (study.contact.refinements > 0 && study.contact.linear_solver != fem::LinearSolver::direct),
-          "Contact/Goal of a solid foot on a hard table needs a refined mesh; set Contact/Refinements to at "
-          "least 1 and Contact/Linear solver = automatic" +
-            rest);
-  require(study.contact.rings > 1, "Contact/Goal needs more than one ring; give Contact/Rings = 5" + rest);
+  ensure(!study.table.is_hard() ||
+           (study.contact.refinements > 0 && study.contact.linear_solver != fem::LinearSolver::direct),
+         "Contact/Goal of a solid foot on a hard table needs a refined mesh; set Contact/Refinements to at "
+         "least 1 and Contact/Linear solver = automatic" +
+           rest);
+  ensure(study.contact.rings > 1, "Contact/Goal needs more than one ring; give Contact/Rings = 5" + rest);
 }
 
 void require_load_file(const LoadSection &load)
 {
   if (load.source != LoadSource::file)
   {
-    require(load.file.empty(),
-            "Load/File = " + shortened_path(load.file) +
-              " is read only with Load/Source = file; set that, or leave Load/File empty.");
+    ensure(load.file.empty(), "Load/File = " + shortened_path(load.file) +
+                                " is read only with Load/Source = file; set that, or leave Load/File empty.");
     return;
   }
-  require(!load.file.empty(),
-          "Load/Source = file needs Load/File; name a file with the load's Fourier coefficients.");
-  require(!load.is_static(),
-          "Load/Moment ratio = " + to_text(load.moment_ratio) +
-            " contradicts Load/Source = file, whose load has a moment of its own; leave Moment ratio at -1.");
+  ensure(!load.file.empty(),
+         "Load/Source = file needs Load/File; name a file with the load's Fourier coefficients.");
+  ensure(!load.is_static(),
+         "Load/Moment ratio = " + to_text(load.moment_ratio) +
+           " contradicts Load/Source = file, whose load has a moment of its own; leave Moment ratio at -1.");
 }
 
 /// Entries that put rim or table out of flat, where they do.
@@ -169,16 +168,16 @@ void require_known_waviness(const Study &study)
 {
   for (const auto &[entry, waviness] : wavy_entries(study))
   {
-    require(abilities(study.contact.body).is_of_revolution,
-            entry + " needs a body of revolution; set Contact/Body = revolution, or leave " + entry +
-              " empty and draw the foot in a mesh file.");
-    require(study.load.is_from_contact(),
-            entry + " needs Load/Source = contact; set that, or leave " + entry + " empty.");
+    ensure(abilities(study.contact.body).is_of_revolution,
+           entry + " needs a body of revolution; set Contact/Body = revolution, or leave " + entry +
+             " empty and draw the foot in a mesh file.");
+    ensure(study.load.is_from_contact(),
+           entry + " needs Load/Source = contact; set that, or leave " + entry + " empty.");
     for (const fem::WavinessHarmonic &harmonic : waviness)
-      require(harmonic.n <= study.contact.harmonics,
-              filled("{} has a harmonic n = {}, but the foot has {} elastic harmonics; set Contact/Harmonics "
-                     "to at least n.",
-                     { entry, std::to_string(harmonic.n), std::to_string(study.contact.harmonics) }));
+      ensure(harmonic.n <= study.contact.harmonics,
+             filled("{} has a harmonic n = {}, but the foot has {} elastic harmonics; set Contact/Harmonics "
+                    "to at least n.",
+                    { entry, std::to_string(harmonic.n), std::to_string(study.contact.harmonics) }));
   }
 }
 
@@ -210,14 +209,14 @@ void require_known_speeds(const Study &study)
       throw BadInput(entry + ": " + error.what());
     }
   const std::string needs = entry + " needs ";
-  require(!study.load.is_static() && study.load.source != LoadSource::file &&
-            study.load.coupling == LoadCoupling::two_way,
-          needs +
-            "a load in balance at every speed; set Load/Coupling = two-way, and no given moment or load.");
-  require(!study.load.is_from_contact() || !abilities(study.contact.body).is_collective,
-          needs + "a body of revolution; set Contact/Body = revolution.");
-  require(!study.has_waviness(),
-          needs + "a flat rim on a flat table; leave Glass/Rim waviness and Table/Waviness empty.");
+  ensure(!study.load.is_static() && study.load.source != LoadSource::file &&
+           study.load.coupling == LoadCoupling::two_way,
+         needs +
+           "a load in balance at every speed; set Load/Coupling = two-way, and no given moment or load.");
+  ensure(!study.load.is_from_contact() || !abilities(study.contact.body).is_collective,
+         needs + "a body of revolution; set Contact/Body = revolution.");
+  ensure(!study.has_waviness(),
+         needs + "a flat rim on a flat table; leave Glass/Rim waviness and Table/Waviness empty.");
 }
 
 } // namespace
@@ -225,7 +224,7 @@ void require_known_speeds(const Study &study)
 void check_values(const Study &study)
 {
   const ring::Motion &motion = study.motion.orbit;
-  require(
+  ensure(
     study.motion.breakaway_friction == 0 || study.motion.breakaway_friction >= motion.friction_coefficient,
     filled("Motion/Breakaway friction = {} is less than Motion/Friction coefficient = {}, with which the "
            "glass slides; give at least the coefficient of sliding, or 0 to use it.",

@@ -6,7 +6,7 @@
 namespace stemware::pipeline
 {
 
-void require(bool condition, const std::string &sentence)
+void ensure(bool condition, const std::string &sentence)
 {
   if (!condition)
     throw BadInput(sentence);

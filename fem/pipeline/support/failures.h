@@ -30,7 +30,7 @@ public:
 };
 
 /// Throws BadInput with @p sentence unless @p condition holds.
-void require(bool condition, const std::string &sentence);
+void ensure(bool condition, const std::string &sentence);
 
 /// Returns @p text on one line: runs of white space and control characters become single blanks.
 std::string on_one_line(const std::string &text);

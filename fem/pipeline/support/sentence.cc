@@ -19,7 +19,7 @@ Sentence sentence(const std::string &key, const std::string &text, const std::ve
   return { key, filled, values };
 }
 
-void require(bool condition, const Sentence &given)
+void ensure(bool condition, const Sentence &given)
 {
   if (!condition)
     throw KeyedInput(given);

@@ -34,6 +34,6 @@ public:
 };
 
 /// Throws KeyedInput with @p given unless @p condition holds.
-void require(bool condition, const Sentence &given);
+void ensure(bool condition, const Sentence &given);
 
 } // namespace stemware::pipeline

@@ -42,15 +42,15 @@ void require_regular_file(const std::string &setting, const fs::path &file)
 {
   std::error_code error;
   const auto status = fs::status(file, error);
-  require(fs::exists(status), setting + " does not exist; give a path that starts at the study file (on the "
-                                        "command line: where the program is started).");
-  require(fs::is_regular_file(status), setting + " is not a file; give the path of a file.");
+  ensure(fs::exists(status), setting + " does not exist; give a path that starts at the study file (on the "
+                                       "command line: where the program is started).");
+  ensure(fs::is_regular_file(status), setting + " is not a file; give the path of a file.");
 }
 
 std::string without_byte_order_mark(const std::string &origin, std::string text)
 {
-  require(text.compare(0, 2, "\xFF\xFE") != 0 && text.compare(0, 2, "\xFE\xFF") != 0,
-          origin + " is in UTF-16, two bytes a letter; save it as UTF-8.");
+  ensure(text.compare(0, 2, "\xFF\xFE") != 0 && text.compare(0, 2, "\xFE\xFF") != 0,
+         origin + " is in UTF-16, two bytes a letter; save it as UTF-8.");
   if (text.compare(0, 3, "\xEF\xBB\xBF") == 0)
     text.erase(0, 3);
   return text;
@@ -60,9 +60,9 @@ std::string read_input_text(const std::string &setting, const fs::path &file)
 {
   constexpr std::uintmax_t max_bytes = 16000000;
   require_regular_file(setting, file);
-  require(static_cast<bool>(std::ifstream(file)), setting + " cannot be read; check its permissions.");
-  require(fs::file_size(file) <= max_bytes,
-          setting + " is larger than 16 MB; leave out rows, or name the right file.");
+  ensure(static_cast<bool>(std::ifstream(file)), setting + " cannot be read; check its permissions.");
+  ensure(fs::file_size(file) <= max_bytes,
+         setting + " is larger than 16 MB; leave out rows, or name the right file.");
   return without_byte_order_mark(setting, read_text_file(file));
 }
 

@@ -21,7 +21,7 @@ bool is_collective(const Study &study)
 std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
                                      const Executor &executor)
 {
-  require(variant.reason.empty(), variant.reason);
+  ensure(variant.reason.empty(), variant.reason);
   require_no_tipping(variant.study);
   if (variant.on_same_foot)
     return foot ? foot->clone() : nullptr;
