@@ -1,11 +1,11 @@
 #include "ring_model/free_sliding.h"
 
+#include "ring_model/bracketed_zero.h"
 #include "ring_model/friction_kernels.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/load/require.h"
 #include "ring_model/no_balance.h"
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
@@ -79,16 +79,6 @@ double slip_ratio_growth(const SlidingInertia &inertia, const SlidingFriction &f
          eps * friction.force_x / inertia.mass;
 }
 
-SlidingInertia inertia_of(const FreeSlider &slider)
-{
-  return { slider.mass, slider.yaw_inertia, slider.body.outer_radius() };
-}
-
-SlidingFriction friction_of(const FreeSlider &slider)
-{
-  return [slider](double speed, double omega) { return sliding_friction(slider, speed, omega); };
-}
-
 /// d heading / d sigma that is no rounding at the stop.
 constexpr double least_turning = 1e-7;
 
@@ -98,19 +88,6 @@ double slip_ratio_at(double t)
   return t <= 1. ? t : 1. / (2. - t);
 }
 
-/// The slip ratio at which @p growth(t) vanishes between two parameters, where it has the values @p left and
-/// @p right of opposite sign.
-double root_between(const std::function<double(double)> &growth, double from, double to, double left,
-                    double right)
-{
-  if (left == 0.)
-    return slip_ratio_at(from);
-  std::uintmax_t n_iterations = 200;
-  const auto bracket = boost::math::tools::toms748_solve(
-    growth, from, to, left, right, boost::math::tools::eps_tolerance<double>(52), n_iterations);
-  const bool first_is_better = std::abs(growth(bracket.first)) <= std::abs(growth(bracket.second));
-  return slip_ratio_at(first_is_better ? bracket.first : bracket.second);
-}
 } // namespace
 
 void SlidingInertia::validate() const
@@ -122,7 +99,7 @@ void SlidingInertia::validate() const
 
 void FreeSlider::validate() const
 {
-  inertia_of(*this).validate();
+  SlidingInertia{ mass, yaw_inertia, body.outer_radius() }.validate();
   require_positive(friction_coefficient, "the friction coefficient", "");
   require_positive(gravity, "gravity", "m/s^2");
   require(std::isfinite(centre_of_mass_height) && centre_of_mass_height >= 0., "the centre of mass is ",
@@ -191,19 +168,13 @@ SlidingPath slide_to_stop(const SlidingInertia &inertia, const SlidingFriction &
   return path;
 }
 
-SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, double accuracy)
-{
-  slider.validate();
-  return slide_to_stop(inertia_of(slider), friction_of(slider), speed, omega, accuracy);
-}
-
 double final_slip_ratio(const SlidingInertia &inertia, const SlidingFriction &friction, double slip_ratio,
                         unsigned int n_intervals)
 {
   require_finite(slip_ratio, "the initial slip ratio");
   require(n_intervals > 0, "the grid of slip ratios has no intervals; give at least one");
   const double start = std::abs(slip_ratio), sense = std::copysign(1., slip_ratio);
-  const std::function<double(double)> growth = [&](double t)
+  const auto growth = [&](double t)
   { return sense * slip_ratio_growth(inertia, friction, sense * slip_ratio_at(t)); };
   double from = start <= 1. ? start : 2. - 1. / start, left = growth(from);
   if (start == 0. || left == 0.)
@@ -220,9 +191,8 @@ double final_slip_ratio(const SlidingInertia &inertia, const SlidingFriction &fr
   {
     const double to = i / n_intervals, right = growth(to);
     if (left * right <= 0.)
-      return sense * (right == 0. ? slip_ratio_at(to)
-                      : way > 0.  ? root_between(growth, from, to, left, right)
-                                  : root_between(growth, to, from, right, left));
+      return sense *
+             slip_ratio_at(bracketed_zero(growth, from, to, left, right, "the slip ratio at the stop"));
     from = to;
     left = right;
   }

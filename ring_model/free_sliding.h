@@ -85,9 +85,6 @@ Wrench sliding_friction(const FreeSlider &slider, double speed, double omega);
 SlidingPath slide_to_stop(const SlidingInertia &inertia, const SlidingFriction &friction, double speed,
                           double omega, double accuracy = 1e-12);
 
-/// Returns the path to the stop of a body of rings under its sliding_friction().
-SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, double accuracy = 1e-12);
-
 /**
  * Returns the slip ratio eps = omega R / v (R the outer radius) at the stop of a body that starts with @p
  * slip_ratio: the next stationary ratio in the direction in which the ratio changes. For a FreeSlider with

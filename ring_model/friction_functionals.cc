@@ -1,8 +1,5 @@
 #include "ring_model/friction_functionals.h"
 
-#include "ring_model/friction_kernels.h"
-#include "ring_model/load/require.h"
-
 #include <cmath>
 #include <cstddef>
 
@@ -13,35 +10,56 @@ Wrench FrictionFunctionals::operator()(const RingStack &load) const
   return { torque(load), drag(load), side(load) };
 }
 
-FrictionFunctionals friction_functionals(double mu, const std::vector<double> &radii, unsigned int n_max,
-                                         double omega, double speed)
+FrictionFunctionals friction_functionals(const FrictionLaw &law, const std::vector<double> &radii,
+                                         unsigned int n_max, double omega, double speed)
 {
-  require(std::isfinite(mu) && mu >= 0., "the friction coefficient is ", mu,
-          ", but must be finite and not negative");
-  const std::vector<std::vector<double>> zeros(radii.size(), std::vector<double>(n_max + 1, 0.));
+  const Eigen::ArrayXXd zeros = Eigen::ArrayXXd::Zero(n_max + 1, static_cast<Eigen::Index>(radii.size()));
   const LoadFunctional none{ zeros, zeros };
   FrictionFunctionals friction{ none, none, none };
   for (std::size_t j = 0; j < radii.size(); ++j)
   {
-    const FrictionKernels kernels(omega * radii[j], speed, n_max);
+    const Eigen::ArrayX3d kernels = friction_kernels(law, omega * radii[j], speed, n_max);
+    const auto column = static_cast<Eigen::Index>(j);
     for (unsigned int n = 0; n <= n_max; ++n)
     {
       // One of c_n, s_n is zero, the other 1 or -1.
       const double sign = n % 4 < 2 ? 1. : -1.;
-      auto &torque = n % 2 == 0 ? friction.torque.a : friction.torque.b;
-      auto &drag = n % 2 == 0 ? friction.drag.a : friction.drag.b;
-      auto &side = n % 2 == 0 ? friction.side.b : friction.side.a;
-      torque[j][n] = sign * mu * radii[j] * kernels.K(n);
-      drag[j][n] = -sign * mu * kernels.U(n);
-      if (n > 0)
-        side[j][n] = (n % 2 == 0 ? -sign : sign) * mu * n * kernels.P(n);
+      const bool is_even = n % 2 == 0;
+      (is_even ? friction.torque.a : friction.torque.b)(n, column) = sign * radii[j] * kernels(n, 0);
+      (is_even ? friction.drag.a : friction.drag.b)(n, column) = -sign * kernels(n, 1);
+      (is_even ? friction.side.b : friction.side.a)(n, column) = (is_even ? sign : -sign) * kernels(n, 2);
     }
   }
   return friction;
 }
 
+FrictionFunctionals friction_functionals(const Motion &motion, const std::vector<double> &radii,
+                                         unsigned int n_max, double omega)
+{
+  return friction_functionals(friction_law_of(motion), radii, n_max, omega, motion.orbit_speed);
+}
+
+Wrench wrench(const Motion &motion, const RingStack &load, double omega)
+{
+  return friction_functionals(motion, load.radii(), load.n_harmonics(), omega)(load);
+}
+
 Wrench coulomb_wrench(double mu, const RingStack &load, double omega, double speed)
 {
-  return friction_functionals(mu, load.radii(), load.n_harmonics(), omega, speed)(load);
+  return friction_functionals(CoulombLaw(mu), load.radii(), load.n_harmonics(), omega, speed)(load);
+}
+
+double truncation_bound(const Motion &motion, const RingStack &load, unsigned int n_max, double omega)
+{
+  const LoadFunctional torque = friction_functionals(motion, load.radii(), load.n_harmonics(), omega).torque;
+  double bound = 0.;
+  for (std::size_t j = 0; j < load.rings().size(); ++j)
+    for (unsigned int n = n_max + 1; n <= load.n_harmonics(); ++n)
+    {
+      const auto column = static_cast<Eigen::Index>(j);
+      bound += std::hypot(load.rings()[j].a[n], load.rings()[j].b[n]) *
+               std::hypot(torque.a(n, column), torque.b(n, column));
+    }
+  return bound;
 }
 } // namespace stemware::ring

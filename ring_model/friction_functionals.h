@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ring_model/friction_law.h"
 #include "ring_model/load/load_functional.h"
 
 #include <vector>
@@ -27,31 +28,46 @@ struct FrictionFunctionals
 };
 
 /**
- * Coulomb friction with one coefficient on rings that slide with speed v along x and spin with omega about z.
- * The friction on each point of a ring is mu lambda against the slip velocity of the point, (v - omega r sin
- * theta, omega r cos theta):
+ * Friction under @p law on rings that slide with speed v along x and spin with omega about z. The friction on
+ * each point of a ring is mu lambda against the slip velocity of the point, (v - omega r sin theta, omega r
+ * cos theta):
  *
- *   tau_z = mu r int lambda (v sin theta - omega r) / |v_rel| dtheta
+ *   tau_z = r int mu lambda (v sin theta - omega r) / |v_rel| dtheta
  *
  * and likewise T_x, T_y; a stack sums over its rings. (The paper prints tau_z with the opposite sign;
- * docs/theory/model.md.) All three are linear in lambda, and exact to rounding at every slip ratio eps_j =
- * omega r_j / v. With the kernels P_n, K_n, U_n of FrictionKernels, c_n = cos(n pi / 2) and s_n = sin(n pi /
- * 2):
+ * docs/theory/model.md.) All three are linear in lambda, even if mu depends on |v_rel|. For a constant
+ * coefficient they are exact to rounding at every slip ratio eps_j = omega r_j / v: with the kernels P_n,
+ * K_n, U_n of FrictionKernels, c_n = cos(n pi / 2) and s_n = sin(n pi / 2):
  *
  *   T_x   = -mu sum_j     sum_n   (c_n a_{j,n} + s_n b_{j,n}) U_n(eps_j)
  *   T_y   = -mu sum_j     sum_n n (c_n b_{j,n} - s_n a_{j,n}) P_n(eps_j)
  *   tau_z =  mu sum_j r_j sum_n   (c_n a_{j,n} + s_n b_{j,n}) K_n(eps_j)
  *
- * @param mu     Coefficient of friction, >= 0.
  * @param radii  r_j [m].
  * @param n_max  Highest harmonic that counts.
  * @param omega  Spin [rad/s], counter-clockwise positive.
  * @param speed  Sliding speed v >= 0 [m/s].
- * @throws std::invalid_argument if a value is not finite, mu or v < 0, or the rings neither slide nor spin.
+ * @throws std::invalid_argument if a value is not finite, v < 0, or the rings neither slide nor spin; and as
+ * friction_kernels().
  */
-FrictionFunctionals friction_functionals(double mu, const std::vector<double> &radii, unsigned int n_max,
-                                         double omega, double speed);
+FrictionFunctionals friction_functionals(const FrictionLaw &law, const std::vector<double> &radii,
+                                         unsigned int n_max, double omega, double speed);
 
-/// Returns the wrench of friction_functionals() on @p load. Throws as friction_functionals().
+/// Returns friction_functionals() under the law of @p motion, at its orbit speed.
+FrictionFunctionals friction_functionals(const Motion &motion, const std::vector<double> &radii,
+                                         unsigned int n_max, double omega);
+
+/// Returns the friction on @p load under the law of @p motion, at its orbit speed. Throws as
+/// friction_functionals().
+Wrench wrench(const Motion &motion, const RingStack &load, double omega);
+
+/// Returns the friction on @p load under Coulomb's law. Throws as friction_functionals().
 Wrench coulomb_wrench(double mu, const RingStack &load, double omega, double speed);
+
+/**
+ * Returns an a-priori bound [N m] on the change of tau_z under the law of @p motion if the harmonics above @p
+ * n_max are left out: sum_j sum_{n > n_max} |lambda_{j,n}| |K_{j,n}|, where |lambda_{j,n}| = sqrt(a_{j,n}^2 +
+ * b_{j,n}^2) and |K_{j,n}| is the torque functional's coefficient, mu r_j |K_n(eps_j)| for Coulomb.
+ */
+double truncation_bound(const Motion &motion, const RingStack &load, unsigned int n_max, double omega);
 } // namespace stemware::ring

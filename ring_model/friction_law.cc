@@ -1,5 +1,6 @@
 #include "ring_model/friction_law.h"
 
+#include "ring_model/friction_kernels.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/load/require.h"
 
@@ -174,65 +175,30 @@ Eigen::ArrayX3d converged_kernels(const FrictionLaw &law, const SlipField &slip,
 }
 } // namespace
 
-FrictionFunctionals friction_functionals(const FrictionLaw &law, const std::vector<double> &radii,
-                                         unsigned int n_max, double omega, double speed)
-{
-  if (law.is_constant())
-    return friction_functionals(law.coefficient(0.), radii, n_max, omega, speed);
-  require(std::isfinite(omega) && std::isfinite(speed) && speed >= 0. && (omega != 0. || speed > 0.),
-          "the rings slide with ", speed, " m/s and spin with ", omega,
-          " rad/s, but both must be finite, the speed not negative and one of them not zero");
-  const std::vector<std::vector<double>> zeros(radii.size(), std::vector<double>(n_max + 1, 0.));
-  const LoadFunctional none{ zeros, zeros };
-  FrictionFunctionals friction{ none, none, none };
-  const double sense = omega < 0. ? -1. : 1.;
-  for (std::size_t j = 0; j < radii.size(); ++j)
-  {
-    const SlipField slip{ std::abs(omega) * radii[j], speed };
-    const Eigen::ArrayX3d kernels = converged_kernels(law, slip, n_max);
-    for (unsigned int n = 0; n <= n_max; ++n)
-    {
-      // cos n theta and sin n theta at theta = sense 90 deg + psi: one of the two factors is zero.
-      const double even = n % 2 == 0 ? (n % 4 == 0 ? 1. : -1.) : 0.;
-      const double odd = n % 2 == 1 ? sense * (n % 4 == 1 ? 1. : -1.) : 0.;
-      friction.torque.a[j][n] = sense * radii[j] * even * kernels(n, 0);
-      friction.torque.b[j][n] = sense * radii[j] * odd * kernels(n, 0);
-      friction.drag.a[j][n] = -even * kernels(n, 1);
-      friction.drag.b[j][n] = -odd * kernels(n, 1);
-      friction.side.a[j][n] = -odd * kernels(n, 2);
-      friction.side.b[j][n] = even * kernels(n, 2);
-    }
-  }
-  return friction;
-}
-
 StribeckLaw friction_law_of(const Motion &motion)
 {
   const double mu = motion.friction_coefficient;
   if (motion.friction_law == FrictionLawKind::coulomb)
-    return StribeckLaw({ mu, mu, 1. });
+    return CoulombLaw(mu);
   return StribeckLaw({ motion.static_coefficient, mu, motion.friction_decay_speed, motion.viscous_friction });
 }
 
-FrictionFunctionals friction_functionals(const Motion &motion, const std::vector<double> &radii,
-                                         unsigned int n_max, double omega)
+Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, double speed, unsigned int n_max)
 {
-  return friction_functionals(friction_law_of(motion), radii, n_max, omega, motion.orbit_speed);
-}
-
-Wrench wrench(const Motion &motion, const RingStack &load, double omega)
-{
-  return friction_functionals(motion, load.radii(), load.n_harmonics(), omega)(load);
-}
-
-double truncation_bound(const Motion &motion, const RingStack &load, unsigned int n_max, double omega)
-{
-  const LoadFunctional torque = friction_functionals(motion, load.radii(), load.n_harmonics(), omega).torque;
-  double bound = 0.;
-  for (std::size_t j = 0; j < load.rings().size(); ++j)
-    for (unsigned int n = n_max + 1; n <= load.n_harmonics(); ++n)
-      bound +=
-        std::hypot(load.rings()[j].a[n], load.rings()[j].b[n]) * std::hypot(torque.a[j][n], torque.b[j][n]);
-  return bound;
+  Eigen::ArrayX3d kernels(n_max + 1, 3);
+  const FrictionKernels exact(rim_speed, speed, law.is_constant() ? n_max : 0);
+  if (law.is_constant())
+  {
+    for (unsigned int n = 0; n <= n_max; ++n)
+      kernels.row(n) << exact.K(n), exact.U(n), n > 0 ? -(n * exact.P(n)) : 0.;
+    return law.coefficient(0.) * kernels;
+  }
+  kernels = converged_kernels(law, { std::abs(rim_speed), speed }, n_max);
+  // The other sense is the mirror image: theta = sense 90 deg + psi.
+  if (rim_speed < 0.)
+    for (unsigned int n = 0; n <= n_max; ++n)
+      kernels.row(n) *=
+        n % 2 == 0 ? Eigen::Array<double, 1, 3>(-1., 1., 1.) : Eigen::Array<double, 1, 3>(1., -1., -1.);
+  return kernels;
 }
 } // namespace stemware::ring

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "ring_model/friction_functionals.h"
 #include "ring_model/motion.h"
 
-#include <vector>
+#include <Eigen/Core>
 
 namespace stemware::ring
 {
@@ -50,33 +49,29 @@ private:
   Parameters parameters;
 };
 
-/// Returns the friction law of @p motion; Coulomb's is Stribeck's with equal coefficients.
+/// Coulomb's law: one coefficient.
+class CoulombLaw : public StribeckLaw
+{
+public:
+  /// @throws std::invalid_argument if @p mu is negative.
+  explicit CoulombLaw(double mu)
+      : StribeckLaw({ mu, mu, 1. })
+  {
+  }
+};
+
+/// Returns the friction law of @p motion.
 StribeckLaw friction_law_of(const Motion &motion);
 
 /**
- * Returns the functionals T_x, T_y and tau_z of a stack under @p law: friction is linear in the load even if
- * its coefficient depends on the slip. Exact kernels for a constant coefficient, else quadrature of all
- * harmonics at once, refined until the coefficients agree to 1e-12 of the largest.
+ * Returns the integrals over a ring of friction under @p law per unit of load, for a ring whose rim turns
+ * with
+ * @p rim_speed = omega r [m/s] and slides with @p speed [m/s]. Shape [n_max + 1, 3], the columns torque over
+ * r, drag and side: mu (K_n, U_n, -n P_n) by the exact FrictionKernels for a constant coefficient, else by
+ * quadrature of all harmonics at once, refined until the columns agree to 1e-12 of the largest value.
  * docs/theory/friction_laws.md.
  *
- * @throws std::invalid_argument as friction_functionals() of a constant coefficient, std::runtime_error if
- * the refinement does not end.
+ * @throws std::invalid_argument as FrictionKernels, std::runtime_error if the refinement does not end.
  */
-FrictionFunctionals friction_functionals(const FrictionLaw &law, const std::vector<double> &radii,
-                                         unsigned int n_max, double omega, double speed);
-
-/// Returns friction_functionals() under the law of @p motion, at its orbit speed.
-FrictionFunctionals friction_functionals(const Motion &motion, const std::vector<double> &radii,
-                                         unsigned int n_max, double omega);
-
-/// Returns the friction on a stack of rings under the law of @p motion, at its orbit speed. @throws as
-/// friction_functionals().
-Wrench wrench(const Motion &motion, const RingStack &load, double omega);
-
-/**
- * Returns an a-priori bound [N m] on the change of tau_z under the law of @p motion if the harmonics above @p
- * n_max are left out: sum_j sum_{n > n_max} |lambda_{j,n}| |K_{j,n}|, where |lambda_{j,n}| = sqrt(a_{j,n}^2 +
- * b_{j,n}^2) and |K_{j,n}| is the torque functional's coefficient, mu r_j |K_n(eps_j)| for Coulomb.
- */
-double truncation_bound(const Motion &motion, const RingStack &load, unsigned int n_max, double omega);
+Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, double speed, unsigned int n_max);
 } // namespace stemware::ring

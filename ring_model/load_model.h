@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ring_model/load/require.h"
 #include "ring_model/load/ring_stack.h"
 #include "ring_model/no_balance.h"
 
@@ -34,9 +35,16 @@ class FirstHarmonicModel : public LoadModel
 {
 public:
   /// @param radius R > 0 [m]. @throws std::invalid_argument otherwise.
-  explicit FirstHarmonicModel(double radius);
+  explicit FirstHarmonicModel(double radius)
+      : ring_radius(radius)
+  {
+    require_positive(radius, "the ring radius", "m");
+  }
 
-  RingStack rings(double normal_force, const Eigen::Vector2d &moment) const override;
+  RingStack rings(double normal_force, const Eigen::Vector2d &moment) const override
+  {
+    return RingStack::first_harmonic(normal_force, moment, ring_radius);
+  }
   double radius() const override { return ring_radius; }
   double moment_ratio_limit() const override { return std::numeric_limits<double>::infinity(); }
 

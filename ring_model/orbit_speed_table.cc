@@ -17,16 +17,16 @@ namespace stemware::ring
 {
 namespace
 {
-/// The polygon with two more points in every interval: the cubic through them is the polygon where it is
-/// straight.
-void refine(std::vector<double> &times, std::vector<double> &speeds)
+/// Adds two points to every interval of a polygon, the @p share of its length away from the ends: the cubic
+/// through all is the polygon except so close to its corners.
+void refine(std::vector<double> &times, std::vector<double> &speeds, double share)
 {
   std::vector<double> t{ times[0] }, v{ speeds[0] };
   for (std::size_t i = 1; i < times.size(); ++i)
-    for (unsigned int third = 1; third <= 3; ++third)
+    for (const double place : { share, 1. - share, 1. })
     {
-      t.push_back(times[i - 1] + (times[i] - times[i - 1]) * third / 3.);
-      v.push_back(speeds[i - 1] + (speeds[i] - speeds[i - 1]) * third / 3.);
+      t.push_back(times[i - 1] + (times[i] - times[i - 1]) * place);
+      v.push_back(speeds[i - 1] + (speeds[i] - speeds[i - 1]) * place);
     }
   times = std::move(t);
   speeds = std::move(v);
@@ -50,7 +50,7 @@ OrbitSpeedTable::OrbitSpeedTable(std::vector<double> given_times, std::vector<do
   }
   std::vector<double> t = times, v = speeds;
   if (t.size() < 4)
-    refine(t, v);
+    refine(t, v, 1. / 3.);
   using Interpolant = boost::math::interpolators::pchip<std::vector<double>>;
   const auto cubic = std::make_shared<const Interpolant>(std::move(t), std::move(v));
   interpolant = [cubic](double time) { return (*cubic)(time); };
@@ -59,21 +59,9 @@ OrbitSpeedTable::OrbitSpeedTable(std::vector<double> given_times, std::vector<do
 
 OrbitSpeedTable OrbitSpeedTable::joined_by_lines() const
 {
-  OrbitSpeedTable lines = *this;
-  const auto end_of_line = [times = times](double time)
-  {
-    const auto end = std::lower_bound(times.begin() + 1, times.end() - 1, time);
-    return static_cast<std::size_t>(end - times.begin());
-  };
-  const auto slope_before = [times = times, speeds = speeds](std::size_t i)
-  { return (speeds[i] - speeds[i - 1]) / (times[i] - times[i - 1]); };
-  lines.slope = [=](double time) { return slope_before(end_of_line(time)); };
-  lines.interpolant = [=, times = times, speeds = speeds](double time)
-  {
-    const std::size_t i = end_of_line(time);
-    return speeds[i] + slope_before(i) * (time - times[i]);
-  };
-  return lines;
+  std::vector<double> t = times, v = speeds;
+  refine(t, v, 1e-3);
+  return { std::move(t), std::move(v) };
 }
 
 void OrbitSpeedTable::check_range(double time) const

@@ -22,8 +22,8 @@ public:
    */
   OrbitSpeedTable(std::vector<double> times, std::vector<double> speeds);
 
-  /// Returns the table with piecewise linear interpolation, to measure the effect of the interpolation. The
-  /// acceleration jumps at the entries, where it is the value of the interval before.
+  /// Returns the table with its entries joined by straight lines, to measure the effect of the interpolation;
+  /// corners are rounded within a thousandth of an interval.
   OrbitSpeedTable joined_by_lines() const;
 
   /// Returns v(t) [m/s]. @throws std::out_of_range outside the table (no extrapolation).

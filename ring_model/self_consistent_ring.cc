@@ -1,8 +1,7 @@
 #include "ring_model/self_consistent_ring.h"
 
-#include "ring_model/first_harmonic_ring.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/friction_kernels.h"
-#include "ring_model/friction_law.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/load/require.h"
 #include "ring_model/no_balance.h"
@@ -22,12 +21,6 @@ struct SelfConsistentRing::Trial
   Eigen::Vector2d residual;
 };
 
-struct SelfConsistentRing::Point
-{
-  Eigen::Vector2d moment;
-  Eigen::Matrix2d jacobian;
-};
-
 SelfConsistentRing::SelfConsistentRing(Closure closure, const Motion &motion,
                                        std::shared_ptr<const LoadModel> model, unsigned int n_max)
     : closure(closure)
@@ -38,6 +31,11 @@ SelfConsistentRing::SelfConsistentRing(Closure closure, const Motion &motion,
   motion.validate();
   require(this->model != nullptr, "the ring has no load model");
   require(n_max >= 1, "a load truncated after ", n_max, " harmonics has no moment; keep at least the first");
+}
+
+SelfConsistentRing::SelfConsistentRing(Closure closure, const Motion &motion, double radius)
+    : SelfConsistentRing(closure, motion, std::make_shared<FirstHarmonicModel>(radius))
+{
 }
 
 double SelfConsistentRing::moment_scale() const
@@ -76,18 +74,14 @@ Eigen::Vector2d SelfConsistentRing::within_limits(const Eigen::Vector2d &from,
   return from + 0.9 * inside * (moment - from);
 }
 
-SelfConsistentRing::Point SelfConsistentRing::first_harmonic(double omega) const
+Eigen::Matrix2d SelfConsistentRing::jacobian_of_first_harmonic(double omega) const
 {
   // The residual G(M) - M of a first harmonic: G_x depends on M_y through T_y, G_y on M_x through T_x.
   const FrictionKernels kernels(omega * model->radius(), motion.orbit_speed, 1);
   const double coupling = motion.friction_at_rest() * friction_arm(closure, motion) / (pi * model->radius());
-  Point start;
-  Motion constant = motion;
-  constant.friction_coefficient = motion.friction_at_rest();
-  constant.friction_law = FrictionLawKind::coulomb;
-  start.moment = FirstHarmonicRing(closure, constant, model->radius()).load(omega).moment();
-  start.jacobian << -1., coupling * kernels.P(1), -coupling * kernels.U(1), -1.;
-  return start;
+  Eigen::Matrix2d jacobian;
+  jacobian << -1., coupling * kernels.P(1), -coupling * kernels.U(1), -1.;
+  return jacobian;
 }
 
 void SelfConsistentRing::refuse(double omega, const Eigen::Vector2d &moment,
@@ -110,16 +104,15 @@ RingEquilibrium SelfConsistentRing::at(double omega) const
   const double allowed = 1e-12 * moment_scale();
   // Shorter steps say more about rounding than about the slope.
   const double shortest_informative = 1e3 * tolerance;
-  Point point = first_harmonic(omega);
-  point.moment = within_limits(Eigen::Vector2d::Zero(), point.moment);
-  Trial trial = attempt(omega, point.moment);
+  Eigen::Matrix2d jacobian = jacobian_of_first_harmonic(omega);
+  Eigen::Vector2d moment = within_limits(Eigen::Vector2d::Zero(), required_moment_at_rest(closure, motion));
+  Trial trial = attempt(omega, moment);
   unsigned int n_evaluations = 1;
   bool ended = trial.residual.norm() <= tolerance;
   while (!ended && n_evaluations < 60)
   {
-    const Eigen::Vector2d next =
-      within_limits(point.moment, point.moment - point.jacobian.inverse() * trial.residual);
-    const Eigen::Vector2d step = next - point.moment;
+    const Eigen::Vector2d next = within_limits(moment, moment - jacobian.inverse() * trial.residual);
+    const Eigen::Vector2d step = next - moment;
     Trial attempted = attempt(omega, next);
     ++n_evaluations;
     const double residual = attempted.residual.norm();
@@ -127,23 +120,17 @@ RingEquilibrium SelfConsistentRing::at(double omega) const
       residual <= allowed && residual > 0.5 * trial.residual.norm(); // at the model's noise
     ended = residual <= tolerance || step.norm() <= tolerance || stagnates;
     if (step.norm() > shortest_informative)
-      point.jacobian +=
-        (attempted.residual - trial.residual - point.jacobian * step) * step.transpose() / step.squaredNorm();
-    point.moment = next;
+      jacobian +=
+        (attempted.residual - trial.residual - jacobian * step) * step.transpose() / step.squaredNorm();
+    moment = next;
     trial = std::move(attempted);
   }
   // A step too short to matter also ends the loop at the limit of what the model can carry.
   if (!ended || trial.residual.norm() > allowed)
-    refuse(omega, point.moment, trial.residual);
+    refuse(omega, moment, trial.residual);
 
   const double ratio = moment_ratio(trial.load.moment());
   return { std::move(trial.load), trial.friction, ratio, trial.residual.norm() / moment_scale(),
            n_evaluations };
-}
-
-TerminalSpin SelfConsistentRing::terminal_spin() const
-{
-  return ring::terminal_spin([this](double omega) { return torque(omega); }, motion.yaw_inertia,
-                             motion.orbit_speed / model->radius());
 }
 } // namespace stemware::ring

@@ -4,7 +4,6 @@
 #include "ring_model/load_model.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/motion.h"
-#include "ring_model/terminal_spin.h"
 
 #include <limits>
 #include <memory>
@@ -23,8 +22,8 @@ struct RingEquilibrium
 
 /**
  * Ring whose load, friction and hand force satisfy all balances at once: T enters M_N, M_N enters lambda,
- * lambda enters T. Solved for M_N by Broyden's method, started from the closed form of the first harmonic and
- * its Jacobian, so that a first-harmonic load takes one step. docs/theory/closures.md.
+ * lambda enters T. Solved for M_N by Broyden's method, started from the moment at rest with the Jacobian of
+ * the first harmonic, so that a first-harmonic load takes one step. docs/theory/closures.md.
  *
  * Truncated to n_max, only the kept harmonics exert friction. Normal force and M_N depend on the harmonics 0
  * and 1 only, so the truncated load still has them; the changed friction changes M_N and thereby the kept
@@ -37,6 +36,8 @@ public:
   /// without a first harmonic has no moment.
   SelfConsistentRing(Closure closure, const Motion &motion, std::shared_ptr<const LoadModel> model,
                      unsigned int n_max = std::numeric_limits<unsigned int>::max());
+  /// First harmonic on a ring of @p radius [m].
+  SelfConsistentRing(Closure closure, const Motion &motion, double radius);
 
   /**
    * Returns the equilibrium at the spin @p omega [rad/s], converged to rounding.
@@ -48,19 +49,14 @@ public:
   /// Yaw torque [N m] at the spin @p omega [rad/s]; throws as at().
   double torque(double omega) const { return at(omega).friction.torque; }
 
-  /// Terminal spin reached from rest; throws as at() and ring::terminal_spin().
-  TerminalSpin terminal_spin() const;
-
 private:
   /// Residual of one Broyden step: required moment minus moment of the load, with the friction of the load of
   /// @p moment.
   struct Trial;
   Trial attempt(double omega, const Eigen::Vector2d &moment) const;
 
-  /// M_N [N m] of a trial, and the Jacobian of its residual.
-  struct Point;
-  /// Returns the first harmonic in balance at @p omega, in closed form: the initial guess.
-  Point first_harmonic(double omega) const;
+  /// Returns the Jacobian of the residual for a first harmonic.
+  Eigen::Matrix2d jacobian_of_first_harmonic(double omega) const;
 
   /// Returns @p moment, or the point closest to it on the line from @p from that the load model supports.
   Eigen::Vector2d within_limits(const Eigen::Vector2d &from, const Eigen::Vector2d &moment) const;

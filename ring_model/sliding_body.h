@@ -5,15 +5,14 @@
 
 namespace stemware::ring
 {
-/// One ring of a stack.
+/// One of the rings that represent a body.
 struct WeightedRing
 {
   double radius; ///< [m]
   double weight; ///< share of the normal force (and of the mass), positive; all shares add up to 1
 };
 
-/// Flat-bottomed body made of concentric rings: a ring, a stack of rings, an annulus or a disc of uniform
-/// pressure, or any pressure p(r).
+/// Flat-bottomed body: a ring, an annulus or a disc of uniform pressure, or any pressure p(r).
 class SlidingBody
 {
 public:
@@ -22,9 +21,6 @@ public:
 
   /// One ring. @throws std::invalid_argument unless radius > 0 [m].
   static SlidingBody ring(double radius);
-
-  /// Rings stacked by weight. @throws std::invalid_argument unless the weights are positive and add up to 1.
-  static SlidingBody stack(std::vector<WeightedRing> rings);
 
   /// Uniform pressure between two radii [m]. @throws std::invalid_argument unless 0 <= inner < outer.
   static SlidingBody annulus(double inner_radius, double outer_radius);
@@ -39,30 +35,27 @@ public:
 
   /**
    * Returns the rings that represent the body if the radius @p still = v / |omega| [m] contains a point at
-   * rest. An annulus is represented by Gauss nodes on both sides of that radius, clustered there because
-   * friction is singular (like x ln x); integrals over the annulus are then exact to rounding. For any other
-   * pressure the nodes are clustered at its two radii too.
+   * rest: Gauss nodes, clustered at the two radii of the body and on both sides of @p still, because friction
+   * is singular there (like x ln x); integrals over an annulus are then exact to rounding.
    */
   std::vector<WeightedRing> rings(double still) const;
 
   /// Outer radius [m].
   double outer_radius() const { return outer; }
 
+  /// Mean of r^exponent over the weight [m^exponent].
+  double mean_power(double exponent) const;
+
   /// Mean of r^2 over the weight [m^2]: the gyration radius squared of a body whose mass is spread like its
   /// weight.
   double mean_square_radius() const { return mean_square; }
 
-  /// Mean of r^exponent over the weight [m^exponent].
-  double mean_power(double exponent) const;
-
 private:
-  SlidingBody(std::vector<WeightedRing> stacked, double inner_radius, double outer_radius);
+  SlidingBody(double inner_radius, double outer_radius);
 
-  std::vector<WeightedRing> stacked; ///< empty for an annulus or a pressure
-  double inner;
-  double outer;
-  Pressure pressure = {}; ///< empty: uniform
-  double unit = 1.;       ///< weight per pressure and area
-  double mean_square = 0.;
+  double inner, outer; ///< equal: one ring
+  Pressure pressure = {};
+  double unit = 1.; ///< weight per pressure and area
+  double mean_square;
 };
 } // namespace stemware::ring

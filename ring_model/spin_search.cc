@@ -1,5 +1,7 @@
 #include "ring_model/spin_search.h"
 
+#include "ring_model/if_balanced.h"
+#include "ring_model/load/lagrange.h"
 #include "ring_model/load/require.h"
 
 #include <algorithm>
@@ -50,21 +52,18 @@ Estimate inverse_interpolation(std::vector<Sample> samples)
   std::size_t n = std::min<std::size_t>(samples.size(), 4);
   while (!falls(n))
     --n;
-  // Neville's scheme: value[i] goes through the samples 0...level and, from there on, through i.
-  std::vector<double> value;
-  for (std::size_t i = 0; i < n; ++i)
-    value.push_back(samples[i].spin);
-  if (n < 2)
-    return { value[0], HUGE_VAL };
-  double before = value[0];
-  for (std::size_t level = 1; level < n; ++level)
+  const auto through = [&](std::size_t n_used)
   {
-    before = value[level - 1];
-    for (std::size_t i = level; i < n; ++i)
-      value[i] = (samples[level - 1].push * value[i] - samples[i].push * value[level - 1]) /
-                 (samples[level - 1].push - samples[i].push);
-  }
-  return { value[n - 1], std::abs(value[n - 1] - before) };
+    Eigen::VectorXd pushes(n_used), ways(n_used); // from the spin of the least push, for the digits
+    for (std::size_t i = 0; i < n_used; ++i)
+    {
+      pushes(i) = samples[i].push;
+      ways(i) = samples[i].spin - samples.front().spin;
+    }
+    return samples.front().spin + lagrange_values(pushes, 0.).dot(ways);
+  };
+  return n < 2 ? Estimate{ through(1), HUGE_VAL }
+               : Estimate{ through(n), std::abs(through(n) - through(n - 1)) };
 }
 
 /// @p failure, met just beyond the spin @p last, as what it means for the spin-up.
@@ -254,14 +253,7 @@ private:
 
   std::optional<double> push_if_balanced(double spin)
   {
-    try
-    {
-      return samples.emplace_back(Sample{ spin, push(spin) }).push;
-    }
-    catch (const NoBalance &)
-    {
-      return std::nullopt;
-    }
+    return if_balanced([&] { return samples.emplace_back(Sample{ spin, push(spin) }).push; });
   }
 
   /// The first zero before the one at @p spin, or that one. Throws BalanceLost where the way to it ends.

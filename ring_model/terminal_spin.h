@@ -37,26 +37,17 @@ double torque_slope(const TorqueFunction &torque, double omega, double step);
  */
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, const SpinSearch &search);
 
-/**
- * Returns the terminal spin reached from rest, to rounding: the first zero of @p torque in the direction of
- * the torque at rest, by find_terminal_spin(), with an eighth-order slope.
- *
- * @param spin_scale Spin at which the torque varies, v / R [rad/s].
- * @throws std::invalid_argument if @p yaw_inertia or @p spin_scale is not positive,
- *         NoTerminalSpin if the torque does not change sign within the search.
- */
-TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, double spin_scale);
-
-/// Returns terminal_spin() from rest under a load that does not depend on the spin.
+/// Returns terminal_spin() from rest under a load that does not depend on the spin, to rounding.
 TerminalSpin terminal_spin(const RingStack &load, const Motion &motion);
 
 /**
- * Returns all zeros of @p torque in [@p lower, @p upper] in ascending order, each with its stability. Sign
- * changes over @p n_intervals equal intervals are bracketed; intervals in which |torque| has a minimum are
- * searched for pairs of zeros.
+ * Returns all zeros of @p torque in [@p lower, @p upper] in ascending order, each described as by
+ * terminal_spin(). Sign changes over @p n_intervals equal intervals are bracketed; intervals in which
+ * |torque| has a minimum are searched for pairs of zeros.
  *
  * @throws std::invalid_argument for an empty range or no intervals.
  */
-std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, double yaw_inertia, double lower,
-                                             double upper, unsigned int n_intervals = 400);
+std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, double yaw_inertia,
+                                             double spin_scale, double lower, double upper,
+                                             unsigned int n_intervals = 400);
 } // namespace stemware::ring

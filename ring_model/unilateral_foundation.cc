@@ -1,11 +1,11 @@
 #include "ring_model/unilateral_foundation.h"
 
+#include "ring_model/bracketed_zero.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/load/require.h"
 #include "ring_model/no_balance.h"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -40,21 +40,6 @@ double partial_pressure(double s, double p, double v)
   const double sine_squared = std::pow(std::sin(v), 2);
   // The limit at v = 0 also where s = 1 makes the quotient 0/0.
   return sine_squared == 0. ? 0. : std::pow(sine_squared, p + 0.5) / std::sqrt((1. - s) + s * sine_squared);
-}
-
-/// The argument in (0, 1) at which a monotone function with the values @p at_0 and @p at_1 takes the value @p
-/// target.
-template <typename Function>
-double solve(const Function &function, double target, double at_0, double at_1)
-{
-  std::uintmax_t n_iterations = 200;
-  const auto bracket = boost::math::tools::toms748_solve(
-    [&](double x) { return function(x) - target; }, 0., 1., at_0 - target, at_1 - target,
-    boost::math::tools::eps_tolerance<double>(52), n_iterations);
-  if (n_iterations >= 200)
-    throw NoBalance(
-      sentence("the contact edge at m = ", target, " did not converge in 200 bracketing steps"));
-  return 0.5 * (bracket.first + bracket.second);
 }
 
 /**
@@ -133,9 +118,14 @@ double UnilateralFoundation::edge(double moment_ratio) const
     return -1.;
   if (p == 1. && moment_ratio < onset)
     return -1. / moment_ratio;
+  // Both ratios are monotone.
+  const auto zero = [](const auto &excess, double at_0, double at_1)
+  { return bracketed_zero(excess, 0., 1., at_0, at_1, "the contact edge"); };
   if (moment_ratio < onset)
-    return -1. / solve([this](double kappa) { return full_contact_ratio(kappa); }, moment_ratio, 0., onset);
-  return 1. - 2. * solve([this](double s) { return partial_contact_ratio(s); }, moment_ratio, 2., onset);
+    return -1. / zero([&](double kappa) { return full_contact_ratio(kappa) - moment_ratio; }, -moment_ratio,
+                      onset - moment_ratio);
+  return 1. - 2. * zero([&](double s) { return partial_contact_ratio(s) - moment_ratio; }, 2. - moment_ratio,
+                        onset - moment_ratio);
 }
 
 std::vector<double> UnilateralFoundation::shape(double moment_ratio) const

@@ -7,8 +7,8 @@
 #include "fem/contact/winkler_interface.h"
 #include "fem/meridian/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/friction_kernels.h"
-#include "ring_model/friction_law.h"
 #include "ring_model/spin/answer.h"
 
 namespace stemware::fem

@@ -17,20 +17,16 @@ namespace
 /// Value of @p function under a unit force at azimuth theta, for each ring that may carry the force.
 Eigen::VectorXd ring_values(const ring::LoadFunctional &function, double cosine, double sine)
 {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(function.a.size()));
-  for (std::size_t j = 0; j < function.a.size(); ++j)
+  Eigen::ArrayXd sum = function.a.row(0).transpose() / 2;
+  double even = 1, odd = 0;
+  for (Eigen::Index n = 1; n < function.a.rows(); ++n)
   {
-    double even = 1, odd = 0, sum = function.a[j][0] / 2;
-    for (std::size_t n = 1; n < function.a[j].size(); ++n)
-    {
-      const double next = even * cosine - odd * sine;
-      odd = even * sine + odd * cosine;
-      even = next;
-      sum += function.a[j][n] * even + function.b[j][n] * odd;
-    }
-    values(static_cast<Eigen::Index>(j)) = sum / boost::math::double_constants::pi;
+    const double next = even * cosine - odd * sine;
+    odd = even * sine + odd * cosine;
+    even = next;
+    sum += (function.a.row(n) * even + function.b.row(n) * odd).transpose();
   }
-  return values;
+  return sum / boost::math::double_constants::pi;
 }
 
 } // namespace

@@ -35,7 +35,7 @@ struct ContactDemand : Resultants
   ring::LoadFunctional friction_y;
   double tilt_moment = 0; ///< N z_CM [N m]; for a filled glass N times ring::Motion::overturning_height()
 
-  bool has_friction() const { return !friction_x.a.empty(); }
+  bool has_friction() const { return friction_x.a.size() > 0; }
 
   /// Returns this demand in axes rotated counter-clockwise by @p angle [rad].
   ContactDemand in_rotated_axes(double angle) const;

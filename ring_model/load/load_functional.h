@@ -2,18 +2,19 @@
 
 #include "ring_model/load/ring_stack.h"
 
-#include <vector>
+#include <Eigen/Core>
 
 namespace stemware::ring
 {
 /**
- * Linear function of a load: sum_j sum_n (a[j][n] a_{j,n} + b[j][n] b_{j,n}), with a_{j,n}, b_{j,n} [N/rad]
- * the coefficients of ring j. Its coefficients have the unit of the result per N/rad.
+ * Linear function of a load: sum_j sum_n (a(n, j) a_{j,n} + b(n, j) b_{j,n}), with a_{j,n}, b_{j,n} [N/rad]
+ * the coefficients of ring j. Its coefficients have the unit of the result per N/rad. Shape [n_max + 1,
+ * rings].
  */
 struct LoadFunctional
 {
-  std::vector<std::vector<double>> a; ///< coefficients of the cosines: [ring][n], n = 0...n_max
-  std::vector<std::vector<double>> b; ///< coefficients of the sines, as many; b[ring][0] = 0
+  Eigen::ArrayXXd a; ///< coefficients of the cosines
+  Eigen::ArrayXXd b; ///< coefficients of the sines; b(0, j) = 0
 
   /**
    * Returns the value for @p load. Harmonics missing in the load or in the functional count as 0.
@@ -26,7 +27,14 @@ struct LoadFunctional
   LoadFunctional of_rotated(double angle) const;
 };
 
-LoadFunctional operator*(double factor, LoadFunctional functional);
+inline LoadFunctional operator*(double factor, const LoadFunctional &functional)
+{
+  return { factor * functional.a, factor * functional.b };
+}
+
 /// Returns the sum of functionals of the same shape.
-LoadFunctional operator+(LoadFunctional one, const LoadFunctional &other);
+inline LoadFunctional operator+(const LoadFunctional &one, const LoadFunctional &other)
+{
+  return { one.a + other.a, one.b + other.b };
+}
 } // namespace stemware::ring

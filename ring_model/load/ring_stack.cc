@@ -236,36 +236,6 @@ RingStack RingStack::rotated(double angle) const
   return RingStack(std::move(turned));
 }
 
-std::vector<double> RingStack::coefficients(unsigned int n_harmonics) const
-{
-  std::vector<double> row;
-  for (const Ring &ring : stack)
-  {
-    row.push_back(ring.radius);
-    for (unsigned int n = 0; n <= n_harmonics; ++n)
-      row.push_back(n < ring.a.size() ? ring.a[n] : 0.);
-    for (unsigned int n = 1; n <= n_harmonics; ++n)
-      row.push_back(n < ring.b.size() ? ring.b[n] : 0.);
-  }
-  return row;
-}
-
-RingStack RingStack::from_coefficients(const std::vector<double> &row, std::size_t n_rings)
-{
-  require(n_rings > 0 && row.size() % n_rings == 0 && row.size() / n_rings % 2 == 0 && !row.empty(),
-          row.size(), " coefficients do not make ", n_rings,
-          " rings of a radius, a_0...a_n and b_1...b_n each");
-  const auto width = static_cast<std::ptrdiff_t>(row.size() / n_rings), n_a = width / 2;
-  std::vector<Ring> rings;
-  for (auto begin = row.begin(); begin != row.end(); begin += width)
-  {
-    Ring ring = { *begin, { begin + 1, begin + 1 + n_a }, { 0. } };
-    ring.b.insert(ring.b.end(), begin + 1 + n_a, begin + width);
-    rings.push_back(std::move(ring));
-  }
-  return RingStack(std::move(rings));
-}
-
 double RingStack::difference(const RingStack &other) const
 {
   double largest = std::abs(radius() / other.radius() - 1.);

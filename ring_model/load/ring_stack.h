@@ -105,13 +105,6 @@ public:
   /// Returns the load rotated counter-clockwise by @p angle [rad]: lambda'(theta) = lambda(theta - angle).
   RingStack rotated(double angle) const;
 
-  /// Returns all coefficients as a row, ring by ring: r_j, a_{j,0}...a_{j,n}, b_{j,1}...b_{j,n} with n = @p
-  /// n_harmonics, padded with zeros. Rows of equal shape may be added and interpolated.
-  std::vector<double> coefficients(unsigned int n_harmonics) const;
-
-  /// Stack of @p n_rings rings whose coefficients() are @p row. Throws as the constructor.
-  static RingStack from_coefficients(const std::vector<double> &row, std::size_t n_rings = 1);
-
   /// Returns the largest relative difference to @p other: of the coefficients a_n, b_n of the sum over the
   /// rings, divided by a_0 of @p other, and of radius(), divided by the radius of @p other.
   double difference(const RingStack &other) const;

@@ -1,7 +1,6 @@
-#include "ring_model/spin/all_spins.h"
-
-#include "ring_model/friction_law.h"
-#include "ring_model/spin/if_balanced.h"
+#include "ring_model/friction_functionals.h"
+#include "ring_model/if_balanced.h"
+#include "ring_model/spin/curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -170,8 +169,9 @@ std::vector<TerminalSpin> all_terminal_spins(const LoadAtSpin &load, const Quest
       torque.survey(first * step, 0);
     if (last > 0)
       torque.survey(0, last * step);
-    return all_terminal_spins([&](double omega) { return torque(omega); }, motion.yaw_inertia, first * step,
-                              last * step, static_cast<unsigned int>(finest_steps * (last - first)));
+    return all_terminal_spins([&](double omega) { return torque(omega); }, motion.yaw_inertia, unit,
+                              first * step, last * step,
+                              static_cast<unsigned int>(finest_steps * (last - first)));
   };
   // A load without a balance between spins that have one: what lies beyond is not looked for.
   std::vector<TerminalSpin> spins;

@@ -1,9 +1,9 @@
 #include "ring_model/spin/answer.h"
 
-#include "ring_model/friction_law.h"
+#include "ring_model/friction_functionals.h"
+#include "ring_model/if_balanced.h"
 #include "ring_model/load/require.h"
 #include "ring_model/spin/curves.h"
-#include "ring_model/spin/if_balanced.h"
 #include "ring_model/spin/phase_loads.h"
 #include "ring_model/spin/phase_torque.h"
 #include "ring_model/spin/to_precision.h"

@@ -38,6 +38,8 @@ struct Question
   /// is searched first.
   const Answer *known = nullptr;
   std::vector<double> spins = {}; ///< spins of Answer::torques [rad/s]
+  /// Shares of the terminal spin, spins of further Answer::torques; without a terminal spin the share 0 only.
+  std::vector<double> terminal_shares = {};
   bool all_spins = false;         ///< compute Answer::all_spins
   std::vector<double> times = {}; ///< equally spaced times of Answer::spin_up [s]
   bool with_instants = false;     ///< compute Answer::instants and Answer::phase_torques
@@ -127,7 +129,8 @@ struct Answer
   /// A-priori bound on the change of tau_z at the full load's terminal spin [N m].
   std::optional<double> bound = {};
 
-  std::vector<Torques> torques = {}; ///< torques at Question::spins
+  std::vector<double> torque_spins = {}; ///< Question::spins, then those by terminal_shares [rad/s]
+  std::vector<Torques> torques = {};     ///< torques at torque_spins
   /// All spins within 1.5 v / R of rest at which the torques balance, in ascending order, each with its
   /// stability; includes `terminal` and a glass held at rest. Two spins closer together than v / (32 R) may
   /// be missed. The search ends where the load has no balance, and at 1.05 v / R if friction brakes under

@@ -1,8 +1,7 @@
 #include "ring_model/spin/curves.h"
 
-#include "ring_model/friction_law.h"
-#include "ring_model/spin/all_spins.h"
-#include "ring_model/spin/if_balanced.h"
+#include "ring_model/friction_functionals.h"
+#include "ring_model/if_balanced.h"
 #include "ring_model/spin/phase_loads.h"
 #include "ring_model/yaw_motion.h"
 
@@ -112,17 +111,26 @@ std::vector<double> torques_by_phase(const PhaseSampledLoad &phases, const Motio
 
 void add_torques(const LoadAtSpin &load, const Question &question, Answer &found)
 {
-  if (question.spins.empty())
+  if (question.spins.empty() && question.terminal_shares.empty())
     return;
   const Question without_minima = without_minima_of(question);
   std::string reason;
-  found.torques.clear();
-  for (const double omega : question.spins)
+  const auto torques_at = [&](double omega)
   {
     const auto find = [&]() -> Torques { return ring_state(load.at(omega), without_minima, omega); };
-    found.torques.push_back(
-      if_balanced(find, &reason).value_or(Torques{ { unknown, unknown, unknown }, unknown, unknown }));
-  }
+    return if_balanced(find, &reason).value_or(Torques{ { unknown, unknown, unknown }, unknown, unknown });
+  };
+  found.torque_spins = question.spins;
+  found.torques.clear();
+  for (const double omega : question.spins)
+    found.torques.push_back(torques_at(omega));
+  for (const double share : question.terminal_shares)
+    if (found.terminal || share == 0)
+    {
+      found.torque_spins.push_back(share * found.omega_terminal().value_or(0) + 0.); // no -0
+      // With phases the terminal spin is a mean, at which the torques do not vanish.
+      found.torques.push_back(share == 1 ? *found.at_terminal : torques_at(found.torque_spins.back()));
+    }
   if (found.reason.empty())
     found.reason = reason;
 }

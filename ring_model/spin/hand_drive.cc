@@ -1,13 +1,11 @@
 #include "ring_model/spin/hand_drive.h"
 
-#include "ring_model/first_harmonic_ring.h"
-#include "ring_model/friction_law.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/spin/answer.h"
 
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <utility>
 
 namespace stemware::ring
@@ -15,16 +13,9 @@ namespace stemware::ring
 PhasedTorqueFunction driven_torque(Closure closure, const Motion &motion, double radius,
                                    OrbitSpeedTable speeds)
 {
-  if (!motion.has_constant_friction())
-  {
-    const auto model = std::make_shared<const FirstHarmonicModel>(radius);
-    SelfConsistentRing(closure, motion, model); // refuses what is not allowed before the first step
-    return [closure, motion, model, speeds = std::move(speeds)](double time, double, double omega)
-    { return SelfConsistentRing(closure, speeds.motion_at(motion, time), model).torque(omega); };
-  }
-  FirstHarmonicRing(closure, motion, radius); // likewise
+  SelfConsistentRing(closure, motion, radius); // refuses what is not allowed before the first step
   return [closure, motion, radius, speeds = std::move(speeds)](double time, double, double omega)
-  { return FirstHarmonicRing(closure, speeds.motion_at(motion, time), radius).torque(omega); };
+  { return SelfConsistentRing(closure, speeds.motion_at(motion, time), radius).torque(omega); };
 }
 
 PhasedTorqueFunction driven_torque(const Motion &motion, OrbitSpeedTable speeds, DrivenLoad load)

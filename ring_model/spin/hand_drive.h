@@ -12,8 +12,7 @@ namespace stemware::ring
 {
 /**
  * Returns the yaw torque for yaw_motion() under an orbit speed table: quasi-static moment balances including
- * the hand's tangential force m dv/dt (closures `hand` and `full`). First-harmonic load, in closed form for a
- * constant friction coefficient.
+ * the hand's tangential force m dv/dt (closures `hand` and `full`). First-harmonic load.
  *
  * @param radius Ring radius [m]. @throws std::invalid_argument if the motion or the radius is not allowed.
  */

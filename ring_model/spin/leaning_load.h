@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -27,18 +28,32 @@ struct LeaningLoad : RingStack
   /// glass like tau_z (docs/theory/closures.md).
   double lean_torque() const { return -tilt.dot(moment()); }
 
-  /// Returns RingStack::coefficients() followed by the tilt. Rows of equally many rings and harmonics may be
-  /// added and interpolated.
+  /// Returns the tilt and, ring by ring, r_j, a_{j,0}...a_{j,n}, b_{j,0}...b_{j,n} with n = @p n_harmonics, padded
+  /// with zeros. Rows of equally many rings and harmonics may be added and interpolated.
   Eigen::VectorXd coefficients(unsigned int n_harmonics) const
   {
-    const std::vector<double> of_rings = RingStack::coefficients(n_harmonics);
-    Eigen::VectorXd row(of_rings.size() + 2);
-    row << Eigen::Map<const Eigen::VectorXd>(of_rings.data(), row.size() - 2), tilt;
+    const Eigen::Index n_a = n_harmonics + 1, n_kept = std::min<Eigen::Index>(n_a, this->n_harmonics() + 1),
+                       width = 2 * n_a + 1;
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(2 + width * static_cast<Eigen::Index>(rings().size()));
+    row.head<2>() = tilt;
+    Eigen::Index begin = 2;
+    for (const Ring &ring : rings())
+    {
+      row(begin) = ring.radius;
+      row.segment(begin + 1, n_kept) = Eigen::Map<const Eigen::VectorXd>(ring.a.data(), n_kept);
+      row.segment(begin + 1 + n_a, n_kept) = Eigen::Map<const Eigen::VectorXd>(ring.b.data(), n_kept);
+      begin += width;
+    }
     return row;
   }
+  /// Returns the load of @p n_rings rings whose coefficients() are @p row.
   static LeaningLoad from_coefficients(const Eigen::VectorXd &row, std::size_t n_rings)
   {
-    return { RingStack::from_coefficients({ row.begin(), row.end() - 2 }, n_rings), row.tail<2>() };
+    const Eigen::Index width = (row.size() - 2) / static_cast<Eigen::Index>(n_rings), n_a = width / 2;
+    std::vector<Ring> rings;
+    for (const double *ring = row.data() + 2; ring != row.data() + row.size(); ring += width)
+      rings.push_back({ *ring, { ring + 1, ring + 1 + n_a }, { ring + 1 + n_a, ring + width } });
+    return { RingStack(std::move(rings)), row.head<2>() };
   }
 
   LeaningLoad truncated(unsigned int n_harmonics) const

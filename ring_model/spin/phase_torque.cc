@@ -30,12 +30,11 @@ PhaseTorque::PhaseTorque(const LoadAtSpin &load, const Motion &motion, double mi
 void PhaseTorque::tabulate(double tolerance)
 {
   constexpr unsigned int first_steps = 4, max_steps = 16;
-  ChebyshevInterval tried(lower, upper, first_steps);
-  Eigen::MatrixXd torques = at_phases(tried.nodes());
-  while (true)
+  for (ChebyshevInterval tried(lower, upper, first_steps); tried.size() <= max_steps + 1;
+       tried = tried.refined())
   {
     const std::vector<double> places = tried.between();
-    const Eigen::MatrixXd between = at_phases(places);
+    const Eigen::MatrixXd torques = at_phases(tried.nodes()), between = at_phases(places);
     double error = 0.;
     for (unsigned int k = 0; k < places.size(); ++k)
       error =
@@ -46,14 +45,6 @@ void PhaseTorque::tabulate(double tolerance)
       table = torques;
       return;
     }
-    if (2 * places.size() > max_steps)
-      return;
-    // Nodes and places between them are the nodes of the refined interval in turn.
-    Eigen::MatrixXd refined(torques.rows(), torques.cols() + between.cols());
-    refined(Eigen::all, Eigen::seqN(0, torques.cols(), 2)) = torques;
-    refined(Eigen::all, Eigen::seqN(1, between.cols(), 2)) = between;
-    torques = refined;
-    tried = tried.refined();
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
-#include "ring_model/load/lagrange.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -61,9 +60,12 @@ ChebyshevInterval::ChebyshevInterval(double lower, double upper, unsigned int n_
     : lower(lower)
     , upper(upper)
     , n_steps(n_steps)
+    , spins(n_steps + 1)
 {
   if (!(lower < upper) || n_steps == 0)
     throw std::logic_error("an interval of spins has two ends and at least one step");
+  for (unsigned int i = 0; i < size(); ++i)
+    spins(i) = at(i);
 }
 
 double ChebyshevInterval::at(double place) const
@@ -72,26 +74,12 @@ double ChebyshevInterval::at(double place) const
   return lower * (1 - share) + upper * share;
 }
 
-Eigen::VectorXd ChebyshevInterval::weights(double omega) const
-{
-  const std::vector<double> spins = nodes();
-  return lagrange_values(Eigen::Map<const Eigen::VectorXd>(spins.data(), size()), omega);
-}
-
-std::vector<double> ChebyshevInterval::nodes() const
-{
-  std::vector<double> spins;
-  for (unsigned int i = 0; i < size(); ++i)
-    spins.push_back(node(i));
-  return spins;
-}
-
 std::vector<double> ChebyshevInterval::between() const
 {
-  std::vector<double> spins;
+  std::vector<double> added;
   for (unsigned int k = 0; k < n_steps; ++k)
-    spins.push_back(at(k + 0.5));
-  return spins;
+    added.push_back(at(k + 0.5));
+  return added;
 }
 
 Orientation PhaseGrids::phase(unsigned int i) const

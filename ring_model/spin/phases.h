@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ring_model/load/lagrange.h"
 #include "ring_model/load/slip.h"
 #include "ring_model/motion.h"
 #include "ring_model/spin/leaning_load.h"
@@ -60,10 +61,10 @@ public:
   ChebyshevInterval(double lower, double upper, unsigned int n_steps);
 
   unsigned int size() const { return n_steps + 1; }
-  double node(unsigned int i) const { return at(i); }
-  std::vector<double> nodes() const;
+  double node(unsigned int i) const { return spins(i); }
+  std::vector<double> nodes() const { return { spins.begin(), spins.end() }; }
   /// Weights of the nodes' values in the interpolant at @p omega. Shape [size()].
-  Eigen::VectorXd weights(double omega) const;
+  Eigen::VectorXd weights(double omega) const { return lagrange_values(spins, omega); }
 
   /// Returns the nodes that refined() adds.
   std::vector<double> between() const;
@@ -74,6 +75,7 @@ private:
 
   double lower, upper;
   unsigned int n_steps;
+  Eigen::VectorXd spins; ///< the nodes
 };
 
 /// Phases of glass and table at which a load is sampled: every node of one angle with every node of the

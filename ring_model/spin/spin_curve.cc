@@ -18,11 +18,6 @@ namespace
 
 constexpr std::size_t max_nodes = 17; ///< of a piece
 
-Eigen::VectorXd row_of(const LeaningLoad &load, unsigned int n_harmonics)
-{
-  return load.truncated(n_harmonics).coefficients(n_harmonics);
-}
-
 } // namespace
 
 double SpinCurve::Piece::coordinate(double x) const
@@ -57,7 +52,7 @@ LeaningLoad SpinCurve::Piece::at(double x) const
 {
   Eigen::VectorXd row = rows * weights(coordinate(x));
   if (reference)
-    row += row_of(reference(x), n_harmonics);
+    row += reference(x).coefficients(n_harmonics);
   return LeaningLoad::from_coefficients(row, nodes.begin()->second.rings().size());
 }
 
@@ -177,7 +172,7 @@ void SpinCurve::Piece::add(double x, const LeaningLoad &load)
   {
     Eigen::VectorXd row = load_there.coefficients(n_harmonics);
     if (reference)
-      row -= row_of(reference(place(node)), n_harmonics);
+      row -= reference(place(node)).coefficients(n_harmonics);
     rows.conservativeResize(row.size(), static_cast<Eigen::Index>(nodes.size()));
     rows.col(k++) = row;
   }

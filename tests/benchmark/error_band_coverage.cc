@@ -17,7 +17,7 @@
 #include "fem/pipeline/refinement/error_bands.h"
 #include "fem/pipeline/refinement/refinement_study.h"
 #include "fem/pipeline/system/ranks.h"
-#include "ring_model/friction_law.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/spin/answer.h"
 #include "tests/benchmark/random_study.h"
 

@@ -1,7 +1,6 @@
 // What the ring model costs. Build: cmake --preset release -DSTEMWARE_BENCHMARKS=ON, run:
 // build/release/ring_benchmark
 
-#include "ring_model/first_harmonic_ring.h"
 #include "ring_model/friction_kernels.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/unilateral_foundation.h"
@@ -96,16 +95,16 @@ void torque_of_32_harmonics_by_gauss_kronrod(benchmark::State &state)
 }
 BENCHMARK(torque_of_32_harmonics_by_gauss_kronrod)->Unit(benchmark::kMicrosecond);
 
-void terminal_spin_full_first_harmonic(benchmark::State &state)
+void torque_full_first_harmonic(benchmark::State &state)
 {
-  const FirstHarmonicRing ring(Closure::full, Motion(), 0.03);
+  const SelfConsistentRing ring(Closure::full, Motion(), 0.03);
   for (auto _ : state)
-    benchmark::DoNotOptimize(ring.terminal_spin().omega);
+    benchmark::DoNotOptimize(ring.torque(-3.));
 }
-BENCHMARK(terminal_spin_full_first_harmonic)->Unit(benchmark::kMicrosecond);
+BENCHMARK(torque_full_first_harmonic)->Unit(benchmark::kMicrosecond);
 
 /// Any load model: linear mat, with lift-off at 0.12 m.
-void terminal_spin_full_unilateral(benchmark::State &state)
+void torque_full_unilateral(benchmark::State &state)
 {
   Motion motion;
   motion.centre_of_mass_height = 0.01 * static_cast<double>(state.range(0));
@@ -113,9 +112,9 @@ void terminal_spin_full_unilateral(benchmark::State &state)
     Closure::full, motion,
     std::make_shared<UnilateralFoundation>(0.03, 0.1 * static_cast<double>(state.range(1))));
   for (auto _ : state)
-    benchmark::DoNotOptimize(ring.terminal_spin().omega);
+    benchmark::DoNotOptimize(ring.torque(-3.));
 }
-BENCHMARK(terminal_spin_full_unilateral)
+BENCHMARK(torque_full_unilateral)
   ->ArgNames({ "z_CM_cm", "10p" })
   ->Args({ 8, 10 })
   ->Args({ 12, 10 })
@@ -126,7 +125,7 @@ BENCHMARK(terminal_spin_full_unilateral)
 void trajectory(benchmark::State &state, Closure closure)
 {
   const Motion motion;
-  const FirstHarmonicRing ring(closure, motion, 0.03);
+  const SelfConsistentRing ring(closure, motion, 0.03);
   std::vector<double> times;
   for (int i = 0; i <= 200; ++i)
     times.push_back(0.01 * i);

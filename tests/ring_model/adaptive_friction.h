@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ring_model/friction_law.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>

@@ -1,7 +1,7 @@
 // The ring's own question, asked of loads from a lambda. References: the closed form of the first harmonic,
 // fixed steps of the classical Runge-Kutta method, energy.
-#include "ring_model/first_harmonic_ring.h"
-#include "ring_model/friction_law.h"
+#include "ring_model/friction_functionals.h"
+#include "ring_model/self_consistent_ring.h"
 #include "ring_model/spin/answer.h"
 
 #include <gtest/gtest.h>
@@ -26,19 +26,19 @@ Motion paper_motion()
 /// The load of the paper's glass in balance at every spin.
 LoadFromFunction balanced_load(const Motion &motion)
 {
-  return LoadFromFunction([ring = FirstHarmonicRing(Closure::full, motion, radius)](
-                            double omega) -> LeaningLoad { return ring.load(omega); });
+  return LoadFromFunction([ring = SelfConsistentRing(Closure::full, motion, radius)](
+                            double omega) -> LeaningLoad { return ring.at(omega).load; });
 }
 
 TEST(AskedAnswer, HasTheTerminalSpinOfTheClosedForm)
 {
   const Motion motion = paper_motion();
-  const FirstHarmonicRing ring(Closure::full, motion, radius);
+  const SelfConsistentRing ring(Closure::full, motion, radius);
   Question question = { motion };
   question.with_slope = question.all_spins = true;
   question.spins = { 0, -2. };
   const Answer found = answer(balanced_load(motion), question).value();
-  const TerminalSpin exact = ring.terminal_spin();
+  const TerminalSpin exact = test::terminal_spin_of(ring, motion, radius);
   EXPECT_NEAR(found.terminal->omega, exact.omega, 1e-10);
   EXPECT_NEAR(*found.time_constant(), exact.time_constant, 1e-5 * exact.time_constant);
   EXPECT_EQ(found.status, Status::full_contact);
@@ -53,7 +53,7 @@ TEST(AskedAnswer, HasTheTerminalSpinOfTheClosedForm)
 TEST(AskedAnswer, SpinsUpAsRungeKuttaSays)
 {
   const Motion motion = paper_motion();
-  const FirstHarmonicRing ring(Closure::full, motion, radius);
+  const SelfConsistentRing ring(Closure::full, motion, radius);
   constexpr double grip = 1e-4; // N m
   Question question = { motion, grip };
   question.times = { 0, 0.05, 0.1 };
@@ -78,13 +78,13 @@ TEST(AskedAnswer, SpinsUpAsRungeKuttaSays)
 TEST(AskedAnswer, AFallKeepsItsLastSpin)
 {
   const Motion motion = paper_motion();
-  const FirstHarmonicRing ring(Closure::full, motion, radius);
+  const SelfConsistentRing ring(Closure::full, motion, radius);
   const LoadFromFunction load(
     [&](double omega) -> LeaningLoad
     {
       if (omega < -2.)
         throw Tipping("it tips");
-      return ring.load(omega);
+      return ring.at(omega).load;
     });
   const Answer found = answer(load, { motion });
   EXPECT_EQ(found.status, Status::tips);

@@ -1,5 +1,5 @@
+#include "ring_model/friction_functionals.h"
 #include "ring_model/friction_kernels.h"
-#include "ring_model/friction_law.h"
 #include "tests/ring_model/quadrature.h"
 #include "tests/ring_model/reference.h"
 

@@ -23,7 +23,7 @@ TEST(FrictionFunctionals, AreTheFrictionOfTheLoad)
   // Reference: trapezoidal rule on the integrals, exact to rounding at these slip ratios.
   for (const double omega : { -15., -3., 0., 4., 15., 60. })
   {
-    const FrictionFunctionals friction = friction_functionals(mu, radii, 3, omega, speed);
+    const FrictionFunctionals friction = friction_functionals(CoulombLaw(mu), radii, 3, omega, speed);
     const Wrench expected = test::wrench_by_quadrature(mu, load, omega, speed, 800);
     EXPECT_NEAR(friction.drag(load), expected.force_x, 1e-14) << omega;
     EXPECT_NEAR(friction.side(load), expected.force_y, 1e-14) << omega;
@@ -34,19 +34,19 @@ TEST(FrictionFunctionals, AreTheFrictionOfTheLoad)
 TEST(FrictionFunctionals, LeaveOutWhatLiesAboveTheirHarmonics)
 {
   const Wrench kept = coulomb_wrench(mu, load.truncated(1), 4., speed);
-  const FrictionFunctionals friction = friction_functionals(mu, radii, 1, 4., speed);
+  const FrictionFunctionals friction = friction_functionals(CoulombLaw(mu), radii, 1, 4., speed);
   EXPECT_EQ(friction.torque(load), kept.torque);
   EXPECT_EQ(friction.drag(load), kept.force_x);
   EXPECT_EQ(friction.side(load), kept.force_y);
-  const FrictionFunctionals more = friction_functionals(mu, radii, 9, 4., speed);
+  const FrictionFunctionals more = friction_functionals(CoulombLaw(mu), radii, 9, 4., speed);
   EXPECT_NEAR(more.torque(load), coulomb_wrench(mu, load, 4., speed).torque, 1e-17);
 }
 
 TEST(FrictionFunctionals, RefuseAnotherNumberOfRings)
 {
-  const FrictionFunctionals friction = friction_functionals(mu, { 0.02, 0.04 }, 3, 4., speed);
+  const FrictionFunctionals friction = friction_functionals(CoulombLaw(mu), { 0.02, 0.04 }, 3, 4., speed);
   EXPECT_THROW(friction.torque(load), std::invalid_argument);
-  EXPECT_THROW(friction_functionals(mu, radii, 3, 0., 0.), std::invalid_argument);
+  EXPECT_THROW(friction_functionals(CoulombLaw(mu), radii, 3, 0., 0.), std::invalid_argument);
 }
 } // namespace
 } // namespace stemware::ring

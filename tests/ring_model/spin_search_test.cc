@@ -1,4 +1,3 @@
-#include "ring_model/first_harmonic_ring.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/spin_search.h"
@@ -47,7 +46,7 @@ TEST(SpinSearch, FindsTheReferenceInFewTorques)
   {
     if (row["closure"] != "C" || row["g"] != 9.81 || row["formal_negative_load"])
       continue;
-    const FirstHarmonicRing ring(Closure::full, motion_with_height(row["zcm"]), radius);
+    const SelfConsistentRing ring(Closure::full, motion_with_height(row["zcm"]), radius);
     const auto torque = [&](double omega) { return ring.torque(omega); };
     for (const auto &search : { SpinSearch{ scale }, SpinSearch{ scale, -3.12 } })
     {
@@ -65,7 +64,8 @@ TEST(SpinSearch, FindsTheSpinOfAUnilateralFoundationFromThatOfTheFirstHarmonic)
   for (const auto &row : reference()["closures_C_unilateral"]["cases"])
   {
     const Motion motion = motion_with_height(row["zcm"]);
-    const double expected = FirstHarmonicRing(Closure::full, motion, radius).terminal_spin().omega;
+    const double expected =
+      test::terminal_spin_of(SelfConsistentRing(Closure::full, motion, radius), motion, radius).omega;
     const SelfConsistentRing ring(
       Closure::full, motion, std::make_shared<UnilateralFoundation>(radius, row["p"].get<double>(), 256));
     const SpinZero zero =
@@ -77,7 +77,7 @@ TEST(SpinSearch, FindsTheSpinOfAUnilateralFoundationFromThatOfTheFirstHarmonic)
 
 TEST(SpinSearch, ABadGuessCostsLittle)
 {
-  const FirstHarmonicRing ring(Closure::full, Motion(), radius);
+  const SelfConsistentRing ring(Closure::full, Motion(), radius);
   const auto torque = [&](double omega) { return ring.torque(omega); };
   for (const double expected : { 1e-9, -0.05, -1., -3.7, -11., -20., 3.7, -600. })
   {
@@ -99,8 +99,8 @@ TEST(SpinSearch, FindsTheFirstZeroOfRandomLoads)
     const auto torque = [&](double omega) { return coulomb_wrench(0.3, load, omega, 0.35).torque; };
     const SpinZero zero = find_terminal_spin(torque, { scale, b[1] * scale });
     const double sign = std::copysign(1., b[1]);
-    const auto all =
-      all_terminal_spins([&](double omega) { return torque(sign * omega); }, 1., 1e-9, 3. * scale, 300);
+    const auto all = all_terminal_spins([&](double omega) { return torque(sign * omega); }, 1., scale, 1e-9,
+                                        3. * scale, 300);
     ASSERT_FALSE(all.empty());
     EXPECT_NEAR(zero.omega, sign * all.front().omega, 1e-11 * scale) << i;
     n_evaluations += zero.n_evaluations;
@@ -128,7 +128,7 @@ TEST(SpinSearch, OvercomesTheGrip)
     {
       Motion motion;
       motion.orbit_sense = sense;
-      const FirstHarmonicRing ring(row.closure, motion, radius);
+      const SelfConsistentRing ring(row.closure, motion, radius);
       const SpinZero zero =
         find_terminal_spin([&](double omega) { return ring.torque(omega); }, { scale, -3.1, row.grip });
       expect_relative(zero.omega, motion.sense_sign() * row.omega, 1e-12, "omega");
@@ -140,7 +140,7 @@ TEST(SpinSearch, OvercomesTheGrip)
 TEST(SpinSearch, TheGripHoldsTheGlass)
 {
   // |torque(0)| = mu M_x = 0.003675 N m.
-  const FirstHarmonicRing ring(Closure::full, Motion(), radius);
+  const SelfConsistentRing ring(Closure::full, Motion(), radius);
   const auto torque = [&](double omega) { return ring.torque(omega); };
   const SpinZero zero = find_terminal_spin(torque, { scale, -3.1, 0.0036751 });
   EXPECT_TRUE(zero.held);
@@ -160,7 +160,7 @@ TEST(SpinSearch, GivesTheSlope)
   {
     if (row["closure"] != "A" || row["g"] != 9.81)
       continue;
-    const FirstHarmonicRing ring(Closure::paper, Motion(), radius);
+    const SelfConsistentRing ring(Closure::paper, Motion(), radius);
     const TerminalSpin spin =
       terminal_spin([&](double omega) { return ring.torque(omega); }, 3e-4, SpinSearch{ scale });
     expect_relative(spin.torque_slope, row["dtau_domega_T"], 1e-6, "slope");

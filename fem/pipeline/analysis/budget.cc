@@ -123,7 +123,7 @@ Budget find_budget(const Study &study, const StudyRows &rows)
 {
   const ring::Answer &all = rows.by_harmonics.back().row;
   Budget budget;
-  budget.shown_spins = rows.torque_spins;
+  budget.shown_spins = all.torque_spins;
   budget.omega = curve_spins(study, all);
   for (const LoadedRow &solved : rows.others)
     if (solved.variant.key == "without")

@@ -61,7 +61,7 @@ struct HarmonicEffect
 
 /// Effect on the terminal spin of each step from the paper's model to the study's.
 ///
-/// Rows 1, 1a, 2 and 2a: first harmonics on a ring of the contact radius, in closed form. From row 3 on the
+/// Rows 1, 1a, 2 and 2a: first harmonics on a ring of the contact radius. From row 3 on the
 /// contact is solved with its whole pressure; friction force and torque, also in the moment balance, use the
 /// rings' harmonics up to BudgetRow::harmonics. Without a contact the chain ends early: a first harmonic with
 /// row 2 or 2a; a load file without row 2 and without "without" rows.

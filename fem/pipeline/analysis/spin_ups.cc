@@ -4,7 +4,7 @@
 #include "fem/pipeline/variants/solve.h"
 #include "ring_model/load/lagrange.h"
 #include "ring_model/spin/answer.h"
-#include "ring_model/spin/if_balanced.h"
+#include "ring_model/if_balanced.h"
 
 #include <Eigen/QR>
 

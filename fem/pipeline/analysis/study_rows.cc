@@ -169,8 +169,12 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
 {
   const std::vector<unsigned int> orders = row_orders(study, load.n_harmonics(), depth);
   question.with_slope = true;
+  if (depth == Depth::full)
+    question.terminal_shares = { 0, 0.5, 1 };
   LoadedRow whole = { {}, ring::answer(load, question).value(), load.shared_from_this() };
   question.with_slope = false;
+  question.terminal_shares.clear();
+  question.spins = whole.row.torque_spins;
   question.near = whole.row.zero_guess();
   if (whole.row.fall) // as far as the models with fewer harmonics, or without an effect, are known to stand
     question.initial_guess = whole.row.fall->omega;
@@ -190,18 +194,6 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
   const AnswerWork work = { foot ? foot->n_contacts() : 0, load.phases() != nullptr, lifts_off };
   progress.share_done(share_of_answer(study, work, variants, depth == Depth::full));
   StudyRows rows;
-  if (depth == Depth::full)
-  {
-    ring::Question with_torques = question;
-    with_torques.known = &whole.row;
-    rows.torque_spins = { 0 };
-    if (const std::optional<double> terminal = whole.row.omega_terminal())
-      rows.torque_spins = { 0, *terminal / 2, *terminal };
-    question.spins = with_torques.spins = rows.torque_spins;
-    whole.row = ring::answer(load, with_torques);
-    if (whole.row.at_terminal) // with phases the terminal spin is a mean, at which torques do not vanish
-      whole.row.torques.back() = *whole.row.at_terminal;
-  }
   std::vector<LoadedRow> solved =
     solve_rows(variants, foot, question, executor, progress, "models", whole.load);
   const auto first_other = solved.begin() + static_cast<std::ptrdiff_t>(orders.size()) - 1;

@@ -25,9 +25,6 @@ struct StudyRows
 {
   std::vector<LoadedRow> by_harmonics; ///< all harmonics last
   std::vector<LoadedRow> others;       ///< further variants
-  /// Spins of the torques of the chain's rows: 0, half and all of the terminal spin, or 0 if the glass tips
-  /// on the way [rad/s]; empty unless asked for with Depth::full.
-  std::vector<double> torque_spins = {};
 };
 
 /// v / R with the contact radius of the study's glass [rad/s].
@@ -81,8 +78,9 @@ std::vector<unsigned int> truncation_orders(unsigned int n_all);
 /// Returns the answer for 1, 2, 3, 4, 6, 8, 12, ... and all harmonics, last row: @p load, find_load() of @p
 /// foot. The others have their own balance if the load is two-way, else the truncated load; each is compared
 /// with the last row. A solid body in balance, whose balances take minutes, and Depth::answer have the rows 1
-/// and all only; Depth::full adds torques at StudyRows::torque_spins. Throws as @p load, and if all harmonics
-/// have no answer; if the glass tips on the way, the last row has a `fall` and nothing is compared with it.
+/// and all only; Depth::full adds torques at 0, half and all of the terminal spin, or at 0 if the glass tips
+/// on the way. Throws as @p load, and if all harmonics have no answer; if the glass tips on the way, the last
+/// row has a `fall` and nothing is compared with it.
 /// @p others are solved beside the rows, so that no thread waits for the slowest row.
 StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                             const ring::LoadAtSpin &load, ring::Question question, const Executor &executor,

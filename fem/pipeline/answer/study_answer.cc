@@ -1,7 +1,6 @@
 #include "fem/pipeline/answer/study_answer.h"
 
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/input/study_size.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -38,10 +37,6 @@ std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &
                                             const Discretisation &discretisation = {},
                                             const ElasticFoot *similar = nullptr)
 {
-  constexpr double worth_saying = 1e9;
-  if (const StudySize size = size_of(study); size.memory > worth_saying)
-    progress.note("Memory",
-                  fmt::format(FMT_STRING("about {:.2g} GB for {:.0f} cells"), size.memory / 1e9, size.cells));
   std::shared_ptr<ElasticFoot> foot;
   executor.for_each(
     1, [&](std::size_t) { foot = study_foot(study, executor.make_foot, progress, similar, discretisation); },

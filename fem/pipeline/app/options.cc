@@ -4,6 +4,7 @@
 #include "fem/pipeline/input/data_files.h"
 #include "fem/pipeline/input/profile_file.h"
 #include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/input/study_size.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/support/failures.h"
@@ -130,7 +131,10 @@ Study begin_study(const StudyOptions &options)
   print_note("Measured  ",
              spins.empty() ? "" : read_measured_run(spins, study.motion.measured_column).summary);
   if (options.verb != "sweep") // its cases have studies of their own
+  {
     print_note("Unused    ", unused_entries_note(unused_entries(study)));
+    print_note("Memory    ", memory_note(study));
+  }
   load_modules_of(study);
   return study;
 }

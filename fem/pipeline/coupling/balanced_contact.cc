@@ -1,6 +1,6 @@
 #include "fem/pipeline/coupling/balanced_contact.h"
 
-#include "ring_model/friction_law.h"
+#include "ring_model/friction_functionals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -19,6 +19,7 @@ struct ContactBalance
   ring::Closure closure = ring::Closure::full;
   ring::Orientation orientation; ///< of the marks of glass and table
   bool tilts = false;            ///< true if the weight of the tilted glass enters the balance
+  bool varies_with_spin = false; ///< true if the contact is solved again at every spin
   /// Harmonics of the rings whose friction enters the moment balance.
   unsigned int n_harmonics = all_harmonics;
 };

@@ -1,12 +1,9 @@
 #include "fem/pipeline/coupling/balanced_load.h"
 
-#include "ring_model/self_consistent_ring.h"
-
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -15,32 +12,6 @@ namespace stemware::pipeline
 
 namespace
 {
-
-/// The load of a model of the ring in balance at every spin. Loads are kept.
-class ModelInBalance : public GivenLoad
-{
-public:
-  ModelInBalance(const ring::SelfConsistentRing &glass, LoadReport at_rest)
-      : GivenLoad(std::move(at_rest))
-      , glass(glass)
-  {
-  }
-
-  ring::LeaningLoad at(double omega, const std::optional<ring::Orientation> &) const override
-  {
-    if (omega == 0)
-      return report().rings;
-    auto found = loads.find(omega);
-    if (found == loads.end())
-      found = loads.emplace(omega, glass.at(omega).load).first;
-    return found->second;
-  }
-  std::optional<CouplingStatistics> statistics() const override { return CouplingStatistics{ loads.size() }; }
-
-private:
-  const ring::SelfConsistentRing glass;
-  mutable std::map<double, ring::RingStack> loads;
-};
 
 /// Azimuths in [0, 2 pi), sorted.
 std::vector<fem::AzimuthLoad> by_azimuth(std::vector<fem::AzimuthLoad> pointwise)
@@ -54,15 +25,6 @@ std::vector<fem::AzimuthLoad> by_azimuth(std::vector<fem::AzimuthLoad> pointwise
 }
 
 } // namespace
-
-SharedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const ring::Motion &motion,
-                   ring::Closure closure, LoadReport at_rest, unsigned int n_harmonics)
-{
-  if (n_harmonics < at_rest.rings.n_harmonics())
-    at_rest.rings = at_rest.rings.truncated(n_harmonics);
-  return std::make_shared<ModelInBalance>(ring::SelfConsistentRing(closure, motion, model, n_harmonics),
-                                          std::move(at_rest));
-}
 
 LoadReport report_of(const ring::RingStack &load)
 {

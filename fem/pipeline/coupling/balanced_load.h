@@ -2,9 +2,6 @@
 
 #include "fem/contact/foot.h"
 #include "fem/pipeline/coupling/load_report.h"
-#include "ring_model/load_model.h"
-#include "ring_model/moment_balance.h"
-#include "ring_model/motion.h"
 #include "ring_model/spin/load_at_spin.h"
 
 #include <algorithm>
@@ -70,14 +67,6 @@ private:
   const std::function<ring::LeaningLoad(double omega)> function;
   std::optional<fem::ContactState> state;
 };
-
-/// Returns the load of @p model in balance with the friction of its first @p n_harmonics at every spin; @p
-/// at_rest is the load at omega = 0, where the friction is (-mu N, 0). @p n_harmonics limits T and tau_z
-/// only; friction in an elastic foot follows the whole pressure.
-///
-/// The load throws as ring::SelfConsistentRing::at() and the model.
-SharedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const ring::Motion &motion,
-                   ring::Closure closure, LoadReport at_rest, unsigned int n_harmonics = all_harmonics);
 
 /// Returns the report of a load given by a formula; pointwise quantities are evaluated from the series.
 LoadReport report_of(const ring::RingStack &load);

@@ -162,15 +162,13 @@ private:
 };
 
 /// The load of a contact whose marks stay where they are @p at_rest.
-SharedLoad load_at_one_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                             const fem::ContactState &at_rest, unsigned int n_harmonics, Progress &progress)
+SharedLoad load_at_one_phase(const std::shared_ptr<ElasticFoot> &foot, ContactBalance balance,
+                             const fem::ContactState &at_rest, Progress &progress)
 {
-  const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
-  if (!varies_with_spin(study))
-    return std::make_shared<GivenLoad>(report, n_harmonics, at_rest);
-  ContactBalance balance = moment_balance(study);
+  const LoadReport report = report_of(at_rest, foot->radius(), balance.tilts);
+  if (!balance.varies_with_spin)
+    return std::make_shared<GivenLoad>(report, balance.n_harmonics, at_rest);
   balance.orientation = at_rest.slip.orientation;
-  balance.n_harmonics = n_harmonics;
   return std::make_shared<ContactInBalance>(foot, balance, report, at_rest, progress);
 }
 
@@ -236,8 +234,8 @@ fem::ContactState contact_at_phase(const Study &study, ElasticFoot &foot, const 
 
 /// @p at_rest is the load at the phase of t = 0.
 SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                            const fem::ContactState &at_rest, unsigned int n_harmonics, PhaseSampling phases,
-                            Progress &progress)
+                            const ContactBalance &balance, const ring::PhasePeriods &periods,
+                            const fem::ContactState &at_rest, PhaseSampling phases, Progress &progress)
 {
   // Each phase has its own balances, solved as they are asked for.
   const auto by_phase = std::make_shared<std::map<std::pair<double, double>, SharedLoad>>();
@@ -248,14 +246,13 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
     {
       const fem::ContactState state = contact_at_phase(study, *foot, phase, at_rest);
       progress.pieces_done("phases", by_phase->size(), 0);
-      load = load_at_one_phase(study, foot, state, n_harmonics, progress);
+      load = load_at_one_phase(foot, balance, state, progress);
     }
     return load->at(omega);
   };
   // Where each phase takes a curve over the spins, or ten times as long under a hard contact, fewer have to
   // do: so a study takes seconds.
-  const bool follows = varies_with_spin(study), is_hard = study.table.is_hard();
-  const ring::PhasePeriods periods = phase_periods(study, *foot);
+  const bool follows = balance.varies_with_spin, is_hard = study.table.is_hard();
   const bool is_coarse = is_hard && phases == PhaseSampling::coarse;
   ring::RestSampling at_rest_sampling;
   at_rest_sampling.max_samples = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;
@@ -264,7 +261,8 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
     at_rest_sampling.max_error = 1e-3;
   const ring::PhaseSamples samples = ring::sample_phases(exact, periods, at_rest_sampling);
 
-  const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
+  const SharedLoad at_start = load_at_one_phase(foot, balance, at_rest, progress);
+  const LoadReport &report = at_start->report();
   ring::SpinSampling spins;
   // Friction is not smooth where the rim is as fast as the glass: there intervals meet.
   if (follows)
@@ -280,8 +278,7 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
     worst.least_contact_fraction = std::min(worst.least_contact_fraction, load->report().contact_fraction);
   }
   return std::make_shared<LoadByPhase>(
-    load_at_one_phase(study, foot, at_rest, n_harmonics, progress),
-    std::make_shared<const ring::PhaseSampledLoad>(exact, periods, samples, spins, worst));
+    at_start, std::make_shared<const ring::PhaseSampledLoad>(exact, periods, samples, spins, worst));
 }
 
 /// The contact at rest, on the rings of the study, which the first call chooses.
@@ -302,19 +299,19 @@ fem::ContactState contact_at_rest(const Study &study, const std::shared_ptr<Elas
 SharedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                         unsigned int n_harmonics, Progress &progress, PhaseSampling phases)
 {
-  const ring::Orientation marks = moment_balance(study).orientation;
-  const fem::ContactState state = contact_at_rest(study, foot, marks, progress);
+  const ContactBalance balance = moment_balance(study, n_harmonics);
+  const fem::ContactState state = contact_at_rest(study, foot, balance.orientation, progress);
   progress.stage_done("contact");
-  return phase_periods(study, *foot).any()
-           ? load_over_phases(study, foot, state, n_harmonics, phases, progress)
-           : load_at_one_phase(study, foot, state, n_harmonics, progress);
+  const ring::PhasePeriods periods = phase_periods(study, *foot);
+  return periods.any() ? load_over_phases(study, foot, balance, periods, state, phases, progress)
+                       : load_at_one_phase(foot, balance, state, progress);
 }
 
 SharedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                               const ring::Orientation &orientation, unsigned int n_harmonics)
 {
   const fem::ContactState state = contact_at_rest(study, foot, orientation, silent_progress());
-  return load_at_one_phase(study, foot, state, n_harmonics, silent_progress());
+  return load_at_one_phase(foot, moment_balance(study, n_harmonics), state, silent_progress());
 }
 
 } // namespace stemware::pipeline

@@ -23,10 +23,12 @@ double period_of(const std::vector<fem::WavinessHarmonic> &harmonics)
 
 } // namespace
 
-ContactBalance moment_balance(const Study &study)
+ContactBalance moment_balance(const Study &study, unsigned int n_harmonics)
 {
-  return { study.motion.orbit, study.motion.closure, ring::orientation_of_marks(study.motion.orbit, 0, 0),
-           study.tilts() };
+  const bool varies = varies_with_spin(study);
+  const ring::Motion &motion = study.motion.orbit;
+  return { motion, study.motion.closure, ring::orientation_of_marks(motion, 0, 0), study.tilts(),
+           varies, n_harmonics };
 }
 
 bool varies_with_spin(const Study &study)

@@ -8,8 +8,9 @@
 namespace stemware::pipeline
 {
 
-/// Returns the moment balance of a study with the marks of glass and table at their positions at t = 0.
-ContactBalance moment_balance(const Study &study);
+/// Returns the moment balance of a study with the marks of glass and table at their positions at t = 0; @p
+/// n_harmonics: ContactBalance::n_harmonics.
+ContactBalance moment_balance(const Study &study, unsigned int n_harmonics = all_harmonics);
 
 /// Returns whether find_load() gives a load that varies with the spin.
 bool varies_with_spin(const Study &study);

@@ -3,8 +3,8 @@
 #include "fem/contact/contact_solution.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
-#include "ring_model/first_harmonic_ring.h"
 #include "ring_model/no_balance.h"
+#include "ring_model/self_consistent_ring.h"
 
 #include <exception>
 #include <stdexcept>
@@ -90,17 +90,9 @@ bool is_balance_failure(const std::exception &failure)
 
 SharedLoad first_harmonic_load(const Study &study, ring::Closure closure)
 {
-  const ring::Motion &motion = study.motion.orbit;
-  const double radius = study.glass.profile.contact_radius;
-  if (!motion.has_constant_friction())
-  {
-    const ring::RingStack at_rest = ring::RingStack::first_harmonic(
-      motion.normal_force(), ring::required_moment_at_rest(closure, motion), radius);
-    return balance(std::make_shared<ring::FirstHarmonicModel>(radius), motion, closure, report_of(at_rest));
-  }
-  const ring::FirstHarmonicRing ring(closure, motion, radius);
-  return std::make_shared<GivenLoad>(report_of(ring.load(0)), 1,
-                                     [ring](double omega) { return ring.load(omega); });
+  const ring::SelfConsistentRing ring(closure, study.motion.orbit, study.glass.profile.contact_radius);
+  return std::make_shared<GivenLoad>(report_of(ring.at(0).load), 1,
+                                     [ring](double omega) { return ring.at(omega).load; });
 }
 
 std::string frozen_note(const Study &study)

@@ -42,13 +42,13 @@ void require_no_tipping(const Study &study);
 /// sampled over the phases.
 ///
 /// @p progress must outlive the load, which keeps @p foot; the rings of a foot without rings are chosen here.
-/// Throws BadInput and fem::ContactFailure; the load throws as balance()'s.
+/// Throws BadInput and fem::ContactFailure; the load throws NoBalance.
 SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                      Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics,
                      PhaseSampling phases = PhaseSampling::full);
 
 /// Returns the paper's load: a first harmonic on a ring of the contact radius, in balance by @p closure at
-/// every spin; in closed form if friction does not depend on the slip.
+/// every spin.
 SharedLoad first_harmonic_load(const Study &study, ring::Closure closure);
 
 /// Returns a sentence if the load at rest is used although it depends on the spin, else an empty string.

@@ -1,7 +1,7 @@
 #include "fem/pipeline/explore/live_path.h"
 
 #include "fem/pipeline/coupling/study_load.h"
-#include "ring_model/friction_law.h"
+#include "ring_model/friction_functionals.h"
 
 #include <cmath>
 
@@ -55,16 +55,13 @@ balance_near(const LiveBalance &near, const Study &study, const std::shared_ptr<
 {
   constexpr unsigned int max_contacts = 6;
   constexpr double accuracy = 1e-8; // of the spin [rad/s]
-  if (!study.load.is_in_balance() || !depends_on_spin(study) || foot->ring_radii().empty() ||
-      near.contact.zone != 0 ||
+  if (!varies_with_spin(study) || foot->ring_radii().empty() || near.contact.zone != 0 ||
       near.contact.solution.forces.size() != foot->body().description().n_contact_nodes)
     return std::nullopt;
   const ring::Motion &motion = study.motion.orbit;
   const double scale = motion.orbit_speed / foot->radius();
   const double grip = std::copysign(study.motion.grip_torque, near.spin.omega);
-  ContactBalance balance = moment_balance(study);
-  balance.n_harmonics = n_harmonics;
-  BalancedContact contacts(foot, balance, near.contact);
+  BalancedContact contacts(foot, moment_balance(study, n_harmonics), near.contact);
   double spin = near.spin.omega, slope = near.spin.slope, step = 0, torque_before = 0;
   for (unsigned int n = 0; n < max_contacts; ++n)
   {

@@ -138,6 +138,15 @@ StudySize size_of(const Study &study)
   return size;
 }
 
+std::string memory_note(const Study &study)
+{
+  constexpr double worth_saying = 1e9;
+  const StudySize size = size_of(study);
+  return size.memory > worth_saying
+           ? fmt::format(FMT_STRING("about {:.2g} GB for {:.0f} cells"), size.memory / 1e9, size.cells)
+           : "";
+}
+
 void require_affordable(const Study &study)
 {
   const StudySize size = size_of(study);

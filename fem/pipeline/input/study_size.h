@@ -2,6 +2,8 @@
 
 #include "fem/pipeline/study/study.h"
 
+#include <string>
+
 namespace stemware::pipeline
 {
 
@@ -20,6 +22,9 @@ struct StudySize
 unsigned int edge_halvings(const Study &study);
 
 StudySize size_of(const Study &study);
+
+/// Returns a sentence about the memory of a study that needs more than 1 GB, else an empty string.
+std::string memory_note(const Study &study);
 
 /// Throws BadInput that names the most expensive entry, if the estimate exceeds Contact/Memory limit or
 /// Motion/Step limit.

@@ -2,8 +2,8 @@
 // broadcasts; results have that shape. SI units.
 
 #include "ring_model/free_sliding.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/friction_kernels.h"
-#include "ring_model/friction_law.h"
 #include "ring_model/load/require.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/spin/answer.h"

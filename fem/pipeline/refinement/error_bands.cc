@@ -4,8 +4,8 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/refinement/band_changes.h"
 #include "fem/pipeline/support/failures.h"
-#include "ring_model/friction_law.h"
-#include "ring_model/spin/if_balanced.h"
+#include "ring_model/friction_functionals.h"
+#include "ring_model/if_balanced.h"
 #include "ring_model/terminal_spin.h"
 
 #include <Eigen/Core>

@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
-#include "ring_model/friction_law.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/spin/answer.h"
 
 #include <algorithm>
@@ -39,9 +39,9 @@ fem::ContactGoal second_harmonic_goal(const fem::ContactState &state)
 {
   fem::ContactGoal goal;
   goal.ring_radii = state.load.radii();
-  const std::size_t n_rings = goal.ring_radii.size();
-  goal.of_load = { std::vector<std::vector<double>>(n_rings, { 0, 0, 1 / state.load.a(0) }),
-                   std::vector<std::vector<double>>(n_rings, { 0, 0, 0 }) };
+  const auto n_rings = static_cast<Eigen::Index>(goal.ring_radii.size());
+  goal.of_load = { Eigen::ArrayXXd::Zero(3, n_rings), Eigen::ArrayXXd::Zero(3, n_rings) };
+  goal.of_load.a.row(2) = 1 / state.load.a(0);
   return goal;
 }
 

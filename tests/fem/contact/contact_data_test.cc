@@ -18,7 +18,8 @@ TEST(ContactDemand, ValuesAtNodesAreThoseOfUnitForcesOnThem)
 {
   // The second node mirrors the first one, the others share its azimuth, as far as rounding goes, or not.
   const std::vector<double> radii = { 0.0297, 0.03, 0.0303 };
-  const auto functional = stemware::ring::friction_functionals(0.3, radii, 8, -4., 0.35).side;
+  const auto functional =
+    stemware::ring::friction_functionals(stemware::ring::CoulombLaw(0.3), radii, 8, -4., 0.35).side;
   ContactSurface surface;
   surface.node_position.resize(7, 2);
   surface.node_gap = Eigen::VectorXd::Zero(7);

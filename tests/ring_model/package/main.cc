@@ -1,5 +1,5 @@
-// The terminal spin of a glass whose load a lambda gives: the paper's moment balance, in closed form.
-#include <ring_model/first_harmonic_ring.h>
+// The terminal spin of a glass whose load a lambda gives: the paper's moment balance.
+#include <ring_model/self_consistent_ring.h>
 #include <ring_model/spin/answer.h>
 
 #include <cmath>
@@ -10,8 +10,8 @@ int main()
   using namespace stemware::ring;
   Motion motion; // 0.30 kg, led round a circle of 0.15 m at 0.35 m/s, mu = 0.30
   motion.force_offset = -0.05;
-  const FirstHarmonicRing ring(Closure::paper, motion, 0.03);
-  const LoadFromFunction load([&](double omega) -> LeaningLoad { return ring.load(omega); });
+  const SelfConsistentRing ring(Closure::paper, motion, 0.03);
+  const LoadFromFunction load([&](double omega) -> LeaningLoad { return ring.at(omega).load; });
 
   const double omega = answer(load, { motion }).value().omega_terminal().value();
   std::printf("terminal spin: %.6f rad/s\n", omega);

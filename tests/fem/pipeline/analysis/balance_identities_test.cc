@@ -2,7 +2,7 @@
 // symmetry, the moment balance written out, point quadrature.
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/feet/make_foot.h"
-#include "ring_model/friction_law.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/spin/answer.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"

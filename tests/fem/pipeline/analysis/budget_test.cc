@@ -5,7 +5,7 @@
 #include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/variants/model_variants.h"
-#include "ring_model/first_harmonic_ring.h"
+#include "ring_model/self_consistent_ring.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/matchers.h"
@@ -187,7 +187,7 @@ TEST(Budget, RowsOfAFirstHarmonic)
   budget = budget_of(study);
   EXPECT_EQ(rows_of(budget), (Texts{ "1 paper 1", "2 moment balance 1", "2a grip 1" }));
   EXPECT_NEAR(*budget.rows[1].omega_terminal, -3.67874799852576, 1e-10);
-  const ring::FirstHarmonicRing ring(ring::Closure::full, study.motion.orbit, 0.03);
+  const ring::SelfConsistentRing ring(ring::Closure::full, study.motion.orbit, 0.03);
   EXPECT_NEAR(ring.torque(*budget.rows[2].omega_terminal), -2e-4, 1e-12); // the grip turns it back
 }
 

@@ -1,7 +1,7 @@
 // A rigid foot on a Winkler mat, from the study to its terminal spin. Reference: other code, quadrature in
 // two dimensions without rings, harmonics or kernels (tests/verification/rigid_foot.py, plain_rigid_foot.h).
 #include "fem/pipeline/refinement/error_bands.h"
-#include "ring_model/friction_law.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/spin/answer.h"
 #include "ring_model/terminal_spin.h"
 #include "ring_model/unilateral_foundation.h"
