@@ -33,9 +33,6 @@ public:
    */
   FrictionKernels(double rim_speed, double speed, unsigned int n_max);
 
-  /// Computes the kernels at the slip ratio @p eps. @throws std::invalid_argument if it is not finite.
-  static FrictionKernels at_slip_ratio(double eps, unsigned int n_max) { return { eps, 1., n_max }; }
-
   /// Returns the highest computed harmonic.
   unsigned int n_max() const { return highest; }
 

@@ -106,13 +106,11 @@ PhaseSamples PhaseSampledLoad::Samples::at(double omega) const
 }
 
 PhaseSampledLoad::PhaseSampledLoad(LoadAtPhase load_given, const PhasePeriods &periods,
-                                   const PhaseSamples &at_rest, const SpinSampling &spins_asked,
-                                   const PhaseExtremes &extremes)
+                                   const PhaseSamples &at_rest, const SpinSampling &spins_asked)
     : load(std::move(load_given))
     , phase_periods(periods)
     , at_rest(at_rest)
     , spins_asked(spins_asked)
-    , extremes(extremes)
     , largest_error(at_rest.error())
 {
 }

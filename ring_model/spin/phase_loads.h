@@ -38,13 +38,6 @@ struct SpinSampling
   std::size_t max_intervals = std::numeric_limits<std::size_t>::max();
 };
 
-/// Extremes over all sampled phases, at rest.
-struct PhaseExtremes
-{
-  double least_load = 0;             ///< pointwise [N/rad]
-  double least_contact_fraction = 0; ///< LoadReport::contact_fraction
-};
-
 /// Load that depends on the phases of glass and table, and possibly on the spin. At rest it is sampled on a
 /// grid of phases. The change with the spin is sampled at some of these phases, on Chebyshev points of each
 /// interval of spins that is requested. Interpolation is trigonometric in the phases and polynomial in the
@@ -54,7 +47,7 @@ class PhaseSampledLoad
 public:
   /// Keeps a copy of @p load.
   PhaseSampledLoad(LoadAtPhase load, const PhasePeriods &periods, const PhaseSamples &at_rest,
-                   const SpinSampling &spins = {}, const PhaseExtremes &extremes = {});
+                   const SpinSampling &spins = {});
 
   /// Returns the load at a spin and phase. Throws NoBalance, as sample_phases(), if the samples around @p
   /// omega are not accurate enough, and if they would exceed SpinSampling::max_intervals.
@@ -80,7 +73,6 @@ public:
   /// with the spin at the far end of each interval, plus the interpolation error in the spin (for the mean,
   /// at most the difference to half of the spins).
   const SampleError &error() const { return largest_error; }
-  const PhaseExtremes &at_rest_extremes() const { return extremes; }
 
 private:
   /// Samples on one interval of spins.
@@ -116,7 +108,6 @@ private:
   const PhasePeriods phase_periods;
   const PhaseSamples at_rest;
   const SpinSampling spins_asked;
-  const PhaseExtremes extremes;
   mutable std::map<long, Samples> intervals;
   mutable std::map<long, std::exception_ptr> failures; ///< of other intervals
   mutable SampleError largest_error;

@@ -37,7 +37,6 @@ public:
 
   unsigned int size() const { return n_nodes; }
   double node(unsigned int i) const { return period * i / n_nodes; }
-  double step() const { return period / n_nodes; }
   PeriodicGrid refined() const { return PeriodicGrid(period, 2 * n_nodes); }
   /// Returns the grid with half the nodes, at least one.
   PeriodicGrid halved() const;

@@ -3,6 +3,7 @@
 #include "ring_model/friction_functionals.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/spin/answer.h"
+#include "tests/ring_model/reference.h"
 
 #include <gtest/gtest.h>
 

@@ -60,7 +60,7 @@ TEST(CoulombRing, QuadratureErrsByTheAliasedKernels)
   // With N points half a cell off psi = 0 harmonic n errs by sum_j (-1)^j (K_{jN-n} + K_{jN+n}), exactly.
   const double eps = 0.6, mu = 0.3, R = 0.03;
   const unsigned int n_points = 20;
-  const auto kernels = FrictionKernels::at_slip_ratio(eps, 110);
+  const auto kernels = FrictionKernels(eps, 1., 110);
   for (const unsigned int n : { 0u, 4u })
   {
     std::vector<double> a(n + 1, 0.);
@@ -92,7 +92,7 @@ TEST(CoulombRing, QuadraturePointsForFullPrecisionAreThoseOfTheReference)
   for (std::size_t i = 0; i < table["eps"].size(); ++i)
   {
     const unsigned int expected = table["N_n0"][i], slack = 1 + expected / 2000;
-    const auto kernels = FrictionKernels::at_slip_ratio(table["eps"][i], expected + slack);
+    const auto kernels = FrictionKernels(table["eps"][i], 1., expected + slack);
     const auto error = [&](unsigned int n_points)
     { return 2. * kernels.K(n_points) / std::abs(kernels.K(0)); };
     EXPECT_LE(error(expected + slack), 1e-15) << table["eps"][i];

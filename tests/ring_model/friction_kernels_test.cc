@@ -77,7 +77,7 @@ TEST(FrictionKernels, AgreeWithReferenceCases)
   for (const auto &row : reference()["kernels"])
   {
     const double eps = row["eps"];
-    const auto kernels = FrictionKernels::at_slip_ratio(eps, 12);
+    const auto kernels = FrictionKernels(eps, 1., 12);
     const double tolerance = 1e-14 * std::max(1., row["P"][0].get<double>());
     for (unsigned int n = 0; n <= 12; ++n)
     {
@@ -105,7 +105,7 @@ TEST(FrictionKernels, LoseNoDigitsAgainstFiftyDigitQuadrature)
   for (const double eps : slip_ratios)
   {
     const QuadratureOracle exact(eps);
-    const auto kernels = FrictionKernels::at_slip_ratio(eps, 64);
+    const auto kernels = FrictionKernels(eps, 1., 64);
     for (unsigned int n = 0; n <= 64; ++n)
     {
       const Real U = exact.P[n] + eps * exact.K[n];
@@ -137,7 +137,7 @@ TEST(FrictionKernels, ReachSmallSlipLimitsWithAllDigits)
   // order eps^2.
   const auto &kappa = reference()["kernel_small_eps"]["kappa"];
   const double eps = 1e-8, pi = boost::math::constants::pi<double>();
-  const auto kernels = FrictionKernels::at_slip_ratio(eps, 12);
+  const auto kernels = FrictionKernels(eps, 1., 12);
   expect_relative(kernels.K(0), -pi * eps, 1e-15, "K_0");
   expect_relative(kernels.U(0), 2. * pi, 1e-15, "U_0");
   expect_relative(kernels.U(1), -pi / 4. * eps * eps * eps, 1e-14, "U_1");
@@ -149,7 +149,7 @@ TEST(FrictionKernels, ReachSmallSlipLimitsWithAllDigits)
     if (n >= 2)
       expect_relative(kernels.U(n), (n - 1.) / n * k * power * eps, 1e-14, "U_" + std::to_string(n));
   }
-  const auto rest = FrictionKernels::at_slip_ratio(0., 128);
+  const auto rest = FrictionKernels(0., 1., 128);
   EXPECT_DOUBLE_EQ(rest.P(0), 2. * pi);
   EXPECT_DOUBLE_EQ(rest.K(1), pi);
   for (unsigned int n = 2; n <= 128; ++n)
@@ -158,7 +158,7 @@ TEST(FrictionKernels, ReachSmallSlipLimitsWithAllDigits)
 
 TEST(FrictionKernels, AreRationalWhereARimPointStandsStill)
 {
-  const auto kernels = FrictionKernels::at_slip_ratio(1., 128);
+  const auto kernels = FrictionKernels(1., 1., 128);
   for (unsigned int n = 0; n <= 128; ++n)
   {
     const double value = 4. / (4. * n * n - 1.);
@@ -182,9 +182,8 @@ TEST(FrictionKernels, SatisfyParityDualityAndRecurrenceAtRandomSlip)
   for (unsigned int trial = 0; trial < 400; ++trial)
   {
     const double eps = std::exp(numbers.between(-4., 4.));
-    const auto plus = FrictionKernels::at_slip_ratio(eps, 40),
-               minus = FrictionKernels::at_slip_ratio(-eps, 40),
-               dual = FrictionKernels::at_slip_ratio(1. / eps, 40);
+    const auto plus = FrictionKernels(eps, 1., 40), minus = FrictionKernels(-eps, 1., 40),
+               dual = FrictionKernels(1. / eps, 1., 40);
     for (unsigned int n = 0; n <= 40; ++n)
     {
       const double sign = n % 2 == 0 ? 1. : -1., scale = 1e-14 * std::max(1., eps);
@@ -210,7 +209,7 @@ TEST(FrictionKernels, KIsMinusTheDerivativeOfP)
 {
   const auto values = [](double eps, auto kernel)
   {
-    const auto kernels = FrictionKernels::at_slip_ratio(eps, 12);
+    const auto kernels = FrictionKernels(eps, 1., 12);
     Eigen::VectorXd all(13);
     for (unsigned int n = 0; n <= 12; ++n)
       all(n) = kernel(kernels, n);
@@ -228,10 +227,10 @@ TEST(FrictionKernels, DoNotDependOnHowManyAreAsked)
 {
   for (const double eps : { 1e-3, 0.4, 0.69, 0.72, 0.95, 0.985, 0.999, 1.004, 3. })
   {
-    const auto all = FrictionKernels::at_slip_ratio(eps, 256);
+    const auto all = FrictionKernels(eps, 1., 256);
     for (const unsigned int n_max : { 0u, 1u, 2u, 5u, 33u, 100u })
     {
-      const auto some = FrictionKernels::at_slip_ratio(eps, n_max);
+      const auto some = FrictionKernels(eps, 1., n_max);
       for (unsigned int n = 0; n <= n_max; ++n)
       {
         EXPECT_NEAR(some.P(n), all.P(n), 2e-14 * std::abs(all.P(n))) << eps << " " << n_max << " " << n;
@@ -248,8 +247,7 @@ TEST(FrictionKernels, RefuseWhatHasNoSlip)
 {
   EXPECT_THROW(FrictionKernels(0., 0., 3), std::invalid_argument);
   EXPECT_THROW(FrictionKernels(1., -1., 3), std::invalid_argument);
-  EXPECT_THROW(FrictionKernels::at_slip_ratio(std::numeric_limits<double>::quiet_NaN(), 3),
-               std::invalid_argument);
+  EXPECT_THROW(FrictionKernels(std::numeric_limits<double>::quiet_NaN(), 1., 3), std::invalid_argument);
   EXPECT_THROW(FrictionKernels(1., std::numeric_limits<double>::infinity(), 3), std::invalid_argument);
 }
 } // namespace

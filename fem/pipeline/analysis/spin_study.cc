@@ -22,14 +22,15 @@ double half_range(const std::vector<double> &values)
   return (*most - *least) / 2;
 }
 
-PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const ring::Answer &row)
+PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const PhaseExtremes &at_rest,
+                        const ring::Answer &row)
 {
   PhaseStudy study;
   study.spin_ripple = row.ripple;
   study.spin_uncertainty = row.spin_uncertainty;
   study.zero_of_mean_torque = row.zero_of_mean_torque;
-  study.least_load = loads.at_rest_extremes().least_load;
-  study.least_contact_fraction = loads.at_rest_extremes().least_contact_fraction;
+  study.least_load = at_rest.least_load;
+  study.least_contact_fraction = at_rest.least_contact_fraction;
   study.n_glass_phases = loads.phases().glass.size();
   study.n_table_phases = loads.phases().table.size();
   study.n_spins = loads.n_spins();
@@ -239,8 +240,8 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
   return driven;
 }
 
-SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                     const ring::LoadAtSpin &load, const Executor &executor, Progress &progress, Depth depth)
+SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
+                     const Executor &executor, Progress &progress, Depth depth)
 {
   std::vector<Variant> others = budget_variants(own_variant(study, foot.get()), load.phases() != nullptr);
   if (depth != Depth::full)
@@ -272,7 +273,7 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   for (const LoadedRow &row : solved.by_harmonics)
     result.rows.push_back(row.row);
   if (load.phases())
-    result.phases = study_phases(*load.phases(), curves.all);
+    result.phases = study_phases(*load.phases(), load.report().over_phases.value(), curves.all);
   for (const LoadedRow &other : solved.others)
     if (other.variant.key == "one_ring")
       result.one_ring = beside_all(other.row, result.all());

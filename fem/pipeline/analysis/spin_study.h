@@ -138,8 +138,8 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
 /// executor. A glass that tips on the way is an answer: the last row has no terminal spin but a `fall`.
 /// Throws ring::NoBalance if all harmonics have no terminal spin otherwise, or if the spin under a load that
 /// depends on the phase does not settle; and as contact solves and balances.
-SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                     const ring::LoadAtSpin &load, const Executor &executor,
-                     Progress &progress = silent_progress(), Depth depth = Depth::full);
+SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
+                     const Executor &executor, Progress &progress = silent_progress(),
+                     Depth depth = Depth::full);
 
 } // namespace stemware::pipeline

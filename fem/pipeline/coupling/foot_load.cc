@@ -177,19 +177,20 @@ SharedLoad load_at_one_phase(const std::shared_ptr<ElasticFoot> &foot, ContactBa
 class LoadByPhase : public BalancedLoad
 {
 public:
-  LoadByPhase(SharedLoad at_start, std::shared_ptr<const ring::PhaseSampledLoad> loads)
+  LoadByPhase(SharedLoad at_start, LoadReport report, ring::PhaseSampledLoad loads)
       : at_start(std::move(at_start))
+      , at_rest(std::move(report))
       , loads(std::move(loads))
   {
   }
 
   ring::LeaningLoad at(double omega, const std::optional<ring::Orientation> &marks) const override
   {
-    return marks ? loads->at(omega, *marks) : loads->mean(omega);
+    return marks ? loads.at(omega, *marks) : loads.mean(omega);
   }
   unsigned int n_harmonics() const override { return at_start->n_harmonics(); }
-  const ring::PhaseSampledLoad *phases() const override { return loads.get(); }
-  const LoadReport &report() const override { return at_start->report(); }
+  const ring::PhaseSampledLoad *phases() const override { return &loads; }
+  const LoadReport &report() const override { return at_rest; }
   std::optional<fem::ContactState> contact(double omega) const override { return at_start->contact(omega); }
   std::optional<CouplingStatistics> statistics() const override { return at_start->statistics(); }
   double stability_margin(double omega) const override { return at_start->stability_margin(omega); }
@@ -200,7 +201,8 @@ public:
 
 private:
   const SharedLoad at_start;
-  const std::shared_ptr<const ring::PhaseSampledLoad> loads;
+  const LoadReport at_rest;
+  const ring::PhaseSampledLoad loads;
 };
 
 /// The contact at rest with the marks at @p phase. If it tips, the failure tells about @p at_start as well,
@@ -262,7 +264,7 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
   const ring::PhaseSamples samples = ring::sample_phases(exact, periods, at_rest_sampling);
 
   const SharedLoad at_start = load_at_one_phase(foot, balance, at_rest, progress);
-  const LoadReport &report = at_start->report();
+  LoadReport report = at_start->report();
   ring::SpinSampling spins;
   // Friction is not smooth where the rim is as fast as the glass: there intervals meet.
   if (follows)
@@ -271,14 +273,14 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
     spins.max_steps = is_coarse ? 4 : 8;
   if (is_coarse)
     spins.max_intervals = 2;
-  ring::PhaseExtremes worst = { report.minimum, report.contact_fraction };
+  PhaseExtremes &worst = report.over_phases.emplace(PhaseExtremes{ report.minimum, report.contact_fraction });
   for (const auto &[phase, load] : *by_phase)
   {
     worst.least_load = std::min(worst.least_load, load->report().minimum);
     worst.least_contact_fraction = std::min(worst.least_contact_fraction, load->report().contact_fraction);
   }
-  return std::make_shared<LoadByPhase>(
-    at_start, std::make_shared<const ring::PhaseSampledLoad>(exact, periods, samples, spins, worst));
+  return std::make_shared<LoadByPhase>(at_start, report,
+                                       ring::PhaseSampledLoad(exact, periods, samples, spins));
 }
 
 /// The contact at rest, on the rings of the study, which the first call chooses.

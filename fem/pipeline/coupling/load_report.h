@@ -12,6 +12,13 @@
 namespace stemware::pipeline
 {
 
+/// Extremes over all sampled phases, at rest.
+struct PhaseExtremes
+{
+  double least_load = 0;             ///< LoadReport::minimum
+  double least_contact_fraction = 0; ///< LoadReport::contact_fraction
+};
+
 /// Load on the rings, with the resultants and the extent of the contact.
 struct LoadReport
 {
@@ -34,6 +41,7 @@ struct LoadReport
   std::optional<double> contact_width = {};
   std::vector<fem::AzimuthLoad>
     pointwise = {}; ///< lambda itself by azimuth in [0, 2 pi), sorted; empty unless from a contact
+  std::optional<PhaseExtremes> over_phases = {}; ///< empty unless the load depends on the phase
 
   double half_width() const { return (outer_radius - inner_radius) / 2; } ///< of the loaded band [m]
 };
