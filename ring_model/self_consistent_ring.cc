@@ -51,8 +51,12 @@ double SelfConsistentRing::moment_ratio(const Eigen::Vector2d &moment) const
 SelfConsistentRing::Trial SelfConsistentRing::attempt(double omega, const Eigen::Vector2d &moment) const
 {
   RingStack load = model->rings(motion.normal_force(), moment);
-  if (load.n_harmonics() > n_max)
-    load = load.truncated(n_max);
+  return residual_of(load.n_harmonics() > n_max ? load.truncated(n_max) : std::move(load), omega, moment);
+}
+
+SelfConsistentRing::Trial SelfConsistentRing::residual_of(RingStack load, double omega,
+                                                          const Eigen::Vector2d &moment) const
+{
   const Wrench friction = ring::wrench(motion, load, omega);
   const Eigen::Vector2d required = required_moment(closure, motion, { friction.force_x, friction.force_y });
   return { std::move(load), friction, required - moment };
@@ -105,7 +109,12 @@ RingEquilibrium SelfConsistentRing::at(double omega) const
   // Shorter steps say more about rounding than about the slope.
   const double shortest_informative = 1e3 * tolerance;
   Eigen::Matrix2d jacobian = jacobian_of_first_harmonic(omega);
-  Eigen::Vector2d moment = within_limits(Eigen::Vector2d::Zero(), required_moment_at_rest(closure, motion));
+  // The first harmonic in balance, from that of rest: its balance is linear for one coefficient of friction.
+  const Eigen::Vector2d at_rest = required_moment_at_rest(closure, motion);
+  const Eigen::Vector2d change =
+    residual_of(RingStack::first_harmonic(motion.normal_force(), at_rest, model->radius()), omega, at_rest)
+      .residual;
+  Eigen::Vector2d moment = within_limits(Eigen::Vector2d::Zero(), at_rest - jacobian.inverse() * change);
   Trial trial = attempt(omega, moment);
   unsigned int n_evaluations = 1;
   bool ended = trial.residual.norm() <= tolerance;

@@ -22,8 +22,8 @@ struct RingEquilibrium
 
 /**
  * Ring whose load, friction and hand force satisfy all balances at once: T enters M_N, M_N enters lambda,
- * lambda enters T. Solved for M_N by Broyden's method, started from the moment at rest with the Jacobian of
- * the first harmonic, so that a first-harmonic load takes one step. docs/theory/closures.md.
+ * lambda enters T. Solved for M_N by Broyden's method, started from the balance of the first harmonic with
+ * its Jacobian. docs/theory/closures.md.
  *
  * Truncated to n_max, only the kept harmonics exert friction. Normal force and M_N depend on the harmonics 0
  * and 1 only, so the truncated load still has them; the changed friction changes M_N and thereby the kept
@@ -54,6 +54,7 @@ private:
   /// @p moment.
   struct Trial;
   Trial attempt(double omega, const Eigen::Vector2d &moment) const;
+  Trial residual_of(RingStack load, double omega, const Eigen::Vector2d &moment) const;
 
   /// Returns the Jacobian of the residual for a first harmonic.
   Eigen::Matrix2d jacobian_of_first_harmonic(double omega) const;

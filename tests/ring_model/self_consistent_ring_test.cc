@@ -51,7 +51,7 @@ TEST(SelfConsistentRing, FirstHarmonicTakesOneStep)
     for (const double omega : { 0., -3., 8., -40. })
     {
       const RingEquilibrium state = ring.at(omega);
-      EXPECT_LE(state.n_evaluations, 3u);
+      EXPECT_LE(state.n_evaluations, 2u);
       EXPECT_LE(state.moment_residual, 1e-14);
     }
   }
