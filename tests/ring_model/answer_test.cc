@@ -95,22 +95,6 @@ TEST(AskedAnswer, AFallKeepsItsLastSpin)
   EXPECT_NEAR(found.fall->omega, -2., motion.orbit_speed / radius / 4096);
 }
 
-TEST(AskedAnswer, ALoadThatFailsHasAReason)
-{
-  const LoadFromFunction load(
-    [](double omega) -> LeaningLoad
-    {
-      if (omega != 0)
-        throw NoBalance("none");
-      return RingStack::first_harmonic(3., { 0.01, 0 }, radius);
-    });
-  const Answer found = answer(load, { Motion() });
-  EXPECT_EQ(found.status, Status::no_balance);
-  EXPECT_TRUE(found.at_rest);
-  EXPECT_NE(found.reason.find("none"), std::string::npos);
-  EXPECT_THROW(found.value(), NoBalance);
-}
-
 TEST(AskedAnswer, ATruncatedLoadLosesHarmonicsAlone)
 {
   const RingStack rich({ 0.47, 0.1, 0.03 }, { 0., 0.3, -0.02 }, radius);

@@ -113,22 +113,6 @@ TEST(CoulombRing, NeverGivesEnergyToANonnegativeLoad)
   }
 }
 
-TEST(CoulombRing, MirrorImageReversesSpinTorqueAndSideForce)
-{
-  test::Numbers numbers(8);
-  for (unsigned int trial = 0; trial < 200; ++trial)
-  {
-    const auto [a, b] = numbers.nonnegative_load(9);
-    const RingStack load(a, b, 0.03);
-    const double omega = numbers.between(-30., 30.);
-    const Wrench wrench = coulomb_wrench(0.3, load, omega, 0.35);
-    const Wrench mirror = coulomb_wrench(0.3, test::mirrored(load), -omega, 0.35);
-    EXPECT_NEAR(mirror.torque, -wrench.torque, 1e-16);
-    EXPECT_NEAR(mirror.force_x, wrench.force_x, 1e-15);
-    EXPECT_NEAR(mirror.force_y, -wrench.force_y, 1e-15);
-  }
-}
-
 TEST(CoulombRing, OnlyTheFirstHarmonicActsAtRest)
 {
   test::Numbers numbers(9);

@@ -155,20 +155,6 @@ TEST(FreeSliding, WithoutSpinItIsABrick)
   }
 }
 
-TEST(FreeSliding, LimitSurfaceIsNormalToTheMotion)
-{
-  // f' + eps t' = 0 along the limit curve of the ring (maximum dissipation).
-  for (const double eps : { 0.1, 0.5, 0.9, 1.3, 4. })
-  {
-    const auto friction = [](double slip_ratio)
-    { return sliding_friction(unit_slider(SlidingBody::ring(1.), 1.), 1., slip_ratio); };
-    const double h = 1e-5;
-    const double df = friction(eps + h).force_x - friction(eps - h).force_x;
-    const double dt = friction(eps + h).torque - friction(eps - h).torque;
-    EXPECT_NEAR((df + eps * dt) / (2. * h), 0., 1e-9);
-  }
-}
-
 TEST(FreeSliding, StackOfRingsApproachesTheDisc)
 {
   const unsigned int n_rings = 400;

@@ -168,14 +168,6 @@ TEST(FrictionKernels, AreRationalWhereARimPointStandsStill)
   }
 }
 
-TEST(FrictionKernels, HaveTheLimitOfPureSpin)
-{
-  const FrictionKernels kernels(-3., 0., 5);
-  const double pi = boost::math::constants::pi<double>();
-  EXPECT_NEAR(kernels.K(0), 2. * pi, 1e-14);
-  EXPECT_NEAR(kernels.U(1), pi, 1e-14); // -K_1(0) and odd in the sense of spin
-}
-
 TEST(FrictionKernels, SatisfyParityDualityAndRecurrenceAtRandomSlip)
 {
   test::Numbers numbers(20260101);

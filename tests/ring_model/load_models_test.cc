@@ -147,11 +147,5 @@ TEST(UnilateralFoundation, NamesTippingAndRefusesBadInput)
   EXPECT_THROW(UnilateralFoundation(0.03, 1., 0), std::invalid_argument);
 }
 
-TEST(FirstHarmonicModel, SaysWhenItTurnsNegative)
-{
-  const FirstHarmonicModel model(0.03);
-  EXPECT_GT(model.rings(2., { 0.029, 0. }).minimum(), 0.);
-  EXPECT_LT(model.rings(2., { 0.031, 0. }).minimum(), 0.);
-}
 } // namespace
 } // namespace stemware::ring

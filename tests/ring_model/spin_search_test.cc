@@ -154,21 +154,6 @@ TEST(SpinSearch, TheGripHoldsTheGlass)
   EXPECT_TRUE(upright.omega == 0. && !upright.held);
 }
 
-TEST(SpinSearch, GivesTheSlope)
-{
-  for (const auto &row : reference()["closures_first_harmonic"])
-  {
-    if (row["closure"] != "A" || row["g"] != 9.81)
-      continue;
-    const SelfConsistentRing ring(Closure::paper, Motion(), radius);
-    const TerminalSpin spin =
-      terminal_spin([&](double omega) { return ring.torque(omega); }, 3e-4, SpinSearch{ scale });
-    expect_relative(spin.torque_slope, row["dtau_domega_T"], 1e-6, "slope");
-    expect_relative(spin.time_constant, 3e-4 / -row["dtau_domega_T"].get<double>(), 1e-6, "time constant");
-    EXPECT_TRUE(spin.stable);
-  }
-}
-
 TEST(SpinSearch, TakesTheFirstZeroWhereTheSamplesShowThatThereAreMore)
 {
   const auto torque = [](double omega) { return -(omega - 1.) * (omega - 3.) * (omega - 4.); };
@@ -215,29 +200,6 @@ TEST(SpinSearch, StepsBackFromSpinsWithoutTorque)
   catch (const BalanceLost &lost)
   {
     EXPECT_NEAR(lost.last_spin, -2.1, 10. / 4096.);
-  }
-}
-
-TEST(SpinSearch, AFaultOfTheTorqueIsNoMissingBalance)
-{
-  const auto torque = [](double omega)
-  {
-    if (omega > 1.)
-      throw std::runtime_error("a fault");
-    return 2. - omega;
-  };
-  try
-  {
-    find_terminal_spin(torque, { 10., 5. });
-    FAIL() << "a fault was taken for a spin without a balance";
-  }
-  catch (const NoBalance &)
-  {
-    FAIL() << "a fault was taken for a spin without a balance";
-  }
-  catch (const std::runtime_error &fault)
-  {
-    EXPECT_STREQ(fault.what(), "a fault");
   }
 }
 
@@ -293,21 +255,6 @@ TEST(SpinSearch, FindsANarrowGapByTheSteadiness)
       }
       EXPECT_FALSE(find_terminal_spin_near({ sense, -1. }, torque, search)) << "0.99 is next to a fold";
     }
-}
-
-TEST(SpinSearch, PassesByASpinOfLittleSteadiness)
-{
-  // A balance that nearly ends: as many torques as the zero takes, and those that look at the way.
-  const auto torque = [](double omega) { return 1. - omega; };
-  for (const double least : { 1e-4, 1e-2, 0.1 })
-  {
-    SpinSearch search{ 1., 0.99 };
-    search.stability_margin = [=](double omega)
-    { return std::sqrt(std::min(1., least + 4. * std::pow(omega - 0.7, 2))); };
-    const SpinZero zero = find_terminal_spin(torque, search);
-    EXPECT_NEAR(zero.omega, 1., 1e-12);
-    EXPECT_LE(zero.n_evaluations, 110u);
-  }
 }
 
 TEST(SpinSearch, EndsWhereTheTorqueIsNoisy)

@@ -32,17 +32,6 @@ TEST(TruncatedRing, FirstHarmonicAloneIsTheFormalFirstHarmonic)
   }
 }
 
-TEST(TruncatedRing, CarriesTheWholeMomentAtEveryTruncation)
-{
-  for (const unsigned int n : { 1u, 2u, 5u })
-  {
-    const RingEquilibrium state = truncated_ring(1.5, n).at(-3.);
-    EXPECT_NEAR(state.load.normal_force(), Motion().normal_force(), 1e-15);
-    EXPECT_LE(state.moment_residual, 1e-14);
-    EXPECT_EQ(state.load.n_harmonics(), n);
-  }
-}
-
 TEST(TruncatedRing, FrictionActsBackOnTheMoment)
 {
   // Lift-off (z_CM = 0.10 m): the second harmonic adds friction across the motion, T_y = mu (a_1 P_1 + a_2
@@ -80,13 +69,6 @@ TEST(TruncatedRing, SpinsApproachThatOfAllHarmonics)
     EXPECT_LT(change, last / 2) << n;
     last = change;
   }
-}
-
-TEST(TruncatedRing, TipsWhereTheWholeLoadTips)
-{
-  Motion motion;
-  motion.centre_of_mass_height = 0.2;
-  EXPECT_THROW(truncated_ring(1., 3, motion).at(-3.), Tipping);
 }
 
 TEST(TruncatedRing, RefusesToDropTheMoment)
