@@ -57,7 +57,7 @@ TEST(LineContact, OracleReproducesTheTable)
 TEST(LineContact, CrownedRingCarriesAllRound)
 {
   const LineContact expected(0.5, 256, slenderness);
-  const ContactLoad load = press_ring(0.5, 64);
+  const ContactLoad load = press_ring(0.5, 65); // an odd number of lines
   EXPECT_EQ(load.contact_fraction, 1);
   // 0.0069 to a hundredth, the ratio of width and radius; the others to the noise of the edges that pass from
   // cell to cell.
@@ -75,14 +75,6 @@ TEST(LineContact, CrownedRingLiftsOff)
   // 0.2099, -0.0924, 0.0279, 0.0084, -0.0189, to the ratio of width and radius of the largest.
   for (unsigned int n = 2; n <= 6; ++n)
     EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), n == 2 ? 1.2e-3 : 5e-4) << "n = " << n;
-}
-
-TEST(LineContact, LinesBeyondTheHarmonicsChangeNothingWithoutLiftOff)
-{
-  const ContactLoad few = press_ring(0.5, 2 * n_harmonics + 1);
-  const ContactLoad many = press_ring(0.5, 8 * n_harmonics);
-  for (unsigned int n = 2; n <= 8; ++n)
-    EXPECT_NEAR(few.a(n) / few.a(0), many.a(n) / many.a(0), 1.5e-5) << "n = " << n;
 }
 
 /// Published: NAFEMS R0094, contact benchmark 1. A steel cylinder of radius 50 mm on aluminium under 35 kN/mm

@@ -128,34 +128,6 @@ TEST(RealFoot, SolidBodyAgrees)
   EXPECT_LT(difference(quadratic.solve_on_winkler(1e10, load), expected, 6), 1e-4);
 }
 
-TEST(RealFoot, WithoutReliefIsTheStepWithoutLand)
-{
-  // Both become the same plate with a stem as the land sinks into it; what is left is of its height's order.
-  double before = 0;
-  for (const double height : { 1e-4, 1e-5, 1e-6 })
-  {
-    GlassProfile step;
-    step.land_height = height;
-    GlassProfile foot = step;
-    foot.shape = GlassShape::foot;
-    foot.underside_rise = 0;
-    foot.edge_thickness = foot.foot_thickness - height;
-    foot.fillet_radius = 0;
-    const auto solve = [](const GlassProfile &profile)
-    {
-      RevolutionCase glass(profile, foot_compliance(profile, equal_cells(1), { 2, 8 }));
-      return glass.solve_on_winkler(1e10, load_at(1.3));
-    };
-    const double now = difference(solve(step), solve(foot), 8);
-    EXPECT_LT(now, height);
-    if (before > 0)
-    {
-      EXPECT_LT(now, before / 5) << height;
-    }
-    before = now;
-  }
-}
-
 TEST(RealFoot, ThinFootBendsLikeAPlate)
 {
   // A tapering plate clamped to the stem; the stem's own give, and shear, are of the order of thickness over
