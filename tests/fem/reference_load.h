@@ -1,9 +1,11 @@
 #pragma once
 
+#include "fem/contact/contact_load.h"
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/interface_law.h"
 #include "fem/geometry/glass_profile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -29,6 +31,15 @@ inline GlassProfile flat_profile()
   profile.land_width = 0.002;
   profile.crown_radius = 0;
   return profile;
+}
+
+/// Largest difference of a_n / a_0, n = 2 ... @p highest.
+inline double largest_difference(const ContactLoad &one, const ContactLoad &other, unsigned int highest = 8)
+{
+  double largest = 0;
+  for (unsigned int n = 2; n <= highest; ++n)
+    largest = std::max(largest, std::abs(one.a(n) / one.a(0) - other.a(n) / other.a(0)));
+  return largest;
 }
 
 /// Where a contact solve begins that goes on from @p solution.

@@ -241,17 +241,6 @@ TEST(ContactExtent, OfALandInFullContactIsExactlyOne)
   EXPECT_LT(pressed(annulus(land, 0.02, 0.04, 128), 0.0126).area_share, 1);
 }
 
-TEST(ContactExtent, OfAPlateBeyondItsKernIsThatOfATriangularPressure)
-{
-  // 80 x 40 mm, the load 10 mm off in y: p = 2 N / (3 L (B/2 - e)) at the edge, over 3 (B/2 - e) of B.
-  PlaneLand land;
-  const double length = 0.08, breadth = 0.04, eccentricity = 0.01;
-  const ContactExtent extent = pressed_at(plate(land, length, breadth, 50), 10, 0, eccentricity, 1e9).extent;
-  EXPECT_NEAR(extent.area_share, 0.75, 1e-9);
-  EXPECT_FALSE(extent.azimuth_share);
-  EXPECT_NEAR(extent.peak_pressure, 2 * 10 / (3 * length * (breadth / 2 - eccentricity)), 1e-4);
-}
-
 // Code_Aster V6.02.130: a square of 2 m with 80/3 N half a metre off its middle, on 5000 Pa/m. The deepest
 // edge sinks in by 4/1125 m, the other is 4/3375 m above the mat.
 TEST(ContactExtent, OfARigidPlateOnAMatIsThatOfCodeAster)
@@ -262,6 +251,7 @@ TEST(ContactExtent, OfARigidPlateOnAMatIsThatOfCodeAster)
   EXPECT_NEAR(found.motion(0) - found.motion(2), 4. / 3375, 1e-13);
   EXPECT_NEAR(found.motion(1), 0, 1e-15);
   EXPECT_NEAR(found.extent.area_share, 0.75, 1e-9);
+  EXPECT_FALSE(found.extent.azimuth_share);
   EXPECT_NEAR(found.extent.peak_pressure, 5000 * 4. / 1125, 1e-9);
 }
 

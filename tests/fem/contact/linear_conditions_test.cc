@@ -118,29 +118,6 @@ TEST(LinearConditions, FrictionArmUnderABodyOfRevolution)
   expect_fixed_point(foot.body, *law);
 }
 
-/// L = Q A with a constant regular A says the same as Q, through the unsymmetric systems.
-TEST(LinearConditions, CombinedResultantsAreTheResultants)
-{
-  const FootCase solid(GlassProfile(), { 12, 4, 1 });
-  RevolutionCase revolution(GlassProfile(),
-                            foot_compliance(GlassProfile(), graded_cells(), MeridianOptions{ 2, 16 }), 64);
-  for (ElasticBody *body :
-       { static_cast<ElasticBody *>(solid.body.get()), static_cast<ElasticBody *>(&revolution.body) })
-  {
-    const ContactSurface &surface = body->contact_surface();
-    const auto law = make_law(WinklerInterface(1e11), surface);
-    const LinearConditions plain = prescribed_resultants(surface, load_at(0.9, 0.4));
-    EXPECT_TRUE(plain.are_resultants());
-    Eigen::Matrix3d mixing;
-    mixing << 1, 0.004, -0.003, 0, 1, 0.2, 0, 0.1, 1;
-    const LinearConditions mixed(surface, plain.weights() * mixing, mixing.transpose() * plain.target());
-    EXPECT_FALSE(mixed.are_resultants());
-    const ContactSolution expected = solve_contact(*body, *law, plain, 0.03);
-    const ContactSolution solution = solve_contact(*body, *law, mixed, 0.03);
-    EXPECT_LT(norm(surface, solution.forces - expected.forces), 1e-8 * norm(surface, expected.forces));
-  }
-}
-
 TEST(LinearConditions, RefusesWhatIsNone)
 {
   const FootCase foot(GlassProfile(), { 12, 2, 1 });

@@ -121,39 +121,6 @@ TEST(RigidLimit, PartsOfLinesKnowHighRadialMoments)
   EXPECT_EQ(n_line_parts(5), 1u);
 }
 
-TEST(RoughInterface, PressureScaleIsAnOffset)
-{
-  const GlassProfile profile;
-  RevolutionCase foot(profile, foot_compliance(profile, graded_cells(1)));
-  const auto soft = make_law(RoughInterface(1e9, 1e-6), foot.body.contact_surface());
-  const auto hard = make_law(RoughInterface(1e12, 1e-6), foot.body.contact_surface());
-  for (const double m : { 0.5, 1.2 })
-  {
-    const ContactLoad one = foot.solve(*soft, load_at(m));
-    const ContactLoad other = foot.solve(*hard, load_at(m));
-    for (unsigned int n = 1; n <= 8; ++n)
-      EXPECT_NEAR(one.a(n) / one.a(0), other.a(n) / other.a(0), 1e-8) << "n = " << n;
-  }
-}
-
-/// The one test in which the decay length does not drop out: p = p0 exp(d / s) at a given separation.
-TEST(RoughInterface, DecayLengthIsThatOfTheLaw)
-{
-  const RigidRing ring(thin_ring(0), 64);
-  const ContactSurface &surface = ring.revolution.body.contact_surface();
-  const auto law = make_law(RoughInterface(1e9, 2e-6), surface);
-  for (const double separation : { 1e-6, 5e-6 })
-  {
-    const double expected = 1e9 * std::exp(-separation / 2e-6);
-    EXPECT_NEAR(law->pressure_at(-separation).value() / expected, 1, 1e-12) << separation;
-    ContactForces contact;
-    law->evaluate(Eigen::VectorXd::Constant(surface.n_nodes(), separation), contact);
-    EXPECT_NEAR(contact.forces.sum() / (expected * surface.area()), 1, 1e-12) << separation;
-    EXPECT_NEAR(contact.tangent.sum() / (expected / 2e-6 * surface.area()), 1, 1e-12) << separation;
-  }
-  EXPECT_NEAR(law->pressure_at(2e-6).value(), 2e9, 1e-3); // the tangent goes on where the mean planes meet
-}
-
 TEST(RoughInterface, RefusesLengthsThatAreNone)
 {
   RigidRing ring(thin_ring(0), 16);

@@ -129,46 +129,6 @@ TEST(SparseCholesky, PartOfTheInverseIsThatOfTheWhole)
       EXPECT_NEAR(part(static_cast<Eigen::Index>(i), j), whole(kept[i], j), 1e-14);
 }
 
-TEST(SparseCholesky, ThreadsDoNotDisturbEachOther)
-{
-  const unsigned int n = 60;
-  const unsigned int n_threads = 4;
-  const Eigen::MatrixXd forces = modes(n, 20);
-  std::vector<Eigen::MatrixXd> solutions(n_threads);
-  std::vector<std::thread> threads;
-  for (unsigned int t = 0; t < n_threads; ++t)
-    threads.emplace_back(
-      [&, t]
-      {
-        const Membrane membrane(n, 0.5);
-        solutions[t] = SparseCholesky(membrane.matrix).solve(forces);
-      });
-  for (std::thread &thread : threads)
-    thread.join();
-  for (unsigned int t = 0; t < n_threads; ++t)
-    for (unsigned int p = 1; p <= 20; ++p)
-      EXPECT_LT(
-        (solutions[t].col(p - 1) * (eigenvalue(p, n) + 0.5) - forces.col(p - 1)).cwiseAbs().maxCoeff(), 1e-12)
-        << "thread " << t << ", p = " << p;
-}
-
-TEST(BlockInverse, ServesMatricesOfOnePatternOneAfterTheOther)
-{
-  const unsigned int n = 25;
-  const Membrane first(n, 0.5), second(n, 3);
-  const std::vector<unsigned int> kept = { 600, 12, 300 };
-  const BlockInverse inverse(lower_triangle_of(first.matrix), kept);
-  for (const Membrane *membrane : { &first, &second })
-  {
-    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(n * n, 1);
-    unit(600) = 1;
-    const Eigen::MatrixXd whole = SparseCholesky(membrane->matrix).solve(unit);
-    const Eigen::MatrixXd part = inverse(entries_of(lower_triangle_of(membrane->matrix)), 1);
-    for (std::size_t i = 0; i < kept.size(); ++i)
-      EXPECT_NEAR(part(static_cast<Eigen::Index>(i), 0), whole(kept[i], 0), 1e-14);
-  }
-}
-
 // Large enough to be factorised by blocks, with a BLAS that threads must not enter together: without its lock
 // one in some ten runs of this test fails.
 TEST(BlockInverse, ServesThreadsTogether)

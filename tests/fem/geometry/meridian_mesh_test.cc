@@ -112,33 +112,6 @@ TEST(MeridianMesh, AreaOfAFootConvergesAtTwiceTheGeometrysOrder)
   }
 }
 
-class MeridianMeshOfShape : public testing::TestWithParam<GlassShape>
-{
-};
-
-INSTANTIATE_TEST_SUITE_P(Shapes, MeridianMeshOfShape, testing::Values(GlassShape::step, GlassShape::foot),
-                         [](const auto &info) { return info.param == GlassShape::step ? "step" : "foot"; });
-
-TEST_P(MeridianMeshOfShape, FootAndDiscShareTheirContactCells)
-{
-  GlassProfile profile;
-  profile.shape = GetParam();
-  MeridianResolution resolution;
-  resolution.focus_size = 1e-5;
-  resolution.refinements = 1;
-  dealii::Triangulation<2> foot;
-  dealii::Triangulation<2> disc;
-  make_meridian_mesh(profile, resolution, foot);
-  make_meridian_mesh(TableDisc(), profile, resolution, disc);
-  MeridianOptions options;
-  options.n_harmonics = 1;
-  const ContactCompliance above = compute_compliance(foot, ElasticMaterial(), options);
-  const ContactCompliance below = compute_compliance(disc, ElasticMaterial(), options);
-  ASSERT_EQ(above.n_nodes(), below.n_nodes());
-  EXPECT_TRUE(above.radii.isApprox(below.radii, 1e-12));
-  EXPECT_NEAR(above.radii(above.n_nodes() / 2), profile.contact_radius, 1e-15);
-}
-
 /// The level of a sharp corner between foot and stem is 1 but for rounding, which must not become a row of
 /// cells.
 TEST(MeridianMesh, OfAFootWithASharpCornerHasNoSlivers)
@@ -176,39 +149,4 @@ TEST(Compliance, IsSymmetricAndPositive)
     EXPECT_TRUE(harmonic.normal.isApprox(harmonic.normal.transpose(), 1e-12));
     EXPECT_EQ(Eigen::LLT<Eigen::MatrixXd>(harmonic.normal).info(), Eigen::Success);
   }
-}
-
-TEST(Compliance, OfADiscPressedAllOver)
-{
-  // A disc of large radius under a uniform vertical load, held at the bottom with nu = 0: u_z = p t / E,
-  // whatever the harmonic of the mesh.
-  GlassProfile ring;
-  ring.contact_radius = 0.05;
-  ring.land_width = 0.0998;
-  ring.foot_radius = 0.15;
-  ring.stem_radius = 0.00005;
-  TableDisc disc;
-  disc.radius = 0.1;
-  disc.thickness = 0.001;
-  ElasticMaterial material;
-  material.poisson_ratio = 0;
-  dealii::Triangulation<2> triangulation;
-  MeridianResolution resolution = equal_cells();
-  resolution.land_cells = 40;
-  make_meridian_mesh(disc, ring, resolution, triangulation);
-  MeridianOptions options;
-  options.n_harmonics = 0;
-  const ContactCompliance compliance = compute_compliance(triangulation, material, options);
-  // Consistent forces int N_i p r dr per radian of p = 1 Pa, element by element (Simpson weights; r is
-  // linear).
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(compliance.n_nodes());
-  for (unsigned int i = 0; i + 2 < compliance.n_nodes(); i += 2)
-  {
-    const double h = compliance.radii(i + 2) - compliance.radii(i);
-    forces(i) += h / 6 * compliance.radii(i);
-    forces(i + 1) += 4 * h / 6 * compliance.radii(i + 1);
-    forces(i + 2) += h / 6 * compliance.radii(i + 2);
-  }
-  const Eigen::VectorXd displacement = compliance.harmonics[0].normal * forces;
-  EXPECT_NEAR(displacement(compliance.n_nodes() / 2) * material.young_modulus / disc.thickness, 1, 1e-6);
 }

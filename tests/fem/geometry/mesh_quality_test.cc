@@ -2,7 +2,6 @@
 #include "fem/meshing/foot_mesh.h"
 #include "fem/meshing/mesh_io.h"
 #include "fem/meshing/mesh_quality.h"
-#include "tests/fem/temporary_file.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -99,40 +98,6 @@ TEST(MeshCheck, GeneratedFoot)
   EXPECT_NEAR(check.upper[2], profile.height(), 1e-12);
   EXPECT_GT(check.min_jacobian, 0.1);
   EXPECT_EQ(check.upward_share, 0);
-}
-
-TEST(MeshWriter, CrownIsAtTheVertices)
-{
-  Triangulation<3> foot;
-  const GlassProfile profile;
-  make_foot_mesh(profile, { 24, 4, 1 }, foot);
-  move_to_crown(profile, foot);
-  const MeshCheck check = check_mesh(foot);
-  EXPECT_EQ(check.lowest, 0); // at r = R, which is a mesh line
-  EXPECT_NEAR(check.highest, 0.002 * 0.002 / (2 * 0.003), 1e-12);
-  EXPECT_EQ(check.n_inverted, 0u);
-}
-
-TEST(MeshWriter, WhatIsReadIsWhatWasWritten)
-{
-  Triangulation<3> foot, again;
-  const GlassProfile profile;
-  make_foot_mesh(profile, { 24, 4, 2 }, foot);
-  move_to_crown(profile, foot);
-  std::ostringstream text;
-  write_msh(foot, text);
-  const TemporaryFile file(text.str());
-  const MeshReport report = read_foot_mesh(file.name, again);
-  EXPECT_TRUE(report.round_rim);
-  const MeshCheck written = check_mesh(foot), read = check_mesh(again);
-  EXPECT_EQ(read.n_cells, written.n_cells);
-  EXPECT_EQ(read.n_vertices, written.n_vertices);
-  EXPECT_EQ(read.n_faces, written.n_faces);
-  EXPECT_EQ(read.lower, written.lower); // 17 digits lose nothing
-  EXPECT_EQ(read.upper, written.upper);
-  EXPECT_NEAR(GridTools::volume(again) / GridTools::volume(foot), 1, 1e-12);
-  EXPECT_NEAR(read.contact_area / written.contact_area, 1, 1e-13);
-  EXPECT_NEAR(read.min_jacobian, written.min_jacobian, 1e-13);
 }
 
 TEST(MeshWriter, VtuHoldsQualityAndBoundaries)

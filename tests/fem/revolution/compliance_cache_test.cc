@@ -1,8 +1,6 @@
 // Feet that share their compliances: computed once, for all threads, and with the same digits.
-#include "fem/contact/hard_interface.h"
 #include "fem/meridian/compliance_cache.h"
 #include "fem/meridian/compute_compliance.h"
-#include "fem/meridian/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <deal.II/grid/tria.h>
@@ -116,23 +114,6 @@ TEST(ComplianceCache, FailuresReachEverybodyWhoAsks)
   for (unsigned int i = 0; i < 2; ++i)
     EXPECT_THROW(foot_of(cache, {}, {}, impossible_degree), std::invalid_argument);
   EXPECT_EQ(cache.n_computed(), 2u); // tried anew each time
-}
-
-TEST(ComplianceCache, FeetThatShareAnswerLikeFeetThatDoNot)
-{
-  ComplianceCache cache;
-  RevolutionSetup setup;
-  setup.table = { std::make_shared<HardInterface>(), Substrate() };
-  setup.meridian = quick_options();
-  setup.profile = flat_profile();
-  MeshedRevolutionFoot alone(setup);
-  MeshedRevolutionFoot sharing(setup, cache);
-  MeshedRevolutionFoot sharing_too(setup, cache);
-  EXPECT_EQ(cache.n_computed(), 2u); // foot and disc
-  const Resultants load = { weight, 0, -0.3 * weight * 0.015 };
-  const ContactLoad expected = alone.solve(load).load;
-  EXPECT_EQ(sharing.solve(load).load.rings()[0].a, expected.rings()[0].a);
-  EXPECT_EQ(sharing_too.solve(load).load.rings()[0].a, expected.rings()[0].a);
 }
 
 } // namespace

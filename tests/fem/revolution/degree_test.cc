@@ -59,22 +59,6 @@ TEST_P(EveryDegree, UniformPressureOfAFlatMat)
     EXPECT_NEAR(solution.forces(i), weight * surface.node_area(i) / area, 1e-12 * weight);
 }
 
-TEST_P(EveryDegree, CrownedRigidRingOnAMat)
-{
-  // Exponent 3/2: PHYSICS' table at m = 1.5, half-width 0.05 mm at most.
-  GlassProfile profile;
-  profile.land_width = 1e-3;
-  const RevolutionCase foot(profile, compliance(profile, equal_cells(2)), 1024);
-  RigidFoot rigid(foot.body.contact_surface());
-  const auto mat = make_law(WinklerInterface(1e12), foot.body.contact_surface());
-  const ContactLoad load =
-    extract_load(*mat, solve_contact(rigid, *mat, load_at(1.5), profile.contact_radius), 8);
-  const double expected[] = { .5444909918, -.0098744992, -.0455699149, .0227367064,
-                              .0041320348, -.0114899894, .0042190700 };
-  for (unsigned int n = 2; n <= 8; ++n)
-    EXPECT_NEAR(load.a(n) / load.a(0), expected[n - 2], 1e-4) << "n = " << n;
-}
-
 TEST_P(EveryDegree, HoldsForceAndMomentAndItsOwnBalance)
 {
   const std::shared_ptr<const InterfaceLaw> interfaces[] = { std::make_shared<WinklerInterface>(),

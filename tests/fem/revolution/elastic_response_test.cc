@@ -211,3 +211,18 @@ TEST_P(SmallFoot, ConvergesToTheDenseSolution)
     EXPECT_LT((solution.motion - dense.motion).norm(), 1e-9 * dense.motion.norm());
   }
 }
+
+TEST(BodyOfRevolution, RefusesWhatItCannotResolve)
+{
+  const ContactCompliance compliance = foot_compliance(GlassProfile(), graded_cells());
+  EXPECT_THROW(RevolutionCase(GlassProfile(), compliance, 32), std::invalid_argument);
+  MeridianOptions options;
+  options.degree = 5;
+  EXPECT_THROW(foot_compliance(GlassProfile(), graded_cells(), options), std::invalid_argument);
+  ContactCompliance sum = compliance;
+  EXPECT_THROW(sum += foot_compliance(GlassProfile(), graded_cells(1)), std::invalid_argument);
+  SlidingTraction traction;
+  traction.friction_coefficient = -0.1;
+  RevolutionCase foot(GlassProfile(), compliance);
+  EXPECT_THROW(foot.body.set_sliding(traction), std::invalid_argument);
+}

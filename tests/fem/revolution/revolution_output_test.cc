@@ -154,11 +154,19 @@ TEST(RevolutionFields, StressesCarryTheLoadThroughTheFoot)
 
 TEST(RevolutionFields, PressureCarriesTheLoad)
 {
-  for (const double crown : { 0.003, 0. })
+  RevolutionSetup crowned, flat, on_hard_table;
+  flat.profile.crown_radius = 0;
+  on_hard_table.profile = flat_profile();
+  on_hard_table.table.interface = std::make_shared<HardInterface>();
+  for (const RevolutionSetup &setup : { crowned, flat, on_hard_table })
     for (const double m : { 0.5, 1.3 })
     {
-      RevolutionSetup setup;
-      setup.profile.crown_radius = crown;
+      const bool is_hard = setup.table.interface->is_hard();
+      if (is_hard && m > 1)
+        continue;
+      // Under a hard table the pressure peaks at the land's inner edge, where the picture's points are its
+      // nodes.
+      const double tolerance = is_hard ? 0.01 : 0.006;
       MeshedRevolutionFoot foot(setup.resolved_for(weight));
       const Resultants load = load_at(m, 0.7);
       const ContactState state = foot.solve(load);
@@ -166,9 +174,9 @@ TEST(RevolutionFields, PressureCarriesTheLoad)
       const Eigen::Vector3d sums = integral_over_plane(
         file, 0, [&](std::size_t point) { return file.array("contact_pressure")[point]; });
       const double arm = weight * setup.profile.contact_radius;
-      EXPECT_NEAR(sums(0) / weight, 1, 0.006);
-      EXPECT_NEAR(sums(2) / arm, load.moment_x / arm, 0.006);
-      EXPECT_NEAR(-sums(1) / arm, load.moment_y / arm, 0.006);
+      EXPECT_NEAR(sums(0) / weight, 1, tolerance);
+      EXPECT_NEAR(sums(2) / arm, load.moment_x / arm, tolerance);
+      EXPECT_NEAR(-sums(1) / arm, load.moment_y / arm, tolerance);
     }
 }
 
@@ -275,33 +283,4 @@ TEST(RevolutionFields, AgreeWithTheSolidBody)
   EXPECT_GT(n_stresses, 500u);
   EXPECT_LT(motion_difference / largest_motion, 4e-3);
   EXPECT_LT(stress_difference / largest_stress, 0.02);
-}
-
-TEST(RevolutionFields, EqualRunsGiveEqualFiles)
-{
-  const auto written = []
-  {
-    MeshedRevolutionFoot foot{ RevolutionSetup() };
-    const ContactState state = foot.solve(load_at(0.5, 0.7));
-    return foot.fields(state).front().text;
-  };
-  EXPECT_EQ(written(), written());
-}
-
-TEST(RevolutionFields, PressureOfARigidTableCarriesTheLoad)
-{
-  RevolutionSetup setup;
-  setup.profile = flat_profile();
-  setup.table.interface = std::make_shared<HardInterface>();
-  MeshedRevolutionFoot foot(setup.resolved_for(weight));
-  const Resultants load = load_at(0.6, 0.7);
-  const ContactState state = foot.solve(load);
-  const VtuFile file = picture_of(foot, state);
-  const Eigen::Vector3d sums =
-    integral_over_plane(file, 0, [&](std::size_t point) { return file.array("contact_pressure")[point]; });
-  const double arm = weight * setup.profile.contact_radius;
-  // The pressure peaks at the land's inner edge, where the picture's points are its nodes.
-  EXPECT_NEAR(sums(0) / weight, 1, 0.01);
-  EXPECT_NEAR(sums(2) / arm, load.moment_x / arm, 0.01);
-  EXPECT_NEAR(-sums(1) / arm, load.moment_y / arm, 0.01);
 }

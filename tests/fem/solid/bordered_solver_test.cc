@@ -53,19 +53,6 @@ struct OvalFoot
 };
 } // namespace
 
-TEST(LinearSolver, MultigridAndFactorisationAgree)
-{
-  for (const unsigned int degree : { 1u, 2u })
-  {
-    FootCase direct(flat_profile(), { 12, 2, 1 }, solver(LinearSolver::direct, degree));
-    FootCase multigrid(flat_profile(), { 12, 2, 1 }, solver(LinearSolver::multigrid, degree));
-    const ContactLoad left = direct.solve_on_winkler(1e11, load_at(1.3));
-    const ContactLoad right = multigrid.solve_on_winkler(1e11, load_at(1.3));
-    for (unsigned int n = 0; n <= 8; ++n)
-      EXPECT_NEAR(left.a(n) / left.a(0), right.a(n) / right.a(0), 1e-8) << "Q" << degree << ", n = " << n;
-  }
-}
-
 /// With meshes too large for the coarsest level to be factorised, which the mean body of revolution helps.
 TEST(LinearSolver, AMeshFromAFileIsSolvedWithItsMeanBodyOfRevolution)
 {

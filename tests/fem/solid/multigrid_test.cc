@@ -188,15 +188,6 @@ TEST(Multigrid, IterationsDoNotGrow)
   expect_iterations_that_do_not_grow(GlassProfile(), { 24, 2, 1 }, 1, 2);
 }
 
-TEST(MultigridLong, AgreesWithTheFactorisation)
-{
-  for (const unsigned int degree : { 1u, 2u })
-  {
-    expect_the_increment_of_the_factorisation(GlassProfile(), { 12, 2, 1, 1, 1 }, degree);
-    expect_the_increment_of_the_factorisation(flat_profile(), { 12, 2, 1, 1 }, degree);
-  }
-}
-
 TEST(MultigridLong, IterationsDoNotGrow)
 {
   // More levels, and quadratic elements on them, are for multigrid_benchmark

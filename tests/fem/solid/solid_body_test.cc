@@ -50,22 +50,6 @@ TEST(ElasticFoot, FlatLandInFullContactMixesNoHarmonics)
   }
 }
 
-TEST(ElasticFoot, FlatLandLiftsOff)
-{
-  FootCase foot(flat_profile(), { 24, 4, 2 });
-  const ContactLoad load = foot.solve_on_winkler(1e10, load_at(1.3));
-  const double expected[] = { 0.19373, -0.11626, 0.03004, 0.01830, -0.02628 };
-  for (unsigned int n = 2; n <= 6; ++n)
-    EXPECT_NEAR(load.a(n) / load.a(0), expected[n - 2], 1e-3) << "n = " << n;
-  for (unsigned int n = 1; n <= 8; ++n)
-    EXPECT_NEAR(load.b(n) / load.a(0), 0, 1e-9) << "n = " << n;
-  // A rigid foot would give 0.199 and -0.107: the elasticity shows.
-  EXPECT_GT(std::abs(load.a(2) / load.a(0) - 0.199), 4e-3);
-  EXPECT_GT(std::abs(load.a(3) / load.a(0) + 0.107), 4e-3);
-  EXPECT_EQ(load.least, 0);
-  EXPECT_LT(load.contact_fraction, 0.75);
-}
-
 TEST(ElasticFoot, FlatLandApproachesTheReferenceWithRefinement)
 {
   const std::vector<double> expected = reference("flat, land width 0.002", "k=1e10 Pa/m", "m=1.3");
@@ -86,13 +70,6 @@ TEST(ElasticFoot, FlatLandOnAStifferMat)
   EXPECT_LT(deviation(load, reference("flat, land width 0.002", "k=1e11 Pa/m", "m=1.3"), 8), 2e-3);
 }
 
-TEST(ElasticFoot, CrownedRimOnAStiffMat)
-{
-  FootCase foot(GlassProfile(), { 24, 4, 2 });
-  const ContactLoad load = foot.solve_on_winkler(1e11, load_at(1.2));
-  EXPECT_LT(deviation(load, reference("crown 0.003, land width 0.004", "k=1e11 Pa/m", "m=1.2"), 8), 2e-3);
-}
-
 TEST(ElasticFoot, CrownedRimOverTheWholeTable)
 {
   FootCase foot(GlassProfile(), { 24, 4, 2 });
@@ -105,16 +82,4 @@ TEST(ElasticFoot, CrownedRimOverTheWholeTable)
       EXPECT_LT(deviation(load, reference("crown 0.003, land width 0.004", name, moment), 8), 5e-4)
         << name << ", " << moment;
     }
-}
-
-TEST(ElasticFoot, RingCarriesTheContactsForceAndMoment)
-{
-  FootCase foot(GlassProfile(), { 24, 4, 1 }, degree(1));
-  const ContactLoad load = foot.solve_on_winkler(1e10, load_at(0.6, 0.7));
-  EXPECT_NEAR(load.normal_force() / weight, 1, 1e-10);
-  EXPECT_NEAR(load.moment().x() / (0.6 * weight * 0.015 * std::sin(0.7)), 1, 1e-9);
-  EXPECT_NEAR(load.moment().y() / (-0.6 * weight * 0.015 * std::cos(0.7)), 1, 1e-9);
-  EXPECT_NEAR(std::atan2(load.b(1), load.a(1)), 0.7, 1e-3);
-  EXPECT_LT(foot.solution.force_residual, 1e-9);
-  EXPECT_LT(foot.solution.moment_residual, 1e-9);
 }
