@@ -58,23 +58,6 @@ TEST(SpinSearch, FindsTheReferenceInFewTorques)
   }
 }
 
-TEST(SpinSearch, FindsTheSpinOfAUnilateralFoundationFromThatOfTheFirstHarmonic)
-{
-  // Reference: other program (ring_cases.json), 13 digits at least.
-  for (const auto &row : reference()["closures_C_unilateral"]["cases"])
-  {
-    const Motion motion = motion_with_height(row["zcm"]);
-    const double expected =
-      test::terminal_spin_of(SelfConsistentRing(Closure::full, motion, radius), motion, radius).omega;
-    const SelfConsistentRing ring(
-      Closure::full, motion, std::make_shared<UnilateralFoundation>(radius, row["p"].get<double>(), 256));
-    const SpinZero zero =
-      find_terminal_spin([&](double omega) { return ring.torque(omega); }, { scale, expected });
-    expect_relative(zero.omega, row["omega"], 1e-11, "omega");
-    EXPECT_LE(zero.n_evaluations, 7u) << row;
-  }
-}
-
 TEST(SpinSearch, ABadGuessCostsLittle)
 {
   const SelfConsistentRing ring(Closure::full, Motion(), radius);

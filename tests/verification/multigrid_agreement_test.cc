@@ -27,15 +27,6 @@ ContactLoad solid_load(const GlassProfile &profile, const FootResolution &resolu
   return extract_load(*law, solve_contact(*foot.body, *law, load, foot.radius, {}, &start.value()), 8);
 }
 
-/// Largest |a_n - expected a_n| / a_0 over n = 2 ... 8.
-double largest_difference(const ContactLoad &load, const ContactLoad &expected)
-{
-  double largest = 0;
-  for (unsigned int n = 2; n <= 8; ++n)
-    largest = std::max(largest, std::abs(load.a(n) - expected.a(n)) / expected.a(0));
-  return largest;
-}
-
 } // namespace
 
 TEST(MultigridAgreement, CrownedFeetOnAStiffMat)

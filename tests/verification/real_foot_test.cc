@@ -18,15 +18,6 @@ using namespace stemware::revolution_tests;
 using stemware::fem_tests::foot_profile;
 using stemware::fem_tests::FootCase;
 
-/// Largest difference of a_n / a_0, n = 2 ... @p highest.
-double difference(const ContactLoad &one, const ContactLoad &other, unsigned int highest)
-{
-  double largest = 0;
-  for (unsigned int n = 2; n <= highest; ++n)
-    largest = std::max(largest, std::abs(one.a(n) / one.a(0) - other.a(n) / other.a(0)));
-  return largest;
-}
-
 /// Order of a_2 ... a_4 between the meridional mesh and the same halved, quadratic elements, against cubic
 /// ones on the halved mesh.
 double observed_order(const GlassProfile &profile)
@@ -37,7 +28,7 @@ double observed_order(const GlassProfile &profile)
     return foot.solve_on_winkler(1e10, load_at(1.2));
   };
   const ContactLoad finest = solve(1, 3);
-  return std::log2(difference(solve(0, 2), finest, 4) / difference(solve(1, 2), finest, 4));
+  return std::log2(largest_difference(solve(0, 2), finest, 4) / largest_difference(solve(1, 2), finest, 4));
 }
 
 /// Thickness of a plate over the radius [m].
@@ -117,7 +108,7 @@ TEST(RealFoot, SolidBodyAgrees)
     const ContactLoad answer = solid.solve_on_winkler(1e10, load);
     EXPECT_NEAR(answer.a(0) / expected.a(0), 1, 1e-10);
     EXPECT_NEAR(answer.moment().y() / expected.moment().y(), 1, 1e-9);
-    const double now = difference(answer, expected, 6);
+    const double now = largest_difference(answer, expected, 6);
     if (before > 0)
     {
       EXPECT_GT(std::log2(before / now), 1.6) << n << " trilinear cells round the rim";
@@ -125,7 +116,7 @@ TEST(RealFoot, SolidBodyAgrees)
     before = now;
   }
   FootCase quadratic(profile, { 24, 4, 2 });
-  EXPECT_LT(difference(quadratic.solve_on_winkler(1e10, load), expected, 6), 1e-4);
+  EXPECT_LT(largest_difference(quadratic.solve_on_winkler(1e10, load), expected, 6), 1e-4);
 }
 
 TEST(RealFoot, ThinFootBendsLikeAPlate)

@@ -72,19 +72,6 @@ TEST(Balance, WhereBendingUnloadsThePlaceTheEffectIsPrintedAndAgreesUnderRefinem
   EXPECT_NEAR(effects[1], effects[0], 0.05 * std::abs(effects[0])); // measured: 0.034
 }
 
-TEST(Balance, OneWayAndTwoWayAgreeInTheClosurePaper)
-{
-  Study study = test::quick_contact_study();
-  study.motion.closure = ring::Closure::paper;
-  study.contact.friction_coupling = FrictionCoupling::none;
-  study.load.coupling = LoadCoupling::one_way;
-  const double one_way = SolvedStudy(study).omega();
-  study.load.coupling = LoadCoupling::two_way;
-  EXPECT_NEAR(SolvedStudy(study).omega(), one_way, 1e-10);
-  study.contact.friction_coupling = FrictionCoupling::elastic;     // then they have different loads
-  EXPECT_GT(std::abs(SolvedStudy(study).omega() - one_way), 1e-8); // measured: 2.4e-7
-}
-
 /// An interface on a substrate.
 struct Surface
 {

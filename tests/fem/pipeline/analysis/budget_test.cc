@@ -317,19 +317,6 @@ TEST(Budget, HarmonicEffectIsThatOfRowAllAgainstTheFirstHarmonic)
   EXPECT_NEAR(*budget.harmonics.relative, all / first - 1, 1e-9);
 }
 
-TEST(Budget, WithoutAMomentNothingIsRelative)
-{
-  Study study = quick_contact_study();
-  study.motion.orbit.force_offset = 0;
-  study.motion.closure = ring::Closure::paper;
-  const Budget budget = budget_of(study);
-  EXPECT_NEAR(*budget.rows.front().omega_terminal, 0, 1e-9);
-  EXPECT_NEAR(*budget.rows.back().omega_terminal, 0, 1e-9);
-  EXPECT_NEAR(*budget.harmonics.absolute, 0, 1e-9);
-  EXPECT_FALSE(budget.harmonics.relative);
-  EXPECT_GT(std::abs(budget.omega.back()), 0.1); // there is something to show
-}
-
 TEST(Budget, SaysWhereTheFingersHoldTheGlass)
 {
   Study study;
@@ -371,20 +358,6 @@ TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
   EXPECT_FALSE(without_first.harmonics.absolute);
 }
 
-TEST(Budget, AStudyThatTipsIsARowThatSaysSo)
-{
-  Study study = quick_contact_study();
-  study.motion.orbit.centre_of_mass_height = 0.16; // a moment ratio above 2
-  fem::ComplianceCache cache;
-  const ring::Answer row =
-    solve_rows({ { "", "", study, {}, {}, all_harmonics } }, nullptr, {}, ThreadedExecutor(cache))
-      .front()
-      .row;
-  EXPECT_EQ(row.status, ring::Status::tips);
-  EXPECT_FALSE(row.reason.empty());
-  EXPECT_FALSE(row.terminal);
-}
-
 TEST(Budget, LoadsThatWouldHaveToPullAreFormal)
 {
   Study study = quick_contact_study();
@@ -400,28 +373,6 @@ TEST(Budget, LoadsThatWouldHaveToPullAreFormal)
   // A load from a file is what its series says.
   EXPECT_EQ(budget_of(study_of_given_load(), { { 0.47, 0, 0.5 }, { 0, -0.3, 0 }, 0.03 }).rows.back().status,
             ring::Status::formal);
-}
-
-TEST(Budget, RowsOfAWavyFootAreOfMeanSpins)
-{
-  Study study = quick_contact_study();
-  study.glass.waviness = { { 3, 1e-7, 0 } };
-  study.load.coupling = LoadCoupling::one_way;
-  study.contact.friction_coupling = FrictionCoupling::none;
-  const std::vector<Variant> variants = variants_without(own_variant(study, nullptr));
-  ASSERT_EQ(variants.back().name, "waviness");
-  fem::ComplianceCache cache;
-  const ring::Answer wavy =
-    solve_rows({ { "", "", study, {}, {}, 1 } }, nullptr, {}, ThreadedExecutor(cache)).front().row;
-  const ring::Answer flat =
-    solve_rows({ { "", "", variants.back().study, {}, {}, 1 } }, nullptr, {}, ThreadedExecutor(cache))
-      .front()
-      .row;
-  EXPECT_GT(wavy.ripple, 0);
-  EXPECT_EQ(flat.ripple, 0);
-  // A tenth of a micrometre, a fifth of the penetration, changes the mean spin by about the square of that.
-  EXPECT_NEAR(*wavy.omega_terminal() / *flat.omega_terminal(), 1, 0.02);
-  EXPECT_NE(*wavy.omega_terminal(), *flat.omega_terminal());
 }
 
 } // namespace

@@ -180,14 +180,6 @@ TEST(Fall, ComesAfterAllSpinsAsTheGlassGrows)
   EXPECT_TRUE(elastic_has_fallen);
 }
 
-TEST(Fall, OfTheElasticFootInANarrowRangeOfSpins)
-{
-  const ring::Answer falls = row_at_height(0.1346, false);
-  EXPECT_EQ(falls.status, ring::Status::tips);
-  ASSERT_TRUE(falls.fall);
-  EXPECT_NEAR(falls.fall->omega, -9, 0.1);
-}
-
 TEST(Fall, ThatIsNearIsNoCauseForThousandsOfContacts)
 {
   Study study;

@@ -23,60 +23,6 @@ SpinStudy study_spin_of(const ring::RingStack &load, const Study &study = study_
   return study_spin(study, nullptr, *given_load(load), ThreadedExecutor(cache));
 }
 
-TEST(SpinStudy, TerminalSpinIsFreeOfTorque)
-{
-  const ring::Motion motion;
-  const ring::Answer row = study_spin_of(rich_load()).all();
-  const double scale = motion.friction_coefficient * rich_load().normal_force() * 0.03;
-  EXPECT_LT(std::abs(row.at_terminal->friction.torque), 1e-13 * scale);
-  EXPECT_TRUE(row.terminal->stable);
-  EXPECT_NEAR(*row.time_constant() * std::abs(row.terminal->torque_slope), motion.yaw_inertia, 1e-16);
-}
-
-TEST(SpinStudy, TorqueCurvePassesThroughRestAndTerminalSpin)
-{
-  const SpinStudy study = study_spin_of(rich_load());
-  const TorqueCurve &curve = study.torque;
-  const double terminal = study.all().terminal->omega;
-  bool passes_rest = false;
-  for (std::size_t i = 0; i < curve.omega.size(); ++i)
-    if (curve.omega[i] == 0)
-    {
-      passes_rest = true;
-      EXPECT_EQ(curve.friction[i].torque, study.all().at_rest->friction.torque);
-    }
-  EXPECT_TRUE(passes_rest);
-  EXPECT_LT(curve.omega.front(), 1.49 * terminal);
-  EXPECT_GT(curve.omega.back(), 0);
-  for (std::size_t i = 1; i < curve.omega.size(); ++i)
-  {
-    const bool encloses_terminal = (curve.omega[i - 1] < terminal) != (curve.omega[i] < terminal);
-    EXPECT_EQ(curve.friction[i - 1].torque * curve.friction[i].torque < 0, encloses_terminal) << i;
-  }
-  EXPECT_EQ(curve.harmonics, std::vector<unsigned int>{ 1 });
-  EXPECT_NEAR(curve.truncations.front().front(),
-              ring::coulomb_wrench(ring::Motion().friction_coefficient, rich_load().truncated(1),
-                                   curve.omega.front(), ring::Motion().orbit_speed)
-                .torque,
-              1e-16);
-}
-
-TEST(SpinStudy, EulerConvergesAtFirstOrderToTheAdaptiveSpinUp)
-{
-  Study study = study_of_given_load();
-  const auto error = [&](double step)
-  {
-    study.motion.euler_step = step;
-    const SpinUpCurves curves = study_spin_of(rich_load(), study).spin_up;
-    double largest = 0;
-    for (std::size_t i = 0; i < curves.time.size(); ++i)
-      largest = std::max(largest, std::abs(curves.euler[i] - curves.adaptive[i]));
-    return largest;
-  };
-  EXPECT_NEAR(error(5e-4) / error(2.5e-4), 2, 0.05);
-  EXPECT_NEAR(error(2.5e-4) / error(1.25e-4), 2, 0.03);
-}
-
 TEST(SpinStudy, EveryCurveIsOfTheLoadThatItIsNamedAfter)
 {
   // Each against an integration of its own; the four differ by percents.
@@ -130,27 +76,6 @@ TEST(SpinStudy, RowsAreInBalanceWithTheirOwnHarmonics)
   EXPECT_TRUE(two_way.one_ring);
   study.contact.rings = 1;
   EXPECT_FALSE(study_spin(study, foot, *find_load(study, foot), ThreadedExecutor(cache)).one_ring);
-}
-
-TEST(SpinStudy, TheGripSlowsTheSpinUp)
-{
-  Study study = study_of_given_load();
-  study.motion.grip_torque = 3e-4;
-  const SpinStudy gripped = study_spin_of(rich_load(), study);
-  study.motion.grip_torque = 0;
-  const SpinStudy free = study_spin_of(rich_load(), study);
-  EXPECT_LT(std::abs(gripped.all().terminal->omega), std::abs(free.all().terminal->omega));
-  for (std::size_t i = 1; i < free.spin_up.time.size(); ++i)
-  {
-    EXPECT_LT(std::abs(gripped.spin_up.adaptive[i]), std::abs(free.spin_up.adaptive[i]));
-    EXPECT_EQ(gripped.spin_up.paper[i], free.spin_up.paper[i]);
-  }
-  // At first I_z d omega / dt = tau_z(0) + grip, against a negative torque.
-  const double tau = free.all().at_rest->friction.torque, time = free.spin_up.time[1];
-  EXPECT_NEAR(gripped.spin_up.adaptive[1] / ((tau + 3e-4) * time / ring::Motion().yaw_inertia), 1, 0.01);
-  // More than the glass's friction can turn.
-  study.motion.grip_torque = 1.01 * std::abs(tau);
-  EXPECT_EQ(study_spin_of(rich_load(), study).all().terminal->omega, 0);
 }
 
 /// rich_load() up to @p last [rad/s], beyond which it tips.

@@ -59,16 +59,6 @@ TEST(SpinCurve, StatesAnErrorThatHolds)
       }
 }
 
-TEST(SpinCurve, TakesMoreSamplesOnlyWhereTheyAreNeeded)
-{
-  const ring::SpinCurve smooth({ rim_load }, 0, 0.7);
-  EXPECT_EQ(smooth.n_pieces(), 1u);
-  EXPECT_LE(smooth.n_samples(), 10u);
-  // The known ones are nodes.
-  const ring::SpinCurve known({ rim_load, {}, { 0.08, 0.32, 0.57 } }, 0, 0.7);
-  EXPECT_LE(known.n_samples(), smooth.n_samples() - 2);
-}
-
 TEST(SpinCurve, TellsALoadByItsDifferenceToALikeOne)
 {
   // Beside a load that differs by a thousandth, which is itself not smooth in the place of the other.
@@ -141,16 +131,6 @@ TEST(BalancedLoad, CarriesWhatItsOwnFrictionAsksFor)
     }
 }
 
-TEST(BalancedLoad, ATruncationHasABalanceOfItsOwn)
-{
-  const double omega = -3.6;
-  const SharedLoad two = balanced_rim(2);
-  EXPECT_EQ(two->at(omega).n_harmonics(), 2u);
-  // Cut off without another balance, it is the balance of all harmonics that loses some.
-  EXPECT_EQ(ring::truncated(balanced_rim(), 2)->at(omega).a(1), balanced_rim()->at(omega).a(1));
-  EXPECT_NE(ring::truncated(balanced_rim(), 2)->at(omega).a(1), two->at(omega).a(1));
-}
-
 /// The load of a rigid round rim, stated to be so slow that it is interpolated.
 class SlowLoad : public BalancedLoad
 {
@@ -175,16 +155,6 @@ TEST(BalancedLoad, InterpolatesWithinTheErrorThatItStates)
   for (double omega = -3.97; omega < 0.5; omega += 0.13)
     EXPECT_LE(curve->at(omega).difference(exact->at(omega, {})), stated) << omega;
   EXPECT_EQ(curve->at(2.5).difference(exact->at(2.5, {})), 0); // beyond the samples
-}
-
-TEST(BalancedLoad, ThatIsConstantLooksAtNothing)
-{
-  const ring::RingStack load({ 0.5, 0.1, 0.02 }, { 0, 0.2, 0.03 }, rim);
-  const GivenLoad constant(report_of(load));
-  EXPECT_EQ(constant.at(-7, {}).difference(load), 0);
-  EXPECT_EQ(constant.at(3, ring::Orientation{ 0.4, 1.2 }).difference(load), 0);
-  EXPECT_FALSE(constant.statistics());
-  EXPECT_EQ(constant.phases(), nullptr);
 }
 
 } // namespace

@@ -92,52 +92,6 @@ TEST(Marks, RepeatWithTheCommonDivisorOfTheHarmonics)
   EXPECT_FALSE(period({}, {}).any());
 }
 
-TEST(PeriodicGrid, IsExactForTrigonometricPolynomials)
-{
-  const double period = two_pi / 3;
-  const PeriodicGrid grid(period, 8);
-  const auto value = [](double angle) { return 1 + std::cos(3 * angle + 0.3) - 0.7 * std::sin(9 * angle); };
-  Eigen::VectorXd nodes(8);
-  for (unsigned int i = 0; i < 8; ++i)
-    nodes(i) = value(grid.node(i));
-  for (const double angle : { 0., 0.1, period / 8, -5.7, 40. })
-    EXPECT_NEAR(grid.weights(angle).dot(nodes), value(angle), 1e-12) << angle;
-}
-
-TEST(ChebyshevInterval, IsExactForPolynomials)
-{
-  const ChebyshevInterval interval(-3, 1, 4);
-  ASSERT_EQ(interval.size(), 5u);
-  const auto value = [](double x) { return 1 + x - 0.3 * x * x * x * x; };
-  Eigen::VectorXd nodes(5);
-  for (unsigned int k = 0; k < 5; ++k)
-    nodes(k) = value(interval.node(k));
-  for (const double x : { -3., -2.2, -1., 0.3, 1. })
-    EXPECT_NEAR(interval.weights(x).dot(nodes), value(x), 1e-12) << x;
-  const ChebyshevInterval refined = interval.refined();
-  ASSERT_EQ(refined.size(), 9u);
-  for (unsigned int k = 0; k < 4; ++k)
-    EXPECT_DOUBLE_EQ(refined.node(2 * k + 1), interval.between()[k]);
-}
-
-TEST(TorqueDifference, CountsAHarmonicAsMuchAsItTurnsTheRing)
-{
-  const ring::RingStack load({ 1., 0.3, 0. }, { 0., 0.2, 0. }, 0.03);
-  // tau_z of b_1 is largest at rest, mu pi R b_1.
-  EXPECT_NEAR(torque_difference(ring::RingStack({ 1., 0.3, 0. }, { 0., 0.21, 0. }, 0.03), load), 0.01 / 2,
-              1e-15);
-  // By symmetry a_1, a_3 ... turn nothing; of a_12 little is left.
-  EXPECT_EQ(torque_difference(ring::RingStack({ 1., 0.7, 0. }, { 0., 0.2, 0. }, 0.03), load), 0);
-  std::vector<double> a(13, 0.), b(13, 0.);
-  a[0] = 1, a[1] = 0.3, b[1] = 0.2, a[12] = 0.1;
-  const ring::RingStack gathered(a, b, 0.03);
-  double largest = 0;
-  for (const double eps : { -1., -0.75, -0.5, 0.25, 0.5, 0.75, 1. })
-    largest = std::max(largest, std::abs(torque(gathered, eps) - torque(load, eps)));
-  EXPECT_NEAR(torque_difference(gathered, load), largest, 1e-6); // the rule is no better at |eps| = 1
-  EXPECT_LT(largest, 1e-3);
-}
-
 namespace
 {
 

@@ -60,22 +60,6 @@ protected:
   Mesh mesh;
 };
 
-TEST_P(ForeignMesh, IsTheFootThatWasWritten)
-{
-  const TemporaryFile file(text(), GetParam());
-  Mesh read;
-  const fem::MeshReport report = read_mesh_file(file.name, {}, read);
-  EXPECT_EQ(report.n_cells, mesh.n_active_cells());
-  EXPECT_EQ(report.n_contact_faces, 24u);
-  EXPECT_TRUE(report.round_rim);
-  EXPECT_EQ(report.n_symmetry_sectors, 12u);
-  const fem::MeshCheck expected = fem::check_mesh(mesh), check = fem::check_mesh(read);
-  EXPECT_EQ(check.n_faces, expected.n_faces);
-  EXPECT_NEAR(check.contact_area, expected.contact_area, 1e-13 * expected.contact_area);
-  EXPECT_NEAR(check.min_jacobian, expected.min_jacobian, 1e-12);
-  EXPECT_EQ(sentence(text()), "");
-}
-
 TEST_P(ForeignMesh, TakesItsContactZoneByIdOrByHeight)
 {
   for (const auto &face : mesh.active_face_iterators())

@@ -27,46 +27,6 @@ std::string refusal(const std::string &text)
   return test::sentence_of([&] { read(text); });
 }
 
-/// Each text holds the spins -1.5 and -2.25 rad/s at 0.1 and 0.2 s.
-TEST(ColumnTable, FilesOfTheUsualProgramsAreRead)
-{
-  for (const auto &[text, n_skipped] : std::vector<std::pair<std::string, std::size_t>>{
-         // phyphox: comma and point; semicolon or tab and comma
-         { "\"Time (s)\",\"Gyroscope x (rad/s)\",\"Gyroscope z (rad/s)\",\"Absolute (rad/s)\"\n"
-           "1.0E-01,7,-1.5E+00,8\n2.0E-01,7,-2.25E+00,8\n",
-           0 },
-         { "\"Time (s)\";\"Gyroscope x (rad/s)\";\"Gyroscope z (rad/s)\"\n1,0E-01;7;-1,5\n2,0E-01;7;-2,25\n",
-           0 },
-         { "\"Time (s)\"\t\"Gyroscope z (rad/s)\"\n1,0E-01\t-1,5\n2,0E-01\t-2,25\n", 0 },
-         // Tracker 5: name of the track, no value in the first and last row; Tracker 6 with two tracks
-         { "mass_A\t\t\nt\tω\tθ\n0.0\t\t-0.1\n0.1\t-1.5\t-0.2\n0.2\t-2.25\t-0.3\n0.3\t\t-0.4\n", 2 },
-         { "mass_A\nt\tθ\tω\n0.0\t-0.1\t\n0.1\t-0.2\t-1.5\n0.2\t-0.3\t-2.25\n", 1 },
-         { "#multi:\n\tdot A\t\nt\tomega\t\n0.000\t\t\n0.100\t-1.5\t\n0.200\t-2.25\t\n", 1 },
-         // LibreOffice; Excel, German and US
-         { "t (s),omega (rad/s)\n\"0,1\",\"-1,5\"\n\"0,2\",\"-2,25\"\n", 0 },
-         { "sep=;\r\nt [ms];omega [rad/s]\r\n100;-1,5\r\n200;-2,25\r\n", 0 },
-         { "Time, s\tomega, rad/s\n0.1\t\u22121.5\n0.2\t\u22122.25\n", 0 },
-         { "omega / (rad/s),TIME\n-1.5,0.1\n-2.25,0.2\n", 0 },
-         // an oscilloscope's settings, a row of units; a serial monitor
-         { "Model,TBS1052\nSample Interval,0.1,s\nRecord "
-           "Length,2,Points\nTIME,omega\nms,rad/s\n100,-1.5\n200,-2.25\n",
-           0 },
-         { "t omega\r\n0.1 -1.5\r\n0.2 -2.25\r\n", 0 },
-         { "0.1 -1.5\n0.2 -2.25\n", 0 },
-         { "t (s);omega (rad/s)\n0,1;\u00a0-1,5\n0,15;NaN\n0,2;-2,25\n", 1 } })
-  {
-    SCOPED_TRACE(text);
-    const ColumnTable table = read(text);
-    ASSERT_EQ(table.rows.size(), 2u);
-    EXPECT_EQ(table.n_skipped, n_skipped);
-    for (std::size_t i = 0; i < 2; ++i)
-    {
-      EXPECT_DOUBLE_EQ(table.rows[i].values[0], i == 0 ? 0.1 : 0.2);
-      EXPECT_DOUBLE_EQ(table.rows[i].values[1], i == 0 ? -1.5 : -2.25);
-    }
-  }
-}
-
 TEST(ColumnTable, SpinsAreTakenInTurnsAndDegrees)
 {
   for (const auto &[unit, factor] : { std::pair("rpm", M_PI / 30), std::pair("rev/s", 2 * M_PI),
@@ -96,13 +56,6 @@ TEST(ColumnTable, DoubtIsToldWithItsLine)
   }
   EXPECT_THAT(test::sentence_of([] { parse_columns("run.csv", "t,omega\n1,2\n3,\n", time_and_spin); }),
               testing::HasSubstr("line 3, column 2"));
-}
-
-TEST(ColumnTable, TheSummaryCountsRows)
-{
-  const std::string summary = read("Time (ms),omega\n1,2\n3,\n4,5\n").summary(time_and_spin);
-  for (const char *words : { "\"Time (ms)\"", "omega in rad/s (assumed)", "2 rows", "1 without a value" })
-    EXPECT_THAT(summary, testing::HasSubstr(words));
 }
 
 /// Tables with changed, lost and doubled bytes are read, with finite values, or refused with one sentence.

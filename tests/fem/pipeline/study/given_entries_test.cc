@@ -149,17 +149,5 @@ TEST(RenamedEntries, AreRefusedWithTheNewWordsWhereverTheyStand)
   EXPECT_THROW(find_entry("--vary", "Table/Kind"), BadInput);
 }
 
-TEST(RenamedEntries, TheNewWordsAreTaken)
-{
-  for (const char *interface : { "hard", "Winkler", "rough", "winkler" })
-    for (const char *substrate : { "rigid", "elastic" })
-    {
-      const Study study = with_values(Study(), "the test",
-                                      { { "Table/Interface", interface }, { "Table/Substrate", substrate } });
-      EXPECT_EQ(study.table.is_hard(), interface == std::string("hard"));
-      EXPECT_EQ(study.table.make().substrate.has_value(), substrate == std::string("elastic"));
-    }
-}
-
 } // namespace
 } // namespace stemware::pipeline

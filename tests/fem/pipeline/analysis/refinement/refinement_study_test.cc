@@ -23,28 +23,6 @@ namespace
 
 using Sizes = std::vector<unsigned int>;
 
-TEST(RefinementAxes, OfABodyOfRevolution)
-{
-  const std::vector<RefinementAxis> axes = refinement_axes(Study(), 3);
-  ASSERT_EQ(axes.size(), 4u);
-  EXPECT_EQ(axes[0].key, "meridional_mesh");
-  EXPECT_EQ(axes[0].sizes, (Sizes{ 0, 1, 2 }));
-  EXPECT_EQ(axes[0].own, 0u);
-  EXPECT_EQ(axes[1].key, "degree");
-  EXPECT_EQ(axes[1].sizes, (Sizes{ 1, 2, 3, 4 }));
-  EXPECT_EQ(axes[1].own, 1u);
-  EXPECT_EQ(axes[2].key, "harmonics");
-  EXPECT_EQ(axes[2].sizes, (Sizes{ 8, 16, 32 }));
-  EXPECT_EQ(axes[2].own, 1u);
-  EXPECT_EQ(axes[3].key, "azimuth_lines");
-  EXPECT_EQ(axes[3].sizes, (Sizes{ 64, 128, 256 }));
-  // Each level differs in its own parameter only.
-  EXPECT_EQ(axes[0].levels[2].study.contact.refinements, 2u);
-  EXPECT_EQ(axes[0].levels[2].study.contact.harmonics, 16u);
-  EXPECT_EQ(axes[3].levels[0].study.contact.azimuth_lines, 64u);
-  EXPECT_EQ(axes[3].levels[0].study.contact.refinements, 0u);
-}
-
 TEST(RefinementAxes, KeepToWhatIsAllowed)
 {
   Study study;
@@ -64,29 +42,6 @@ TEST(RefinementAxes, KeepToWhatIsAllowed)
   study.table.substrate = TableSubstrate::elastic;
   EXPECT_EQ(refinement_axes(study, 3)[2].sizes, (Sizes{ 10, 20 }));
   EXPECT_EQ(refinement_axes(study, 3).size(), 4u); // hard tables have lines of their own too
-}
-
-TEST(RefinementAxes, OfASolidBody)
-{
-  Study study;
-  study.contact.body = BodyKind::solid;
-  const std::vector<RefinementAxis> axes = refinement_axes(study, 3);
-  ASSERT_EQ(axes.size(), 4u);
-  EXPECT_EQ(axes[0].sizes, (Sizes{ 24, 48, 96 }));
-  EXPECT_EQ(axes[1].sizes, (Sizes{ 2, 4, 8 }));
-  EXPECT_EQ(axes[3].sizes, (Sizes{ 1, 2 }));
-  study.contact.mesh_file = STEMWARE_MESHES "/oval_foot.msh";
-  EXPECT_EQ(refinement_axes(study, 3).size(), 1u);
-}
-
-TEST(RefinementAxes, RefuseWhatHasNoDiscretisation)
-{
-  Study study;
-  study.load.source = LoadSource::first_harmonic;
-  EXPECT_THROW(refinement_axes(study, 3), BadInput);
-  study = Study();
-  study.contact.goal = Goal::a2;
-  EXPECT_THROW(refinement_axes(study, 3), BadInput);
 }
 
 /// Half the cell size twice over, four times the lines; the harmonics, which matter least, doubled.
@@ -117,13 +72,7 @@ struct Levels
   }
 
   /// The band of `run` for a quantity.
-  const BandedQuantity &band(const std::string &key) const
-  {
-    for (const BandedQuantity &banded : quick)
-      if (banded.quantity.key == key)
-        return banded;
-    throw std::out_of_range(key);
-  }
+  const BandedQuantity &band(const std::string &key) const { return quick[index_of(quick, key)]; }
 
   static ring::Question question_of(const Study &study)
   {
@@ -245,34 +194,6 @@ TEST(ErrorBands, OfOneRingHoldManyRings)
   EXPECT_LT(error, spin.band);
 }
 
-TEST(ErrorBands, TakeTwiceTheRingsThatTheFootHas)
-{
-  Study study;
-  study.table.foundation_modulus = 1e9; // a wide contact
-  study.load.coupling = LoadCoupling::one_way;
-  fem::ComplianceCache cache;
-  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
-  const double inner = 0.0285, outer = 0.0315; // [m]
-  const auto on_rings = [&](unsigned int n_rings)
-  {
-    foot->set_rings(chebyshev_radii(inner, outer, n_rings), 24);
-    return find_load(study, foot);
-  };
-  const SharedLoad twice = on_rings(4), own = on_rings(2);
-  const ring::Answer row = ring::answer(*own, Levels::question_of(study)).value();
-  const ErrorBands bands = estimate_bands(study, foot, row, std::nullopt, ThreadedExecutor(cache));
-  const auto torque = [&](const BalancedLoad &load)
-  { return ring::yaw_torque(load, study.motion.orbit, 1.5 * row.terminal->omega); };
-  const double changed = std::abs(torque(*twice) - torque(*own));
-  for (const BandedQuantity &banded : bands)
-    if (banded.quantity.key == "tau_at_spin_2")
-    {
-      EXPECT_GT(changed, 10 * banded.quantity.rounding);
-      EXPECT_NEAR(banded.parts.at("rings"), 2 * changed, 1e-2 * changed);
-    }
-  ASSERT_TRUE(band_of(bands, "tau_at_spin_2"));
-}
-
 /// A foot under which no balance is found.
 class FootWithoutBalance : public fem::Foot
 {
@@ -352,30 +273,6 @@ TEST(ErrorBands, OfARowIsNoWiderThanWhatItDiffersBy)
   EXPECT_NEAR(without_first[4].band.value(), 1.1e-3, 1e-12);
   add_bands({}, {}, without_first = { row(3, -3.6) });
   EXPECT_FALSE(without_first.front().band);
-}
-
-TEST(ErrorBands, JudgeTheSpinByTheLargestMoveOfTorque)
-{
-  // With a slope of 2 N m s the moves of torque are 0.2, 0.3 and 0.1 N m.
-  const auto quantities = [](double omega, double torque_1, double torque_2)
-  {
-    return std::vector<QuantityOfInterest>{ { "omega_terminal", "", "rad/s", omega },
-                                            { "tau_at_spin_1", "", "N m", torque_1 },
-                                            { "tau_at_spin_2", "", "N m", torque_2 },
-                                            { "tau_at_rest", "", "N m", torque_1 },
-                                            { "time_constant", "", "s", 0.5 } };
-  };
-  const std::vector<QuantityOfInterest> before = quantities(-3, 1, -1), after = quantities(-3.1, 1.3, -0.9);
-  EXPECT_NEAR(max_change_over_spins("omega_terminal", before, after, 1), 0.15, 1e-12);
-  EXPECT_NEAR(max_change_over_spins("tau_at_spin_2", before, after, 1), 0.3, 1e-12);
-  EXPECT_NEAR(max_change_over_spins("time_constant", before, after, 1), 0, 1e-12);
-  // Without one of the three nobody knows the largest.
-  const double none = std::nan("");
-  for (const auto &lost :
-       { quantities(none, 1.3, -0.9), quantities(-3.1, none, -0.9), quantities(-3.1, 1.3, none) })
-    for (const char *key : { "omega_terminal", "tau_at_spin_1", "tau_at_spin_2" })
-      EXPECT_TRUE(std::isnan(max_change_over_spins(key, before, lost, 1))) << key;
-  EXPECT_NEAR(max_change_over_spins("tau_at_rest", before, quantities(-3.1, 1.3, none), 1), 0.3, 1e-12);
 }
 
 TEST(ErrorBands, SayWhichLevelFailed)

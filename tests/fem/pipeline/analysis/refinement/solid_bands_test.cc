@@ -3,7 +3,6 @@
 #include "fem/pipeline/answer/threaded_executor.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/feet/make_foot.h"
-#include "fem/pipeline/refinement/band_changes.h"
 #include "fem/pipeline/refinement/error_bands.h"
 #include "ring_model/spin/answer.h"
 
@@ -29,14 +28,6 @@ ErrorBands bands_of(const Study &study)
                         ThreadedExecutor(cache));
 }
 
-const BandedQuantity &find(const ErrorBands &bands, const std::string &key)
-{
-  for (const BandedQuantity &banded : bands)
-    if (banded.quantity.key == key)
-      return banded;
-  throw std::out_of_range(key);
-}
-
 /// The study of a solid foot as one of revolution, finer than usual where @p refinements says so.
 Study revolved(Study study, unsigned int refinements = 1)
 {
@@ -52,7 +43,7 @@ Study revolved(Study study, unsigned int refinements = 1)
 void expect_within_both(const ErrorBands &solid, const ErrorBands &revolution, const std::string &key,
                         double widest = 0)
 {
-  const BandedQuantity &own = find(solid, key), &other = find(revolution, key);
+  const BandedQuantity &own = solid[index_of(solid, key)], &other = revolution[index_of(revolution, key)];
   const double difference = std::abs(own.quantity.value - other.quantity.value);
   ::testing::Test::RecordProperty(key, std::to_string(own.band / difference));
   EXPECT_LE(difference, own.band + other.band) << key;
@@ -102,8 +93,8 @@ void expect_band_of_flat_land(double moment_ratio)
   const ErrorBands solid = bands_of(study), revolution = bands_of(revolved(study));
   for (const char *key : { "omega_terminal", "tau_at_spin_1", "a2", "b3", "a4", "b5", "a6", "b7", "a8" })
     expect_within_both(solid, revolution, key);
-  EXPECT_GT(find(solid, "a2").parts.at("interface"), 0);
-  EXPECT_LT(find(solid, "a4").band, 1e-2); // of a_0
+  EXPECT_GT(solid[index_of(solid, "a2")].parts.at("interface"), 0);
+  EXPECT_LT(solid[index_of(solid, "a4")].band, 1e-2); // of a_0
 }
 
 } // namespace
@@ -168,25 +159,6 @@ TEST(SolidBands, OfAContactThatIsNarrowerThanItsCells)
   expect_within_both(solid, revolution, "tau_at_spin_1");
 }
 
-TEST(SolidBands, TakeOneRingLessThanTheFootHas)
-{
-  const Study study = solid_study(fem::GlassShape::foot, { 16, 2, 1 });
-  fem::ComplianceCache cache;
-  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
-  const double inner = 0.0295, outer = 0.0305; // [m]
-  for (const auto &[own, other] : { std::pair(2u, 5u), std::pair(5u, 4u), std::pair(10u, 9u) })
-  {
-    foot->set_rings(chebyshev_radii(inner, outer, own), 8);
-    const std::vector<BandChange> changes =
-      band_changes(study, *foot, find_load(study, foot)->report(), false);
-    const std::vector<double> expected = chebyshev_radii(inner, outer, other);
-    ASSERT_EQ(changes.back().key, "rings");
-    ASSERT_EQ(changes.back().ring_projection->radii.size(), other);
-    for (unsigned int j = 0; j < other; ++j)
-      EXPECT_NEAR(changes.back().ring_projection->radii[j], expected[j], 1e-12);
-  }
-}
-
 // Of linear elements, in seconds.
 TEST(SolidBands, OfALinearFlatLandOnAHardTable)
 {
@@ -198,8 +170,8 @@ TEST(SolidBands, OfALinearFlatLandOnAHardTable)
   const ErrorBands solid = bands_of(study), revolution = bands_of(finer);
   for (const char *key : { "omega_terminal", "tau_at_spin_1", "a2", "b3", "a4" })
     expect_within_both(solid, revolution, key);
-  EXPECT_GT(find(solid, "a2").parts.at("interface"), 0);
-  EXPECT_LT(find(solid, "a2").band, 0.1); // of a_0
+  EXPECT_GT(solid[index_of(solid, "a2")].parts.at("interface"), 0);
+  EXPECT_LT(solid[index_of(solid, "a2")].band, 0.1); // of a_0
 }
 
 TEST(SolidBands, OfAFlatLandOnAHardTable)
