@@ -42,6 +42,21 @@ inline double largest_difference(const ContactLoad &one, const ContactLoad &othe
   return largest;
 }
 
+/// How a contact solve ends.
+template <typename Action>
+ContactOutcome outcome_of(const Action &action)
+{
+  try
+  {
+    action();
+  }
+  catch (const ContactFailure &failure)
+  {
+    return failure.outcome;
+  }
+  return ContactOutcome::converged;
+}
+
 /// Where a contact solve begins that goes on from @p solution.
 inline ContactStart from(const ContactSolution &solution)
 {

@@ -25,6 +25,23 @@ Motion motion_with_height(double centre_of_mass_height)
   return motion;
 }
 
+/// The last spin in balance before a search fails, for want of a balance, with the failure @p Cause.
+template <typename Cause = Tipping>
+double last_spin(const TorqueFunction &torque, const SpinSearch &search)
+{
+  try
+  {
+    find_terminal_spin(torque, search);
+  }
+  catch (const BalanceLost &lost)
+  {
+    EXPECT_THROW(std::rethrow_if_nested(lost), Cause);
+    return lost.last_spin;
+  }
+  ADD_FAILURE() << "a spin was found beyond the last balance";
+  return std::nan("");
+}
+
 TEST(SpinSearch, NoiseAtRestMovesNothing)
 {
   // Rest is an unstable balance of this torque, 0.2 + 1e-12 its stable one.
@@ -160,30 +177,14 @@ TEST(SpinSearch, StepsBackFromSpinsWithoutTorque)
   const SpinZero before = find_terminal_spin(torque_up_to(2.1, 2.), { 10., 5. });
   expect_relative(before.omega, 2., 1e-12, "omega");
   EXPECT_LE(before.n_evaluations, 8u);
-  try
-  {
-    find_terminal_spin(torque_up_to(2.1, 2.2), { 10., 5. });
-    FAIL() << "a spin was found beyond the last balance";
-  }
-  catch (const BalanceLost &lost)
-  {
-    EXPECT_LE(lost.last_spin, 2.1);
-    EXPECT_GT(lost.last_spin, 2.1 - 10. / 4096.);
-    EXPECT_THROW(std::rethrow_if_nested(lost), Tipping);
-  }
+  const double last = last_spin(torque_up_to(2.1, 2.2), { 10., 5. });
+  EXPECT_LE(last, 2.1);
+  EXPECT_GT(last, 2.1 - 10. / 4096.);
   EXPECT_THROW(find_terminal_spin(torque_up_to(2., 2.0001), { 10., 1. }), BalanceLost);
   EXPECT_THROW(find_terminal_spin(torque_up_to(-1., 2.), { 10. }), Tipping); // at rest already
   // In the other direction the last spin is negative.
   const auto backwards = [&](double omega) { return -torque_up_to(2.1, 2.2)(-omega); };
-  try
-  {
-    find_terminal_spin(backwards, { 10., -5. });
-    FAIL() << "a spin was found beyond the last balance";
-  }
-  catch (const BalanceLost &lost)
-  {
-    EXPECT_NEAR(lost.last_spin, -2.1, 10. / 4096.);
-  }
+  EXPECT_NEAR(last_spin(backwards, { 10., -5. }), -2.1, 10. / 4096.);
 }
 
 TEST(SpinSearch, FindsWhereTheBalanceIsLostBeforeADistantZero)
@@ -196,15 +197,7 @@ TEST(SpinSearch, FindsWhereTheBalanceIsLostBeforeADistantZero)
       throw NoBalance("a gap");
     return omega < 3. ? 1. + omega : 4. * (6. - omega) / 3.;
   };
-  try
-  {
-    find_terminal_spin(torque, { 1., 5.9 });
-    FAIL() << "the search has jumped over the gap";
-  }
-  catch (const BalanceLost &lost)
-  {
-    EXPECT_NEAR(lost.last_spin, 1., 1. / 4096.);
-  }
+  EXPECT_NEAR(last_spin<NoBalance>(torque, { 1., 5.9 }), 1., 1. / 4096.);
 }
 
 TEST(SpinSearch, FindsANarrowGapByTheSteadiness)
@@ -226,16 +219,7 @@ TEST(SpinSearch, FindsANarrowGapByTheSteadiness)
       };
       SpinSearch search{ 1., 0.99 * sense };
       search.stability_margin = [=](double omega) { return std::sqrt(square(sense * omega, least)); };
-      try
-      {
-        find_terminal_spin(torque, search);
-        FAIL() << "the search has jumped over a gap of " << half_width;
-      }
-      catch (const BalanceLost &lost)
-      {
-        EXPECT_NEAR(lost.last_spin, sense * (middle - half_width), 1. / 4096.);
-        EXPECT_THROW(std::rethrow_if_nested(lost), Tipping);
-      }
+      EXPECT_NEAR(last_spin(torque, search), sense * (middle - half_width), 1. / 4096.) << half_width;
       EXPECT_FALSE(find_terminal_spin_near({ sense, -1. }, torque, search)) << "0.99 is next to a fold";
     }
 }

@@ -38,23 +38,12 @@ void compare_with_reference(const std::string &foot, const GlassProfile &profile
     }
 }
 
-/// What a unit pressure on the land puts on the nodes of quadratic elements, int N_i r dr.
-Eigen::VectorXd nodes_of_land(const Eigen::VectorXd &radii)
-{
-  Eigen::VectorXd weights = Eigen::VectorXd::Zero(radii.size());
-  for (Eigen::Index first = 0; first + 2 < radii.size(); first += 2)
-    for (const Eigen::Index node : { 0, 1, 2 })
-      weights(first + node) +=
-        (node == 1 ? 4 : 1) * (radii(first + 2) - radii(first)) / 6 * radii(first + node);
-  return weights;
-}
-
 void compare_with_calculix(const std::string &kind, const GlassProfile &profile,
                            const MeridianResolution &resolution, double tolerance)
 {
   const CalculixFoot reference(kind);
   const ContactCompliance compliance = foot_compliance(profile, resolution);
-  const Eigen::VectorXd nodes = nodes_of_land(compliance.radii);
+  const Eigen::VectorXd nodes = nodes_between(compliance, 0, 1);
   for (unsigned int n = 0; n <= 6; ++n)
   {
     const HarmonicCompliance &here = compliance.harmonics[n];

@@ -38,18 +38,9 @@ ContactCompliance compliance_of_disc(const TableDisc &disc, const ElasticMateria
   return compute_compliance(triangulation, material, { 2, n_harmonics });
 }
 
-/// int N_i r dr over the quadratic elements in @p band, Simpson's rule on N_i r of degree three: what a unit
-/// pressure puts on the nodes, and the weights of the mean displacement.
 Eigen::VectorXd nodes_of(const ContactCompliance &compliance, Band band)
 {
-  const Eigen::VectorXd &radii = compliance.radii;
-  Eigen::VectorXd weights = Eigen::VectorXd::Zero(radii.size());
-  for (Eigen::Index first = 0; first + 2 < radii.size(); first += 2)
-    if (radii(first + 1) > band.inner && radii(first + 1) < band.outer)
-      for (const Eigen::Index node : { 0, 1, 2 })
-        weights(first + node) +=
-          (node == 1 ? 4 : 1) * (radii(first + 2) - radii(first)) / 6 * radii(first + node);
-  return weights;
+  return nodes_between(compliance, band.inner, band.outer);
 }
 
 } // namespace

@@ -2,13 +2,14 @@
 
 // A rigid crowned foot on a Winkler mat, with or without lift-off, by plain quadrature that ends at the edges
 // of the contact: no rings, no harmonics, no kernels, nothing of the program.
+#include "tests/verification/plain_rigid_foot.h"
+
 #include <Eigen/Dense>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -272,32 +273,11 @@ struct LiftedFoot
 private:
   static constexpr double pi = 3.14159265358979323846;
 
-  /// Newton's method with differences.
   template <typename Residual>
-  Eigen::Vector3d solve(const Residual &residual, Eigen::Vector3d lie) const
+  Eigen::Vector3d solve(const Residual &residual, const Eigen::Vector3d &lie) const
   {
     const double depth = flat_lie()(0);
-    const Eigen::Vector3d scale(depth, depth / contact_radius, depth / contact_radius);
-    for (unsigned int step = 0; step < 40; ++step)
-    {
-      const Eigen::Vector3d now = residual(lie);
-      Eigen::Matrix3d slope;
-      for (int k = 0; k < 3; ++k)
-      {
-        Eigen::Vector3d there = lie;
-        there(k) += 1e-6 * scale(k);
-        slope.col(k) = (residual(there) - now) / 1e-6;
-      }
-      const Eigen::Vector3d change = -slope.partialPivLu().solve(now);
-      double length = 1;
-      while (length > 1e-3 && now.norm() > 1e-10 &&
-             !(residual(lie + length * scale.cwiseProduct(change)).norm() < now.norm()))
-        length /= 2;
-      lie += length * scale.cwiseProduct(change);
-      if (change.norm() < 1e-10)
-        return lie;
-    }
-    throw std::runtime_error("no lie of the lifted foot");
+    return lie_where(residual, lie, { depth, depth / contact_radius, depth / contact_radius });
   }
 };
 

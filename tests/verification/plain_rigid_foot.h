@@ -19,6 +19,33 @@ struct PlainPoint
   double x, y, force; ///< [m], [N]
 };
 
+/// The lie where @p residual(lie) vanishes, by Newton's method with differences; the lie's entries are
+/// measured in units of @p scale. Throws std::runtime_error if none is found.
+template <typename Residual>
+Eigen::Vector3d lie_where(const Residual &residual, Eigen::Vector3d lie, const Eigen::Vector3d &scale)
+{
+  for (unsigned int step = 0; step < 60; ++step)
+  {
+    const Eigen::Vector3d now = residual(lie);
+    Eigen::Matrix3d slope;
+    for (int k = 0; k < 3; ++k)
+    {
+      Eigen::Vector3d there = lie;
+      there(k) += 1e-6 * scale(k);
+      slope.col(k) = (residual(there) - now) / 1e-6;
+    }
+    const Eigen::Vector3d change = -slope.partialPivLu().solve(now);
+    double length = 1;
+    while (length > 1e-3 && now.norm() > 1e-10 &&
+           !(residual(lie + length * scale.cwiseProduct(change)).norm() < now.norm()))
+      length /= 2;
+    lie += length * scale.cwiseProduct(change);
+    if (change.norm() < 1e-10)
+      return lie;
+  }
+  throw std::runtime_error("no lie of the plain foot");
+}
+
 /// Penetration d(r, theta) = d0 + d1 x + d2 y - (r - R)^2 / (2 crown) - wave(theta) on r_inner < r < r_outer,
 /// pressure(d) where it is positive; a foot that is d1 deeper per metre along x leans that way.
 struct PlainRigidFoot
@@ -76,43 +103,13 @@ struct PlainRigidFoot
     return points;
   }
 
-  /// The lie where @p residual(lie, forces) vanishes, by Newton's method with differences; its entries and
-  /// the lie's are measured in units of @p scale.
-  template <typename Residual>
-  Eigen::Vector3d lie_where(const Residual &residual, Eigen::Vector3d lie, const Eigen::Vector3d &scale) const
-  {
-    for (unsigned int step = 0; step < 60; ++step)
-    {
-      const Eigen::Vector3d now = residual(lie, forces(lie));
-      Eigen::Matrix3d slope;
-      for (int k = 0; k < 3; ++k)
-      {
-        Eigen::Vector3d there = lie;
-        there(k) += 1e-6 * scale(k);
-        slope.col(k) = (residual(there, forces(there)) - now) / 1e-6;
-      }
-      const Eigen::Vector3d change = -slope.partialPivLu().solve(now);
-      double length = 1;
-      while (length > 1e-3 &&
-             !(residual(lie + length * scale.cwiseProduct(change),
-                        forces(lie + length * scale.cwiseProduct(change)))
-                 .norm() < now.norm()) &&
-             now.norm() > 1e-10)
-        length /= 2;
-      lie += length * scale.cwiseProduct(change);
-      if (change.norm() < 1e-11)
-        return lie;
-    }
-    throw std::runtime_error("no lie of the plain rigid foot");
-  }
-
   /// The lie under a normal force and a moment (sum y f, -sum x f).
   Eigen::Vector3d lie_under(double force, double moment_x, double moment_y, double depth) const
   {
-    const auto residual = [&](const Eigen::Vector3d &, const std::vector<PlainPoint> &points)
+    const auto residual = [&](const Eigen::Vector3d &lie)
     {
       Eigen::Vector3d sum(-force, -moment_x / contact_radius, -moment_y / contact_radius);
-      for (const PlainPoint &point : points)
+      for (const PlainPoint &point : forces(lie))
         sum += point.force * Eigen::Vector3d(1, point.y / contact_radius, -point.x / contact_radius);
       return Eigen::Vector3d(sum / force);
     };
@@ -188,8 +185,9 @@ inline Eigen::Vector3d lie_in_balance(const PlainRigidFoot &foot, const PlainMot
                                       const Eigen::Vector3d &start, double depth)
 {
   const double weight = motion.mass * motion.gravity, tilt = depth / foot.contact_radius;
-  const auto residual = [&](const Eigen::Vector3d &lie, const std::vector<PlainPoint> &points)
+  const auto residual = [&](const Eigen::Vector3d &lie)
   {
+    const std::vector<PlainPoint> points = foot.forces(lie);
     double force = -weight;
     for (const PlainPoint &point : points)
       force += point.force;
@@ -197,7 +195,7 @@ inline Eigen::Vector3d lie_in_balance(const PlainRigidFoot &foot, const PlainMot
     return Eigen::Vector3d(force / weight, glass.moment.x() / (weight * foot.contact_radius),
                            glass.moment.y() / (weight * foot.contact_radius));
   };
-  return foot.lie_where(residual, start, { depth, tilt, tilt });
+  return lie_where(residual, start, { depth, tilt, tilt });
 }
 
 } // namespace stemware::verification

@@ -1,11 +1,8 @@
 // The foot of a wine glass: what its smooth section does to the accuracy, and limits where it is known
 // otherwise.
-#include "fem/contact/hard_interface.h"
-#include "fem/meridian/meshed_revolution_foot.h"
 #include "tests/fem/foot_case.h"
 #include "tests/fem/geometry/profile_oracle.h"
 #include "tests/fem/revolution/revolution_case.h"
-#include "tests/verification/line_contact.h"
 
 #include <Eigen/Cholesky>
 #include <boost/math/quadrature/gauss.hpp>
@@ -155,25 +152,4 @@ TEST(RealFoot, ThinFootBendsLikeAPlate)
       before[n] = error;
     }
   }
-}
-
-// Reference: line contact. Hanging nodes towards the Hertz contact, whose cells are curved; of a foot that
-// does not bend only the table's give is left.
-TEST(RealFoot, StandsOnHardTables)
-{
-  RevolutionSetup setup;
-  setup.profile = foot_profile();
-  setup.material.young_modulus *= 1e6;
-  setup.table = { std::make_shared<HardInterface>(),
-                  Substrate{ { 0.3, 0.3 }, ElasticMaterial{ 10e9, 0.3 } } };
-  setup.meridian.n_harmonics = 8;
-  MeshedRevolutionFoot foot(setup.resolved_for(weight));
-  const ContactLoad load = foot.solve(load_at(0.9)).load;
-  const stemware::verification::LineContact expected(
-    0.9, 64, hertz_half_width(setup, weight) / setup.profile.contact_radius);
-  EXPECT_NEAR(load.a(1) / load.a(0), 0.9, 1e-5);
-  EXPECT_NEAR(load.a(0), weight / (2 * dealii::numbers::PI), 1e-9);
-  // 0.0125, -0.0021, 0.0006
-  for (unsigned int n = 2; n <= 4; ++n)
-    EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), 1e-4) << n;
 }

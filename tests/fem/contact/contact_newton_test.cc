@@ -19,45 +19,25 @@ SolidOptions linear_elements()
 
 const FootResolution coarse{ 12, 4, 1 };
 
-ContactOutcome outcome_of(FootCase &foot, const Resultants &load, const ContactControl &control)
+ContactOutcome outcome_on_mat(FootCase &foot, const Resultants &load, const ContactControl &control)
 {
   const auto mat = make_law(WinklerInterface(1e11), foot.body->contact_surface());
-  try
-  {
-    solve_contact(*foot.body, *mat, load, 0.03, control);
-  }
-  catch (const ContactFailure &failure)
-  {
-    return failure.outcome;
-  }
-  return ContactOutcome::converged;
+  return outcome_of([&] { solve_contact(*foot.body, *mat, load, 0.03, control); });
 }
 
 /// A body whose linear solves return nothing: the residual cannot fall.
-class StuckBody : public ElasticBody
+class StuckBody : public RigidFoot
 {
 public:
-  explicit StuckBody(const ContactSurface &surface)
-      : surface(surface)
-  {
-  }
-  const ContactSurface &contact_surface() const override { return surface; }
-  Eigen::VectorXd contact_displacement() const override { return Eigen::VectorXd::Zero(surface.n_nodes()); }
+  using RigidFoot::RigidFoot;
   NewtonIncrement solve(const Eigen::SparseMatrix<double> &, const Eigen::VectorXd &,
                         const LinearConditions &, const Eigen::Vector3d &) override
   {
     NewtonIncrement step;
-    step.displacement = Eigen::VectorXd::Zero(surface.n_nodes());
+    step.displacement = Eigen::VectorXd::Zero(contact_surface().n_nodes());
     step.motion.setZero();
     return step;
   }
-  void update(double) override {}
-  void reset() override {}
-  double equilibrium_residual(const Eigen::VectorXd &) const override { return 0.5; }
-  unsigned int n_unknowns() const override { return 0; }
-
-private:
-  const ContactSurface &surface;
 };
 
 } // namespace
@@ -65,8 +45,8 @@ private:
 TEST(ContactDriver, NamesTipping)
 {
   FootCase foot(GlassProfile(), coarse, linear_elements());
-  EXPECT_EQ(outcome_of(foot, load_at(2.2), {}), ContactOutcome::tipping);
-  EXPECT_EQ(outcome_of(foot, load_at(1.9), {}), ContactOutcome::converged);
+  EXPECT_EQ(outcome_on_mat(foot, load_at(2.2), {}), ContactOutcome::tipping);
+  EXPECT_EQ(outcome_on_mat(foot, load_at(1.9), {}), ContactOutcome::converged);
 }
 
 TEST(ContactDriver, NamesTooManySteps)
@@ -74,7 +54,7 @@ TEST(ContactDriver, NamesTooManySteps)
   FootCase foot(GlassProfile(), coarse, linear_elements());
   ContactControl control;
   control.max_steps = 1;
-  EXPECT_EQ(outcome_of(foot, load_at(1.7), control), ContactOutcome::too_many_steps);
+  EXPECT_EQ(outcome_on_mat(foot, load_at(1.7), control), ContactOutcome::too_many_steps);
 }
 
 TEST(ContactDriver, NamesARepeatedSet)
@@ -82,15 +62,8 @@ TEST(ContactDriver, NamesARepeatedSet)
   const FootCase foot(flat_profile(), coarse, linear_elements());
   StuckBody stuck(foot.body->contact_surface());
   const auto mat = make_law(WinklerInterface(1e11), foot.body->contact_surface());
-  try
-  {
-    solve_contact(stuck, *mat, load_at(0.3), 0.03);
-    FAIL() << "a body that does not move was accepted";
-  }
-  catch (const ContactFailure &failure)
-  {
-    EXPECT_EQ(failure.outcome, ContactOutcome::repeated_set);
-  }
+  EXPECT_EQ(outcome_of([&] { solve_contact(stuck, *mat, load_at(0.3), 0.03); }),
+            ContactOutcome::repeated_set);
 }
 
 TEST(ContactDriver, SaysWhenContactIsNarrow)
@@ -110,7 +83,7 @@ TEST(ContactDriver, SaysWhenContactIsNarrow)
 TEST(ContactDriver, NamesOverflow)
 {
   FootCase foot(GlassProfile(), coarse, linear_elements());
-  EXPECT_EQ(outcome_of(foot, { 1e306, 0, -1e304 }, {}), ContactOutcome::overflow);
+  EXPECT_EQ(outcome_on_mat(foot, { 1e306, 0, -1e304 }, {}), ContactOutcome::overflow);
 }
 
 TEST(ContactDriver, RefusesLoadsThatAreNone)

@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include <random>
-#include <sstream>
 
 using namespace stemware::fem;
 
@@ -27,19 +26,6 @@ struct RandomSection
   unsigned int degree = 2;
   TableDisc disc;
 };
-
-std::string text_of(const RandomSection &section)
-{
-  const GlassProfile &profile = section.profile;
-  const MeridianResolution &resolution = section.resolution;
-  std::ostringstream text;
-  text << (profile.shape == GlassShape::step ? "step" : "foot") << ", land " << profile.land_width
-       << ", thickness " << profile.foot_thickness << ", cells " << resolution.land_cells << ", refinements "
-       << resolution.refinements << ", focus of size " << resolution.focus_size << " at "
-       << resolution.focus_radius << " -/+ " << resolution.focus_width << " growing by "
-       << resolution.focus_growth << ", degree " << section.degree;
-  return text.str();
-}
 
 /// Shapes, lands of 0.5 to 4 mm, feet up to six times as thick, a focus of up to twelve halvings anywhere on
 /// the land or none.
@@ -134,7 +120,7 @@ TEST(ContactCells, AreThoseOfFootAndDisc)
   for (unsigned int seed = 1; seed <= 200; ++seed)
   {
     const RandomSection section = random_section(seed);
-    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + text_of(section));
+    SCOPED_TRACE("seed " + std::to_string(seed));
     dealii::Triangulation<2> foot;
     dealii::Triangulation<2> disc;
     make_meridian_mesh(section.profile, section.resolution, foot);

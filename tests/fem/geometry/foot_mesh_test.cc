@@ -13,22 +13,6 @@ using namespace stemware::fem_tests;
 
 namespace
 {
-double exact_volume(const GlassProfile &profile)
-{
-  const double inner = profile.land_inner_radius();
-  const double outer = profile.land_outer_radius();
-  return numbers::PI * ((outer * outer - inner * inner) * profile.land_height +
-                        profile.foot_radius * profile.foot_radius * profile.foot_thickness +
-                        profile.stem_radius * profile.stem_radius * profile.stem_height);
-}
-
-double meshed_volume(const GlassProfile &profile, unsigned int n_sectors, unsigned int degree)
-{
-  Triangulation<3> triangulation;
-  make_foot_mesh(profile, { n_sectors, 4, 2 }, triangulation);
-  return GridTools::volume(triangulation, MappingQ<3>(degree));
-}
-
 double land_area_error(GlassShape shape, unsigned int n_sectors, unsigned int degree)
 {
   GlassProfile profile;
@@ -41,20 +25,6 @@ double land_area_error(GlassShape shape, unsigned int n_sectors, unsigned int de
   return 1 - foot.body->contact_surface().area() / exact;
 }
 } // namespace
-
-TEST(FootMesh, VolumeConvergesAtTheGeometrysOrder)
-{
-  for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
-  {
-    const double exact = exact_volume(profile);
-    const double order_1 =
-      std::log2((1 - meshed_volume(profile, 24, 1) / exact) / (1 - meshed_volume(profile, 48, 1) / exact));
-    EXPECT_NEAR(order_1, 2, 0.05);
-    const double order_2 = std::log2(std::abs(1 - meshed_volume(profile, 24, 2) / exact) /
-                                     std::abs(1 - meshed_volume(profile, 48, 2) / exact));
-    EXPECT_NEAR(order_2, 4, 0.2);
-  }
-}
 
 TEST(FootMesh, OfAFootFollowsItsProfile)
 {

@@ -41,6 +41,20 @@ inline ContactCompliance foot_compliance(const GlassProfile &profile, const Meri
   return compute_compliance(triangulation, ElasticMaterial(), options);
 }
 
+/// int N_i r dr over the quadratic elements between two radii, Simpson's rule on N_i r of degree three: what
+/// a unit pressure puts on the nodes, and the weights of the mean displacement.
+inline Eigen::VectorXd nodes_between(const ContactCompliance &compliance, double inner, double outer)
+{
+  const Eigen::VectorXd &radii = compliance.radii;
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(radii.size());
+  for (Eigen::Index first = 0; first + 2 < radii.size(); first += 2)
+    if (radii(first + 1) > inner && radii(first + 1) < outer)
+      for (const Eigen::Index node : { 0, 1, 2 })
+        weights(first + node) +=
+          (node == 1 ? 4 : 1) * (radii(first + 2) - radii(first)) / 6 * radii(first + node);
+  return weights;
+}
+
 /// A foot that is a body of revolution with everything that a contact solve needs.
 struct RevolutionCase
 {

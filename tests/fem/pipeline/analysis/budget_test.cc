@@ -160,13 +160,6 @@ TEST(Budget, RowsOfALoadFile)
   EXPECT_EQ(rows_of(budget_of(study, rich_load())).at(1), "2a grip 1");
 }
 
-TEST(Budget, RowsOfAFileWithAFirstHarmonicOnly)
-{
-  const Budget budget = budget_of(study_of_given_load(), rich_load().truncated(1));
-  EXPECT_EQ(rows_of(budget), (Texts{ "1 paper 1", "3 where the foot touches 1", "4 harmonics all" }));
-  EXPECT_EQ(budget.harmonics.absolute, 0.);
-}
-
 TEST(Budget, RowsOfAFirstHarmonic)
 {
   Study study;
@@ -208,6 +201,19 @@ TEST(Budget, RowsOfContacts)
   study.load.moment_ratio = 0.5;
   EXPECT_EQ(rows_of(budget_of(study)),
             contact_rows(study, { "1 paper 1", "2 given moment 1", "3 where the foot touches 1" }));
+}
+
+TEST(Budget, FirstHarmonicOfAThinStiffRingIsTheClosedForm)
+{
+  Study study = quick_contact_study();
+  study.glass.profile.land_width = 2e-4;
+  study.glass.profile.crown_radius = 0;
+  study.glass.material.young_modulus = 7e13;
+  study.motion.tilt = false;
+  study.contact.friction_coupling = FrictionCoupling::none;
+  const BudgetRow row = budget_of(study).rows[2];
+  EXPECT_EQ(row.name, "where the foot touches");
+  EXPECT_NEAR(*row.omega_terminal, -3.67874799852576, 1e-4); // docs/theory/closures.md
 }
 
 TEST(Budget, LeavesOutWhatAStudyHas)

@@ -55,14 +55,5 @@ TEST(RequiredResultants, ARatioJustAboveTwoIsNoTwo)
   EXPECT_THAT(test::sentence_of([&] { study.required_resultants(); }), testing::HasSubstr("2.000000002"));
 }
 
-TEST(RequiredResultants, TippingIsRefused)
-{
-  Study study;
-  study.motion.orbit.force_offset = 0.2;
-  EXPECT_THROW(study.required_resultants(), BadInput);
-  study.load.moment_ratio = 1.999;
-  EXPECT_NO_THROW(study.required_resultants());
-}
-
 } // namespace
 } // namespace stemware::pipeline
