@@ -1,8 +1,6 @@
 #include "ring_model/friction_functionals.h"
-#include "ring_model/self_consistent_ring.h"
 #include "ring_model/spin_search.h"
 #include "ring_model/terminal_spin.h"
-#include "ring_model/unilateral_foundation.h"
 #include "tests/ring_model/reference.h"
 
 #include <cmath>

@@ -180,16 +180,12 @@ TEST(ContactLoad, RingsTurnWithTheLoad)
     }
 }
 
-TEST(ContactLoad, RefusesRadiiThatAreNone)
+TEST(ContactLoad, RefusesRadiiThatAreNoneAndNoLoad)
 {
   const std::vector<PointForce> forces = ring_of_forces(40, 0.03);
   using Radii = std::vector<double>;
   for (const Radii &radii : { Radii{ 0.03, 0.03 }, Radii{ 0.031, 0.03 }, Radii{ -0.01, 0.03 },
                               Radii{ 0.03, std::nan("") }, Radii{ 0.03, INFINITY } })
     EXPECT_THROW(harmonics_of(forces, 2, radii), std::invalid_argument);
-}
-
-TEST(ContactLoad, RefusesNoLoad)
-{
   EXPECT_THROW(harmonics_of({}, 2), std::invalid_argument);
 }

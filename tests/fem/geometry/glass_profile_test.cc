@@ -31,18 +31,6 @@ std::string refusal(const GlassProfile &profile)
 
 } // namespace
 
-TEST(GlassProfile, GapIsTheCrownsParabola)
-{
-  GlassProfile profile;
-  profile.contact_radius = 0.03;
-  profile.crown_radius = 0.004;
-  EXPECT_EQ(profile.gap(0.03), 0);
-  EXPECT_NEAR(profile.gap(0.031), 1.25e-4, 1e-18);
-  EXPECT_NEAR(profile.gap(0.028), 5e-4, 1e-18);
-  profile.crown_radius = 0;
-  EXPECT_EQ(profile.gap(0.031), 0);
-}
-
 TEST(GlassProfile, UndersideOfAFootLeavesTheLandTangentially)
 {
   const GlassProfile profile = foot_profile();

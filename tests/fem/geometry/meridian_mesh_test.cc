@@ -1,4 +1,3 @@
-#include "fem/meridian/compute_compliance.h"
 #include "fem/meshing/foot_mesh.h"
 #include "tests/fem/geometry/profile_oracle.h"
 #include "tests/fem/revolution/revolution_case.h"
@@ -9,7 +8,6 @@
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 using namespace stemware::revolution_tests;
@@ -139,14 +137,4 @@ TEST(MeridianMesh, RefusesImpossibleSections)
   disc.radius = 0.02;
   EXPECT_THROW(make_meridian_mesh(disc, GlassProfile(), MeridianResolution(), triangulation),
                std::invalid_argument);
-}
-
-TEST(Compliance, IsSymmetricAndPositive)
-{
-  const ContactCompliance compliance = foot_compliance(GlassProfile(), graded_cells());
-  for (const HarmonicCompliance &harmonic : compliance.harmonics)
-  {
-    EXPECT_TRUE(harmonic.normal.isApprox(harmonic.normal.transpose(), 1e-12));
-    EXPECT_EQ(Eigen::LLT<Eigen::MatrixXd>(harmonic.normal).info(), Eigen::Success);
-  }
 }

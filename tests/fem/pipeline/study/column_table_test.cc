@@ -1,5 +1,4 @@
-// Columns of numbers as phones, video trackers, spreadsheets and instruments write them. The texts are made
-// by hand after the documentation of these programs.
+// Columns of numbers: units of angles, doubtful and broken tables. Files of the usual programs: readers/.
 #include "fem/pipeline/study/column_table.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"

@@ -5,7 +5,6 @@
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/refinement/error_bands.h"
 #include "fem/pipeline/refinement/refinement_study.h"
-#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/spin/answer.h"
 #include "tests/benchmark/random_study.h"
