@@ -99,8 +99,7 @@ public:
                   values[values.size() / 2]);
       all.insert(all.end(), values.begin(), values.end());
     }
-    if (all.empty())
-      return;
+    ASSERT_FALSE(all.empty()) << "no quantity has the key of a truth";
     std::sort(all.begin(), all.end());
     const double median = all[all.size() / 2];
     std::printf("%-22s %3zu  worst %.3f  median %.3f\n", "all", all.size(), all.back(), median);
