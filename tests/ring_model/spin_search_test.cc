@@ -63,7 +63,7 @@ TEST(SpinSearch, FindsTheReferenceInFewTorques)
     if (row["closure"] != "C" || row["g"] != 9.81 || row["formal_negative_load"])
       continue;
     ++n_rows;
-    const FirstHarmonicRing ring(Closure::full, motion_with_height(row["zcm"]), radius);
+    const SelfConsistentRing ring(Closure::full, motion_with_height(row["zcm"]), radius);
     const auto torque = [&](double omega) { return ring.torque(omega); };
     for (const auto &search : { SpinSearch{ scale }, SpinSearch{ scale, -3.12 } })
     {

@@ -38,6 +38,7 @@ public:
     step.motion.setZero();
     return step;
   }
+  double equilibrium_residual(const Eigen::VectorXd &) const override { return 0.5; }
 };
 
 } // namespace
