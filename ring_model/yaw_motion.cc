@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace stemware::ring
 {
@@ -255,6 +256,17 @@ void require_motion(double yaw_inertia, double initial_spin, double accuracy, do
   require_finite(initial_spin, "the initial spin [rad/s]");
 }
 } // namespace
+
+PhasedTorqueFunction observed(PhasedTorqueFunction torque, TimeObserver observer)
+{
+  if (!observer)
+    return torque;
+  return [torque = std::move(torque), observer = std::move(observer)](double time, double angle, double omega)
+  {
+    observer(time);
+    return torque(time, angle, omega);
+  };
+}
 
 std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
                                   const std::vector<double> &times, double accuracy, double spin_scale)

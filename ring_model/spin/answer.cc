@@ -80,7 +80,7 @@ void take_long_run_mean(const LoadAtSpin &load, const Question &question, double
   const auto with_grip = [&](double time, double yaw_angle, double omega)
   { return torque_with_grip(torque(time, yaw_angle, omega), omega, question.grip_torque); };
   const LongTimeSpin mean =
-    long_time_spin(with_grip, motion.yaw_inertia, spin.omega,
+    long_time_spin(observed(with_grip, question.observer), motion.yaw_inertia, spin.omega,
                    averaging_window(phases.periods(), motion, spin), accuracy, spin_scale);
   spin.omega = mean.mean;
   found.ripple = mean.ripple;

@@ -44,6 +44,8 @@ struct Question
   std::vector<double> times = {}; ///< equally spaced times of Answer::spin_up [s]
   bool with_instants = false;     ///< compute Answer::instants and Answer::phase_torques
   double euler_step = 0.;         ///< longest step of Answer::euler [s]; 0: no Euler curve
+
+  TimeObserver observer = {}; ///< observer of the spin in the long run and of the spin-up
 };
 
 /// Status of an answer: state of the contact, or the kind of failure.

@@ -22,12 +22,13 @@ constexpr double spin_up_accuracy = 1e-10; ///< of omega(t), relative to v / R
 /// Friction, lean and grip torque together [N m]; time and yaw angle matter if the phase does.
 PhasedTorqueFunction torque_function(const LoadAtSpin &load, const Question &question)
 {
-  return [&](double time, double yaw_angle, double omega)
+  const auto torque = [&](double time, double yaw_angle, double omega)
   {
     const Motion &motion = question.motion;
-    const double torque = yaw_torque(load, motion, omega, orientation_of_marks(motion, time, yaw_angle));
-    return torque_with_grip(torque, omega, question.grip_torque);
+    const double free = yaw_torque(load, motion, omega, orientation_of_marks(motion, time, yaw_angle));
+    return torque_with_grip(free, omega, question.grip_torque);
   };
+  return observed(torque, question.observer);
 }
 
 Question without_minima_of(const Question &question)

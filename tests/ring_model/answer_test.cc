@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 namespace
@@ -74,6 +76,22 @@ TEST(AskedAnswer, SpinsUpAsRungeKuttaSays)
   ASSERT_EQ(found.euler.size(), 3u);
   EXPECT_NEAR(found.spin_up[2].omega, omega, 1e-8);
   EXPECT_NEAR(found.euler[2].omega, omega, 1e-3); // first order
+}
+
+TEST(AskedAnswer, IsObservedWhileTheSpinIsFollowed)
+{
+  const Motion motion = paper_motion();
+  const auto load = balanced_load(motion);
+  Question question = { motion };
+  double latest = -1.;
+  question.observer = [&](double time) { latest = std::max(latest, time); };
+  answer(load, question).value();
+  EXPECT_EQ(latest, -1.); // no motion was asked for
+  question.times = { 0, 0.5, 1.5 };
+  answer(load, question).value();
+  EXPECT_DOUBLE_EQ(latest, 1.5);
+  question.observer = [](double) { throw std::domain_error("enough"); };
+  EXPECT_THROW(answer(load, question), std::domain_error);
 }
 
 TEST(AskedAnswer, AFallKeepsItsLastSpin)

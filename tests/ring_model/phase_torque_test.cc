@@ -1,9 +1,11 @@
 // The table of the torque over phases and spins against plain quadrature over the rim.
+#include "ring_model/spin/answer.h"
 #include "ring_model/spin/phase_torque.h"
 #include "tests/ring_model/quadrature.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -68,6 +70,17 @@ TEST(PhaseTorque, BeyondItsTableIsThatOfTheLoadItself)
   for (const double share : { -0.7, 0., 0.2, 0.6 })
     EXPECT_NEAR(torque(0.3, 0.7, share * scale), plain_torque(motion, 0.3, 0.7, share * scale), 1e-9 * size)
       << share;
+}
+
+TEST(PhaseTorque, TheMotionInTheLongRunIsObserved)
+{
+  const WavyLoad load;
+  Question question = { Motion() };
+  double latest = 0.;
+  question.observer = [&](double time) { latest = std::max(latest, time); };
+  answer(load, question).value();
+  // Two windows of a dozen orbits at least.
+  EXPECT_GT(latest, 24. * M_PI / std::abs(question.motion.orbit_rate()));
 }
 
 TEST(PhaseTorque, HasNoTableAcrossTheKinkAtTheSpeedOfTheRim)

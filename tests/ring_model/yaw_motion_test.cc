@@ -353,6 +353,41 @@ TEST(LongTimeSpin, SaysThatItDoesNotSettle)
   EXPECT_THROW(long_time_spin(accelerating, inertia, 0., 1., 1e-9, 10.), std::runtime_error);
 }
 
+TEST(YawMotion, AnObserverHearsEveryTorqueUntilTheEnd)
+{
+  MarkedRing slow, stiff;
+  stiff.inertia = 1e-12;
+  for (const MarkedRing &ring : { slow, stiff })
+  {
+    std::size_t n_torques = 0, n_heard = 0;
+    double latest = 0.;
+    const PhasedTorqueFunction counted = [&](double time, double angle, double omega)
+    {
+      ++n_torques;
+      return ring(time, angle, omega);
+    };
+    const auto hear = [&](double time)
+    {
+      ++n_heard;
+      latest = std::max(latest, time);
+    };
+    yaw_motion(observed(counted, hear), ring.inertia, 0., { 0.5, 1. }, 1e-8, 10.);
+    EXPECT_GT(n_heard, 10u);
+    EXPECT_EQ(n_heard, n_torques);
+    EXPECT_DOUBLE_EQ(latest, 1.);
+    n_heard = 0;
+    long_time_spin(observed(counted, hear), ring.inertia, 0., 20., 1e-7, 10.);
+    EXPECT_GT(n_heard, 2048u);
+    EXPECT_GE(latest, 40.); // two windows at least
+  }
+  const auto stop = [](double time)
+  {
+    if (time > 0.2)
+      throw std::domain_error("enough");
+  };
+  EXPECT_THROW(yaw_motion(observed(slow, stop), slow.inertia, 0., { 1. }, 1e-8, 10.), std::domain_error);
+}
+
 TEST(YawMotion, RefusesBadInput)
 {
   const MarkedRing ring;

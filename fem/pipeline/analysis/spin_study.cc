@@ -169,7 +169,7 @@ std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow>
 
 StudyCurves find_curves(const Study &study, const RowsOfCurves &rows, const std::vector<double> &spins,
                         const Executor &executor, const std::vector<double> &further, double euler_step,
-                        bool all_spins)
+                        bool all_spins, const ring::TimeObserver &observer)
 {
   const bool together = is_collective(study);
   ring::Question question = spin_question(study), of_paper = spin_question(rows.paper->variant.study);
@@ -190,6 +190,7 @@ StudyCurves find_curves(const Study &study, const RowsOfCurves &rows, const std:
       asked.euler_step = euler_step;
       asked.all_spins = all_spins;
       asked.with_instants = true;
+      asked.observer = observer;
       curves.all = ring::answer(*rows.load, asked);
     }
     else if (row->load)
@@ -212,7 +213,8 @@ StudyCurves find_curves(const Study &study, const RowsOfCurves &rows, const std:
 }
 
 std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                           const std::vector<double> &times)
+                                           const std::vector<double> &times,
+                                           const ring::TimeObserver &observer)
 {
   if (!study.motion.orbit_speeds)
     return std::nullopt;
@@ -223,7 +225,7 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
   // Each step takes a dozen contacts; speeds that are measured are not known to a millionth.
   const double accuracy = study.load.is_from_contact() ? 1e-6 : 1e-10;
   const double radius = study.glass.profile.contact_radius, grip = study.motion.grip_torque;
-  const ring::PhasedTorqueFunction torque = driven_torque(study, foot, speeds);
+  const ring::PhasedTorqueFunction torque = ring::observed(driven_torque(study, foot, speeds), observer);
   const std::vector<ring::YawSample> samples =
     ring::driven_motion(torque, speeds, study.motion.orbit, grip, radius, times, accuracy);
   const std::vector<double> changes =
@@ -268,8 +270,9 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   const bool is_slow = study.load.is_in_balance() && is_collective(study); // each torque takes minutes
   if (depth == Depth::full)
     result.budget = find_budget(study, solved);
-  const StudyCurves curves =
-    find_curves(study, rows, shown, executor, result.budget.omega, study.motion.euler_step, !is_slow);
+  const ring::TimeObserver observer = motion_observer(progress);
+  const StudyCurves curves = find_curves(study, rows, shown, executor, result.budget.omega,
+                                         study.motion.euler_step, !is_slow, observer);
   for (const LoadedRow &row : solved.by_harmonics)
     result.rows.push_back(row.row);
   if (load.phases())
@@ -281,7 +284,7 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   result.terminal_spins = curves.all.all_spins;
   result.torque = curves.torque;
   result.spin_up = curves.spin_up;
-  result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time);
+  result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time, observer);
   if (depth == Depth::full)
   {
     result.budget.torque_all = torques_after(shown.size(), curves.all, result.budget.omega.size());

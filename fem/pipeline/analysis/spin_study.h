@@ -122,16 +122,19 @@ struct RowsOfCurves
 
 /// Returns the curves of @p rows at @p spins, shown_spins() [rad/s], and over the time of the study. @p
 /// further: more spins at which the torques of the answers are computed, after those. @p euler_step: longest
-/// Euler step [s], 0: none. @p all_spins: compute Answer::all_spins. Throws if the spin-up of all is lost.
+/// Euler step [s], 0: none. @p all_spins: compute Answer::all_spins. @p observer: of the spin-up of all.
+/// Throws if that is lost.
 StudyCurves find_curves(const Study &study, const RowsOfCurves &rows, const std::vector<double> &spins,
                         const Executor &executor, const std::vector<double> &further = {},
-                        double euler_step = 0, bool all_spins = false);
+                        double euler_step = 0, bool all_spins = false,
+                        const ring::TimeObserver &observer = {});
 
 /// Returns the spin-up under the speeds of Motion/Orbit speed file, with the contact in balance at every
 /// instant, at @p times; std::nullopt without such a file. @p foot is study_foot() with its rings chosen.
-/// Throws as the torque.
+/// Throws as the torque and @p observer.
 std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                           const std::vector<double> &times);
+                                           const std::vector<double> &times,
+                                           const ring::TimeObserver &observer = {});
 
 /// Solves everything; with Depth::answer only the answer, its curves and the effect of the harmonics. @p
 /// foot: study_foot(); @p load: find_load() of the foot; the other models of the budget are solved with @p

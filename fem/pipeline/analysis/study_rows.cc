@@ -7,6 +7,7 @@
 #include "fem/pipeline/variants/answer_share.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -86,6 +87,20 @@ std::vector<unsigned int> truncation_orders(unsigned int n_all)
   return orders;
 }
 
+ring::TimeObserver motion_observer(Progress &progress)
+{
+  using Clock = std::chrono::steady_clock;
+  return [&progress, n_torques = std::size_t(0), last = Clock::time_point()](double time) mutable
+  {
+    ++n_torques;
+    const Clock::time_point now = Clock::now();
+    if (now - last < std::chrono::milliseconds(100))
+      return;
+    last = now;
+    progress.pieces_done("torques of a motion, t = " + to_short_text(time) + " s", n_torques, 0);
+  };
+}
+
 ring::Question spin_question(const Study &study, ring::Question question)
 {
   question.motion = study.motion.orbit;
@@ -111,6 +126,8 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
     ring::Question question = spin_question(variant.study, asked);
     if (!variant.is_of_chain)
       question.spins.clear();
+    if (!variant.on_same_load) // solved in parallel
+      question.observer = {};
     const ring::SharedLoad kept = ring::truncated(load, variant.n_harmonics);
     return LoadedRow{ variant, ring::answer(*kept, question), kept };
   };
@@ -171,6 +188,7 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
   question.with_slope = true;
   if (depth == Depth::full)
     question.terminal_shares = { 0, 0.5, 1 };
+  question.observer = motion_observer(progress);
   LoadedRow whole = { {}, ring::answer(load, question).value(), load.shared_from_this() };
   question.with_slope = false;
   question.terminal_shares.clear();

@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace stemware::pipeline
 {
@@ -76,6 +78,33 @@ TEST(SpinStudy, RowsAreInBalanceWithTheirOwnHarmonics)
   EXPECT_TRUE(two_way.one_ring);
   study.contact.rings = 1;
   EXPECT_FALSE(study_spin(study, foot, *find_load(study, foot), ThreadedExecutor(cache)).one_ring);
+}
+
+TEST(SpinStudy, TellsItsProgressWhileTheSpinIsFollowed)
+{
+  struct Listener : Progress
+  {
+    void pieces_done(const std::string &, std::size_t n_done, std::size_t n_all) override
+    {
+      if (n_all > 0) // models
+        return;
+      most = std::max(most, n_done);
+      if (is_interrupted)
+        throw std::domain_error("interrupted");
+    }
+    std::size_t most = 0;
+    bool is_interrupted = false;
+  } listener;
+  fem::ComplianceCache cache;
+  const auto followed = [&]
+  {
+    study_spin(study_of_given_load(), nullptr, *given_load(rich_load()), ThreadedExecutor(cache), listener,
+               Depth::answer);
+  };
+  followed();
+  EXPECT_GE(listener.most, 1u);
+  listener.is_interrupted = true;
+  EXPECT_THROW(followed(), std::domain_error);
 }
 
 /// rich_load() up to @p last [rad/s], beyond which it tips.

@@ -1,0 +1,72 @@
+#include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/app/console_progress.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <thread>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+/// Redirects standard output into a text while it lives.
+class Heard
+{
+public:
+  Heard()
+      : before(std::cout.rdbuf(text.rdbuf()))
+  {
+  }
+  ~Heard() { std::cout.rdbuf(before); }
+  Heard(const Heard &) = delete;
+  Heard &operator=(const Heard &) = delete;
+
+  std::ostringstream text;
+
+private:
+  std::streambuf *const before;
+};
+
+TEST(ConsoleProgress, CountsTheTorquesOfALongMotionEveryThreeSeconds)
+{
+  Stopwatch stopwatch;
+  const Heard heard;
+  ConsoleProgress progress(stopwatch);
+  const ring::TimeObserver observer = motion_observer(progress);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(3500);
+  std::size_t n_torques = 0;
+  for (; std::chrono::steady_clock::now() < end; ++n_torques)
+  {
+    observer(0.25);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  std::istringstream lines(heard.text.str());
+  std::string line;
+  ASSERT_TRUE(std::getline(lines, line)) << heard.text.str();
+  std::istringstream words(line);
+  std::size_t n_told = 0;
+  ASSERT_TRUE(words >> n_told) << line;
+  EXPECT_GT(n_told, n_torques / 2);
+  EXPECT_LE(n_told, n_torques);
+  EXPECT_NE(line.find("0.25 s"), std::string::npos) << line;
+  EXPECT_FALSE(std::getline(lines, line)) << line;
+}
+
+TEST(ConsoleProgress, IsSilentDuringAShortMotion)
+{
+  Stopwatch stopwatch;
+  const Heard heard;
+  ConsoleProgress progress(stopwatch);
+  const ring::TimeObserver observer = motion_observer(progress);
+  for (int i = 0; i < 1000; ++i)
+    observer(0.001 * i);
+  EXPECT_EQ(heard.text.str(), "");
+}
+
+} // namespace
+} // namespace stemware::pipeline
