@@ -6,6 +6,8 @@
 #include "fem/geometry/require.h"
 
 #include <Eigen/Eigenvalues>
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,21 +23,19 @@ namespace
 constexpr unsigned int min_nodes_across = 4;
 
 /// Distance from the axis to the border of the convex hull of the nodes, or of the weights in their place, in
-/// @p direction, a unit vector [m]: the least of the distances to the hull's tangents. That of a ring is
-/// nearly round.
+/// @p direction, a unit vector [m]: the smallest of the distances to the hull's tangents. The hull of a ring
+/// is nearly round.
 double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2d &direction, bool is_ring)
 {
-  double distance = conditions.reach(direction);
-  constexpr int n_tangents = 90; // on either side, but the last one is parallel to the direction
-  const double step = std::acos(-1.) / 2 / n_tangents;
+  if (is_ring)
+    return conditions.reach(direction);
   const Eigen::Vector2d across(-direction(1), direction(0));
-  for (int k = 1 - n_tangents; k < n_tangents && !is_ring; ++k)
-  {
-    const double angle = k * step;
-    const Eigen::Vector2d normal = std::cos(angle) * direction + std::sin(angle) * across;
-    distance = std::min(distance, conditions.reach(normal) / std::cos(angle));
-  }
-  return distance;
+  // Convex in the tangent of the angle, so it has one minimum.
+  const auto to_tangent = [&](double angle)
+  { return conditions.reach(direction + std::tan(angle) * across); };
+  constexpr double limit = boost::math::double_constants::half_pi - 1e-6;
+  constexpr int bits = std::numeric_limits<double>::digits;
+  return boost::math::tools::brent_find_minima(to_tangent, -limit, limit, bits).second;
 }
 
 /// Pushing forces have the mean of (x, y), or of the weights in their place, within the hull of those of the

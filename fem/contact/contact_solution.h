@@ -47,9 +47,11 @@ public:
   ContactFailure(ContactOutcome outcome, const std::string &message)
       : std::runtime_error(to_string(outcome) + ": " + message)
       , outcome(outcome)
+      , message(message)
   {
   }
   const ContactOutcome outcome;
+  const std::string message; ///< what() without the outcome
 };
 
 /// Exception for a centre of pressure outside the foot: the glass tips, with any elasticity.

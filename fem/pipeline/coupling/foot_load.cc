@@ -224,13 +224,15 @@ fem::ContactState contact_at_phase(const Study &study, ElasticFoot &foot, const 
     const std::string turned = phase.glass != start.glass
                                  ? "glass is turned by " + degrees(phase.glass - start.glass)
                                  : "table is turned by " + degrees(phase.table - start.table);
-    throw fem::ContactFailure(
-      fem::ContactOutcome::tipping,
+    const std::string message =
       "At the start the contact is in balance: " + to_short_text(100 * at_start.load.contact_fraction) +
-        " % of the land are under pressure, at most " + to_short_text(at_start.load.peak_pressure) +
-        " Pa, the table's motion is " + to_short_text(at_start.solution.motion(0)) + " m, " +
-        to_short_text(at_start.solution.motion(1)) + " rad, " + to_short_text(at_start.solution.motion(2)) +
-        " rad. But the foot tips when the " + turned + " degrees: " + failure.what());
+      " % of the land are under pressure, at most " + to_short_text(at_start.load.peak_pressure) +
+      " Pa, the table's motion is " + to_short_text(at_start.solution.motion(0)) + " m, " +
+      to_short_text(at_start.solution.motion(1)) + " rad, " + to_short_text(at_start.solution.motion(2)) +
+      " rad. But the foot tips when the " + turned + " degrees: " + failure.message;
+    if (dynamic_cast<const fem::TippingDemand *>(&failure))
+      throw fem::TippingDemand(message);
+    throw fem::ContactFailure(failure.outcome, message);
   }
 }
 

@@ -8,8 +8,11 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <vector>
 
 using namespace stemware::revolution_tests;
 using stemware::verification::LiftedAnnulus;
@@ -107,6 +110,53 @@ const ContactSurface &plate(PlaneLand &land, double length, double breadth, unsi
   land.surface.n_sectors = 32;
   land.surface.is_ring = false;
   return land.finished();
+}
+
+/// Three short lines that end at @p corners, on the way from the axis: their hull is the triangle.
+const ContactSurface &tripod(PlaneLand &land, const std::vector<Eigen::RowVector2d> &corners)
+{
+  for (const Eigen::RowVector2d &corner : corners)
+  {
+    const Eigen::RowVector2d across = 0.001 * Eigen::RowVector2d(-corner(1), corner(0)).normalized();
+    land.add_line(0.95 * corner, corner, across, across, 0.1);
+  }
+  land.surface.n_sectors = 3;
+  land.surface.is_ring = false;
+  return land.finished();
+}
+
+/// Distance from the axis to the border of the convex polygon of @p corners, in counter-clockwise order, in
+/// the direction @p angle [m].
+double distance_to_border(const std::vector<Eigen::RowVector2d> &corners, double angle)
+{
+  const Eigen::RowVector2d ray(std::cos(angle), std::sin(angle));
+  double distance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const Eigen::RowVector2d side = corners[(i + 1) % corners.size()] - corners[i];
+    const Eigen::RowVector2d outward(side(1), -side(0));
+    if (outward.dot(ray) > 0)
+      distance = std::min(distance, outward.dot(corners[i]) / outward.dot(ray));
+  }
+  return distance;
+}
+
+/// Whether a force at @p distance [m] in the direction @p angle is refused, with any elasticity.
+bool tips(const ContactSurface &surface, double distance, double angle)
+{
+  try
+  {
+    pressed_at(surface, 10, distance * std::cos(angle), distance * std::sin(angle), 1e9);
+  }
+  catch (const TippingDemand &)
+  {
+    return true;
+  }
+  catch (const ContactFailure &failure) // a contact of one point next to a corner
+  {
+    EXPECT_EQ(failure.outcome, ContactOutcome::singular_set);
+  }
+  return false;
 }
 
 /// Pressure (c + g_x x + g_y y)_+ under a plate, with a force and its place: the loaded part is a polygon,
@@ -253,6 +303,39 @@ TEST(ContactExtent, OfARigidPlateOnAMatIsThatOfCodeAster)
   EXPECT_NEAR(found.extent.area_share, 0.75, 1e-9);
   EXPECT_FALSE(found.extent.azimuth_share);
   EXPECT_NEAR(found.extent.peak_pressure, 5000 * 4. / 1125, 1e-9);
+}
+
+TEST(ContactExtent, AFootTipsAtTheBorderOfItsHull)
+{
+  struct Foot
+  {
+    std::vector<Eigen::RowVector2d> corners;
+    std::function<const ContactSurface &(PlaneLand &)> land;
+  };
+  const std::vector<Eigen::RowVector2d> triangle = { { 0.04, -0.01 }, { 0.005, 0.03 }, { -0.03, -0.02 } };
+  // The outermost of 40 lines lies half a line within the plate's edge.
+  constexpr double a = 0.04 * (1 - 1. / 40), b = 0.02;
+  const Foot feet[] = { { triangle, [&](PlaneLand & land) -> auto &{ return tripod(land, triangle);
+}
+}
+,
+{
+  { { a, -b }, { a, b }, { -a, b }, { -a, -b } }, [](PlaneLand & land) -> auto &
+  {
+    return plate(land, 0.08, 0.04, 40);
+  }
+}
+}
+;
+for (const Foot &foot : feet)
+  for (unsigned int k = 0; k < 32; ++k)
+  {
+    const double angle = 2 * pi * k / 32 + 0.037, limit = distance_to_border(foot.corners, angle);
+    PlaneLand land;
+    const ContactSurface &surface = foot.land(land);
+    EXPECT_FALSE(tips(surface, 0.999 * limit, angle)) << k;
+    EXPECT_TRUE(tips(surface, 1.00001 * limit, angle)) << k;
+  }
 }
 
 // Closed form where a triangle is loaded: p = 6 N / (a b) at the corner, its legs a and b four times the

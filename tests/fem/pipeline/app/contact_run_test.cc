@@ -8,7 +8,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
+#include <functional>
+#include <regex>
 #include <set>
+#include <sstream>
 #include <thread>
 
 namespace stemware::test
@@ -236,6 +240,81 @@ TEST(ContactRun, MomentBeyondTheHullOfAMeshIsBadInput)
                                           "Motion/Orbit speed=2" });
   EXPECT_EQ(ended.exit_code, 1) << ended.out;
   EXPECT_THAT(ended.err, testing::HasSubstr("the hull of the contact zone, 0.0309"));
+}
+
+/// Writes a plate of 80 x 40 mm, the square plate of 2 m compressed, and returns the settings of a study
+/// whose foot is rigid under @p eccentricity [m] from the axis in the direction @p angle [deg].
+std::vector<std::string> plate_settings(const ScratchFolder &scratch, double eccentricity, double angle)
+{
+  std::istringstream square(read_text(STEMWARE_MESHES "/square_plate.msh"));
+  std::ostringstream plate;
+  bool in_nodes = false;
+  for (std::string line; std::getline(square, line);)
+  {
+    in_nodes = line == "$Nodes" || (in_nodes && line != "$EndNodes");
+    std::istringstream words(line);
+    unsigned int node = 0;
+    double x = 0, y = 0, z = 0;
+    if (in_nodes && words >> node >> x >> y >> z)
+      plate << node << ' ' << 0.04 * x << ' ' << 0.02 * y << ' ' << 0.02 * z << '\n';
+    else
+      plate << line << '\n';
+  }
+  const double radius = (0.02 + std::hypot(0.04, 0.02)) / 2; // mean of the border's distances
+  const auto text = [](double value) { return fmt::format(FMT_STRING("{:.12g}"), value); };
+  return { "Contact/Mesh file=" + scratch.write("plate.msh", plate.str()),
+           "Contact/Degree=1",
+           "Contact/Friction coupling=none",
+           "Glass/Contact radius=" + text(radius),
+           "Glass/Young modulus=1e14",
+           "Table/Foundation modulus=1e9",
+           "Motion/Yaw inertia=1e-4",
+           "Load/Moment ratio=" + text(2 * eccentricity / radius),
+           "Load/Moment direction=" + text(angle) + " deg" };
+}
+
+TEST(ContactRun, OfAPlateTakesTheMeanDistanceOfItsBorderAsRadius)
+{
+  const ScratchFolder scratch;
+  // Beyond the kern of L/6 = 13.3 mm: 3 (L/2 - e) of the length are under pressure.
+  const auto summary = run(scratch, plate_settings(scratch, 0.018, 90));
+  EXPECT_NEAR(summary["contact"]["mesh"]["rim_radius"].get<double>(), (0.02 + std::hypot(0.04, 0.02)) / 2,
+              1e-12);
+  EXPECT_FALSE(summary["contact"]["mesh"]["round_rim"].get<bool>());
+  EXPECT_EQ(summary["contact"]["mesh"]["land_area_deficit"].get<double>(), 0);
+  EXPECT_NEAR(summary["load"]["contact_fraction"].get<double>(), 3 * 0.022 / 0.08, 1e-3);
+  EXPECT_NEAR(summary["load"]["peak_pressure"].get<double>() / (2 * 2.943 / (3 * 0.022 * 0.04)), 1, 1e-3);
+}
+
+TEST(ContactRun, AContactThatTipsWhenItIsTurnedIsTold)
+{
+  const ScratchFolder scratch;
+  std::vector<std::string> arguments = { "run", scratch.write("coarse.prm", coarse_study()) };
+  for (const std::string &setting : plate_settings(scratch, 0.025, 90))
+    arguments.insert(arguments.end(), { "--set", setting });
+  const Ended ended = stemware(scratch, arguments);
+  EXPECT_EQ(ended.exit_code, 1) << ended.out;
+  EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "coarse.prm", "plate.msh" }));
+  // The contact that was asked for, the pressure of a triangle over 3 (L/2 - e); the angle that tips, whose
+  // hull ends within 25 mm of the axis: 20 mm / |sin angle|; and the limit there.
+  std::vector<double> numbers;
+  const std::regex number("-?[0-9]+(\\.[0-9]+)?(e-?[0-9]+)?");
+  for (std::sregex_iterator it(ended.err.begin(), ended.err.end(), number), end; it != end; ++it)
+    numbers.push_back(std::stod(it->str()));
+  const auto is_told = [&](const std::function<bool(double)> &wanted)
+  { return std::any_of(numbers.begin(), numbers.end(), wanted); };
+  EXPECT_TRUE(is_told([](double share) { return std::abs(share - 100 * 0.045 / 0.08) < 0.01; })) << ended.err;
+  EXPECT_TRUE(is_told([](double peak) { return std::abs(peak / (2 * 2.943 / (0.045 * 0.04)) - 1) < 1e-3; }))
+    << ended.err;
+  const double degree = std::acos(-1.) / 180;
+  EXPECT_TRUE(is_told(
+    [&](double angle)
+    {
+      const double hull = 0.02 / std::abs(std::sin(angle * degree));
+      return std::abs(angle) > 50 && std::abs(angle) < 130 && hull < 0.025 &&
+             is_told([&](double limit) { return std::abs(limit - hull) < 1e-6; });
+    }))
+    << ended.err;
 }
 
 TEST(ContactRun, LiftOffLeavesPartOfTheRimFree)

@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 namespace stemware::pipeline
 {
 namespace
@@ -196,6 +199,26 @@ TEST(Remarks, ScatterOfAProfileIsInNoBand)
   EXPECT_NE(answer().find(page), std::string::npos) << answer();
   run.study.glass.rim_circle->rms_distance = 1e-11; // rounding
   EXPECT_EQ(answer().find(page), std::string::npos);
+}
+
+TEST(Remarks, AFootThatIsNotRoundIsNotWavy)
+{
+  SpunStudy spun;
+  spun.spin.phases.reset();
+  EXPECT_EQ(out_of_flat_remark(spun.study, spun.spin), "");
+  spun.spin.phases.emplace();
+  spun.spin.phases->spin_ripple = 0.0123;
+  spun.spin.phases->torque_ripple = 4.56e-4;
+  std::set<std::string> causes;
+  for (const Waviness &rim : { Waviness(), Waviness{ { 3, 1e-6, 0 } } })
+    for (const Waviness &table : { Waviness(), Waviness{ { 2, 1e-6, 0 } } })
+    {
+      spun.study.glass.waviness = rim;
+      spun.study.table.waviness = table;
+      causes.insert(out_of_flat_remark(spun.study, spun.spin));
+      expect_all(out_of_flat_remark(spun.study, spun.spin), { "±0.0123 rad/s", "±0.000456 N m" });
+    }
+  EXPECT_EQ(causes.size(), 4u);
 }
 
 TEST(Remarks, LiftOffAndLoadsThatPull)
