@@ -40,7 +40,9 @@ struct LineAreas
   double whole = 0, lost = 0;
 };
 
-/// Area of @p line, and the part of it where the quadratic through @p excess is not positive.
+/// Area of @p line, and the part of it where the quadratic through @p excess is not positive. A gap between two
+/// loaded ends is shorter than a cell, such as next to the singular edge of a hard land, and is not resolved: it
+/// counts as loaded.
 LineAreas areas_of(const ContactLine &line, const Eigen::Vector3d &excess)
 {
   const AreaElement element(line);
@@ -48,6 +50,8 @@ LineAreas areas_of(const ContactLine &line, const Eigen::Vector3d &excess)
   const auto integrate = [&](const LineSegment &segment, double &sum)
   { for_each_point<2>(element, segment, [&](const LinePoint &point) { sum += point.area; }); };
   integrate({ -1, 1 }, areas.whole);
+  if (excess(0) > 0 && excess(2) > 0)
+    return areas;
   const PositiveSegments not_loaded(-excess);
   for (unsigned int s = 0; s < not_loaded.n_segments; ++s)
     integrate(not_loaded.segments[s], areas.lost);
