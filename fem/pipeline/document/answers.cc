@@ -51,7 +51,9 @@ std::string convergence_answer(const BandedQuantity &spin, const std::string &fi
   return "Terminal spin " + format::with_band(spin.quantity.value, spin.band) +
          " rad/s (discretisation only)" +
          (order ? "; it converges with order " + number(*order, ".2f") + " in the " + first_axis : "") +
-         ", Richardson value " + format::rounded_to_error(spin.richardson, spin.band) + " rad/s.";
+         ", Richardson value " + format::rounded_to_error(spin.richardson, spin.band) +
+         " rad/s. The band of stemware run differs: its levels are coarser, and it has parts for rings, load "
+         "harmonics and the spring of a hard interface.";
 }
 
 std::optional<CaseRange> range_of(const CaseList &list, const FinishedCases &finished, const std::string &key)
