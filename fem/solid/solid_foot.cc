@@ -61,8 +61,8 @@ struct FootNumbers
   unsigned int max_steps = 300;
   /// A mesh of as many equal parts round the axis is one of a body of revolution, as far as it can say.
   unsigned int min_symmetry_sectors = 12;
-  /// Largest body and contact zone whose stiffness is condensed to the contact nodes.
-  unsigned int max_condensed_unknowns = 60000, max_condensed_nodes = 1000;
+  /// Largest contact zone whose stiffness is condensed to the contact nodes.
+  unsigned int max_condensed_nodes = 1000;
 };
 constexpr FootNumbers foot_numbers = {};
 
@@ -72,7 +72,7 @@ bool is_condensed(const SolidBody &body, const SolidOptions &options)
 {
   return options.linear_solver == LinearSolver::automatic && !body.has_coarser_mesh() &&
          dealii::Utilities::MPI::n_mpi_processes(body.dofs().get_communicator()) == 1 &&
-         body.n_unknowns() <= foot_numbers.max_condensed_unknowns &&
+         body.n_unknowns() <= max_condensed_unknowns &&
          body.contact_surface().n_nodes() <= foot_numbers.max_condensed_nodes;
 }
 

@@ -85,10 +85,11 @@ void add_solid_body(const Study &study, StudySize &size)
   constexpr double factorised = 25e3;
   // The meshes under one with a halved edge have many cells too.
   const double iterated = n_edge_halvings > 0 ? 1800 : 500;
-  const bool is_direct = contact.linear_solver == fem::LinearSolver::direct ||
-                         (contact.linear_solver == fem::LinearSolver::automatic && contact.refinements == 0 &&
-                          n_edge_halvings == 0 && size.unknowns < fem::max_direct_unknowns);
-  size.memory += size.unknowns * (is_direct ? factorised : iterated);
+  const bool is_factorised =
+    contact.linear_solver == fem::LinearSolver::direct ||
+    (contact.linear_solver == fem::LinearSolver::automatic && contact.refinements == 0 &&
+     n_edge_halvings == 0 && size.unknowns <= fem::max_condensed_unknowns);
+  size.memory += size.unknowns * (is_factorised ? factorised : iterated);
 }
 
 /// The entry of @p study whose default would take the least memory.
