@@ -3,6 +3,7 @@
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/refinement/band_changes.h"
+#include "fem/pipeline/refinement/changed_load.h"
 #include "fem/pipeline/support/failures.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/if_balanced.h"
@@ -215,16 +216,47 @@ void add_slope_spins(bool is_full, EvaluationPoints &probe)
   probe.spins.insert(probe.spins.end(), { omega - 2 * step, omega - step, omega + step, omega + 2 * step });
 }
 
-/// The quantities in the contacts of @p foot, that of a change, on the rings of @p own, the study's own,
-/// unless they are what changes.
+/// Returns the loads of a changed foot from few of its contacts: at rest at every phase, and at the terminal
+/// spin at every phase or, of a costly foot, at the first. The spin and the phase matter less to the change
+/// of a load than to the load.
+LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                            const LoadsAtPhases &own, const EvaluationPoints &probe)
+{
+  LoadsAtPhases loads;
+  Eigen::VectorXd per_spin, per_spin_of_first;
+  for (std::size_t i = 0; i < own.all.size(); ++i)
+  {
+    const auto add = [&](const SharedLoad &before, unsigned int n_harmonics, double omega,
+                         Eigen::VectorXd &change_by_spin, std::vector<SharedLoad> &to)
+    {
+      const SharedLoad changed = find_load_at_phase(study, foot, probe.phases[i], n_harmonics);
+      LoadChange change = change_at_rest(*before, *changed);
+      if (i == 0 || !is_collective(study))
+        change_by_spin = change_per_spin(*before, *changed, change, omega);
+      change.per_spin = change_by_spin;
+      to.push_back(changed_load(before, changed, change));
+    };
+    add(own.all[i], all_harmonics, probe.spins[2], per_spin, loads.all);
+    if (probe.first)
+      add(own.first[i], 1, *probe.first, per_spin_of_first, loads.first);
+  }
+  return loads;
+}
+
+/// The quantities in the contacts of @p foot, that of a change, on the rings of @p own, the study's own with
+/// its loads @p own_loads, unless they are what changes.
 Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot> &foot,
-                    const ElasticFoot &own, const EvaluationPoints &probe)
+                    const ElasticFoot &own, const LoadsAtPhases &own_loads, const EvaluationPoints &probe)
 {
   if (change.on_same_foot)
     foot->reset_rings();
   else
     foot->set_rings(own.ring_radii(), own.n_harmonics());
-  return evaluate(loads_of(change.study, foot, probe), *foot, change.study.motion.orbit, probe);
+  const bool is_costly = is_collective(change.study) || probe.phases.size() > 1;
+  const LoadsAtPhases loads = is_costly && !change.on_same_foot
+                                ? changed_loads(change.study, foot, own_loads, probe)
+                                : loads_of(change.study, foot, probe);
+  return evaluate(loads, *foot, change.study.motion.orbit, probe);
 }
 
 /// Adds to the parts of @p bands what @p change moves the quantities by, from @p before to @p after. What it
@@ -301,7 +333,7 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   changes.erase(projected, changes.end());
 
   const auto look_at = [&](const BandChange &change, const std::shared_ptr<ElasticFoot> &its_foot)
-  { return evaluate(change, its_foot, *foot, probe); };
+  { return evaluate(change, its_foot, *foot, own_loads, probe); };
   const auto done = [&, tell = counting_callback(progress, "error bands", changes.size())](
                       std::size_t i, const Solved<Evaluation> &solved) mutable
   {

@@ -97,7 +97,33 @@ void expect_band_of_flat_land(double moment_ratio)
   EXPECT_LT(solid[index_of(solid, "a4")].band, 1e-2); // of a_0
 }
 
+/// Terminal spin of the mean torque over the phases [rad/s].
+double mean_spin(const Study &study)
+{
+  fem::ComplianceCache cache;
+  const SharedLoad load = find_load(study, study_foot(study, cache));
+  return ring::answer(*load, { study.motion.orbit }).value().zero_of_mean_torque;
+}
+
 } // namespace
+
+// The loads on the other mesh are found at rest and at one spin only. Oracle: the study on that mesh, solved
+// at every spin.
+TEST(SolidBands, OfAnOvalMeshAreTheChangeOfTheTerminalSpin)
+{
+  Study study;
+  study.contact.body = BodyKind::solid;
+  study.contact.mesh_file = STEMWARE_MESHES "/oval_foot.msh";
+  study.contact.degree = 1;
+  study.contact.load_harmonics = 8;
+  study.contact.friction_coupling = FrictionCoupling::none;
+  study.table.foundation_modulus = 2e9;
+  const double part = find(bands_of(study), "omega_terminal").parts.at("degree");
+  const double before = mean_spin(study);
+  study.contact.degree = 2;
+  const double change = std::abs(mean_spin(study) - before);
+  EXPECT_NEAR(part, 1.25 * change, 0.05 * change);
+}
 
 // In balance with friction and tilt, the mesh being the coarsest that there is: its band is that of halved
 // cells. The contact is a twentieth of a cell wide, so that more rings would be extrapolated to its nodes.
