@@ -21,7 +21,8 @@ enum class PhaseSampling
 
 /// Returns find_load() of a study whose load comes from a contact.
 SharedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                        unsigned int n_harmonics, Progress &progress, PhaseSampling phases);
+                        unsigned int n_harmonics, Progress &progress, PhaseSampling phases,
+                        const ring::SharedLoad &similar);
 
 /// Returns find_load() of a contact with the marks of glass and table at @p orientation, for a study with
 /// waviness.
