@@ -46,17 +46,6 @@ WithoutRow judge_without(const LoadedRow &solved, const ring::Answer &complete)
   return row;
 }
 
-/// Spins of the curves of torque, from rest to a little beyond the terminal spin of @p all, or to the fall.
-std::vector<double> curve_spins(const Study &study, const ring::Answer &all)
-{
-  constexpr unsigned int n_intervals = 32;
-  const double last = all.fall ? all.fall->omega : 1.2 * shown_spin(study, all, *all.omega_terminal());
-  std::vector<double> spins;
-  for (unsigned int i = 0; i <= n_intervals; ++i)
-    spins.push_back(last * i / n_intervals);
-  return spins;
-}
-
 } // namespace
 
 std::optional<double> relative_to(const std::optional<double> &reference,
@@ -124,7 +113,6 @@ Budget find_budget(const Study &study, const StudyRows &rows)
   const ring::Answer &all = rows.by_harmonics.back().row;
   Budget budget;
   budget.shown_spins = all.torque_spins;
-  budget.omega = curve_spins(study, all);
   for (const LoadedRow &solved : rows.others)
     if (solved.variant.key == "without")
       budget.without.push_back(judge_without(solved, all));

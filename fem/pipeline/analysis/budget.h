@@ -74,10 +74,6 @@ struct Budget
   /// Spins of BudgetRow::torques: 0, half and all of the study's terminal spin [rad/s]; only 0 if the glass
   /// tips on the way.
   std::vector<double> shown_spins = {};
-
-  /// tau_z of friction with all harmonics and with the first only, from 0 to 1.2 times the terminal spin or
-  /// to the spin of tipping [rad/s, N m]; NaN without a balance.
-  std::vector<double> omega, torque_all, torque_first;
 };
 
 /// Returns @p difference over @p reference; 0 if the difference is rounding. Returns std::nullopt if one of
@@ -100,7 +96,7 @@ std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase);
 std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &rows);
 
 /// Returns the budget from @p rows, rows_by_harmonics() with the answers to budget_variants() among the
-/// others; torque_all and torque_first are left empty. A failed row has its reason.
+/// others. A failed row has its reason.
 Budget find_budget(const Study &study, const StudyRows &rows);
 
 } // namespace stemware::pipeline

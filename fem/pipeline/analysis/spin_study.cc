@@ -111,24 +111,7 @@ TorqueCurve torque_curve(const std::vector<double> &spins, double spin_scale, co
   return curve;
 }
 
-/// The last @p n of the friction torques of @p answer, which follow @p n_before others; NaN without torques.
-std::vector<double> torques_after(std::size_t n_before, const ring::Answer &answer, std::size_t n)
-{
-  std::vector<double> torques = friction_torques(answer);
-  torques.resize(n_before + n, std::nan(""));
-  torques.erase(torques.begin(), torques.begin() + static_cast<std::ptrdiff_t>(n_before));
-  return torques;
-}
-
 } // namespace
-
-std::optional<double> TorqueCurve::spin_unit() const
-{
-  for (std::size_t i = 0; i < omega.size(); ++i)
-    if (std::abs(slip_ratio.at(i)) > 1e-6)
-      return omega[i] / slip_ratio[i];
-  return std::nullopt;
-}
 
 std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow> &rows)
 {
@@ -168,13 +151,12 @@ std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow>
 }
 
 StudyCurves find_curves(const Study &study, const RowsOfCurves &rows, const std::vector<double> &spins,
-                        const Executor &executor, const std::vector<double> &further, double euler_step,
-                        bool all_spins, const ring::TimeObserver &observer)
+                        const Executor &executor, double euler_step, bool all_spins,
+                        const ring::TimeObserver &observer)
 {
   const bool together = is_collective(study);
   ring::Question question = spin_question(study), of_paper = spin_question(rows.paper->variant.study);
   question.spins = spins;
-  question.spins.insert(question.spins.end(), further.begin(), further.end());
   question.times = of_paper.times = ring::output_times(study.motion.end_time);
   of_paper.spins = spins;
   of_paper.known = &rows.paper->row;
@@ -271,8 +253,8 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   if (depth == Depth::full)
     result.budget = find_budget(study, solved);
   const ring::TimeObserver observer = motion_observer(progress);
-  const StudyCurves curves = find_curves(study, rows, shown, executor, result.budget.omega,
-                                         study.motion.euler_step, !is_slow, observer);
+  const StudyCurves curves =
+    find_curves(study, rows, shown, executor, study.motion.euler_step, !is_slow, observer);
   for (const LoadedRow &row : solved.by_harmonics)
     result.rows.push_back(row.row);
   if (load.phases())
@@ -285,14 +267,7 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   result.torque = curves.torque;
   result.spin_up = curves.spin_up;
   result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time, observer);
-  if (depth == Depth::full)
-  {
-    result.budget.torque_all = torques_after(shown.size(), curves.all, result.budget.omega.size());
-    result.budget.torque_first = rows.first
-                                   ? torques_after(shown.size(), curves.first, result.budget.omega.size())
-                                   : result.budget.torque_all;
-  }
-  else
+  if (depth != Depth::full)
     result.budget.harmonics =
       harmonic_effect(result.rows.front().omega_terminal(), result.all().omega_terminal(), spin_scale(study));
   return result;

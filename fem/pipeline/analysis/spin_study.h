@@ -24,10 +24,6 @@ struct TorqueCurve
   std::vector<double> sum;             ///< tau_z, lean and grip torque: I d omega / dt of all harmonics [N m]
   std::vector<unsigned int> harmonics; ///< of the truncations
   std::vector<std::vector<double>> truncations; ///< tau_z [N m], [truncation][spin]
-
-  /// Returns v/R, beyond which a part of the rim slides backwards [rad/s]; std::nullopt if the curve has no
-  /// such spin.
-  std::optional<double> spin_unit() const;
 };
 
 /// omega(t) from rest while the hand's speed changes.
@@ -121,12 +117,10 @@ struct RowsOfCurves
 };
 
 /// Returns the curves of @p rows at @p spins, shown_spins() [rad/s], and over the time of the study. @p
-/// further: more spins at which the torques of the answers are computed, after those. @p euler_step: longest
-/// Euler step [s], 0: none. @p all_spins: compute Answer::all_spins. @p observer: of the spin-up of all.
-/// Throws if that is lost.
+/// euler_step: longest Euler step [s], 0: none. @p all_spins: compute Answer::all_spins. @p observer: of the
+/// spin-up of all. Throws if that is lost.
 StudyCurves find_curves(const Study &study, const RowsOfCurves &rows, const std::vector<double> &spins,
-                        const Executor &executor, const std::vector<double> &further = {},
-                        double euler_step = 0, bool all_spins = false,
+                        const Executor &executor, double euler_step = 0, bool all_spins = false,
                         const ring::TimeObserver &observer = {});
 
 /// Returns the spin-up under the speeds of Motion/Orbit speed file, with the contact in balance at every

@@ -3,9 +3,9 @@
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/answer/case_list.h"
 #include "fem/pipeline/answer/sweep_case.h"
-#include "fem/pipeline/document/json.h"
 #include "fem/pipeline/refinement/refinement_study.h"
 #include "fem/pipeline/study/study.h"
+#include "fem/pipeline/support/json.h"
 #include "ring_model/spin/answer.h"
 
 #include <optional>

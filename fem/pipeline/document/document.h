@@ -23,7 +23,7 @@ struct Document : Pictures
   Findings findings; ///< for summary.json and --json
   /// Heading, unit and digits of the columns, by table and key.
   nlohmann::ordered_json quantities = nlohmann::ordered_json::object();
-  nlohmann::ordered_json entries = nlohmann::ordered_json::array(); ///< all_entries() of the study
+  nlohmann::ordered_json entries = nlohmann::ordered_json::array(); ///< all entries of the study
 
   /// Adds the table @p name of table_of(@p rows, @p keys, @p section) with its quantities; @p section is by
   /// default the name.

@@ -3,8 +3,8 @@
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/document/sentences.h"
-#include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/document/study_words.h"
+#include "fem/pipeline/pictures/spin_rows.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>

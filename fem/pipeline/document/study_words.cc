@@ -1,6 +1,7 @@
 #include "fem/pipeline/document/study_words.h"
 
 #include "fem/pipeline/document/number_format.h"
+#include "fem/pipeline/document/sentences.h"
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/numbers.h"
@@ -66,23 +67,12 @@ std::string table_of_sketch(const Study &study, const std::map<std::string, std:
                                                           : "smooth, rigid table";
 }
 
+/// The value of an entry to ten digits, which is what a reader can tell apart.
 std::string value_of(const StudyEntry &entry)
 {
   const std::string text = entry.text();
-  return text.empty() ? "(none)" : text;
-}
-
-/// The value of an entry to ten digits, which is what a reader can tell apart.
-std::string shown_value(const StudyEntry &entry)
-{
-  const std::string text = value_of(entry);
   const std::optional<double> number = parse_number(text);
-  return number && std::isfinite(*number) ? to_text(rounded(*number, 10)) : text;
-}
-
-std::string unit_of(const StudyEntry &entry)
-{
-  return entry.unit == "1" ? "" : entry.unit;
+  return number && std::isfinite(*number) ? to_text(rounded(*number, 10)) : text.empty() ? "(none)" : text;
 }
 
 } // namespace
@@ -117,11 +107,10 @@ std::string in_usual_unit(const Study &study, const StudyEntry &entry)
   return in_usual_unit(*entry.quantity, entry.unit);
 }
 
-std::string title_of(const Study &study)
+namespace
 {
-  return study.name == "default" ? "The default glass" : study.name;
-}
 
+/// The inputs as one sentence, in the units of the user.
 std::string inputs_of(const Study &study)
 {
   const auto given = values_in_words(study);
@@ -141,31 +130,7 @@ std::string inputs_of(const Study &study)
          (study.motion.grip_torque > 0 ? ", gripped with " + given.at("Motion/Grip torque") : "") + ".";
 }
 
-Json changed_entries(const Study &study)
-{
-  const std::vector<StudyEntry> entries = entries_of(study), defaults = entries_of(Study());
-  Json changed = Json::array();
-  for (std::size_t i = 0; i < entries.size(); ++i)
-    if (const std::string value = shown_value(entries[i]), by_default = shown_value(defaults[i]);
-        value != by_default)
-      changed.push_back({ { "entry", entries[i].path() },
-                          { "value", value },
-                          { "default", by_default },
-                          { "unit", unit_of(entries[i]) } });
-  return changed;
-}
-
-Json all_entries(const Study &study)
-{
-  Json all = Json::array();
-  for (const StudyEntry &entry : entries_of(study))
-    all.push_back({ { "entry", entry.path() },
-                    { "value", value_of(entry) },
-                    { "unit", unit_of(entry) },
-                    { "meaning", entry.help } });
-  return all;
-}
-
+/// The labels and lengths of the sketch of the glass: values of its entries by name, table, hand.
 Json sketch_labels(const Study &study)
 {
   const ring::Motion &motion = study.motion.orbit;
@@ -183,6 +148,25 @@ Json sketch_labels(const Study &study)
                      : motion.force_offset > 0 ? 1
                                                : 0 },
            { "force", motion.total_mass() * motion.acceleration().norm() } };
+}
+
+} // namespace
+
+Document document_of(const Study &study, const std::string &what)
+{
+  Document document;
+  document.words = { { "title", (study.name == "default" ? "The default glass" : study.name) + ": " + what },
+                     { "inputs", inputs_of(study) },
+                     { "one_way", is_one_way(study) },
+                     { "sketch", sketch_labels(study) } };
+  const std::vector<StudyEntry> entries = entries_of(study), defaults = entries_of(Study());
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    document.entries.push_back({ { "entry", entries[i].path() },
+                                 { "value", value_of(entries[i]) },
+                                 { "default", value_of(defaults[i]) },
+                                 { "unit", entries[i].unit == "1" ? "" : entries[i].unit },
+                                 { "meaning", entries[i].help } });
+  return document;
 }
 
 } // namespace stemware::pipeline

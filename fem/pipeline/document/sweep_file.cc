@@ -1,10 +1,11 @@
 #include "fem/pipeline/document/sweep_file.h"
 
-#include "fem/pipeline/document/json.h"
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/study/table_file.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/json.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text.h"
 #include "fem/pipeline/system/json_text.h"
 #include "fem/pipeline/system/output.h"
 #include "fem/pipeline/system/program.h"
@@ -35,14 +36,7 @@ std::string csv_row(const std::vector<std::string> &cells)
 {
   std::string row;
   for (const std::string &cell : cells)
-  {
-    const std::string text = on_one_line(cell);
-    std::string quoted;
-    for (const char letter : text)
-      quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-    const bool is_plain = text.find_first_of(",\"") == text.npos;
-    row += (row.empty() ? "" : ",") + (is_plain ? text : '"' + quoted + '"');
-  }
+    row += (row.empty() ? "" : ",") + csv_field(on_one_line(cell));
   return row + '\n';
 }
 

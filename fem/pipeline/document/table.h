@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/document/json.h"
 #include "fem/pipeline/document/number_format.h"
+#include "fem/pipeline/support/json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -93,6 +93,10 @@ Column numbers(const std::string &name, const std::string &unit, const Rows &row
 /// Returns a table of numbers for data files only, from rows; @p columns are names and units.
 Table number_rows(const std::string &title, const std::vector<std::pair<std::string, std::string>> &columns,
                   const std::vector<std::vector<double>> &rows);
+
+/// Returns the object @p json, or each object of a list, reduced to @p keys (separated by blanks), in their
+/// order. Throws nlohmann::json::out_of_range for a missing key.
+nlohmann::ordered_json selected_keys(const nlohmann::ordered_json &json, const std::string &keys);
 
 /// Returns a table of one row as a list of objects with "what" (name and unit) and "is" (value).
 nlohmann::ordered_json name_value_list(const Table &table);

@@ -6,13 +6,13 @@
 #include "fem/pipeline/explore/explorer.h"
 #include "fem/pipeline/pictures/fit_pictures.h"
 #include "fem/pipeline/pictures/pictures.h"
+#include "fem/pipeline/pictures/spin_rows.h"
 #include "fem/pipeline/study/measured_run.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/sentence.h"
 #include "ring_model/no_balance.h"
 
-#include <cmath>
 #include <exception>
 #include <memory>
 #include <sstream>
@@ -36,12 +36,6 @@ MeasuredRun measured_run(const char *name, const char *table)
   return parse_measured_run(name, table, explorer->study().motion.measured_column);
 }
 
-/// A number, or null.
-Json number(const std::optional<double> &value)
-{
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
 /// A sentence: the page has it by its key in other languages.
 Json json_of(const Sentence &given)
 {
@@ -51,23 +45,24 @@ Json json_of(const Sentence &given)
 /// An answer by the keys of summary.json/ring.
 Json ring_summary(const ring::Answer &row)
 {
-  return { { "harmonics", row.harmonics },
-           { "tau_at_rest", row.at_rest ? number(row.at_rest->friction.torque) : Json(nullptr) },
-           { "omega_terminal", number(row.omega_terminal()) },
-           { "time_constant", number(row.time_constant()) },
-           { "standing", to_string(row.status) },
-           { "fall", row.fall ? Json{ { "omega", row.fall->omega } } : Json(nullptr) },
-           { "message", json_of(sentence("no_spin", "{0}", { row.reason })) } };
+  Json ring = spin_rows({ row })[0];
+  ring.update({ { "standing", to_string(row.status) },
+                { "fall", fall_summary(row) },
+                { "message", json_of(sentence("no_spin", "{0}", { row.reason })) } });
+  return ring;
 }
 
 /// A load by the keys of summary.json/load.
 Json load_summary(const ring::RingState &state, double contact_radius)
 {
   const Eigen::Vector2d moment = state.load.moment();
-  return { { "normal_force", state.load.normal_force() },
-           { "moment", { moment.x(), moment.y() } },
-           { "moment_ratio", state.load.moment_ratio(contact_radius) },
-           { "minimum", number(state.minimum) } };
+  Json load = series_summary(state.load);
+  load.update({ { "ring_radius", state.load.radius() },
+                { "normal_force", state.load.normal_force() },
+                { "moment", { moment.x(), moment.y() } },
+                { "moment_ratio", state.load.moment_ratio(contact_radius) },
+                { "minimum", finite_or_null(state.minimum) } });
+  return load;
 }
 
 /// The state at the end of the spin-up, or at rest without one.
@@ -86,7 +81,7 @@ Json answer_document(const LiveAnswer &found)
   Pictures pictures;
   Json summary = { { "ring", ring_summary(found.all) },
                    { "paper", ring_summary(found.paper) },
-                   { "first_n", found.first_n ? ring_summary(*found.first_n) : Json(nullptr) } };
+                   { "first_n", to_json_or_null(found.first_n, ring_summary) } };
   if (found.all.at_rest)
     summary["load"] = load_summary(*found.all.at_rest, found.contact_radius);
   if (const ring::RingState *end = end_of(found.all))
@@ -101,16 +96,12 @@ Json answer_document(const LiveAnswer &found)
       load["contact_fraction"] = report.contact_fraction;
       load["tilt"] = { found.contact->solution.motion(1), found.contact->solution.motion(2) };
     }
-    TruncatedLoads truncated;
     if (const ring::RingState *first_n = found.first_n ? end_of(*found.first_n) : nullptr)
-      truncated.emplace_back(found.first_n->harmonics, first_n->load);
-    else if (end->load.n_harmonics() > 1)
-      truncated.emplace_back(1, end->load.truncated(1));
-    add_load_columns(report, truncated, study.motion.orbit.sense_sign(), pictures);
+      summary["first_n"]["load"] = series_summary(first_n->load);
+    add_load_lines(report, pictures);
     add_motion(study, { { 0, found.all.last_spin().value_or(0), 0, *end } }, pictures);
     pictures.words["sketch"] = { { "clockwise", study.motion.orbit.sense_sign() < 0 } };
-    pictures.words["numbers"] = { { "omega_end", found.all.last_spin().value_or(0) },
-                                  { "torque_at_rest", summary["ring"]["tau_at_rest"] } };
+    pictures.words["spin_unit"] = spin_scale(study);
   }
   return { { "summary", summary }, { "words", pictures.words }, { "tables", pictures.tables } };
 }
@@ -119,12 +110,6 @@ Json document_of(const Pictures &pictures, const Json &summary = Json::object())
 {
   return { { "document",
              { { "summary", summary }, { "words", pictures.words }, { "tables", pictures.tables } } } };
-}
-
-/// The text of @p json; bytes that are not UTF-8 become replacement characters.
-std::string text_of(const Json &json)
-{
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 Json notes()
@@ -166,24 +151,24 @@ const char *answer(const Make &make)
 {
   try
   {
-    reply = text_of(make());
+    reply = dump_utf8(make());
   }
   catch (const ring::Tipping &failure)
   {
-    reply = text_of(failure_of(sentence_of(failure), true));
+    reply = dump_utf8(failure_of(sentence_of(failure), true));
   }
   catch (const fem::ContactFailure &failure)
   {
     const bool tips = failure.outcome == fem::ContactOutcome::tipping;
-    reply = text_of(failure_of(sentence("no_contact", "{0}", { failure.what() }), tips));
+    reply = dump_utf8(failure_of(sentence("no_contact", "{0}", { failure.what() }), tips));
   }
   catch (const KeyedInput &failure)
   {
-    reply = text_of(failure_of(failure.sentence, false));
+    reply = dump_utf8(failure_of(failure.sentence, false));
   }
   catch (const std::exception &failure)
   {
-    reply = text_of(failure_of(sentence("other_failure", "{0}", { failure.what() }), false));
+    reply = dump_utf8(failure_of(sentence("other_failure", "{0}", { failure.what() }), false));
   }
   return reply.c_str();
 }
@@ -236,24 +221,6 @@ void explore_ready(double fineness)
   explorer->ready(fineness);
 }
 
-const char *explore_entries()
-{
-  return answer(
-    [&]
-    {
-      Study copy = explorer->study();
-      Json entries = Json::array();
-      for (const StudyEntry &entry : study_entries(copy))
-        entries.push_back(Json{ { "path", entry.path() },
-                                { "unit", entry.unit },
-                                { "allowed", entry.allowed },
-                                { "help", entry.help },
-                                { "value", entry.text() },
-                                { "acts", entry.has_effect } });
-      return entries;
-    });
-}
-
 const char *explore_solve(unsigned int n_harmonics, int cold)
 {
   return answer(
@@ -290,10 +257,10 @@ const char *explore_curves()
     [&]
     {
       Pictures pictures;
-      if (const std::optional<LiveCurves> curves = explorer->curves())
+      if (const std::optional<StudyCurves> curves = explorer->curves())
       {
-        add_torque_columns(curves->torque, curves->rows, curves->of_paper, pictures);
-        add_spin_up_columns(curves->spin_up, curves->rows.front().harmonics, pictures);
+        add_torque_columns(curves->torque, friction_torques(curves->paper), pictures);
+        add_spin_up_columns(curves->spin_up, curves->first.harmonics, pictures);
         add_motion(explorer->study(), curves->spin_up.instants, pictures);
       }
       return document_of(pictures);
@@ -306,11 +273,9 @@ const char *explore_budget()
     [&]
     {
       Pictures pictures;
-      const LiveBudget budget = explorer->budget();
-      add_waterfall(budget.rows, rounding_of_spins(explorer->study()), pictures);
-      return document_of(pictures, { { "harmonic_effect",
-                                       { { "absolute", number(budget.harmonics.absolute) },
-                                         { "relative", number(budget.harmonics.relative) } } } });
+      const Budget budget = explorer->budget();
+      pictures.tables["waterfall"] = chain_rows(explorer->study(), named_steps(budget.rows));
+      return document_of(pictures, { { "harmonic_effect", harmonic_effect_summary(budget.harmonics) } });
     });
 }
 
@@ -320,15 +285,9 @@ const char *explore_measured(const char *name, const char *table)
     [&]
     {
       const MeasuredRun run = measured_run(name, table);
-      std::vector<double> times, spins;
-      for (const MeasuredSpin &spin : spins_of(run))
-      {
-        times.push_back(spin.time);
-        spins.push_back(spin.omega);
-      }
       Pictures pictures;
       pictures.words["data"] = run.summary;
-      pictures.add_columns("measured", { { "time", times }, { "omega", spins } });
+      add_measured_columns(run, pictures);
       return document_of(pictures);
     });
 }

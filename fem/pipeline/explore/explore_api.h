@@ -13,8 +13,6 @@ extern "C"
   const char *explore_set(const char *path, const char *value);
   /// Calls Explorer::ready().
   void explore_ready(double fineness);
-  /// Returns all entries: path, unit, allowed values, help, value, whether it is a number.
-  const char *explore_entries();
   /// Calls Explorer::solve(); @p n_harmonics = 0: all harmonics.
   const char *explore_solve(unsigned int n_harmonics, int cold);
   /// Returns the pressure of the last answer.

@@ -58,10 +58,7 @@ void Explorer::set(const std::string &entry_path, const std::string &value)
   ensure(
     !is_ready || is_live(entry_path) || entry.text() == value,
     sentence("other_mesh", "{0} needs another mesh than this page has; use `stemware run`.", { entry_path }));
-  const auto quantity = [&entry] { return entry.quantity ? *entry.quantity : std::nan(""); };
-  const double before = quantity();
   assign(entry, "", value);
-  path.change(entry_path, before, quantity());
 }
 
 void Explorer::ready(double fineness)
@@ -139,26 +136,25 @@ LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
 
 bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAnswer &answer)
 {
-  const std::optional<LiveBalance> near = path.expected();
-  if (!near)
+  if (!balance)
     return false;
   foot = study_foot(present, executor().make_foot, silent_progress(), nullptr, discretisation);
   foot->set_rings(last.ring_radii(), last.n_harmonics());
-  const auto row_of = [&](const LiveBalance &balance, const ring::LeaningLoad &load)
+  const auto row_of = [&](const LiveBalance &found, const ring::LeaningLoad &load)
   {
-    const double omega = balance.spin.omega;
+    const double omega = found.spin.omega;
     ring::Question question = spin_question(present);
     question.with_minima = false;
     ring::Answer row;
     row.harmonics = load.n_harmonics();
-    row.terminal = ring::TerminalSpin{ omega, balance.spin.slope, std::nan(""), true };
+    row.terminal = ring::TerminalSpin{ omega, found.spin.slope, std::nan(""), true };
     row.at_terminal = ring::ring_state(load, question, omega);
     row.status = ring::Status::full_contact;
     return row;
   };
   try
   {
-    const auto all = balance_near(*near, present, foot, all_harmonics);
+    const auto all = balance_near(*balance, present, foot, all_harmonics);
     if (!all)
       return false;
     if (n_harmonics < foot->n_harmonics())
@@ -172,7 +168,7 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
     }
     answer.all = row_of(all->first, all->second);
     answer.contact = all->first.contact;
-    path.append(all->first);
+    balance = all->first;
     return true;
   }
   catch (const fem::ContactFailure &)
@@ -188,8 +184,8 @@ void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, Liv
     foot->set_rings(last->ring_radii(), last->n_harmonics());
   ring::Question question = spin_question(present);
   question.with_slope = question.with_minima = !last; // a move is to be quick
-  if (const std::optional<LiveBalance> near = path.expected(); near && last)
-    question.near = near->spin;
+  if (balance && last)
+    question.near = balance->spin;
   const SharedLoad load = find_load(present, foot);
   answer.all = ring::answer(*load, question);
   std::optional<ring::ZeroGuess> zero = answer.all.zero_guess();
@@ -205,38 +201,29 @@ void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, Liv
   }
   rows.push_back({ {}, answer.all, load });
   answer.contact = load->contact(answer.all.last_spin().value_or(0));
-  path.append(zero && answer.contact ? std::optional(LiveBalance{ *zero, *answer.contact }) : std::nullopt);
+  balance = zero && answer.contact ? std::optional(LiveBalance{ *zero, *answer.contact }) : std::nullopt;
 }
 
-std::optional<LiveCurves> Explorer::curves()
+std::optional<StudyCurves> Explorer::curves()
 {
   if (rows.empty() || !rows.back().row.last_spin())
     return std::nullopt;
   const std::vector<double> shown = shown_spins(present, rows);
   const LoadedRow &all = rows.back();
-  const StudyCurves found =
-    find_curves(present,
-                { &all, rows.size() > 1 ? &rows.front() : nullptr, &paper,
-                  ring::interpolated_for_curves(all.load, all.row, shown.front(), shown.back()) },
-                shown, executor());
-  LiveCurves curves = { {}, found.torque, friction_torques(found.paper), found.spin_up };
-  if (rows.size() == 1)
-    curves.spin_up.first_harmonic.clear();
-  for (const LoadedRow &row : rows)
-    curves.rows.push_back(row.row);
-  return curves;
+  return find_curves(present,
+                     { &all, rows.size() > 1 ? &rows.front() : nullptr, &paper,
+                       ring::interpolated_for_curves(all.load, all.row, shown.front(), shown.back()) },
+                     shown, executor());
 }
 
-LiveBudget Explorer::budget()
+Budget Explorer::budget()
 {
   if (rows.empty())
     return {};
   const StudyRows solved =
     rows_by_harmonics(present, foot, *rows.back().load, spin_question(present), executor(), silent_progress(),
                       Depth::rows, model_chain(present));
-  return { assess_chain(present, solved),
-           harmonic_effect(solved.by_harmonics.front().row.omega_terminal(),
-                           solved.by_harmonics.back().row.omega_terminal(), spin_scale(present)) };
+  return find_budget(present, solved);
 }
 
 FitResult Explorer::fit(const std::string &name, const MeasuredRun &data, const std::vector<FreeEntry> &free,

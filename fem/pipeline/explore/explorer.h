@@ -4,7 +4,7 @@
 #include "fem/pipeline/analysis/fit.h"
 #include "fem/pipeline/analysis/free_entries.h"
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/explore/live_path.h"
+#include "fem/pipeline/explore/live_balance.h"
 #include "fem/pipeline/study/measured_run.h"
 #include "fem/revolution/contact_compliance.h"
 
@@ -40,22 +40,6 @@ struct LiveAnswer
   double contact_radius = 0; ///< [m]
 };
 
-/// Curves of a LiveAnswer; NaN without a balance.
-struct LiveCurves
-{
-  std::vector<ring::Answer> rows; ///< the first n harmonics, if n was given, and all
-  TorqueCurve torque;             ///< of all harmonics, and of the first n
-  std::vector<double> of_paper;   ///< tau_z of the paper's ring at the same spins [N m]
-  SpinUpCurves spin_up;           ///< `first_harmonic` has the first n; empty if n was not given
-};
-
-/// Chain of models from the paper's to the last answer's.
-struct LiveBudget
-{
-  std::vector<BudgetRow> rows;
-  HarmonicEffect harmonics;
-};
-
 /// Study for interactive use, changed and solved repeatedly with given compliances and without meshes.
 /// Changes that need another mesh are rejected.
 class Explorer
@@ -82,10 +66,11 @@ public:
   LiveAnswer solve(unsigned int n_harmonics, bool cold);
 
   /// Returns the curves of the last answer; std::nullopt without a spin.
-  std::optional<LiveCurves> curves();
+  std::optional<StudyCurves> curves();
 
-  /// Returns the chain of models from the paper's model to the last answer's.
-  LiveBudget budget();
+  /// Returns the chain of models from the paper's model to the last answer's, and the effect of the
+  /// harmonics.
+  Budget budget();
 
   /// Fits @p free to @p data with fit(), by the data's noise alone: without profiles and next run. @p start:
   /// FitQuestion::start. Throws BadInput for a rejected study or run, and as balances.
@@ -103,7 +88,7 @@ private:
                                        const Model &model) const;
   Executor executor() const;
   void require_mesh() const;
-  /// Solves @p answer from the previous balances on the rings of @p last; returns whether that converged.
+  /// Solves @p answer from the previous balance on the rings of @p last; returns whether that converged.
   /// Leaves no curve and no budget.
   bool follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAnswer &answer);
   /// Solves @p answer from the predictions of the contacts of @p last, or from a cold start if nullptr.
@@ -113,10 +98,10 @@ private:
   Discretisation discretisation; ///< of the compliances
   bool is_ready = false;
   std::shared_ptr<const fem::ContactCompliance> compliance, disc_compliance;
-  std::shared_ptr<ElasticFoot> foot; ///< foot of the last answer
-  LoadedRow paper;                   ///< the paper's row of the last answer
-  std::vector<LoadedRow> rows;       ///< rows of the last answer, all harmonics last; empty after follow()
-  LivePath path;
+  std::shared_ptr<ElasticFoot> foot;  ///< foot of the last answer
+  LoadedRow paper;                    ///< the paper's row of the last answer
+  std::vector<LoadedRow> rows;        ///< rows of the last answer, all harmonics last; empty after follow()
+  std::optional<LiveBalance> balance; ///< all harmonics of the last answer, the next initial guess
   /// Terminal spin of the first n harmonics minus terminal spin of all, in the last answer [rad/s].
   double shift_of_first_n = 0;
 };

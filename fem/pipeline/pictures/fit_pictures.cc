@@ -1,5 +1,7 @@
 #include "fem/pipeline/pictures/fit_pictures.h"
 
+#include "fem/pipeline/support/json.h"
+
 #include <Eigen/Core>
 #include <boost/math/constants/constants.hpp>
 
@@ -7,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,48 +21,31 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// A number, or null.
-Json number(double value)
-{
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json ends_of(const FittedRange &range)
 {
-  return { number(range.lower), number(range.upper) };
-}
-
-Json ends_of(const std::optional<FittedRange> &range)
-{
-  return range ? ends_of(*range) : Json(nullptr);
+  return { finite_or_null(range.lower), finite_or_null(range.upper) };
 }
 
 Json entry_summary(const FittedEntry &entry)
 {
-  return { { "entry", entry.path },
-           { "unit", entry.unit },
-           { "value", entry.value },
-           { "spread", entry.spread },
-           { "range_68", ends_of(entry.range_68) },
-           { "range_95", ends_of(entry.range_95) },
-           { "profile_68", ends_of(entry.profile_68) },
-           { "profile_95", ends_of(entry.profile_95) },
-           { "band", entry.band ? Json(*entry.band) : Json(nullptr) },
-           { "per_percent", entry.per_percent },
-           { "determined", entry.is_determined } };
+  Json summary = { { "entry", entry.path } };
+  summary.update(STEMWARE_JSON(entry, unit, value, spread));
+  summary.update({ { "range_68", ends_of(entry.range_68) },
+                   { "range_95", ends_of(entry.range_95) },
+                   { "profile_68", to_json_or_null(entry.profile_68, ends_of) },
+                   { "profile_95", to_json_or_null(entry.profile_95, ends_of) } });
+  summary.update(STEMWARE_JSON(entry, band, per_percent));
+  summary["determined"] = entry.is_determined;
+  return summary;
 }
 
 Json run_summary(const FittedRun &run)
 {
-  return { { "name", run.name },
-           { "measured", run.is_angle ? "angle" : "spin" },
-           { "points", run.times.size() },
-           { "start", run.start },
-           { "start_spread", run.start_spread },
-           { "zero", run.zero },
-           { "zero_spread", run.zero_spread },
-           { "noise", run.noise },
-           { "autocorrelation", run.autocorrelation } };
+  Json summary = { { "name", run.name },
+                   { "measured", run.is_angle ? "angle" : "spin" },
+                   { "points", run.times.size() } };
+  summary.update(STEMWARE_JSON(run, start, start_spread, zero, zero_spread, noise, autocorrelation));
+  return summary;
 }
 
 using Point = std::array<double, 2>;
@@ -136,15 +120,10 @@ nlohmann::ordered_json fit_summary(const FitResult &found)
     summary["correlation"].push_back(std::vector<double>(row.begin(), row.end()));
   for (const FittedRun &run : found.runs)
     summary["runs"].push_back(run_summary(run));
-  summary["chi_square"] = found.chi_square;
-  summary["free_points"] = found.n_free_points;
-  summary["load_shift"] = found.load_shift;
-  summary["contacts"] = found.n_contacts;
-  summary["next_run"] = found.next_run ? Json{ { "entry", found.next_run->entry },
-                                               { "value", found.next_run->value },
-                                               { "spread_now", found.next_run->spread_now },
-                                               { "spread_then", found.next_run->spread_then } }
-                                       : Json(nullptr);
+  summary.update(STEMWARE_JSON(found, chi_square, n_free_points, load_shift, n_contacts));
+  summary["next_run"] =
+    to_json_or_null(found.next_run, [](const NextRun &run)
+                    { return STEMWARE_JSON(run, entry, value, spread_now, spread_then); });
   summary["sentences"] = Json::array();
   for (const FitSentence &sentence : found.sentences)
     summary["sentences"].push_back(sentence.text);

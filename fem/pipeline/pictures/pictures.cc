@@ -106,72 +106,17 @@ Json shortened(const std::vector<double> &values, int n_digits)
   return list;
 }
 
-TruncatedLoads first_harmonics_of(const ring::RingStack &load)
+void add_load_lines(const LoadReport &report, Pictures &pictures)
 {
-  TruncatedLoads loads;
-  for (unsigned int order = 1; order <= 3 && order < load.n_harmonics(); ++order)
-    loads.emplace_back(order, load.truncated(order));
-  return loads;
-}
-
-void add_load_columns(const LoadReport &report, const TruncatedLoads &truncated, double sense_sign,
-                      Pictures &pictures)
-{
-  constexpr unsigned int n_intervals = 180;
-  const ring::RingStack &load = report.rings;
-  std::vector<double> theta;
-  for (unsigned int i = 0; i <= n_intervals; ++i)
-    theta.push_back(360. * i / n_intervals);
-  Columns curves = { { "theta", theta } };
-  for (const auto &[order, kept] : truncated)
-    curves.emplace_back(
-      "up_to_" + std::to_string(order),
-      column_of(theta, [&kept = kept, &load](double angle) { return kept(angle * degree) / load.a(0); }));
-  curves.emplace_back("all",
-                      column_of(theta, [&](double angle) { return load(angle * degree) / load.a(0); }));
-  pictures.add_columns("load_curves", curves);
-  const bool lifts = report.contact_fraction < 1 && !report.pointwise.empty();
-  if (lifts) // a series overshoots there
-  {
-    std::vector<fem::AzimuthLoad> lines = report.pointwise;
-    lines.push_back({ lines.front().azimuth + boost::math::double_constants::two_pi, lines.front().density });
-    pictures.add_columns(
-      "load_lines",
-      { { "theta", column_of(lines, [](const auto &line) { return line.azimuth / degree; }) },
-        { "all", column_of(lines, [&](const auto &line) { return line.density / load.a(0); }) } });
-  }
-  // The orbit's centre lies at theta = 90 degrees of a counter-clockwise orbit.
-  const double side = sense_sign * boost::math::double_constants::half_pi;
-  const auto line_load = [&](double angle) // where the foot has lifted off the series swings about zero
-  { return (lifts ? std::max(0., load(angle)) : load(angle)) / load.radius(); };
-  pictures.words["load"] = { { "harmonics", load.n_harmonics() },
-                             { "mean", load.a(0) },
-                             { "line_load", load.a(0) / load.radius() },
-                             { "turn",
-                               std::abs(load.b(1)) > 1e-9 * load.a(0) ? std::copysign(1., load.b(1)) : 0. },
-                             { "inside", line_load(side) },
-                             { "outside", line_load(-side) } };
-}
-
-void add_spectrum_columns(const ring::RingStack &load, const std::vector<double> &band, Pictures &pictures)
-{
-  // Harmonics without a band of their own are judged by the last one that has some.
-  const auto last_banded = std::find_if(band.rbegin(), band.rend(), [](double width) { return width > 0; });
-  std::vector<double> n, amplitudes, bands, resolved;
-  for (unsigned int k = 1; k <= load.n_harmonics(); ++k)
-  {
-    const double amplitude = std::hypot(load.a(k), load.b(k)) / load.a(0),
-                 own = band.empty() ? 0 : band.at(k);
-    const double judge = own > 0 || last_banded == band.rend() ? own : *last_banded;
-    if (amplitude <= 1e-12) // rounding
-      continue;
-    n.push_back(k);
-    amplitudes.push_back(amplitude);
-    bands.push_back(own);
-    resolved.push_back(amplitude > judge ? 1 : 0);
-  }
+  pictures.tables["load_lines"] = nullptr;
+  if (!(report.contact_fraction < 1) || report.pointwise.empty())
+    return;
+  std::vector<fem::AzimuthLoad> lines = report.pointwise;
+  lines.push_back({ lines.front().azimuth + boost::math::double_constants::two_pi, lines.front().density });
+  const double mean = report.rings.a(0);
   pictures.add_columns(
-    "spectrum", { { "n", n }, { "amplitude", amplitudes }, { "band", bands }, { "resolved", resolved } });
+    "load_lines", { { "theta", column_of(lines, [](const auto &line) { return line.azimuth / degree; }) },
+                    { "load", column_of(lines, [=](const auto &line) { return line.density / mean; }) } });
 }
 
 void add_slip_columns(const std::string &name, const ring::Motion &motion, double radius,
@@ -222,52 +167,21 @@ void add_motion(const Study &study, const std::vector<ring::Instant> &instants, 
   }
 }
 
-void add_torque_columns(const TorqueCurve &curve, const std::vector<ring::Answer> &rows,
-                        const std::vector<double> &of_paper, Pictures &pictures)
+void add_torque_columns(const TorqueCurve &curve, const std::vector<double> &of_paper, Pictures &pictures)
 {
   Columns columns = { { "omega", thinned(curve.omega) },
                       { "all", thinned(column_of(curve.friction, &ring::Wrench::torque)) } };
   for (std::size_t i = 0; i < curve.harmonics.size(); ++i)
-    if ((curve.harmonics[i] <= 3 || rows.size() == 2) && curve.harmonics[i] < rows.back().harmonics)
-      columns.emplace_back("up_to_" + std::to_string(curve.harmonics[i]), thinned(curve.truncations[i]));
+    columns.emplace_back("up_to_" + std::to_string(curve.harmonics[i]), thinned(curve.truncations[i]));
   if (!of_paper.empty())
     columns.emplace_back("paper", thinned(of_paper));
   pictures.add_columns("torque", columns);
-  std::vector<double> harmonics, spins;
-  for (const ring::Answer &row : rows)
-    if (const bool all = &row == &rows.back();
-        row.omega_terminal() && (all || row.harmonics <= 3 || rows.size() == 2))
-    {
-      harmonics.push_back(all ? 0 : row.harmonics); // 0: all
-      spins.push_back(*row.omega_terminal());
-    }
-  pictures.add_columns("terminal_points", { { "harmonics", harmonics }, { "omega", spins } });
-  const std::optional<double> unit = curve.spin_unit();
-  pictures.words["spin_unit"] = unit ? Json(*unit) : Json(nullptr);
-}
-
-void add_harmonic_torque_columns(const Budget &budget, Pictures &pictures)
-{
-  std::vector<double> difference;
-  double largest = 0, largest_difference = 0;
-  for (std::size_t i = 0; i < budget.omega.size(); ++i)
-  {
-    difference.push_back(budget.torque_all[i] - budget.torque_first[i]);
-    largest = std::max(largest, std::abs(budget.torque_all[i]));
-    largest_difference = std::max(largest_difference, std::abs(difference.back()));
-  }
-  if (largest_difference <= 1e-9 * largest) // rounding would fill the picture with noise
-    std::fill(difference.begin(), difference.end(), 0);
-  pictures.add_columns("harmonic_torque", { { "omega", thinned(budget.omega) },
-                                            { "all", thinned(budget.torque_all) },
-                                            { "first", thinned(budget.torque_first) },
-                                            { "difference", thinned(difference) } });
 }
 
 void add_spin_up_columns(const SpinUpCurves &curves, unsigned int n_first, Pictures &pictures)
 {
   Columns columns = { { "time", thinned(curves.time) }, { "all", thinned(curves.adaptive) } };
-  if (!curves.first_harmonic.empty())
+  if (!curves.first_harmonic.empty() && n_first > 0)
     columns.emplace_back("up_to_" + std::to_string(n_first), thinned(curves.first_harmonic));
   columns.emplace_back("paper", thinned(curves.paper));
   pictures.add_columns("spin_up", columns);
@@ -275,6 +189,13 @@ void add_spin_up_columns(const SpinUpCurves &curves, unsigned int n_first, Pictu
     pictures.add_columns("driven", { { "time", thinned(curves.driven->time) },
                                      { "speed", thinned(curves.driven->speed) },
                                      { "omega", thinned(curves.driven->omega) } });
+}
+
+void add_measured_columns(const MeasuredRun &run, Pictures &pictures)
+{
+  const std::vector<MeasuredSpin> spins = spins_of(run);
+  pictures.add_columns("measured", { { "time", column_of(spins, &MeasuredSpin::time) },
+                                     { "omega", column_of(spins, &MeasuredSpin::omega) } });
 }
 
 void add_phase_columns(const PhaseStudy &phases, Pictures &pictures)
@@ -286,54 +207,6 @@ void add_phase_columns(const PhaseStudy &phases, Pictures &pictures)
                                               { return (of_glass ? phase.glass : phase.table) / degree; }) },
                          { "at_rest", phases.torque_at_rest },
                          { "at_terminal", phases.torque_at_terminal } });
-}
-
-std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows)
-{
-  std::vector<BudgetRow> steps;
-  std::optional<double> first; // terminal spin of the first harmonic alone
-  for (const BudgetRow &row : rows)
-  {
-    if (row.name != "harmonics" || steps.empty() || steps.back().name != "harmonics")
-    {
-      first = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
-      steps.push_back(row);
-      continue;
-    }
-    steps.back() = row;
-    steps.back().difference =
-      first && row.omega_terminal ? std::optional(*row.omega_terminal - *first) : std::nullopt;
-  }
-  return steps;
-}
-
-void add_waterfall(const std::vector<BudgetRow> &rows, double rounding, Pictures &pictures)
-{
-  std::vector<BudgetRow> steps = named_steps(rows);
-  if (!steps.empty())
-  {
-    steps.push_back(steps.back());
-    steps.back().name = "this study";
-    steps.back().status = ring::Status::no_balance; // whose row says whether it is formal
-    steps.front().name = "the paper's model";
-    steps.front().difference = steps.back().difference = std::nullopt;
-  }
-  Json name = Json::array(), omega = Json::array(), difference = Json::array(), band = Json::array(),
-       formal = Json::array();
-  const auto number = [](const std::optional<double> &value)
-  { return value ? shortened(*value, 10) : Json(nullptr); };
-  for (const BudgetRow &row : steps)
-  {
-    const bool is_formal = row.status == ring::Status::formal;
-    name.push_back(row.name + (is_formal ? " (formal)" : ""));
-    omega.push_back(number(row.omega_terminal));
-    difference.push_back(number(row.difference));
-    band.push_back(number(row.band));
-    formal.push_back(is_formal);
-  }
-  pictures.tables["waterfall"] = { { "keys", { "row", "omega_terminal", "difference", "band", "formal" } },
-                                   { "values", { name, omega, difference, band, formal } } };
-  pictures.words["rounding"] = rounding;
 }
 
 Json pressure_map(const fem::PressureMap &footprint, double contact_radius, double largest)

@@ -4,6 +4,7 @@
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/coupling/load_report.h"
+#include "fem/pipeline/study/measured_run.h"
 
 #include <nlohmann/json.hpp>
 
@@ -33,19 +34,9 @@ struct Pictures
 nlohmann::ordered_json shortened(double value, int n_digits = 6);
 nlohmann::ordered_json shortened(const std::vector<double> &values, int n_digits = 6);
 
-/// Load that is truncated after a number of harmonics.
-using TruncatedLoads = std::vector<std::pair<unsigned int, ring::RingStack>>;
-
-/// Returns the truncations of @p load after 1, 2 and 3 harmonics, as far as it has more.
-TruncatedLoads first_harmonics_of(const ring::RingStack &load);
-
-/// Adds "load_curves": load over its mean with all harmonics and of @p truncated; "load_lines": pointwise
-/// load on the azimuth lines, if the foot has lifted off. @p sense_sign: sign of the orbit.
-void add_load_columns(const LoadReport &load, const TruncatedLoads &truncated, double sense_sign,
-                      Pictures &pictures);
-
-/// Adds "spectrum": amplitudes of the harmonics, with error bands @p band by n, empty if unknown.
-void add_spectrum_columns(const ring::RingStack &load, const std::vector<double> &band, Pictures &pictures);
+/// Adds "load_lines": pointwise load over its mean on the azimuth lines if the foot has lifted off, where the
+/// series of the load overshoots; else null.
+void add_load_lines(const LoadReport &load, Pictures &pictures);
 
 /// Adds "slip_at_rest" or another @p name: slip and friction round the rim.
 void add_slip_columns(const std::string &name, const ring::Motion &motion, double radius,
@@ -55,26 +46,17 @@ void add_slip_columns(const std::string &name, const ring::Motion &motion, doubl
 /// friction at 24, the sense of its torque, the hand's force, and the torque that is left.
 void add_motion(const Study &study, const std::vector<ring::Instant> &instants, Pictures &pictures);
 
-/// Adds "torque" and "terminal_points": torque of friction with fewer and with all harmonics and, if given,
-/// of the paper's model, and the terminal spins.
-void add_torque_columns(const TorqueCurve &curve, const std::vector<ring::Answer> &rows,
-                        const std::vector<double> &of_paper, Pictures &pictures);
+/// Adds "torque": torque of friction with fewer and with all harmonics and, if given, of the paper's model.
+void add_torque_columns(const TorqueCurve &curve, const std::vector<double> &of_paper, Pictures &pictures);
 
-/// Adds "harmonic_torque": torque with all harmonics and with the first only, and their difference.
-void add_harmonic_torque_columns(const Budget &budget, Pictures &pictures);
-
-/// Adds "spin_up": spins with all harmonics, with the first @p n_first, and of the paper's model.
+/// Adds "spin_up": spins with all harmonics, with the first @p n_first unless 0, and of the paper's model.
 void add_spin_up_columns(const SpinUpCurves &curves, unsigned int n_first, Pictures &pictures);
+
+/// Adds "measured": the spins of @p run over its time.
+void add_measured_columns(const MeasuredRun &run, Pictures &pictures);
 
 /// Adds "phases": torque over the azimuth of the mark of the glass or the table.
 void add_phase_columns(const PhaseStudy &phases, Pictures &pictures);
-
-/// Returns the chain with its rows of harmonics merged into one, from the first harmonic to all.
-std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows);
-
-/// Adds "waterfall": the steps of the chain @p rows between the paper's model and this study's. Differences
-/// below @p rounding [rad/s] are rounding.
-void add_waterfall(const std::vector<BudgetRow> &rows, double rounding, Pictures &pictures);
 
 /// Returns p(r, theta) of @p footprint cut by cut, on a scale that ends at @p largest [Pa].
 nlohmann::ordered_json pressure_map(const fem::PressureMap &footprint, double contact_radius, double largest);

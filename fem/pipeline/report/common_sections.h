@@ -20,18 +20,11 @@ namespace stemware::pipeline
 
 // ---- tables of the page
 
-/// Adds the load at rest: columns of its pictures, and "load_harmonics".
-void add_load(const Study &study, const LoadReport &load, const ErrorBands &bands, Document &document);
-
-/// Adds the chain of models by row, "chain" and "chain_torques"; with merged harmonics, "waterfall" and
-/// "effects"; and "harmonic_torque".
-void add_chain(const Study &study, const Budget &budget, Document &document);
-
 /// Returns the rows that change the spin by more than 1e-9, followed by all harmonics on @p one_ring.
 nlohmann::ordered_json shown_truncations(const std::vector<ring::Answer> &rows,
                                          const std::optional<ring::Answer> &one_ring);
 
-/// Adds "truncation" of summary.json, "truncations" of shown_truncations(), and "truncation_change".
+/// Adds "truncation" of summary.json and "truncations" of shown_truncations().
 void add_truncations(const std::vector<ring::Answer> &rows, const std::optional<ring::Answer> &one_ring,
                      Document &document);
 

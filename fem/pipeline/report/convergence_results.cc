@@ -5,8 +5,6 @@
 #include "fem/pipeline/input/study_size.h"
 #include "fem/pipeline/report/common_sections.h"
 
-#include <cmath>
-
 namespace stemware::pipeline
 {
 
@@ -33,20 +31,6 @@ Json level_rows(const std::vector<RefinementAxis> &axes, const ErrorBands &bands
   return rows;
 }
 
-/// Relative distance of a quantity from its limit by level; levels that agree with the limit to @p rounding
-/// are left out.
-Json error_curve(const RefinementAxis &axis, const RefinementSequence &sequence, double rounding)
-{
-  Json levels = Json::array(), errors = Json::array();
-  for (std::size_t l = 0; l < sequence.values.size(); ++l)
-    if (const double distance = std::abs(sequence.values[l] - sequence.limit); distance > rounding)
-    {
-      levels.push_back(static_cast<long>(l) - static_cast<long>(axis.own));
-      errors.push_back(shortened(distance / std::abs(sequence.limit)));
-    }
-  return { { "name", axis.name }, { "level", levels }, { "error", errors } };
-}
-
 Json refinement_summary(const RefinementAxis &axis, const ErrorBands &bands)
 {
   Json json = STEMWARE_JSON(axis, name, size);
@@ -62,8 +46,8 @@ Results make_document(const Study &study, const std::vector<RefinementAxis> &axe
 {
   const std::size_t index = index_of(bands, "omega_terminal");
   const BandedQuantity &spin = bands[index];
-  Results results;
-  Json &summary = results.findings.summary, &curves = results.tables["convergence"], rows = Json::array();
+  Results results = { document_of(study, "discretisation error") };
+  Json &summary = results.findings.summary, rows = Json::array();
   for (const RefinementAxis &axis : axes)
   {
     summary["refinement"][axis.key] = refinement_summary(axis, bands);
@@ -72,7 +56,6 @@ Results make_document(const Study &study, const std::vector<RefinementAxis> &axe
                      { "own", axis.size + ": " + std::to_string(axis.sizes[axis.own]) },
                      { "band", judged.bands[axis.own] },
                      { "order", judged.order } });
-    curves.push_back(error_curve(axis, judged, spin.quantity.rounding));
   }
   rows.push_back({ { "axis", "all together" }, { "own", "" }, { "band", spin.band } });
   summary["error_bands"] = band_summary(bands);
@@ -80,16 +63,8 @@ Results make_document(const Study &study, const std::vector<RefinementAxis> &axe
     summary["error_bands"][each.quantity.key]["richardson"] = each.richardson;
   results.findings.key_figures = { { "omega_terminal", spin.quantity.value },
                                    { "omega_terminal_band", spin.band } };
-  const auto order = axes.front().quantities[index].order;
-  results.words = { { "title", title_of(study) + ": discretisation error" },
-                    { "inputs", inputs_of(study) },
-                    { "answer", convergence_answer(spin, axes.front().name, order) },
-                    { "has_order", order.has_value() },
-                    { "spin", format::with_band(spin.quantity.value, spin.band) },
-                    { "sketch", sketch_labels(study) },
-                    { "glasses", { { { "title", "this glass" }, { "omega", spin.quantity.value } } } } };
-  results.entries = all_entries(study);
-  results.add_rows("study_differences", changed_entries(study));
+  results.words["answer"] = convergence_answer(spin, axes.front().name, axes.front().quantities[index].order);
+  results.words["rounding"] = spin.quantity.rounding;
   results.add_rows("spin_bands", rows);
   add_bands(bands, results);
   results.files = { { "summary.json", "everything, for programs" },

@@ -32,7 +32,7 @@ std::string answer_of(const FitResult &found)
 
 Results tabulate_fit(const FitResult &found)
 {
-  Results results;
+  Results results = { document_of(found.study, "fit of measured runs") };
   Json &summary = results.findings.summary["fit"] = fit_summary(found);
   for (const FittedEntry &entry : found.entries)
     results.findings.key_figures[entry.path] = { entry.value, entry.spread };
@@ -49,15 +49,8 @@ Results tabulate_fit(const FitResult &found)
   const Table points = { "",
                          { numbers("run", "1", number), numbers("time", "s", time),
                            numbers("measured", unit, measured), numbers("fitted", unit, fitted) } };
-  results.words = { { "title", title_of(found.study) + ": fit of measured runs" },
-                    { "inputs", inputs_of(found.study) },
-                    { "answer", answer_of(found) },
-                    { "remarks", summary["sentences"] },
-                    { "sketch", sketch_labels(found.study) },
-                    { "glasses", Json::array() } };
+  results.words["answer"] = answer_of(found);
   add_fit_columns(found, results);
-  results.entries = all_entries(found.study);
-  results.add_rows("study_differences", changed_entries(found.study));
   const std::string entries = "entry value spread per_percent band unit",
                     runs = "name measured points start start_spread zero zero_spread noise autocorrelation";
   results.add_rows("fit_entries", summary["entries"], entries, "fit");

@@ -1,6 +1,7 @@
+#include "fem/pipeline/report/foot_pictures.h"
+
 #include "fem/contact/footprint.h"
 #include "fem/meshing/section_view.h"
-#include "fem/pipeline/report/picture_columns.h"
 
 #include <boost/math/constants/constants.hpp>
 

@@ -3,7 +3,7 @@
 #include "fem/geometry/boundary_ids.h"
 #include "fem/meshing/mesh_io.h"
 #include "fem/meshing/mesh_quality.h"
-#include "fem/pipeline/document/json.h"
+#include "fem/pipeline/support/json.h"
 
 #include <optional>
 #include <string>

@@ -30,8 +30,8 @@ struct ConsoleBlock
 /// Results of a verb: the document of its page, files, and the console's texts.
 struct Results : Document
 {
-  std::vector<ResultFile> files;
-  std::vector<ConsoleBlock> console;
+  std::vector<ResultFile> files = {};
+  std::vector<ConsoleBlock> console = {};
   std::vector<fem::FieldFile> fields = {}; ///< files of fields/ to be written by this rank
 };
 

@@ -2,12 +2,12 @@
 
 #include "fem/pipeline/document/run_answer.h"
 #include "fem/pipeline/document/sentences.h"
-#include "fem/pipeline/document/spin_rows.h"
+#include "fem/pipeline/document/shown_rows.h"
 #include "fem/pipeline/document/study_words.h"
 #include "fem/pipeline/input/data_files.h"
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/report/common_sections.h"
-#include "fem/pipeline/report/picture_columns.h"
+#include "fem/pipeline/report/foot_pictures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,20 +84,6 @@ Json terminal_spins_summary(const SpinStudy &spin)
   return spins;
 }
 
-/// terminal_spins_summary() in words.
-Json shown_terminal_spins(const SpinStudy &spin)
-{
-  Json spins = terminal_spins_summary(spin);
-  for (Json &one : spins)
-  {
-    one["stability"] = one["held"] == true     ? "held by the fingers"
-                       : one["stable"] == true ? "stable"
-                                               : "unstable";
-    one["reached"] = one["from_rest"] == true ? "reached from rest" : "";
-  }
-  return spins;
-}
-
 Json driven_summary(const DrivenSpinUp &driven)
 {
   Json summary = { { "speed_at_end", driven.speed.back() }, { "omega_at_end", driven.omega.back() } };
@@ -156,30 +142,18 @@ double moment_at_rest(const ContactReport &report, const SpinStudy &spin)
   return spin.phases ? spin.all().at_rest.value().load.moment().x() : report.load.moment.x();
 }
 
-/// The points that are drawn beside the spin-up.
-std::vector<MeasuredSpin> measured_spins(const Study &study)
+/// The run that is drawn beside the spin-up.
+std::optional<MeasuredRun> measured_run(const Study &study)
 {
   const std::string &file = study.motion.measured_spin_file;
-  return file.empty() ? std::vector<MeasuredSpin>()
-                      : spins_of(read_measured_run(file, study.motion.measured_column));
-}
-
-std::vector<std::pair<std::string, std::vector<double>>>
-measured_columns(const std::vector<MeasuredSpin> &measured)
-{
-  std::vector<double> time, omega;
-  for (const MeasuredSpin &one : measured)
-  {
-    time.push_back(one.time);
-    omega.push_back(one.omega);
-  }
-  return { { "time", time }, { "omega", omega } };
+  if (file.empty())
+    return std::nullopt;
+  return read_measured_run(file, study.motion.measured_column);
 }
 
 Json ring_summary(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   const ring::Answer &all = spin.all();
-  const bool is_measured = !study.motion.measured_spin_file.empty();
   Json ring = spin_rows({ all })[0];
   ring.update(
     { { "tau_closed_form", study.motion.orbit.friction_at_rest() * moment_at_rest(report, spin) },
@@ -187,7 +161,10 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
       { "fall", fall_summary(all) },
       { "terminal_spins", terminal_spins_summary(spin) },
       { "driven", to_json_or_null(spin.spin_up.driven, driven_summary) },
-      { "measured", is_measured ? Json{ { "points", measured_spins(study).size() } } : Json(nullptr) },
+      { "measured", to_json_or_null(measured_run(study),
+                                    [](const MeasuredRun &run) {
+                                      return Json{ { "points", spins_of(run).size() } };
+                                    }) },
       { "no_lift_off", has_no_lift_off(report) },
       { "tilt_at_terminal",
         all.terminal ? Json{ report.load_at_end.tilt.x(), report.load_at_end.tilt.y() } : Json(nullptr) },
@@ -275,103 +252,42 @@ void add_spin(const Study &study, const ContactReport &report, const SpinStudy &
   add_slip_columns("slip_at_rest", motion, radius, report.load.rings, 0, document);
   if (const auto omega = spin.all().omega_terminal(); omega && is_spin(study, *omega))
     add_slip_columns("slip_at_end", motion, radius, report.load_at_end.rings, *omega, document);
-  add_torque_columns(spin.torque, spin.rows, {}, document);
+  add_torque_columns(spin.torque, {}, document);
   add_spin_up_columns(spin.spin_up, 1, document);
-  if (const std::vector<MeasuredSpin> measured = measured_spins(study); !measured.empty())
-    document.add_columns("measured", measured_columns(measured));
+  if (const auto measured = measured_run(study))
+    add_measured_columns(*measured, document);
   if (!spin.spin_up.instants.empty())
     add_motion(study, spin.spin_up.instants, document);
   if (spin.phases)
     add_phase_columns(*spin.phases, document);
   document.add_rows("friction", friction_rows(study, spin.all()),
                     "name torque lean_torque grip_torque torque_sum force[]");
-  if (spin.terminal_spins.size() > 1)
-    document.add_rows("terminal_spins", shown_terminal_spins(spin), "omega stability time_constant reached");
   add_truncations(spin.rows, spin.one_ring, document);
 }
 
 void add_budget(const Study &study, const SpinStudy &spin, Document &document)
 {
-  add_chain(study, spin.budget, document);
+  const Json chain = shown_chain(study, spin.budget.rows);
+  document.add_rows("chain", chain, "step title omega_terminal difference relative_difference band remark");
+  document.add_rows("chain_torques", chain, "step title torques[]", "chain");
+  document.tables["waterfall"] = chain_rows(study, named_steps(spin.budget.rows));
   if (!spin.budget.without.empty())
     document.add_rows("without", shown_without(study, spin.budget), without_keys);
 }
 
-/// The study's glass on its orbit, and the paper's rigid ring beside it.
-Json turning_glasses(const ContactReport &report, const SpinStudy &spin)
-{
-  constexpr unsigned int n_places = 72;
-  const std::optional<double> omega = spin.all().omega_terminal();
-  Json load = Json::array();
-  for (unsigned int i = 0; i < n_places; ++i)
-    load.push_back(shortened(
-      std::max(0., report.load_at_end.rings(2 * M_PI * i / n_places) / report.load_at_end.rings.a(0)), 4));
-  Json glasses = { { { "title", "this glass" }, { "omega", omega }, { "load", load } } };
-  const std::vector<double> &paper = spin.spin_up.paper;
-  if (!spin.is_quick() && spin.budget.rows.front().omega_terminal)
-    glasses.push_back(
-      { { "title", "the paper's rigid ring" }, { "omega", spin.budget.rows.front().omega_terminal } });
-  else if (paper.size() > 10 &&
-           std::abs(paper.back() - paper[paper.size() * 9 / 10]) <= 1e-2 * std::abs(paper.back()))
-    glasses.push_back(
-      { { "title", "the paper's rigid ring" }, { "omega", paper.back() } }); // its spin-up has ended
-  return glasses;
-}
-
-/// Numbers in the sentences of the page that no summary has without its rounding errors.
-Json numbers_of_sentences(const Study &study, const ContactReport &report, const SpinStudy &spin)
-{
-  const LoadReport &load = report.load;
-  const ring::Answer &all = spin.all();
-  const double friction = study.motion.orbit.friction_at_rest(),
-               moment = load.normal_force * load.rings.radius();
-  const bool leans = study.tilts(), grips = study.motion.grip_torque > 0;
-  Json numbers = Json::array({ { { "moment_x", load.moment.x() },
-                                 { "moment_y", load.moment.y() },
-                                 { "torque_at_rest", all.at_rest.value().friction.torque },
-                                 { "closed_form", friction * load.moment.x() } } });
-  zero_rounding_errors(numbers, "moment_x moment_y", 1e-12 * moment);
-  zero_rounding_errors(numbers, "torque_at_rest closed_form", 1e-9 * friction * moment);
-  const std::optional<double> omega = all.omega_terminal();
-  numbers[0].update({ { "moves", is_spin(study, all.last_spin().value()) },
-                      { "spins", omega && is_spin(study, *omega) },
-                      { "falls", all.fall.has_value() },
-                      { "omega_end", all.last_spin().value_or(0) },
-                      { "contact_width", 2 * load.half_width() },
-                      { "rings", load.rings.rings().size() },
-                      { "others", leans && grips ? ", the lean torque and that of the fingers"
-                                  : leans        ? " and the lean torque"
-                                  : grips        ? " and that of the fingers"
-                                                 : "" } });
-  return numbers[0];
-}
-
-Json words_of(const Study &study, const ContactReport &report, const SpinStudy &spin, const ErrorBands &bands,
-              const std::optional<GoalOutcome> &goal)
+Json words_of(const Study &study, const ContactReport &report, const SpinStudy &spin, const ErrorBands &bands)
 {
   std::string answer = run_answer(study, spin, bands);
   append(answer, profile_remark(study));
-  Json words = { { "title", title_of(study) + ": how fast it spins" },
-                 { "inputs", inputs_of(study) },
-                 { "answer", answer },
-                 { "lift_off", lift_off_remark(study, report, spin) },
-                 { "pressed", contact_remark(report, spin) },
-                 { "narrow_contact", narrow_contact_remark(study, report) },
-                 { "thin_layer", thin_layer_remark(study, report.load.half_width()) },
-                 { "out_of_flat", out_of_flat_remark(study, spin) },
-                 { "several_spins", several_spins_remark(spin) },
-                 { "driven", driven_remark(spin, bands) },
-                 { "one_way", is_one_way(study) },
-                 { "sketch", sketch_labels(study) },
-                 { "glasses", turning_glasses(report, spin) },
-                 { "numbers", numbers_of_sentences(study, report, spin) } };
-  if (goal && band_of_mesh(study, bands))
-    words["mesh_for_goal"] =
-      "The mesh was made for the " + study_as_json(study)["Contact"]["Goal"].get<std::string>() + ": " +
-      format::number(goal->estimated_error, ".1e") +
-      " is the estimated error of its value; the mesh's part of the band is " +
-      format::number(*band_of_mesh(study, bands), ".1e") + ", the change of the value by another mesh.";
-  return words;
+  return { { "answer", answer },
+           { "lift_off", lift_off_remark(study, report, spin) },
+           { "pressed", contact_remark(report, spin) },
+           { "narrow_contact", narrow_contact_remark(study, report) },
+           { "thin_layer", thin_layer_remark(study, report.load.half_width()) },
+           { "out_of_flat", out_of_flat_remark(study, spin) },
+           { "several_spins", several_spins_remark(spin) },
+           { "driven", driven_remark(spin, bands) },
+           { "spin_unit", spin_scale(study) } };
 }
 
 void add_foot_files(const FootReport &foot, bool has_terminal_spin, std::vector<ResultFile> &files)
@@ -463,15 +379,13 @@ std::vector<ConsoleBlock> console_of(const Study &study, const SpinStudy &spin, 
 Results make_document(const Study &study, const ContactReport &report, const SpinStudy &spin,
                       const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)
 {
-  Results results;
+  Results results = { document_of(study, "how fast it spins") };
   results.findings = findings_of(study, report, spin, bands, goal);
-  results.words = words_of(study, report, spin, bands, goal);
-  results.entries = all_entries(study);
-  results.add_rows("study_differences", changed_entries(study));
+  results.words.update(words_of(study, report, spin, bands));
   add_spin(study, report, spin, results);
   if (!spin.is_quick())
     add_budget(study, spin, results);
-  add_load(study, report.load, bands, results);
+  add_load_lines(report.load, results);
   if (report.foot)
     add_foot_pictures(study, *report.foot, results);
   if (report.foot)

@@ -3,7 +3,6 @@
 #include "fem/pipeline/document/answers.h"
 #include "fem/pipeline/document/sentences.h"
 #include "fem/pipeline/document/study_words.h"
-#include "fem/pipeline/report/picture_columns.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
@@ -78,6 +77,33 @@ Json failure_rows(const CaseList &list, const FinishedCases &finished)
   return rows;
 }
 
+/// A grid for its pictures: the entries, and quantities with their values case by case; null if missing.
+Json grid_of(const CaseList &list, const FinishedCases &finished)
+{
+  Json grid = { { "entries", Json::array() }, { "quantities", Json::object() } };
+  for (const VariedEntry &entry : list.entries)
+    grid["entries"].push_back({ { "label", entry.path.substr(entry.path.find('/') + 1) },
+                                { "unit", entry.unit },
+                                { "log", entry.by_factors },
+                                { "values", entry.values } });
+  for (const char *key : { "omega_terminal", "omega_first_harmonic", "omega_on_ring", "omega_fall",
+                           "harmonic_effect", "contact_fraction", "tau_at_rest" })
+  {
+    Json values = Json::array();
+    for (std::size_t i = 0; i < list.cases.size(); ++i)
+    {
+      const auto found = finished.find(i);
+      const auto value = found == finished.end() ? std::nullopt : found->second.value(key);
+      values.push_back(shortened(value.value_or(std::nan("")), 9));
+    }
+    const Quantity quantity = quantity_named(key, "sweep.csv");
+    grid["quantities"][key] = { { "label", quantity.heading },
+                                { "unit", quantity.unit },
+                                { "values", values } };
+  }
+  return grid;
+}
+
 /// Ends of a range for --json; null if there is none.
 Json ends_of(const std::optional<CaseRange> &range)
 {
@@ -94,7 +120,7 @@ Results sweep_results(const CaseList &list, const FinishedCases &finished)
   Json entries = Json::array();
   for (const VariedEntry &entry : list.entries)
     entries.push_back({ { "entry", entry.path }, { "unit", entry.unit } });
-  Results results;
+  Results results = { document_of(list.base, "its spin in " + std::to_string(list.cases.size()) + " cases") };
   results.findings.summary["sweep"] = { { "cases", list.cases.size() },
                                         { "finished", finished.size() },
                                         { "failed", n_failed },
@@ -105,18 +131,13 @@ Results sweep_results(const CaseList &list, const FinishedCases &finished)
                                    { "omega_terminal", ends_of(range_of(list, finished, "omega_terminal")) },
                                    { "harmonic_effect",
                                      ends_of(range_of(list, finished, "harmonic_effect")) } };
-  results.words = { { "title",
-                      title_of(list.base) + ": its spin in " + std::to_string(list.cases.size()) + " cases" },
-                    { "inputs", "" },
-                    { "answer", sweep_answer(list, finished) },
-                    { "one_way", is_one_way(list.base) } };
-  results.entries = all_entries(list.base);
-  results.add_rows("study_differences", changed_entries(list.base));
+  results.words["answer"] = sweep_answer(list, finished);
   results.add_rows("varied", varied_rows(list));
   results.add_rows("ranges", ranges, "quantity least at_least most at_most");
   if (n_failed > 0)
     results.add_rows("failures", failure_rows(list, finished));
-  add_sweep_pictures(list, finished, results);
+  if (list.is_grid())
+    results.tables["grid"] = grid_of(list, finished);
   results.files = { { "sweep.csv", "a row for each case: entries, numbers, status, message" },
                     { "study.json", "study, columns with units and labels, version" },
                     { "summary.json", "numbers of cases" },

@@ -89,16 +89,6 @@ std::string exact(const nlohmann::ordered_json &cell, const std::string &missing
   return cell.is_string() ? cell.get<std::string>() : missing;
 }
 
-std::string csv_field(const std::string &text)
-{
-  if (text.find_first_of(",\"\r\n") == std::string::npos)
-    return text;
-  std::string quoted = "\"";
-  for (const char letter : text)
-    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + '"';
-}
-
 } // namespace
 
 std::string console_table(const Table &table)

@@ -3,7 +3,6 @@
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/document/answers.h"
 #include "fem/pipeline/document/sentences.h"
-#include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/document/study_words.h"
 #include "fem/pipeline/report/common_sections.h"
 
@@ -36,11 +35,10 @@ unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double shar
 Results make_truncation_document(const Study &study, const LoadReport &load,
                                  const std::vector<ring::Answer> &rows)
 {
-  const std::optional<double> first = rows.front().omega_terminal(), omega = rows.back().omega_terminal();
-  const HarmonicEffect effect = harmonic_effect(first, omega, spin_scale(study));
+  const std::optional<double> omega = rows.back().omega_terminal();
+  const HarmonicEffect effect = harmonic_effect(rows.front().omega_terminal(), omega, spin_scale(study));
   const unsigned int n_enough = harmonics_enough(rows, 1e-4);
-  const bool one_way = is_one_way(study);
-  Results results;
+  Results results = { document_of(study, "how many harmonics of the load matter") };
   results.findings.summary = { { "load", load_summary(load) },
                                { "fall", fall_summary(rows.back()) },
                                { "harmonic_effect", harmonic_effect_summary(effect) } };
@@ -48,33 +46,20 @@ Results make_truncation_document(const Study &study, const LoadReport &load,
                                    { "harmonic_effect", effect.absolute },
                                    { "harmonic_effect_relative", effect.relative },
                                    { "harmonics_for_1e-4", omega ? Json(n_enough) : Json(nullptr) } };
-  results.words = { { "title", title_of(study) + ": how many harmonics of the load matter" },
-                    { "inputs", inputs_of(study) },
-                    { "answer", truncation_answer(study, rows, effect, n_enough) },
-                    { "one_way", one_way },
-                    { "reasons", Json::array() },
-                    { "sketch", sketch_labels(study) },
-                    { "glasses",
-                      { { { "title", "all harmonics" }, { "omega", omega } },
-                        { { "title", "first harmonic only" }, { "omega", first } } } } };
-  for (const ring::Answer &row : rows)
-    if (!row.reason.empty())
-      results.words["reasons"].push_back("With " + std::to_string(row.harmonics) +
-                                         " harmonics: " + row.reason + ".");
-  results.entries = all_entries(study);
-  results.add_rows("study_differences", changed_entries(study));
-  add_load(study, load, {}, results);
+  results.words["answer"] = truncation_answer(study, rows, effect, n_enough);
+  add_load_lines(load, results);
   add_truncations(rows, std::nullopt, results);
   results.files = { { "summary.json", "all numbers, for programs" },
                     { "parameters.prm", "the study as input file" },
                     { "truncation.csv", "the answer with 1, 2, 3, 4, 6, 8 ... harmonics",
                       truncation_table(results.findings.summary["truncation"]) },
                     { "timings.json", "how long it took" } };
-  results.console = { { results.words["answer"] },
-                      { one_way ? "One-way, the load at rest truncated:" : "In balance at every spin:",
-                        table_of(shown_truncations(rows, std::nullopt),
-                                 "harmonics omega_terminal relative_change bound load_minimum",
-                                 "shown_truncations") } };
+  results.console = {
+    { results.words["answer"] },
+    { is_one_way(study) ? "One-way, the load at rest truncated:" : "In balance at every spin:",
+      table_of(shown_truncations(rows, std::nullopt),
+               "harmonics omega_terminal relative_change bound load_minimum", "shown_truncations") }
+  };
   return results;
 }
 

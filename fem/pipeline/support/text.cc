@@ -92,6 +92,16 @@ std::string filled(const std::string &pattern, const std::vector<std::string> &w
   return text + pattern.substr(begin);
 }
 
+std::string csv_field(const std::string &text)
+{
+  if (text.find_first_of(",\"\r\n") == std::string::npos)
+    return text;
+  std::string quoted = "\"";
+  for (const char letter : text)
+    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + '"';
+}
+
 std::optional<std::string> closest_match(const std::string &word, const std::vector<std::string> &words)
 {
   constexpr std::size_t max_slips = 3;

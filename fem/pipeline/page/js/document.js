@@ -4,7 +4,6 @@ import { fit } from '../views/fit.js';
 import { run } from '../views/run.js';
 import { show } from './sections.js';
 import { sweep } from '../views/sweep.js';
-import { table_of_entries } from '../views/common.js';
 import { truncate } from '../views/truncate.js';
 
 const views = { run, truncate, converge, sweep, fit };
@@ -17,7 +16,6 @@ export function show_document() {
     main.remove();
     return false;
   }
-  doc.tables.entries = table_of_entries(doc.entries);
   show(doc, views[doc.summary.verb](doc), main);
   return true;
 }

@@ -2,7 +2,7 @@
 // and files. A picture is data: { id, title, caption, words, x, y, marks, height, equal, aspect, colours, edge }.
 import { same_step, scale, widest } from './axes.js';
 import { colour_bar, names_of } from './legend.js';
-import { buttons, page_colours, standalone } from './files.js';
+import { buttons, standalone } from './files.js';
 import { hover, key, drag } from './pointer.js';
 import { h, rich, rich_svg, s, width_of } from './dom.js';
 import { heading_of } from './words.js';
@@ -176,4 +176,3 @@ export class Figure {
     return standalone(this, width);
   }
 }
-export { page_colours };

@@ -2,24 +2,8 @@
 import { csv, heading_of } from './words.js';
 import { download, font, h, s } from './dom.js';
 
-/** Colours of a picture for print. */
-export const page_colours = {
-  ink: '#1c1e21',
-  soft: '#5b6067',
-  line: '#c9ced5',
-  grid: '#e6e9ed',
-  card: '#ffffff',
-  panel: '#f3f5f7',
-  glass: '#7fa8c9',
-  c1: '#0072b2',
-  c2: '#d55e00',
-  c3: '#00875f',
-  c4: '#b0528a',
-  c5: '#e69f00',
-  c6: '#56b4e9',
-  c7: '#1c1e21',
-  c8: '#777777'
-};
+/** A colour for print: the style of the page without its dark colours. */
+const colour = name => document.styleSheets[0].cssRules[0].style.getPropertyValue(name).trim();
 
 /** The text of an SVG file of nodes: light colours, nothing that needs the page. */
 export function svg_text(title, description, nodes, width, height) {
@@ -28,14 +12,14 @@ export function svg_text(title, description, nodes, width, height) {
     { xmlns: 'http://www.w3.org/2000/svg', viewBox: `0 0 ${width} ${height}`, width, height },
     s('title', {}, title),
     s('desc', {}, description),
-    s('style', {}, `text{font:${font};fill:${page_colours.ink}}text.soft{fill:${page_colours.soft}}`),
-    s('rect', { width, height, fill: page_colours.card }),
+    s('style', {}, `text{font:${font};fill:${colour('--ink')}}text.soft{fill:${colour('--soft')}}`),
+    s('rect', { width, height, fill: colour('--card') }),
     nodes
   );
   return new XMLSerializer()
     .serializeToString(svg)
     .replace(/\u00a0/g, ' ')
-    .replace(/var\(--([a-z0-9]+)\)/g, (_, name) => page_colours[name])
+    .replace(/var\((--[a-z0-9]+)\)/g, (_, name) => colour(name))
     .replace(/ (?:role|tabindex|aria-pressed|data-name|pointer-events|class)="(?!soft)[^"]*"/g, '');
 }
 

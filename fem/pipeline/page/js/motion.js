@@ -96,11 +96,9 @@ function glass_nodes({ title, omega, load }, x, size, t) {
   ];
 }
 
-/** The drawing of a document in the words `t`; nothing for one without glasses. */
-export function orbits({ words, summary }, t = en.above_words) {
-  const { glasses } = words;
-  if (!glasses || !summary.parameters) return null;
-  const size = sizes(summary.parameters);
+/** The drawing of glasses { title, omega, load } in the words `t`; `parameters`: those of the summary. */
+export function orbits(glasses, parameters, t = en.above_words) {
+  const size = sizes(parameters);
   const width = panel * Math.max(2, glasses.length);
   const nodes = () => glasses.map((glass, i) => glass_nodes(glass, ((i + 0.5) * width) / glasses.length, size, t));
   const seconds = shown(turn / size.rate, '#.3g');

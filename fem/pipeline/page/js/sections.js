@@ -45,7 +45,7 @@ function section_of(doc, { title, folded, text, pictures, tables, files }) {
     paragraphs(text),
     there(pictures).length ? h('div', { class: 'figures' }, there(pictures).map(figure_of)) : [],
     there(tables)
-      .filter(t => doc.tables[t.name])
+      .filter(t => t.given || doc.tables[t.name])
       .map(t => table(doc, t)),
     files_of(files)
   ];

@@ -1,5 +1,6 @@
 // What was computed: the glass seen along its path, with its numbers; a sketch, not to scale.
 import { h, s, rich } from './dom.js';
+import { pressing } from './series.js';
 import { shown } from './words.js';
 import { svg_text } from './files.js';
 
@@ -46,9 +47,8 @@ function hand_nodes(given, hand) {
 }
 
 /** How hard the rim presses towards the centre of the orbit and away from it. */
-function press_nodes(load) {
-  if (!load) return [];
-  const mean = load.line_load;
+function press_nodes({ mean, inside, outside }) {
+  if (!mean) return [];
   const arrow = (force, x, label, at, anchor) => {
     const top = 350 + 24 * Math.min(2, Math.max(0, force / mean));
     return [
@@ -58,8 +58,8 @@ function press_nodes(load) {
     ];
   };
   return [
-    arrow(load.inside, 146.5, `${shown(load.inside, '.3g')} N/m`, { x: 136, y: 372 }, 'end'),
-    arrow(load.outside, 233.5, `${shown(load.outside, '.3g')} N/m outside`, { x: 246, y: 384 }, 'start')
+    arrow(inside, 146.5, `${shown(inside, '.3g')} N/m`, { x: 136, y: 372 }, 'end'),
+    arrow(outside, 233.5, `${shown(outside, '.3g')} N/m outside`, { x: 246, y: 384 }, 'start')
   ];
 }
 
@@ -82,10 +82,10 @@ function length_nodes(given, hand) {
   ];
 }
 
-/** The drawing of a document; nothing for one without a glass. */
-export function sketch({ words }) {
-  const { sketch: given, load } = words;
-  if (!given) return null;
+/** The drawing of a document. */
+export function sketch(doc) {
+  const { sketch: given } = doc.words;
+  const load = pressing(doc);
   const hand = centre - 72.5 * given.hand;
   const side = given.clockwise ? 'in front' : 'behind';
   const into = given.clockwise
@@ -110,7 +110,7 @@ export function sketch({ words }) {
     `μ ${given.friction}; the hand pulls with ${shown(given.force, '.3g')} N${where[given.hand] || ''}.`;
   const caption =
     'Seen along the path of the glass; a sketch, not to scale.' +
-    (load ? ' The blue arrows are how hard the rim presses at rest.' : '');
+    (load.mean ? ' The blue arrows are how hard the rim presses at rest.' : '');
   const svg = s('svg', { viewBox: '0 0 480 420', role: 'img', 'aria-label': title }, nodes);
   const node = h(
     'figure',

@@ -13,9 +13,14 @@ function chosen(keys, wanted) {
     .flatMap(key => keys.filter(k => k === key || (key.endsWith('[]') && k.startsWith(key.slice(0, -1)))));
 }
 
-/** The table `name` of the document, with these keys and this title. */
-export function table(doc, { name, keys, title }) {
-  const { [name]: given } = doc.tables;
+/** A table of lists, with these headings. */
+export const table_of = (headings, rows) => ({
+  keys: headings,
+  values: headings.map((_, k) => rows.map(row => row[k]))
+});
+
+/** The table `name` of the document, or the one `given`, with these keys and this title. */
+export function table(doc, { name, keys, title, given = doc.tables[name] }) {
   const quantities = doc.quantities[name] || {};
   const shown_columns = chosen(given.keys, keys).map(key => {
     const quantity = { heading: key, unit: '', digits: '.6g', ...quantities[key] };

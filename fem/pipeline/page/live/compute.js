@@ -3,8 +3,7 @@
 let solver,
   bodies,
   data,
-  pair = null,
-  texts = {};
+  pair = null;
 
 /** Starts the solver of `wasm` with the compliances of a page. */
 export async function begin(given) {
@@ -90,12 +89,12 @@ function choose(name, changes) {
     solver.explore_ready(chosen.fineness);
     pair = name;
     changed = {};
-    texts = Object.fromEntries(read(solver.explore_entries()).map(e => [e.path, e.value]));
   }
+  const own = Object.fromEntries(data.pairs[name].values);
   const refused = [];
   let failure = null; // the first reply that refuses
   for (const path in { ...changed, ...changes }) {
-    const wish = Object.hasOwn(changes, path) ? changes[path] : texts[path];
+    const wish = Object.hasOwn(changes, path) ? changes[path] : (own[path] ?? data.entries[path]);
     if (stays && changed[path] === changes[path]) continue;
     const why = set(path, wish);
     if (!why.error) continue;
@@ -123,8 +122,7 @@ const work = {
     return refused.length ? { error: refused[0], refused: true } : called('explore_fit', m.name, m.text, m.free, m.start);
   },
   budget: () => read(solver.explore_budget()),
-  pressure: () => read(solver.explore_pressure()),
-  entries: () => read(solver.explore_entries())
+  pressure: () => read(solver.explore_pressure())
 };
 
 /** The reply to a message: { id, do, reply, ms }. */

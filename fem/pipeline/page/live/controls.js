@@ -102,7 +102,7 @@ export function chosen(solve) {
     for (const button of $(box).children) button.setAttribute('aria-pressed', button.dataset.name === state[kind]);
   for (const box in kinds)
     for (const button of $(box).children) {
-      button.textContent = words().names[button.dataset.name] || button.dataset.name;
+      button.textContent = words().names?.[button.dataset.name] || button.dataset.name;
       button.title = state.language === 'en' ? button.dataset.words : '';
     }
   load_entries();

@@ -1,6 +1,7 @@
 // The lesson: five steps from the hand to the terminal spin. Each asks for a prediction before it shows the answer.
-import { $, doc, remember, sense, state, value_of, words } from './state.js';
+import { $, at_end, doc, remember, sense, state, value_of, words } from './state.js';
 import { h } from '../js/dom.js';
+import { pressing } from '../js/series.js';
 import { say, shown } from '../js/words.js';
 
 const chosen = {}; // predictions by step
@@ -24,7 +25,7 @@ const right = [
 /** The numbers in the answer of each step. */
 function numbers() {
   const { ring = {}, load = {}, paper = {} } = doc.summary;
-  const { load: at_rest = {} } = doc.words;
+  const at_rest = pressing(at_end());
   const spin = ring.omega_terminal;
   return [
     [shown(1e3 * Math.abs(offset()), '.3g'), shown(1e3 * Math.abs(load?.moment?.[0] ?? NaN), '.3g')],

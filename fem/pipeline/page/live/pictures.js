@@ -1,18 +1,18 @@
 // Pictures of a live answer: those of reports, with the words of the page's language.
-import { all_harmonics, band, doc, found, pair, state, words } from './state.js';
+import { at_end, band, doc, found, pair, state, words } from './state.js';
 import { footprint } from '../views/foot.js';
 import { line_load } from '../views/load.js';
 import { spin_up, torque } from '../views/spin.js';
 import { waterfall } from '../views/budget.js';
 import { shown } from '../js/words.js';
 
-/** What is drawn, by the name of its place on the page, and the table of the document that it needs. */
+/** What is drawn, by the name of its place on the page, and whether the document has what it needs. */
 const pictures = {
-  load: ['load_curves', () => line_load(doc, all_harmonics)],
-  torque: ['torque', () => torque(doc)],
-  spin: ['spin_up', () => spin_up(doc)],
-  budget: ['waterfall', () => waterfall(doc)],
-  pressure: ['foot', () => footprint(doc.tables.foot.footprint, 'pressure', '')]
+  load: [() => doc.summary.load_at_terminal, () => line_load(at_end())],
+  torque: [() => doc.tables.torque, () => torque(doc)],
+  spin: [() => doc.tables.spin_up, () => spin_up(doc)],
+  budget: [() => doc.tables.waterfall, () => waterfall(doc)],
+  pressure: [() => doc.tables.foot, () => footprint(doc.tables.foot.footprint, 'pressure', '')]
 };
 export const names = Object.keys(pictures);
 /** Pictures that keep what they show while something moves. */
@@ -28,8 +28,8 @@ function translated(text) {
 
 /** A picture; null where there is nothing to draw. */
 export function picture(name) {
-  const [table, make] = pictures[name];
-  const given = doc.tables[table] && make();
+  const [is_known, make] = pictures[name];
+  const given = is_known() && make();
   return given ? in_language(given, `live_${name}`, words()[name]) : null;
 }
 

@@ -27,6 +27,11 @@ export function forget() {
 export function learn(part) {
   for (const key of ['summary', 'words', 'tables']) Object.assign(doc[key], part[key]);
 }
+/** The document with the load of the last spin as its load. */
+export function at_end() {
+  const { summary } = doc;
+  return { ...doc, summary: { ...summary, load: { ...summary.load_at_terminal, cut: summary.first_n?.load } } };
+}
 export const errors = [];
 let entries = {};
 

@@ -1,9 +1,10 @@
 // The scene of the live page: the hand is dragged up and down, and the sense of the orbit switched.
-import { $, doc, found, remember, sense, state, value_of, words } from './state.js';
+import { $, at_end, doc, found, remember, sense, state, value_of, words } from './state.js';
 import { Scene } from '../js/scene.js';
 import { h } from '../js/dom.js';
 import { shows } from './lesson.js';
 import { orbits } from '../js/motion.js';
+import { pressing } from '../js/series.js';
 import { why } from '../views/common.js';
 
 const offset = 'Motion/Force offset';
@@ -56,9 +57,7 @@ function draw_above() {
     { title: words().elastic, omega: ring.omega_terminal, load },
     { title: words().ring, omega: paper.omega_terminal }
   ];
-  above.replaceChildren(
-    orbits({ words: { glasses }, summary: { parameters: parameters() } }, words().above_words).node
-  );
+  above.replaceChildren(orbits(glasses, parameters(), words().above_words).node);
 }
 
 export function draw_scene() {
@@ -78,7 +77,7 @@ export function draw_scene() {
     sense: sense(),
     falls,
     most: Math.abs(doc.summary.ring?.tau_at_rest || 0),
-    why: why(words().scene_words, { falls, held }, doc.words.load || {}, found.is_last ? value_of(offset) : undefined)
+    why: why(words().scene_words, { falls, held }, pressing(at_end()), found.is_last ? value_of(offset) : undefined)
   });
   if (rows) draw_above();
   $('sense').textContent = words().other_sense;

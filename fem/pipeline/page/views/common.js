@@ -3,7 +3,10 @@ import { h } from '../js/dom.js';
 import { orbits } from '../js/motion.js';
 import { Scene } from '../js/scene.js';
 import { en } from '../live/en.js';
+import { pressing } from '../js/series.js';
+import { shown } from '../js/words.js';
 import { sketch } from '../js/sketch.js';
+import { table_of } from '../js/tables.js';
 import { truncation } from './spin.js';
 
 /**
@@ -18,15 +21,27 @@ export function why(t, { falls, held }, { inside, outside }, offset) {
   return `${hand} ${even ? t.even : outside > inside ? t.outside : t.inside}`.trim();
 }
 
-/** Why the glass turns, beside how it turns, seen from above; without rows of its motion the latter alone. */
-function turning(doc) {
-  const above = orbits(doc);
+/** How a run ends: its last spin, whether it moves at all, spins for ever, falls, or is held by the fingers. */
+export function ending({ summary: { ring, parameters }, words }) {
+  const omega = ring.omega_terminal ?? ring.fall?.omega ?? 0;
+  const moves = Math.abs(omega) >= 1e-9 * words.spin_unit;
+  const held = parameters.Motion['Grip torque'] > 0 && ring.omega_terminal === 0;
+  return { omega, moves, falls: Boolean(ring.fall), spins: moves && !ring.fall, held };
+}
+
+/** The torque of friction at rest, rounding as 0. */
+export const torque_at_rest = ({ ring, load }) =>
+  Math.abs(ring.tau_at_rest) > 1e-9 * load.normal_force * load.ring_radius ? ring.tau_at_rest : 0;
+
+/** Why the glass turns, beside how `glasses` turn, seen from above; without rows of its motion the latter alone. */
+function turning(doc, glasses) {
+  const { parameters } = doc.summary;
+  const above = orbits(glasses, parameters);
   const { motion } = doc.tables;
   if (!motion) return above;
-  const { Glass: glass, Motion: given, Load: load } = doc.summary.parameters;
+  const { Glass: glass, Motion: given, Load: load } = parameters;
   const is_given = load.Source === 'file' || load['Moment ratio'] >= 0;
-  const falls = doc.words.numbers.falls;
-  const held = given['Grip torque'] > 0 && doc.summary.ring.omega_terminal === 0;
+  const end = ending(doc);
   const scene = new Scene(en.scene_words);
   scene.set({
     rows: motion,
@@ -35,33 +50,39 @@ function turning(doc) {
     hand: given['Centre of mass height'] + given['Force offset'],
     orbit_radius: given['Orbit radius'],
     sense: given['Orbit sense'] === 'clockwise' ? -1 : 1,
-    falls,
-    why: why(en.scene_words, { falls, held }, doc.words.load, is_given ? undefined : given['Force offset'])
+    falls: end.falls,
+    why: why(en.scene_words, end, pressing(doc), is_given ? undefined : given['Force offset'])
   });
   scene.add_tab(above.node);
   return [scene, { id: above.id, node: h('template'), alone: above.alone }];
 }
 
-/** Title, inputs and answer, beside the sketch of the study and the glass on its orbit. */
-export const beginning = doc => {
+/** Title, inputs and answer, beside the sketch of the study and `glasses` on their orbit, if any. */
+export const beginning = (doc, glasses) => {
   const { title, inputs, answer } = doc.words;
-  return { title, inputs, answer, head: [sketch(doc), turning(doc)] };
+  return { title, inputs, answer, head: [sketch(doc), glasses && turning(doc, glasses)] };
 };
 
-export const study = doc => {
-  const changed = doc.tables.study_differences?.values[0]?.length > 0;
+export const study = ({ entries }) => {
+  const changed = entries.filter(entry => entry.value !== entry.default);
+  const columns = (list, ...keys) => [{ name: 'entries', given: table_of(keys, list.map(entry => keys.map(key => entry[key]))) }]; // prettier-ignore
   return [
     {
       title: 'The study',
-      text: changed
+      text: changed.length
         ? 'Entries that differ from the defaults (stemware defaults):'
         : 'All entries have their default values (stemware defaults).',
-      tables: changed && [{ name: 'study_differences' }]
+      tables: changed.length > 0 && columns(changed, 'entry', 'value', 'default', 'unit')
     },
-    { title: 'All parameters', folded: true, tables: [{ name: 'entries' }] }
+    { title: 'All parameters', folded: true, tables: columns(entries, 'entry', 'value', 'unit', 'meaning') }
   ];
 };
 export const files = doc => ({ title: 'Files', folded: true, files: doc.files });
+
+const mesh_for_goal = ({ goal }) =>
+  Number.isFinite(goal?.band_of_mesh) &&
+  `The mesh was made for the ${goal.name}: ${shown(goal.estimated_error, '.1e')} is the estimated error of its value; the ` +
+    `mesh's part of the band is ${shown(goal.band_of_mesh, '.1e')}, the change of the value by another mesh.`;
 
 export const bands = doc =>
   doc.tables.bands && {
@@ -72,7 +93,7 @@ export const bands = doc =>
         'neither effects missing in the model (docs/limits.md) nor uncertain parameters such as μ, E or the mass; a ' +
         'sweep over random cases shows the latter. The list “without” of the budget shows the model without one effect ' +
         'at a time.',
-      doc.words.mesh_for_goal
+      mesh_for_goal(doc.summary)
     ],
     tables: [
       { name: 'bands', title: 'Error bands of this study; harmonics not listed are zero' },
@@ -93,9 +114,3 @@ export const fewer_harmonics = (doc, [before, after] = []) => ({
   pictures: [truncation(doc)],
   tables: [{ name: 'truncations', title: 'The answer with a truncated load' }]
 });
-
-/** The columns of all entries of a study as a table like the others. */
-export const table_of_entries = entries => {
-  const keys = ['entry', 'value', 'unit', 'meaning'];
-  return { keys, values: keys.map(key => entries.map(entry => entry[key])) };
-};

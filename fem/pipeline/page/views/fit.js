@@ -2,7 +2,6 @@
 import { beginning, files, study } from './common.js';
 import { dots, line } from '../js/marks.js';
 import { columns } from '../js/tables.js';
-import { sketch } from '../js/sketch.js';
 
 export function curve({ tables, summary }, run, i) {
   const t = columns(tables[`fit_of_run_${i + 1}`]);
@@ -48,14 +47,13 @@ export function ellipse({ tables, summary }, i, j, label = path => path.split('/
 const ellipses = doc => doc.summary.fit.entries.flatMap((_, j) => [...Array(j).keys()].map(i => ellipse(doc, i, j)));
 
 export function fit(doc) {
-  const { words, summary } = doc;
+  const { summary } = doc;
   return {
     ...beginning(doc),
-    head: [sketch(doc)],
     sections: [
       {
         title: 'The fit',
-        text: words.remarks,
+        text: summary.fit.sentences,
         pictures: [summary.fit.runs.map((run, i) => curve(doc, run, i)), ellipses(doc)],
         tables: [
           { name: 'fit_entries', title: 'Fitted entries' },

@@ -1,8 +1,9 @@
 // Pictures of the load on the table and of the friction that it makes.
 import { arrows, outline, strokes } from '../js/shapes.js';
-import { columns } from '../js/tables.js';
-import { curve_keys, look_of } from './spin.js';
+import { columns, table_of } from '../js/tables.js';
 import { dots, line, note, rule } from '../js/marks.js';
+import { look_of } from './spin.js';
+import { pressing, truncated, value_of } from '../js/series.js';
 import { shown } from '../js/words.js';
 
 const turn = Array.from({ length: 121 }, (_, i) => (2 * Math.PI * i) / 120);
@@ -18,43 +19,48 @@ export const degrees = {
   range: [0, 360]
 };
 const sense_of = ({ words }) => (words.sketch.clockwise ? -1 : 1);
+const angles = Array.from({ length: 181 }, (_, i) => 2 * i);
 
-/** Curves of the load over its mean: [name, colour, dash, table, key], those of at most `most` harmonics, all harmonics last. */
-function curves_of(doc, most, least = 1) {
-  const n = doc.words.load.harmonics;
-  const curves = columns(doc.tables.load_curves);
-  const lines = doc.tables.load_lines && columns(doc.tables.load_lines);
-  const order = key => Number(key.replace('up_to_', ''));
-  const some = curve_keys(curves)
-    .filter(key => order(key) >= least && order(key) <= most)
-    .map(key => {
-      const [name, colour, dash] = look_of(key);
-      return [name, colour, dash, curves, key];
-    });
-  const all = n === 1 ? 'first harmonic' : 'all harmonics';
-  return [...some, [all, 'c1', undefined, lines || curves, 'all']];
+/**
+ * Curves of the load over its mean: { name, colour, dash, theta, load }, those of at most `most` harmonics, all harmonics
+ * last. A load that was solved with fewer harmonics, its `cut`, stands in their place.
+ */
+function curves_of({ summary: { load }, tables }, most, least = 1) {
+  const n = load.a.length - 1;
+  const curve = ([name, colour, dash], series) => {
+    const values = angles.map(angle => value_of(series, radians(angle)) / load.a[0]);
+    return { name, colour, dash, theta: angles, load: values };
+  };
+  const some = load.cut
+    ? [curve(look_of(`up_to_${load.cut.a.length - 1}`), load.cut)]
+    : [1, 2, 3]
+        .filter(k => k < n && k >= least && k <= most)
+        .map(k => curve(look_of(`up_to_${k}`), truncated(load, k)));
+  const all = curve([n === 1 ? 'first harmonic' : 'all harmonics', 'c1'], load);
+  return [...some, { ...all, ...(tables.load_lines && columns(tables.load_lines)) }];
 }
 
 /** Load round the rim, seen from above and drawn outwards from it. */
 export function load_polar(doc) {
-  const { load } = doc.words;
   const { summary } = doc;
+  const load = pressing(doc);
   const sense = sense_of(doc);
   const at = (size, t) => [(1 + size / 2) * Math.cos(radians(t)), (1 + size / 2) * Math.sin(radians(t))];
   const parts = curves_of(doc, 3);
-  const all_places = parts.flatMap(([, , , t, key]) => t.theta.map((theta, i) => at(t[key][i], theta)));
+  const places_of = part => part.theta.map((theta, i) => at(part.load[i], theta));
+  const all_places = parts.flatMap(places_of);
   const range = k => [
     Math.min(-1.6, ...all_places.map(p => p[k] - 0.1)),
     Math.max(1.6, ...all_places.map(p => p[k] + 0.1))
   ];
-  const curve = ([name, colour, dash, t, key]) => {
-    const places = t.theta.map((theta, i) => at(t[key][i], theta));
-    const words = i => [name, `θ = ${shown(t.theta[i], '.4g')}°`, `λ/a_0 = ${shown(t[key][i], '.4g')}`];
-    return line({ x: places.map(p => p[0]), y: places.map(p => p[1]), name, colour, dash, words });
+  const curve = part => {
+    const places = places_of(part);
+    const words = i => [part.name, `θ = ${shown(part.theta[i], '.4g')}°`, `λ/a_0 = ${shown(part.load[i], '.4g')}`];
+    return line({ ...part, x: places.map(p => p[0]), y: places.map(p => p[1]), words });
   };
-  const loaded = parts[parts.length - 1][3];
-  const lifted = loaded.all.some(v => v <= 0);
-  const pressed = loaded.theta.map((theta, i) => (loaded.all[i] > 0 ? at(0, theta) : [NaN, NaN]));
+  const loaded = parts[parts.length - 1];
+  const lifted = loaded.load.some(v => v <= 0);
+  const pressed = loaded.theta.map((theta, i) => (loaded.load[i] > 0 ? at(0, theta) : [NaN, NaN]));
   const arc = Array.from({ length: 13 }, (_, k) => sense * radians(sense * load.turn > 0 ? 200 + 4 * k : 250 - 4 * k));
   const sense_arrow = load.turn
     ? [
@@ -75,10 +81,10 @@ export function load_polar(doc) {
     title: 'Load round the rim',
     equal: true,
     aspect: 0.85,
-    words: `mean ${shown(load.line_load, '.3g')} N/m, least ${shown(summary.load.minimum, '.3g')} N/rad, moment ratio ${shown(summary.load.moment_ratio, '.3g')}`,
+    words: `mean ${shown(load.mean, '.3g')} N/m, least ${shown(summary.load.minimum, '.3g')} N/rad, moment ratio ${shown(summary.load.moment_ratio, '.3g')}`,
     x: { range: range(0) },
     y: { range: range(1) },
-    caption: `Seen from above and drawn outwards from the rim, the mean, ${shown(load.line_load, '.3g')} N/m, as half a radius; v is the direction of travel, n the harmonics kept. A curve inside the rim is tensile (not physical).`,
+    caption: `Seen from above and drawn outwards from the rim, the mean, ${shown(load.mean, '.3g')} N/m, as half a radius; v is the direction of travel, n the harmonics kept. A curve inside the rim is tensile (not physical).`,
     marks: [
       circle(1, { colour: 'c8', width: 1 }),
       line({
@@ -100,12 +106,11 @@ export function load_polar(doc) {
   };
 }
 
-/** Load per length over the azimuth, with the curves of at most `most` harmonics. */
-export function line_load(doc, most = 1) {
-  const mean = doc.words.load.line_load;
+/** Load per length over the azimuth. */
+export function line_load(doc) {
+  const { mean } = pressing(doc);
   const [left, right] = sense_of(doc) > 0 ? ['orbit’s centre', 'outside'] : ['outside', 'orbit’s centre'];
-  const curve = ([name, colour, dash, t, key]) =>
-    line({ name, colour, dash, x: t.theta, y: t[key].map(v => v * mean) });
+  const curve = part => line({ ...part, x: part.theta, y: part.load.map(v => v * mean) });
   return {
     id: 'line_load',
     title: 'Load per length of the rim',
@@ -113,22 +118,17 @@ export function line_load(doc, most = 1) {
     caption: `λ(θ)/R: load per length of the rim at rest. At 90° lies ${left === 'outside' ? 'the outside' : 'the orbit’s centre'}, at 270° ${right === 'outside' ? 'the outside' : 'the orbit’s centre'}.`,
     x: degrees,
     y: { label: 'λ / R', unit: 'N/m', zero: true, digits: '.4g' },
-    marks: [...curves_of(doc, most).map(curve), rule({ y: mean, name: 'mean', dash: '2 3' })]
+    marks: [...curves_of(doc, 1).map(curve), rule({ y: mean, name: 'mean', dash: '2 3' })]
   };
 }
 
 /** Load of the harmonics beyond the first. */
 export function higher_harmonics(doc) {
-  const { up_to_1: first, theta } = columns(doc.tables.load_curves);
-  if (!first) return null;
-  const curve = ([name, colour, dash, t, key]) => {
-    const base = i => {
-      const at = (t.theta[i] / 360) * (theta.length - 1);
-      const k = Math.min(theta.length - 2, Math.floor(at));
-      return first[k] + (at - k) * (first[k + 1] - first[k]);
-    };
-    return line({ name, colour, dash, x: t.theta, y: t[key].map((v, i) => v - base(i)) });
-  };
+  const { load } = doc.summary;
+  if (load.a.length < 3) return null;
+  const first = truncated(load, 1);
+  const beyond = part => part.load.map((v, i) => v - value_of(first, radians(part.theta[i])) / load.a[0]);
+  const curve = part => line({ ...part, x: part.theta, y: beyond(part) });
   return {
     id: 'higher_harmonics',
     title: 'Load of the harmonics beyond the first',
@@ -139,12 +139,40 @@ export function higher_harmonics(doc) {
   };
 }
 
+/** Harmonics of the load over its mean, those that are not rounding: { n, a, b, amplitude, band, resolved }. */
+function harmonics_of({ summary: { load, error_bands } }) {
+  const width = (k, n) => error_bands?.[k + n]?.band ?? 0;
+  const rows = load.a.slice(1).map((_, i) => {
+    const n = i + 1;
+    const [a, b] = ['a', 'b'].map(key => load[key][n] / load.a[0]);
+    return { n, a, b, amplitude: Math.hypot(a, b), band: Math.hypot(width('a', n), width('b', n)) };
+  });
+  // Harmonics without a band of their own are judged by the last one that has some.
+  const last = rows.findLast(row => row.band > 0)?.band ?? 0;
+  return rows
+    .filter(row => row.amplitude > 1e-12)
+    .map(row => ({ ...row, resolved: row.amplitude > (row.band || last) }));
+}
+
+/** The first eight harmonics, without those below their error band. */
+export function table_of_harmonics(doc) {
+  const rounded = value => (Math.abs(value) > 1e-12 ? value : 0);
+  const rows = harmonics_of(doc).filter(row => row.n <= 8 && row.band <= row.amplitude);
+  return table_of(
+    ['n', 'a_n / a_0', 'b_n / a_0', 'amplitude / a_0', 'largest at θ (degrees)'],
+    rows.map(({ n, a, b, amplitude }) => {
+      const crest = (180 * Math.atan2(b, a)) / (Math.PI * n);
+      return [n, rounded(a), rounded(b), amplitude, Math.round(10 * crest) / 10 + 0];
+    })
+  );
+}
+
 export function spectrum(doc) {
-  const t = columns(doc.tables.spectrum);
-  if (t.n.length < 2) return null;
+  const rows = harmonics_of(doc);
+  if (rows.length < 2) return null;
   const part = (name, more, wanted) => {
-    const picked = t.n.map((_, i) => i).filter(i => t.resolved[i] === wanted);
-    const values = key => picked.map(i => t[key][i]);
+    const picked = rows.filter(row => row.resolved === wanted);
+    const values = key => picked.map(row => row[key]);
     return dots({
       name: picked.length ? name : '',
       x: values('n'),
@@ -153,8 +181,9 @@ export function spectrum(doc) {
       ...more
     });
   };
-  const has_hollow = t.resolved.includes(0);
-  const second = t.amplitude[t.n.indexOf(2)];
+  const has_hollow = rows.some(row => !row.resolved);
+  const ticks = rows.map(row => row.n);
+  const second = rows.find(row => row.n === 2)?.amplitude;
   return {
     id: 'spectrum',
     title: 'Harmonics of the load',
@@ -165,11 +194,11 @@ export function spectrum(doc) {
     x: {
       label: 'harmonic n',
       symbol: 'n =',
-      range: [0.5, Math.max(1, ...t.n) + 0.5],
-      ticks: t.n.length > 10 ? undefined : t.n
+      range: [0.5, Math.max(1, ...ticks) + 0.5],
+      ticks: ticks.length > 10 ? undefined : ticks
     },
     y: { label: '√(a_n² + b_n²) / a_0', log: true, digits: '.3g' },
-    marks: [part('resolved', {}, 1), part('not resolved', { hollow: true, colour: 'c8' }, 0)]
+    marks: [part('resolved', {}, true), part('not resolved', { hollow: true, colour: 'c8' }, false)]
   };
 }
 
@@ -206,7 +235,7 @@ export function slip(doc, name, state) {
     y: { range: [Math.min(-1.2, ...ends_y) - 0.1, Math.max(1.62, ...ends_y) + 0.1] },
     words:
       name === 'slip_at_rest'
-        ? `friction turns the glass with ${shown(doc.words.numbers.torque_at_rest, '.3g')} N m`
+        ? `friction turns the glass with ${shown(doc.summary.ring.tau_at_rest, '.3g')} N m`
         : '',
     caption:
       'Seen from above. Grey: slip velocity of each point over the table. Coloured: friction on the point, by the sense of its torque. ' +

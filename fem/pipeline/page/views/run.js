@@ -1,25 +1,26 @@
 // What `stemware run` shows.
-import { bands, beginning, fewer_harmonics, files, study } from './common.js';
-import { driven, phases, spin_up, torque } from './spin.js';
-import { effects, harmonic_torque, waterfall } from './budget.js';
+import { around } from '../js/series.js';
+import { bands, beginning, ending, fewer_harmonics, files, study, torque_at_rest } from './common.js';
+import { columns, table_of } from '../js/tables.js';
+import { driven, phases, spin_up, torque, torque_of_harmonics } from './spin.js';
+import { effects, waterfall } from './budget.js';
 import { foot_from_above, footprint, rim, section, section_stress } from './foot.js';
-import { higher_harmonics, line_load, load_polar, slip, spectrum } from './load.js';
+import { higher_harmonics, line_load, load_polar, slip, spectrum, table_of_harmonics } from './load.js';
 import { shown } from '../js/words.js';
 
 const without_keys = 'name omega_terminal difference relative_difference remark';
 const chain_keys = 'step title omega_terminal difference relative_difference band remark';
 
 function budget_sections(doc) {
-  const { words, summary } = doc;
+  const { words } = doc;
   const formal =
     'Each step adds one effect to the model before it; its difference is the effect’s size. A load is called formal if it ' +
     'is negative somewhere (tensile, not physical).';
-  const spins = Number.isFinite(summary.ring.omega_terminal) && words.numbers.spins;
   return [
     {
       title: 'From the paper’s model to this study’s',
       text: [[words.lift_off, words.pressed, words.thin_layer, words.out_of_flat].filter(Boolean).join(' '), formal],
-      pictures: spins && [waterfall(doc), effects(doc)],
+      pictures: ending(doc).spins && [waterfall(doc), effects(doc)],
       tables: [{ name: 'without', keys: without_keys, title: 'The complete model without one effect at a time' }]
     },
     {
@@ -34,14 +35,12 @@ function budget_sections(doc) {
   ];
 }
 
-/** Parts of a vector, those that are rounding as 0. */
-const without_rounding = parts => parts.map(part => (Math.abs(part) > 1e-6 * Math.hypot(...parts) ? part : 0));
-
 function load_sections(doc) {
   const { load } = doc.summary;
-  const { numbers, load: words } = doc.words;
-  const [moment_x, moment_y] = without_rounding([numbers.moment_x, numbers.moment_y]);
-  const ring = numbers.rings > 1 ? `The pressure acts on ${numbers.rings} rings; one ring` : 'The ring';
+  const rounding = Math.max(1e-6 * Math.hypot(...load.moment), 1e-12 * load.normal_force * load.ring_radius);
+  const [moment_x, moment_y] = load.moment.map(part => (Math.abs(part) > rounding ? part : 0));
+  const n_rings = load.radii.length;
+  const ring = n_rings > 1 ? `The pressure acts on ${n_rings} rings; one ring` : 'The ring';
   return [
     {
       title: 'The load on the table',
@@ -62,22 +61,30 @@ function load_sections(doc) {
       text: `${ring} with the same N, M_N and first harmonic has a radius of ${shown(load.ring_radius)} m.`,
       pictures: [spectrum(doc), line_load(doc), higher_harmonics(doc)],
       tables: [
-        { name: 'load_harmonics', title: `Harmonics of the load over its mean, a_0 = ${shown(words.mean)} N/rad` }
+        {
+          name: 'load_harmonics',
+          given: table_of_harmonics(doc),
+          title: `Harmonics of the load over its mean, a_0 = ${shown(load.a[0])} N/rad`
+        }
       ]
     }
   ];
 }
 
-function spin_text({ summary, words }) {
-  const { numbers } = words;
+function spin_text(doc) {
+  const { summary } = doc;
   const { ring } = summary;
+  const { falls, spins } = ending(doc);
+  const at_rest = torque_at_rest(summary);
   const text =
-    `Friction turns the glass at rest with τ_z = ${shown(numbers.torque_at_rest)} N m; μ M_Nx, which depends on the first harmonic ` +
-    `only, is ${shown(numbers.closed_form)} N m.`;
-  if (numbers.falls)
+    `Friction turns the glass at rest with τ_z = ${shown(at_rest)} N m; μ M_Nx, which depends on the first harmonic ` +
+    `only, is ${shown(at_rest && ring.tau_closed_form)} N m.`;
+  if (falls)
     return `${text} The spin-up ends at ${shown(ring.fall.omega, '.3g')} rad/s, where the glass tips over.`;
-  if (!numbers.spins) return text;
-  const sum = numbers.others ? `${numbers.others} add up to zero` : ' vanishes';
+  if (!spins) return text;
+  const others = [ring.lean_torque_at_terminal && 'the lean torque', ring.grip_torque_at_terminal && 'that of the fingers'];
+  const named = ['', ...others.filter(Boolean)];
+  const sum = named.length > 1 ? `${named.join(named.length > 2 ? ', ' : ' and ')} add up to zero` : ' vanishes';
   return (
     `${text} Friction’s torque${sum}${summary.waviness ? ', on average over time,' : ''} at the terminal spin ` +
     `ω = ${shown(ring.omega_terminal)} rad/s, which is ${shown(Math.abs(ring.omega_terminal) / (2 * Math.PI), '.3g')} turns per second` +
@@ -87,31 +94,40 @@ function spin_text({ summary, words }) {
   );
 }
 
+/** All terminal spins, with how the glass leaves or approaches them. */
+const table_of_spins = spins =>
+  table_of(
+    ['spin ω (rad/s)', 'stability', 'time constant (s)', ''],
+    spins.map(({ omega, held, stable, time_constant, from_rest }) => [
+      omega,
+      held ? 'held by the fingers' : stable ? 'stable' : 'unstable',
+      time_constant,
+      from_rest ? 'reached from rest' : ''
+    ])
+  );
+
 function spin_sections(doc) {
   const { words, tables, summary } = doc;
-  const compared = tables.harmonic_torque?.values[0].length > 0 && !words.numbers.falls && summary.load.a.length > 2;
-  return {
-    compared,
-    sections: [
-      {
-        title: 'Torque and spin',
-        text: spin_text(doc),
-        pictures: [words.numbers.moves && spin_up(doc), compared ? harmonic_torque(doc) : torque(doc)]
-      },
-      tables.phases && { title: 'Torque over the phase', folded: true, pictures: [phases(doc)] },
-      words.several_spins && {
-        title: 'All terminal spins',
-        text:
-          `${words.several_spins} Searched within 1.5 v/R of rest. The spin approaches a stable terminal spin with its time constant ` +
-          'and leaves an unstable one with it.',
-        tables: [{ name: 'terminal_spins' }]
-      },
-      words.driven && { title: 'Spin-up under measured speeds of the hand', text: words.driven, pictures: driven(doc) }
-    ]
-  };
+  return [
+    {
+      title: 'Torque and spin',
+      text: spin_text(doc),
+      pictures: [ending(doc).moves && spin_up(doc), torque(doc), torque_of_harmonics(doc)]
+    },
+    tables.phases && { title: 'Torque over the phase', folded: true, pictures: [phases(doc)] },
+    words.several_spins && {
+      title: 'All terminal spins',
+      text:
+        `${words.several_spins} Searched within 1.5 v/R of rest. The spin approaches a stable terminal spin with its time constant ` +
+        'and leaves an unstable one with it.',
+      tables: [{ name: 'terminal_spins', given: table_of_spins(summary.ring.terminal_spins) }]
+    },
+    words.driven && { title: 'Spin-up under measured speeds of the hand', text: words.driven, pictures: driven(doc) }
+  ];
 }
 
-function foot_sections({ tables, words }) {
+function foot_sections(doc) {
+  const { tables, words } = doc;
   const { foot } = tables;
   if (!foot) return [];
   const maps = [
@@ -119,7 +135,7 @@ function foot_sections({ tables, words }) {
     footprint(
       foot.footprint_at_end,
       'footprint_at_end',
-      words.numbers.falls ? 'where the glass tips over' : 'at the terminal spin'
+      ending(doc).falls ? 'where the glass tips over' : 'at the terminal spin'
     )
   ];
   return [
@@ -128,23 +144,33 @@ function foot_sections({ tables, words }) {
   ];
 }
 
-/** The answer with the load cut off after some harmonics. */
+/** This glass, and the paper's rigid ring if its spin is known. */
+function glasses(doc) {
+  const { ring, load, load_at_terminal, load_at_fall, budget } = doc.summary;
+  const { paper } = columns(doc.tables.spin_up);
+  const [before, last] = [paper[Math.floor(0.9 * paper.length)], paper[paper.length - 1]];
+  const is_over = paper.length > 10 && Math.abs(last - before) <= 1e-2 * Math.abs(last); // its spin-up
+  const omega = budget?.[0].omega_terminal ?? (is_over ? last : null);
+  const this_load = around(load_at_terminal || load_at_fall || load, 72);
+  return [
+    { title: 'this glass', omega: ring.omega_terminal, load: this_load },
+    ...(omega === null ? [] : [{ title: 'the paper\'s rigid ring', omega }])
+  ];
+}
 
 export function run(doc) {
   const { words, tables, summary } = doc;
-  const spin = spin_sections(doc);
   return {
-    ...beginning(doc),
+    ...beginning(doc, glasses(doc)),
     sections: [
       tables.chain && budget_sections(doc),
       load_sections(doc),
-      spin.sections,
+      spin_sections(doc),
       foot_sections(doc),
-      words.load.harmonics > 1 && words.numbers.spins && { ...fewer_harmonics(doc), folded: true },
+      summary.load.a.length > 2 && ending(doc).spins && { ...fewer_harmonics(doc), folded: true },
       {
         title: 'Friction at rest and at the end',
         folded: true,
-        pictures: [spin.compared && torque(doc)],
         tables: [{ name: 'friction', title: 'Torques on the glass and friction force of the table' }]
       },
       summary.contact && {

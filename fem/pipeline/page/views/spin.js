@@ -18,21 +18,27 @@ export const curve_keys = t =>
 const one_way = ({ words }) => (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
 const in_millinewton = list => list.map(v => (v === null ? NaN : 1e3 * v));
 
+/** Terminal spins that are drawn: [key of the curve, spin]. */
+function terminal_points({ truncation, first_n, ring }) {
+  const rows = truncation || [first_n, ring].filter(Boolean);
+  return rows
+    .map((row, i) => [i === rows.length - 1 ? 'all' : `up_to_${row.harmonics}`, row.omega_terminal, row.harmonics])
+    .filter(([key, omega, n]) => Number.isFinite(omega) && (key === 'all' || n <= 3 || rows.length === 2));
+}
+
 export function torque(doc) {
   const t = columns(doc.tables.torque);
-  const points = columns(doc.tables.terminal_points);
-  const { spin_unit, numbers } = doc.words;
+  const { spin_unit } = doc.words;
   const only_one = Object.keys(t).length === 2;
   const curves = curve_keys(t);
   const look = key => (only_one ? ['', 'c1'] : look_of(key));
-  const key_of = harmonics => (harmonics ? `up_to_${harmonics}` : 'all');
   return {
     id: 'torque',
     title: 'Torque of friction against the spin by the number of harmonics',
-    words: numbers ? `${shown(numbers.torque_at_rest, '.3g')} N m at rest` : '',
+    words: `${shown(doc.summary.ring.tau_at_rest, '.3g')} N m at rest`,
     caption:
       'n harmonics kept. Points: terminal spins, zeros of the sum of friction, lean and grip torque.' +
-      (spin_unit ? ` Beyond ω = ±v/R = ±${shown(spin_unit, '.3g')} rad/s a part of the rim slides backwards.` : '') +
+      ` Beyond ω = ±v/R = ±${shown(spin_unit, '.3g')} rad/s a part of the rim slides backwards.` +
       one_way(doc),
     x: { label: 'spin ω', symbol: 'ω =', unit: 'rad/s', room: 0, range: [t.omega[0], t.omega[t.omega.length - 1]] },
     y: { label: 'torque τ_z', unit: 'mN m', zero: true, digits: '.4g' },
@@ -41,12 +47,12 @@ export function torque(doc) {
         const [name, colour, dash] = look(key);
         return line({ x: t.omega, y: in_millinewton(t[key]), name, colour, dash });
       }),
-      ...points.omega.map((omega, i) => {
-        const [name, colour] = look(key_of(points.harmonics[i]));
+      ...terminal_points(doc.summary).map(([key, omega]) => {
+        const [name, colour] = look(key);
         const words = [[name || 'all harmonics', `ω = ${shown(omega, '.6g')} rad/s`]];
         return dots({ x: [omega], y: [0], colour, name, words });
       }),
-      ...(spin_unit ? [-1, 1].map(side => inside_rule(side * spin_unit, t, side > 0 ? 'v/R' : '−v/R')) : [])
+      ...[-1, 1].map(side => inside_rule(side * spin_unit, t, side > 0 ? 'v/R' : '−v/R'))
     ]
   };
 }
@@ -54,6 +60,29 @@ const inside_rule = (x, { omega }, text) => {
   const [low, high] = [omega[0], omega[omega.length - 1]].sort((a, b) => a - b);
   return x >= low && x <= high ? rule({ x, text, dash: '2 3' }) : rule({});
 };
+
+/** A factor and a unit in which torques of this size are short. */
+const torque_unit = size => (size >= 1e-4 ? [1e3, 'mN m'] : size >= 1e-7 ? [1e6, 'µN m'] : [1e9, 'nN m']);
+const largest = list => Math.max(...list.map(v => Math.abs(v) || 0));
+
+/** The difference between the torques of all harmonics and of the first; nothing where it is rounding. */
+export function torque_of_harmonics(doc) {
+  const { omega, all, up_to_1: first } = columns(doc.tables.torque);
+  if (!first) return null;
+  const difference = all.map((v, i) => (v === null || first[i] === null ? NaN : v - first[i]));
+  const size = largest(difference);
+  if (!(size > 1e-5 * largest(all))) return null;
+  const [factor, unit] = torque_unit(size);
+  return {
+    id: 'torque_of_harmonics',
+    title: 'Torque of the harmonics beyond the first',
+    words: `at most ${shown(size, '.2g')} N m`,
+    caption: 'Difference between the two torque curves.' + one_way(doc),
+    x: { label: 'spin ω', symbol: 'ω =', unit: 'rad/s', room: 0 },
+    y: { label: 'Δτ_z', unit, zero: true, digits: '.4g' },
+    marks: [line({ x: omega, y: difference.map(v => v * factor), colour: 'c3' })]
+  };
+}
 
 export function spin_up(doc) {
   const t = columns(doc.tables.spin_up);
@@ -65,7 +94,7 @@ export function spin_up(doc) {
   return {
     id: 'spin_up',
     title: 'Spin-up from rest',
-    words: `to ${shown(doc.words.numbers.omega_end, '.4g')} rad/s`,
+    words: `to ${shown(ring.omega_terminal ?? ring.fall?.omega, '.4g')} rad/s`,
     caption:
       `${known ? `The terminal spin is ${shown(ring.omega_terminal, '.5g')} rad/s, ${shown(Math.abs(ring.omega_terminal) / (2 * Math.PI), '.3g')} turns per second.` : ''}` +
       (measured ? ' Points: measured, Motion/Measured spin file.' : '') +
@@ -143,14 +172,16 @@ export function phases(doc) {
 }
 
 export function truncation(doc) {
-  const t = columns(doc.tables.truncation_change);
-  if (t.harmonics.length < 3) return null;
+  const rows = doc.summary.truncation.filter(row => Math.abs(row.relative_change) > 1e-12); // smaller ones say nothing
+  if (rows.length < 3) return null;
+  const x = rows.map(row => row.harmonics);
+  const y = rows.map(row => Math.abs(row.relative_change));
   return {
     id: 'truncation',
     title: 'Change of the terminal spin by the number of harmonics',
     caption: 'Change without the harmonics beyond n, relative to the spin with all harmonics.' + one_way(doc),
-    x: { label: 'harmonics kept', symbol: 'n =', ticks: Math.max(...t.harmonics) <= 8 ? t.harmonics : undefined },
+    x: { label: 'harmonics kept', symbol: 'n =', ticks: Math.max(...x) <= 8 ? x : undefined },
     y: { label: '|Δω / ω|', log: true, digits: '.3g' },
-    marks: [line({ x: t.harmonics, y: t.change }), dots({ x: t.harmonics, y: t.change })]
+    marks: [line({ x, y }), dots({ x, y })]
   };
 }

@@ -2,8 +2,8 @@
 // leaves.
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/feet/make_foot.h"
+#include "fem/pipeline/pictures/spin_rows.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/self_consistent_ring.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
@@ -317,20 +317,6 @@ TEST(Budget, TorquesOfEveryRowAtTheSpinsOfTheStudy)
   EXPECT_NEAR(*budget.rows.front().torques[0],
               motion.friction_coefficient * ring::required_moment_at_rest(ring::Closure::paper, motion).x(),
               1e-14);
-
-  ASSERT_EQ(budget.omega.size(), 33u);
-  EXPECT_EQ(budget.omega.front(), 0);
-  EXPECT_DOUBLE_EQ(budget.omega.back(), 1.2 * terminal);
-  for (std::size_t i = 0; i < budget.omega.size(); ++i)
-  {
-    const auto torque = [&](const ring::RingStack &load)
-    {
-      return ring::coulomb_wrench(motion.friction_coefficient, load, budget.omega[i], motion.orbit_speed)
-        .torque;
-    };
-    EXPECT_NEAR(budget.torque_all[i], torque(rich_load()), 1e-16);
-    EXPECT_NEAR(budget.torque_first[i], torque(rich_load().truncated(1)), 1e-16);
-  }
 }
 
 TEST(Budget, HarmonicEffectIsThatOfRowAllAgainstTheFirstHarmonic)

@@ -1,4 +1,4 @@
-// The report of every verb in a real browser, on a phone and on a desk, and on paper.
+// The report of every verb and state in a real browser, on a desk and on a phone, and on paper.
 #include "tests/fem/pipeline/browser.h"
 #include "tests/fem/pipeline/matchers.h"
 
@@ -9,7 +9,6 @@
 #include <cmath>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 
 namespace stemware::test
 {
@@ -17,9 +16,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-/// Widths of the page: a desk, a narrow window, a phone.
-const std::vector<unsigned int> widths = { 1200, 800, 400 };
 
 /// A report by the verb and the arguments that make it.
 struct Opened
@@ -54,83 +50,6 @@ const std::vector<Opened> &opened()
   return reports;
 }
 
-/// A page that shows @p html in a frame of each width and replaces itself by what it measures there: for each
-/// figure its width, height and number of visible texts, and the width of all that is in the page; texts of
-/// figures that are cut off or lie on each other, folds opened; what the answer box says; where the answer
-/// begins and how high the page is, folds closed; and what axe-core finds serious on the first width.
-std::string measuring_page(const std::string &html)
-{
-  return R"(<!DOCTYPE html><meta charset="utf-8"/><body><script>
-)" + axe_script() +
-         troubles_script() +
-         R"(
-const widths = )" +
-         nlohmann::json(widths).dump() + R"(, measured = {};
-const finish = found => {
-  measured.serious = found;
-  document.body.textContent = "MEASURED" + JSON.stringify(measured) + "MEASURED";
-  console.log("the browser has measured");
-};
-const measure = async (frame, width) => {
-  const page = frame.contentDocument;
-  const height = page.documentElement.scrollHeight;
-  const answer_at = page.querySelector("p.answer").getBoundingClientRect().top;
-  page.querySelectorAll("details").forEach(fold => fold.open = true);
-  await new Promise(done => setTimeout(done, 200)); // pictures in folds are drawn again
-  const seen = Array.from(page.querySelectorAll("figure")).filter(figure => !figure.closest("[hidden]"));
-  const figures = seen.map(figure => {
-    const svg = figure.querySelector("svg");
-    if (!svg)
-      return { name: figure.id, width: 0, height: 0, texts: 0 };
-    const box = svg.getBoundingClientRect();
-    const texts = Array.from(svg.querySelectorAll("text")).filter(text => text.getBoundingClientRect().width > 0);
-    return { name: figure.id, width: box.width, height: box.height, texts: texts.length };
-  });
-  measured[width] = { figures: figures, width: page.documentElement.scrollWidth, height: height,
-                      troubles: troubles(page), answer_at: answer_at,
-                      answer: page.querySelector("p.answer").textContent };
-  if (Object.keys(measured).length < widths.length)
-    return;
-  serious(document.querySelector("iframe").contentWindow).then(finish);
-};
-for (const width of widths) {
-  const frame = document.createElement("iframe");
-  frame.style = "border:0;height:800px;width:" + width + "px";
-  frame.onload = () => { if (frame.srcdoc) measure(frame, width); };
-  frame.srcdoc = )" +
-         script_string(html) + R"(;
-  document.body.appendChild(frame);
-}</script></body>)";
-}
-
-std::size_t n_found(const std::string &text, const std::string &part)
-{
-  std::size_t n = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++n;
-  return n;
-}
-
-/// Measures of a report, and a check that the browser had nothing to complain about.
-nlohmann::json measure(const ScratchFolder &scratch, const fs::path &report)
-{
-  const std::string page = scratch.write("measure.html", measuring_page(read_text(report)));
-  const Ended ended = chromium(scratch, { "--virtual-time-budget=60000", "--dump-dom", "file://" + page });
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  // Our own message shows that messages of the page would be seen.
-  EXPECT_EQ(n_found(ended.err, ":CONSOLE"), 1u) << ended.err;
-  EXPECT_NE(ended.err.find("the browser has measured"), std::string::npos) << ended.err;
-  const auto begin = ended.out.find("MEASURED");
-  if (begin == std::string::npos)
-    throw std::runtime_error("the browser has measured nothing: " + ended.out.substr(0, 500));
-  std::string text = ended.out.substr(begin + 8, ended.out.find("MEASURED", begin + 8) - begin - 8);
-  // The page is written out as HTML.
-  for (const auto &[entity, character] :
-       { std::pair("&nbsp;", " "), std::pair("&lt;", "<"), std::pair("&gt;", ">"), std::pair("&amp;", "&") })
-    boost::replace_all(text, entity, character);
-  return nlohmann::json::parse(text);
-}
-
 /// Words with one blank between them, with the hyphens of the console for minus signs.
 std::string in_one_line(const std::string &text)
 {
@@ -142,70 +61,7 @@ std::string in_one_line(const std::string &text)
   return line;
 }
 
-class Browser : public testing::TestWithParam<Opened>
-{
-};
-
-TEST_P(Browser, ShowsEveryPictureAndTheAnswerAtEachWidthAndPrints)
-{
-  const ScratchFolder scratch;
-  scratch.write("study.prm", plain_study());
-  scratch.write("run.csv", measured_spins);
-  std::vector<std::string> arguments = GetParam().arguments;
-  arguments.insert(arguments.end(), { "--output", "results" });
-  const Ended run = stemware(scratch, arguments);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const fs::path report = scratch / "results/report.html";
-  EXPECT_LT(fs::file_size(report), 350'000u);
-
-  const nlohmann::json measured = measure(scratch, report);
-  for (const unsigned int width : widths)
-  {
-    SCOPED_TRACE(width);
-    const nlohmann::json &page = measured[std::to_string(width)];
-    EXPECT_EQ(page["width"].get<double>(), width) << "the page has to be scrolled sideways";
-    std::set<std::string> shown;
-    for (const auto &figure : page["figures"])
-    {
-      shown.insert(figure["name"].get<std::string>());
-      EXPECT_GT(figure["width"].get<double>(), 0.85 * std::min(width, 430u)) << figure;
-      EXPECT_LE(figure["width"].get<double>(), width) << figure;
-      EXPECT_GT(figure["height"].get<double>(), 0.3 * figure["width"].get<double>()) << figure;
-      if (figure["name"] != "scene") // labels and keys
-      {
-        EXPECT_GE(figure["texts"].get<unsigned int>(), 2u) << figure;
-      }
-    }
-    EXPECT_GE(shown.size(), 1u);
-    EXPECT_EQ(page["figures"].size(), shown.size());
-    EXPECT_EQ(page["troubles"], nlohmann::json::array()) << page["troubles"].dump(1);
-    const std::string answer = in_one_line(page["answer"]);
-    EXPECT_GT(answer.size(), 60u);
-    EXPECT_NE(in_one_line(run.out).find(answer), std::string::npos) << answer << "\n" << run.out;
-  }
-
-  EXPECT_EQ(measured["serious"], nlohmann::json::array()) << measured["serious"].dump(1);
-  if (GetParam().name ==
-      "run") // what was computed and the answer are seen at once, and the whole is not long
-  {
-    const nlohmann::json &desk = measured[std::to_string(widths.front())];
-    EXPECT_LT(desk["answer_at"].get<double>(), 900);
-    EXPECT_LT(desk["height"].get<double>(), 6500);
-  }
-
-  const fs::path pdf = scratch / "report.pdf";
-  const Ended print = chromium(scratch, { "--print-to-pdf=" + pdf.string(), "file://" + report.string() });
-  EXPECT_EQ(print.exit_code, 0) << print.err;
-  EXPECT_EQ(n_found(print.err, ":CONSOLE"), 0u) << print.err;
-  const std::string printed = read_text(pdf);
-  EXPECT_EQ(printed.rfind("%PDF", 0), 0u);
-  EXPECT_GT(printed.size(), 20000u); // pictures and text, not an empty page
-}
-
-INSTANTIATE_TEST_SUITE_P(Report, Browser, testing::ValuesIn(opened()),
-                         [](const auto &info) { return info.param.name; });
-
-/// Studies that end in other states than that of opened(), each with a picture or a sentence of its own.
+/// Verbs and states of a study, each with a picture or a sentence of its own.
 struct State : Opened
 {
   std::string answer;                                  ///< words in it
@@ -228,7 +84,16 @@ const std::vector<State> &states()
       arguments.insert(arguments.end(), { "--set", setting });
     return arguments;
   };
+  const auto of_verb = [](std::size_t i, const std::string &answer, const std::vector<std::string> &figures) {
+    return State{ opened().at(i), answer, figures };
+  };
   static const std::vector<State> all = {
+    of_verb(0, "turns once", { "glass", "scene", "orbits", "waterfall", "effects", "torque_of_harmonics" }),
+    of_verb(1, "harmonics only", { "truncation", "orbits" }),
+    of_verb(2, "Richardson value", { "convergence" }),
+    of_verb(3, "from 8 points of one run", { "fit_1" }),
+    of_verb(4, "In 5 cases", { "omega_terminal", "harmonic_effect" }),
+    of_verb(5, "In 25 cases", { "omega_terminal", "tau_at_rest" }),
     { { "balanced", quick({}) }, "Quick run", { "spin_up", "slip_at_end" }, { "waterfall" } },
     { { "falling", quick({ "Motion/Centre of mass height=0.138" }) },
       "tips over",
@@ -281,14 +146,17 @@ const std::vector<State> &states()
   return all;
 }
 
-/// Opens a state in the browser.
+/// Opens a state in the browser, whose answer is that of the console.
 nlohmann::json opened_state(const ScratchFolder &scratch, const State &state)
 {
   std::vector<std::string> arguments = state.arguments;
   arguments.insert(arguments.end(), { "--output", "results" });
   const Ended run = stemware(scratch, arguments);
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  return reports_in_browser(scratch, { "results/report.html" })["results/report.html"];
+  EXPECT_LT(fs::file_size(scratch / "results/report.html"), 350'000u);
+  const nlohmann::json page = reports_in_browser(scratch, { "results/report.html" })["results/report.html"];
+  EXPECT_THAT(in_one_line(run.out), testing::HasSubstr(in_one_line(page["answer"])));
+  return page;
 }
 
 class BrowserStates : public testing::TestWithParam<State>
@@ -299,6 +167,7 @@ TEST_P(BrowserStates, HaveTheirPicturesAndNoFlaw)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", plain_study());
+  scratch.write("run.csv", measured_spins);
   scratch.write("speeds.csv", "t (s), v (m/s)\n0, 0.3\n100, 0.35\n");
   scratch.write("spins.csv", "t (s), omega (rad/s)\n0, 0\n1, -2\n");
   scratch.write("load.dat", "# ring radius: 0.03 (m)\n0 0.4684 0\n1 0 -0.1\n2 0.01 0\n");
@@ -317,6 +186,20 @@ TEST_P(BrowserStates, HaveTheirPicturesAndNoFlaw)
 
 INSTANTIATE_TEST_SUITE_P(Report, BrowserStates, testing::ValuesIn(states()),
                          [](const auto &info) { return info.param.name; });
+
+TEST(Reports, Print)
+{
+  const ScratchFolder scratch;
+  ASSERT_EQ(stemware(scratch, { "run", "--quick", "--output", "results" }).exit_code, 0);
+  const fs::path pdf = scratch / "report.pdf";
+  const Ended print = chromium(
+    scratch, { "--print-to-pdf=" + pdf.string(), "file://" + (scratch / "results/report.html").string() });
+  EXPECT_EQ(print.exit_code, 0) << print.err;
+  EXPECT_THAT(print.err, testing::Not(testing::HasSubstr(":CONSOLE")));
+  const std::string printed = read_text(pdf);
+  EXPECT_EQ(printed.rfind("%PDF", 0), 0u);
+  EXPECT_GT(printed.size(), 20000u); // pictures and text, not an empty page
+}
 
 /// Points of the curve @p name in the CSV file of a picture, whose rows stand together.
 std::vector<std::pair<double, double>> points_of(const nlohmann::json &rows, const std::string &name)

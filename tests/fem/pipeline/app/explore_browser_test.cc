@@ -350,8 +350,10 @@ TEST(ExplorePage, EveryLanguageHasEverySentenceWithItsNumbers)
 {
   const std::multiset<std::string> english = sentences_of("en");
   EXPECT_GT(english.size(), 80u);
-  for (const char *const language : { "de", "fr" })
-    EXPECT_EQ(sentences_of(language), english) << language;
+  // English has no dictionary of names and words of pictures: they are in English.
+  const std::multiset<std::string> german = sentences_of("de");
+  EXPECT_TRUE(std::includes(german.begin(), german.end(), english.begin(), english.end()));
+  EXPECT_EQ(sentences_of("fr"), german);
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // The solver of the page on the command line, for tests: on the feet of the default study each argument, such
-// as "Motion/Mass=0.25", is set as the page sets it. Prints the answer of the page and its entries, or its
-// error. "fit" and a file before them, and entries in the place of a study: fits the entries to the run,
-// "start=0.1 s" with a start that is known.
+// as "Motion/Mass=0.25", is set as the page sets it. Prints the answer of the page, or its error. "fit" and a
+// file before them, and entries in the place of a study: fits the entries to the run, "start=0.1 s" with a
+// start that is known.
 #include "fem/meridian/compliance_cache.h"
 #include "fem/pipeline/explore/explore_api.h"
 #include "fem/pipeline/explore/explorer.h"
@@ -51,5 +51,4 @@ int main(int n_arguments, char **arguments)
     return 0;
   }
   std::puts(explore_solve(0, 1));
-  std::puts(explore_entries());
 }

@@ -36,8 +36,7 @@ def by_program(entries):
 
 
 def by_page(entries):
-    lines = output(page, *words(entries)).stdout.splitlines()
-    return [json.loads(line) for line in lines]
+    return json.loads(output(page, *words(entries)).stdout)
 
 
 class Faces(unittest.TestCase):
@@ -49,7 +48,7 @@ class Faces(unittest.TestCase):
                 shown = json.loads(done.stdout)
                 python = stemware.Study(entries=entries).run(quick=True)
                 self.assertEqual((python.omega, python["ring/tau_at_rest"]), (shown["omega_terminal"], shown["tau_at_rest"]))
-                answer = by_page(entries)[0]
+                answer = by_page(entries)
                 self.assertEqual((answer.get("error"), answer.get("fit")), (None, "same"))
                 # A cold answer of the page has the contacts of the program; its search steps differ.
                 ring = answer["document"]["summary"]["ring"]
@@ -109,19 +108,14 @@ class Faces(unittest.TestCase):
                 with self.assertRaises((stemware.BadInput, stemware.NoBalance)) as caught:
                     stemware.Study(entries=entries).run(quick=True)
                 self.assertEqual(str(caught.exception), sentence)
-                self.assertEqual(by_page(entries)[0]["error"].rstrip("."), sentence.rstrip("."))
+                self.assertEqual(by_page(entries)["error"].rstrip("."), sentence.rstrip("."))
 
-    def test_presets_and_units(self):
+    def test_presets(self):
         presets = stemware.presets()
         help_text = output(program, "new", "--help").stdout
         for kind, title in (("glass", "Glasses"), ("table", "Tables")):
             listed = re.findall(r"^  (\S+(?: \S+)*)  ", help_text.split(title + ":\n")[1].split("\n\n")[0], re.M)
             self.assertEqual(list(presets["name"][presets["kind"] == kind]), listed)
-        entries = stemware.Study().entries()
-        of_page = {one["path"]: one for one in by_page({})[1]}
-        self.assertEqual(list(of_page), list(entries.index))
-        for key in ("unit", "allowed", "help"):
-            self.assertEqual([one[key] for one in of_page.values()], list(entries[key]))
 
 
 if __name__ == "__main__":

@@ -1,9 +1,7 @@
 // The budget of effects from one made by hand: its tables in every form. The second row is formal, that with
 // tilt has no balance.
-#include "fem/pipeline/document/spin_rows.h"
-#include "fem/pipeline/report/common_sections.h"
+#include "fem/pipeline/document/shown_rows.h"
 #include "fem/pipeline/report/run_results.h"
-#include "fem/pipeline/report/table_renderers.h"
 #include "tests/fem/pipeline/report/hand_made_studies.h"
 
 #include <gtest/gtest.h>
@@ -70,48 +68,6 @@ TEST(BudgetByHand, NothingIsRelatedToAGlassThatDoesNotSpin)
   EXPECT_TRUE(rows[0]["difference"].is_null());
   EXPECT_TRUE(rows[1]["relative_difference"].is_null());
   EXPECT_FALSE(rows[2]["relative_difference"].is_null());
-}
-
-TEST(BudgetByHand, WaterfallOfHarmonicsIsOneStepFromTheFirstToAll)
-{
-  Budget budget;
-  budget.rows = { { { 1 }, "paper", 1, -3. },
-                  { { 2 }, "moment balance", 1, -3.5, -0.5 },
-                  { { 3 }, "where the foot touches", 1, -3.4, 0.1 },
-                  { { 4 }, "harmonics", 2, -3.2, 0.2 },
-                  { { 5 }, "harmonics", {}, -3.25, -0.05, 0.01 } };
-  Document document;
-  add_chain({}, budget, document);
-  const nlohmann::json values = document.tables["waterfall"]["values"],
-                       expected = { { "the paper's model", "moment balance", "where the foot touches",
-                                      "harmonics", "this study" },
-                                    { -3, -3.5, -3.4, -3.25, -3.25 },
-                                    { nullptr, -0.5, 0.1, 0.15, nullptr },
-                                    { nullptr, nullptr, nullptr, 0.01, 0.01 },
-                                    { false, false, false, false, false } };
-  EXPECT_EQ(values, expected) << values.dump();
-  EXPECT_EQ(page_lines(document, "effects"), R"(row: moment balance | where the foot touches | harmonics
-difference (rad/s): -0.5 | 0.1 | 0.15
-: true | true | true
-: true | true | true
-)");
-}
-
-TEST(BudgetByHand, DifferencesOfTorquesThatAreRoundingAreZero)
-{
-  Budget budget;
-  budget.omega = { 0, -1, -2 };
-  budget.torque_all = { -4e-3, -2e-3, std::nan("") };
-  budget.torque_first = { -4e-3, -1.99e-3, -1e-3 };
-  const auto differences = [&]
-  {
-    Document document;
-    add_chain({}, budget, document);
-    return document.tables["harmonic_torque"]["values"][3].dump();
-  };
-  EXPECT_EQ(differences(), "[0,-1e-05,null]");
-  budget.torque_all = { -4e-3, -1.99e-3 + 1e-16, -1e-3 };
-  EXPECT_EQ(differences(), "[0,0,0]");
 }
 
 TEST(BudgetByHand, TheBandsAreThoseOfTheRows)

@@ -61,10 +61,6 @@ inline std::string key_of_member(const std::string &path)
   return name.rfind("n_", 0) == 0 ? name.substr(2) : name;
 }
 
-/// Returns the object @p json, or each object of a list, reduced to @p keys (separated by blanks), in their
-/// order. Throws nlohmann::json::out_of_range for a missing key.
-nlohmann::ordered_json selected_keys(const nlohmann::ordered_json &json, const std::string &keys);
-
 } // namespace stemware::pipeline
 
 #define STEMWARE_JSON_MEMBER(member) json[stemware::pipeline::key_of_member(#member)] = object.member;

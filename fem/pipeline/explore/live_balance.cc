@@ -1,4 +1,4 @@
-#include "fem/pipeline/explore/live_path.h"
+#include "fem/pipeline/explore/live_balance.h"
 
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/friction_functionals.h"
@@ -7,47 +7,6 @@
 
 namespace stemware::pipeline
 {
-
-void LivePath::append(std::optional<LiveBalance> found)
-{
-  if (!found)
-    balances.clear();
-  else if (changes.empty() && !balances.empty()) // the same study, solved anew
-    balances.back() = std::move(*found);
-  else
-  {
-    if (balances.size() == 2)
-      balances.erase(balances.begin());
-    balances.push_back(std::move(*found));
-    last_move = changes.size() == 1 ? std::optional(changes.front()) : std::nullopt;
-  }
-  changes.clear();
-}
-
-std::optional<LiveBalance> LivePath::expected() const
-{
-  constexpr double farthest = 2; // as often as the last move
-  if (balances.empty())
-    return std::nullopt;
-  LiveBalance next = balances.back();
-  if (balances.size() < 2 || !last_move || changes.size() != 1 || changes.front().entry != last_move->entry ||
-      changes.front().from != last_move->to)
-    return next;
-  const LiveBalance &before = balances.front();
-  const double share = (changes.front().to - changes.front().from) / (last_move->to - last_move->from);
-  fem::ContactSolution &solution = next.contact.solution;
-  const fem::ContactSolution &solution_before = before.contact.solution;
-  if (!(std::abs(share) <= farthest) || next.contact.zone != before.contact.zone ||
-      solution.forces.size() != solution_before.forces.size())
-    return next;
-  const auto move_on = [share](auto &now, const auto &then) { now += share * (now - then); };
-  move_on(next.spin.omega, before.spin.omega);
-  move_on(next.spin.slope, before.spin.slope);
-  move_on(solution.motion, solution_before.motion);
-  move_on(solution.normal_displacement, solution_before.normal_displacement);
-  move_on(solution.forces, solution_before.forces);
-  return next;
-}
 
 std::optional<std::pair<LiveBalance, ring::LeaningLoad>>
 balance_near(const LiveBalance &near, const Study &study, const std::shared_ptr<ElasticFoot> &foot,

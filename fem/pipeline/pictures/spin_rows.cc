@@ -1,8 +1,5 @@
-#include "fem/pipeline/document/spin_rows.h"
+#include "fem/pipeline/pictures/spin_rows.h"
 
-#include "fem/pipeline/document/table.h"
-
-#include <algorithm>
 #include <cmath>
 
 namespace stemware::pipeline
@@ -13,7 +10,7 @@ using Json = nlohmann::ordered_json;
 namespace
 {
 
-double torque_of(const ring::RingState &state)
+double friction_torque(const ring::RingState &state)
 {
   return state.friction.torque;
 }
@@ -40,11 +37,11 @@ Json spin_rows(const std::vector<ring::Answer> &rows)
   {
     const auto &rest = row.at_rest, &end = row.at_terminal;
     list.push_back({ { "harmonics", row.harmonics },
-                     { "tau_at_rest", to_json_or_null(rest, torque_of) },
+                     { "tau_at_rest", to_json_or_null(rest, friction_torque) },
                      { "lean_torque_at_rest", to_json_or_null(rest, &ring::RingState::lean_torque) },
                      { "omega_terminal", row.omega_terminal() },
                      { "omega_terminal_band", row.band },
-                     { "tau_at_terminal", to_json_or_null(end, torque_of) },
+                     { "tau_at_terminal", to_json_or_null(end, friction_torque) },
                      { "lean_torque_at_terminal", to_json_or_null(end, &ring::RingState::lean_torque) },
                      { "grip_torque_at_terminal", to_json_or_null(end, &ring::RingState::grip_torque) },
                      { "force_at_terminal", to_json_or_null(end, force_of) },
@@ -57,16 +54,6 @@ Json spin_rows(const std::vector<ring::Answer> &rows)
                      { "message", text_or_null(row.reason) } });
   }
   return list;
-}
-
-Json shown_spin_rows(const std::vector<ring::Answer> &rows)
-{
-  constexpr double small_change = 1e-11;
-  Json shown = spin_rows(rows);
-  const auto &rest = rows.back().at_rest;
-  zero_rounding_errors(shown, "tau_at_rest", rest ? 1e-12 * std::abs(torque_of(*rest)) : 0);
-  zero_rounding_errors(shown, "relative_change", small_change);
-  return shown;
 }
 
 Json fall_summary(const ring::Answer &all)
@@ -99,8 +86,7 @@ std::string title_of(const BudgetRow &row, const std::string &at_most)
     return "the paper's model";
   if (row.name != "harmonics")
     return row.name;
-  return row.harmonics ? fmt::format(FMT_STRING("harmonics, n {} {}"), at_most, *row.harmonics)
-                       : "harmonics, all";
+  return row.harmonics ? "harmonics, n " + at_most + ' ' + std::to_string(*row.harmonics) : "harmonics, all";
 }
 
 Json chain_rows(const Study &study, const std::vector<BudgetRow> &rows)
@@ -128,35 +114,23 @@ Json chain_rows(const Study &study, const std::vector<BudgetRow> &rows)
   return list;
 }
 
-Json shown_chain(const Study &study, std::vector<BudgetRow> rows)
+std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows)
 {
-  const double band = rows.empty() ? 0 : rows.back().band.value_or(0);
-  const double torque_at_rest = rows.empty() ? 0 : rows.back().torques[0].value_or(0);
-  const auto changes_nothing = [&](const BudgetRow &row)
+  std::vector<BudgetRow> steps;
+  std::optional<double> first; // terminal spin of the first harmonic alone
+  for (const BudgetRow &row : rows)
   {
-    return row.name == "harmonics" && row.harmonics && row.difference &&
-           std::abs(*row.difference) < std::max(band, rounding_of_spins(study));
-  };
-  // A difference is that to the row above among the shown rows.
-  std::vector<BudgetRow> kept;
-  for (BudgetRow &row : rows)
-  {
-    if (changes_nothing(row))
+    if (row.name != "harmonics" || steps.empty() || steps.back().name != "harmonics")
+    {
+      first = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
+      steps.push_back(row);
       continue;
-    if (row.omega_terminal && !kept.empty() && kept.back().omega_terminal)
-      row.difference = *row.omega_terminal - *kept.back().omega_terminal + 0.; // no -0
-    else
-      row.difference = std::nullopt;
-    kept.push_back(row);
+    }
+    steps.back() = row;
+    steps.back().difference =
+      first && row.omega_terminal ? std::optional(*row.omega_terminal - *first) : std::nullopt;
   }
-  Json shown = chain_rows(study, kept);
-  zero_rounding_errors(shown, "omega_terminal difference", rounding_of_spins(study));
-  zero_rounding_errors(shown, "relative_difference", 1e-9);
-  zero_rounding_errors(shown, "torques", 1e-9 * std::abs(torque_at_rest));
-  for (Json &row : shown)
-    if (Json &omega = row["omega_terminal"]; band > 0 && omega.is_number() && omega != 0.)
-      omega = format::rounded_to_error(omega, band);
-  return shown;
+  return steps;
 }
 
 Json without_rows(const Study &study, const Budget &budget)
@@ -171,15 +145,6 @@ Json without_rows(const Study &study, const Budget &budget)
                      { "remark", row.reason },
                      { "reason", text_or_null(row.reason) } });
   return list;
-}
-
-Json budget_summary(const Study &study, const std::vector<BudgetRow> &rows)
-{
-  Json summary = declared(chain_rows(study, rows), "budget");
-  if (std::none_of(rows.begin(), rows.end(), [](const BudgetRow &row) { return row.torques[0].has_value(); }))
-    for (Json &row : summary)
-      row.erase("torques");
-  return summary;
 }
 
 Json harmonic_effect_summary(const HarmonicEffect &effect)

@@ -1,25 +1,20 @@
 #pragma once
 
 #include "fem/pipeline/analysis/budget.h"
-#include "fem/pipeline/document/json.h"
-#include "fem/pipeline/pictures/pictures.h"
 #include "fem/pipeline/study/study.h"
+#include "fem/pipeline/support/json.h"
 #include "ring_model/spin/answer.h"
 
 #include <string>
 #include <vector>
 
-/// Rows of terminal spins and the budget of effects in numbers: for the console, reports, data files and
-/// summary.json.
+/// Rows of terminal spins and the budget of effects in numbers, by the keys of summary.schema.json: for
+/// summary.json, data files and pages.
 namespace stemware::pipeline
 {
 
-/// Returns all numbers of the rows of run and truncate, by the keys of summary.schema.json.
+/// Returns all numbers of the rows of run and truncate.
 nlohmann::ordered_json spin_rows(const std::vector<ring::Answer> &rows);
-
-/// Returns spin_rows() for display: changes of spin below 1e-11 and torques below 1e-12 of the last row's
-/// torque at rest are 0.
-nlohmann::ordered_json shown_spin_rows(const std::vector<ring::Answer> &rows);
 
 /// Returns "fall" of summary.json: null without a fall, else its spin and moment ratio.
 nlohmann::ordered_json fall_summary(const ring::Answer &all);
@@ -41,16 +36,11 @@ std::string title_of(const BudgetRow &row, const std::string &at_most = "≤");
 /// Differences relative to a spin of zero are null.
 nlohmann::ordered_json chain_rows(const Study &study, const std::vector<BudgetRow> &rows);
 
-/// Returns chain_rows() for display: rows without effect are omitted, differences below 1e-9 v/R are 0, and
-/// terminal spins have the digits supported by the band of the last row.
-nlohmann::ordered_json shown_chain(const Study &study, std::vector<BudgetRow> rows);
+/// Returns the chain with its rows of harmonics merged into one, from the first harmonic to all.
+std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows);
 
 /// Returns the complete model without one effect at a time, compared with the complete model.
 nlohmann::ordered_json without_rows(const Study &study, const Budget &budget);
-
-/// Returns "budget" of summary.json; "harmonics" is "all" if none are omitted, "torques" is omitted if no row
-/// has any.
-nlohmann::ordered_json budget_summary(const Study &study, const std::vector<BudgetRow> &rows);
 
 /// Returns "harmonic_effect" of summary.json: absolute [rad/s] and relative.
 nlohmann::ordered_json harmonic_effect_summary(const HarmonicEffect &effect);

@@ -1,0 +1,142 @@
+// Pictures of a sweep over one or two entries: curves, or maps over two numerical entries.
+import { dots, line } from '../js/marks.js';
+import { grid, patches } from '../js/shapes.js';
+import { heading_of, shown } from '../js/words.js';
+
+const colours = ['c1', 'c2', 'c3', 'c4', 'c5', 'c6', 'c7', 'c8'];
+const dashes = [undefined, '8 4', '9 3 2 3', '3 3', '12 3', '9 3 2 3 2 3', '6 3', '2 2'];
+
+/**
+ * Whether a curve jumps between values i and i + 1: each of one or two neighbouring intervals, this one among them, has more
+ * than four times the change of the intervals to their left and right. (A spin that changes its sense has a zero in the middle
+ * of its jump.) No line is drawn over a jump.
+ */
+function jumps(y, i) {
+  const step = j => (y[j] === null || y[j + 1] === null ? NaN : Math.abs(y[j + 1] - y[j]));
+  const jumps_over = (first, n) => {
+    if (first <= 0 || first + n + 1 >= y.length) return false;
+    const beside = Math.max(step(first - 1), step(first + n));
+    const least = Math.min(step(first), step(first + n - 1));
+    return least > 4 * beside && beside > 1e-9 * least; // rounding beside a step tells nothing
+  };
+  return jumps_over(i, 1) || jumps_over(i, 2) || jumps_over(i - 1, 2);
+}
+
+/** The places of a curve, with a gap in the middle of each jump. */
+function broken(x, y) {
+  const places = x.flatMap((at, i) => {
+    const here = [at, y[i] ?? NaN];
+    return jumps(y, i) ? [here, [(at + x[i + 1]) / 2, NaN]] : [here];
+  });
+  return { x: places.map(p => p[0]), y: places.map(p => p[1]) };
+}
+
+function curves(axis, y, list) {
+  return {
+    x: axis,
+    y: { ...y, digits: '.5g' },
+    marks: list.flatMap(({ name, values }, i) => {
+      const look = { ...broken(axis.values, values), name, colour: colours[i % 8] };
+      const few = look.x.length <= 40;
+      return [
+        line({ ...look, dash: dashes[i % 8] }),
+        ...(few ? [{ ...dots({ ...look, size: 3 }), swatch: undefined, rows: () => [] }] : [])
+      ];
+    })
+  };
+}
+
+/** Edges of the cells round values: half-way between them on the axis. */
+function edges_of({ values, log }) {
+  const middle = (a, b) => (log ? Math.sqrt(a * b) : (a + b) / 2);
+  const beyond = (a, b) => (log ? (a * a) / b : 2 * a - b);
+  const inner = values.slice(1).map((v, i) => middle(v, values[i]));
+  return [beyond(values[0], inner[0]), ...inner, beyond(values[values.length - 1], inner[inner.length - 1])];
+}
+
+function map([x, y], shows, values) {
+  const rows = y.values.map((_, j) => x.values.map((_, i) => values[i * y.values.length + j]));
+  const known = values.filter(Number.isFinite);
+  let [low, high] = [Math.min(...known), Math.max(...known)];
+  const both_signs = low < 0 && high > 0;
+  if (both_signs) [low, high] = [-Math.max(-low, high), Math.max(-low, high)];
+  const edges = [edges_of(x), edges_of(y)];
+  const range = k => [edges[k][0], edges[k][edges[k].length - 1]].sort((a, b) => a - b);
+  const scale = { range: [low, high], label: heading_of({ heading: shows.label, unit: shows.unit }), both_signs };
+  const say = ({ label, unit }, v) => `${label} ${shown(v, '.5g')} ${unit === '1' ? '' : unit}`.trim();
+  const words = k => {
+    const [i, j] = [k % x.values.length, Math.floor(k / x.values.length)];
+    return [say(x, x.values[i]), say(y, y.values[j]), say(shows, rows[j][i])];
+  };
+  return {
+    x: { ...x, range: range(0) },
+    y: { ...y, range: range(1) },
+    height: 340,
+    colours: scale,
+    marks: [patches({ ...grid(...edges, rows), colours: scale, words })]
+  };
+}
+
+const titles = {
+  omega_terminal: 'Terminal spin',
+  harmonic_effect: 'Effect of the higher harmonics of the load on the terminal spin',
+  contact_fraction: 'Share of the land’s area under pressure at rest',
+  tau_at_rest: 'Torque of friction at rest'
+};
+const max_curves = 7;
+const min_of_map = 4;
+
+/** The pictures of the grid of a document; none for words, and of quantities that are the same everywhere. */
+export function grid_pictures({ tables, words }) {
+  if (!tables.grid) return [];
+  const { quantities } = tables.grid;
+  const entries = tables.grid.entries.map(entry => ({
+    ...entry,
+    is_numeric: entry.unit !== '' && entry.values.length > 1,
+    names: entry.values.map(value => (Number.isNaN(Number(value)) ? value.slice(-30) : shown(Number(value), '.3g'))),
+    values: entry.values.map(Number)
+  }));
+  const [first, second] = entries;
+  const all_numbers = second && first.is_numeric && second.is_numeric;
+  const [n, m] = [first.values.length, second?.values.length];
+  const by_second = second && (!first.is_numeric || (all_numbers && n <= max_curves && n < m));
+  const [axis, other] = by_second ? [second, first] : [first, second];
+  if (!axis.is_numeric) return [];
+  const is_map = all_numbers && Math.min(n, m) >= min_of_map;
+  const along = values => // one list for each value of the other entry
+    other.names.map((name, c) => ({
+      name,
+      values: axis.values.map((_, i) => values[by_second ? c * m + i : i * m + c])
+    }));
+  const falls = quantities.omega_fall.values.some(Number.isFinite);
+  const notes =
+    (falls ? ' In cases without a terminal spin the glass tips over while it spins up.' : '') +
+    (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
+  const of = key => quantities[key].values;
+  const drawn = key => {
+    if (is_map) return map(entries, quantities[key], of(key));
+    if (other) return curves(axis, quantities[key], along(of(key)));
+    const compared = [
+      { name: 'all harmonics', values: of(key) },
+      { name: 'first harmonic only', values: of('omega_first_harmonic') },
+      { name: 'first harmonic on a ring', values: of('omega_on_ring') }
+    ];
+    return curves(axis, quantities[key], key === 'omega_terminal' ? compared : [{ name: '', values: of(key) }]);
+  };
+  return Object.keys(titles).flatMap(key => {
+    const known = of(key).filter(Number.isFinite);
+    const [low, high] = [Math.min(...known), Math.max(...known)];
+    if (!(high - low > 1e-9 * Math.max(Math.abs(low), Math.abs(high)))) return [];
+    const by = other && !is_map ? `By ${heading_of({ heading: other.label, unit: other.unit })}.` : '';
+    const alone =
+      'Of all harmonics of the load, the first harmonic only, and a first harmonic on a ring of the contact radius. No line ' +
+      'is drawn over a jump.';
+    return {
+      id: key,
+      title: titles[key],
+      words: `${known.length} cases`,
+      caption: (!other && key === 'omega_terminal' ? alone : by) + notes,
+      ...drawn(key)
+    };
+  });
+}
