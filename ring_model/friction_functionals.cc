@@ -1,5 +1,7 @@
 #include "ring_model/friction_functionals.h"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <cstddef>
 
@@ -42,6 +44,16 @@ FrictionFunctionals friction_functionals(const Motion &motion, const std::vector
 Wrench wrench(const Motion &motion, const RingStack &load, double omega)
 {
   return friction_functionals(motion, load.radii(), load.n_harmonics(), omega)(load);
+}
+
+Wrench wrench(const FrictionLaw &law, const RingStack &load, const Eigen::Vector2d &velocity, double omega)
+{
+  const double angle = std::atan2(velocity.y(), velocity.x());
+  const auto friction = friction_functionals(law, load.radii(), load.n_harmonics(), omega,
+                                             std::hypot(velocity.x(), velocity.y()));
+  const Wrench one = friction(load.rotated(-angle));
+  const Eigen::Vector2d force = Eigen::Rotation2Dd(angle) * Eigen::Vector2d(one.force_x, one.force_y);
+  return { one.torque, force.x(), force.y() };
 }
 
 Wrench coulomb_wrench(double mu, const RingStack &load, double omega, double speed)

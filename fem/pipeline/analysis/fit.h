@@ -41,6 +41,12 @@ struct FitQuestion
   std::function<std::optional<double>(const Study &)> band = {};
 };
 
+/// Returns the question of texts: @p free as parse_free_entry(), @p gyroscope_zero as parse_gyroscope_zero(),
+/// @p start as parse_start(); the last two may be empty. @p quick: without profiles and next run. Throws
+/// BadInput.
+FitQuestion fit_question(const std::vector<std::string> &free, const std::string &gyroscope_zero,
+                         const std::string &start, bool quick);
+
 /// Interval; an end that the data leave open is infinite.
 struct FittedRange
 {

@@ -1,5 +1,6 @@
 #include "fem/pipeline/analysis/free_entries.h"
 
+#include "fem/pipeline/analysis/fit.h"
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
@@ -69,6 +70,20 @@ Prior parse_start(const std::string &text)
 {
   return value_or_prior("--start ", text, "s",
                         " is no time; write \"1.2 +- 0.05 s\", or 1.2 for a start that is known.");
+}
+
+FitQuestion fit_question(const std::vector<std::string> &free, const std::string &gyroscope_zero,
+                         const std::string &start, bool quick)
+{
+  FitQuestion question;
+  for (const std::string &entry : free)
+    question.free.push_back(parse_free_entry(entry));
+  if (!gyroscope_zero.empty())
+    question.gyroscope_zero = parse_gyroscope_zero(gyroscope_zero);
+  if (!start.empty())
+    question.start = parse_start(start);
+  question.with_profiles = question.with_next_run = !quick;
+  return question;
 }
 
 } // namespace stemware::pipeline

@@ -54,13 +54,8 @@ void fit_verb(const FitOptions &options)
   StudyWork work(options, true,
                  [&](const Study &study)
                  {
-                   for (const std::string &free : options.free)
-                     question.free.push_back(parse_free_entry(free));
-                   if (!options.gyroscope_zero.empty())
-                     question.gyroscope_zero = parse_gyroscope_zero(options.gyroscope_zero);
-                   if (!options.start.empty())
-                     question.start = parse_start(options.start);
-                   question.with_profiles = question.with_next_run = !options.quick;
+                   question =
+                     fit_question(options.free, options.gyroscope_zero, options.start, options.quick);
                    runs = runs_of(options, study);
                  });
   const FitResult found = fit_study(runs, question, work.executor, work.progress);

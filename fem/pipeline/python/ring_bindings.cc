@@ -13,7 +13,6 @@
 #include <Eigen/Geometry>
 
 #include <chrono>
-#include <map>
 #include <pybind11/eigen.h>
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
@@ -69,9 +68,9 @@ py::array_t<Value> numpy_of(const std::vector<Value> &values)
   return py::array_t<Value>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-/// Returns an array (..., n): @p write(to, values...) sets n numbers for each entry of the arrays.
-template <typename Write, typename... Arrays>
-Array filled(py::ssize_t n, const Write &write, const Array &first, const Arrays &...others)
+/// Returns an array (..., n) of the n numbers @p values(entries...) for all entries of the arrays.
+template <typename Values, typename... Arrays>
+Array filled(py::ssize_t n, const Values &values, const Array &first, const Arrays &...others)
 {
   require(((others.size() == first.size()) && ...), "the arrays differ in size; broadcast them first");
   std::vector<py::ssize_t> shape(first.shape(), first.shape() + first.ndim());
@@ -80,38 +79,27 @@ Array filled(py::ssize_t n, const Write &write, const Array &first, const Arrays
   double *to = out.mutable_data();
   const py::gil_scoped_release released;
   auto check = interruption();
-  for (py::ssize_t i = 0; i < first.size(); ++i, to += n)
+  for (py::ssize_t i = 0; i < first.size(); ++i)
   {
     check();
-    write(to, first.data()[i], others.data()[i]...);
+    for (const double value : values(first.data()[i], others.data()[i]...))
+      *to++ = value;
   }
   return out;
-}
-
-/// Returns the array (..., 3) of T_x, T_y, tau_z.
-template <typename WrenchAt, typename... Arrays>
-Array wrenches(const WrenchAt &wrench_at, const Arrays &...arrays)
-{
-  const auto write = [&](double *to, auto... values)
-  {
-    const Wrench one = wrench_at(values...);
-    for (const double value : { one.force_x, one.force_y, one.torque })
-      *to++ = value;
-  };
-  return filled(3, write, arrays...);
 }
 
 /// Returns P_n, K_n, U_n for n = 0...n_max, shape (..., 3 (n_max + 1)).
 Array kernels(const Array &rim_speed, const Array &speed, unsigned int n_max)
 {
-  const auto write = [n_max](double *to, double u, double v)
+  const auto values = [n_max](double u, double v)
   {
     const FrictionKernels one(u, v, n_max);
+    Row all;
     for (unsigned int n = 0; n <= n_max; ++n)
-      for (const double value : { one.P(n), one.K(n), one.U(n) })
-        *to++ = value;
+      all.insert(all.end(), { one.P(n), one.K(n), one.U(n) });
+    return all;
   };
-  return filled(3 * (static_cast<py::ssize_t>(n_max) + 1), write, rim_speed, speed);
+  return filled(3 * (static_cast<py::ssize_t>(n_max) + 1), values, rim_speed, speed);
 }
 
 /// Friction law written in Python.
@@ -134,40 +122,23 @@ LeaningLoad stack_of(const Row &radii, const std::vector<Row> &a, const std::vec
   return { RingStack(std::move(rings)), tilt };
 }
 
-/// Returns the coefficients a or b of all rings, shape (J, n_max + 1).
-template <Row RingStack::Ring::*row>
-py::array rows(const LeaningLoad &load)
+/// Returns a member of all rings, shape (J,) or (J, n_max + 1).
+template <auto member>
+py::array of_rings(const LeaningLoad &load)
 {
-  std::vector<Row> all;
+  py::list all;
   for (const RingStack::Ring &ring : load.rings())
-    all.push_back(ring.*row);
-  return py::cast(all);
+    all.append(ring.*member);
+  return py::array(all);
 }
 
-/// Self-consistent ring with its motion and radius, which are private there.
-struct BalancedRing
-{
-  Motion motion;
-  double radius;
-  SelfConsistentRing ring;
-
-  LeaningLoad load(double omega) const { return ring.at(omega).load; }
-};
-
-/// Friction on a load with the velocity (v_x, v_y) [m/s] in the load's frame and the spin omega [rad/s].
+/// Friction on a load with the velocity (v_x, v_y) [m/s] in the load's frame and the spin omega [rad/s]. A
+/// law must outlive it.
 struct Friction
 {
-  /// @p law must outlive this object. The kernels need a velocity along x: the load is rotated.
   Friction(const LeaningLoad &load, const FrictionLaw &law)
   {
-    at = [load, &law](double v_x, double v_y, double omega)
-    {
-      const double speed = std::hypot(v_x, v_y), angle = std::atan2(v_y, v_x);
-      const auto friction = friction_functionals(law, load.radii(), load.n_harmonics(), omega, speed);
-      const Wrench one = friction(load.RingStack::rotated(-angle));
-      const Eigen::Vector2d force = Eigen::Rotation2Dd(angle) * Eigen::Vector2d(one.force_x, one.force_y);
-      return Wrench{ one.torque, force.x(), force.y() };
-    };
+    at = [load, &law](double x, double y, double omega) { return wrench(law, load, { x, y }, omega); };
   }
   Friction(const SlidingBody &body, double mu, double mass, double yaw_inertia, double gravity, double height)
   {
@@ -175,32 +146,44 @@ struct Friction
     one.validate();
     at = [one](double speed, double, double omega) { return sliding_friction(one, speed, omega); };
   }
-  explicit Friction(const BalancedRing &one)
-      : at([ring = one.ring](double, double, double omega) { return ring.at(omega).friction; })
+  explicit Friction(const SelfConsistentRing &ring)
+      : at([ring](double, double, double omega) { return ring.at(omega).friction; })
   {
   }
+
+  /// Returns the array (..., 3) of T_x, T_y, tau_z.
+  Array wrenches(const Array &v_x, const Array &v_y, const Array &omega) const
+  {
+    const auto values = [this](auto... slip)
+    {
+      const Wrench one = at(slip...);
+      return std::array{ one.force_x, one.force_y, one.torque };
+    };
+    return filled(3, values, v_x, v_y, omega);
+  }
+
   std::function<Wrench(double, double, double)> at;
 };
 
-BalancedRing balanced_ring(const Motion &motion, const std::string &closure, double radius,
-                           std::optional<double> exponent, unsigned int n_harmonics)
+SelfConsistentRing balanced_ring(const Motion &motion, const std::string &closure, double radius,
+                                 std::optional<double> exponent, unsigned int n_harmonics)
 {
   std::shared_ptr<const LoadModel> model = std::make_shared<FirstHarmonicModel>(radius);
   if (exponent)
     model = std::make_shared<UnilateralFoundation>(radius, *exponent, n_harmonics);
   for (const Closure one : { Closure::paper, Closure::hand, Closure::full })
     if (to_string(one) == closure)
-      return { motion, radius, SelfConsistentRing(one, motion, model) };
+      return { one, motion, model };
   throw std::invalid_argument("the closure is \"" + closure + "\", but must be paper, hand or full");
 }
 
 /// Returns the load function of the spin [rad/s] for a RingStack, a SelfConsistentRing or a function.
 std::function<LeaningLoad(double)> load_function(const py::object &load)
 {
+  if (py::isinstance<SelfConsistentRing>(load))
+    return [ring = load.cast<SelfConsistentRing>()](double omega) { return ring.at(omega).load; };
   if (py::isinstance<LeaningLoad>(load))
     return [stack = load.cast<LeaningLoad>()](double) { return stack; };
-  if (py::isinstance<BalancedRing>(load))
-    return [ring = load.cast<BalancedRing>()](double omega) { return ring.load(omega); };
   return load.cast<std::function<LeaningLoad(double)>>();
 }
 
@@ -273,65 +256,51 @@ void bind_failures(py::module_ &m)
 void bind_motion(py::module_ &m)
 {
   using M = Motion;
-  static const std::map<std::string, double &(*)(M &)> numbers = {
-    { "mass", [](M &one) -> double & { return one.mass; } },
-    { "yaw_inertia", [](M &one) -> double & { return one.yaw_inertia; } },
-    { "centre_of_mass_height", [](M &one) -> double & { return one.centre_of_mass_height; } },
-    { "force_offset", [](M &one) -> double & { return one.force_offset; } },
-    { "orbit_radius", [](M &one) -> double & { return one.orbit_radius; } },
-    { "orbit_speed", [](M &one) -> double & { return one.orbit_speed; } },
-    { "orbit_acceleration", [](M &one) -> double & { return one.orbit_acceleration; } },
-    { "friction_coefficient", [](M &one) -> double & { return one.friction_coefficient; } },
-    { "static_coefficient", [](M &one) -> double & { return one.static_coefficient; } },
-    { "friction_decay_speed", [](M &one) -> double & { return one.friction_decay_speed; } },
-    { "viscous_friction", [](M &one) -> double & { return one.viscous_friction; } },
-    { "gravity", [](M &one) -> double & { return one.gravity; } },
-    { "liquid_mass", [](M &one) -> double & { return one.liquid.mass; } },
-    { "liquid_density", [](M &one) -> double & { return one.liquid.density; } },
-    { "bowl_radius", [](M &one) -> double & { return one.liquid.bowl_radius; } },
-    { "bowl_height", [](M &one) -> double & { return one.liquid.bowl_height; } },
-    { "bowl_depth", [](M &one) -> double & { return one.liquid.bowl_depth; } }
-  };
-  const auto as_dict = [](M one)
+  PYBIND11_NUMPY_DTYPE_EX(
+    M, mass, "mass", yaw_inertia, "yaw_inertia", centre_of_mass_height, "centre_of_mass_height", force_offset,
+    "force_offset", orbit_radius, "orbit_radius", orbit_speed, "orbit_speed", orbit_acceleration,
+    "orbit_acceleration", orbit_sense, "clockwise", friction_coefficient, "friction_coefficient",
+    friction_law, "stribeck", static_coefficient, "static_coefficient", friction_decay_speed,
+    "friction_decay_speed", viscous_friction, "viscous_friction", gravity, "gravity", liquid.mass,
+    "liquid_mass", liquid.density, "liquid_density", liquid.bowl_radius, "bowl_radius", liquid.bowl_height,
+    "bowl_height", liquid.bowl_depth, "bowl_depth", liquid.surface_leans, "surface_leans");
+  const py::object names = py::dtype::of<M>().attr("names");
+  static constexpr auto flags = { "clockwise", "stribeck" }; // enumerations of two values
+  const auto as_dict = [=](const M &one)
   {
-    py::dict all("clockwise"_a = one.orbit_sense == OrbitSense::clockwise,
-                 "stribeck"_a = one.friction_law == FrictionLawKind::stribeck);
-    for (const auto &[name, number] : numbers)
-      all[name.c_str()] = number(one);
+    py::dict all(py::module_::import("builtins").attr("zip")(names, py::array_t<M>(1, &one).attr("item")()));
+    for (const char *flag : flags)
+      all[flag] = py::bool_(all[flag]);
     return all;
   };
-  const auto changed = [](M one, const py::dict &values)
+  const auto motion_of = [=](const py::kwargs &values)
   {
-    for (const auto &[key, value] : values)
-      if (const std::string name = py::str(key); name == "clockwise")
-        one.orbit_sense = value.cast<bool>() ? OrbitSense::clockwise : OrbitSense::counterclockwise;
-      else if (name == "stribeck")
-        one.friction_law = value.cast<bool>() ? FrictionLawKind::stribeck : FrictionLawKind::coulomb;
-      else if (const auto number = numbers.find(name); number != numbers.end())
-        number->second(one) = value.cast<double>();
+    py::array_t<M> record = numpy_of(std::vector<M>(1));
+    for (const auto &[name, value] : values)
+      if (!names.contains(name))
+        throw py::type_error("a motion has no " + std::string(py::str(name)) + "; see Motion().as_dict()");
       else
-        throw py::type_error("a motion has no " + name + "; see Motion().as_dict()");
-    one.validate();
-    return one;
+        record[name] = value;
+    for (const char *flag : flags)
+      record[flag] = record[flag].attr("astype")("?");
+    record.data()->validate();
+    return *record.data();
   };
   py::class_<M> motion(m, "Motion",
                        R"(Glass, liquid, orbit and friction, read-only: Motion(mass=0.3, ...).
 
-mass [kg], yaw_inertia [kg m^2] about the axis, centre_of_mass_height [m]: of the glass without liquid. liquid_mass [kg],
-liquid_density [kg/m^3], bowl_radius, bowl_height (of the bowl's bottom above the table), bowl_depth [m]. force_offset [m]:
-height of the hand's force above the centre of mass. orbit_radius [m], orbit_speed [m/s], orbit_acceleration [m/s^2], clockwise
-(bool, seen from above). friction_coefficient; with stribeck=True (bool) the kinetic one, beside static_coefficient,
-friction_decay_speed [m/s] and viscous_friction [s/m]. gravity [m/s^2]. Defaults: the values of Motion().as_dict().)");
-  motion.def(py::init([=](const py::kwargs &values) { return changed(M(), values); }))
-    .def(
-      "replace", [=](const M &one, const py::kwargs &values) { return changed(one, values); },
-      "Returns a copy with other values: replace(mass=0.25).")
+mass [kg], yaw_inertia [kg m^2], centre_of_mass_height [m]: without liquid. liquid_mass [kg], liquid_density [kg/m^3],
+bowl_radius, bowl_height (of the bowl's bottom above the table), bowl_depth [m]; surface_leans (bool): False for a
+surface that stays level. force_offset [m]: height of the hand's force above the centre of mass. orbit_radius [m],
+orbit_speed [m/s], orbit_acceleration [m/s^2], clockwise (bool, seen from above). friction_coefficient; with
+stribeck=True (bool) the kinetic one, beside static_coefficient, friction_decay_speed [m/s], viscous_friction [s/m].
+gravity [m/s^2]. Motion().as_dict() has the defaults; replace(mass=0.25) returns a copy with other values.)");
+  motion.def(py::init(motion_of))
     .def("as_dict", as_dict, "Returns the arguments of Motion() with their values.")
-    .def_property_readonly("normal_force", &M::normal_force, "m g of glass and liquid [N]")
-    .def("__repr__", [=](const M &one) { return "Motion(**" + std::string(py::str(as_dict(one))) + ")"; })
-    .def(py::pickle(as_dict, [=](const py::dict &values) { return changed(M(), values); }));
-  for (const auto &[name, number] : numbers)
-    motion.def_property_readonly(name.c_str(), [number = number](M one) { return number(one); });
+    .def_property_readonly("normal_force", &M::normal_force, "m g of glass and liquid [N]");
+  for (const auto &name : names)
+    motion.def_property_readonly(py::str(name).cast<std::string>().c_str(),
+                                 [=](const M &one) -> py::object { return as_dict(one)[name]; });
 }
 
 void bind_loads(py::module_ &m)
@@ -341,20 +310,18 @@ void bind_loads(py::module_ &m)
     m, "RingStack",
     R"(Normal load on concentric rings, lambda_j(theta) = sum_n a_jn cos n theta + b_jn sin n theta [N/rad].
 
-theta: counter-clockwise from the direction of travel. radii [m]: (J,); a, b [N/rad]: (J, n_max + 1); tilt [rad]: (2,), tilts of
-the table about x and y in the frame of the glass, which give the lean torque -tilt.moment [N m] on the glass.)")
-    .def(py::init(&stack_of), py::kw_only(), "radii"_a, "a"_a, "b"_a,
-         "tilt"_a = Eigen::Vector2d(Eigen::Vector2d::Zero()))
+theta: counter-clockwise from the direction of travel. radii [m]: (J,); a, b [N/rad]: (J, n_max + 1); tilt [rad]: (2,)
+of the table about x and y in the frame of the glass, which gives the lean torque -tilt.moment [N m] on the glass.)")
+    .def(py::init(&stack_of), "radii"_a, "a"_a, "b"_a, "tilt"_a = Eigen::Vector2d(Eigen::Vector2d::Zero()))
     .def_static(
       "first_harmonic",
       [](double force, const Eigen::Vector2d &moment, double radius)
       { return R{ RingStack::first_harmonic(force, moment, radius) }; },
       py::kw_only(), "normal_force"_a, "moment"_a, "radius"_a,
       "Returns one ring with harmonics 0 and 1 for the normal force [N] and the moment (M_x, M_y) [N m].")
-    .def_property_readonly(
-      "radii", [](const R &one) { return numpy_of(one.radii()); }, "[m], (J,)")
-    .def_property_readonly("a", &rows<&RingStack::Ring::a>, "[N/rad], (J, n_max + 1)")
-    .def_property_readonly("b", &rows<&RingStack::Ring::b>, "[N/rad], (J, n_max + 1)")
+    .def_property_readonly("radii", &of_rings<&RingStack::Ring::radius>, "[m], (J,)")
+    .def_property_readonly("a", &of_rings<&RingStack::Ring::a>, "[N/rad], (J, n_max + 1)")
+    .def_property_readonly("b", &of_rings<&RingStack::Ring::b>, "[N/rad], (J, n_max + 1)")
     .def_readonly("tilt", &R::tilt, "[rad], (2,)")
     .def_property_readonly("lean_torque", &R::lean_torque, "-tilt.moment [N m]")
     .def_property_readonly("n_harmonics", &R::n_harmonics, "Highest harmonic n_max")
@@ -371,36 +338,26 @@ the table about x and y in the frame of the glass, which give the lean torque -t
       },
       "angle"_a, "Returns a copy rotated counter-clockwise by the angle [rad].")
     .def("at", py::vectorize([](const R *one, double theta) { return (*one)(theta); }), "theta"_a,
-         "Returns the sum of the rings at theta [rad], an array [N/rad].")
-    .def("__repr__", [](const R &one)
-         { return sentence("RingStack(", one.rings().size(), " rings, ", one.normal_force(), " N)"); });
+         "Returns the sum of the rings at theta [rad], an array [N/rad].");
 
-  py::class_<BalancedRing>(m, "SelfConsistentRing",
-                           R"(Rigid ring whose load, friction and hand force balance at every spin.
-
-closure: moments in the balance: "paper" (centripetal part of the hand force), "hand" (whole hand force), "full" (friction too).
-radius [m]. exponent: None for harmonics 0 and 1 only, exact for a linear support in full contact; 1 for a flat rim that may lift off
-a mat, 1.5 for a round rim, with n_harmonics.)")
-    .def(py::init(&balanced_ring), py::kw_only(), "motion"_a, "closure"_a = "full", "radius"_a = 0.03,
-         "exponent"_a = py::none(), "n_harmonics"_a = 128)
-    .def_readonly("motion", &BalancedRing::motion)
-    .def_readonly("radius", &BalancedRing::radius)
-    .def("load", &BalancedRing::load, "omega"_a, "Returns the RingStack in balance at a spin [rad/s].");
+  py::class_<SelfConsistentRing>(m, "SelfConsistentRing")
+    .def(py::init(&balanced_ring), "motion"_a, "closure"_a, "radius"_a, "exponent"_a, "n_harmonics"_a)
+    .def(
+      "load", [](const SelfConsistentRing &ring, double omega) { return LeaningLoad(ring.at(omega).load); },
+      "omega"_a, "Returns the RingStack in balance at a spin [rad/s].");
 
   using B = SlidingBody;
-  using Profile = std::function<Eigen::VectorXd(const Eigen::VectorXd &)>;
   py::class_<B>(m, "Pressure", R"(Axisymmetric normal pressure p(r) between the radii inner and outer [m].
 
-p takes an array of radii [m] and returns an array in any unit: only its shape counts. Gauss points are clustered at both radii
-and at v / |omega|, where friction is singular; a RingStack of as many rings has an error of 1e-4 there.)")
+p takes an array of radii [m] and returns an array in any unit: only its shape counts. Gauss points are clustered at
+both radii and at v / |omega|, where friction is singular; a RingStack of as many rings has an error of 1e-4 there.)")
     .def(py::init(
-           [](const Profile &p, double inner, double outer)
+           [](const std::function<Row(const py::array &)> &p, double inner, double outer)
            {
              const auto at = [p](const Row &radii)
              {
-               const Eigen::VectorXd values =
-                 p(Eigen::Map<const Eigen::VectorXd>(radii.data(), static_cast<Eigen::Index>(radii.size())));
-               return Row(values.begin(), values.end());
+               const py::gil_scoped_acquire gil;
+               return p(numpy_of(radii));
              };
              return B::with_pressure(at, inner, outer);
            }),
@@ -424,10 +381,11 @@ PYBIND11_MODULE(_ring, m)
                                        "Base class of friction laws: override coefficient(self, slip_speed).")
     .def(py::init<>())
     .def("coefficient", &FrictionLaw::coefficient, "slip_speed"_a, "Returns mu at a slip speed [m/s].");
-  py::class_<StribeckLaw, FrictionLaw>(m, "Stribeck",
-                                       "Friction law mu(u) = kinetic + (static - kinetic) exp(-(u / "
-                                       "decay_speed)^decay_exponent) + viscous u.\n\n"
-                                       "u: slip speed [m/s]; decay_speed [m/s], viscous [s/m].")
+  py::class_<StribeckLaw, FrictionLaw>(
+    m, "Stribeck",
+    R"(Friction law mu(u) = kinetic + (static - kinetic) exp(-(u / decay_speed)^decay_exponent) + viscous u.
+
+u: slip speed [m/s]; decay_speed [m/s], viscous [s/m].)")
     .def(py::init(
            [](double s, double k, double v, double c, double p) {
              return StribeckLaw({ s, k, v, c, p });
@@ -437,9 +395,8 @@ PYBIND11_MODULE(_ring, m)
   py::class_<Friction>(m, "Friction")
     .def(py::init<const LeaningLoad &, const FrictionLaw &>(), py::keep_alive<1, 3>())
     .def(py::init<const SlidingBody &, double, double, double, double, double>())
-    .def(py::init<const BalancedRing &>())
-    .def("wrench", [](const Friction &one, const Array &x, const Array &y, const Array &omega)
-         { return wrenches(one.at, x, y, omega); })
+    .def(py::init<const SelfConsistentRing &>())
+    .def("wrench", &Friction::wrenches)
     .def("slide", &slide);
 
   PYBIND11_NUMPY_DTYPE(TerminalSpin, omega, torque_slope, time_constant, stable, held);

@@ -25,11 +25,9 @@
 #include "fem/pipeline/variants/solve.h"
 #include "ring_model/no_balance.h"
 
-#include <map>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
-#include <typeindex>
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -55,13 +53,8 @@ void check_signals()
 
 /// Progress that checks for Ctrl-C and calls a Python function (stage, done, all), or None. Called from one
 /// thread at a time.
-class PythonProgress : public Progress
+struct PythonProgress : Progress
 {
-public:
-  explicit PythonProgress(py::object listener)
-      : listener(std::move(listener))
-  {
-  }
   void stage_done(const std::string &stage) override { tell(stage, 1, 1); }
   void pieces_done(const std::string &what, std::size_t n_done, std::size_t n_all) override
   {
@@ -70,7 +63,6 @@ public:
   void iteration(const fem::ContactIteration &) override { tell(); }
   void note(const std::string &, const std::string &) override { tell(); }
 
-private:
   template <typename... What>
   void tell(const What &...what)
   {
@@ -106,7 +98,8 @@ std::shared_ptr<fem::ComplianceCache> &cache()
 template <typename Work>
 auto solved(const py::object &listener, unsigned int n_threads, const Work &work)
 {
-  PythonProgress progress(listener);
+  PythonProgress progress;
+  progress.listener = listener;
   const auto in_use = cache();
   try
   {
@@ -183,27 +176,14 @@ Found results_of(const std::string &verb, const Study &given, bool quick, unsign
   return solved(listener, n_threads, work);
 }
 
-/// Measured run: name, study, times, values, true for angles.
-using GivenRun = std::tuple<std::string, Study, std::vector<double>, std::vector<double>, bool>;
-
-Found fit_of(const std::vector<GivenRun> &given, const std::vector<std::string> &free,
-             const std::string &zero, const std::string &start, bool quick, unsigned int n_threads,
-             const py::object &listener)
+Found fit_of(const std::vector<std::tuple<std::string, Study, MeasuredRun>> &given,
+             const std::vector<std::string> &free, const std::string &zero, const std::string &start,
+             bool quick, unsigned int n_threads, const py::object &listener)
 {
   std::vector<RunToFit> runs;
-  for (const auto &[name, study, times, values, is_angle] : given)
-  {
-    ensure(times.size() == values.size(), name + ": times and values have different lengths.");
-    runs.push_back({ name, checked(study), { times, values, is_angle, "" } });
-  }
-  FitQuestion question;
-  for (const std::string &entry : free)
-    question.free.push_back(parse_free_entry(entry));
-  if (!zero.empty())
-    question.gyroscope_zero = parse_gyroscope_zero(zero);
-  if (!start.empty())
-    question.start = parse_start(start);
-  question.with_profiles = question.with_next_run = !quick;
+  for (const auto &[name, study, data] : given)
+    runs.push_back({ name, checked(study), data });
+  const FitQuestion question = fit_question(free, zero, start, quick);
   const auto work = [&](Progress &progress, const Executor &executor) -> Found
   {
     const FitResult found = fit_study(runs, question, executor, progress);
@@ -225,16 +205,11 @@ py::dict case_of(const Study &given, Start *start)
   return all;
 }
 
-/// Returns numbers, or plain structs as a structured array.
-template <typename Value>
-py::array_t<Value> numpy_of(const std::vector<Value> &values)
-{
-  return py::array_t<Value>(static_cast<py::ssize_t>(values.size()), values.data());
-}
-
 /// Returns the curves of a run, or of each measured run of a fit, by name.
 py::dict curves_in(const Found &found)
 {
+  const auto numpy_of = [](const auto &values)
+  { return py::array(static_cast<py::ssize_t>(values.size()), values.data()); };
   py::dict curves;
   for (std::size_t r = 0; r < found.fitted.size(); ++r)
   {
@@ -253,8 +228,6 @@ py::dict curves_in(const Found &found)
   if (answer.contact.foot)
     for (const auto &cut : answer.contact.foot->footprint.cuts)
       points.insert(points.end(), cut.begin(), cut.end());
-  const auto load = numpy_of(answer.contact.load.pointwise);
-  const auto pressure = numpy_of(points);
   return py::dict(
     "torque"_a = py::dict("omega"_a = numpy_of(torque.omega), "slip_ratio"_a = numpy_of(torque.slip_ratio),
                           "sum"_a = numpy_of(torque.sum), "friction"_a = friction["torque"],
@@ -263,43 +236,40 @@ py::dict curves_in(const Found &found)
     "spin_up"_a = py::dict("time"_a = numpy_of(up.time), "omega"_a = numpy_of(up.adaptive),
                            "yaw_angle"_a = numpy_of(up.yaw_angle), "paper"_a = numpy_of(up.paper),
                            "first_harmonic"_a = numpy_of(up.first_harmonic)),
-    "load"_a = py::dict("theta"_a = load["azimuth"], "density"_a = load["density"]),
-    "pressure"_a =
-      py::dict("r"_a = pressure["radius"], "theta"_a = pressure["azimuth"], "p"_a = pressure["pressure"]));
+    "load"_a = numpy_of(answer.contact.load.pointwise), "pressure"_a = numpy_of(points));
 }
 
-/// Translates the program's exceptions into those of stemware.ring, with the program's sentences. They are
-/// found by std::type_index, because modules have type_info objects of their own.
-void bind_failures(py::module_ &m)
+/// Translates @p Failure and the classes derived from it into @p raised, with the program's sentence.
+template <typename Failure>
+void translate(const py::object &raised)
 {
-  const py::module_ ring = py::module_::import("stemware._ring");
-  const py::exception<fem::ContactFailure> no_contact(m, "ContactFailure", ring.attr("NoBalance"));
-  const py::exception<OutputFailure> output(m, "OutputFailure", PyExc_OSError);
-  static const auto *const kinds =
-    new std::map<std::type_index, py::object>{ // outlives Python
-                                               { typeid(BadInput), ring.attr("BadInput") },
-                                               { typeid(OutputFailure), output },
-                                               { typeid(fem::ContactFailure), no_contact },
-                                               { typeid(ring::Tipping), ring.attr("Tipping") },
-                                               { typeid(ring::NoTerminalSpin), ring.attr("NoTerminalSpin") },
-                                               { typeid(ring::BalanceLost), ring.attr("BalanceLost") },
-                                               { typeid(ring::NoBalance), ring.attr("NoBalance") }
-    };
-  py::register_exception_translator(
+  static const py::handle kind = py::object(raised).release(); // outlives the interpreter
+  py::register_local_exception_translator(
     [](std::exception_ptr failure)
     {
       try
       {
         std::rethrow_exception(failure);
       }
-      catch (const std::exception &one)
+      catch (const Failure &)
       {
-        const auto kind = kinds->find(typeid(one));
-        if (kind == kinds->end())
-          throw;
-        PyErr_SetString(kind->second.ptr(), failure_sentence().c_str());
+        PyErr_SetString(kind.ptr(), failure_sentence().c_str());
       }
     });
+}
+
+/// Translates the program's exceptions into those of stemware.ring. The last matching translation holds.
+void bind_failures(py::module_ &m)
+{
+  const py::module_ ring = py::module_::import("stemware._ring");
+  translate<ring::NoBalance>(ring.attr("NoBalance"));
+  translate<ring::BalanceLost>(ring.attr("BalanceLost"));
+  translate<ring::NoTerminalSpin>(ring.attr("NoTerminalSpin"));
+  translate<ring::Tipping>(ring.attr("Tipping"));
+  translate<fem::ContactFailure>(py::exception<void>(m, "ContactFailure", ring.attr("NoBalance")));
+  translate<fem::TippingDemand>(ring.attr("BadInput"));
+  translate<OutputFailure>(py::exception<void>(m, "OutputFailure", PyExc_OSError));
+  translate<BadInput>(ring.attr("BadInput"));
 }
 
 } // namespace
@@ -309,25 +279,15 @@ PYBIND11_MODULE(_study, m)
   bind_failures(m);
   py::class_<Study>(m, "Study")
     .def(py::init(
-           [](const std::string &file)
-           {
-             static const Study standard = read_study("");
-             return file.empty() ? standard : read_study(file);
-           }),
-         "file"_a)
-    .def_static("of_text", &read_study_text, "origin"_a, "text"_a)
-    .def("assign",
-         [](Study &study, const std::string &path, const std::string &text)
-         {
-           const std::vector<StudyEntry> entries = study_entries(study);
-           assign(entries, "", full_path(entries, path), text);
-         })
-    .def("value",
-         [](const Study &study, const std::string &path)
-         {
-           const std::vector<StudyEntry> entries = entries_of(study);
-           return entry_at(entries, "", full_path(entries, path)).value();
-         })
+      [](const std::string &file, const std::optional<std::string> &text)
+      {
+        static const Study standard = read_study("");
+        return text ? read_study_text("the text", *text) : file.empty() ? standard : read_study(file);
+      }))
+    .def("assign", [](Study &study, const std::string &path, const std::string &text)
+         { assign(study_entries(study), "", path, text); })
+    .def("value", [](const Study &study, const std::string &path)
+         { return entry_at(entries_of(study), "", path).value(); })
     .def_property_readonly("is_collective", &is_collective)
     .def("entries",
          [](const Study &study)
@@ -344,29 +304,25 @@ PYBIND11_MODULE(_study, m)
     .def("prm", &study_as_prm)
     .def("answer", &case_of, "start"_a);
   py::class_<Start>(m, "Start",
-                    "Initial guess (warm start) of the next Study.answer(start=...) or "
-                    "run(start=...): the contacts of the last one. For one thread.")
+                    R"(Initial guess (warm start) of the next Study.answer(start=...) or run(start=...):
+the contacts of the last one. For one thread.)")
     .def(py::init<>());
   m.def("limit_cache",
         [](std::size_t n) { cache() = std::make_shared<fem::ComplianceCache>(n, &check_signals); });
 
   PYBIND11_NUMPY_DTYPE(ring::Wrench, torque, force_x, force_y);
-  PYBIND11_NUMPY_DTYPE(fem::AzimuthLoad, azimuth, density);
-  PYBIND11_NUMPY_DTYPE(fem::PressurePoint, radius, azimuth, pressure);
+  PYBIND11_NUMPY_DTYPE_EX(fem::AzimuthLoad, azimuth, "theta", density, "density");
+  PYBIND11_NUMPY_DTYPE_EX(fem::PressurePoint, radius, "r", azimuth, "theta", pressure, "p");
   py::class_<Found>(m, "Found")
-    .def(py::init(&results_of), "verb"_a, "study"_a, py::kw_only(), "quick"_a = false, "n_levels"_a = 3,
-         "n_threads"_a, "progress"_a, "start"_a = py::none())
+    .def(py::init(&results_of))
     .def("document", &Found::document)
     .def("curves", &curves_in)
     .def("save", &Found::save, "folder"_a, py::call_guard<py::gil_scoped_release>());
 
   m.def("fit", &fit_of, "runs"_a, "free"_a, "zero"_a, "start"_a, "quick"_a, "n_threads"_a, "progress"_a);
-  m.def("read_run",
-        [](const std::string &file, const std::string &column)
-        {
-          const MeasuredRun run = read_measured_run(file, column, "data ");
-          return std::make_tuple(run.times, run.values, run.is_angle);
-        });
+  py::class_<MeasuredRun>(m, "MeasuredRun")
+    .def(py::init<const std::vector<double> &, const std::vector<double> &>());
+  m.def("read_run", &read_measured_run);
   py::class_<MpiSession>(m, "MpiSession").def(py::init<>());
   m.def("unit",
         [](const std::string &key, const std::string &section) { return quantity_named(key, section).unit; });

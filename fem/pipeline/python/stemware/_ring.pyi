@@ -31,6 +31,9 @@ class Motion:
     bowl_radius: float
     bowl_height: float
     bowl_depth: float
+    surface_leans: bool
+    clockwise: bool
+    stribeck: bool
     normal_force: float
 
 class FrictionLaw:
@@ -40,7 +43,7 @@ class Stribeck(FrictionLaw):
     def __init__(self, *, static: float, kinetic: float, decay_speed: float, viscous: float = 0, decay_exponent: float = 2) -> None: ...
 
 class RingStack:
-    def __init__(self, *, radii: ArrayLike, a: ArrayLike, b: ArrayLike, tilt: ArrayLike = ...) -> None: ...
+    def __init__(self, radii: ArrayLike, a: ArrayLike, b: ArrayLike, tilt: ArrayLike = ...) -> None: ...
     @staticmethod
     def first_harmonic(*, normal_force: float, moment: ArrayLike, radius: float) -> RingStack: ...
     radii: ndarray
@@ -59,10 +62,7 @@ class RingStack:
     def at(self, theta: ArrayLike) -> ndarray: ...
 
 class SelfConsistentRing:
-    def __init__(self, *, motion: Motion, closure: str = "full", radius: float = 0.03, exponent: Optional[float] = None,
-                 n_harmonics: int = 128) -> None: ...
-    motion: Motion
-    radius: float
+    def __init__(self, motion: Motion, closure: str, radius: float, exponent: Optional[float], n_harmonics: int) -> None: ...
     def load(self, omega: float) -> RingStack: ...
 
 class Pressure:

@@ -15,18 +15,35 @@ import numpy as np
 
 from . import _ring
 from ._ring import (BadInput, BalanceLost, FrictionLaw, Motion, NoBalance, NoTerminalSpin, Pressure,  # noqa: F401
-                    RingStack, SelfConsistentRing, Stribeck, Tipping)
+                    RingStack, Stribeck, Tipping)
 
 Wrench = namedtuple("Wrench", "force_x force_y torque")
 Answer = namedtuple("Answer", "omega stable held torque_slope time_constant torque_at_rest spin_scale all")
 
 
-RingStack.__reduce__ = lambda self: (_stack, (self.radii, self.a, self.b, self.tilt))
+RingStack.__reduce__ = lambda self: (RingStack, (self.radii, self.a, self.b, self.tilt))
+RingStack.__repr__ = lambda self: f"RingStack({self.radii.size} rings, {self.normal_force:.6g} N)"
+Motion.replace = lambda self, **values: Motion(**{**self.as_dict(), **values})
+Motion.__reduce__ = lambda self: (_motion, (self.as_dict(),))
+Motion.__repr__ = lambda self: f"Motion(**{self.as_dict()})"
 Pressure.hertz = staticmethod(lambda radius: Pressure(lambda r: np.sqrt(np.maximum(0, (radius - r) * (radius + r))), 0, radius))
 
 
-def _stack(radii, a, b, tilt):
-    return RingStack(radii=radii, a=a, b=b, tilt=tilt)
+def _motion(values):
+    return Motion(**values)
+
+
+class SelfConsistentRing(_ring.SelfConsistentRing):
+    """Rigid ring whose load, friction and hand force balance at every spin.
+
+    closure: moments in the balance: "paper" (centripetal part of the hand force), "hand" (whole hand force), "full" (friction
+    too). radius [m]. exponent: None for harmonics 0 and 1 only, exact for a linear support in full contact; 1 for a flat rim
+    that may lift off a mat, 1.5 for a round rim, with n_harmonics.
+    """
+
+    def __init__(self, *, motion, closure="full", radius=0.03, exponent=None, n_harmonics=128):
+        super().__init__(motion, closure, radius, exponent, n_harmonics)
+        self.motion, self.radius = motion, radius
 
 
 def coulomb(mu):

@@ -77,7 +77,7 @@ class Study:
             text = _study.new_study_text(*(_study.preset_of(all, kind, given[kind] or all[0].name)
                                            for kind, all in _presets().items()), "study.prm")
         self._source = os.path.abspath(file) if file else "", text
-        self._study = _study.Study(os.fspath(file)) if text is None else _study.Study.of_text("the text", text)
+        self._study = _study.Study(os.fspath(file), text)
         self.changes = {}
         if file:
             self._study.name = os.path.splitext(os.path.basename(file))[0]
@@ -133,15 +133,15 @@ class Study:
     def run(self, quick=False, threads=1, progress=None, start=None):
         """Returns the Result of `stemware run`, without files and fields; quick: without budget and bands. start and exceptions
         as of answer()."""
-        return Result._of(_study.Found("run", self._ready(), quick=quick, n_threads=threads, progress=progress, start=start))
+        return Result._of(_study.Found("run", self._ready(), quick, 0, threads, progress, start))
 
     def truncate(self, threads=1, progress=None):
         """Returns the Result of `stemware truncate`: the spin over the number of harmonics, result.table("truncation")."""
-        return Result._of(_study.Found("truncate", self._ready(), n_threads=threads, progress=progress))
+        return Result._of(_study.Found("truncate", self._ready(), False, 0, threads, progress, None))
 
     def converge(self, levels=3, threads=1, progress=None):
         """Returns the Result of `stemware converge`: observed orders, limits and bands (grid convergence index)."""
-        return Result._of(_study.Found("converge", self._ready(), n_levels=levels, n_threads=threads, progress=progress))
+        return Result._of(_study.Found("converge", self._ready(), False, levels, threads, progress, None))
 
 
 def _restored(file, text, changes):
@@ -157,7 +157,8 @@ class Result:
 
     @classmethod
     def _of(cls, found):
-        return cls(json.loads(found.document()), found.curves(), found)
+        curves = {name: ring._columns(one) if isinstance(one, np.ndarray) else one for name, one in found.curves().items()}
+        return cls(json.loads(found.document()), curves, found)
 
     def __getitem__(self, path):
         part = self.document
@@ -229,25 +230,11 @@ class Fit(Result):
     """Result of stemware.fit. values, spreads (standard deviations): by entry; correlation: an array; sentences: remarks on the
     entries; runs: a list of dicts with start, zero, noise; curves: "run_1", "run_2", ..., each with time, measured, fitted."""
 
-    @property
-    def values(self):
-        return {one["entry"]: one["value"] for one in self["fit/entries"]}
-
-    @property
-    def spreads(self):
-        return {one["entry"]: one["spread"] for one in self["fit/entries"]}
-
-    @property
-    def correlation(self):
-        return np.array(self["fit/correlation"])
-
-    @property
-    def sentences(self):
-        return self["fit/sentences"]
-
-    @property
-    def runs(self):
-        return self["fit/runs"]
+    values = property(lambda self: {one["entry"]: one["value"] for one in self["fit/entries"]})
+    spreads = property(lambda self: {one["entry"]: one["spread"] for one in self["fit/entries"]})
+    correlation = property(lambda self: np.array(self["fit/correlation"]))
+    sentences = property(lambda self: self["fit/sentences"])
+    runs = property(lambda self: self["fit/runs"])
 
 
 def fit(study, data, free, gyroscope_zero="", quick=False, threads=1, progress=None, start=""):
@@ -260,9 +247,11 @@ def fit(study, data, free, gyroscope_zero="", quick=False, threads=1, progress=N
     """
     def run_of(one, own):
         if isinstance(one, (str, os.PathLike)):
-            return (os.fspath(one), own._ready(), *_study.read_run(os.fspath(one), own["Motion/Measured column"]))
-        time, spin = (np.asarray(column, dtype=float).tolist() for column in one)
-        return "data", own._ready(), time, spin, False
+            return os.fspath(one), own._ready(), _study.read_run(os.fspath(one), own["Motion/Measured column"], "data ")
+        time, spin = (np.asarray(column, dtype=float) for column in one)
+        if time.size != spin.size:
+            raise ring.BadInput(f"the data have {time.size} times and {spin.size} spins; give equally many")
+        return "data", own._ready(), _study.MeasuredRun(time, spin)
 
     runs = [run_of(*one) if isinstance(one, tuple) and isinstance(one[1], Study) else run_of(one, study)
             for one in (data if isinstance(data, list) else [data])]
