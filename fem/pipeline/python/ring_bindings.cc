@@ -349,15 +349,16 @@ of the table about x and y in the frame of the glass, which gives the lean torqu
   using B = SlidingBody;
   py::class_<B>(m, "Pressure", R"(Axisymmetric normal pressure p(r) between the radii inner and outer [m].
 
-p takes an array of radii [m] and returns an array in any unit: only its shape counts. Gauss points are clustered at
-both radii and at v / |omega|, where friction is singular; a RingStack of as many rings has an error of 1e-4 there.)")
+p takes an array of radii [m] and returns an array or a number in any unit; only its shape counts. Gauss points cluster
+at both radii and at v / |omega|, where friction is singular; a RingStack of as many rings is off by 1e-4 there.)")
     .def(py::init(
-           [](const std::function<Row(const py::array &)> &p, double inner, double outer)
+           [](const std::function<py::object(const py::array &)> &p, double inner, double outer)
            {
              const auto at = [p](const Row &radii)
              {
                const py::gil_scoped_acquire gil;
-               return p(numpy_of(radii));
+               const py::array r = numpy_of(radii);
+               return (p(r) + r * py::float_(0.)).cast<Row>(); // p may return one number
              };
              return B::with_pressure(at, inner, outer);
            }),

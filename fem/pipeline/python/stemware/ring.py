@@ -9,6 +9,7 @@ a spin that does not exist raises NoBalance or a class derived from it: Tipping,
 >>> round(float(-wrench(disc, 0.0, 5.0, mu=0.3, normal_force=3.0).torque) / (0.3 * 3.0 * 0.03), 12)   # 2/3 mu N R
 0.666666666667
 """
+import functools
 from collections import namedtuple
 
 import numpy as np
@@ -24,13 +25,9 @@ Answer = namedtuple("Answer", "omega stable held torque_slope time_constant torq
 RingStack.__reduce__ = lambda self: (RingStack, (self.radii, self.a, self.b, self.tilt))
 RingStack.__repr__ = lambda self: f"RingStack({self.radii.size} rings, {self.normal_force:.6g} N)"
 Motion.replace = lambda self, **values: Motion(**{**self.as_dict(), **values})
-Motion.__reduce__ = lambda self: (_motion, (self.as_dict(),))
+Motion.__reduce__ = lambda self: (functools.partial(Motion, **self.as_dict()), ())
 Motion.__repr__ = lambda self: f"Motion(**{self.as_dict()})"
 Pressure.hertz = staticmethod(lambda radius: Pressure(lambda r: np.sqrt(np.maximum(0, (radius - r) * (radius + r))), 0, radius))
-
-
-def _motion(values):
-    return Motion(**values)
 
 
 class SelfConsistentRing(_ring.SelfConsistentRing):
@@ -195,6 +192,8 @@ def limit_surface(load, n=361, about="axis", direction=0.0):
     >>> round(s.arm / 0.03 * 16 / (3 * np.pi), 9), round(float(s.force[180]), 12)
     (1.0, 1.0)
     """
+    if not isinstance(load, (RingStack, Pressure)):
+        raise BadInput(f"the load is {load!r}; give a Pressure or a RingStack, for instance SelfConsistentRing.load(omega)")
     radius, angle = load.radius, np.linspace(-np.pi / 2, np.pi / 2, n)
     v = np.where(np.abs(np.abs(angle) - np.pi / 2) < 1e-12, 0, np.cos(angle))
     omega = np.sin(angle) / radius

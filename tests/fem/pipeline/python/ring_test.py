@@ -60,6 +60,7 @@ class ClosedForms(unittest.TestCase):
         "annulus": (ring.Pressure.annulus(0.7 * R, R), 2 / 3 * (1 - 0.7**3) / (1 - 0.7**2), None, None),
         "Hertz": (ring.Pressure.hertz(R), 3 * np.pi / 16, None, None),
         "disc as a function": (ring.Pressure(np.ones_like, 0, R), 2 / 3, 8 / (3 * np.pi), 8 / (9 * np.pi)),
+        "disc as a number": (ring.Pressure(lambda r: 2.0, 0, R), 2 / 3, 8 / (3 * np.pi), 8 / (9 * np.pi)),
         "Hertz as a function": (ring.Pressure(lambda r: np.sqrt(1 - (r / R)**2), 0, R), 3 * np.pi / 16, None, None),
     }
     shapes = {"annulus": (lambda r: 1.0, 0.7 * R), "Hertz": (lambda r: np.sqrt(max(0, R * R - r * r)), 0)}
@@ -261,6 +262,9 @@ class Manners(unittest.TestCase):
             (lambda: ring.SelfConsistentRing(motion=ring.Motion(), closure="open"), ring.BadInput, "paper, hand or full"),
             (lambda: ring.limit_surface(LimitSurface.stack, about="rim"), ring.BadInput, "centre of pressure"),
             (lambda: ring.limit_surface(LimitSurface.stack).pade(), ring.BadInput, "Pressure"),
+            (lambda: ring.limit_surface(ring.SelfConsistentRing(motion=ring.Motion())), ring.BadInput, "load(omega)"),
+            (lambda: ring.Motion(mass="250 g"), ValueError, "250 g"),
+            (lambda: ring.Motion(mas=0.3), TypeError, "as_dict"),
             (lambda: ring.answer(lambda w: 1.0, ring.Motion()), ring.BadInput, "returns a RingStack"),
             (lambda: ring.answer(LimitSurface.stack), ring.BadInput, "give a Motion"),
             (lambda: ring.answer(ring.SelfConsistentRing(motion=ring.Motion(centre_of_mass_height=0.5), exponent=1)), ring.Tipping, ""),
