@@ -1,8 +1,10 @@
-"""Limit surfaces of five contacts, and what simulators take for them.
+"""Limit surfaces of six contacts, and what simulators take for them.
 
     python3 docs/python/limit_surfaces.py limit_surfaces.svg
 """
+import os
 import sys
+import tempfile
 
 import matplotlib
 matplotlib.use("Agg")
@@ -12,6 +14,14 @@ import numpy as np
 from stemware import figures, ring
 
 R = 0.03
+# A pressure of another program: here that of a crown with the moment ratio 0.7.
+r, theta = np.linspace(0.8 * R, R, 41), np.arange(64) * 2 * np.pi / 64
+p = np.outer(1 - ((r - 0.9 * R) / (0.1 * R))**2, 1 + 0.7 * np.sin(theta))
+with tempfile.TemporaryDirectory() as folder:
+    file = os.path.join(folder, "pressure.csv")
+    rows = np.column_stack([np.repeat(r, theta.size), np.tile(theta, r.size), p.ravel()])
+    np.savetxt(file, rows, delimiter=",", header="r (m),theta (rad),pressure (Pa)", comments="")
+    leaning = ring.stack_from_csv(file)
 loads = {
     "disc": (ring.Pressure.disc(R), {}),
     "annulus, 0.7 R to R": (ring.Pressure.annulus(0.7 * R, R), {}),
@@ -19,8 +29,9 @@ loads = {
     "crowned ring": (ring.Pressure(lambda r: 1 - ((r - 0.9 * R) / (0.1 * R))**2, 0.8 * R, R), {}),
     "ring, moment ratio 0.7": (ring.RingStack.first_harmonic(normal_force=1.0, moment=(0.35 * R, 0), radius=R),
                                {"about": "centre of pressure"}),
+    "crown from a CSV, 0.7": (leaning, {"about": "centre of pressure"}),
 }
-figure, axes = plt.subplots(1, 5, figsize=(13, 3.4), layout="constrained")
+figure, axes = plt.subplots(1, 6, figsize=(15.5, 3.4), layout="constrained")
 print("                        arm/R  stands for it    lies outside by     its wrench in one slip is off by")
 for ax, (name, (load, options)) in zip(axes, loads.items()):
     s = ring.limit_surface(load, n=1441, **options)

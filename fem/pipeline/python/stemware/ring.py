@@ -95,9 +95,10 @@ def stack_from_pressure(r, theta, p, n_max=16, weights=None):
 
 
 def stack_from_csv(file, n_max=16):
-    """Returns the RingStack of a CSV file with the columns r [m], theta [rad] and p [Pa], named in its first line: one row for
-    each pair of radius and angle, in any order; see stack_from_pressure()."""
+    """Returns the RingStack of a CSV file with the columns r [m], theta [rad] and p [Pa], named in its first line like those of
+    the program's footprint.csv: one row for each pair of radius and angle, in any order; see stack_from_pressure()."""
     table = np.genfromtxt(file, delimiter=",", names=True)
+    table.dtype.names = [name.partition("_")[0].replace("pressure", "p") for name in table.dtype.names]
     if not {"r", "theta", "p"} <= set(table.dtype.names or ()):
         raise BadInput(f"{file} has the columns {', '.join(table.dtype.names or ())}; name them r, theta and p")
     (r, i), (theta, k) = (np.unique(table[name], return_inverse=True) for name in ("r", "theta"))
