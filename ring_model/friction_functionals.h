@@ -61,8 +61,8 @@ FrictionFunctionals friction_functionals(const Motion &motion, const std::vector
 /// friction_functionals().
 Wrench wrench(const Motion &motion, const RingStack &load, double omega);
 
-/// Returns the friction under @p law on @p load, whose centre has the @p velocity [m/s]; force and velocity in
-/// the frame of @p load. Throws as friction_functionals().
+/// Returns the friction under @p law on @p load, whose centre has the @p velocity [m/s]; force and velocity
+/// in the frame of @p load. Throws as friction_functionals().
 Wrench wrench(const FrictionLaw &law, const RingStack &load, const Eigen::Vector2d &velocity, double omega);
 
 /// Returns the friction on @p load under Coulomb's law. Throws as friction_functionals().

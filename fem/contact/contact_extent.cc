@@ -40,9 +40,9 @@ struct LineAreas
   double whole = 0, lost = 0;
 };
 
-/// Area of @p line, and the part of it where the quadratic through @p excess is not positive. A gap between two
-/// loaded ends is shorter than a cell, such as next to the singular edge of a hard land, and is not resolved: it
-/// counts as loaded.
+/// Area of @p line, and the part of it where the quadratic through @p excess is not positive. A gap between
+/// two loaded ends is shorter than a cell, such as next to the singular edge of a hard land, and is not
+/// resolved: it counts as loaded.
 LineAreas areas_of(const ContactLine &line, const Eigen::Vector3d &excess)
 {
   const AreaElement element(line);

@@ -17,8 +17,8 @@ enum class LinearSolver
 /// (docs/method/solid_measurements.md, "Small feet").
 constexpr unsigned int max_direct_unknowns = 5000;
 
-/// Number of unknowns above which no body is condensed to its contact nodes: the factorisation takes about 25 kB
-/// per unknown.
+/// Number of unknowns above which no body is condensed to its contact nodes: the factorisation takes about 25
+/// kB per unknown.
 constexpr unsigned int max_condensed_unknowns = 60000;
 
 } // namespace stemware::fem

@@ -21,7 +21,8 @@ double LoadFunctional::operator()(const RingStack &load) const
 
 LoadFunctional LoadFunctional::of_rotated(double angle) const
 {
-  const Eigen::ArrayXd turn = angle * Eigen::ArrayXd::LinSpaced(a.rows(), 0., static_cast<double>(a.rows() - 1));
+  const Eigen::ArrayXd turn =
+    angle * Eigen::ArrayXd::LinSpaced(a.rows(), 0., static_cast<double>(a.rows() - 1));
   const Eigen::ArrayXd cosine = turn.cos(), sine = turn.sin();
   return { a.colwise() * cosine + b.colwise() * sine, b.colwise() * cosine - a.colwise() * sine };
 }

@@ -28,8 +28,8 @@ struct LeaningLoad : RingStack
   /// glass like tau_z (docs/theory/closures.md).
   double lean_torque() const { return -tilt.dot(moment()); }
 
-  /// Returns the tilt and, ring by ring, r_j, a_{j,0}...a_{j,n}, b_{j,0}...b_{j,n} with n = @p n_harmonics, padded
-  /// with zeros. Rows of equally many rings and harmonics may be added and interpolated.
+  /// Returns the tilt and, ring by ring, r_j, a_{j,0}...a_{j,n}, b_{j,0}...b_{j,n} with n = @p n_harmonics,
+  /// padded with zeros. Rows of equally many rings and harmonics may be added and interpolated.
   Eigen::VectorXd coefficients(unsigned int n_harmonics) const
   {
     const Eigen::Index n_a = n_harmonics + 1, n_kept = std::min<Eigen::Index>(n_a, this->n_harmonics() + 1),

@@ -2,9 +2,9 @@
 
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/variants/solve.h"
+#include "ring_model/if_balanced.h"
 #include "ring_model/load/lagrange.h"
 #include "ring_model/spin/answer.h"
-#include "ring_model/if_balanced.h"
 
 #include <Eigen/QR>
 
