@@ -1,7 +1,7 @@
 #include "fem/pipeline/refinement/changed_load.h"
 
+#include "ring_model/if_balanced.h"
 #include "ring_model/no_balance.h"
-#include "ring_model/spin/if_balanced.h"
 
 #include <algorithm>
 #include <utility>

@@ -118,7 +118,8 @@ TEST(SolidBands, OfAnOvalMeshAreTheChangeOfTheTerminalSpin)
   study.contact.load_harmonics = 8;
   study.contact.friction_coupling = FrictionCoupling::none;
   study.table.foundation_modulus = 2e9;
-  const double part = find(bands_of(study), "omega_terminal").parts.at("degree");
+  const ErrorBands bands = bands_of(study);
+  const double part = bands[index_of(bands, "omega_terminal")].parts.at("degree");
   const double before = mean_spin(study);
   study.contact.degree = 2;
   const double change = std::abs(mean_spin(study) - before);
