@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -75,49 +74,6 @@ std::vector<PhaseSamples> sample(const LoadAtPhase &load, const std::vector<doub
   return samples;
 }
 
-/// Samples of the mean over phases of a change.
-struct ResolvedChange
-{
-  PhaseGrids grids;
-  SampleError error;
-};
-
-/// Returns the smallest subset of @p all, with at most @p max_samples phases, that resolves the mean of @p
-/// mean, a row, plus the changes that @p find returns at the phases of a subset (one column each), to @p
-/// wanted.
-ResolvedChange resolve_change(const PhaseGrids &all, const Eigen::VectorXd &mean, std::size_t n_rings,
-                              double wanted, unsigned int max_samples,
-                              const std::function<Eigen::MatrixXd(const PhaseGrids &)> &find)
-{
-  PhaseGrids grids = all.coarsened(first_phases_of_change);
-  while (true)
-  {
-    const PhaseSamples of_mean = { grids, find(grids).colwise() + mean, n_rings };
-    const double of_glass = of_mean.error(&PhaseGrids::glass).mean,
-                 of_table = of_mean.error(&PhaseGrids::table).mean;
-    const PhaseGrids::Angle worse = of_glass > of_table ? &PhaseGrids::glass : &PhaseGrids::table;
-    if (of_glass + of_table <= wanted || (grids.*worse).size() >= (all.*worse).size() ||
-        2 * grids.size() > max_samples)
-      return { grids, of_mean.error() };
-    grids.*worse = (grids.*worse).refined();
-  }
-}
-
-/// Returns @p columns, one for each phase of @p all, at the phases of @p grids.
-Eigen::MatrixXd columns_at(const PhaseGrids &grids, const PhaseGrids &all, const Eigen::MatrixXd &columns)
-{
-  Eigen::MatrixXd there(columns.rows(), grids.size());
-  for (unsigned int i = 0; i < grids.size(); ++i)
-    there.col(i) = all.interpolated(columns, grids.phase(i));
-  return there;
-}
-
-/// Returns the row of one load and its shape, to which samples of another are converted.
-PhaseSamples converted_to(const LeaningLoad &shape, const PhaseSamples &samples)
-{
-  return samples.converted(shape.rings().size(), shape.n_harmonics());
-}
-
 } // namespace
 
 PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, const RestSampling &asked)
@@ -140,24 +96,6 @@ PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods,
   }
 }
 
-PhaseSamples sample_phases_like(const LoadAtPhase &load, const PhaseSamples &like, const RestSampling &asked)
-{
-  const PhaseGrids &all = like.phases();
-  const PhaseSamples similar = converted_to(load(0, all.phase(0)), like);
-  const auto change = [&](const PhaseGrids &grids) -> Eigen::MatrixXd
-  { return sample(load, { 0 }, grids).front().columns() - columns_at(grids, all, similar.columns()); };
-  const auto [grids, error] =
-    resolve_change(all, similar.columns().rowwise().mean(), similar.n_rings(),
-                   std::max(tolerance, similar.error().mean), asked.max_samples, change);
-  const PhaseSamples samples = { all, similar.columns() + columns_at(all, grids, change(grids)),
-                                 similar.n_rings() };
-  const SampleError of_samples = samples.error();
-  require_resolved(grids.size(),
-                   { std::max(of_samples.mean, error.mean), std::max(of_samples.between, error.between) },
-                   asked.max_error);
-  return samples;
-}
-
 PhaseSamples PhaseSampledLoad::Samples::at(double omega) const
 {
   const Eigen::VectorXd weights = spins.weights(omega);
@@ -168,13 +106,11 @@ PhaseSamples PhaseSampledLoad::Samples::at(double omega) const
 }
 
 PhaseSampledLoad::PhaseSampledLoad(LoadAtPhase load_given, const PhasePeriods &periods,
-                                   const PhaseSamples &at_rest, const SpinSampling &spins_asked,
-                                   std::shared_ptr<const PhaseSampledLoad> like)
+                                   const PhaseSamples &at_rest, const SpinSampling &spins_asked)
     : load(std::move(load_given))
     , phase_periods(periods)
     , at_rest(at_rest)
     , spins_asked(spins_asked)
-    , like(std::move(like))
     , largest_error(at_rest.error())
 {
 }
@@ -197,27 +133,19 @@ PhaseSamples PhaseSampledLoad::at_spin(double omega) const
   return varies_with_spin(omega) ? samples_around(omega).at(omega) : at_rest;
 }
 
-std::pair<ChebyshevInterval, double> PhaseSampledLoad::find_spins(long interval, const Samples *similar) const
+std::pair<ChebyshevInterval, double> PhaseSampledLoad::find_spins(long interval) const
 {
   // How the load depends on the spin is much the same at every phase: one decides on the spins.
   const PhaseGrids one_phase = { first_grid(0, 1), first_grid(0, 1) };
-  const auto sample_at = [&](const std::vector<double> &omegas)
-  {
-    std::vector<PhaseSamples> samples = sample(load, omegas, one_phase);
-    for (std::size_t k = 0; k < omegas.size(); ++k)
-      samples[k] = { one_phase, samples[k].columns() - change_of_similar(similar, omegas[k]).col(0),
-                     samples[k].n_rings() };
-    return samples;
-  };
   const double lower = static_cast<double>(interval) * spins_asked.unit;
   ChebyshevInterval spins(lower, lower + spins_asked.unit, 2);
   for (double error_before = std::numeric_limits<double>::infinity();;)
   {
-    const Samples samples = { spins, sample_at(spins.nodes()) };
+    const Samples samples = { spins, sample(load, spins.nodes(), one_phase) };
     double error = 0;
     for (const double omega : spins.between())
-      error = std::max(
-        error, torque_difference(samples.at(omega).sample(0), sample_at({ omega }).front().sample(0)));
+      error =
+        std::max(error, torque_difference(samples.at(omega).sample(0), load(omega, one_phase.phase(0))));
     const bool pays = error > largest_allowed.mean || error < error_before / 3;
     if (error <= std::max(tolerance, at_rest.error().mean) || !pays ||
         2 * (spins.size() - 1) > spins_asked.max_steps)
@@ -252,57 +180,55 @@ const PhaseSampledLoad::Samples &PhaseSampledLoad::samples_around(double omega) 
   }
 }
 
-const PhaseSampledLoad::Samples *PhaseSampledLoad::samples_of_similar(long interval) const
+PhaseSamples PhaseSampledLoad::changed(const PhaseGrids &grids, const Eigen::MatrixXd &changes) const
 {
-  if (!like)
-    return nullptr;
-  const auto known = like->intervals.find(interval);
-  return known == like->intervals.end() ? nullptr : &known->second;
+  Eigen::MatrixXd columns = at_rest.columns();
+  for (unsigned int i = 0; i < phases().size(); ++i)
+    columns.col(i) += changes * grids.weights(phases().phase(i));
+  return { phases(), columns, at_rest.n_rings() };
 }
 
-Eigen::MatrixXd PhaseSampledLoad::change_of_similar(const Samples *similar, double omega) const
+std::pair<PhaseGrids, SampleError> PhaseSampledLoad::sample_phases_of_change(double omega) const
 {
-  const Eigen::MatrixXd &rest = at_rest.columns();
-  if (!similar)
-    return Eigen::MatrixXd::Zero(rest.rows(), rest.cols());
-  const LeaningLoad shape = at_rest.sample(0);
-  return converted_to(shape, similar->at(omega)).columns() - converted_to(shape, like->at_rest).columns();
+  const auto first = [](const PeriodicGrid &grid) { return grid.coarsened(first_phases_of_change); };
+  PhaseGrids grids = { first(phases().glass), first(phases().table) };
+  const Eigen::VectorXd mean = at_rest.columns().rowwise().mean();
+  while (true)
+  {
+    const PhaseSamples of_mean = { grids, changes_from_rest({ omega }, grids).front().colwise() + mean,
+                                   at_rest.n_rings() };
+    const double of_glass = of_mean.error(&PhaseGrids::glass).mean,
+                 of_table = of_mean.error(&PhaseGrids::table).mean;
+    const PhaseGrids::Angle worse = of_glass > of_table ? &PhaseGrids::glass : &PhaseGrids::table;
+    if (of_glass + of_table <= std::max(tolerance, at_rest.error().mean) ||
+        (grids.*worse).size() >= (phases().*worse).size())
+      return { grids, of_mean.error() };
+    grids.*worse = (grids.*worse).refined();
+  }
 }
 
 std::vector<Eigen::MatrixXd> PhaseSampledLoad::changes_from_rest(const std::vector<double> &omegas,
-                                                                 const PhaseGrids &grids,
-                                                                 const Samples *similar) const
+                                                                 const PhaseGrids &grids) const
 {
+  Eigen::MatrixXd rest(at_rest.columns().rows(), grids.size());
+  for (unsigned int i = 0; i < grids.size(); ++i)
+    rest.col(i) = at_rest.columns() * phases().weights(grids.phase(i));
   std::vector<Eigen::MatrixXd> changes;
   for (const PhaseSamples &samples : sample(load, omegas, grids))
-  {
-    const Eigen::MatrixXd expected = at_rest.columns() + change_of_similar(similar, omegas[changes.size()]);
-    changes.push_back(samples.columns() - columns_at(grids, phases(), expected));
-  }
+    changes.push_back(samples.columns() - rest);
   return changes;
 }
 
 PhaseSampledLoad::Samples PhaseSampledLoad::samples_of(long interval) const
 {
-  const Samples *similar = samples_of_similar(interval);
-  const auto [spins, between_spins] = find_spins(interval, similar);
-  const double farthest = spins.node(interval < 0 ? 0 : spins.size() - 1); // from rest
-  const auto [grids, of_change] = resolve_change(
-    phases(), at_rest.columns().rowwise().mean(), at_rest.n_rings(),
-    std::max(tolerance, at_rest.error().mean), phases().size(),
-    [&](const PhaseGrids &some) { return changes_from_rest({ farthest }, some, similar).front(); });
+  const auto [spins, between_spins] = find_spins(interval);
+  const unsigned int farther = interval < 0 ? 0 : spins.size() - 1; // from rest
+  const auto [grids, of_change] = sample_phases_of_change(spins.node(farther));
   require_resolved(phases().size(),
                    { at_rest.error().mean + of_change.mean, at_rest.error().between + of_change.between });
-  const std::vector<Eigen::MatrixXd> changes = changes_from_rest(spins.nodes(), grids, similar);
-  Samples samples = { similar && similar->spins.size() > spins.size() ? similar->spins : spins, {} };
-  for (const double omega : samples.spins.nodes())
-  {
-    const Eigen::VectorXd weights = spins.weights(omega);
-    Eigen::MatrixXd columns = at_rest.columns() + change_of_similar(similar, omega);
-    for (unsigned int k = 0; k < spins.size(); ++k)
-      columns += weights(k) * columns_at(phases(), grids, changes[k]);
-    samples.at_nodes.emplace_back(phases(), columns, at_rest.n_rings());
-  }
+  Samples samples = { spins, {} };
+  for (const Eigen::MatrixXd &changes : changes_from_rest(spins.nodes(), grids))
+    samples.at_nodes.push_back(changed(grids, changes));
   // Between spins the load may be off by as much at every phase, but a kink is not at the same spin.
   const double between_means = std::min(between_spins, error_of_halved_spins(samples));
   const SampleError of_rest = at_rest.error();

@@ -6,8 +6,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -31,11 +29,6 @@ struct RestSampling
 /// 0.3.
 PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, const RestSampling &asked);
 
-/// Returns the load at rest at the phases of @p like, the samples of a similar load at rest, which has as
-/// many rings, or this load has one. The difference of the two is sampled at 4 phases of each angle, and at
-/// more until its mean is known as well as that of @p like. Throws as sample_phases().
-PhaseSamples sample_phases_like(const LoadAtPhase &load, const PhaseSamples &like, const RestSampling &asked);
-
 /// Sampling of a load that depends on the spin.
 struct SpinSampling
 {
@@ -48,15 +41,13 @@ struct SpinSampling
 /// Load that depends on the phases of glass and table, and possibly on the spin. At rest it is sampled on a
 /// grid of phases. The change with the spin is sampled at some of these phases, on Chebyshev points of each
 /// interval of spins that is requested. Interpolation is trigonometric in the phases and polynomial in the
-/// spin. Beside a similar load that has been sampled on that interval, the difference of the changes is
-/// sampled.
+/// spin.
 class PhaseSampledLoad
 {
 public:
-  /// Keeps a copy of @p load. @p like: similar load on the same phases and intervals, or nullptr; @p at_rest
-  /// is then from sample_phases_like().
+  /// Keeps a copy of @p load.
   PhaseSampledLoad(LoadAtPhase load, const PhasePeriods &periods, const PhaseSamples &at_rest,
-                   const SpinSampling &spins = {}, std::shared_ptr<const PhaseSampledLoad> like = nullptr);
+                   const SpinSampling &spins = {});
 
   /// Returns the load at a spin and phase. Throws NoBalance, as sample_phases(), if the samples around @p
   /// omega are not accurate enough, and if they would exceed SpinSampling::max_intervals.
@@ -74,8 +65,6 @@ public:
 
   /// The loads at all sampled phases.
   std::vector<RingStack> samples(double omega) const;
-  const PhaseSamples &samples_at_rest() const { return at_rest; }
-  const SpinSampling &spin_sampling() const { return spins_asked; }
   const PhaseGrids &phases() const { return at_rest.phases(); }
   const PhasePeriods &periods() const { return phase_periods; }
 
@@ -97,19 +86,18 @@ private:
 
   bool varies_with_spin(double omega) const { return spins_asked.unit > 0 && omega != 0; }
   PhaseSamples at_spin(double omega) const;
-  /// Returns the samples of the similar load on an interval of spins; nullptr if it has none there.
-  const Samples *samples_of_similar(long interval) const;
-  /// Returns the change of the load of @p similar between rest and the spin @p omega at phases(), one column
-  /// each; zero for nullptr.
-  Eigen::MatrixXd change_of_similar(const Samples *similar, double omega) const;
-  /// Chooses the nodes of an interval, on which change_of_similar() is subtracted, and returns their
-  /// interpolation error, torque_difference(). For a load with kinks in the spin, refinement stops below 3e-2
-  /// when doubling leaves more than a third of the error.
-  std::pair<ChebyshevInterval, double> find_spins(long interval, const Samples *similar) const;
-  /// Returns the change of the loads between rest and each of @p omegas at the phases of @p grids, less
-  /// change_of_similar(): one matrix per spin, one column per phase.
-  std::vector<Eigen::MatrixXd> changes_from_rest(const std::vector<double> &omegas, const PhaseGrids &grids,
-                                                 const Samples *similar) const;
+  /// Chooses the nodes of an interval and returns their interpolation error, torque_difference(). For a load
+  /// with kinks in the spin, refinement stops below 3e-2 when doubling leaves more than a third of the error.
+  std::pair<ChebyshevInterval, double> find_spins(long interval) const;
+  /// Returns the change of the loads between rest and each of @p omegas at the phases of @p grids: one matrix
+  /// per spin, one column per phase.
+  std::vector<Eigen::MatrixXd> changes_from_rest(const std::vector<double> &omegas,
+                                                 const PhaseGrids &grids) const;
+  /// Returns the smallest subset of phases() that resolves the mean change at the spin @p omega, and its
+  /// error.
+  std::pair<PhaseGrids, SampleError> sample_phases_of_change(double omega) const;
+  /// Returns the loads at rest plus @p changes (one column per phase of @p grids), interpolated to phases().
+  PhaseSamples changed(const PhaseGrids &grids, const Eigen::MatrixXd &changes) const;
   const Samples &samples_around(double omega) const;
   Samples samples_of(long interval) const;
   /// Returns the largest torque_difference() between mean() at every other spin of @p samples and its
@@ -120,7 +108,6 @@ private:
   const PhasePeriods phase_periods;
   const PhaseSamples at_rest;
   const SpinSampling spins_asked;
-  const std::shared_ptr<const PhaseSampledLoad> like;
   mutable std::map<long, Samples> intervals;
   mutable std::map<long, std::exception_ptr> failures; ///< of other intervals
   mutable SampleError largest_error;

@@ -150,31 +150,6 @@ LeaningLoad PhaseSamples::mean() const
   return { RingStack(ring.a, ring.b, moment.norm() / first), mean.tilt };
 }
 
-PhaseSamples PhaseSamples::converted(std::size_t n_rings, unsigned int n_harmonics) const
-{
-  if (n_rings != rings_per_load && n_rings != 1)
-    throw std::logic_error("samples on rings are converted to one ring only");
-  Eigen::MatrixXd columns;
-  for (unsigned int i = 0; i < grids.size(); ++i)
-  {
-    LeaningLoad load = sample(i);
-    if (n_rings != rings_per_load)
-    {
-      std::vector<double> a, b;
-      for (unsigned int n = 0; n <= load.n_harmonics(); ++n)
-      {
-        a.push_back(load.a(n));
-        b.push_back(load.b(n));
-      }
-      load = { RingStack(a, b, load.radius()), load.tilt };
-    }
-    const Eigen::VectorXd column = load.truncated(n_harmonics).coefficients(n_harmonics);
-    columns.conservativeResize(column.size(), grids.size());
-    columns.col(i) = column;
-  }
-  return { grids, columns, n_rings };
-}
-
 SampleError PhaseSamples::error(PhaseGrids::Angle angle) const
 {
   if ((grids.*angle).size() == 1)

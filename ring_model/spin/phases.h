@@ -90,11 +90,6 @@ struct PhaseGrids
   Orientation phase(unsigned int i) const;
   /// Returns the index of the node of one angle at phase @p i.
   unsigned int node(Angle angle, unsigned int i) const;
-  /// Returns the coarsest power-of-two subset with at most @p max_nodes nodes of each angle.
-  PhaseGrids coarsened(unsigned int max_nodes) const
-  {
-    return { glass.coarsened(max_nodes), table.coarsened(max_nodes) };
-  }
   /// Returns the grids with every other node of one angle.
   PhaseGrids halved(Angle angle) const;
   /// Weights of the phases in the interpolant at @p phase. Shape [size()].
@@ -132,10 +127,6 @@ public:
 
   /// Returns the mean over all phases (trapezoidal rule), which has the mean moment.
   LeaningLoad mean() const;
-
-  /// Returns the samples with the harmonics up to @p n_harmonics on @p n_rings rings: their own number, or
-  /// one.
-  PhaseSamples converted(std::size_t n_rings, unsigned int n_harmonics) const;
 
   /// Estimates the error in one angle. Mean: difference to the mean of half of the phases. Between phases:
   /// interpolation error of a half and of a quarter of the phases at the others, extrapolated to all.

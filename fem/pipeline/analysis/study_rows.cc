@@ -119,10 +119,10 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
   {
     if (variant.on_other_rings)
       its_foot->reset_rings();
-    const ring::SharedLoad load = variant.on_same_load
-                                    ? of_study
-                                    : find_load(variant.study, its_foot, silent_progress(),
-                                                variant.n_harmonics, PhaseSampling::coarse, of_study);
+    const ring::SharedLoad load =
+      variant.on_same_load
+        ? of_study
+        : find_load(variant.study, its_foot, silent_progress(), variant.n_harmonics, PhaseSampling::coarse);
     ring::Question question = spin_question(variant.study, asked);
     if (!variant.is_of_chain)
       question.spins.clear();

@@ -177,7 +177,7 @@ SharedLoad load_at_one_phase(const std::shared_ptr<ElasticFoot> &foot, ContactBa
 class LoadByPhase : public BalancedLoad
 {
 public:
-  LoadByPhase(SharedLoad at_start, LoadReport report, std::shared_ptr<const ring::PhaseSampledLoad> loads)
+  LoadByPhase(SharedLoad at_start, LoadReport report, ring::PhaseSampledLoad loads)
       : at_start(std::move(at_start))
       , at_rest(std::move(report))
       , loads(std::move(loads))
@@ -186,10 +186,10 @@ public:
 
   ring::LeaningLoad at(double omega, const std::optional<ring::Orientation> &marks) const override
   {
-    return marks ? loads->at(omega, *marks) : loads->mean(omega);
+    return marks ? loads.at(omega, *marks) : loads.mean(omega);
   }
   unsigned int n_harmonics() const override { return at_start->n_harmonics(); }
-  const ring::PhaseSampledLoad *phases() const override { return loads.get(); }
+  const ring::PhaseSampledLoad *phases() const override { return &loads; }
   const LoadReport &report() const override { return at_rest; }
   std::optional<fem::ContactState> contact(double omega) const override { return at_start->contact(omega); }
   std::optional<CouplingStatistics> statistics() const override { return at_start->statistics(); }
@@ -202,7 +202,7 @@ public:
 private:
   const SharedLoad at_start;
   const LoadReport at_rest;
-  const std::shared_ptr<const ring::PhaseSampledLoad> loads;
+  const ring::PhaseSampledLoad loads;
 };
 
 /// The contact at rest with the marks at @p phase. If it tips, the failure tells about @p at_start as well,
@@ -236,26 +236,10 @@ fem::ContactState contact_at_phase(const Study &study, ElasticFoot &foot, const 
   }
 }
 
-/// Returns the phases of @p similar if their periods are @p periods and its rings compare with those of @p
-/// load; else nullptr.
-std::shared_ptr<const ring::PhaseSampledLoad> similar_phases(const ring::SharedLoad &similar,
-                                                             const ring::RingStack &load,
-                                                             const ring::PhasePeriods &periods)
-{
-  const ring::PhaseSampledLoad *phases = similar ? similar->phases() : nullptr;
-  if (!phases || phases->periods().glass != periods.glass || phases->periods().table != periods.table)
-    return nullptr;
-  const std::size_t n_rings = load.rings().size();
-  if (n_rings != 1 && n_rings != phases->samples_at_rest().n_rings())
-    return nullptr;
-  return { similar, phases };
-}
-
 /// @p at_rest is the load at the phase of t = 0.
 SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                             const ContactBalance &balance, const ring::PhasePeriods &periods,
-                            const fem::ContactState &at_rest, PhaseSampling phases,
-                            const ring::SharedLoad &similar, Progress &progress)
+                            const fem::ContactState &at_rest, PhaseSampling phases, Progress &progress)
 {
   // Each phase has its own balances, solved as they are asked for.
   const auto by_phase = std::make_shared<std::map<std::pair<double, double>, SharedLoad>>();
@@ -279,10 +263,7 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
   // A row has no band that would tell a larger error.
   if (is_coarse)
     at_rest_sampling.max_error = 1e-3;
-  const std::shared_ptr<const ring::PhaseSampledLoad> like = similar_phases(similar, at_rest.load, periods);
-  const ring::PhaseSamples samples =
-    like ? ring::sample_phases_like(exact, like->samples_at_rest(), at_rest_sampling)
-         : ring::sample_phases(exact, periods, at_rest_sampling);
+  const ring::PhaseSamples samples = ring::sample_phases(exact, periods, at_rest_sampling);
 
   const SharedLoad at_start = load_at_one_phase(foot, balance, at_rest, progress);
   LoadReport report = at_start->report();
@@ -294,16 +275,14 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
     spins.max_steps = is_coarse ? 4 : 8;
   if (is_coarse)
     spins.max_intervals = 2;
-  if (follows && like && like->spin_sampling().unit > 0)
-    spins.unit = like->spin_sampling().unit;
   PhaseExtremes &worst = report.over_phases.emplace(PhaseExtremes{ report.minimum, report.contact_fraction });
   for (const auto &[phase, load] : *by_phase)
   {
     worst.least_load = std::min(worst.least_load, load->report().minimum);
     worst.least_contact_fraction = std::min(worst.least_contact_fraction, load->report().contact_fraction);
   }
-  return std::make_shared<LoadByPhase>(
-    at_start, report, std::make_shared<const ring::PhaseSampledLoad>(exact, periods, samples, spins, like));
+  return std::make_shared<LoadByPhase>(at_start, report,
+                                       ring::PhaseSampledLoad(exact, periods, samples, spins));
 }
 
 /// The contact at rest, on the rings of the study, which the first call chooses.
@@ -322,14 +301,13 @@ fem::ContactState contact_at_rest(const Study &study, const std::shared_ptr<Elas
 } // namespace
 
 SharedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                        unsigned int n_harmonics, Progress &progress, PhaseSampling phases,
-                        const ring::SharedLoad &similar)
+                        unsigned int n_harmonics, Progress &progress, PhaseSampling phases)
 {
   const ContactBalance balance = moment_balance(study, n_harmonics);
   const fem::ContactState state = contact_at_rest(study, foot, balance.orientation, progress);
   progress.stage_done("contact");
   const ring::PhasePeriods periods = phase_periods(study, *foot);
-  return periods.any() ? load_over_phases(study, foot, balance, periods, state, phases, similar, progress)
+  return periods.any() ? load_over_phases(study, foot, balance, periods, state, phases, progress)
                        : load_at_one_phase(foot, balance, state, progress);
 }
 

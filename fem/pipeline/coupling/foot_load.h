@@ -21,8 +21,7 @@ enum class PhaseSampling
 
 /// Returns find_load() of a study whose load comes from a contact.
 SharedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                        unsigned int n_harmonics, Progress &progress, PhaseSampling phases,
-                        const ring::SharedLoad &similar);
+                        unsigned int n_harmonics, Progress &progress, PhaseSampling phases);
 
 /// Returns find_load() of a contact with the marks of glass and table at @p orientation, for a study with
 /// waviness.

@@ -67,12 +67,12 @@ void require_no_tipping(const Study &study)
 }
 
 SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress,
-                     unsigned int n_harmonics, PhaseSampling phases, const ring::SharedLoad &similar)
+                     unsigned int n_harmonics, PhaseSampling phases)
 {
   switch (study.load.source)
   {
   case LoadSource::contact:
-    return contact_load(study, foot, n_harmonics, progress, phases, similar);
+    return contact_load(study, foot, n_harmonics, progress, phases);
   case LoadSource::first_harmonic:
     return study.load.is_static() ? given_first_harmonic(study)
                                   : first_harmonic_load(study, study.motion.closure);

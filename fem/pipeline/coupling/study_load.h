@@ -39,13 +39,13 @@ void require_no_tipping(const Study &study);
 /// balance at every spin; friction enters the required moment, the moment the contact, the contact's load the
 /// friction (docs/theory/closures.md). If the spin does not affect the load (moment balance without the
 /// moment of friction, no friction that deforms the foot), the load at rest is used. Loads with waviness are
-/// sampled over the phases; beside @p similar, the load of a similar study, their difference is sampled.
+/// sampled over the phases.
 ///
 /// @p progress must outlive the load, which keeps @p foot; the rings of a foot without rings are chosen here.
 /// Throws BadInput and fem::ContactFailure; the load throws NoBalance.
 SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                      Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics,
-                     PhaseSampling phases = PhaseSampling::full, const ring::SharedLoad &similar = nullptr);
+                     PhaseSampling phases = PhaseSampling::full);
 
 /// Returns the paper's load: a first harmonic on a ring of the contact radius, in balance by @p closure at
 /// every spin.

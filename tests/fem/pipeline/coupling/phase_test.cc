@@ -10,10 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <memory>
-#include <set>
 #include <stdexcept>
 
 namespace
@@ -145,62 +142,6 @@ TEST(PhaseSampledLoad, HaveTheMeanOfPlainQuadrature)
   }
   EXPECT_NEAR(mean.moment().norm(), moment.norm(), 1e-7);
   EXPECT_LE(loads.error().mean, 1e-4);
-}
-
-// A load that differs from a sampled one by little is told by few phases and spins. Reference: the load
-// itself.
-TEST(PhaseSampledLoad, TakeFewSamplesBesideASimilarLoad)
-{
-  const PhaseSamples own_at_rest = sample_phases(made_up_load, periods, { 1024 });
-  const auto own =
-    std::make_shared<const PhaseSampledLoad>(made_up_load, periods, own_at_rest, SpinSampling{ 3. });
-  own->mean(1.7);
-  std::set<std::array<double, 3>> solved;
-  const LoadAtPhase slightly_other = [&](double omega, const ring::Orientation &phase) -> LeaningLoad
-  {
-    solved.insert({ omega, phase.glass, phase.table });
-    const ring::RingStack load = made_up_load(omega, phase);
-    return ring::RingStack({ load.a(0), load.a(1) },
-                           { 0., 1.02 * load.b(1) + 1e-3 * omega * std::cos(3 * phase.glass) },
-                           0.999 * load.radius());
-  };
-  const PhaseSamples at_rest = sample_phases_like(slightly_other, own->samples_at_rest(), { 1024 });
-  EXPECT_LE(4 * solved.size(), own_at_rest.phases().size());
-  const PhaseSampledLoad loads(slightly_other, periods, at_rest, own->spin_sampling(), {}, own);
-  loads.mean(1.7);
-  const std::size_t n_solved = solved.size();
-  EXPECT_LE(4 * n_solved, own_at_rest.phases().size() * own->n_spins());
-  for (const double omega : { 0., 0.3, 1.7, 2.9 })
-    for (const ring::Orientation &phase : { ring::Orientation{ 0.1, 3.3 }, ring::Orientation{ -12.2, 0.5 } })
-      EXPECT_NEAR(torque_difference(loads.at(omega, phase), slightly_other(omega, phase)), 0, 1e-3) << omega;
-  std::vector<double> b(2, 0.);
-  constexpr unsigned int n = 60;
-  for (unsigned int i = 0; i < n; ++i)
-    for (unsigned int j = 0; j < n; ++j)
-      b[1] += slightly_other(1.7, { two_pi * i / n, two_pi * j / n }).b(1) / (n * n);
-  EXPECT_NEAR(loads.mean(1.7).b(1), b[1], 2e-5);
-}
-
-// Beside a load on several rings, that of one ring is compared with the same load on one ring.
-TEST(PhaseSamples, OnSeveralRingsBecomeThoseOfOneRing)
-{
-  const auto on_two_rings = [](double, const ring::Orientation &phase) -> LeaningLoad
-  {
-    const double wave = 0.1 * std::cos(3 * phase.glass);
-    return ring::RingStack({ { 0.029, { 0.4, 0.1, wave }, { 0., 0.2, 0. } },
-                             { 0.031, { 0.6, 0.05, 0. }, { 0., 0.1 + wave, 0. } } });
-  };
-  const PhaseSamples samples = sample_phases(on_two_rings, { two_pi / 3, 0 }, { 64 });
-  const PhaseSamples converted = samples.converted(1, 1);
-  for (unsigned int i = 0; i < samples.phases().size(); ++i)
-  {
-    const LeaningLoad before = samples.sample(i), after = converted.sample(i);
-    ASSERT_EQ(after.rings().size(), 1u);
-    EXPECT_EQ(after.n_harmonics(), 1u);
-    EXPECT_NEAR(after.normal_force(), before.normal_force(), 1e-14);
-    EXPECT_NEAR(after.b(1), before.b(1), 1e-15);
-    EXPECT_NEAR(after.moment().norm(), before.moment().norm(), 1e-15);
-  }
 }
 
 namespace
