@@ -1,7 +1,5 @@
 #include "fem/meshing/vtu_writer.h"
 
-#include <deal.II/base/utilities.h>
-
 #include <array>
 
 namespace stemware::fem
@@ -11,6 +9,26 @@ namespace
 {
 
 constexpr std::uint8_t hexahedron = 12, triquadratic_hexahedron = 29;
+
+/// Appends the Base64 code of @p bytes (RFC 4648).
+void append_base64(const std::vector<unsigned char> &bytes, std::string &text)
+{
+  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const auto byte = [&](std::size_t i)
+  { return i < bytes.size() ? static_cast<unsigned int>(bytes[i]) : 0U; };
+  std::size_t end = text.size();
+  text.resize(end + 4 * ((bytes.size() + 2) / 3), '=');
+  for (std::size_t i = 0; i < bytes.size(); i += 3, end += 4)
+  {
+    const unsigned int bits = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
+    text[end] = digits[bits >> 18U];
+    text[end + 1] = digits[bits >> 12U & 63U];
+    if (i + 1 < bytes.size())
+      text[end + 2] = digits[bits >> 6U & 63U];
+    if (i + 2 < bytes.size())
+      text[end + 3] = digits[bits & 63U];
+  }
+}
 
 /// Appends an array to the text of a file, with its length before it.
 template <typename Number>
@@ -26,8 +44,9 @@ void append_array(const std::string &name, unsigned int n_components, const std:
                            : std::is_same_v<Number, std::int32_t> ? "Int32"
                                                                   : "UInt8";
   text += "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-          std::to_string(n_components) + "\" format=\"binary\">" + dealii::Utilities::encode_base64(bytes) +
-          "</DataArray>\n";
+          std::to_string(n_components) + "\" format=\"binary\">";
+  append_base64(bytes, text);
+  text += "</DataArray>\n";
 }
 
 } // namespace
@@ -72,7 +91,8 @@ std::string VtuWriter::text(const std::vector<float> &points, const std::vector<
   text += "</Cells>\n<PointData>\n";
   for (const Field &field : fields)
     append_array(field.name, field.n_components, field.values, text);
-  return text + "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  text += "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  return text;
 }
 
 } // namespace stemware::fem
