@@ -14,12 +14,13 @@ namespace
 /// rough means of random studies.
 struct WorkNumbers
 {
-  double first = 12;         ///< cost of the first contact, if others follow at other spins
-  double search = 6;         ///< contacts of a search for a terminal spin from that of a similar study
-  double over_phases = 30;   ///< contacts of a row over phases, beside the samples of the study
-  double curves = 14;        ///< contacts of the curves over the spin
-  double hard = 8;           ///< cost of a contact under a hard table instead of a compliant one
-  double hard_phases = 1000; ///< cost of the phases under a hard table beside a compliant one
+  double first = 12;             ///< cost of the first contact, if others follow at other spins
+  double hard_over_phases = 4.4; ///< mean cost of the study's contacts over phases and spins of a hard table
+  double search = 6;             ///< contacts of a search for a terminal spin from that of a similar study
+  double over_phases = 30;       ///< contacts of a row over phases, beside the samples of the study
+  double curves = 14;            ///< contacts of the curves over the spin
+  double hard = 8;               ///< cost of a contact under a hard table instead of a compliant one
+  double hard_phases = 1000;     ///< cost of the phases under a hard table beside a compliant one
   double spins = 6, spins_with_lift_off = 10; ///< spins at which bands are evaluated
   double phases = 4;                          ///< phases at which bands are evaluated
   double spins_of_change = 2;                 ///< beside rest, on a changed foot over phases
@@ -78,7 +79,9 @@ double share_of_answer(const Study &study, const AnswerWork &answer, const std::
                        bool with_bands)
 {
   const double first = varies_with_spin(study) ? numbers.first : 1;
-  const double own = first + static_cast<double>(std::max<std::size_t>(answer.n_contacts, 1)) - 1;
+  const bool is_cold = answer.depends_on_phase && study.table.is_hard() && varies_with_spin(study);
+  const double own = first + (is_cold ? numbers.hard_over_phases : 1) *
+                               (static_cast<double>(std::max<std::size_t>(answer.n_contacts, 1)) - 1);
   double all = own;
   if (varies_with_spin(study) && !answer.depends_on_phase)
     all += numbers.curves;

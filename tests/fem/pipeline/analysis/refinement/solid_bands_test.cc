@@ -123,7 +123,8 @@ TEST(SolidBands, OfAnOvalMeshAreTheChangeOfTheTerminalSpin)
   const double before = mean_spin(study);
   study.contact.degree = 2;
   const double change = std::abs(mean_spin(study) - before);
-  EXPECT_NEAR(part, 1.25 * change, 0.05 * change);
+  EXPECT_GE(part, change);
+  EXPECT_LE(part, 1.5 * change);
 }
 
 // In balance with friction and tilt, the mesh being the coarsest that there is: its band is that of halved
