@@ -53,7 +53,8 @@ enum class Depth
   full    ///< the same with torques, one ring, budget, leave-one-out
 };
 
-/// Returns an observer that reports the torques and the time of a motion to @p progress, ten times a second.
+/// Returns an observer that reports the torques and the time of a motion to @p progress, at most ten times a
+/// second.
 ring::TimeObserver motion_observer(Progress &progress);
 
 /// Returns @p asked with motion, grip and contact radius of @p study.
