@@ -62,10 +62,6 @@ void take_long_run_mean(const LoadAtSpin &load, const Question &question, double
 {
   const PhaseSampledLoad &phases = *load.phases();
   const Motion &motion = question.motion;
-  // Finer than the loads are known would be in vain.
-  constexpr double coarsest = 1e-3; // where the loads between phases are known badly, their mean is not
-  const double accuracy =
-    std::clamp(0.1 * phases.error().between, 1e-9, std::max(coarsest, phases.error().mean));
   TerminalSpin &spin = *found.terminal;
   // The spin swings no farther than to where the torque of a phase vanishes: inertia only holds it back.
   double largest_torque = 0;
@@ -74,6 +70,10 @@ void take_long_run_mean(const LoadAtSpin &load, const Question &question, double
       std::max(largest_torque, std::abs(yaw_torque(load, motion, spin.omega, phases.phases().phase(i))));
   const double slope = spin.held ? 0 : std::abs(spin.torque_slope),
                reach = slope > 0 ? 2 * largest_torque / slope : 0.01 * spin_scale;
+  // Finer than the loads are known would be in vain.
+  constexpr double coarsest = 1e-3; // where the loads between phases are known badly, their mean is not
+  const SampleError known = phases.error(spin.omega - reach, spin.omega + reach);
+  const double accuracy = std::clamp(0.1 * known.between, 1e-9, std::max(coarsest, known.mean));
   const double friction_torque = motion.friction_at_rest() * motion.normal_force() * load.radius(),
                torque_scale = slope > 0 ? slope * spin_scale : friction_torque;
   const PhaseTorque torque(load, motion, spin.omega, reach, 0.03 * accuracy * torque_scale);
@@ -89,8 +89,9 @@ void take_long_run_mean(const LoadAtSpin &load, const Question &question, double
   const double longer = phases.phases().glass.size() == 1 ? 0
                         : mean.ripple < turning           ? mean.ripple / turning
                                                           : 1;
-  const double torque_error = (phases.error().mean + longer * phases.error().between) *
-                              motion.friction_coefficient * motion.normal_force() * load.radius();
+  const auto [of_mean, between] = phases.error(mean.mean - mean.ripple, mean.mean + mean.ripple);
+  const double torque_error =
+    (of_mean + longer * between) * motion.friction_coefficient * motion.normal_force() * load.radius();
   found.spin_uncertainty = mean.uncertainty;
   if (!spin.held)
     found.spin_uncertainty += torque_error / std::abs(spin.torque_slope);

@@ -46,6 +46,11 @@ void require_resolved(unsigned int n_phases, const SampleError &error, double ma
     to_precision(max_mean, 2), "); give more Contact/Azimuth lines, or a smaller waviness."));
 }
 
+SampleError larger(const SampleError &one, const SampleError &other)
+{
+  return { std::max(one.mean, other.mean), std::max(one.between, other.between) };
+}
+
 /// Samples at the spins @p omegas.
 std::vector<PhaseSamples> sample(const LoadAtPhase &load, const std::vector<double> &omegas,
                                  const PhaseGrids &grids)
@@ -232,11 +237,21 @@ PhaseSampledLoad::Samples PhaseSampledLoad::samples_of(long interval) const
   // Between spins the load may be off by as much at every phase, but a kink is not at the same spin.
   const double between_means = std::min(between_spins, error_of_halved_spins(samples));
   const SampleError of_rest = at_rest.error();
-  largest_error.between =
-    std::max({ largest_error.between, of_rest.between + of_change.between, between_spins });
-  largest_error.mean = std::max(largest_error.mean, of_rest.mean + of_change.mean + between_means);
+  samples.error = { of_rest.mean + of_change.mean + between_means,
+                    std::max(of_rest.between + of_change.between, between_spins) };
+  largest_error = larger(largest_error, samples.error);
   require_resolved(phases().size(), largest_error);
   return samples;
+}
+
+SampleError PhaseSampledLoad::error(double lower, double upper) const
+{
+  SampleError error = at_rest.error();
+  for (const auto &[interval, samples] : intervals)
+    if (const double begin = static_cast<double>(interval) * spins_asked.unit;
+        begin <= upper && begin + spins_asked.unit >= lower)
+      error = larger(error, samples.error);
+  return error;
 }
 
 double PhaseSampledLoad::error_of_halved_spins(const Samples &samples) const

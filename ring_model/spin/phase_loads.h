@@ -73,6 +73,8 @@ public:
   /// with the spin at the far end of each interval, plus the interpolation error in the spin (for the mean,
   /// at most the difference to half of the spins).
   const SampleError &error() const { return largest_error; }
+  /// Returns the same error of the spins from @p lower to @p upper [rad/s], as far as they are sampled.
+  SampleError error(double lower, double upper) const;
 
 private:
   /// Samples on one interval of spins.
@@ -82,6 +84,7 @@ private:
 
     ChebyshevInterval spins;
     std::vector<PhaseSamples> at_nodes; ///< of the spins
+    SampleError error = {};
   };
 
   bool varies_with_spin(double omega) const { return spins_asked.unit > 0 && omega != 0; }

@@ -83,6 +83,34 @@ TEST(PhaseTorque, TheMotionInTheLongRunIsObserved)
   EXPECT_GT(latest, 24. * M_PI / std::abs(question.motion.orbit_rate()));
 }
 
+TEST(PhaseSampledLoad, AnErrorBelongsToTheIntervalOfItsSpins)
+{
+  // A kink between 0 and 1 rad/s; linear in the spin between 1 and 2 rad/s.
+  const LoadAtPhase kinked = [](double omega, const Orientation &phase) -> LeaningLoad
+  {
+    const double wave = 0.05 * std::cos(2. * phase.glass);
+    return RingStack({ 1., 0.2, wave }, { 0., 0.3 + 0.1 * std::abs(omega - 0.37), 0. }, 0.03);
+  };
+  const PhasePeriods periods = { M_PI, 0. };
+  SpinSampling spins;
+  spins.unit = 1.;
+  const PhaseSampledLoad loads(kinked, periods, sample_phases(kinked, periods, { 256 }), spins);
+  loads.mean(0.5);
+  loads.mean(1.5);
+  EXPECT_GT(loads.error().mean, 1e-4);
+  EXPECT_LT(loads.error(1.2, 1.8).mean, 1e-9);
+  EXPECT_EQ(loads.error(0.9, 1.8).mean, loads.error().mean);
+  const Motion motion;
+  for (const double omega : { 1.3, 1.8 })
+    EXPECT_NEAR(yaw_torque(LoadFromFunction([&](double spin) { return loads.mean(spin); }), motion, omega),
+                yaw_torque(LoadFromFunction(
+                             [&](double spin) {
+                               return kinked(spin, { M_PI / 4., 0. });
+                             }),
+                           motion, omega),
+                1e-9 * motion.friction_coefficient * 2. * M_PI * 0.03);
+}
+
 TEST(PhaseTorque, HasNoTableAcrossTheKinkAtTheSpeedOfTheRim)
 {
   const WavyLoad load;
