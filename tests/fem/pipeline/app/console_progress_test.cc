@@ -43,7 +43,7 @@ TEST(ConsoleProgress, CountsTheTorquesOfALongMotionEveryThreeSeconds)
   for (; std::chrono::steady_clock::now() < end; ++n_torques)
   {
     observer(0.25);
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   std::istringstream lines(heard.text.str());
   std::string line;
