@@ -161,11 +161,15 @@ Document document_of(const Study &study, const std::string &what)
                      { "sketch", sketch_labels(study) } };
   const std::vector<StudyEntry> entries = entries_of(study), defaults = entries_of(Study());
   for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    const std::string value = value_of(entries[i]), by_default = value_of(defaults[i]);
     document.entries.push_back({ { "entry", entries[i].path() },
-                                 { "value", value_of(entries[i]) },
-                                 { "default", value_of(defaults[i]) },
+                                 { "value", value },
                                  { "unit", entries[i].unit == "1" ? "" : entries[i].unit },
                                  { "meaning", entries[i].help } });
+    if (value != by_default)
+      document.entries.back()["default"] = by_default;
+  }
   return document;
 }
 

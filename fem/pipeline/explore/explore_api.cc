@@ -101,7 +101,8 @@ Json answer_document(const LiveAnswer &found)
     add_load_lines(report, pictures);
     add_motion(study, { { 0, found.all.last_spin().value_or(0), 0, *end } }, pictures);
     pictures.words["sketch"] = { { "clockwise", study.motion.orbit.sense_sign() < 0 } };
-    pictures.words["spin_unit"] = spin_scale(study);
+    pictures.words["spin_unit"] = spin_unit(study);
+    pictures.words["rounding"] = rounding_of_spins(study);
   }
   return { { "summary", summary }, { "words", pictures.words }, { "tables", pictures.tables } };
 }

@@ -287,7 +287,8 @@ Json words_of(const Study &study, const ContactReport &report, const SpinStudy &
            { "out_of_flat", out_of_flat_remark(study, spin) },
            { "several_spins", several_spins_remark(spin) },
            { "driven", driven_remark(spin, bands) },
-           { "spin_unit", spin_scale(study) } };
+           { "spin_unit", spin_unit(study) },
+           { "rounding", rounding_of_spins(study) } };
 }
 
 void add_foot_files(const FootReport &foot, bool has_terminal_spin, std::vector<ResultFile> &files)

@@ -9,6 +9,21 @@
 namespace stemware::pipeline
 {
 
+namespace
+{
+
+/// lambda_j(theta) of one ring [N/rad], which may pull on average.
+double value_of(const ring::RingStack::Ring &ring, double angle)
+{
+  double value = ring.a[0];
+  for (std::size_t n = 1; n < ring.a.size(); ++n)
+    value += ring.a[n] * std::cos(static_cast<double>(n) * angle) +
+             ring.b[n] * std::sin(static_cast<double>(n) * angle);
+  return value;
+}
+
+} // namespace
+
 Table load_table(const ring::RingStack &load)
 {
   constexpr unsigned int n_intervals = 720;
@@ -22,7 +37,7 @@ Table load_table(const ring::RingStack &load)
   if (load.rings().size() > 1)
     for (const ring::RingStack::Ring &ring : load.rings())
       table.columns.push_back(numbers("lambda, ring of radius " + to_short_text(ring.radius) + " m", "N/rad",
-                                      angles, ring::RingStack(std::vector{ ring })));
+                                      angles, [&](double angle) { return value_of(ring, angle); }));
   return table;
 }
 

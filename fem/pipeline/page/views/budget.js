@@ -5,7 +5,6 @@ import { missing, shown } from '../js/words.js';
 const spin = value => `${shown(value, '.6g')} rad/s`;
 const one_way = ({ words }) => (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
 const rounded = (value, rounding) => (Math.abs(value) < rounding ? 0 : value);
-const rounding_of = ({ words }) => 1e-9 * words.spin_unit;
 
 /** The steps of the budget with their titles, the study itself last. */
 function steps_of({ tables }) {
@@ -17,7 +16,7 @@ function steps_of({ tables }) {
 }
 
 export function waterfall(doc) {
-  const rounding = rounding_of(doc);
+  const { rounding } = doc.words;
   const rows = steps_of(doc).map((row, i) => ({
     ...row,
     i,
@@ -86,7 +85,7 @@ export function waterfall(doc) {
 /** How large each effect is: steps of the model, and what leaving out one thing changes. */
 export function effects(doc) {
   const { budget, without } = doc.summary;
-  const rounding = rounding_of(doc);
+  const { rounding } = doc.words;
   const { band } = budget[budget.length - 1];
   const steps = doc.tables.waterfall
     .slice(1)

@@ -24,7 +24,7 @@ export function why(t, { falls, held }, { inside, outside }, offset) {
 /** How a run ends: its last spin, whether it moves at all, spins for ever, falls, or is held by the fingers. */
 export function ending({ summary: { ring, parameters }, words }) {
   const omega = ring.omega_terminal ?? ring.fall?.omega ?? 0;
-  const moves = Math.abs(omega) >= 1e-9 * words.spin_unit;
+  const moves = Math.abs(omega) >= words.rounding;
   const held = parameters.Motion['Grip torque'] > 0 && ring.omega_terminal === 0;
   return { omega, moves, falls: Boolean(ring.fall), spins: moves && !ring.fall, held };
 }
@@ -64,7 +64,7 @@ export const beginning = (doc, glasses) => {
 };
 
 export const study = ({ entries }) => {
-  const changed = entries.filter(entry => entry.value !== entry.default);
+  const changed = entries.filter(entry => entry.default !== undefined);
   const columns = (list, ...keys) => [{ name: 'entries', given: table_of(keys, list.map(entry => keys.map(key => entry[key]))) }]; // prettier-ignore
   return [
     {
