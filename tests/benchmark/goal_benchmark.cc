@@ -137,7 +137,7 @@ ContactGoal second_harmonic(const Case &study)
   const double mean = study.demand.normal_force / (2 * dealii::numbers::PI);
   ContactGoal goal;
   goal.ring_radii = study.demand.ring_radii;
-  goal.of_load = { { { 0, 0, 1 / mean }, { 0, 0, 1 / mean } }, { { 0, 0, 0 }, { 0, 0, 0 } } };
+  goal.of_load = { { { 0, 0 }, { 0, 0 }, { 1 / mean, 1 / mean } }, Eigen::ArrayXXd::Zero(3, 2) };
   return goal;
 }
 

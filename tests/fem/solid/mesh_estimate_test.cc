@@ -39,7 +39,7 @@ ContactGoal second_harmonic()
   const double mean = weight / (2 * dealii::numbers::PI);
   ContactGoal goal;
   goal.ring_radii = demand_of(0).ring_radii;
-  goal.of_load = { { { 0, 0, 1 / mean }, { 0, 0, 1 / mean } }, { { 0, 0, 0 }, { 0, 0, 0 } } };
+  goal.of_load = { { { 0, 0 }, { 0, 0 }, { 1 / mean, 1 / mean } }, Eigen::ArrayXXd::Zero(3, 2) };
   return goal;
 }
 
