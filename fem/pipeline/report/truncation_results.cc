@@ -4,6 +4,7 @@
 #include "fem/pipeline/document/answers.h"
 #include "fem/pipeline/document/sentences.h"
 #include "fem/pipeline/document/study_words.h"
+#include "fem/pipeline/pictures/spin_rows.h"
 #include "fem/pipeline/report/common_sections.h"
 
 #include <cmath>
