@@ -89,11 +89,11 @@ const std::vector<State> &states()
   };
   static const std::vector<State> all = {
     of_verb(0, "turns once", { "glass", "scene", "orbits", "waterfall", "effects", "torque_of_harmonics" }),
-    of_verb(1, "harmonics only", { "truncation", "orbits" }),
+    of_verb(1, "first harmonic only", { "truncation", "orbits" }),
     of_verb(2, "Richardson value", { "convergence" }),
     of_verb(3, "from 8 points of one run", { "fit_1" }),
-    of_verb(4, "In 5 cases", { "omega_terminal", "harmonic_effect" }),
-    of_verb(5, "In 25 cases", { "omega_terminal", "tau_at_rest" }),
+    of_verb(4, "5 cases", { "omega_terminal", "harmonic_effect" }),
+    of_verb(5, "25 cases", { "omega_terminal", "tau_at_rest" }),
     { { "balanced", quick({}) }, "Quick run", { "spin_up", "slip_at_end" }, { "waterfall" } },
     { { "falling", quick({ "Motion/Centre of mass height=0.138" }) },
       "tips over",
