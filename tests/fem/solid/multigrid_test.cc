@@ -186,8 +186,26 @@ TEST(Multigrid, AgreesWithTheFactorisation)
 TEST(Multigrid, IterationsDoNotGrow)
 {
   expect_iterations_that_do_not_grow(GlassProfile(), { 24, 2, 1 }, 1, 2);
-  expect_iterations_that_do_not_grow(flat_profile(), { 24, 2, 1 }, 2, 1);
-  // More levels are for multigrid_benchmark (docs/method/solid_measurements.md).
+}
+
+TEST(MultigridLong, AgreesWithTheFactorisation)
+{
+  for (const unsigned int degree : { 1u, 2u })
+  {
+    expect_the_increment_of_the_factorisation(GlassProfile(), { 12, 2, 1, 1, 1 }, degree);
+    expect_the_increment_of_the_factorisation(flat_profile(), { 12, 2, 1, 1 }, degree);
+  }
+}
+
+TEST(MultigridLong, IterationsDoNotGrow)
+{
+  // More levels, and quadratic elements on them, are for multigrid_benchmark
+  // (docs/method/solid_measurements.md).
+  for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
+  {
+    expect_iterations_that_do_not_grow(profile, { 48, 2, 2 }, 1, 2);
+    expect_iterations_that_do_not_grow(profile, { 48, 2, 2 }, 2, 1);
+  }
 }
 
 TEST(Multigrid, ContactFromCoarserMeshesIsTheSame)
