@@ -41,7 +41,8 @@ for ax, (name, (load, options)) in zip(axes, loads.items()):
     for form, (force, torque) in forms.items():
         excess = 100 * s.excess(force, torque)
         wrong = 100 * np.hypot(force - s.force, torque - s.torque).max()
-        print(f"{name:22s} {s.arm / R:6.4f}  {form:14s} {excess.min():+6.1f} … {excess.max():+5.1f} %   {wrong:5.1f} %")
+        low, high = (round(x, 1) + 0.0 for x in (excess.min(), excess.max()))  # rounding has no sign
+        print(f"{name:22s} {s.arm / R:6.4f}  {form:14s} {low:+6.1f} … {high:+5.1f} %   {wrong:5.1f} %")
     figures.limit_surface(s, ax).set_title(name, fontsize=9)
 axes[0].legend(fontsize=7)
 figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "limit_surfaces.svg")
