@@ -28,7 +28,7 @@ unsigned int interior_roots(double c0, double c1, double c2, std::array<double, 
 }
 } // namespace
 
-// The header is included by many files, and Boost's takes seconds to compile.
+// Here, since many files include the header and Boost's is slow to compile.
 template <unsigned int n_points>
 const std::vector<double>
   GaussRule<n_points>::abscissas = boost::math::quadrature::gauss<double, n_points>::abscissa();
