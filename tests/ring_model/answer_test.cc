@@ -128,4 +128,14 @@ TEST(AskedAnswer, ATruncatedLoadLosesHarmonicsAlone)
     std::abs(wrench(Motion(), rich, omega).torque - wrench(Motion(), rich.truncated(1), omega).torque),
     *related.bound * (1 + 1e-12));
 }
+
+TEST(AskedAnswer, AFormalLoadPullsWhereItsFirstHarmonicIsNegative)
+{
+  constexpr double m = 1.3, pi = 3.14159265358979323846;
+  const LoadFromFunction load([](double) -> LeaningLoad { return RingStack({ 1., 0. }, { 0., m }, radius); });
+  const Answer found = answer(load, { Motion() }).value();
+  ASSERT_TRUE(found.at_rest);
+  EXPECT_NEAR(found.at_rest->minimum, 1 - m, 1e-12);
+  EXPECT_NEAR(found.at_rest->pulling_share, (std::sqrt(m * m - 1) - std::acos(1 / m)) / pi, 1e-12);
+}
 } // namespace

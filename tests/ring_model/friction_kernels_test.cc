@@ -156,18 +156,6 @@ TEST(FrictionKernels, ReachSmallSlipLimitsWithAllDigits)
     EXPECT_TRUE(rest.P(n) == 0. && rest.K(n) == 0. && rest.U(n) == 0.) << n;
 }
 
-TEST(FrictionKernels, AreRationalWhereARimPointStandsStill)
-{
-  const auto kernels = FrictionKernels(1., 1., 128);
-  for (unsigned int n = 0; n <= 128; ++n)
-  {
-    const double value = 4. / (4. * n * n - 1.);
-    expect_relative(kernels.K(n), value, 2e-14, "K_" + std::to_string(n));
-    expect_relative(kernels.U(n), -value, 2e-14, "U_" + std::to_string(n));
-    expect_relative(kernels.P(n), -2. * value, 2e-14, "P_" + std::to_string(n));
-  }
-}
-
 TEST(FrictionKernels, SatisfyParityDualityAndRecurrenceAtRandomSlip)
 {
   test::Numbers numbers(20260101);

@@ -1,6 +1,5 @@
 #include "ring_model/friction_functionals.h"
-#include "ring_model/terminal_spin.h"
-#include "tests/ring_model/adaptive_friction.h"
+#include "tests/ring_model/quadrature.h"
 #include "tests/ring_model/reference.h"
 #include "tests/taylor_remainder.h"
 
@@ -13,8 +12,6 @@ namespace stemware::ring
 {
 namespace
 {
-using test::adaptive_wrench;
-using test::EstimatedWrench;
 using test::expect_relative;
 
 RingStack some_load()
@@ -28,27 +25,6 @@ class DisguisedCoulombLaw : public FrictionLaw
 public:
   double coefficient(double /*slip_speed*/) const override { return 0.3; }
 };
-
-TEST(FrictionLaw, QuadratureAgreesWithTheKernelsAtEverySlipRatio)
-{
-  const RingStack load = some_load();
-  for (const double eps :
-       { 0., 1e-6, -0.27, 0.5, 0.9, 0.999, 1. - 1e-9, 1., 1. + 1e-12, -1.001, 1.3, 5., 1e4 })
-  {
-    const double speed = 0.35, omega = eps * speed / load.radius();
-    const Wrench exact = coulomb_wrench(0.3, load, omega, speed);
-    const EstimatedWrench found = adaptive_wrench(DisguisedCoulombLaw(), load, omega, speed);
-    const auto expect_within_estimate = [&](double value, double expected, double error, double scale)
-    {
-      EXPECT_NEAR(value, expected, 1e-12 * scale) << eps;
-      EXPECT_LE(std::abs(value - expected), error + 4e-15 * scale) << eps;
-      EXPECT_LE(error, 1e-11 * scale) << eps;
-    };
-    expect_within_estimate(found.value.torque, exact.torque, found.error.torque, 0.03);
-    expect_within_estimate(found.value.force_x, exact.force_x, found.error.force_x, 1.);
-    expect_within_estimate(found.value.force_y, exact.force_y, found.error.force_y, 1.);
-  }
-}
 
 TEST(FrictionLaw, FunctionalsOfADisguisedConstantAreThoseOfTheKernels)
 {
@@ -68,32 +44,6 @@ TEST(FrictionLaw, FunctionalsOfADisguisedConstantAreThoseOfTheKernels)
     expect_equal(found.drag, exact.drag, 1.);
     expect_equal(found.side, exact.side, 1.);
   }
-}
-
-TEST(FrictionLaw, FunctionalsOfAStackAgreeWithTheAdaptiveQuadratureRingByRing)
-{
-  // Each ring by itself through the other quadrature; T, tau of the stack are their sums.
-  Motion motion;
-  motion.friction_law = FrictionLawKind::stribeck;
-  motion.friction_coefficient = 0.2;
-  motion.static_coefficient = 0.5;
-  motion.viscous_friction = 0.1;
-  const RingStack inner({ 0.2, 0.05, -0.03, 0.01 }, { 0., -0.06, 0.02, 0.01 }, 0.028), outer = some_load();
-  std::vector<RingStack::Ring> rings = { inner.rings().front(), outer.rings().front() };
-  rings[0].a.push_back(0.);
-  rings[0].b.push_back(0.);
-  for (const double decay : { 0.02, 0.1, 1. })
-    for (const double omega : { 0., 2., -5., 11., 12.5, -13., 60. })
-    {
-      motion.friction_decay_speed = decay;
-      const StribeckLaw law({ 0.5, 0.2, decay, 0.1, 2. });
-      const Wrench one = adaptive_wrench(law, inner, omega, motion.orbit_speed).value,
-                   other = adaptive_wrench(law, outer, omega, motion.orbit_speed).value;
-      const Wrench both = wrench(motion, RingStack(rings), omega);
-      EXPECT_NEAR(both.torque, one.torque + other.torque, 1e-12 * 0.05) << decay << " " << omega;
-      EXPECT_NEAR(both.force_x, one.force_x + other.force_x, 1e-11) << decay << " " << omega;
-      EXPECT_NEAR(both.force_y, one.force_y + other.force_y, 1e-11) << decay << " " << omega;
-    }
 }
 
 TEST(FrictionLaw, TheTruncationBoundHoldsUnderStribecksLaw)
@@ -142,29 +92,24 @@ TEST(FrictionLaw, StribeckCurveHasItsLimits)
   EXPECT_FALSE(law.is_constant());
 }
 
+// A narrow decay, a wide one, and slip ratios on both sides of 1, on two rings.
 TEST(FrictionLaw, StribeckAgreesWithATrapezoidalSum)
 {
-  const RingStack load = some_load();
-  const double speed = 0.35, R = load.radius(), pi = boost::math::constants::pi<double>();
-  const StribeckLaw law({ 0.5, 0.3, 0.1, 0.05, 2. });
-  for (const double omega : { -20., -3., 0.5, 6., 60. })
+  const RingStack load({ { 0.028, { 0.2, 0.05, -0.03, 0.01, 0. }, { 0., -0.06, 0.02, 0.01, 0. } },
+                         some_load().rings().front() });
+  const double speed = 0.35;
+  for (const double decay : { 0.02, 0.1, 1. })
   {
-    const unsigned int n_points = 4000;
-    Wrench sum{ 0., 0., 0. };
-    for (unsigned int i = 0; i < n_points; ++i)
+    const StribeckLaw law({ 0.5, 0.3, decay, 0.05, 2. });
+    for (const double omega : { -20., -13., -3., 0., 0.5, 6., 11., 12.2, 60. })
     {
-      const double theta = 2. * pi * (i + 0.5) / n_points;
-      const double x = speed - omega * R * std::sin(theta), y = omega * R * std::cos(theta);
-      const double force =
-        law.coefficient(std::hypot(x, y)) * load(theta) / std::hypot(x, y) * 2. * pi / n_points;
-      sum.force_x -= force * x;
-      sum.force_y -= force * y;
-      sum.torque -= force * R * (std::cos(theta) * y - std::sin(theta) * x);
+      const Wrench sum = test::wrench_by_quadrature([&](double slip) { return law.coefficient(slip); }, load,
+                                                    omega, speed, 4000),
+                   found = friction_functionals(law, load.radii(), load.n_harmonics(), omega, speed)(load);
+      EXPECT_NEAR(found.torque, sum.torque, 2e-14) << decay << ", " << omega;
+      EXPECT_NEAR(found.force_x, sum.force_x, 1e-12) << decay << ", " << omega;
+      EXPECT_NEAR(found.force_y, sum.force_y, 1e-12) << decay << ", " << omega;
     }
-    const Wrench found = friction_functionals(law, load.radii(), load.n_harmonics(), omega, speed)(load);
-    EXPECT_NEAR(found.torque, sum.torque, 1e-14) << omega;
-    EXPECT_NEAR(found.force_x, sum.force_x, 5e-13) << omega;
-    EXPECT_NEAR(found.force_y, sum.force_y, 5e-13) << omega;
   }
 }
 
@@ -215,24 +160,6 @@ TEST(FrictionLaw, FrictionIsMinusTheDerivativeOfAPotential)
       EXPECT_TRUE(taylor::is_derivative(potential, derivative, 0.02, 1e-14))
         << law.static_coefficient << ", exponent " << law.decay_exponent << ", eps " << eps;
     }
-}
-
-TEST(FrictionLaw, StribeckShiftsTheTerminalSpin)
-{
-  // A coefficient that falls with the slip speed works most where the slip is slow, on the driving side: the
-  // ring spins faster than the paper's 3.12 rad/s; one that grows makes it slower.
-  const RingStack load = RingStack::first_harmonic(2.943, { 0.01225, 0. }, 0.03);
-  const auto terminal = [&](const FrictionLaw &law)
-  {
-    return terminal_spin([&](double omega)
-                         { return friction_functionals(law, load.radii(), 1, omega, 0.35).torque(load); },
-                         3e-4, { 0.35 / 0.03 })
-      .omega;
-  };
-  const double coulomb = terminal(StribeckLaw({ 0.3, 0.3, 0.3 }));
-  expect_relative(coulomb, 3.12055870152586, 1e-12, "constant coefficient");
-  EXPECT_GT(terminal(StribeckLaw({ 0.5, 0.2, 0.3, 0., 2. })), 1.1 * coulomb);
-  EXPECT_LT(terminal(StribeckLaw({ 0.3, 0.3, 0.3, 0.5, 2. })), 0.95 * coulomb);
 }
 
 TEST(FrictionLaw, RefusesBadInput)

@@ -3,8 +3,6 @@
 #include "ring_model/unilateral_foundation.h"
 #include "tests/ring_model/reference.h"
 
-#include <boost/math/special_functions/gamma.hpp>
-
 #include <limits>
 #include <stdexcept>
 
@@ -39,23 +37,6 @@ TEST(UnilateralFoundation, LinearMatRowsOfTheReference)
 TEST(UnilateralFoundation, TorusRimRowsOfTheReference)
 {
   expect_reference_rows("contact_torus_winkler", 1.5);
-}
-
-TEST(UnilateralFoundation, ClosedFormOfTheLinearMat)
-{
-  const UnilateralFoundation foundation(0.03, 1., 40);
-  for (const double edge_angle : { 0.5, 1., pi / 2., 2.5 })
-  {
-    const double s = std::sin(edge_angle), c = std::cos(edge_angle);
-    const double m = (edge_angle - s * c) / (s - edge_angle * c);
-    const auto shape = foundation.shape(m);
-    for (unsigned int n = 2; n <= 40; ++n)
-      EXPECT_NEAR(shape[n],
-                  2. * (std::sin(n * edge_angle) * c - n * std::cos(n * edge_angle) * s) /
-                    (n * (n * n - 1.) * (s - edge_angle * c)),
-                  1e-13)
-        << n;
-  }
 }
 
 TEST(UnilateralFoundation, LiftsOffAtItsOnset)

@@ -4,6 +4,7 @@
 #include "ring_model/load/constants.h"
 
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -21,12 +22,12 @@ inline RingStack mirrored(const RingStack &load)
 }
 
 /**
- * coulomb_wrench() with the coefficient @p mu by the periodic trapezoidal rule on @p n_points angles:
- * independent of the kernels, and as slow and inexact near |eps| = 1 as such a rule must be. Points without
- * slip carry no friction.
+ * Friction of a load whose coefficient at a slip speed is @p coefficient, by the periodic trapezoidal rule on
+ * @p n_points angles: independent of kernels and functionals, and as slow and inexact near |eps| = 1 as such
+ * a rule must be. Points without slip carry no friction.
  */
-inline Wrench wrench_by_quadrature(double mu, const RingStack &load, double omega, double speed,
-                                   unsigned int n_points)
+inline Wrench wrench_by_quadrature(const std::function<double(double)> &coefficient, const RingStack &load,
+                                   double omega, double speed, unsigned int n_points)
 {
   const double width = 2 * pi / n_points;
   Wrench sum{ 0., 0., 0. };
@@ -44,12 +45,19 @@ inline Wrench wrench_by_quadrature(double mu, const RingStack &load, double omeg
       const double slip = std::hypot(slip_x, slip_y);
       if (slip == 0.)
         continue;
-      const double force = mu * density * width / slip;
+      const double force = coefficient(slip) * density * width / slip;
       sum.force_x -= force * slip_x;
       sum.force_y -= force * slip_y;
       sum.torque -= force * ring.radius * (std::cos(theta) * slip_y - std::sin(theta) * slip_x);
     }
   }
   return sum;
+}
+
+/// The same with the constant coefficient @p mu, as coulomb_wrench() has it.
+inline Wrench wrench_by_quadrature(double mu, const RingStack &load, double omega, double speed,
+                                   unsigned int n_points)
+{
+  return wrench_by_quadrature([mu](double) { return mu; }, load, omega, speed, n_points);
 }
 } // namespace stemware::ring::test

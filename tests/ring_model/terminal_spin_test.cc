@@ -1,12 +1,10 @@
 #include "ring_model/friction_functionals.h"
-#include "ring_model/moment_balance.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/terminal_spin.h"
 #include "ring_model/unilateral_foundation.h"
 #include "tests/ring_model/reference.h"
 
 #include <boost/math/constants/constants.hpp>
-#include <boost/math/quadrature/gauss.hpp>
 
 #include <cmath>
 #include <stdexcept>
@@ -41,51 +39,6 @@ TEST(TerminalSpin, RadialLoadRowsOfTheReference)
     expect_relative(terminal_slip_ratio(UnilateralFoundation(1., 1.5, 1024), m), row["eps_p1.5"], 1e-13,
                     "torus, m " + std::to_string(m));
   }
-}
-
-/// A flat annulus 28-32 mm with the pressure p_0 + p_1 r sin theta as @p n_rings rings at Chebyshev points,
-/// by Lagrange polynomials in r.
-RingStack annulus(unsigned int n_rings, double force, double moment)
-{
-  constexpr double pi = boost::math::constants::pi<double>();
-  const double inner = 0.028, outer = 0.032;
-  const double p0 = force / (pi * (std::pow(outer, 2) - std::pow(inner, 2)));
-  const double p1 = 4. * moment / (pi * (std::pow(outer, 4) - std::pow(inner, 4)));
-  std::vector<double> radii;
-  for (unsigned int j = 0; j < n_rings; ++j)
-    radii.push_back((inner + outer) / 2. - (outer - inner) / 2. * std::cos(pi * (j + 0.5) / n_rings));
-  std::vector<RingStack::Ring> rings;
-  for (const double radius : radii)
-  {
-    const auto integral = [&](unsigned int power)
-    {
-      return boost::math::quadrature::gauss<double, 20>::integrate(
-        [&](double r)
-        {
-          double lagrange = 1.;
-          for (const double other : radii)
-            if (other != radius)
-              lagrange *= (r - other) / (radius - other);
-          return std::pow(r, power) * lagrange;
-        },
-        inner, outer);
-    };
-    rings.push_back({ radius, { p0 * integral(1), 0. }, { 0., p1 * integral(2) } });
-  }
-  return RingStack(rings);
-}
-
-TEST(TerminalSpin, RingsStandForAnAnnulus)
-{
-  // Closure `paper` with the default motion. Reference: two-dimensional quadrature of its own
-  // (tests/verification/rigid_foot.json). Each further ring gains a factor of about w / (2 R (1 - eps)) = 0.1
-  // or better.
-  const Motion motion;
-  const double moment = required_moment_at_rest(Closure::paper, motion).x();
-  for (const auto &[n_rings, tolerance] :
-       { std::pair{ 1u, 5e-3 }, { 2u, 1e-3 }, { 3u, 2e-7 }, { 4u, 2e-7 }, { 5u, 1e-11 } })
-    expect_relative(terminal_spin(annulus(n_rings, motion.normal_force(), moment), motion).omega,
-                    -3.106583525845386, tolerance, std::to_string(n_rings) + " rings");
 }
 
 TEST(TerminalSpin, FrictionBrakesUnderAnyLoadOfARimThatTurnsFasterThanItTravels)

@@ -33,29 +33,6 @@ struct MarkedRing
   }
 };
 
-/// (psi, omega) by the classical Runge-Kutta scheme with fixed steps.
-std::array<double, 2> runge_kutta(const PhasedTorqueFunction &torque, double end, unsigned int n_steps)
-{
-  const double step = end / n_steps;
-  std::array<double, 2> state = { 0., 0. };
-  for (unsigned int i = 0; i < n_steps; ++i)
-  {
-    const double time = i * step;
-    std::array<double, 2> sum = { 0., 0. }, rate = { 0., 0. };
-    for (const auto &[fraction, weight] :
-         { std::array{ 0., 1. }, std::array{ 0.5, 2. }, std::array{ 0.5, 2. }, std::array{ 1., 1. } })
-    {
-      const double angle = state[0] + fraction * step * rate[0], omega = state[1] + fraction * step * rate[1];
-      rate = { omega, torque(time + fraction * step, angle, omega) / inertia };
-      for (unsigned int c = 0; c < 2; ++c)
-        sum[c] += weight * rate[c] / 6.;
-    }
-    for (unsigned int c = 0; c < 2; ++c)
-      state[c] += step * sum[c];
-  }
-  return state;
-}
-
 /// The ring's mean spin and ripple after many turns of the mark against the orbit, with the mark's angle as
 /// the variable of integration: d omega / d angle = tau / (I (omega - orbit)), and the same for the time.
 std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns, unsigned int n_steps)
@@ -226,15 +203,6 @@ TEST(YawMotion, AGripThatJumpsAtRestDoesNotMakeItStiff)
     n_torques.push_back(n);
   }
   EXPECT_LT(n_torques[1], 1.3 * n_torques[0]);
-}
-
-TEST(YawMotion, AgreesWithFixedSteps)
-{
-  const MarkedRing ring;
-  const auto sample = yaw_motion(ring, inertia, 0., { 1.3 }, 1e-11, 10.)[0];
-  const auto [angle, omega] = runge_kutta(ring, 1.3, 4000);
-  EXPECT_NEAR(sample.yaw_angle, angle, 1e-9);
-  EXPECT_NEAR(sample.omega, omega, 1e-9);
 }
 
 TEST(YawMotion, EulerConvergesAtFirstOrderToTheAdaptiveMotion)
