@@ -39,9 +39,13 @@ def without_folder(document):
     return {key: value for key, value in document.items() if key not in ("files", "parameters")}
 
 
+# A contact that is solved in a tenth of the time of the default one.
+few_lines = {"Contact/Azimuth lines": 64, "Contact/Harmonics": 8}
+
+
 class SameDigits(unittest.TestCase):
-    def test_ten_quick_studies(self):
-        for name in ("", "figure_3", "hand_height", "lift_off", "paper", "stribeck", "own_profile", "bare_wood", "hand_speed", "soft_cork"):
+    def test_quick_studies(self):  # more of them: random_test.py
+        for name in ("", "figure_3", "stribeck", "own_profile", "hand_speed"):
             with self.subTest(name or "default"):
                 expected = summary_of("run", *([cookbook(name)] if name else []), "--quick")
                 found = stemware.Study(cookbook(name) if name else "").run(quick=True)
@@ -240,7 +244,7 @@ class Manners(unittest.TestCase):
         def resident():
             with open("/proc/self/status") as file:
                 return next(int(line.split()[1]) for line in file if line.startswith("VmRSS")) / 1024
-        study = stemware.Study()
+        study = stemware.Study(entries=few_lines)
         for _ in range(3):
             study.run(quick=True)
         begin = resident()
@@ -252,7 +256,7 @@ class Manners(unittest.TestCase):
     def test_memory_of_different_feet_is_bounded(self):
         code = ("import stemware\nstemware.limit_cache(1)\ndef resident():\n"
                 "    return next(int(line.split()[1]) for line in open('/proc/self/status') if line.startswith('VmRSS')) / 1024\n"
-                "for i in range(61):\n    stemware.Study(entries={'Motion/Mass': 0.2 + i / 500}).answer()\n"
+                f"for i in range(61):\n    stemware.Study(entries={{'Motion/Mass': 0.2 + i / 500, **{few_lines!r}}}).answer()\n"
                 "    if i % 60 == 0: print(resident())\n")
         done = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True, check=True)
         first, last = (float(line) for line in done.stdout.split())
@@ -272,8 +276,8 @@ class Manners(unittest.TestCase):
 
     def test_a_warm_start_of_a_whole_run_has_the_same_answer(self):
         start = stemware.Start()
-        stemware.Study(entries={"Motion/Mass": 0.29}).answer(start=start)
-        study = stemware.Study()
+        stemware.Study(entries={"Motion/Mass": 0.29, **few_lines}).answer(start=start)
+        study = stemware.Study(entries=few_lines)
         cold, warm = study.run(), study.run(start=start)
         self.assertLess(warm["contact/iterations"], cold["contact/iterations"])
         self.assertAlmostEqual(warm.omega, cold.omega, delta=1e-11)
