@@ -233,6 +233,24 @@ Ended stemware(const ScratchFolder &scratch, const std::vector<std::string> &arg
   return ended_with(std::stoi(status), scratch.path());
 }
 
+std::vector<std::string> with_settings(std::vector<std::string> command,
+                                       const std::vector<std::string> &settings)
+{
+  for (const std::string &setting : settings)
+    command.insert(command.end(), { "--set", setting });
+  return command;
+}
+
+nlohmann::json solved(const ScratchFolder &scratch, const std::vector<std::string> &command,
+                      const std::vector<std::string> &settings, const std::string &results)
+{
+  std::vector<std::string> whole = with_settings(command, settings);
+  whole.insert(whole.end(), { "--output", results });
+  const Ended ended = stemware(scratch, whole);
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  return ended.exit_code == 0 ? read_summary(scratch / results) : nlohmann::json();
+}
+
 std::vector<std::string> all_verbs()
 {
   const ScratchFolder scratch;

@@ -68,6 +68,14 @@ void serve_programs();
 /// program does with signals and limits, and what mpirun does with it, is asked of RunningProgram.
 Ended stemware(const ScratchFolder &scratch, const std::vector<std::string> &arguments);
 
+/// A command with --set before each of @p settings.
+std::vector<std::string> with_settings(std::vector<std::string> command,
+                                       const std::vector<std::string> &settings);
+
+/// Runs a command with settings, which has to succeed, into the folder @p results; returns its summary.
+nlohmann::json solved(const ScratchFolder &scratch, const std::vector<std::string> &command,
+                      const std::vector<std::string> &settings = {}, const std::string &results = "results");
+
 /// The verbs that `stemware --help` lists.
 std::vector<std::string> all_verbs();
 

@@ -12,13 +12,14 @@ namespace stemware::test
 namespace
 {
 
-/// Asserts that a run was refused with exactly one line on standard error that contains @p expected, and that
-/// it left nothing behind.
-void expect_refused(const ScratchFolder &scratch, const std::vector<std::string> &arguments, int exit_code,
-                    const std::string &expected)
+/// Asserts that a command is refused with exactly one line on standard error that contains @p expected, and
+/// that it leaves nothing behind.
+void expect_refused(const ScratchFolder &scratch, const std::vector<std::string> &command,
+                    const std::string &expected, int exit_code = 1)
 {
+  SCOPED_TRACE(testing::PrintToString(command));
   const auto before = names_in(scratch.path());
-  const Ended ended = stemware(scratch, arguments);
+  const Ended ended = stemware(scratch, command);
   EXPECT_EQ(ended.exit_code, exit_code) << ended.err;
   EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
   EXPECT_EQ(ended.err.rfind("stemware: ", 0), 0u) << ended.err;
@@ -27,161 +28,161 @@ void expect_refused(const ScratchFolder &scratch, const std::vector<std::string>
   EXPECT_EQ(names_in(scratch.path()), before);
 }
 
-/// Letters, digits and underscores, as names of tests want it.
-std::string as_name(std::string text)
+// More of what may stand in a study: StudyFile, StudyChecks, QuantityText and TextReader.
+TEST(BadInput, StudyFilesAreRefusedInOneSentence)
 {
-  std::replace_if(
-    text.begin(), text.end(), [](unsigned char letter) { return !std::isalnum(letter); }, '_');
-  return text;
+  for (const auto &[name, text, expected] : std::vector<std::tuple<std::string, std::string, std::string>>{
+         { "empty.prm", "", "is empty" },
+         { "blank.prm", " \n\t\n", "is empty" },
+         { "binary.prm",
+           std::string("\x7f"
+                       "ELF\0\1\2",
+                       7),
+           "is not a text file" },
+         { "study.txt", "# text\n", "neither .prm nor .json" },
+         { "entry.prm", "subsection Glass\n  set Contact radus = 1\nend\n",
+           "no entry \"Glass/Contact radus\"" },
+         { "section.prm", "subsection Glas\n  set Contact radius = 1\nend\n", "no subsection \"Glas\"" },
+         { "case.prm", "subsection motion\n  set Mass = 1\nend\n", "did you mean Motion?" },
+         { "open.prm", "subsection Glass\n  set Contact radius = 0.03\n", "is not closed" },
+         { "end.prm", "end\n", "no \"subsection\" above it" },
+         { "no_set.prm", "subsection Glass\n  Contact radius = 1\nend\n", "is not a line of a study file" },
+         { "no_value.prm", "subsection Glass\n  set Contact radius\nend\n", "write set ENTRY = VALUE" },
+         { "negative.prm", "subsection Glass\n  set Contact radius = -0.03\nend\n",
+           "Glass/Contact radius = -0.03 is not allowed; give a number greater than 0 (m)" },
+         { "nothing.prm", "subsection Glass\n  set Contact radius =\nend\n",
+           "Glass/Contact radius = (nothing) is not allowed" },
+         { "value.json", "{\"Glass\": {\"Contact radius\": -1}}",
+           "Glass/Contact radius = -1 is not allowed" } })
+  {
+    const ScratchFolder scratch;
+    expect_refused(scratch, { "run", scratch.write(name, text) }, expected);
+  }
 }
 
-struct BadFile
+TEST(BadInput, SettingsAreRefusedInOneSentence)
 {
-  std::string name;
-  std::string text;
-  std::string expected;
-};
-
-std::ostream &operator<<(std::ostream &stream, const BadFile &file)
-{
-  return stream << file.name;
+  const std::string solid = "Contact/Body=solid", foot = "Glass/Shape=foot",
+                    flat_foot = "Contact/Mesh file=" STEMWARE_MESHES "/flat_foot.msh";
+  const ScratchFolder scratch;
+  scratch.write("study.prm", "# defaults\n");
+  scratch.write("cube.msh",
+                "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
+                "5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n$EndNodes\n$Elements\n1\n1 5 2 0 1 1 2 3 4 5 6 7 8\n"
+                "$EndElements\n");
+  scratch.write("tipping.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.9 0\n");
+  for (const auto &[settings, expected] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+         { { "=0.03" }, "is not an assignment" },
+         { { "Glass/Contact radius" }, "is not an assignment" },
+         { { "Glass/Contact radius=inf" }, "is not allowed" },
+         { { "Motion/Mass=0" }, "is not allowed" },
+         { { "Motion/Gravity=1e400" }, "is not allowed" },
+         { { "Motion/Closure=papper" }, "is not allowed" },
+         { { "Motion/Euler step=1e-12" }, "use longer steps" },
+         { { "Motion/Friction decay speed=0" }, "Motion/Friction decay speed = 0" },
+         { { "Motion/Mass=0.3", "Motion/Mass=0.4" },
+           "--set sets Motion/Mass twice, to \"Motion/Mass=0.3\" and \"Motion/Mass=0.4\"" },
+         { { "Glass/Poisson ratio=0.5" }, "is not allowed" },
+         { { "Glass/Crown radius=-1" }, "not less than 0" },
+         { { "Glass/Stem radius=0.029" }, "Glass/Stem radius = 0.029 m does not fit the foot" },
+         { { "Glass/Shape=round" }, "give step, foot or profile" },
+         { { "Glass/Edge thickness=0" }, "greater than 0" },
+         { { foot, "Glass/Fillet radius=0.02" }, "give a smaller fillet or a longer stem" },
+         { { foot, "Glass/Stem height=0.003" }, "a longer stem" },
+         { { "Table/Foundation modulus=nan" }, "is not allowed" },
+         { { "Table/Decay length=0" }, "greater than 0" },
+         { { "Load/Moment ratio=2" }, "less than 2, where the foot tips" },
+         { { "Load/File=nothing.dat" }, "Load/Source = file" },
+         { { "Load/Source=file" }, "needs Load/File" },
+         { { "Load/Source=file", "Load/File=tipping.dat" }, "tips at 2" },
+         { { "Motion/Force offset=0.3" }, "asks for a moment ratio of" },
+         { { "Motion/Liquid mass=0.5" }, "the bowl overflows: the liquid reaches 0.13415 m" },
+         { { "Motion/Liquid mass=1 g" }, "meets the bottom of the bowl" },
+         { { "Contact/Azimuthal cells=10" }, "multiple of 4" },
+         { { "Contact/Radial cells=3" }, "even" },
+         { { "Contact/Degree=5" }, "from 1 to 4" },
+         { { "Contact/Azimuth lines=3" }, "from 16 to 100000" },
+         { { "Contact/Azimuth lines=20" }, "lines" },
+         { { "Contact/Mesh file=study.prm" }, "is read by a solid body only" },
+         { { solid, "Contact/Degree=3" }, "give 1 or 2" },
+         { { solid, "Contact/Mesh file=nothing.msh" }, "nothing.msh does not exist" },
+         { { solid, "Contact/Mesh file=study.prm" }, "give a .msh or .inp file" },
+         { { solid, "Contact/Mesh file=." }, "is not a file" },
+         { { solid, "Contact/Mesh file=cube.msh" }, "has no contact zone" },
+         { { solid, flat_foot, "Glass/Contact radius=0.3", "Glass/Foot radius=0.34" },
+           "has a radius of 0.03" },
+         { { solid, flat_foot, "Motion/Orbit speed=2" }, "the hull of the contact zone, 0.0309" } })
+    expect_refused(scratch, with_settings({ "run", "study.prm" }, settings), expected);
 }
 
-class BadStudyFile : public testing::TestWithParam<BadFile>
-{
-};
-
-TEST_P(BadStudyFile, IsRefusedInOneSentence)
+TEST(BadInput, CommandsAreRefusedInOneSentence)
 {
   const ScratchFolder scratch;
-  const std::string file = scratch.write(GetParam().name, GetParam().text);
-  expect_refused(scratch, { "run", file }, 1, GetParam().expected);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-  Kinds, BadStudyFile,
-  testing::Values(
-    BadFile{ "empty.prm", "", "is empty" }, BadFile{ "blank.prm", " \n\t\n", "is empty" },
-    BadFile{ "binary.prm",
-             std::string("\x7f"
-                         "ELF\0\1\2",
-                         7),
-             "is not a text file" },
-    BadFile{ "study.txt", "# text\n", "neither .prm nor .json" },
-    BadFile{ "entry.prm", "subsection Glass\n  set Contact radus = 1\nend\n",
-             "no entry \"Glass/Contact radus\"" },
-    BadFile{ "section.prm", "subsection Glas\n  set Contact radius = 1\nend\n", "no subsection \"Glas\"" },
-    BadFile{ "case.prm", "subsection motion\n  set Mass = 1\nend\n", "did you mean Motion?" },
-    BadFile{ "top.prm", "set Contact radus = 0.03\n", "did you mean Glass/Contact radius" },
-    BadFile{ "open.prm", "subsection Glass\n  set Contact radius = 0.03\n", "is not closed" },
-    BadFile{ "end.prm", "end\n", "no \"subsection\" above it" },
-    BadFile{ "no_set.prm", "subsection Glass\n  Contact radius = 1\nend\n", "is not a line of a study file" },
-    BadFile{ "no_value.prm", "subsection Glass\n  set Contact radius\nend\n", "write set ENTRY = VALUE" },
-    BadFile{ "include.prm", "include nothing.prm\n", "nothing.prm" },
-    BadFile{ "negative.prm", "subsection Glass\n  set Contact radius = -0.03\nend\n",
-             "Glass/Contact radius = -0.03 is not allowed; give a number greater than 0 (m)" },
-    BadFile{ "nan.prm", "subsection Glass\n  set Contact radius = nan\nend\n",
-             "Glass/Contact radius = nan is not allowed" },
-    BadFile{ "nothing.prm", "subsection Glass\n  set Contact radius =\nend\n",
-             "Glass/Contact radius = (nothing) is not allowed" },
-    BadFile{ "broken.json", "{\"Glass\": ", "line 1, column 11: the JSON ends before it is complete" },
-    BadFile{ "entry.json", "{\"Glass\": {\"Contact radus\": 1}}", "did you mean Glass/Contact radius" },
-    BadFile{ "value.json", "{\"Glass\": {\"Contact radius\": -1}}",
-             "Glass/Contact radius = -1 is not allowed" }),
-  [](const auto &info) { return as_name(info.param.name); });
-
-struct BadSetting
-{
-  std::string setting;
-  std::string expected;
-  std::string body = "revolution";
-};
-
-std::ostream &operator<<(std::ostream &stream, const BadSetting &setting)
-{
-  return stream << setting.setting;
-}
-
-class BadOverride : public testing::TestWithParam<BadSetting>
-{
-};
-
-TEST_P(BadOverride, IsRefusedInOneSentence)
-{
-  const ScratchFolder scratch;
-  const std::string file =
-    scratch.write("study.prm", "subsection Contact\n  set Body = " + GetParam().body + "\nend\n");
-  expect_refused(scratch, { "run", file, "--set", GetParam().setting }, 1, GetParam().expected);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-  Settings, BadOverride,
-  testing::Values(
-    BadSetting{ "Glass/Contact radus=1", "no entry" }, BadSetting{ "=0.03", "is not an assignment" },
-    BadSetting{ "Glass/Contact radius", "is not an assignment" },
-    BadSetting{ "Glass/Contact radius=inf", "is not allowed" },
-    BadSetting{ "Motion/Mass=0", "is not allowed" }, BadSetting{ "Motion/Gravity=1e400", "is not allowed" },
-    BadSetting{ "Motion/Closure=papper", "is not allowed" },
-    BadSetting{ "Motion/Euler step=1e-12", "use longer steps" },
-    BadSetting{ "Glass/Poisson ratio=0.5", "is not allowed" },
-    BadSetting{ "Glass/Crown radius=-1", "not less than 0" },
-    BadSetting{ "Glass/Stem radius=0.029", "Glass/Stem radius = 0.029 m does not fit the foot" },
-    BadSetting{ "Glass/Shape=round", "give step, foot or profile" },
-    BadSetting{ "Glass/Edge thickness=0", "greater than 0" },
-    BadSetting{ "Glass/Underside rise=-1e-3", "not less than 0" },
-    BadSetting{ "Table/Foundation modulus=nan", "is not allowed" },
-    BadSetting{ "Load/Moment ratio=2", "less than 2, where the foot tips" },
-    BadSetting{ "Load/Moment ratio=nan", "is not allowed" },
-    BadSetting{ "Motion/Force offset=0.3", "asks for a moment ratio of" },
-    BadSetting{ "Contact/Azimuthal cells=10", "multiple of 4" },
-    BadSetting{ "Contact/Radial cells=3", "even" }, BadSetting{ "Contact/Degree=3", "give 1 or 2", "solid" },
-    BadSetting{ "Contact/Degree=5", "from 1 to 4" },
-    BadSetting{ "Contact/Mesh file=nothing.msh", "nothing.msh does not exist", "solid" },
-    BadSetting{ "Contact/Mesh file=study.prm", "give a .msh or .inp file", "solid" },
-    BadSetting{ "Contact/Mesh file=.", "is not a file", "solid" },
-    BadSetting{ "Load/File=nothing.dat", "Load/Source = file" },
-    BadSetting{ "Load/Source=file", "needs Load/File" },
-    BadSetting{ "Table/Substrate=elastic", "set Contact/Body = revolution", "solid" },
-    BadSetting{ "Table/Kind=mat", "write Table/Interface = Winkler, Table/Substrate = rigid" },
-    BadSetting{ "Motion/Grip torque=-1e-3", "not less than 0" },
-    BadSetting{ "Motion/Liquid mass=0.5", "the bowl overflows: the liquid reaches 0.13415 m" },
-    BadSetting{ "Motion/Liquid mass=1 g", "meets the bottom of the bowl" },
-    BadSetting{ "Glass/Foot radius=34", "times Glass/Contact radius" },
-    BadSetting{ "Table/Decay length=0", "greater than 0" },
-    BadSetting{ "Contact/Azimuth lines=3", "from 16 to 100000" },
-    BadSetting{ "Contact/Mesh file=study.prm", "is read by a solid body only" },
-    BadSetting{ "Load/Coupling=exact", "write Load/Coupling = two-way" },
-    BadSetting{ "Contact/Load harmonics=500", "give more lines, or fewer load harmonics" }),
-  [](const auto &info) { return as_name(info.param.setting + " " + info.param.body); });
-
-TEST(BadInput, SettingsThatContradictEachOtherAreRefused)
-{
-  const ScratchFolder scratch;
-  const std::string study = scratch.write("study.prm", coarse_study());
-  const auto expect_contradiction = [&](const std::string &one, const std::string &other,
-                                        const std::string &expected) {
-    expect_refused(scratch, { "run", study, "--set", one, "--set", other }, 1, expected);
+  const std::string ring = "Load/Source=first harmonic";
+  const char *const own_files[] = { "study.prm", "mine.prm", "mine.msh", "own_profile.csv" };
+  for (const char *name : own_files)
+    scratch.write(name, "# mine\n");
+  std::filesystem::create_directory(scratch / "results");
+  scratch.write("results/summary.json", "{}");
+  scratch.write("results/figures/my_note.txt", "mine");
+  const auto before = all_files(scratch / "results");
+  struct Refused
+  {
+    std::vector<std::string> command;
+    std::string expected;
+    int exit_code = 1;
   };
-  expect_contradiction("Contact/Body=revolution", "Contact/Azimuth lines=20", "lines");
-  expect_contradiction("Glass/Shape=foot", "Glass/Fillet radius=0.02",
-                       "give a smaller fillet or a longer stem");
-  expect_contradiction("Glass/Shape=foot", "Glass/Stem height=0.003", "a longer stem");
-}
-
-TEST(BadInput, AnEntryIsSetOnceOnTheCommandLineToo)
-{
-  const ScratchFolder scratch;
-  const std::string file = scratch.write("study.prm", coarse_study());
-  expect_refused(scratch, { "run", file, "--set", "Motion/Mass=0.3", "--set", "Motion/Mass=0.4" }, 1,
-                 "--set sets Motion/Mass twice, to \"Motion/Mass=0.3\" and \"Motion/Mass=0.4\"");
-}
-
-TEST(BadInput, FoldersWithoutANameAreRefused)
-{
-  const ScratchFolder scratch;
-  expect_refused(scratch, { "run", "--output", "" }, 1, "the name of the folder is empty");
-  expect_refused(scratch, { "sweep", "--output", "   " }, 1, "the name of the folder is empty");
-  expect_refused(scratch, { "new", "" }, 1, "The name of the study file is empty");
+  const std::string around = "around the folder where the program was started",
+                    no_mark = "exists without a mark of Stemware",
+                    note = "holds figures/my_note.txt, which Stemware never writes; move it away";
+  for (const auto &[command, expected, exit_code] : std::vector<Refused>{
+         { {}, "say what to do: one of run" },
+         { { "rum" }, "\"rum\" is not one of the verbs run" },
+         { { "rum" }, "; did you mean run? See `stemware --help`" },
+         { { "frobnicate" }, "; see `stemware --help`" },
+         { { "run", "" }, "the name of the study is empty" },
+         { { "run", "nothing.prm" }, "nothing.prm does not exist" },
+         { { "run", "." }, "is not a file" },
+         { { "run", "docs/cookbooks/lift_off.prm" }, "`stemware new --cookbook lift_off`" },
+         { { "run", "study.prm", "--bogus" }, "--bogus" },
+         { { "run", "study.prm", "--outptu", "there" },
+           "\"--outptu\" is not expected by run; did you mean --output? See `stemware run --help`" },
+         { { "run", "study.prm", "another.prm" }, "another.prm" },
+         { { "run", "--quiet", "--set", "Motion/Mass=-1" }, "Mass" },
+         { { "run", "--output", "" }, "the name of the folder is empty" },
+         { { "sweep", "--output", "   " }, "the name of the folder is empty" },
+         { { "run", "study.prm", "--output", "/proc/stemware" }, "cannot be written", 3 },
+         { { "run", "study.prm", "--output", "study.prm/results" }, "cannot be written", 3 },
+         { { "run", "study.prm", "--output", "study.prm" }, "not a folder", 3 },
+         { { "run", "study.prm", "--output", "." }, "where the program was started", 3 },
+         { { "run", "study.prm", "--output", "/" }, around, 3 },
+         { { "run", "--output", "results", "--set", ring }, note, 3 },
+         { { "truncate", "--output", "results", "--set", ring }, note, 3 },
+         { { "converge", "--set", ring }, "no discretisation to refine" },
+         { { "converge", "--levels", "9" }, "--levels" },
+         { { "explore", "study.prm", "--output", "study.prm" }, no_mark, 3 },
+         { { "mesh", "study.prm", "--write", "mine.msh" }, no_mark, 3 },
+         { { "mesh", "--write", "foot.stl" }, "ends in neither .msh nor .vtu" },
+         { { "mesh", "--write", "no/such/folder/foot.msh" }, "cannot be written", 3 },
+         { { "mesh", "--check", "mine.msh" }, "not a Gmsh .msh mesh" },
+         { { "run", "--set", "Contact/Body=solid", "--set", "Contact/Mesh file=mine.msh" },
+           "not a Gmsh .msh mesh" },
+         { { "new" }, "FILE is required" },
+         { { "new", "" }, "The name of the study file is empty" },
+         { { "new", "mine.prm" }, "is not overwritten", 3 },
+         { { "new", "x\nset Foo = 1.prm" }, "line end" },
+         { { "new", "x\nset Foo = 1.prm", "--cookbook", "paper" }, "line end" },
+         { { "new", "my.prm", "--glass", "flute" }, "champagne" },
+         { { "new", "my.prm", "--glass", "bordaux" }, "Bordeaux" },
+         { { "new", "my.prm", "--table", "wood" }, "oak" },
+         { { "new", "my.prm", "--table", "glass" }, "window glass" },
+         { { "new", "--cookbook", "own_profile" }, "own_profile.csv exists", 3 },
+         { { "new", "--cookbook", "liftoff" }, "did you mean lift_off? There are bare_wood, " },
+         { { "new", "--cookbook", "paper", "--glass", "Bordeaux" }, "--glass" } })
+    expect_refused(scratch, command, expected, exit_code);
+  EXPECT_EQ(all_files(scratch / "results"), before);
+  for (const char *name : own_files)
+    EXPECT_EQ(read_text(scratch / name), "# mine\n");
 }
 
 TEST(BadInput, ASlipOfUnitsBehindATippingGlassIsNamedFirst)
@@ -231,66 +232,6 @@ TEST(BadInput, OutputThatIsLostEndsInAFailure)
   EXPECT_EQ(shell(scratch, "$S run study.prm --quiet > /dev/full").exit_code, 0); // prints nothing
 }
 
-TEST(BadInput, MissingStudyFileIsRefused)
-{
-  const ScratchFolder scratch;
-  expect_refused(scratch, { "run", "nothing.prm" }, 1, "nothing.prm does not exist");
-  expect_refused(scratch, { "run", "." }, 1, "is not a file");
-}
-
-TEST(BadInput, UsageErrorsAreRefused)
-{
-  const ScratchFolder scratch;
-  const std::string file = scratch.write("study.prm", "# defaults\n");
-  expect_refused(scratch, {}, 1, "say what to do: one of run");
-  expect_refused(scratch, { "rum" }, 1, "\"rum\" is not one of the verbs run");
-  expect_refused(scratch, { "rum" }, 1, "; did you mean run? See `stemware --help`");
-  expect_refused(scratch, { "frobnicate" }, 1, "; see `stemware --help`");
-  expect_refused(scratch, { "run", "" }, 1, "the name of the study is empty");
-  expect_refused(scratch, { "run", file, "--bogus" }, 1, "--bogus");
-  expect_refused(scratch, { "run", file, "--outptu", "there" }, 1,
-                 "\"--outptu\" is not expected by run; did you mean --output? See `stemware run --help`");
-  expect_refused(scratch, { "run", file, "another.prm" }, 1, "another.prm");
-}
-
-TEST(BadInput, MeshWithoutContactZoneIsRefused)
-{
-  const ScratchFolder scratch;
-  scratch.write("cube.msh",
-                "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
-                "5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n$EndNodes\n$Elements\n1\n1 5 2 0 1 1 2 3 4 5 6 7 8\n"
-                "$EndElements\n");
-  const std::string file = scratch.write("study.prm", coarse_study());
-  expect_refused(scratch, { "run", file, "--set", "Contact/Mesh file=cube.msh" }, 1, "has no contact zone");
-}
-
-TEST(BadInput, LoadThatTipsTheRingIsRefused)
-{
-  const ScratchFolder scratch;
-  scratch.write("tipping.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.9 0\n");
-  const std::string file = scratch.write("study.prm", "subsection Load\n  set Source = file\n"
-                                                      "  set File = tipping.dat\nend\n");
-  expect_refused(scratch, { "run", file }, 1, "tips at 2");
-}
-
-TEST(BadInput, UnwritableOutputIsRefused)
-{
-  const ScratchFolder scratch;
-  const std::string file = scratch.write("study.prm", "# defaults\n");
-  expect_refused(scratch, { "run", file, "--output", "/proc/stemware" }, 3, "cannot be written");
-  expect_refused(scratch, { "run", file, "--output", "study.prm/results" }, 3, "cannot be written");
-  expect_refused(scratch, { "run", file, "--output", "study.prm" }, 3, "not a folder");
-  expect_refused(scratch, { "run", file, "--output", "." }, 3, "where the program was started");
-  expect_refused(scratch, { "run", file, "--output", "/" }, 3,
-                 "around the folder where the program was started");
-  expect_refused(scratch, { "explore", file, "--output", "study.prm" }, 3,
-                 "exists without a mark of Stemware");
-  expect_refused(scratch, { "mesh", file, "--write", scratch.write("mine.msh", "mine") }, 3,
-                 "exists without a mark of Stemware");
-  EXPECT_EQ(read_text(file), "# defaults\n");
-  EXPECT_EQ(read_text(scratch / "mine.msh"), "mine");
-}
-
 TEST(BadInput, BytesThatAreNoUtf8AreRefusedBeforeTheWork)
 {
   const ScratchFolder scratch;
@@ -315,22 +256,6 @@ TEST(BadInput, BytesThatAreNoUtf8AreRefusedBeforeTheWork)
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
     EXPECT_EQ(names_in(scratch.path()), before);
   }
-}
-
-TEST(BadInput, ARerunLosesNoFileOfAUser)
-{
-  const ScratchFolder scratch;
-  const std::string file =
-    scratch.write("study.prm", "subsection Load\n  set Source = first harmonic\nend\n");
-  const auto run = [&] { return stemware(scratch, { "run", file, "--output", "results", "--quiet" }); };
-  ASSERT_EQ(run().exit_code, 0);
-  ASSERT_EQ(run().exit_code, 0); // nothing has changed
-  scratch.write("results/figures/my_note.txt", "mine");
-  const auto before = all_files(scratch / "results");
-  for (const char *verb : { "run", "truncate" })
-    expect_refused(scratch, { verb, file, "--output", "results" }, 3,
-                   "holds figures/my_note.txt, which Stemware never writes; move it away");
-  EXPECT_EQ(all_files(scratch / "results"), before);
 }
 
 TEST(BadInput, MessagesRepeatLittleOfALongInput)

@@ -70,19 +70,11 @@ struct State : Opened
 
 const std::vector<State> &states()
 {
-  const auto plain = [](const std::vector<std::string> &settings)
-  {
-    std::vector<std::string> arguments = { "run", "study.prm" };
-    for (const std::string &setting : settings)
-      arguments.insert(arguments.end(), { "--set", setting });
-    return arguments;
+  const auto plain = [](const std::vector<std::string> &settings) {
+    return with_settings({ "run", "study.prm" }, settings);
   };
-  const auto quick = [](const std::vector<std::string> &settings)
-  {
-    std::vector<std::string> arguments = { "run", "--quick" };
-    for (const std::string &setting : settings)
-      arguments.insert(arguments.end(), { "--set", setting });
-    return arguments;
+  const auto quick = [](const std::vector<std::string> &settings) {
+    return with_settings({ "run", "--quick" }, settings);
   };
   const auto of_verb = [](std::size_t i, const std::string &answer, const std::vector<std::string> &figures) {
     return State{ opened().at(i), answer, figures };

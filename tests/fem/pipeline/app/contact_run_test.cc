@@ -20,25 +20,12 @@ namespace stemware::test
 namespace
 {
 
-/// summary.json of a coarse contact study, with budget and bands.
-nlohmann::json run_fully(const ScratchFolder &scratch, const std::vector<std::string> &settings,
-                         const std::string &results = "results", const std::vector<std::string> &options = {})
-{
-  std::vector<std::string> arguments = { "run", scratch.write("coarse.prm", coarse_study()), "--output",
-                                         results };
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  for (const std::string &setting : settings)
-    arguments.insert(arguments.end(), { "--set", setting });
-  const Ended ended = stemware(scratch, arguments);
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  return read_summary(scratch / results);
-}
-
-/// The same without them.
+/// summary.json of a coarse contact study, without budget and bands.
 nlohmann::json run(const ScratchFolder &scratch, const std::vector<std::string> &settings,
                    const std::string &results = "results")
 {
-  return run_fully(scratch, settings, results, { "--quick" });
+  return solved(scratch, { "run", scratch.write("coarse.prm", coarse_study()), "--quick" }, settings,
+                results);
 }
 
 /// Harmonics of the load over a_0, cosines and sines one after the other.
@@ -60,114 +47,32 @@ void expect_same_harmonics(const nlohmann::json &one, const nlohmann::json &othe
     EXPECT_NEAR(first[i], second[i], tolerance) << i;
 }
 
-TEST(ContactRun, SummaryHasTheSumsOfItsRings)
+TEST(ContactRun, EqualStudiesGiveEqualFiles)
 {
   const ScratchFolder scratch;
-  const auto summary = run_fully(scratch, {}); // read_summary() looks for the keys that the schema promises
-  for (const char *load : { "load", "load_at_terminal" })
-    for (const auto &[key, value] : summary[load].items())
-      EXPECT_FALSE(value.is_null()) << load << '/' << key;
-  EXPECT_EQ(summary["budget"].back()["omega_terminal"], summary["ring"]["omega_terminal"]);
-  for (const char *family : { "a", "b" })
-    for (std::size_t n = 0; n < 9; ++n)
-    {
-      double sum = 0;
-      for (const auto &ring : summary["load"]["rings"])
-        sum += ring[family][n].get<double>();
-      EXPECT_NEAR(sum, summary["load"][family][n].get<double>(), 1e-15) << family << n;
-    }
-}
-
-TEST(ContactRun, ResultsFolderHoldsWhatSummaryLists)
-{
-  const ScratchFolder scratch;
-  const auto summary = run_fully(scratch, {});
-  EXPECT_EQ(summary["files"].get<std::vector<std::string>>(), names_in(scratch / "results"));
-  for (const char *table : { "load.csv", "load_lines.csv", "footprint.csv", "harmonics.dat", "rings.csv",
-                             "torque.csv", "spin_up.csv", "truncation.csv", "contact_history.csv" })
-  {
-    const std::string text = read_text(scratch / "results" / table);
-    const auto columns = read_columns(scratch / "results" / table);
-    ASSERT_GE(columns.size(), 2u) << table;
-    EXPECT_THAT(text.substr(0, 400), testing::HasSubstr("(")) << table; // units stand in the heading
-    for (const auto &column : columns)
-      EXPECT_EQ(column.size(), columns[0].size()) << table;
-  }
-  EXPECT_EQ(names_in(scratch / "results/fields"), std::vector<std::string>{ "contact.vtu" });
-}
-
-TEST(ContactRun, TorqueAtRestIsThatOfTheMoment)
-{
-  const ScratchFolder scratch;
-  for (const char *table : { "Winkler", "hard" })
-  {
-    const auto summary = run(scratch, { std::string("Table/Interface=") + table });
-    const double torque = summary["ring"]["tau_at_rest"];
-    EXPECT_NEAR(torque, 0.3 * summary["load"]["moment"][0].get<double>(), 1e-10 * std::abs(torque)) << table;
-    EXPECT_NEAR(torque, -0.003675, 1e-9 * 0.003675) << table;
-    EXPECT_LE(summary["contact"]["force_residual"].get<double>(), 1e-9) << table;
-    EXPECT_LE(summary["contact"]["moment_residual"].get<double>(), 1e-9) << table;
-    EXPECT_NEAR(summary["load"]["normal_force"].get<double>(), 2.943, 1e-9) << table;
-  }
-}
-
-TEST(ContactRun, EqualRunsGiveEqualFiles)
-{
-  const ScratchFolder scratch;
-  run_fully(scratch, {}, "one");
+  const std::string study = scratch.write("coarse.prm", coarse_study());
+  solved(scratch, { "run", study }, { "Glass/Crown radius=0.00312345678" }, "one");
   std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // a time stamp in seconds would show
-  run_fully(scratch, {}, "other");
-  const auto one = all_files(scratch / "one");
-  const auto other = all_files(scratch / "other");
+  solved(scratch, { "run", study }, { "Glass/Crown radius=0.00312345678" }, "other");
+  const auto one = all_files(scratch / "one"), other = all_files(scratch / "other");
   ASSERT_EQ(one.size(), other.size());
   for (const auto &[name, text] : one)
   {
     ASSERT_EQ(other.count(name), 1u) << name;
     EXPECT_TRUE(other.at(name) == text) << name << " differs";
   }
-}
-
-TEST(ContactRun, EchoedParametersGiveTheSameSummary)
-{
-  const ScratchFolder scratch;
-  run_fully(scratch, { "Glass/Crown radius=0.00312345678" }, "one");
-  const Ended ended = stemware(scratch, { "run", "one/parameters.prm", "--output", "other" });
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_EQ(read_text(scratch / "other/summary.json"), read_text(scratch / "one/summary.json"));
+  solved(scratch, { "run", "one/parameters.prm" }, {}, "echo");
+  EXPECT_EQ(read_text(scratch / "echo/summary.json"), one.at("summary.json"));
 }
 
 TEST(ContactRun, LoadFileContinuesFromHarmonics)
 {
   const ScratchFolder scratch;
   const auto contact = run(scratch, { "Contact/Rings=1" }, "contact"); // a file has one ring
-  const Ended ended = stemware(scratch, { "run", "coarse.prm", "--quick", "--output", "ring", "--set",
-                                          "Load/Source=file", "--set", "Load/File=contact/harmonics.dat" });
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  const auto ring = read_summary(scratch / "ring");
+  const auto ring = run(scratch, { "Load/Source=file", "Load/File=contact/harmonics.dat" }, "ring");
   EXPECT_EQ(ring["load"]["a"], contact["load"]["a"]);
   EXPECT_EQ(ring["load"]["b"], contact["load"]["b"]);
   EXPECT_EQ(ring["truncation"], contact["truncation"]);
-}
-
-TEST(ContactRun, ReversedOrbitMirrorsTheLoad)
-{
-  const ScratchFolder scratch;
-  const auto there = run(scratch, { "Motion/Orbit sense=counterclockwise" });
-  const auto back = run(scratch, { "Motion/Orbit sense=clockwise" });
-  const double a0 = there["load"]["a"][0];
-  for (std::size_t n = 0; n < there["load"]["a"].size(); ++n)
-  {
-    EXPECT_NEAR(back["load"]["a"][n].get<double>(), there["load"]["a"][n].get<double>(), 1e-9 * a0) << n;
-    EXPECT_NEAR(back["load"]["b"][n].get<double>(), -there["load"]["b"][n].get<double>(), 1e-9 * a0) << n;
-  }
-  const auto expect_mirrored = [](const nlohmann::json &one, const nlohmann::json &other, double sign)
-  { EXPECT_NEAR(other.get<double>(), sign * one.get<double>(), 1e-8 * std::abs(one.get<double>())); };
-  expect_mirrored(there["ring"]["omega_terminal"], back["ring"]["omega_terminal"], -1);
-  expect_mirrored(there["ring"]["tau_at_rest"], back["ring"]["tau_at_rest"], -1);
-  const auto &force_there = there["ring"]["force_at_terminal"];
-  const auto &force_back = back["ring"]["force_at_terminal"];
-  expect_mirrored(force_there[0], force_back[0], 1);
-  expect_mirrored(force_there[1], force_back[1], -1);
 }
 
 TEST(ContactRun, UnitsDoNotMatter)
@@ -216,30 +121,8 @@ TEST(ContactRun, ReadsMeshFiles)
   EXPECT_GT(oval["contact"]["mesh"]["land_area_deficit"].get<double>(), 0);
   EXPECT_GT(std::abs(oval["load"]["a"][2].get<double>()), 1e-3 * oval["load"]["a"][0].get<double>());
 
-  const Ended ended = stemware(scratch, { "run", "results/parameters.prm", "--output", "again" });
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_EQ(read_summary(scratch / "again")["load"], oval["load"]);
-}
-
-TEST(ContactRun, MeshOfAnotherGlassIsRefused)
-{
-  const ScratchFolder scratch;
-  const Ended ended = stemware(scratch, { "run", scratch.write("coarse.prm", coarse_study()), "--set",
-                                          "Contact/Mesh file=" STEMWARE_MESHES "/flat_foot.msh", "--set",
-                                          "Glass/Contact radius=0.3" });
-  EXPECT_EQ(ended.exit_code, 1);
-  EXPECT_THAT(ended.err, testing::HasSubstr("has a radius of 0.03"));
-  EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "coarse.prm" });
-}
-
-TEST(ContactRun, MomentBeyondTheHullOfAMeshIsBadInput)
-{
-  const ScratchFolder scratch;
-  const Ended ended = stemware(scratch, { "run", scratch.write("coarse.prm", coarse_study()), "--set",
-                                          "Contact/Mesh file=" STEMWARE_MESHES "/flat_foot.msh", "--set",
-                                          "Motion/Orbit speed=2" });
-  EXPECT_EQ(ended.exit_code, 1) << ended.out;
-  EXPECT_THAT(ended.err, testing::HasSubstr("the hull of the contact zone, 0.0309"));
+  EXPECT_EQ(solved(scratch, { "run", "results/parameters.prm", "--quick" }, {}, "again")["load"],
+            oval["load"]);
 }
 
 /// Writes a plate of 80 x 40 mm, the square plate of 2 m compressed, and returns the settings of a study
@@ -289,10 +172,8 @@ TEST(ContactRun, OfAPlateTakesTheMeanDistanceOfItsBorderAsRadius)
 TEST(ContactRun, AContactThatTipsWhenItIsTurnedIsTold)
 {
   const ScratchFolder scratch;
-  std::vector<std::string> arguments = { "run", scratch.write("coarse.prm", coarse_study()) };
-  for (const std::string &setting : plate_settings(scratch, 0.025, 90))
-    arguments.insert(arguments.end(), { "--set", setting });
-  const Ended ended = stemware(scratch, arguments);
+  const Ended ended = stemware(scratch, with_settings({ "run", scratch.write("coarse.prm", coarse_study()) },
+                                                      plate_settings(scratch, 0.025, 90)));
   EXPECT_EQ(ended.exit_code, 1) << ended.out;
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "coarse.prm", "plate.msh" }));
   // The contact that was asked for, the pressure of a triangle over 3 (L/2 - e); the angle that tips, whose
@@ -315,19 +196,6 @@ TEST(ContactRun, AContactThatTipsWhenItIsTurnedIsTold)
              is_told([&](double limit) { return std::abs(limit - hull) < 1e-6; });
     }))
     << ended.err;
-}
-
-TEST(ContactRun, LiftOffLeavesPartOfTheRimFree)
-{
-  const ScratchFolder scratch;
-  const auto summary = run(scratch, { "Load/Moment ratio=1.3", "Load/Moment direction=-1.5707963267948966" });
-  EXPECT_FALSE(summary["ring"]["no_lift_off"].get<bool>());
-  EXPECT_NEAR(summary["load"]["moment_ratio"].get<double>(), 1.3, 1e-9);
-  EXPECT_LT(summary["load"]["contact_fraction"].get<double>(), 0.95);
-  EXPECT_EQ(summary["load"]["minimum"], 0);
-  EXPECT_LT(summary["truncation"][0]["load_minimum"].get<double>(), 0);
-  EXPECT_LT(summary["load"]["b"][1].get<double>(), 0);
-  EXPECT_NEAR(summary["ring"]["tau_at_rest"].get<double>(), -0.3 * 1.3 * 2.943 * 0.03 / 2, 1e-11);
 }
 
 TEST(ContactRun, ContactFailureHasAnExitCodeOfItsOwn)

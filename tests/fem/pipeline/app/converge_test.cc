@@ -69,18 +69,5 @@ TEST(ConvergeRun, SolidBody)
     EXPECT_TRUE(summary["refinement"].contains(axis)) << axis;
 }
 
-TEST(ConvergeRun, RefusesWhatCannotBeRefinedInOneSentence)
-{
-  const ScratchFolder scratch;
-  const std::string study = scratch.write("study.prm", plain_study());
-  const Ended no_mesh = stemware(scratch, { "converge", study, "--set", "Load/Source=first harmonic" });
-  EXPECT_EQ(no_mesh.exit_code, 1);
-  EXPECT_THAT(no_mesh.err, testing::HasSubstr("no discretisation to refine"));
-  const Ended levels = stemware(scratch, { "converge", study, "--levels", "9" });
-  EXPECT_EQ(levels.exit_code, 1);
-  EXPECT_THAT(levels.err, testing::HasSubstr("--levels"));
-  EXPECT_TRUE(names_in(scratch.path()) == std::vector<std::string>{ "study.prm" });
-}
-
 } // namespace
 } // namespace stemware::test

@@ -22,17 +22,9 @@ Settings with_law(const std::string &kinetic, const std::string &fixed, const st
            "Motion/Viscous friction=" + viscous };
 }
 
-nlohmann::json solved(const std::string &verb, const Settings &settings,
-                      const std::vector<std::string> &options = {})
+nlohmann::json quick_run(const Settings &settings)
 {
-  const ScratchFolder scratch;
-  std::vector<std::string> command = { verb, "--output", "out", "--quiet" };
-  command.insert(command.end(), options.begin(), options.end());
-  for (const std::string &setting : settings)
-    command.insert(command.end(), { "--set", setting });
-  const Ended ended = stemware(scratch, command);
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  return ended.exit_code == 0 ? read_summary(scratch / "out") : nlohmann::json();
+  return solved(ScratchFolder(), { "run", "--quick" }, settings);
 }
 
 double spin_of(const nlohmann::json &summary)
@@ -53,7 +45,7 @@ double spin_without(const nlohmann::json &summary, const std::string &name)
 
 TEST(FrictionLawStudy, EqualCoefficientsGiveCoulombsNumbers)
 {
-  const nlohmann::json coulomb = solved("run", {}, { "--quick" });
+  const nlohmann::json coulomb = quick_run({});
   const auto expect_equal = [&](const nlohmann::json &stribeck)
   {
     EXPECT_NEAR(spin_of(stribeck), spin_of(coulomb), 1e-10 * std::abs(spin_of(coulomb)));
@@ -65,9 +57,9 @@ TEST(FrictionLawStudy, EqualCoefficientsGiveCoulombsNumbers)
                     coulomb["load_at_terminal"][part][n].get<double>(), 1e-10)
           << part << n;
   };
-  expect_equal(solved("run", with_law("0.3", "0.3", "0.1"), { "--quick" }));
+  expect_equal(quick_run(with_law("0.3", "0.3", "0.1")));
   // Not equal, and so by quadrature, with the friction in the foot place by place.
-  expect_equal(solved("run", with_law("0.3", "0.300000000000001", "0.1"), { "--quick" }));
+  expect_equal(quick_run(with_law("0.3", "0.300000000000001", "0.1")));
 }
 
 TEST(FrictionLawStudy, ViscousFrictionHasAClosedForm)
@@ -77,7 +69,7 @@ TEST(FrictionLawStudy, ViscousFrictionHasAClosedForm)
   Settings viscous = with_law("3e-11", "3e-11", "0.1", "1 s/m");
   viscous.push_back("Motion/Closure=paper");
   const double v = 0.35, N = 0.3 * 9.81, moment = -0.05 * 0.3 * v * v / 0.15;
-  const nlohmann::json elastic = solved("run", viscous, { "--quick" });
+  const nlohmann::json elastic = quick_run(viscous);
   double square = 0, force = 0;
   const nlohmann::json &load = elastic["load_at_terminal"];
   for (std::size_t j = 0; j < load["radii"].size(); ++j)
@@ -88,7 +80,7 @@ TEST(FrictionLawStudy, ViscousFrictionHasAClosedForm)
   }
   EXPECT_NEAR(spin_of(elastic) / (v * moment / (N * square / force)), 1, 1e-9);
   viscous.push_back("Load/Source=first harmonic");
-  EXPECT_NEAR(spin_of(solved("run", viscous, { "--quick" })) / (v * moment / (N * 0.03 * 0.03)), 1, 2e-10);
+  EXPECT_NEAR(spin_of(quick_run(viscous)) / (v * moment / (N * 0.03 * 0.03)), 1, 2e-10);
   // With all moments: M_N = (M - h T_y, h T_x) and T = -c (v N - omega M_Nx', ...), h the height of the hand.
   viscous[5] = "Motion/Closure=full";
   const double h = 0.03, R = 0.03;
@@ -99,23 +91,23 @@ TEST(FrictionLawStudy, ViscousFrictionHasAClosedForm)
     const double a = h * omega, moment_x = (moment + a * h * v * N) / (1 + a * a);
     omega = v * moment_x / (N * R * R);
   }
-  EXPECT_NEAR(spin_of(solved("run", viscous, { "--quick" })) / omega, 1, 1e-9);
+  EXPECT_NEAR(spin_of(quick_run(viscous)) / omega, 1, 1e-9);
 }
 
 TEST(FrictionLawStudy, EveryVerbKnowsTheLaw)
 {
   const Settings law = with_law("0.2", "0.5", "0.3 m/s");
-  const nlohmann::json run = solved("run", law);
+  const nlohmann::json run = solved(ScratchFolder(), { "run" }, law);
   const double spin = spin_of(run), mu = 0.2 + 0.3 * std::exp(-std::pow(0.35 / 0.3, 2));
   // At rest every place slips with v.
   EXPECT_NEAR(run["ring"]["tau_at_rest"].get<double>() / (mu * run["load"]["moment"][0].get<double>()), 1,
               1e-9);
-  const nlohmann::json truncated = solved("truncate", law);
+  const nlohmann::json truncated = solved(ScratchFolder(), { "truncate" }, law);
   EXPECT_NEAR(truncated["truncation"].back()["omega_terminal"].get<double>(), spin, 1e-9 * std::abs(spin));
 
   // Without it: the coefficient at the orbit speed.
   const nlohmann::json constant =
-    solved("run", { "Motion/Friction coefficient=" + nlohmann::json(mu).dump() });
+    solved(ScratchFolder(), { "run" }, { "Motion/Friction coefficient=" + nlohmann::json(mu).dump() });
   EXPECT_NEAR(spin_without(run, "dependence of friction on slip"), spin_of(constant), 1e-8);
   EXPECT_GT(std::abs(spin), 1.1 * std::abs(spin_of(constant)));
   EXPECT_EQ(run["budget"][1]["name"], "friction law");
@@ -123,28 +115,9 @@ TEST(FrictionLawStudy, EveryVerbKnowsTheLaw)
               constant["budget"][0]["omega_terminal"].get<double>(), 1e-10);
 
   const ScratchFolder scratch;
-  std::vector<std::string> sets;
-  for (const std::string &setting : law)
-    sets.insert(sets.end(), { "--set", setting });
-  std::vector<std::string> sweep = {
-    "sweep", "--output", "swept", "--quiet", "--vary", "Motion/Mass=0.3,0.4"
-  };
-  sweep.insert(sweep.end(), sets.begin(), sets.end());
-  ASSERT_EQ(stemware(scratch, sweep).exit_code, 0);
+  solved(scratch, { "sweep", "--vary", "Motion/Mass=0.3,0.4" }, law, "swept");
   const std::string spin_text = nlohmann::json(spin).dump().substr(0, 10);
   EXPECT_THAT(read_text(scratch / "swept/sweep.csv"), testing::HasSubstr(spin_text));
-}
-
-TEST(FrictionLawStudy, EntriesOfALawThatIsNotChosenAreNamed)
-{
-  const ScratchFolder scratch;
-  const Ended idle = stemware(
-    scratch, { "run", "--set", "Load/Source=first harmonic", "--set", "Motion/Viscous friction=0.1 s/m" });
-  EXPECT_EQ(idle.exit_code, 0);
-  EXPECT_THAT(idle.out, testing::HasSubstr("Motion/Viscous friction has no effect"));
-  const Ended refused = stemware(scratch, { "run", "--set", "Motion/Friction decay speed=0" });
-  EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
 }
 
 } // namespace stemware::test

@@ -47,16 +47,6 @@ TEST(NewStudy, IsTheDefaultStudyInTwelveCommentedEntries)
             pipeline::study_as_json(pipeline::Study()));
 }
 
-TEST(NewStudy, OverwritesNothing)
-{
-  const ScratchFolder scratch;
-  scratch.write("mine.prm", "# mine\n");
-  const Ended ended = stemware(scratch, { "new", "mine.prm" });
-  EXPECT_EQ(ended.exit_code, 3);
-  EXPECT_THAT(ended.err, testing::HasSubstr("is not overwritten"));
-  EXPECT_EQ(read_text(scratch / "mine.prm"), "# mine\n");
-}
-
 TEST(NewStudy, EveryPairOfPresetsIsAStudyWithoutIdleOrStrangeEntries)
 {
   const ScratchFolder scratch;
@@ -77,20 +67,6 @@ TEST(NewStudy, NamesAreTakenInAnyCaseAndWithHyphens)
 {
   EXPECT_EQ(pipeline::preset_of(table_presets(), "--table", "Cork-Mat").name, "cork mat");
   EXPECT_EQ(pipeline::preset_of(glass_presets(), "--glass", "bordeaux").name, "Bordeaux");
-}
-
-TEST(NewStudy, OtherNamesOfPresetsAreGuessed)
-{
-  const ScratchFolder scratch;
-  for (const auto &[kind, name, meant] :
-       { std::tuple("--glass", "flute", "champagne"), std::tuple("--glass", "bordaux", "Bordeaux"),
-         std::tuple("--table", "wood", "oak"), std::tuple("--table", "glass", "window glass") })
-  {
-    const Ended ended = stemware(scratch, { "new", "my.prm", kind, name });
-    EXPECT_EQ(ended.exit_code, 1);
-    EXPECT_THAT(ended.err, testing::HasSubstr(meant));
-  }
-  EXPECT_TRUE(names_in(scratch.path()).empty());
 }
 
 TEST(NewCookbook, IsTheCookbooksStudyWithTheFilesThatItReads)
@@ -132,69 +108,6 @@ TEST(NewCookbook, MayHaveAnotherNameAndPlace)
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_THAT(read_text(scratch / "mine/drawn.prm"), testing::HasSubstr("#   stemware run drawn.prm\n"));
   EXPECT_EQ(stemware(scratch, { "mesh", "mine/drawn.prm" }).exit_code, 0);
-}
-
-TEST(NewCookbook, NothingIsWrittenWhereAFileIsInTheWay)
-{
-  const ScratchFolder scratch;
-  scratch.write("own_profile.csv", "mine\n");
-  const Ended ended = stemware(scratch, { "new", "--cookbook", "own_profile" });
-  EXPECT_EQ(ended.exit_code, 3);
-  EXPECT_THAT(ended.err, testing::HasSubstr("own_profile.csv exists"));
-  EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "own_profile.csv" });
-}
-
-TEST(NewCookbook, IsNamedWhereItIsLookedForInVain)
-{
-  const ScratchFolder scratch;
-  const auto refusal = [&](const std::vector<std::string> &arguments)
-  {
-    const Ended ended = stemware(scratch, arguments);
-    EXPECT_EQ(ended.exit_code, 1);
-    return ended.err;
-  };
-  EXPECT_THAT(refusal({ "new", "--cookbook", "liftoff" }),
-              testing::HasSubstr("did you mean lift_off? There are bare_wood, "));
-  EXPECT_THAT(refusal({ "run", "docs/cookbooks/lift_off.prm" }),
-              testing::HasSubstr("`stemware new --cookbook lift_off`"));
-  EXPECT_THAT(refusal({ "new", "--cookbook", "paper", "--glass", "Bordeaux" }),
-              testing::HasSubstr("--glass"));
-  EXPECT_THAT(refusal({ "new" }), testing::HasSubstr("FILE is required"));
-  EXPECT_THAT(stemware(scratch, { "new", "--help" }).out, testing::HasSubstr("Cookbooks:\n  bare_wood, "));
-}
-
-TEST(NewStudy, HasNoLineEndInItsName)
-{
-  const ScratchFolder scratch;
-  for (const std::vector<std::string> &kind : { std::vector<std::string>(), { "--cookbook", "paper" } })
-  {
-    std::vector<std::string> arguments = { "new", "x\nset Foo = 1.prm" };
-    arguments.insert(arguments.end(), kind.begin(), kind.end());
-    const Ended ended = stemware(scratch, arguments);
-    EXPECT_EQ(ended.exit_code, 1);
-    EXPECT_THAT(ended.err, testing::HasSubstr("line end"));
-  }
-  EXPECT_TRUE(names_in(scratch.path()).empty());
-}
-
-TEST(NewStudy, GivesAResultWithThreeLinesChanged)
-{
-  const ScratchFolder scratch;
-  ASSERT_EQ(stemware(scratch, { "new", "my.prm", "--glass", "Bordeaux", "--table", "oak" }).exit_code, 0);
-  std::string text = read_text(scratch / "my.prm");
-  for (const auto &[entry, value] : { std::pair("Mass ", "280 g"), std::pair("Orbit speed ", "30 cm/s"),
-                                      std::pair("Friction coefficient ", "0.28") })
-    text = std::regex_replace(text, std::regex("(set " + std::string(entry) + "\\s*= ).*"),
-                              "$01" + std::string(value));
-  scratch.write("my.prm", text);
-  const Ended ended = stemware(scratch, { "run", "my.prm", "--quick", "--output", "results" });
-  ASSERT_EQ(ended.exit_code, 0) << ended.err;
-  const auto summary = read_summary(scratch / "results");
-  EXPECT_EQ(summary["parameters"]["Motion"]["Mass"], 0.28);
-  // Against the orbit, and not faster than the rim could roll along the table.
-  const double omega = summary["ring"]["omega_terminal"];
-  EXPECT_LT(omega, 0);
-  EXPECT_GT(omega, -0.3 / summary["parameters"]["Glass"]["Contact radius"].get<double>());
 }
 
 } // namespace

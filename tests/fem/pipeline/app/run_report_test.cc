@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <memory>
 
 namespace stemware::test
 {
@@ -17,37 +16,22 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// Arguments of a run of the glass as a body of revolution whose foot lifts off, with a short spin-up.
-std::vector<std::string> lifted_run(const ScratchFolder &scratch)
+/// The run of a glass as a body of revolution whose foot lifts off, with a short spin-up; no test changes it.
+struct LiftedRun
 {
-  std::vector<std::string> arguments = { "run", scratch.write("study.prm", plain_study()), "--output",
-                                         "results" };
-  for (const char *setting : { "Contact/Body=revolution", "Load/Moment ratio=1.3", "Motion/Closure=paper",
-                               "Motion/End time=0.2", "Motion/Euler step=0.01" })
-    arguments.insert(arguments.end(), { "--set", setting });
-  return arguments;
-}
-
-/// One such run, whose results all tests read and none changes.
-class RunReport : public testing::Test
-{
-protected:
-  static void SetUpTestSuite() { shared = std::make_unique<Run>(); }
-  static void TearDownTestSuite() { shared.reset(); }
-  void SetUp() override { ASSERT_EQ(shared->ended.exit_code, 0) << shared->ended.err; }
-
-  static fs::path results() { return shared->scratch / "results"; }
-  static std::string html() { return read_text(results() / "report.html"); }
-  static const Ended &ended() { return shared->ended; }
-
-private:
-  struct Run
-  {
-    const ScratchFolder scratch;
-    const Ended ended = stemware(scratch, lifted_run(scratch));
-  };
-  static inline std::unique_ptr<Run> shared;
+  const ScratchFolder scratch;
+  const Ended ended = stemware(
+    scratch, with_settings({ "run", scratch.write("study.prm", plain_study()), "--output", "results" },
+                           { "Load/Moment ratio=1.3", "Motion/Closure=paper", "Motion/End time=0.2",
+                             "Motion/Euler step=0.01" }));
+  const fs::path results = scratch / "results";
 };
+
+const LiftedRun &lifted_run()
+{
+  static const LiftedRun run;
+  return run;
+}
 
 /// The number in front of "\u00b1 band" in @p text, and the band; both as printed.
 std::pair<double, double> with_band(const std::string &text)
@@ -66,15 +50,18 @@ std::string per_cent(double change)
   return text;
 }
 
-TEST_F(RunReport, AnswersWithTheNumbersOfTheSummary)
+TEST(RunReport, AnswersWithTheNumbersOfTheSummary)
 {
-  const auto summary = read_summary(results());
-  const std::string answer = between(html(), "<p class=\"answer\">", "</p>");
+  const LiftedRun &run = lifted_run();
+  ASSERT_EQ(run.ended.exit_code, 0) << run.ended.err;
+  EXPECT_EQ(run.ended.err, "");
+  const auto summary = read_summary(run.results);
+  const std::string answer = between(read_text(run.results / "report.html"), "<p class=\"answer\">", "</p>");
   const double omega = summary["ring"]["omega_terminal"];
   const double band = summary["error_bands"]["omega_terminal"]["band"];
   const double effect = summary["harmonic_effect"]["relative"];
   // What is printed contains what is meant, and not much more.
-  for (const std::string &text : { answer, ended().out })
+  for (const std::string &text : { answer, run.ended.out })
   {
     const auto [value, printed_band] = with_band(text);
     EXPECT_LE(std::abs(value - omega) + band, printed_band * (1 + 1e-9)) << text;
@@ -83,23 +70,23 @@ TEST_F(RunReport, AnswersWithTheNumbersOfTheSummary)
   EXPECT_THAT(answer, testing::HasSubstr("harmonics of the"));
   EXPECT_THAT(answer, testing::HasSubstr(per_cent(effect) + (effect > 0 ? " faster" : " slower")));
   EXPECT_THAT(answer, testing::HasSubstr("(one-way)")); // its moment is given
-  EXPECT_THAT(ended().out,
-              testing::HasSubstr("\nReport    " + fs::absolute(results() / "report.html").string() + "\n"));
+  EXPECT_THAT(run.ended.out,
+              testing::HasSubstr("\nReport    " + fs::absolute(run.results / "report.html").string() + "\n"));
 }
 
-TEST_F(RunReport, ListsTheFilesOfItsFolder)
+TEST(RunReport, ListsTheFilesOfItsFolder)
 {
-  EXPECT_EQ(ended().err, "");
-  const nlohmann::json files = page_document(results())["files"];
+  const fs::path &results = lifted_run().results;
+  const nlohmann::json files = page_document(results)["files"];
   EXPECT_GT(files.size(), 10u);
   for (const auto &file : files)
-    EXPECT_TRUE(fs::exists(results() / file[0].get<std::string>())) << file;
-  EXPECT_EQ(read_summary(results())["files"].get<std::vector<std::string>>(), names_in(results()));
+    EXPECT_TRUE(fs::exists(results / file[0].get<std::string>())) << file;
+  EXPECT_EQ(read_summary(results)["files"].get<std::vector<std::string>>(), names_in(results));
 }
 
-TEST_F(RunReport, SaysWhichParametersDiffer)
+TEST(RunReport, SaysWhichParametersDiffer)
 {
-  const nlohmann::json page = page_document(results());
+  const nlohmann::json page = page_document(lifted_run().results);
   std::map<std::string, bool> differs;
   for (const auto &entry : page["entries"])
     differs[entry["entry"].get<std::string>()] = entry.contains("default");

@@ -287,45 +287,6 @@ TEST(Sweep, UnderMpirunItNamesRows)
   EXPECT_FALSE(std::filesystem::exists(scratch / "results"));
 }
 
-TEST(Sweep, AHostileValueRunsNothing)
-{
-  const ScratchFolder scratch;
-  const std::string load = "# ring radius: 0.03 (m)\n0 0.46 0\n1 0 -0.1\n2 0.01 0\n";
-  const std::vector<std::string> names = { "plain.dat", "p`touch PWN`.dat", "p';system('touch PWN');x='.dat",
-                                           "p$(touch PWN)\"@x.dat" };
-  std::string cases;
-  for (const std::string &name : names)
-  {
-    scratch.write(name, load);
-    cases += (cases.empty() ? "Load/File=" : ",") + name;
-  }
-  scratch.write("study.prm", "subsection Load\n  set Source = file\n  set File = plain.dat\nend\n");
-  const Ended ended =
-    stemware(scratch, sweep({ "--vary", cases, "--vary", "Motion/Friction coefficient=0.2,0.3,0.4" }));
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_EQ(ended.err, "");
-  EXPECT_TRUE(std::filesystem::exists(scratch / "results/report.html"));
-  for (const auto &entry : std::filesystem::recursive_directory_iterator(scratch.path()))
-    EXPECT_NE(entry.path().filename(), "PWN") << entry.path();
-}
-
-TEST(Sweep, ValuesOfAnyLengthAreReported)
-{
-  const ScratchFolder scratch;
-  const std::string load = "# ring radius: 0.03 (m)\n0 0.46 0\n1 0 -0.1\n";
-  std::string cases = "Load/File=a.dat", way;
-  for (unsigned int i = 0; i < 1950; ++i)
-    way += "./";
-  scratch.write("a.dat", load);
-  for (unsigned int i = 0; i < 8; ++i)
-    cases += "," + way +
-             std::filesystem::path(scratch.write("a" + std::to_string(i) + ".dat", load)).filename().string();
-  scratch.write("study.prm", "subsection Load\n  set Source = file\n  set File = a.dat\nend\n");
-  const Ended ended = stemware(scratch, sweep({ "--vary", cases, "--vary", "Motion/Mass=0.2,0.3,0.4" }));
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_EQ(table_in(scratch).n_rows(), 27u);
-}
-
 TEST(Sweep, ProgramsReadOneLineAndPeopleNothing)
 {
   const ScratchFolder scratch;

@@ -55,31 +55,16 @@ std::vector<Zero> zeros_of_the_ring(double mass, double offset, double fixed, do
   return zeros;
 }
 
-const std::vector<std::string> bistable = {
-  "--set", "Motion/Friction law=Stribeck",    "--set", "Motion/Static friction coefficient=1",
-  "--set", "Motion/Friction coefficient=0.2", "--set", "Motion/Friction decay speed=0.3",
-  "--set", "Motion/Force offset=-0.01",       "--set", "Motion/Closure=paper"
-};
-
-nlohmann::json run_of(const std::vector<std::string> &settings, std::string &page)
-{
-  const ScratchFolder scratch;
-  std::vector<std::string> command = { "run", "--quick", "--output", "out", "--quiet" };
-  command.insert(command.end(), settings.begin(), settings.end());
-  const Ended ended = stemware(scratch, command);
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  page = page_document(scratch / "out")["words"]["several_spins"];
-  return read_summary(scratch / "out")["ring"];
-}
-
 } // namespace
 
 TEST(TerminalSpins, AreAllFoundWithTheirStability)
 {
-  std::vector<std::string> rigid = bistable;
-  rigid.insert(rigid.end(), { "--set", "Load/Source=first harmonic" });
-  std::string page;
-  const nlohmann::json ring = run_of(rigid, page);
+  const ScratchFolder scratch;
+  const nlohmann::json ring = solved(scratch, { "run", "--quick" },
+                                     { "Load/Source=first harmonic", "Motion/Friction law=Stribeck",
+                                       "Motion/Static friction coefficient=1",
+                                       "Motion/Friction coefficient=0.2", "Motion/Friction decay speed=0.3",
+                                       "Motion/Force offset=-0.01", "Motion/Closure=paper" })["ring"];
   const std::vector<Zero> expected = zeros_of_the_ring(0.3, -0.01, 1, 0.2, 0.3);
   ASSERT_EQ(expected.size(), 3u);
   ASSERT_EQ(ring["terminal_spins"].size(), 3u) << ring;
@@ -91,30 +76,8 @@ TEST(TerminalSpins, AreAllFoundWithTheirStability)
     EXPECT_EQ(found["from_rest"].get<bool>(), i == 0);
   }
   EXPECT_EQ(ring["terminal_spins"][0]["omega"], ring["omega_terminal"]);
-  EXPECT_THAT(page, testing::HasSubstr("3 spins, 2 of them stable"));
-}
-
-TEST(TerminalSpins, OfAnElasticFootAreNearThoseOfTheRing)
-{
-  std::string page;
-  const nlohmann::json ring = run_of(bistable, page);
-  const std::vector<Zero> near = zeros_of_the_ring(0.3, -0.01, 1, 0.2, 0.3);
-  ASSERT_EQ(ring["terminal_spins"].size(), near.size());
-  for (std::size_t i = 0; i < near.size(); ++i)
-    EXPECT_NEAR(ring["terminal_spins"][i]["omega"].get<double>(), near[i].omega, 0.3);
-}
-
-TEST(TerminalSpins, OneNeedsNoTable)
-{
-  std::string page;
-  const nlohmann::json ring = run_of({}, page);
-  ASSERT_EQ(ring["terminal_spins"].size(), 1u);
-  EXPECT_EQ(ring["terminal_spins"][0]["omega"], ring["omega_terminal"]);
-  EXPECT_THAT(page, testing::Not(testing::HasSubstr("All terminal spins")));
-  // The fingers hold it at rest, and nowhere else.
-  const nlohmann::json held = run_of({ "--set", "Motion/Grip torque=5e-3" }, page);
-  ASSERT_EQ(held["terminal_spins"].size(), 1u);
-  EXPECT_TRUE(held["terminal_spins"][0]["held"].get<bool>());
+  EXPECT_THAT(page_document(scratch / "results")["words"]["several_spins"].get<std::string>(),
+              testing::HasSubstr("3 spins, 2 of them stable"));
 }
 
 } // namespace stemware::test
