@@ -117,7 +117,7 @@ Shape shape_of(const dealii::Triangulation<2> &triangulation, unsigned int degre
 
 TEST(ContactCells, AreThoseOfFootAndDisc)
 {
-  for (unsigned int seed = 1; seed <= 200; ++seed)
+  for (unsigned int seed = 1; seed <= 100; ++seed)
   {
     const RandomSection section = random_section(seed);
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -117,24 +117,6 @@ TEST(RimCircle, ErrorsThatNoCircleFollowsAreItsDistances)
   EXPECT_NEAR(circle->rms_distance, u * std::sqrt(70. / 5), 1e-3 * circle->rms_distance);
 }
 
-/// The mean of 200 scatters of the same rim, ten points with errors of 20 um, is the rim: the standard error
-/// of one contact radius is 40 um, of the mean 3 um.
-TEST(RimCircle, ScatterMovesItToBothSidesAlike)
-{
-  const Polyline rim = rounded_rim(1.7e-3, 10, 3e-3);
-  constexpr unsigned int n_seeds = 200;
-  double mean = 0;
-  for (unsigned int seed = 0; seed < n_seeds; ++seed)
-  {
-    const auto circle = fit_rim_circle(scattered(rim, 0, 20e-6, seed), 1.7e-3);
-    ASSERT_TRUE(circle) << seed;
-    EXPECT_GT(circle->rms_distance, 2e-6) << seed;
-    EXPECT_LT(circle->rms_distance, 40e-6) << seed;
-    mean += circle->contact_radius / n_seeds;
-  }
-  EXPECT_NEAR(mean, 0.030012, 10e-6);
-}
-
 /// A scatter that grows by 0.1 um from scan to scan, from 20 to 40 um, moves the contact radius little each
 /// time: no point enters or leaves by a jump, although another one becomes the lowest.
 TEST(RimCircle, FollowsItsPointsWithoutJumps)

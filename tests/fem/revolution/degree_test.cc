@@ -1,7 +1,5 @@
 // Elements of every degree, 1 to 4: the same statements with the same oracles.
-#include "fem/contact/hard_interface.h"
 #include "fem/contact/rigid_foot.h"
-#include "fem/contact/rough_interface.h"
 #include "fem/meridian/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
@@ -57,25 +55,6 @@ TEST_P(EveryDegree, UniformPressureOfAFlatMat)
   const double area = surface.node_area.sum();
   for (unsigned int i = 0; i < surface.n_nodes(); ++i)
     EXPECT_NEAR(solution.forces(i), weight * surface.node_area(i) / area, 1e-12 * weight);
-}
-
-TEST_P(EveryDegree, HoldsForceAndMomentAndItsOwnBalance)
-{
-  const std::shared_ptr<const InterfaceLaw> interfaces[] = { std::make_shared<WinklerInterface>(),
-                                                             std::make_shared<RoughInterface>(),
-                                                             std::make_shared<HardInterface>() };
-  for (const auto &interface : interfaces)
-  {
-    RevolutionSetup setup;
-    setup.table.interface = interface;
-    setup.meridian.degree = GetParam();
-    setup.meridian.n_harmonics = 8;
-    MeshedRevolutionFoot foot(setup.resolved_for(weight));
-    const ContactLoad load = foot.solve(load_at(1.2, 0.4)).load;
-    EXPECT_NEAR(load.normal_force() / weight, 1, 1e-9);
-    EXPECT_NEAR(load.moment().x() / (1.2 * weight * 0.015 * std::sin(0.4)), 1, 1e-8);
-    EXPECT_NEAR(load.moment().y() / (-1.2 * weight * 0.015 * std::cos(0.4)), 1, 1e-8);
-  }
 }
 
 TEST_P(EveryDegree, FrictionMakesTheSecondHarmonic)
