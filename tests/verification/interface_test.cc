@@ -1,12 +1,11 @@
-// Interfaces against another program, plain sums and line contact: hard ones, yielding ones under a rigid
-// foot, the elastic layer, bodies that friction does not couple.
+// Interfaces against another program and plain sums: hard ones, yielding ones under a rigid foot, bodies that
+// friction does not couple.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/meridian/compute_compliance.h"
 #include "fem/meridian/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/calculix_foot.h"
-#include "tests/verification/line_contact.h"
 #include "tests/verification/plain_rigid_foot.h"
 
 #include <gtest/gtest.h>
@@ -85,33 +84,6 @@ TEST(YieldingTable, CarriesARigidFootAsPlainSumsSay)
         EXPECT_NEAR(load.b(n) / load.a(0), harmonic_over_mean(points, n, true), tolerance) << m << ", " << n;
       }
     }
-}
-
-// Reference: line contact on a layer by its transfer function, to the ratio of the contact's width and the
-// layer's thickness or the radius. (The layer's compliance: Layer.SinksIn... in half_space_test.cc.)
-TEST(ElasticLayer, CarriesARigidCrownAsLineContactOnALayer)
-{
-  const Substrate cork = { { 0.15, 5e-3 }, { 5e6, 0 } };
-  RevolutionSetup setup;
-  setup.table = { std::make_shared<HardInterface>(), cork };
-  setup.foot_is_rigid = true;
-  setup.fineness = 3; // a layer asks for more cells than a half-space
-  setup.meridian.n_harmonics = 8;
-  setup.n_lines = 48;
-  MeshedRevolutionFoot foot(setup.resolved_for(weight));
-  const double radius = setup.profile.contact_radius;
-  const double slenderness =
-    std::sqrt(4 * weight / (2 * M_PI * radius) * setup.profile.crown_radius / (M_PI * 5e6)) / radius;
-  const auto eigenvalue = [&](unsigned int n)
-  { return half_space_eigenvalue(n, slenderness) + layer_eigenvalue(n, radius, 5e-3, 0); };
-  for (const double m : { 0.2775, 0.9 })
-  {
-    const LineContact expected(m, 32, slenderness, eigenvalue);
-    const ContactLoad load = foot.solve(load_at(m)).load;
-    for (unsigned int n = 2; n <= 4; ++n)
-      EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), 1e-2 * std::abs(expected.harmonic(n)) + 6e-6)
-        << m << ", " << n;
-  }
 }
 
 // Reference: Dundurs. Two half-spaces of one material do not couple normal displacement and tangential

@@ -1,12 +1,11 @@
 #pragma once
 
-// A rigid crowned ring pressed into a half-space or a layer by hard contact, as a line contact whose width
+// A rigid crowned ring pressed into a half-space by hard contact, as a line contact whose width
 // follows the load: the leading order in width / radius, all harmonics that the lines resolve.
 #include "tests/verification/half_space_formulas.h"
 
 #include <Eigen/Dense>
 
-#include <functional>
 #include <stdexcept>
 #include <vector>
 
@@ -34,26 +33,12 @@ inline double half_space_eigenvalue(unsigned int n, double slenderness)
   return -4 * sum + 2 * integral(beyond_logarithm, 0, M_PI / 2, 4);
 }
 
-/// What a bonded layer, much thicker than the contact is wide, adds to that: 2 pi R int (layer / half-space -
-/// 1) J_n(k R)^2 dk.
-inline double layer_eigenvalue(unsigned int n, double radius, double thickness, double poisson_ratio)
-{
-  const auto integrand = [&](double k)
-  {
-    const double bessel = boost::math::cyl_bessel_j(static_cast<int>(n), k * radius);
-    return (layer_over_half_space(k * thickness, poisson_ratio) - 1) * bessel * bessel;
-  };
-  const double end = 20 / thickness;
-  return 2 * M_PI * radius * integral(integrand, 0, end, static_cast<unsigned int>(end * radius / 4) + 8);
-}
-
 /// x = q / mean q on the azimuth lines with x (L - ln x) + S[x] = w_0 + w_1 cos(theta) where x > 0, L = 2
 /// ln(16 R / b_0) + 1, S the eigenvalues of the harmonics. Newton's method on the lines that carry load.
 class LineContact
 {
 public:
-  LineContact(double moment_ratio, unsigned int n_lines, double slenderness,
-              const std::function<double(unsigned int)> &eigenvalue)
+  LineContact(double moment_ratio, unsigned int n_lines, double slenderness)
       : n_lines(n_lines)
       , self_influence(2 * std::log(16 / slenderness) + 1)
       , influence(n_lines, n_lines)
@@ -62,7 +47,8 @@ public:
     std::vector<double> by_distance(n_lines, 0.);
     for (unsigned int n = 0; n <= n_lines / 2; ++n)
     {
-      const double value = eigenvalue(n) * (n == 0 || 2 * n == n_lines ? 1 : 2) / n_lines;
+      const double value =
+        half_space_eigenvalue(n, slenderness) * (n == 0 || 2 * n == n_lines ? 1 : 2) / n_lines;
       for (unsigned int i = 0; i < n_lines; ++i)
         by_distance[i] += value * std::cos(n * azimuth(i));
     }
@@ -73,12 +59,6 @@ public:
         influence(i, j) = by_distance[(i + n_lines - j) % n_lines];
     }
     solve(moment_ratio);
-  }
-
-  LineContact(double moment_ratio, unsigned int n_lines, double slenderness)
-      : LineContact(moment_ratio, n_lines, slenderness,
-                    [slenderness](unsigned int n) { return half_space_eigenvalue(n, slenderness); })
-  {
   }
 
   /// a_n / a_0.

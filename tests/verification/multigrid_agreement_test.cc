@@ -40,12 +40,9 @@ TEST(MultigridAgreement, CrownedFeetOnAStiffMat)
     MeridianOptions options;
     options.n_harmonics = 32;
     RevolutionCase revolution(profile, foot_compliance(profile, graded_cells(2), options), 512);
-    for (const double m : { 0.5, 1.2 })
-    {
-      const ContactLoad expected = revolution.solve_on_winkler(1e11, load_at(m));
-      const ContactLoad load = solid_load(profile, { 48, 2, 2, 1 }, 1e11, load_at(m));
-      EXPECT_LT(largest_difference(load, expected), tolerance) << "m = " << m;
-    }
+    const ContactLoad expected = revolution.solve_on_winkler(1e11, load_at(1.2));
+    const ContactLoad load = solid_load(profile, { 48, 2, 2, 1 }, 1e11, load_at(1.2));
+    EXPECT_LT(largest_difference(load, expected), tolerance);
   }
 }
 
@@ -85,72 +82,27 @@ TEST(MultigridAgreement, HardFlatLandAgreesWithOtherPrograms)
     EXPECT_NEAR(load.a(n) / load.a(0), expected[n], n <= 3 ? 2e-3 : 4e-3) << "n = " << n;
 }
 
-namespace
-{
-
-RevolutionSetup hard_flat_revolution(GlassShape shape = GlassShape::step)
+// As a study has it, on cells halved five times, against elements of degree 3 on cells of half the usual
+// size, graded to the corners from there on, twice the lines and half as many harmonics again.
+TEST(MultigridAgreement, HardFlatLandUnderASmoothFoot)
 {
   RevolutionSetup setup;
   setup.profile = flat_profile();
-  setup.profile.shape = shape;
+  setup.profile.shape = GlassShape::foot;
   setup.table.interface = std::make_shared<HardInterface>();
-  return setup;
-}
-
-/// With elements of degree 3 on cells of half the usual size, graded to the corners from there on, twice the
-/// lines and half as many harmonics again.
-RevolutionSetup finer(RevolutionSetup setup)
-{
   setup.meridian.degree = 3;
   setup.meridian.n_harmonics = 24;
   setup.resolution.refinements = 1;
   setup.n_lines = 512;
-  return setup;
-}
-
-/// Expects a solid foot on @p resolution, with the edge halvings that it needs, to agree with the body of
-/// revolution @p setup at the moment ratios @p moments.
-void expect_agreement(const RevolutionSetup &setup, FootResolution resolution,
-                      const std::vector<double> &moments)
-{
   SolidSetup solid_setup;
   solid_setup.profile = setup.profile;
   solid_setup.table = setup.table;
   solid_setup.options.linear_solver = LinearSolver::multigrid;
+  FootResolution resolution{ 48, 4, 2 };
   resolution.edge_halvings = edge_halvings_for(setup.profile, true);
-  SolidFoot solid(generate_solid_mesh(setup.profile, resolution), solid_setup);
-  MeshedRevolutionFoot revolution(setup.resolved_for(weight));
-  for (const double m : moments)
-  {
-    ContactDemand demand = load_at(m);
-    demand.n_harmonics = 8;
-    EXPECT_LT(largest_difference(solid.solve(demand).load, revolution.solve(demand).load), 3e-4)
-      << "m = " << m;
-  }
-}
-
-} // namespace
-
-TEST(MultigridAgreement, HardFlatLandOnBothBodies)
-{
-  // The pressure gathers at the inner side of the land: cells of half a millimetre, halved twice there.
-  expect_agreement(hard_flat_revolution(), { 24, 2, 1, 1 }, { 0.5, 1.2 });
-}
-
-TEST(MultigridAgreement, HardFlatLandUnderASmoothFoot)
-{
-  // As a study has it, on cells halved five times.
-  expect_agreement(finer(hard_flat_revolution(GlassShape::foot)), { 48, 4, 2 }, { 1.2 });
-}
-
-// Oracle: a finer one.
-TEST(MultigridAgreement, HardFlatLandOnTheUsualMeshOfRevolution)
-{
   ContactDemand demand = load_at(1.2);
   demand.n_harmonics = 8;
-  const ContactLoad usual =
-    MeshedRevolutionFoot(hard_flat_revolution().resolved_for(weight)).solve(demand).load;
-  const ContactLoad expected =
-    MeshedRevolutionFoot(finer(hard_flat_revolution()).resolved_for(weight)).solve(demand).load;
-  EXPECT_LT(largest_difference(usual, expected), 1.2e-4);
+  const SolidFoot solid(generate_solid_mesh(setup.profile, resolution), solid_setup);
+  const MeshedRevolutionFoot revolution(setup.resolved_for(weight));
+  EXPECT_LT(largest_difference(solid.solve(demand).load, revolution.solve(demand).load), 3e-4);
 }
