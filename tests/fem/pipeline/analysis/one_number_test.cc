@@ -8,8 +8,6 @@
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 
-#include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
-#include <boost/numeric/odeint.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -94,29 +92,6 @@ TEST(OneNumber, TheTerminalSpinIsTheZeroOfTheSumOfTheTorques)
   EXPECT_GT(std::abs(lean), 1e-8); // the friction that deforms the foot breaks the symmetry
 }
 
-TEST(OneNumber, TheTorquesOfTheDefaultStudyIntegrateToItsSpinUp)
-{
-  const Study study;
-  fem::ComplianceCache cache;
-  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
-  const SpinStudy spin = study_spin(study, foot, *find_load(study, foot), ThreadedExecutor(cache));
-  const TorqueCurve &torques = spin.torque;
-  const double step = torques.omega[1] - torques.omega[0];
-  const boost::math::interpolators::cardinal_cubic_b_spline<double> sum(
-    torques.sum.begin(), torques.sum.end(), torques.omega.front(), step);
-  const double inertia = study.motion.orbit.yaw_inertia;
-  namespace odeint = boost::numeric::odeint;
-  std::vector<double> integrated;
-  double omega = 0;
-  odeint::integrate_times(
-    odeint::make_controlled(1e-11, 1e-11, odeint::runge_kutta_dopri5<double>()),
-    [&](double now, double &rate, double) { rate = sum(now) / inertia; }, omega, spin.spin_up.time.begin(),
-    spin.spin_up.time.end(), 1e-3, [&](double now, double) { integrated.push_back(now); });
-  ASSERT_EQ(integrated.size(), spin.spin_up.adaptive.size());
-  for (std::size_t i = 0; i < integrated.size(); ++i)
-    EXPECT_NEAR(integrated[i], spin.spin_up.adaptive[i], 1e-6) << spin.spin_up.time[i];
-}
-
 TEST(OneNumber, MomentRatiosAreOverTheContactRadius)
 {
   Study study = quick_contact_study();
@@ -162,7 +137,7 @@ TEST(Fall, OfARigidFootIsWhereARefereeFindsIt)
 
 TEST(Fall, ComesAfterAllSpinsAsTheGlassGrows)
 {
-  constexpr unsigned int n_heights = 21;
+  constexpr unsigned int n_heights = 11;
   bool elastic_has_fallen = false;
   for (unsigned int i = 0; i < n_heights; ++i)
   {
@@ -170,7 +145,7 @@ TEST(Fall, ComesAfterAllSpinsAsTheGlassGrows)
     const ring::Answer row = row_at_height(height, true);
     EXPECT_EQ(row.terminal.has_value(), height < 0.134575746) << height;
     EXPECT_EQ(row.fall.has_value(), height > 0.134575746) << height;
-    if (i % 4 != 2) // of the elastic foot 0.13412, 0.13436, 0.1346, 0.13484 and 0.13508 m
+    if (i % 2 == 0) // of the elastic foot 0.13412, 0.13436, 0.1346, 0.13484 and 0.13508 m
       continue;
     const ring::Answer elastic = row_at_height(height, false);
     EXPECT_NE(elastic.terminal.has_value(), elastic.fall.has_value()) << height;

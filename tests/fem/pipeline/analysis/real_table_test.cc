@@ -1,6 +1,5 @@
-// Terminal spins on mats, wood and cork. Kinds of reference: version 0.1 (other code for the balance, one
-// ring), and an independent prototype of contact, friction and moments in one system (stated to 1e-3).
-#include "fem/pipeline/refinement/refinement_study.h"
+// Terminal spins on wood and cork. Reference: an independent prototype of contact, friction and moments in
+// one system (stated to 1e-3).
 #include "tests/fem/pipeline/analysis/solved_study.h"
 
 #include <gtest/gtest.h>
@@ -66,43 +65,6 @@ TEST(RealTable, FrictionInALayerOfCork)
   EXPECT_NEAR(spin.foot, -3.667, 2e-3 * 3.667);
   EXPECT_NEAR(spin.both, -3.675, 2e-3 * 3.675);
   EXPECT_NEAR(spin.both - spin.foot, -0.008, 0.003);
-}
-
-/// A mat, the terminal spin of version 0.1 on it with its load `exact`, and the band that it printed.
-struct OldMat
-{
-  double modulus; ///< [Pa/m]
-  double omega;   ///< [rad/s]
-  double band;
-};
-
-TEST(RealTable, MatsOfVersion01OnOneRingWithoutTilt)
-{
-  for (const OldMat &old :
-       { OldMat{ 1e9, -3.647285906269528, 2.6e-6 }, OldMat{ 1e10, -3.6489057695360603, 1.1e-5 },
-         OldMat{ 1e11, -3.6523153752659177, 4.1e-5 } })
-  {
-    Study study;
-    study.glass.profile.shape = fem::GlassShape::step;
-    study.contact.friction_coupling = FrictionCoupling::none;
-    study.table.foundation_modulus = old.modulus;
-    study.motion.tilt = false;
-    study.contact.rings = 1;
-    const double one_ring = SolvedStudy(study).omega();
-    EXPECT_NEAR(one_ring, old.omega, old.band) << old.modulus;
-    // What one ring and no tilt leave out is more than that, on the softer ones.
-    study.contact.rings = 5;
-    const double rings = SolvedStudy(study).omega();
-    study.motion.tilt = true;
-    const double tilted = SolvedStudy(study).omega();
-    EXPECT_LT(std::abs(rings - one_ring), 1e-3) << old.modulus;
-    EXPECT_LT(std::abs(tilted - rings), 0.02) << old.modulus;
-    if (old.modulus < 5e9)
-    {
-      EXPECT_GT(std::abs(rings - one_ring), old.band);
-      EXPECT_GT(std::abs(tilted - rings), 100 * old.band);
-    }
-  }
 }
 
 } // namespace

@@ -3,8 +3,6 @@
 #include "fem/pipeline/refinement/error_bands.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/spin/answer.h"
-#include "ring_model/terminal_spin.h"
-#include "ring_model/unilateral_foundation.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/verification/plain_rigid_foot.h"
@@ -56,28 +54,6 @@ TEST(RigidFoot, AFlatAnnulusInTheClosurePaper)
   {
     study.load.coupling = coupling;
     EXPECT_NEAR(SolvedStudy(study, test::rigid_foot()).omega(), expected, 1e-7 * std::abs(expected));
-  }
-}
-
-TEST(RigidFoot, WithGivenMomentsWithinTheBand)
-{
-  for (const auto &expected : reference()["given_moment_direction_minus_90_deg"])
-  {
-    Study study = with_moment(rigid_foot_study(expected["k"]), expected["moment_ratio"]);
-    study.glass.profile.crown_radius = expected["crown"];
-    study.contact.azimuth_lines = 256; // a short arc carries all
-    SolvedStudy solved(study, test::rigid_foot());
-    const auto band =
-      band_of(estimate_bands(study, solved.foot, solved.row, std::nullopt, ThreadedExecutor(solved.cache)),
-              "omega_terminal");
-    ASSERT_TRUE(band);
-    EXPECT_NEAR(solved.omega(), expected["omega"].get<double>(), *band) << expected;
-    // A band that says something; near tipping the slip ratio is 0.99, and the lines count.
-    EXPECT_LT(*band, expected["moment_ratio"] < 1.9 ? 1e-3 : 2e-2) << expected;
-    if (expected["moment_ratio"] > 1.9 && expected["k"] == 1e10)
-    {
-      EXPECT_LT(*band, 10 * std::abs(solved.omega() - expected["omega"].get<double>()));
-    }
   }
 }
 
@@ -234,30 +210,6 @@ TEST(RigidFoot, WithoutTiltAndAtTheTerminalSpin)
   }
 }
 
-TEST(RigidFoot, TendsToTheRingOfZeroWidthLikeItsWidthSquared)
-{
-  // Closed form of a torus on a mat, docs/theory/load_models.md. The half-width of the contact is
-  // sqrt(2 crown d), and the depth d goes like k^(-2/3) at a given moment.
-  for (const double moment_ratio : { 1.8, 1.95 })
-  {
-    std::vector<double> differences;
-    for (const double modulus : { 1e10, 1e11, 1e12 })
-    {
-      Study study = with_moment(rigid_foot_study(modulus), moment_ratio);
-      study.contact.azimuth_lines = 256; // a short arc carries all
-      const SolvedStudy solved(study, test::rigid_foot());
-      const ring::UnilateralFoundation torus(study.glass.profile.contact_radius, 1.5, 4096);
-      const ring::RingStack line =
-        torus.rings(study.motion.orbit.normal_force(),
-                    { study.required_resultants().moment_x, study.required_resultants().moment_y });
-      differences.push_back(solved.omega() - ring::terminal_spin(line, study.motion.orbit).omega);
-    }
-    for (std::size_t i = 1; i < differences.size(); ++i)
-      EXPECT_NEAR(differences[i] / differences[i - 1], std::pow(10, -2. / 3), 0.02)
-        << moment_ratio << " " << differences[i];
-  }
-}
-
 TEST(RigidFoot, InTheClosureFullWithTiltAndGrip)
 {
   for (const auto &expected : reference()["closure_full"])
@@ -338,46 +290,6 @@ TEST(RigidFoot, WavyInBalanceAtEveryPhase)
       largest_lean = std::max(largest_lean, std::abs(lean));
     }
   EXPECT_GT(largest_lean, 1e-7 * scale);
-}
-
-TEST(RigidFoot, WavyTurnsInTheLongRunAsItsForcesLetIt)
-{
-  WavyFoot foot;
-  const double orbit_rate = foot.motion.speed / foot.motion.orbit_radius;
-  // Runge-Kutta in the phase, whose rate is omega less the orbit's: a period at a time.
-  const auto slope = [&](double phase, double omega)
-  {
-    foot.turn(phase);
-    return foot.at(omega).axial_torque / (foot.motion.inertia * (omega - orbit_rate));
-  };
-  const double period = 2 * M_PI / WavyFoot::n_waves;
-  constexpr unsigned int n_steps = 48, n_periods = 12;
-  const double step = -period / n_steps; // the glass turns backwards
-  double omega = -3.65, phase = 0, mean = 0, least = 0, largest = 0;
-  for (unsigned int k = 0; k < n_periods; ++k)
-  {
-    double time = 0;
-    least = largest = omega;
-    for (unsigned int i = 0; i < n_steps; ++i)
-    {
-      const double one = slope(phase, omega), two = slope(phase + step / 2, omega + step / 2 * one),
-                   three = slope(phase + step / 2, omega + step / 2 * two),
-                   four = slope(phase + step, omega + step * three);
-      const double next = omega + step / 6 * (one + 2 * two + 2 * three + four);
-      const double middle = omega + step / 2 * (one + two) / 2;
-      time += step / 6 * (1 / (omega - orbit_rate) + 4 / (middle - orbit_rate) + 1 / (next - orbit_rate));
-      omega = next;
-      phase += step;
-      least = std::min(least, omega);
-      largest = std::max(largest, omega);
-    }
-    mean = orbit_rate - period / time;
-  }
-  const SolvedStudy solved(foot.study, test::rigid_foot());
-  const ring::Answer found = ring::answer(solved.load, { foot.study.motion.orbit }).value();
-  EXPECT_NEAR(*found.omega_terminal(), mean, 2e-4);
-  EXPECT_NEAR(found.ripple / ((largest - least) / 2), 1, 5e-3);
-  EXPECT_GT(found.ripple, 0.02);
 }
 
 } // namespace

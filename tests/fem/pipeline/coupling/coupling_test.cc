@@ -1,11 +1,9 @@
 // Loads in balance with friction at every spin: balances from their neighbours, curves between samples.
 #include "fem/pipeline/coupling/balanced_load.h"
-#include "ring_model/friction_functionals.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/spin/spin_curve.h"
 #include "ring_model/unilateral_foundation.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -101,34 +99,12 @@ TEST(SpinCurve, SaysWhenSamplesDoNotSuffice)
   EXPECT_LT(curve.n_samples(), 100u);
 }
 
-SharedLoad balanced_rim(unsigned int n_harmonics = 1000, const ring::Motion &motion = {})
+SharedLoad balanced_rim()
 {
-  const ring::SelfConsistentRing glass(ring::Closure::full, motion,
-                                       std::make_shared<ring::UnilateralFoundation>(rim, 1.5), n_harmonics);
-  return std::make_shared<GivenLoad>(report_of(glass.at(0).load), n_harmonics,
+  const ring::SelfConsistentRing glass(ring::Closure::full, ring::Motion(),
+                                       std::make_shared<ring::UnilateralFoundation>(rim, 1.5));
+  return std::make_shared<GivenLoad>(report_of(glass.at(0).load), all_harmonics,
                                      [glass](double omega) { return glass.at(omega).load; });
-}
-
-TEST(BalancedLoad, CarriesWhatItsOwnFrictionAsksFor)
-{
-  // M_N = -dz k x F + z_CM k x T with F = m a - T, written out in three dimensions.
-  const ring::Motion motion;
-  for (const unsigned int n : { 1u, 3u, 1000u })
-    for (const double omega : { 0., -3.6, 5. })
-    {
-      const ring::RingStack load = balanced_rim(n)->at(omega);
-      EXPECT_LE(load.n_harmonics(), n);
-      const ring::Wrench wrench =
-        ring::coulomb_wrench(motion.friction_coefficient, load, omega, motion.orbit_speed);
-      const Eigen::Vector3d T(wrench.force_x, wrench.force_y, 0),
-        F =
-          Eigen::Vector3d(0, motion.mass * motion.orbit_speed * motion.orbit_speed / motion.orbit_radius, 0) -
-          T,
-        k(0, 0, 1);
-      const Eigen::Vector3d expected =
-        -motion.force_offset * k.cross(F) + motion.centre_of_mass_height * k.cross(T);
-      EXPECT_NEAR((load.moment() - expected.head<2>()).norm(), 0, 1e-12 * weight * rim) << n << ' ' << omega;
-    }
 }
 
 /// The load of a rigid round rim, stated to be so slow that it is interpolated.

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 namespace stemware::pipeline
 {
@@ -55,37 +54,6 @@ TEST(ColumnTable, DoubtIsToldWithItsLine)
   }
   EXPECT_THAT(test::sentence_of([] { parse_columns("run.csv", "t,omega\n1,2\n3,\n", time_and_spin); }),
               testing::HasSubstr("line 3, column 2"));
-}
-
-/// Tables with changed, lost and doubled bytes are read, with finite values, or refused with one sentence.
-TEST(ColumnTable, BrokenTablesAreReadOrRefused)
-{
-  const std::string whole = "sep=;\nmass A\n\"t (ms)\";ω [rpm];\"θ\"\n0;;1\n100;-1,5;2\n200;−2,25;3\n";
-  std::mt19937 random(46);
-  for (unsigned int trial = 0; trial < 500; ++trial)
-  {
-    std::string text = whole;
-    for (unsigned int change = 0; change < 1 + trial % 4; ++change)
-    {
-      const std::size_t place = random() % text.size();
-      if (const auto kind = random() % 3; kind == 0)
-        text[place] = static_cast<char>(random() % 256);
-      else if (kind == 1)
-        text.erase(place, 1);
-      else
-        text.insert(place, text.substr(place, random() % 9));
-    }
-    try
-    {
-      for (const FileRow &row : read(text).rows)
-        EXPECT_TRUE(row.values.size() == 2 && std::isfinite(row.values[0]) && std::isfinite(row.values[1]))
-          << text;
-    }
-    catch (const BadInput &error)
-    {
-      EXPECT_EQ(std::string(error.what()).rfind("run.csv", 0), 0u) << error.what();
-    }
-  }
 }
 
 } // namespace
