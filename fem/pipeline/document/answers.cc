@@ -73,6 +73,8 @@ std::optional<CaseRange> range_of(const CaseList &list, const FinishedCases &fin
   range.max = *max->second.value(key);
   range.min_case = list.values_of(min->first);
   range.max_case = list.values_of(max->first);
+  if (range.n > 1 && range.max - range.min <= 1e-9 * std::max(std::abs(range.min), std::abs(range.max)))
+    range.min_case = range.max_case = "all " + std::to_string(range.n) + " cases";
   return range;
 }
 
@@ -93,18 +95,22 @@ std::string sweep_answer(const CaseList &list, const FinishedCases &finished)
                                   : ", one of them " + falls->min_case + "; they have") +
                    " no terminal spin.");
   if (const auto spin = range_of(list, finished, "omega_terminal"))
-    append(text,
-           under_its_load(list.base, "In " + std::to_string(spin->n) + (spin->n == 1 ? " case" : " cases") +
-                                       " the terminal spin is ") +
-             (spin->n == 1 ? number(spin->min, ".6g") + " rad/s (" + spin->min_case + ")."
-                           : "between " + number(spin->min, ".6g") + " rad/s (" + spin->min_case + ") and " +
-                               number(spin->max, ".6g") + " rad/s (" + spin->max_case + ")."));
+    append(text, under_its_load(list.base, "In " + std::to_string(spin->n) +
+                                             (spin->n == 1 ? " case" : " cases") + " the terminal spin is ") +
+                   (spin->min_case == spin->max_case
+                      ? number(spin->min, ".6g") + " rad/s (" + spin->min_case + ")."
+                      : "between " + number(spin->min, ".6g") + " rad/s (" + spin->min_case + ") and " +
+                          number(spin->max, ".6g") + " rad/s (" + spin->max_case + ")."));
   if (const auto effect = range_of(list, finished, "harmonic_effect"))
-    append(text, "The higher harmonics of the " + one_way_word(list.base) + "load change the spin by " +
-                   number(effect->min, "+.3g") + " rad/s" +
-                   (effect->n == 1 ? "."
-                                   : " (" + effect->min_case + ") to " + number(effect->max, "+.3g") +
-                                       " rad/s (" + effect->max_case + ")."));
+  {
+    const double largest = std::max(effect->max, -effect->min);
+    if (is_spin(list.base, largest) && effect->min_case != effect->max_case)
+      append(text, "The higher harmonics of the " + one_way_word(list.base) + "load change the spin by " +
+                     number(effect->min, "+.3g") + " rad/s (" + effect->min_case + ") to " +
+                     number(effect->max, "+.3g") + " rad/s (" + effect->max_case + ").");
+    else if (largest != 0) // a load has one harmonic
+      append(text, harmonic_effect_sentence(list.base, { effect->max, std::nullopt }));
+  }
   if (n_failed > 0)
     append(text, std::to_string(n_failed) + " of " + std::to_string(finished.size()) +
                    " cases failed; sweep.csv gives the reasons in the column message.");

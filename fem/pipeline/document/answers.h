@@ -31,7 +31,7 @@ struct CaseRange
 {
   std::size_t n = 0; ///< cases with a value
   double min = 0, max = 0;
-  std::string min_case = {}, max_case = {};
+  std::string min_case = {}, max_case = {}; ///< both "all n cases" if the value is the same to 1e-9
 };
 
 /// Returns the range of the quantity @p key; std::nullopt if no case has a value.

@@ -40,7 +40,7 @@ std::map<std::string, std::string> values_in_words(const Study &study)
 std::string on_table(const Study &study, const std::map<std::string, std::string> &given)
 {
   if (!study.load.is_from_contact())
-    return study.load.source == LoadSource::file ? "with a load from a file" : "with a cosine of a load";
+    return study.load.source == LoadSource::file ? "with a load from a file" : "with a first-harmonic load";
   const bool disc = study.table.substrate == TableSubstrate::elastic;
   const std::string rigid = disc ? "" : "rigid table";
   std::string text = study.table.interface == TableInterface::winkler

@@ -45,7 +45,7 @@ function section_of(doc, { title, folded, text, pictures, tables, files }) {
     paragraphs(text),
     there(pictures).length ? h('div', { class: 'figures' }, there(pictures).map(figure_of)) : [],
     there(tables)
-      .filter(t => t.given || doc.tables[t.name])
+      .filter(t => (t.given || doc.tables[t.name])?.values[0]?.length)
       .map(t => table(doc, t)),
     files_of(files)
   ];
@@ -54,7 +54,7 @@ function section_of(doc, { title, folded, text, pictures, tables, files }) {
 }
 
 /** Puts a view on the page. */
-export function show(doc, view, main) {
+function show(doc, view, main) {
   const head = there(view.head).map(figure_of);
   const sections = there(view.sections).map(section => section_of(doc, section));
   const { version, revision } = doc.summary.program;
@@ -67,6 +67,14 @@ export function show(doc, view, main) {
     ...sections,
     h('footer', {}, `Stemware ${version} (${revision})`)
   );
+}
+
+/** Shows the document of the page, if there is one, with one of the views by verbs. */
+export function show_document(views) {
+  const main = document.querySelector('main');
+  const doc = JSON.parse(document.getElementById('document').textContent);
+  if (doc) show(doc, views[doc.summary.verb](doc), main);
+  else main.remove();
 }
 
 /** Shows one picture in the place of the page, for files that are made without a hand: report.html#svg=torque. */

@@ -48,7 +48,6 @@ function hand_nodes(given, hand) {
 
 /** How hard the rim presses towards the centre of the orbit and away from it. */
 function press_nodes({ mean, inside, outside }) {
-  if (!mean) return [];
   const arrow = (force, x, label, at, anchor) => {
     const top = 350 + 24 * Math.min(2, Math.max(0, force / mean));
     return [
@@ -86,6 +85,7 @@ function length_nodes(given, hand) {
 export function sketch(doc) {
   const { sketch: given } = doc.words;
   const load = pressing(doc);
+  const presses = load.inside || load.outside; // not where both sides have lifted off
   const hand = centre - 72.5 * given.hand;
   const side = given.clockwise ? 'in front' : 'behind';
   const into = given.clockwise
@@ -102,7 +102,7 @@ export function sketch(doc) {
     text(`μ ${given.friction}`, { x: 470, y: 332, 'text-anchor': 'end' }),
     hand_nodes(given, hand),
     length_nodes(given, hand),
-    press_nodes(load)
+    presses ? press_nodes(load) : []
   ];
   const where = { '-1': ` ${given.offset} below the centre of mass`, 1: ` ${given.offset} above the centre of mass` };
   const title =
@@ -110,7 +110,7 @@ export function sketch(doc) {
     `μ ${given.friction}; the hand pulls with ${shown(given.force, '.3g')} N${where[given.hand] || ''}.`;
   const caption =
     'Seen along the path of the glass; a sketch, not to scale.' +
-    (load.mean ? ' The blue arrows are how hard the rim presses at rest.' : '');
+    (presses ? ' The blue arrows are how hard the rim presses at rest.' : '');
   const svg = s('svg', { viewBox: '0 0 480 420', role: 'img', 'aria-label': title }, nodes);
   const node = h(
     'figure',

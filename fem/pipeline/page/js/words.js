@@ -59,7 +59,7 @@ export const heading_of = q => q.heading + (q.unit && q.unit !== '1' ? ` (${q.un
 export const with_units = text =>
   text
     .replace(/(?<=\d ?)um(?=[\s.,;)/]|$)/g, 'µm')
-    .replace(/ (?=%|rad\/s)|(?<=[\d…}]) (?=(?:°|[kMGcmµn]?(?:m|s|g|N|Pa))(?:[\s/.,;:)\]]|$))/g, '\u00a0')
+    .replace(/ (?=%|rad\/s)|(?<=μ) (?=\d)|(?<=[\d…}]) (?=(?:°|[kMGcmµn]?(?:m|s|g|N|Pa))(?:[\s/.,;:)\]]|$))/g, '\u00a0')
     .replace(/ (?=[;:!?](?:\s|$))/g, '\u00a0')
     .replace(/(?<=\u00a0[mµn]?N) m(?=[\s.,;:)]|$)/g, '\u00a0m')
     .replace(/(?<=[mgs])\^([23])(?!\d)/g, (_, n) => raised(n));

@@ -8,10 +8,10 @@ import { draw_scene, make_scene, speak_scene } from './turning.js';
 import { make_measured, write_measured } from './measured.js';
 import { save_curves, study_text } from './keep.js';
 import { facts, tell } from './says.js';
-import { figure_of, show_anew } from '../js/sections.js';
+import { figure_of, show_anew, show_document } from '../js/sections.js';
+import { run } from '../views/run.js';
 import { say } from '../js/words.js';
 import { sentences } from './sentences.js';
-import { show_document } from '../js/document.js';
 import { write_lesson } from './lesson.js';
 
 const opened = performance.now();
@@ -50,7 +50,10 @@ function show(reply, ms, is_last) {
 
 const queue = new Queue({
   show,
-  slow: () => ($('notice').textContent = words().solving),
+  slow: () => {
+    $('notice').textContent = words().solving;
+    document.body.classList.add('busy');
+  },
   use: (name, reply) => {
     learn(reply.document);
     draw(name === 'curves' ? ['torque', 'spin'] : [name]);
@@ -120,7 +123,7 @@ async function copy_address() {
   }
 }
 
-show_document();
+show_document({ run });
 speak(spoken());
 recall();
 make_choices(choose);

@@ -88,7 +88,9 @@ export class Queue {
   /** Asks the worker; nothing where a newer wish has cancelled that. */
   async ask(message) {
     this.busy = true;
-    this.since = performance.now();
+    this.since = Infinity; // until the worker has started
+    const started = () => (this.since = performance.now());
+    ready.then(started, started);
     const reply = await post(message);
     clearTimeout(this.patience);
     this.busy = this.patience = false;
@@ -103,11 +105,17 @@ export class Queue {
     return true;
   }
 
+  /** Cancels what runs once it has had its time. */
+  tire() {
+    const left = longest - (performance.now() - this.since);
+    if (left > 0) this.patience = setTimeout(() => this.tire(), Math.min(left, longest));
+    else cancel();
+  }
+
   async solve(cold) {
     if (this.busy) {
       this.wish = { cold: cold || this.wish?.cold };
-      if (worker && this.since)
-        this.patience ||= setTimeout(cancel, Math.max(0, longest - (performance.now() - this.since)));
+      if (worker && this.since && !this.patience) this.tire();
       return;
     }
     clearTimeout(this.resting);

@@ -7,13 +7,16 @@ import { shown } from '../js/words.js';
 const length = mm => (mm < 0.1 ? `${shown(1e3 * mm, '.3g')} µm` : `${shown(mm, '.3g')} mm`);
 const radians = degrees => (degrees * Math.PI) / 180;
 
-/** Quadrilaterals between neighbouring cuts of a map of pressures, with their mean values; squares of points without cells. */
+/**
+ * Quadrilaterals between neighbouring cuts of a map of pressures that both have load, with their mean values; squares of points
+ * without cells.
+ */
 function cells_of({ theta, distance, pressure, is_grid }, at) {
   const polygons = [];
   const value = [];
   const spots = [];
   const add = (corners, values, spot) => {
-    if (!values.some(p => p > 0)) return;
+    if (values.includes(null) || !values.some(p => p > 0)) return; // null: the foot has lifted off
     polygons.push(corners);
     value.push(values.reduce((sum, p) => sum + p, 0) / values.length);
     spots.push(spot);
@@ -50,11 +53,10 @@ export function footprint(map, id, state) {
   if (!map) return null;
   const { colours, mark } = pressures(map, (t, d) => [t, d]);
   const m = map.measures;
-  const wide =
-    m && (m.narrowest === null ? '' : `${shown(m.narrowest, '.3g')} µm to `) + `${shown(m.widest, '.3g')} µm`;
+  const from = m && (m.narrowest > 0 ? `${shown(m.narrowest, '.3g')} µm to ` : m.narrowest === 0 ? 'at most ' : '');
   const says = m
     ? ` Largest pressure ${shown(m.largest, '.3g')} ${map.unit} at θ = ${shown(m.azimuth, '.0f')}°, mean ${shown(m.mean, '.3g')} ${map.unit}; ` +
-      `the contact is ${wide} wide${m.has_edge ? '' : ', measured as the band with 99 % of the load'}.`
+      `the contact is ${from}${shown(m.widest, '.3g')} µm wide${m.has_edge ? '' : ', measured as the band with 99 % of the load'}.`
     : '';
   return {
     id,

@@ -103,11 +103,10 @@ export function grid_pictures({ tables, words }) {
   const [axis, other] = by_second ? [second, first] : [first, second];
   if (!axis.is_numeric) return [];
   const is_map = all_numbers && Math.min(n, m) >= min_of_map;
-  const along = values => // one list for each value of the other entry
-    other.names.map((name, c) => ({
-      name,
-      values: axis.values.map((_, i) => values[by_second ? c * m + i : i * m + c])
-    }));
+  const along = values => // one list for each value of the other entry, if a case of it is solved
+    other.names
+      .map((name, c) => ({ name, values: axis.values.map((_, i) => values[by_second ? c * m + i : i * m + c]) }))
+      .filter(curve => curve.values.some(Number.isFinite));
   const falls = quantities.omega_fall.values.some(Number.isFinite);
   const notes =
     (falls ? ' In cases without a terminal spin the glass tips over while it spins up.' : '') +

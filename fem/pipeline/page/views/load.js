@@ -62,7 +62,7 @@ export function load_polar(doc) {
   const lifted = loaded.load.some(v => v <= 0);
   const pressed = loaded.theta.map((theta, i) => (loaded.load[i] > 0 ? at(0, theta) : [NaN, NaN]));
   const arc = Array.from({ length: 13 }, (_, k) => sense * radians(sense * load.turn > 0 ? 200 + 4 * k : 250 - 4 * k));
-  const sense_arrow = load.turn
+  const sense_arrow = load.turn && summary.ring?.omega_terminal !== 0
     ? [
         line({ x: arc.map(a => 0.6 * Math.cos(a)), y: arc.map(a => 0.6 * Math.sin(a)), colour: 'c4' }),
         arrows({

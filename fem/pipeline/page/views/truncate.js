@@ -16,7 +16,7 @@ export function truncate(doc) {
     { title: 'first harmonic only', omega: truncation[0].omega_terminal }
   ];
   return {
-    ...beginning(doc, glasses),
+    ...beginning(doc, glasses.slice(0, truncation.length)),
     sections: [
       fewer_harmonics(doc, [how, reasons]),
       {

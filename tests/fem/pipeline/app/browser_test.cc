@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -151,6 +152,20 @@ nlohmann::json opened_state(const ScratchFolder &scratch, const State &state)
   return page;
 }
 
+/// Sums of the distances from the rim [µm] of the pressures in the picture @p rows, and their number, by
+/// azimuth.
+std::map<std::string, std::pair<double, int>> distances_of(const nlohmann::json &rows)
+{
+  std::map<std::string, std::pair<double, int>> found;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+  {
+    auto &[sum, n] = found[rows[i][1].get<std::string>()];
+    sum += std::stod(rows[i][2].get<std::string>());
+    ++n;
+  }
+  return found;
+}
+
 class BrowserStates : public testing::TestWithParam<State>
 {
 };
@@ -174,6 +189,15 @@ TEST_P(BrowserStates, HaveTheirPicturesAndNoFlaw)
     EXPECT_TRUE(page["figures"].contains(figure)) << figure;
   for (const std::string &figure : GetParam().missing)
     EXPECT_FALSE(page["figures"].contains(figure)) << figure;
+  // A rounded rim presses on both sides of its radius alike, also where the foot begins to lift off.
+  if (GetParam().name == "falling")
+  {
+    const double width = read_summary(scratch / "results")["load"]["contact_width"].get<double>() * 1e6;
+    const auto distances = distances_of(page["figures"]["footprint"]);
+    EXPECT_GT(distances.size(), 10u);
+    for (const auto &[azimuth, found] : distances)
+      EXPECT_NEAR(found.first / found.second, 0, 0.05 * width) << azimuth;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Report, BrowserStates, testing::ValuesIn(states()),
