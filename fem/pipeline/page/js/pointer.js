@@ -24,7 +24,7 @@ function lines_at(figure, mark, i) {
 }
 
 /** Shows the words of a point beside it. */
-export function show_point(figure, mark, i, found) {
+function show_point(figure, mark, i, found) {
   const lines = lines_at(figure, mark, i);
   const at = mark.at(i);
   const spot = found || { px: figure.X(at.x), py: figure.Y(at.y) };

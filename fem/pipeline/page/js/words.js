@@ -56,7 +56,7 @@ export const say = (text, ...values) => with_units(text.replace(/\{(\d)\}/g, (_,
 export const heading_of = q => q.heading + (q.unit && q.unit !== '1' ? ` (${q.unit.replace(/ /g, '\u00a0')})` : '');
 
 /** Numbers stay with their units, which have raised exponents, and French marks with their words. */
-export const with_units = text =>
+const with_units = text =>
   text
     .replace(/(?<=\d ?)um(?=[\s.,;)/]|$)/g, 'µm')
     .replace(/ (?=%|rad\/s)|(?<=μ) (?=\d)|(?<=[\d…}]) (?=(?:°|[kMGcmµn]?(?:m|s|g|N|Pa))(?:[\s/.,;:)\]]|$))/g, '\u00a0')

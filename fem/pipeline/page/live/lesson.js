@@ -1,5 +1,5 @@
 // The lesson: five steps from the hand to the terminal spin. Each asks for a prediction before it shows the answer.
-import { $, at_end, doc, remember, sense, state, value_of, words } from './state.js';
+import { $, doc, remember, sense, state, value_of, words } from './state.js';
 import { h } from '../js/dom.js';
 import { pressing } from '../js/series.js';
 import { say, shown } from '../js/words.js';
@@ -25,7 +25,7 @@ const right = [
 /** The numbers in the answer of each step. */
 function numbers() {
   const { ring = {}, load = {}, paper = {} } = doc.summary;
-  const at_rest = pressing(at_end());
+  const at_rest = pressing(doc);
   const spin = ring.omega_terminal;
   return [
     [shown(1e3 * Math.abs(offset()), '.3g'), shown(1e3 * Math.abs(load?.moment?.[0] ?? NaN), '.3g')],

@@ -59,7 +59,7 @@ export function load_entries() {
 export const acts = path => entries[path]?.acts;
 export const is_changed = path => Object.hasOwn(state.changes, path);
 export const base_value = path => Number(entries[path]?.value ?? 0);
-export const text_of = path => (is_changed(path) ? state.changes[path] : (entries[path]?.value ?? ''));
+const text_of = path => (is_changed(path) ? state.changes[path] : (entries[path]?.value ?? ''));
 export const value_of = path => Number(text_of(path));
 export const sense = () => (text_of('Motion/Orbit sense') === 'clockwise' ? -1 : 1);
 

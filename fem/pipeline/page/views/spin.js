@@ -13,7 +13,7 @@ const looks = {
 /** Name, colour and dash of the curve of a key: all, paper, or up_to_n for n harmonics. */
 export const look_of = key => looks[key] || [key.replace('up_to_', 'n ≤ '), 'c4', '3 3'];
 /** Keys of the curves in a table, the answer last. */
-export const curve_keys = t =>
+const curve_keys = t =>
   ['paper', ...Object.keys(t).filter(key => key.startsWith('up_to_')), 'all'].filter(key => t[key]);
 const one_way = ({ words }) => (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
 const in_millinewton = list => list.map(v => (v === null ? NaN : 1e3 * v));

@@ -132,6 +132,18 @@ std::string live_report_script(const std::string &page)
   return { ...found, figures: [...root.querySelectorAll("main figure")].map(figure => figure.id) };)";
 }
 
+/// How hard the rim presses at an angle [N/m], as people read it: the Fourier series of "load" of a summary.
+std::string pressing(const nlohmann::json &load, double angle)
+{
+  double value = 0;
+  for (std::size_t n = 0; n < load["a"].size(); ++n)
+    value += load["a"][n].get<double>() * std::cos(static_cast<double>(n) * angle) +
+             load["b"][n].get<double>() * std::sin(static_cast<double>(n) * angle);
+  std::ostringstream text;
+  text << std::setprecision(3) << value / load["ring_radius"].get<double>() << " N/m";
+  return text.str();
+}
+
 TEST(ExplorePage, TheReportOfRunLiveSolvesItsStudyAgainAndTeaches)
 {
   const ScratchFolder scratch;
@@ -144,7 +156,8 @@ TEST(ExplorePage, TheReportOfRunLiveSolvesItsStudyAgainAndTeaches)
   const Ended made = with({ "--live", "--output", "live" });
   ASSERT_EQ(made.exit_code, 0) << made.err;
   ASSERT_EQ(with({ "--output", "moved", "--set", moves[0].first + "=" + moves[0].second }).exit_code, 0);
-  const double omega = read_summary(scratch / "moved")["ring"]["omega_terminal"].get<double>();
+  const auto moved = read_summary(scratch / "moved");
+  const double omega = moved["ring"]["omega_terminal"].get<double>();
   const std::string page = read_text(scratch / "live/report.html");
   EXPECT_LT(page.size(), 1'300'000u);
   // Where workers from blob: are forbidden, the page solves by itself.
@@ -165,6 +178,9 @@ TEST(ExplorePage, TheReportOfRunLiveSolvesItsStudyAgainAndTeaches)
                 testing::HasSubstr("liegt für ein Glas außerhalb von 0,02 bis 2"));
     EXPECT_THAT(told[2].get<std::string>(), testing::HasSubstr("ist nicht zulässig"));
     ASSERT_EQ(found["lesson"].size(), 5u);
+    const std::string pressed = boost::replace_all_copy(found["lesson"][1].get<std::string>(), "\u00a0", " ");
+    for (const double angle : { M_PI / 2, -M_PI / 2 })
+      EXPECT_THAT(pressed, testing::HasSubstr(pressing(moved["load"], angle))) << "at rest";
     for (const nlohmann::json &step : found["lesson"])
       EXPECT_THAT(step.get<std::string>(), testing::Not(testing::ContainsRegex("NaN|undefined|\u2013")));
   }
