@@ -8,12 +8,12 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
-#include <boost/lexical_cast/try_lexical_convert.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <sstream>
 
@@ -109,11 +109,10 @@ std::optional<Unit> parse_unit(std::string text)
     const auto end = word == "1" ? 1 : word.find_last_not_of("-0123456789") + 1;
     const bool has_mark = 0 < end && end < word.size() && word[end - 1] == '^';
     const auto unit = parse_name(word.substr(0, has_mark ? end - 1 : end));
-    int exponent = 1;
-    if (!unit || (end < word.size() && !boost::conversion::try_lexical_convert(word.substr(end), exponent)) ||
-        std::abs(exponent) > 9)
+    const auto exponent = end < word.size() ? parse_number(word.substr(end)) : 1;
+    if (!unit || !exponent || std::abs(*exponent) > 9)
       return std::nullopt;
-    product.multiply(*unit, sign * exponent);
+    product.multiply(*unit, sign * static_cast<int>(*exponent));
   }
   return is_whole ? std::optional(product) : std::nullopt;
 }
@@ -140,10 +139,9 @@ Parts split_number(const std::string &whole)
 std::optional<double> shifted(const std::string &number, int decimal)
 {
   const auto mark = std::min(number.find_first_of("eE"), number.size());
-  int exponent = 0;
-  if (mark < number.size())
-    boost::conversion::try_lexical_convert(number.substr(mark + 1), exponent);
-  return parse_number(number.substr(0, mark) + "e" + std::to_string(exponent + decimal));
+  const long exponent = mark < number.size() ? std::strtol(number.c_str() + mark + 1, nullptr, 10) : 0;
+  return parse_number(number.substr(0, mark) + "e" +
+                      std::to_string(std::clamp(exponent, -9999L, 9999L) + decimal));
 }
 
 /// Words for quantities of one SI unit, and the units that people use.
