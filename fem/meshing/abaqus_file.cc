@@ -1,6 +1,7 @@
 #include "fem/meshing/mesh_content.h"
 
-#include <boost/algorithm/string.hpp>
+#include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
 #include <map>

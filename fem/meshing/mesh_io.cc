@@ -3,10 +3,10 @@
 #include "fem/geometry/boundary_ids.h"
 #include "fem/meshing/mesh_content.h"
 #include "fem/meshing/mesh_quality.h"
+#include "fem/meshing/vtu_writer.h"
 
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
-#include <deal.II/numerics/data_out.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +17,7 @@
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace stemware::fem
 {
@@ -320,27 +321,30 @@ void write_msh(const Triangulation<3> &triangulation, std::ostream &stream)
 
 void write_mesh_vtu(const Triangulation<3> &triangulation, std::ostream &stream)
 {
-  Vector<double> quality(triangulation.n_active_cells()), boundary(triangulation.n_active_cells());
   const std::vector<double> jacobians = scaled_jacobians(triangulation);
-  std::copy(jacobians.begin(), jacobians.end(), quality.begin());
+  VtuWriter writer(8);
+  std::vector<float> points, quality, boundary;
+  std::vector<std::int32_t> cells;
   for (const auto &cell : triangulation.active_cell_iterators())
+  {
+    types::boundary_id id = 0;
     for (const auto &face : cell->face_iterators())
       if (face->at_boundary())
-        boundary(cell->active_cell_index()) =
-          std::max<double>(boundary(cell->active_cell_index()), face->boundary_id());
-  DataOut<3> data_out;
-  DataOutBase::VtkFlags flags;
-  flags.print_date_and_time = false; // equal meshes give equal files
-  data_out.set_flags(flags);
-  data_out.attach_triangulation(triangulation);
-  data_out.add_data_vector(quality, "scaled_jacobian");
-  data_out.add_data_vector(boundary, "boundary_id");
-  data_out.build_patches();
-  std::ostringstream text;
-  data_out.write_vtu(text);
-  const std::string file = text.str(), declaration = "?>\n";
-  const std::size_t root = file.find(declaration) + declaration.size();
-  stream << file.substr(0, root) << "<!-- Foot mesh written by Stemware -->\n" << file.substr(root);
+        id = std::max(id, face->boundary_id());
+    const std::size_t first = cells.size();
+    cells.resize(first + 8);
+    for (const unsigned int v : cell->vertex_indices())
+    {
+      cells[first + writer.place(v & 1U, v >> 1U & 1U, v >> 2U)] = static_cast<std::int32_t>(first + v);
+      for (unsigned int d = 0; d < 3; ++d)
+        points.push_back(static_cast<float>(cell->vertex(v)[d]));
+      quality.push_back(static_cast<float>(jacobians[cell->active_cell_index()]));
+      boundary.push_back(static_cast<float>(id));
+    }
+  }
+  writer.add_field("scaled_jacobian", 1, std::move(quality));
+  writer.add_field("boundary_id", 1, std::move(boundary));
+  stream << writer.text(points, cells);
 }
 
 } // namespace stemware::fem

@@ -79,7 +79,7 @@ std::string VtuWriter::text(const std::vector<float> &points, const std::vector<
     ends[i] = static_cast<std::int32_t>((i + 1) * n_nodes);
   const std::vector<std::uint8_t> types(n_cells, n_nodes == 8 ? hexahedron : triquadratic_hexahedron);
   std::string text =
-    "<?xml version=\"1.0\"?>\n"
+    "<?xml version=\"1.0\"?>\n<!-- written by Stemware -->\n"
     "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
     "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
     std::to_string(points.size() / 3) + "\" NumberOfCells=\"" + std::to_string(n_cells) + "\">\n<Points>\n";
