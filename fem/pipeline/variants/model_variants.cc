@@ -1,5 +1,6 @@
 #include "fem/pipeline/variants/model_variants.h"
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -107,7 +108,13 @@ std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
   add_if(is_elastic_substrate, "elasticity of the substrate",
          [](Variant &other) { other.study.table.substrate = TableSubstrate::rigid; });
   add_if(!study.table.is_hard(), "compliance of the interface",
-         [](Variant &other) { other.study.table.interface = TableInterface::hard; });
+         [](Variant &other)
+         {
+           constexpr unsigned int max_degree = 2; // on small cells matters less than the phases left out
+           other.study.table.interface = TableInterface::hard;
+           if (other.study.has_waviness())
+             other.study.contact.degree = std::min(other.study.contact.degree, max_degree);
+         });
   add_if(!study.motion.orbit.has_constant_friction(), "dependence of friction on slip",
          [](Variant &other) { other.study = with_constant_friction(std::move(other.study)); });
   add_if(study.tilts(), "tilt", [](Variant &other) { other.study.motion.tilt = false; });
