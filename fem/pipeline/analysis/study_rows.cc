@@ -212,10 +212,12 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
   variants.insert(variants.end(), others.begin(), others.end());
   const bool lifts_off = whole.row.at_rest && whole.row.status != ring::Status::full_contact;
   const AnswerWork work = { foot ? foot->n_contacts() : 0, load.phases() != nullptr, lifts_off };
-  progress.share_done(share_of_answer(study, work, variants, depth == Depth::full));
+  const WorkShares shares = work_shares(study, work, variants, depth == Depth::full);
+  progress.share_done(shares.answer);
   StudyRows rows;
   std::vector<LoadedRow> solved =
     solve_rows(variants, foot, question, executor, progress, "models", whole.load);
+  progress.share_done(shares.variants);
   const auto first_other = solved.begin() + static_cast<std::ptrdiff_t>(orders.size()) - 1;
   rows.by_harmonics.assign(std::make_move_iterator(solved.begin()), std::make_move_iterator(first_other));
   rows.others.assign(std::make_move_iterator(first_other), std::make_move_iterator(solved.end()));

@@ -43,9 +43,15 @@ void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, s
 
 void ConsoleProgress::share_done(double share)
 {
-  const double in_contacts = stopwatch.elapsed() - before_contacts;
-  if (const double whole = before_contacts + in_contacts / share; whole > worth_telling)
-    note("Time", "about " + rough_duration(whole) + " in all");
+  constexpr double much = 1.5;
+  const double elapsed = stopwatch.elapsed();
+  if (!in_contacts)
+    in_contacts = (elapsed - before_contacts) / share;
+  const double whole = elapsed + (1 - share) * *in_contacts;
+  if (whole <= worth_telling || (whole < much * printed_time && printed_time < much * whole))
+    return;
+  printed_time = whole;
+  note("Time", "about " + rough_duration(whole) + " in all");
 }
 
 void ConsoleProgress::iteration(const fem::ContactIteration &step)

@@ -20,7 +20,7 @@ struct WorkNumbers
   double over_phases = 30;       ///< contacts of a row over phases, beside the samples of the study
   double curves = 14;            ///< contacts of the curves over the spin
   double hard = 8;               ///< cost of a contact under a hard table instead of a compliant one
-  double hard_phases = 1000;     ///< cost of the phases under a hard table beside a compliant one
+  double hard_phases = 600;      ///< cost of the phases under a hard table beside a compliant one
   double spins = 6, spins_with_lift_off = 10; ///< spins at which bands are evaluated
   double phases = 4;                          ///< phases at which bands are evaluated
   double spins_of_change = 2;                 ///< beside rest, on a changed foot over phases
@@ -28,7 +28,7 @@ struct WorkNumbers
   double rest = 2, hard_rest = 12;
   /// Costs of the changes of a band: cells, degree and harmonics; four and three times the lines; a harder
   /// spring; a mesh file with all cells halved, by multigrid, over multigrid and over a condensed foot.
-  double cells = 4, lines = 7, spring = 1.5, halved_file = 10, halved_over_condensed = 200;
+  double cells = 3, lines = 5.5, spring = 1.5, halved_file = 10, halved_over_condensed = 200;
 };
 constexpr WorkNumbers numbers = {};
 
@@ -75,21 +75,22 @@ double cost_of_bands(const Study &study, const AnswerWork &answer)
 
 } // namespace
 
-double share_of_answer(const Study &study, const AnswerWork &answer, const std::vector<Variant> &variants,
+WorkShares work_shares(const Study &study, const AnswerWork &answer, const std::vector<Variant> &variants,
                        bool with_bands)
 {
   const double first = varies_with_spin(study) ? numbers.first : 1;
   const bool is_cold = answer.depends_on_phase && study.table.is_hard() && varies_with_spin(study);
   const double own = first + (is_cold ? numbers.hard_over_phases : 1) *
                                (static_cast<double>(std::max<std::size_t>(answer.n_contacts, 1)) - 1);
-  double all = own;
-  if (varies_with_spin(study) && !answer.depends_on_phase)
-    all += numbers.curves;
+  double with_variants = own, left = 0;
   for (const Variant &variant : variants)
-    all += cost_of_row(study, answer, variant);
+    with_variants += cost_of_row(study, answer, variant);
+  if (varies_with_spin(study) && !answer.depends_on_phase)
+    left += numbers.curves;
   if (with_bands && study.load.is_from_contact())
-    all += cost_of_bands(study, answer);
-  return own / all;
+    left += cost_of_bands(study, answer);
+  const double all = with_variants + left;
+  return { own / all, with_variants / all };
 }
 
 } // namespace stemware::pipeline

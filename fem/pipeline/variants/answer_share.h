@@ -16,10 +16,17 @@ struct AnswerWork
   bool lifts_off = false;        ///< a part of the land carries no load
 };
 
-/// Returns the share (0 to 1) of the answer of @p study in the work that is planned: the answer, the
-/// @p variants on loads of their own, and, @p with_bands, error bands. Counts contacts, each weighted with
-/// its cost relative to the answer's.
-double share_of_answer(const Study &study, const AnswerWork &answer, const std::vector<Variant> &variants,
+/// Shares (0 to 1) of the planned work that are done at two instants.
+struct WorkShares
+{
+  double answer;   ///< when the answer is known
+  double variants; ///< when the variants are solved too
+};
+
+/// Returns the shares in the work that is planned for @p study: the answer, the @p variants on loads of their
+/// own, the curves over the spin, and, @p with_bands, error bands. Counts contacts, each weighted with its
+/// cost relative to the answer's.
+WorkShares work_shares(const Study &study, const AnswerWork &answer, const std::vector<Variant> &variants,
                        bool with_bands);
 
 } // namespace stemware::pipeline
