@@ -26,7 +26,14 @@ TEST(MeshVerb, CheckSaysWhatIsThere)
   EXPECT_EQ(found["faces"]["contact_zone"], 96);
   EXPECT_EQ(found["faces"]["stem_cut"], 12);
   EXPECT_EQ(found["rim"]["round"], false);
-  EXPECT_NEAR(found["rim"]["land_area_deficit"].get<double>(), 0.0114, 5e-4);
+  // A land from 29 to 31 mm, 5 % narrower along y.
+  const auto &zone = found["contact_zone"];
+  const double deficit = found["rim"]["land_area_deficit"], land = 0.95 * 3.141592653589793 * 0.002 * 0.06;
+  EXPECT_NEAR(deficit, 0.0114, 5e-4);
+  EXPECT_NEAR(zone["area"].get<double>(), land * (1 - deficit), 1e-9 * land);
+  EXPECT_NEAR(zone["radii"][0].get<double>(), 0.95 * 0.029, 1e-12);
+  EXPECT_NEAR(zone["radii"][1].get<double>(), 0.031, 1e-12);
+  EXPECT_NEAR(found["rim"]["radius"].get<double>(), (0.95 * 0.029 + 0.031) / 2, 1e-12);
   EXPECT_NEAR(found["box"]["upper"][1].get<double>(), 0.95 * 0.034, 1e-12);
   EXPECT_GT(found["scaled_jacobian"]["least"].get<double>(), 0.2);
 }

@@ -70,17 +70,6 @@ TEST(BudgetByHand, NothingIsRelatedToAGlassThatDoesNotSpin)
   EXPECT_FALSE(rows[2]["relative_difference"].is_null());
 }
 
-TEST(BudgetByHand, TheBandsAreThoseOfTheRows)
-{
-  RunByHand by_hand;
-  by_hand.spin.budget.rows.back().band.reset();
-  const Results without = make_document(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
-  EXPECT_TRUE(without.findings.summary["budget"].back()["band"].is_null());
-  by_hand.spin.budget.rows.back().band = 0.0123;
-  const Results with = make_document(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
-  EXPECT_EQ(with.findings.summary["budget"].back()["band"], 0.0123);
-}
-
 TEST(BudgetByHand, NamedStepsCountAllHarmonicsFromTheFirst)
 {
   const std::vector<BudgetRow> rows = named_steps({ { { 1 }, "paper", 1, -3. },

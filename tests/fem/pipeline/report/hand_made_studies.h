@@ -1,7 +1,6 @@
 #pragma once
 
 #include "fem/pipeline/refinement/refinement_study.h"
-#include "fem/pipeline/report/mesh_results.h"
 #include "fem/pipeline/report/run_results.h"
 #include "tests/fem/pipeline/report/hand_made.h"
 
@@ -159,31 +158,5 @@ struct RefinementByHand
   std::vector<pipeline::RefinementAxis> axes;
   pipeline::ErrorBands bands;
 };
-
-inline pipeline::MeshFindings mesh_by_hand()
-{
-  Numbers next;
-  pipeline::MeshFindings findings;
-  findings.origin = "foot.msh";
-  fem::MeshCheck &check = findings.check;
-  check.n_cells = 101;
-  check.n_vertices = 102;
-  check.n_faces = { { 0, 103 }, { 1, 104 }, { 2, 105 }, { 7, 106 } };
-  check.lower = { -next(), -next(), -next() };
-  check.upper = { next(), next(), next() };
-  check.inner_radius = next();
-  check.outer_radius = next();
-  check.lowest = next();
-  check.highest = next();
-  check.contact_area = next();
-  check.centre = { next(), next() };
-  check.min_jacobian = next() / 20;
-  check.mean_jacobian = next();
-  check.worst_place = { next(), next(), next() };
-  findings.report = fem::MeshReport();
-  findings.report->rim_radius = next();
-  findings.report->land_area_deficit = next();
-  return findings;
-}
 
 } // namespace stemware::test

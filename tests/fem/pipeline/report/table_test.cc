@@ -1,13 +1,10 @@
 // One table in its forms: every kind of cell, what does not exist, and who sees which digits.
 #include "fem/pipeline/report/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
-#include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <limits>
-#include <set>
 
 namespace stemware::pipeline
 {
@@ -166,35 +163,6 @@ TEST(Quantities, AreDeclaredByTheSchemaOfTheSummary)
   EXPECT_EQ(quantity_named("table_motion[]", "contact", 2).unit, "rad") << "that of its place";
   EXPECT_EQ(quantity_named("omega", "terminal_spins").heading, "spin ω");
   EXPECT_EQ(quantity_named("tau_closed_form").heading, "tau_closed_form") << "no table shows it";
-}
-
-TEST(Quantities, OfTheSchemaHaveNoWordThatNobodyReads)
-{
-  const std::set<std::string> read = {
-    "type",    "unit",    "description", "properties",     "required", "additionalProperties",
-    "items",   "enum",    "const",       "$ref",           "anyOf",    "minItems",
-    "name",    "heading", "label",       "console_digits", "digits",   "listed",
-    "maxItems"
-  };
-  const std::function<void(const Json &)> look = [&](const Json &declaration)
-  {
-    for (const auto &[word, value] : declaration.items())
-      EXPECT_EQ(read.count(word), 1u) << word << " in " << declaration.dump();
-    EXPECT_TRUE(!declaration.value("listed", false) ||
-                declaration.dump().find("\"heading\"") != std::string::npos)
-      << "a list needs a heading: " << declaration.dump();
-    for (const Json &value : declaration.value("properties", Json::object()))
-      look(value);
-    for (const char *inner : { "items", "additionalProperties" })
-      if (declaration.contains(inner) && declaration[inner].is_object())
-        look(declaration[inner]);
-  };
-  const Json schema = Json::parse(test::read_text(STEMWARE_SCHEMA));
-  for (const Json &value : schema["properties"])
-    look(value);
-  for (const auto &[name, value] : schema["definitions"].items())
-    if (name != "files") // columns of the files, which ColumnKeys tests
-      look(value);
 }
 
 TEST(Quantities, APartOfTheSummaryHasTheKeysOfTheSchemaInItsOrder)
