@@ -5,7 +5,9 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Dense>
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
@@ -120,7 +122,7 @@ void check_rim(const Triangulation<3> &triangulation, MeshCheck &check)
     matrix.row(row) << 2 * x, 2 * y, 1;
     right(row) = x * x + y * y;
   }
-  const Eigen::Vector3d fit = (matrix.transpose() * matrix).ldlt().solve(matrix.transpose() * right);
+  const Eigen::Vector3d fit = matrix.colPivHouseholderQr().solve(right);
   check.rim_centre = { fit(0), fit(1) };
   const double radius = std::sqrt(fit(2) + fit(0) * fit(0) + fit(1) * fit(1));
   for (const auto &[x, y] : outline)
@@ -254,13 +256,13 @@ std::vector<Outline> contact_outlines(const Triangulation<3> &triangulation)
 
 unsigned int n_symmetry_sectors(const Triangulation<3> &triangulation)
 {
+  namespace bg = boost::geometry;
+  using Place = bg::model::point<double, 3, bg::cs::cartesian>;
   double inner_radius = std::numeric_limits<double>::infinity();
   for (const Quadrilateral &face : contact_faces(triangulation))
     for (const auto &[x, y] : face)
       inner_radius = std::min(inner_radius, std::hypot(x, y));
-  // By a number that few places share.
-  const auto key_of = [](const Point<3> &x) { return x[0] + std::sqrt(2.) * x[1] + std::sqrt(3.) * x[2]; };
-  std::multimap<double, Point<3>> places;
+  std::vector<Place> places;
   double largest = 0;
   for (unsigned int v = 0; v < triangulation.n_vertices(); ++v)
     if (triangulation.vertex_used(v))
@@ -268,23 +270,21 @@ unsigned int n_symmetry_sectors(const Triangulation<3> &triangulation)
       const Point<3> &x = triangulation.get_vertices()[v];
       const double radius = std::hypot(x[0], x[1]);
       if (radius > 0.999 * inner_radius)
-        places.emplace(key_of(x), x);
+        places.emplace_back(x[0], x[1], x[2]);
       largest = std::max(largest, radius);
     }
-  const double tolerance = 1e-7 * largest, key_tolerance = std::sqrt(6.) * tolerance;
+  const bg::index::rtree<Place, bg::index::quadratic<16>> tree(places);
   const auto is_turned_onto_itself = [&](unsigned int n)
   {
     const double cosine = std::cos(2 * numbers::PI / n), sine = std::sin(2 * numbers::PI / n);
-    return std::all_of(
-      places.begin(), places.end(),
-      [&](const auto &place)
-      {
-        const Point<3> &x = place.second;
-        const Point<3> turned(cosine * x[0] - sine * x[1], sine * x[0] + cosine * x[1], x[2]);
-        return std::any_of(places.lower_bound(key_of(turned) - key_tolerance),
-                           places.upper_bound(key_of(turned) + key_tolerance),
-                           [&](const auto &other) { return other.second.distance(turned) <= tolerance; });
-      });
+    return std::all_of(places.begin(), places.end(),
+                       [&](const Place &place)
+                       {
+                         const double x = place.get<0>(), y = place.get<1>();
+                         const Place turned(cosine * x - sine * y, sine * x + cosine * y, place.get<2>());
+                         const auto next = tree.qbegin(bg::index::nearest(turned, 1));
+                         return bg::distance(*next, turned) <= 1e-7 * largest;
+                       });
   };
   const auto n_faces = static_cast<unsigned int>(contact_faces(triangulation).size());
   for (unsigned int n = n_faces; n > 1; --n)

@@ -3,8 +3,8 @@
 #include "fem/contact/contact_solution.h"
 #include "fem/revolution/dense_algebra.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -37,13 +37,8 @@ Eigen::MatrixXd polynomials(const Eigen::VectorXd &radii, Eigen::Index n_functio
     for (Eigen::Index k = 0; k < n_functions; ++k) // Chebyshev's, which are far from dependent
       values(i, k) = k == 0 ? 1 : k == 1 ? x : 2 * x * values(i, k - 1) - values(i, k - 2);
   }
-  for (Eigen::Index k = 0; k < n_functions; ++k)
-  {
-    for (int n = 0; n < 2; ++n) // twice is enough
-      values.col(k) -= values.leftCols(k) * (values.leftCols(k).transpose() * values.col(k));
-    values.col(k).normalize();
-  }
-  return values;
+  return Eigen::HouseholderQR<Eigen::MatrixXd>(values).householderQ() *
+         Eigen::MatrixXd::Identity(n_radii, n_functions);
 }
 
 HarmonicCompliance reduced_to(const Eigen::MatrixXd &functions, const HarmonicCompliance &whole)
