@@ -1,6 +1,6 @@
 # Installs components of Stemware into a scratch folder and builds there a project of somebody else who uses them, whose
 # program `user` must end well. Given: BUILD_DIR (of Stemware), COMPONENTS, PROJECT_DIR, SCRATCH_DIR, COMPILER,
-# GENERATOR, LINKER_FLAGS (to link deal.II in less time), FORMER_NAME (ON where the project can use that).
+# GENERATOR, LINKER_FLAGS (to link deal.II in less time).
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -20,10 +20,6 @@ if(GENERATOR STREQUAL "Ninja")
   if(leaked)
     message(FATAL_ERROR "The package makes its users build with${leaked}.")
   endif()
-endif()
-
-if(FORMER_NAME)
-  run(${configure} --fresh -DFORMER_NAME=ON)
 endif()
 
 run(${configure} --fresh -DCMAKE_EXE_LINKER_FLAGS=${LINKER_FLAGS})
