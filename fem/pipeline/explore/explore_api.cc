@@ -10,7 +10,7 @@
 #include "fem/pipeline/study/measured_run.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/support/sentence.h"
+#include "fem/pipeline/support/failures.h"
 #include "ring_model/no_balance.h"
 
 #include <exception>
@@ -36,19 +36,12 @@ MeasuredRun measured_run(const char *name, const char *table)
   return parse_measured_run(name, table, explorer->study().motion.measured_column);
 }
 
-/// A sentence: the page has it by its key in other languages.
-Json json_of(const Sentence &given)
-{
-  return { { "key", given.key }, { "text", given.text }, { "values", given.values } };
-}
-
 /// An answer by the keys of summary.json/ring.
 Json ring_summary(const ring::Answer &row)
 {
   Json ring = spin_rows({ row })[0];
-  ring.update({ { "standing", to_string(row.status) },
-                { "fall", fall_summary(row) },
-                { "message", json_of(sentence("no_spin", "{0}", { row.reason })) } });
+  ring.update(
+    { { "standing", to_string(row.status) }, { "fall", fall_summary(row) }, { "message", row.reason } });
   return ring;
 }
 
@@ -113,37 +106,27 @@ Json document_of(const Pictures &pictures, const Json &summary = Json::object())
              { { "summary", summary }, { "words", pictures.words }, { "tables", pictures.tables } } } };
 }
 
-Json notes()
+/// A failure, and unusual values, its likelier cause.
+Json failure_of(const std::string &message, bool tips)
 {
-  Json list = Json::array();
-  for (const Sentence &note : implausible_sentences(explorer->study()))
-    list.push_back(json_of(note));
-  return list;
+  return { { "error", message }, { "tips", tips }, { "notes", implausible_notes(explorer->study()) } };
 }
 
-/// A failure: its sentence with and without a key, and unusual values, its likelier cause. `error` is the
-/// sentence of the other faces.
-Json failure_of(const Sentence &given, bool tips)
-{
-  const std::string error = tips ? with_implausible_values(explorer->study(), given.text) : given.text;
-  return { { "error", error }, { "sentence", json_of(given) }, { "tips", tips }, { "notes", notes() } };
-}
-
-/// Sentence nested in the failure of a balance.
-Sentence sentence_of(const ring::Tipping &failure)
+/// Message of the failure of a balance, or of the failure nested in it.
+std::string message_of(const ring::Tipping &failure)
 {
   try
   {
     std::rethrow_if_nested(failure);
   }
-  catch (const KeyedInput &cause)
+  catch (const BadInput &cause)
   {
-    return cause.sentence;
+    return cause.what();
   }
-  catch (...) // NOLINT: without a key
+  catch (...) // NOLINT: the outer message
   {
   }
-  return sentence("tips", "{0}", { failure.what() });
+  return failure.what();
 }
 
 /// Answers with what @p make returns, or with why it throws.
@@ -156,20 +139,15 @@ const char *answer(const Make &make)
   }
   catch (const ring::Tipping &failure)
   {
-    reply = dump_utf8(failure_of(sentence_of(failure), true));
+    reply = dump_utf8(failure_of(message_of(failure), true));
   }
   catch (const fem::ContactFailure &failure)
   {
-    const bool tips = failure.outcome == fem::ContactOutcome::tipping;
-    reply = dump_utf8(failure_of(sentence("no_contact", "{0}", { failure.what() }), tips));
-  }
-  catch (const KeyedInput &failure)
-  {
-    reply = dump_utf8(failure_of(failure.sentence, false));
+    reply = dump_utf8(failure_of(failure.what(), failure.outcome == fem::ContactOutcome::tipping));
   }
   catch (const std::exception &failure)
   {
-    reply = dump_utf8(failure_of(sentence("other_failure", "{0}", { failure.what() }), false));
+    reply = dump_utf8(failure_of(failure.what(), false));
   }
   return reply.c_str();
 }
@@ -201,18 +179,7 @@ const char *explore_set(const char *path, const char *value)
   return answer(
     [&]
     {
-      try
-      {
-        explorer->set(path, value);
-      }
-      catch (const KeyedInput &)
-      {
-        throw;
-      }
-      catch (const BadInput &failure)
-      {
-        throw KeyedInput(sentence("not_allowed", "{0}", { failure.what(), path, value }));
-      }
+      explorer->set(path, value);
       return Json(Json::object());
     });
 }
@@ -230,7 +197,7 @@ const char *explore_solve(unsigned int n_harmonics, int cold)
       const LiveAnswer found = explorer->solve(n_harmonics == 0 ? all_harmonics : n_harmonics, cold != 0);
       last_contact = found.contact;
       return Json{ { "fit", name_of(found.match) },
-                   { "notes", notes() },
+                   { "notes", implausible_notes(explorer->study()) },
                    { "document", answer_document(found) } };
     });
 }

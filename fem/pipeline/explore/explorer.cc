@@ -3,7 +3,7 @@
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/support/sentence.h"
+#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "fem/revolution/revolution_foot.h"
 #include "ring_model/no_balance.h"
@@ -55,9 +55,8 @@ void Explorer::set(const std::string &entry_path, const std::string &value)
 {
   const std::vector<StudyEntry> entries = study_entries(present);
   const StudyEntry &entry = entry_at(entries, "", entry_path);
-  ensure(
-    !is_ready || is_live(entry_path) || entry.text() == value,
-    sentence("other_mesh", "{0} needs another mesh than this page has; use `stemware run`.", { entry_path }));
+  ensure(!is_ready || is_live(entry_path) || entry.text() == value,
+         entry_path + " needs another mesh than this page has; use `stemware run`.");
   assign(entry, "", value);
 }
 
@@ -109,8 +108,7 @@ Executor Explorer::executor() const
 void Explorer::require_mesh() const
 {
   ensure(mesh_match() != MeshMatch::none,
-         sentence("contact_width",
-                  "The mesh of this page does not resolve the width of this contact; use `stemware run`."));
+         "The mesh of this page does not resolve the width of this contact; use `stemware run`.");
 }
 
 LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)

@@ -3,8 +3,8 @@
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/contact/winkler_interface.h"
+#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/support/sentence.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -82,12 +82,9 @@ fem::Resultants Study::required_resultants() const
     return required;
   const double ratio = pipeline::moment_ratio(required, radius);
   const auto [asked, limit] = distinct_texts(ratio, 2);
-  ensure(
-    ratio < 2,
-    sentence("tips_at_rest",
-             "The closure {0} asks for a moment ratio of {1}, but the foot tips at {2}; change the height "
-             "of the hand or the speed.",
-             { ring::to_string(motion.closure), asked, limit }));
+  ensure(ratio < 2, std::string("The closure ") + ring::to_string(motion.closure) +
+                      " asks for a moment ratio of " + asked + ", but the foot tips at " + limit +
+                      "; change the height of the hand or the speed.");
   return required;
 }
 

@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
 
@@ -219,6 +220,32 @@ void require_known_speeds(const Study &study)
          needs + "a flat rim on a flat table; leave Glass/Rim waviness and Table/Waviness empty.");
 }
 
+/// Note about @p entry, whose @p value is implausible.
+std::string implausible_note(const StudyEntry &entry, double value)
+{
+  const std::string number = to_short_text(value);
+  const std::vector<std::string> units = usual_units(entry.unit);
+  const auto meant = std::find_if(units.begin(), units.end(),
+                                  [&](const std::string &unit)
+                                  {
+                                    const auto other = parse_quantity(number + ' ' + unit, entry.unit);
+                                    return other && entry.plausible->contains(*other);
+                                  });
+  return assignment(entry, value) + " is outside " + to_short_text(entry.plausible->min) + " to " +
+         to_short_text(entry.plausible->max) + unit_behind_number(entry) + " for a glass; " +
+         (meant != units.end() ? "write " + number + ' ' + *meant + " if that is meant."
+                               : "check number and unit.");
+}
+
+/// Returns @p sentence, the reason why the glass tips at rest, preceded by implausible values.
+std::string with_implausible_values(const Study &study, const std::string &sentence)
+{
+  std::vector<std::string> list;
+  for (const StudyEntry &entry : implausible_entries(study))
+    list.push_back(assignment(entry, *entry.quantity) + " (" + plausible_text(entry) + ')');
+  return list.empty() ? sentence : "Unusual values for a glass: " + boost::join(list, ", ") + ". " + sentence;
+}
+
 } // namespace
 
 void check_values(const Study &study)
@@ -281,49 +308,15 @@ std::string unused_entries_note(const std::vector<std::string> &entries)
 std::string implausible_note(const std::string &path, double value)
 {
   const StudyEntry entry = find_entry("", path);
-  return is_implausible(entry, value) ? implausible_sentence(entry, value).text : "";
-}
-
-Sentence implausible_sentence(const StudyEntry &entry, double value)
-{
-  const std::string number = to_short_text(value), least = to_short_text(entry.plausible->min),
-                    most = to_short_text(entry.plausible->max) + unit_behind_number(entry);
-  const std::vector<std::string> units = usual_units(entry.unit);
-  const auto meant = std::find_if(units.begin(), units.end(),
-                                  [&](const std::string &unit)
-                                  {
-                                    const auto other = parse_quantity(number + ' ' + unit, entry.unit);
-                                    return other && entry.plausible->contains(*other);
-                                  });
-  if (meant != units.end())
-    return sentence("implausible_unit", "{0} is outside {1} to {2} for a glass; write {3} if that is meant.",
-                    { assignment(entry, value), least, most, number + ' ' + *meant });
-  return sentence("implausible", "{0} is outside {1} to {2} for a glass; check number and unit.",
-                  { assignment(entry, value), least, most });
-}
-
-std::vector<Sentence> implausible_sentences(const Study &study)
-{
-  std::vector<Sentence> sentences;
-  for (const StudyEntry &entry : implausible_entries(study))
-    sentences.push_back(implausible_sentence(entry, *entry.quantity));
-  return sentences;
+  return is_implausible(entry, value) ? implausible_note(entry, value) : "";
 }
 
 std::vector<std::string> implausible_notes(const Study &study)
 {
   std::vector<std::string> notes;
-  for (const Sentence &note : implausible_sentences(study))
-    notes.push_back(note.text);
-  return notes;
-}
-
-std::string with_implausible_values(const Study &study, const std::string &sentence)
-{
-  std::vector<std::string> list;
   for (const StudyEntry &entry : implausible_entries(study))
-    list.push_back(assignment(entry, *entry.quantity) + " (" + plausible_text(entry) + ')');
-  return list.empty() ? sentence : "Unusual values for a glass: " + boost::join(list, ", ") + ". " + sentence;
+    notes.push_back(implausible_note(entry, *entry.quantity));
+  return notes;
 }
 
 void require_no_tipping_at_rest(const Study &study)

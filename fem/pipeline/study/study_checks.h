@@ -1,7 +1,6 @@
 #pragma once
 
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/support/sentence.h"
 
 #include <string>
 #include <vector>
@@ -21,18 +20,11 @@ std::string unused_entries_note(const std::vector<std::string> &entries);
 /// optional entry.
 std::string implausible_note(const std::string &path, double value);
 
-/// Returns implausible_note() of @p entry, whose @p value is implausible, with its values.
-Sentence implausible_sentence(const StudyEntry &entry, double value);
-
-/// Returns the note of each given entry with an effect.
-std::vector<Sentence> implausible_sentences(const Study &study);
+/// Returns the implausible_note() of each given entry with an effect.
 std::vector<std::string> implausible_notes(const Study &study);
 
-/// Returns @p sentence, the reason why the glass tips at rest, preceded by implausible values, the likelier
-/// cause: "Unusual values for a glass: Motion/Mass = 300 kg (0.02 to 2 kg). The closure ...".
-std::string with_implausible_values(const Study &study, const std::string &sentence);
-
-/// Throws BadInput for a glass that would tip at rest, with_implausible_values().
+/// Throws BadInput for a glass that would tip at rest. Implausible values, the likelier cause, stand before
+/// the reason: "Unusual values for a glass: Motion/Mass = 300 kg (0.02 to 2 kg). The closure ...".
 void require_no_tipping_at_rest(const Study &study);
 
 } // namespace stemware::pipeline

@@ -19,10 +19,4 @@ Sentence sentence(const std::string &key, const std::string &text, const std::ve
   return { key, filled, values };
 }
 
-void ensure(bool condition, const Sentence &given)
-{
-  if (!condition)
-    throw KeyedInput(given);
-}
-
 } // namespace stemware::pipeline

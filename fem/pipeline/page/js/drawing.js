@@ -1,8 +1,10 @@
 // Draws one instant of the scene: a row of the document.
 import { Camera, circle, Glass, height_of_glass } from './space.js';
 import { h, s } from './dom.js';
-import { shown } from './words.js';
+import { say, shown } from './words.js';
+import { texts } from '../live/texts.js';
 
+const t = texts.scene_words;
 const turn = 2 * Math.PI;
 export const width = 480;
 export const height = 420;
@@ -55,7 +57,7 @@ export class Drawing {
     this.camera.distance = Math.max(420, 2.15 * this.glass.height);
   }
 
-  draw(row, time, t) {
+  draw(row, time) {
     const { camera, glass, given, parts, shows } = this;
     const travel = row.orbit + (given.sense * turn) / 4; // of the direction of motion in the room
     camera.azimuth = this.heading + turn / 2 + 0.5 * given.sense + this.looked;
@@ -72,10 +74,10 @@ export class Drawing {
     parts.label.setAttribute('fill-opacity', paths.label_faces ? 0.9 : 0.15);
     parts.label.setAttribute('stroke-opacity', paths.label_faces ? 1 : 0.3);
     parts.label_line.setAttribute('stroke-opacity', paths.label_faces ? 0.7 : 0.1);
-    this.draw_hand(row, travel, set, t);
+    this.draw_hand(row, travel, set);
     this.draw_torque(row, set);
     const share = this.most > 0 ? Math.round((100 * Math.abs(row.torque)) / this.most) : 0;
-    this.number.textContent = shows('torque') ? t.instant(shown(row.time, '.2f'), shown(row.omega, '.2f'), share) : '';
+    this.number.textContent = shows('torque') ? say(t.instant, shown(row.time, '.2f'), shown(row.omega, '.2f'), share) : '';
   }
 
   draw_table({ orbit }, set) {
@@ -125,7 +127,7 @@ export class Drawing {
     set('minus', arrows.minus);
   }
 
-  draw_hand({ hand }, travel, set, t) {
+  draw_hand({ hand }, travel, set) {
     const { camera, glass, given, shows } = this;
     const z = 1e3 * given.hand;
     const there = shows('hand') && !glass.lean;

@@ -1,9 +1,10 @@
 // Glasses on their orbits, seen from above in real time.
 import { h, rich, s } from './dom.js';
-import { en } from '../live/en.js';
 import { say, shown } from './words.js';
 import { svg_text } from './files.js';
+import { texts } from '../live/texts.js';
 
+const t = texts.above_words;
 const turn = 2 * Math.PI;
 const reach = 130; // of an orbit with its glass, on the page
 const panel = 270;
@@ -46,10 +47,10 @@ function band_of(load, size, sense) {
 }
 
 /** One turn in so many seconds. */
-const turns_of = (omega, spins, t) =>
+const turns_of = (omega, spins) =>
   spins ? say(t.turns, shown(turn / Math.abs(omega), '#.3g')) : omega === null ? t.none : t.still;
 
-function glass_nodes({ title, omega, load }, x, size, t) {
+function glass_nodes({ title, omega, load }, x, size) {
   const { rim, foot, orbit, sense, rate } = size;
   const spins = omega !== null && Math.abs(omega) > 1e-6 * rate;
   const against = (omega || 0) - sense * rate; // turns in the frame that goes round
@@ -62,7 +63,7 @@ function glass_nodes({ title, omega, load }, x, size, t) {
         circle(rim, { stroke: 'var(--soft)', 'stroke-width': 0.8 })
       ]
     : circle(rim, { 'stroke-width': 3 });
-  const says = turns_of(omega, spins, t);
+  const says = turns_of(omega, spins);
   const words = (y, content, more) => s('text', { x, y, 'text-anchor': 'middle', ...more }, content);
   return [
     words(22, title, { 'font-weight': 600 }),
@@ -96,13 +97,13 @@ function glass_nodes({ title, omega, load }, x, size, t) {
   ];
 }
 
-/** The drawing of glasses { title, omega, load } in the words `t`; `parameters`: those of the summary. */
-export function orbits(glasses, parameters, t = en.above_words) {
+/** The drawing of glasses { title, omega, load } ; `parameters`: those of the summary. */
+export function orbits(glasses, parameters) {
   const size = sizes(parameters);
   const width = panel * Math.max(2, glasses.length);
-  const nodes = () => glasses.map((glass, i) => glass_nodes(glass, ((i + 0.5) * width) / glasses.length, size, t));
+  const nodes = () => glasses.map((glass, i) => glass_nodes(glass, ((i + 0.5) * width) / glasses.length, size));
   const seconds = shown(turn / size.rate, '#.3g');
-  const title = glasses.map(({ title, omega }) => `${title}: ${turns_of(omega, omega, t)}`).join('. ');
+  const title = glasses.map(({ title, omega }) => `${title}: ${turns_of(omega, omega)}`).join('. ');
   const caption = say(size.larger ? t.larger : t.caption, seconds, shown(size.larger, '.2g'));
   const node = h(
     'figure',

@@ -4,7 +4,9 @@ import { Drawing, height, width } from './drawing.js';
 import { h } from './dom.js';
 import { say, shown } from './words.js';
 import { svg_text } from './files.js';
+import { texts } from '../live/texts.js';
 
+const t = texts.scene_words;
 const slower = 10;
 
 /** The instant between two rows. */
@@ -24,15 +26,15 @@ function still_of(rows) {
 }
 
 export class Scene {
-  /** `t`: words; `dragged(height)` is called for a hand that is moved, in metres above the table. */
-  constructor(t, dragged) {
-    Object.assign(this, { t, dragged, time: 0, plays: false });
+  /** `dragged(height)` is called for a hand that is moved, in metres above the table. */
+  constructor(dragged) {
+    Object.assign(this, { dragged, time: 0, plays: false });
     this.drawing = new Drawing();
     this.svg = this.drawing.svg;
     this.why = h('p', { class: 'why' });
     this.button = h('button', { onclick: () => this.play(!this.plays) });
-    this.slider = h('input', { type: 'range', min: 0, step: 'any', oninput: () => this.go_to(Number(this.slider.value)) }); // prettier-ignore
-    this.caption = h('figcaption');
+    this.slider = h('input', { type: 'range', min: 0, step: 'any', 'aria-label': t.time, oninput: () => this.go_to(Number(this.slider.value)) }); // prettier-ignore
+    this.caption = h('figcaption', {}, h('b', {}, `${t.title}. `), t.caption);
     this.id = 'scene';
     const controls = h('div', { class: 'controls' }, this.button, this.slider);
     this.beside = h('div', {}, this.svg, this.drawing.number, controls, this.caption);
@@ -42,17 +44,7 @@ export class Scene {
     if (dragged)
       for (const node of [this.drawing.parts.hand, this.drawing.parts.force, this.drawing.hand_word])
         node.classList.add('handle');
-    this.speak(t);
-  }
-
-  speak(words) {
-    const t = { ...words, instant: (...values) => say(words.instant, ...values) };
-    this.t = t;
-    this.caption.replaceChildren(h('b', {}, `${t.title}. `), t.caption);
-    this.slider.setAttribute('aria-label', t.time);
-    ['beside', 'above'].forEach((key, i) => this.tabs.children[i] && (this.tabs.children[i].textContent = t[key]));
-    this.play(this.plays);
-    if (this.given) this.set(this.given);
+    this.play(false);
   }
 
   /** Shows other rows: { rows, radius, height, hand, orbit_radius, sense, falls, why }; lengths in metres. */
@@ -66,7 +58,7 @@ export class Scene {
     this.slider.max = this.end + (given.falls ? 0.15 : 0);
     this.button.hidden = this.slider.hidden = rows.length < 2;
     this.why.textContent = given.why;
-    this.svg.setAttribute('aria-label', `${this.t.title}. ${given.why}`);
+    this.svg.setAttribute('aria-label', `${t.title}. ${given.why}`);
     if (!same && !this.plays) this.time = given.falls ? this.end + 0.06 : still.time;
     this.go_to(this.time);
   }
@@ -75,12 +67,12 @@ export class Scene {
     this.time = time;
     this.slider.value = time;
     this.slider.setAttribute('aria-valuetext', `${shown(time, '.2f')} s`);
-    this.drawing.draw(between(this.given.rows, time), time, this.t);
+    this.drawing.draw(between(this.given.rows, time), time);
   }
 
   play(plays) {
     this.plays = plays;
-    this.button.textContent = plays ? this.t.pause : this.t.play;
+    this.button.textContent = plays ? t.pause : t.play;
     this.button.setAttribute('aria-pressed', String(plays));
     if (!plays || this.runs) return;
     let before = performance.now();
@@ -133,13 +125,13 @@ export class Scene {
         this.tabs.children[i].setAttribute('aria-pressed', String(key === name));
       });
     };
-    this.tabs.replaceChildren(...Object.keys(looks).map(key => h('button', { onclick: () => show(key) }, this.t[key])));
+    this.tabs.replaceChildren(...Object.keys(looks).map(key => h('button', { onclick: () => show(key) }, t[key])));
     this.node.append(above);
     show('beside');
   }
 
   alone() {
     const copies = [...this.svg.childNodes].map(child => child.cloneNode(true));
-    return { text: svg_text(this.t.title, this.given.why, copies, width, height), width, height };
+    return { text: svg_text(t.title, this.given.why, copies, width, height), width, height };
   }
 }

@@ -18,21 +18,13 @@ function rounded_up(x) {
   return Math.ceil((x / unit) * (1 - 1e-9)) * unit;
 }
 
-/** Whether numbers are written with a decimal comma. */
-export const decimals = { comma: false };
-
 /** A value of a table or a sentence. */
 export function shown(value, digits = '.6g') {
-  const text = with_point(value, digits);
-  return decimals.comma ? text.replace(/(\d)\.(?=\d)/g, '$1,') : text;
-}
-
-function with_point(value, digits) {
   if (value === null || value === undefined || (typeof value === 'number' && !Number.isFinite(value))) return missing;
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
   if (typeof value === 'string') return cell(value);
   if (Number.isInteger(value) && digits === '.6g' && Math.abs(value) < 1e6) return true_minus(String(value));
-  if (digits === 'band') return value > 0 ? with_point(rounded_up(value), '.1e') : '0';
+  if (digits === 'band') return value > 0 ? shown(rounded_up(value), '.1e') : '0';
   if (digits === 'about') return 'about ' + general(Number(value.toPrecision(2)), 12);
   if (digits === 'short') return true_minus(general(Number(value.toPrecision(3)), 12));
   const [, factor, sign, whole, n, kind, percent] = /^(?:([\d.e]+)\*)?(\+?)(#?)\.?(\d*)([gef])(%?)$/.exec(digits);
@@ -55,12 +47,11 @@ export const say = (text, ...values) => with_units(text.replace(/\{(\d)\}/g, (_,
 
 export const heading_of = q => q.heading + (q.unit && q.unit !== '1' ? ` (${q.unit.replace(/ /g, '\u00a0')})` : '');
 
-/** Numbers stay with their units, which have raised exponents, and French marks with their words. */
+/** Numbers stay with their units, which have raised exponents. */
 const with_units = text =>
   text
     .replace(/(?<=\d ?)um(?=[\s.,;)/]|$)/g, 'µm')
     .replace(/ (?=%|rad\/s)|(?<=μ) (?=\d)|(?<=[\d…}]) (?=(?:°|[kMGcmµn]?(?:m|s|g|N|Pa))(?:[\s/.,;:)\]]|$))/g, '\u00a0')
-    .replace(/ (?=[;:!?](?:\s|$))/g, '\u00a0')
     .replace(/(?<=\u00a0[mµn]?N) m(?=[\s.,;:)]|$)/g, '\u00a0m')
     .replace(/(?<=[mgs])\^([23])(?!\d)/g, (_, n) => raised(n));
 

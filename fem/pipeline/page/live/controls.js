@@ -8,14 +8,13 @@ import {
   drop_changes,
   is_changed,
   load_entries,
-  local,
   remember,
   state,
-  value_of,
-  words
+  value_of
 } from './state.js';
 import { h } from '../js/dom.js';
 import { say, shown } from '../js/words.js';
+import { texts } from './texts.js';
 
 const [offset, centre] = ['Motion/Force offset', 'Motion/Centre of mass height'];
 // Entry, from, to, step, unit shown, factor of the SI value, by powers of ten. The hand's height above the table is no entry:
@@ -50,7 +49,7 @@ function slider([name, from, to, step, unit, factor, log], solve) {
   const write = () => {
     const value = value_of(path) + above();
     output.textContent =
-      (log ? shown(value, '.2e') : local(shown(Number((value * factor).toFixed(3)), '.9g'))) + (unit && ` ${unit}`);
+      (log ? shown(value, '.2e') : shown(Number((value * factor).toFixed(3)), '.9g')) + (unit && ` ${unit}`);
     input.setAttribute('aria-valuetext', output.textContent);
     node.classList.toggle('changed', is_changed(path));
   };
@@ -71,7 +70,7 @@ function slider([name, from, to, step, unit, factor, log], solve) {
     input.value = base;
     moved();
   };
-  const label = h('label', { for: id, ondblclick: back }, words().labels[name] || name.split('/')[1]);
+  const label = h('label', { for: id, ondblclick: back }, texts.labels[name] || name.split('/')[1]);
   node.append(label, output, input);
   write();
   return node;
@@ -88,7 +87,7 @@ export function make_sliders(solve) {
 }
 
 export function write_harmonics() {
-  const text = state.harmonics >= all_harmonics ? words().all : say(words().first, state.harmonics);
+  const text = state.harmonics >= all_harmonics ? texts.all : say(texts.first, state.harmonics);
   $('harmonics-out').textContent = text;
   $('harmonics').setAttribute('aria-valuetext', text);
   $('harmonics').value = state.harmonics;
@@ -100,11 +99,6 @@ const kinds = { glasses: 'glass', tables: 'table' };
 export function chosen(solve) {
   for (const [box, kind] of Object.entries(kinds))
     for (const button of $(box).children) button.setAttribute('aria-pressed', button.dataset.name === state[kind]);
-  for (const box in kinds)
-    for (const button of $(box).children) {
-      button.textContent = words().names?.[button.dataset.name] || button.dataset.name;
-      button.title = state.language === 'en' ? button.dataset.words : '';
-    }
   load_entries();
   make_sliders(solve);
 }
@@ -119,8 +113,7 @@ export function make_choices(choose) {
         state[kind] = name;
         choose();
       };
-      const button = h('button', { 'aria-pressed': String(state[kind] === name), onclick: take });
-      Object.assign(button.dataset, { name, words: title });
-      $(box).append(button);
+      const pressed = String(state[kind] === name);
+      $(box).append(h('button', { 'aria-pressed': pressed, 'data-name': name, title, onclick: take }, name));
     }
 }

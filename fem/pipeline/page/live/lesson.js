@@ -1,9 +1,12 @@
 // The lesson: five steps from the hand to the terminal spin. Each asks for a prediction before it shows the answer.
-import { $, doc, remember, sense, state, value_of, words } from './state.js';
+import { $, doc, remember, sense, state, value_of } from './state.js';
 import { h } from '../js/dom.js';
 import { pressing } from '../js/series.js';
 import { say, shown } from '../js/words.js';
+import { lesson_texts } from './lesson_texts.js';
+import { texts } from './texts.js';
 
+const t = lesson_texts;
 const chosen = {}; // predictions by step
 const shown_parts = [['hand'], ['hand', 'pressure'], ['hand', 'pressure', 'friction'], ['hand', 'pressure', 'friction', 'torque'], ['hand', 'pressure', 'friction', 'torque']]; // prettier-ignore
 const pictures = [[], ['load'], ['load'], ['torque'], ['spin', 'torque']];
@@ -38,9 +41,8 @@ function numbers() {
 
 /** Writes the present step; `changed` is called when what is shown changes. */
 export function write_lesson(changed) {
-  const t = words().lesson_words;
   const step = state.lesson;
-  $('lesson-button').textContent = step ? words().all_of_it : words().lesson;
+  $('lesson-button').textContent = step ? texts.all_of_it : texts.lesson;
   const go = to => {
     state.lesson = to;
     remember();

@@ -1,17 +1,17 @@
 // The page that solves again at every move of a slider.
-import { $, all_harmonics, data, digits, doc, errors, forget, found, learn, local, pair, recall, remember, speak, spoken, state, words } from './state.js'; // prettier-ignore
+import { $, all_harmonics, data, digits, doc, errors, forget, found, learn, pair, recall, remember, state } from './state.js'; // prettier-ignore
 import { Queue, start_solver } from './solver.js';
-import { calm, names, picture } from './pictures.js';
+import { calm, picture } from './pictures.js';
 import { chosen, make_choices, make_sliders, write_harmonics } from './controls.js';
 import { download, h } from '../js/dom.js';
-import { draw_scene, make_scene, speak_scene } from './turning.js';
-import { make_measured, write_measured } from './measured.js';
+import { draw_scene, make_scene } from './turning.js';
+import { make_measured } from './measured.js';
 import { save_curves, study_text } from './keep.js';
 import { facts, tell } from './says.js';
 import { figure_of, show_anew, show_document } from '../js/sections.js';
 import { run } from '../views/run.js';
 import { say } from '../js/words.js';
-import { sentences } from './sentences.js';
+import { texts } from './texts.js';
 import { write_lesson } from './lesson.js';
 
 const opened = performance.now();
@@ -26,7 +26,7 @@ function draw_picture(place) {
   const shown = found.answer && picture(name);
   if (!shown) {
     drawn.delete(name);
-    const text = queue.rests && found.answer && !doc.summary.ring ? words().nothing : words().budget_wait;
+    const text = queue.rests && found.answer && !doc.summary.ring ? texts.nothing : texts.budget_wait;
     place.replaceChildren(h('p', { class: 'soft' }, text));
     return;
   }
@@ -51,7 +51,7 @@ function show(reply, ms, is_last) {
 const queue = new Queue({
   show,
   slow: () => {
-    $('notice').textContent = words().solving;
+    $('notice').textContent = texts.solving;
     document.body.classList.add('busy');
   },
   use: (name, reply) => {
@@ -87,51 +87,28 @@ function choose() {
 function lost(error) {
   const why = String(error.message || error).slice(0, 100);
   errors.push(why);
-  $('answer').textContent = local(say(words().lost, why, state.glass, state.table, digits(pair().omega)));
-}
-
-function write_words() {
-  document.documentElement.lang = state.language;
-  for (const node of document.querySelectorAll('[data-t]')) node.textContent = words()[node.dataset.t];
-  $('live').hidden = false;
-  const button = code => {
-    const take = () => {
-      speak(code);
-      remember();
-      write_words();
-      chosen(solve);
-      if (found.answer) tell(queue.times[queue.times.length - 1] || 0);
-      draw(names);
-      speak_scene();
-      write_lesson(draw_scene);
-    };
-    const pressed = String(code === state.language);
-    return h('button', { lang: code, 'aria-pressed': pressed, onclick: take }, sentences[code].name);
-  };
-  $('languages').replaceChildren(...Object.keys(sentences).map(button));
-  write_harmonics();
-  write_measured();
+  $('answer').textContent = say(texts.lost, why, state.glass, state.table, digits(pair().omega));
 }
 
 async function copy_address() {
   try {
     await navigator.clipboard.writeText(location.href);
-    $('as-link').textContent = words().copied;
-    setTimeout(() => ($('as-link').textContent = words().as_link), 1500);
+    $('as-link').textContent = texts.copied;
+    setTimeout(() => ($('as-link').textContent = texts.as_link), 1500);
   } catch {
     prompt('', location.href);
   }
 }
 
 show_document({ run });
-speak(spoken());
 recall();
 make_choices(choose);
-write_words();
+$('live').hidden = false;
 make_scene(solve_hand);
 write_lesson(draw_scene);
 chosen(solve);
-$('answer').textContent = words().start;
+write_harmonics();
+$('answer').textContent = texts.start;
 $('harmonics').oninput = () => {
   state.harmonics = Number($('harmonics').value);
   write_harmonics();
@@ -151,7 +128,6 @@ addEventListener('hashchange', () => {
   state.changes = {};
   state.lesson = 0;
   recall();
-  write_words();
   choose();
 });
 document.body.dataset.complete = String(Math.round(performance.now()));

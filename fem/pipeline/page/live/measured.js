@@ -1,10 +1,11 @@
 // A measured run: read, drawn and fitted by the solver, while the page stays as it is.
-import { $, doc, local, pair_name, state, words } from './state.js';
+import { $, doc, pair_name, state } from './state.js';
 import { curve, ellipse } from '../views/fit.js';
 import { figure_of, show_anew } from '../js/sections.js';
 import { h } from '../js/dom.js';
-import { in_language } from './pictures.js';
+import { on_page } from './pictures.js';
 import { say, shown } from '../js/words.js';
+import { texts } from './texts.js';
 
 const offered = ['Motion/Friction coefficient', 'Motion/Grip torque', 'Motion/Centre of mass height'];
 const free = new Set(offered.slice(0, 2));
@@ -13,30 +14,29 @@ let is_start_free = true,
   held_start = 0; // s
 let fitted = null; // document of the last fit, with `reads`: what was read
 
-const label = path => words().labels[path] || path.split('/')[1];
-let said = () => words().fit_wait; // in the language of the page
-const status = (make = said) => ($('fit-status').textContent = (said = make)());
+const label = path => texts.labels[path] || path.split('/')[1];
+const status = text => ($('fit-status').textContent = text);
 
 /** Files of this size are no runs of a glass; the whole text goes to the solver. */
 const largest = 2e7;
 
 async function take(file, draw_spin) {
   if (!file) return;
-  if (file.size > largest) return status(() => words().fit_large);
+  if (file.size > largest) return status(texts.fit_large);
   run = { name: file.name, text: (await file.text()).replaceAll('\0', ' ') };
   fitted = null;
   write_measured();
   const asked = await queue.wait_for({ do: 'measured', pair: pair_name(), changes: { ...state.changes }, ...run });
-  if (!asked) return status(() => words().fit_cancelled);
+  if (!asked) return status(texts.fit_cancelled);
   if (asked.reply.error) {
     run = null;
     delete doc.tables.measured;
     write_measured();
-    status(() => asked.reply.error);
+    status(asked.reply.error);
   } else {
     doc.tables.measured = asked.reply.document.tables.measured;
     const text = `${run.name}: ${asked.reply.document.words.data}`;
-    status(() => text);
+    status(text);
   }
   draw_spin();
 }
@@ -44,7 +44,7 @@ async function take(file, draw_spin) {
 async function fit() {
   const start = is_start_free ? '' : String(held_start);
   const message = { do: 'fit', pair: pair_name(), changes: { ...state.changes }, ...run, free: [...free].join('\n'), start };
-  status(() => words().fitting);
+  status(texts.fitting);
   $('fit').hidden = true;
   $('fit-cancel').hidden = false;
   const asked = await queue.wait_for(message);
@@ -52,9 +52,9 @@ async function fit() {
   $('fit').hidden = false;
   fitted = asked?.reply.document || null;
   write_measured();
-  if (!asked) status(() => words().fit_cancelled);
-  else if (asked.reply.error) status(() => asked.reply.error);
-  else status(() => local(say(words().fit_done, (asked.ms / 1000).toFixed(1))));
+  if (!asked) status(texts.fit_cancelled);
+  else if (asked.reply.error) status(asked.reply.error);
+  else status(say(texts.fit_done, (asked.ms / 1000).toFixed(1)));
 }
 
 function value_of({ value, spread, unit }) {
@@ -67,22 +67,22 @@ function result() {
   const { entries, runs } = fitted.summary.fit;
   const rows = [
     ...entries.map(entry => [label(entry.entry), value_of(entry)]),
-    [words().fit_start, value_of({ value: runs[0].start, spread: runs[0].start_spread, unit: 's' })]
+    [texts.fit_start, value_of({ value: runs[0].start, spread: runs[0].start_spread, unit: 's' })]
   ];
-  const pictures = [in_language(curve(fitted, runs[0], 0), 'live_fit', words().fit_curve)];
+  const pictures = [on_page(curve(fitted, runs[0], 0), 'live_fit', texts.fit_curve)];
   entries.forEach((_, j) => {
     for (let i = 0; i < j; ++i) {
       const given = ellipse(fitted, i, j, label);
-      pictures.push(in_language(given, `live_${given.id}`, words().fit_ellipse, true));
+      pictures.push(on_page(given, `live_${given.id}`, texts.fit_ellipse));
     }
   });
   pictures.forEach(show_anew);
   return [
     h('dl', { class: 'fitted' }, rows.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value)))), // prettier-ignore
     fitted.words.fit_sentences.map(({ key, text, values }) => {
-      const own = words().fit_sentences[key];
+      const own = texts.fit_sentences[key];
       const named = values.map(value => (offered.includes(value) ? label(value) : value));
-      return h('p', {}, own ? local(say(own, ...named)) : text);
+      return h('p', {}, own ? say(own, ...named) : text);
     }),
     h('div', { class: 'figures' }, pictures.map(figure_of))
   ];
@@ -95,7 +95,7 @@ function hold(e) {
   write_measured();
 }
 
-/** Writes the card in the language of the page. */
+/** Writes the card. */
 export function write_measured() {
   $('fit-free').replaceChildren(
     ...offered.map(path => {
@@ -106,17 +106,18 @@ export function write_measured() {
       const box = h('input', { type: 'checkbox', checked: free.has(path), onchange: change });
       return h('label', { class: 'choice' }, box, ' ', label(path));
     }),
-    h('label', { class: 'choice' }, h('input', { id: 'fit-start-free', type: 'checkbox', checked: is_start_free, onchange: hold }), ' ', words().fit_start), // prettier-ignore
-    is_start_free ? '' : h('label', { class: 'choice' }, words().fit_held, ' ', h('input', { id: 'fit-start', type: 'number', step: 'any', value: held_start, onchange: e => (held_start = e.target.valueAsNumber || 0) })) // prettier-ignore
+    h('label', { class: 'choice' }, h('input', { id: 'fit-start-free', type: 'checkbox', checked: is_start_free, onchange: hold }), ' ', texts.fit_start), // prettier-ignore
+    is_start_free ? '' : h('label', { class: 'choice' }, texts.fit_held, ' ', h('input', { id: 'fit-start', type: 'number', step: 'any', value: held_start, onchange: e => (held_start = e.target.valueAsNumber || 0) })) // prettier-ignore
   );
   $('fit').disabled = !run || !free.size;
   $('fit-result').replaceChildren(...(fitted ? result() : []).flat());
-  status();
 }
 
 /** The card of measured runs; `draw_spin` draws the spin-up anew. */
 export function make_measured(given, draw_spin) {
   queue = given;
+  write_measured();
+  status(texts.fit_wait);
   $('measured').onchange = e => take(e.target.files[0], draw_spin);
   $('fit').onclick = fit;
   $('fit-cancel').onclick = () => queue.cancel();

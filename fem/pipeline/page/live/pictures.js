@@ -1,8 +1,9 @@
-// Pictures of a live answer: those of reports, with the words of the page's language.
-import { at_end, band, doc, found, pair, state, words } from './state.js';
+// Pictures of a live answer: those of reports.
+import { at_end, band, doc, found, pair } from './state.js';
 import { footprint } from '../views/foot.js';
 import { line_load } from '../views/load.js';
 import { spin_up, torque } from '../views/spin.js';
+import { texts } from './texts.js';
 import { waterfall } from '../views/budget.js';
 import { shown } from '../js/words.js';
 
@@ -14,44 +15,21 @@ const pictures = {
   budget: [() => doc.tables.waterfall, () => waterfall(doc)],
   pressure: [() => doc.tables.foot, () => footprint(doc.tables.foot.footprint, 'pressure', '')]
 };
-export const names = Object.keys(pictures);
 /** Pictures that keep what they show while something moves. */
 export const calm = ['torque', 'spin', 'budget', 'pressure'];
 
-/** A text of a picture in the language of the page; those without a translation are told to tests. */
-function translated(text) {
-  if (!text || state.language === 'en' || !/[a-z]{3}/.test(text)) return text;
-  const own = words().picture_words[text];
-  if (own === undefined) (window.untranslated ||= new Set()).add(text);
-  return own ?? text;
-}
-
-/** A picture; null where there is nothing to draw. */
+/** A picture; null if the document has no data for it. */
 export function picture(name) {
   const [is_known, make] = pictures[name];
   const given = is_known() && make();
-  return given ? in_language(given, `live_${name}`, words()[name]) : null;
+  return given ? on_page(given, `live_${name}`, texts[name]) : null;
 }
 
-/** A picture of reports on this page; `is_named`: its axes have their names already. */
-export function in_language(given, id, title, is_named) {
-  const axis = ({ label, rows, ...more }) => ({
-    ...more,
-    label: is_named ? label : translated(label),
-    ...(rows && { rows: rows.map(translated) })
-  });
-  return {
-    ...given,
-    id,
-    title,
-    words: '',
-    caption: '',
-    x: axis(given.x),
-    y: axis(given.y),
-    ...(given.colours && { colours: { ...given.colours, label: translated(given.colours.label) } }),
-    marks: given.marks.filter(Boolean).map(mark => ({ ...mark, name: translated(mark.name) }))
-  };
-}
+/** A picture of reports on this page, where it has no caption. */
+export const on_page = (given, id, title) => {
+  const marks = given.marks.filter(Boolean);
+  return { ...given, id, title, words: '', caption: '', marks };
+};
 
 /** All harmonics against the first alone, as the budget has them; nothing where that does not spin. */
 export function harmonic_effect() {

@@ -1,8 +1,9 @@
 // What the live page says of an answer, and its numbers.
-import { $, band, data, digits, doc, found, local, pair, sense, state, told, words } from './state.js';
+import { $, band, data, digits, doc, found, pair, sense, state } from './state.js';
 import { band_text, harmonic_effect } from './pictures.js';
 import { h } from '../js/dom.js';
 import { say, shown } from '../js/words.js';
+import { texts } from './texts.js';
 
 const still = omega => Math.abs(omega) < 1e-6;
 let checked = null;
@@ -11,11 +12,11 @@ let checked = null;
 function effect_text(all, omega) {
   if (!Number.isFinite(all) || still(omega)) return '';
   const numbers = [shown(all / omega - 1, '+.2f%'), shown(all - omega, '+.3g')];
-  return ' ' + say(state.harmonics === 1 ? words().effect_of_first : words().effect, ...numbers, state.harmonics);
+  return ' ' + say(state.harmonics === 1 ? texts.effect_of_first : texts.effect, ...numbers, state.harmonics);
 }
 
 function answer_text({ ring, first_n, paper, load_at_terminal: load }) {
-  const t = words();
+  const t = texts;
   const { omega_terminal: omega } = first_n || ring;
   const way = still(omega) ? t.still : omega * sense() < 0 ? t.against : t.along;
   const turns = still(omega)
@@ -33,19 +34,16 @@ function answer_text({ ring, first_n, paper, load_at_terminal: load }) {
   return turns + compared + lies;
 }
 
-function failure_text({ tips, refused, error, sentence }) {
-  const why = sentence ? told(sentence) : error;
-  return tips ? words().tips : refused ? say(words().refused, why) : why;
-}
+const failure_text = ({ tips, refused, error }) => (tips ? texts.tips : refused ? say(texts.refused, error) : error);
 
-function notes_of({ fit, tips, sentence, notes = [] }) {
-  const t = words();
+function notes_of({ fit, tips, error, notes = [] }) {
+  const t = texts;
   const { ring: all, first_n } = doc.summary;
   return [
     state.unknown.length && say(t.unknown, state.unknown.map(word => word.slice(0, 60)).join(', ')),
-    !all && tips && told(sentence),
-    all && fit === 'near' && local(say(t.near, shown(band(), '.2e'))),
-    ...notes.map(told),
+    !all && tips && error,
+    all && fit === 'near' && say(t.near, shown(band(), '.2e')),
+    ...notes,
     first_n?.standing === 'formal' && t.pulls
   ].filter(Boolean);
 }
@@ -55,16 +53,15 @@ function check({ was_cold }) {
   const { omega_terminal: omega } = doc.summary.ring;
   if (checked !== null || !was_cold || Object.keys(state.changes).length || !Number.isFinite(omega)) return;
   checked = Math.abs(omega - pair().here) < data.tolerance;
-  const text = say(checked ? words().check_ok : words().check_bad, digits(omega, 10), digits(pair().omega, 10));
-  $('check').textContent = local(text);
+  $('check').textContent = say(checked ? texts.check_ok : texts.check_bad, digits(omega, 10), digits(pair().omega, 10));
   $('check').classList.toggle('falls', !checked);
 }
 
 export function facts(ms) {
   const { ring, load_at_terminal: load } = doc.summary;
   if (!ring) return $('facts').replaceChildren();
-  const f = words().facts;
-  const number = (value, n, unit) => (Number.isFinite(value) ? local(digits(value, n)) + unit : '–');
+  const f = texts.facts;
+  const number = (value, n, unit) => (Number.isFinite(value) ? digits(value, n) + unit : '–');
   const rows = [
     [f.omega, number(ring.omega_terminal, 6, ' rad/s')],
     [f.time_constant, number(ring.time_constant || NaN, 3, ' s')],
@@ -86,8 +83,8 @@ export function tell(ms) {
   const chosen = doc.summary.first_n || doc.summary.ring;
   const spins = Number.isFinite(chosen?.omega_terminal);
   const without_spin = () =>
-    chosen.fall ? say(words().falls, digits(chosen.fall.omega, 3)) : say(words().no_spin, told(chosen.message));
-  const text = !chosen ? failure_text(answer) : local(spins ? answer_text(doc.summary) : without_spin());
+    chosen.fall ? say(texts.falls, digits(chosen.fall.omega, 3)) : say(texts.no_spin, chosen.message);
+  const text = !chosen ? failure_text(answer) : spins ? answer_text(doc.summary) : without_spin();
   $('answer').textContent = text;
   $('answer').classList.toggle('falls', !spins);
   $('notice').textContent = notes_of(answer).join(' ');

@@ -1,7 +1,4 @@
 // What the live page holds: a glass, a table, the number of harmonics, what has been changed of the study, and the answer.
-import { decimals, say } from '../js/words.js';
-import { sentences } from './sentences.js';
-
 export const $ = id => document.getElementById(id);
 export const data = JSON.parse($('data').textContent);
 export const all_harmonics = 17; // the slider's last place
@@ -10,7 +7,6 @@ export const state = {
   table: data.tables[0].name,
   harmonics: all_harmonics,
   changes: {},
-  language: 'en',
   lesson: 0, // its step; 0: none
   unknown: []
 };
@@ -35,16 +31,7 @@ export function at_end() {
 export const errors = [];
 let entries = {};
 
-export const words = () => sentences[state.language];
 export const digits = (x, n = 4) => (Number.isFinite(x) ? x.toFixed(n).replace('-', '−') : '–');
-/** Decimals as the language has them, in what is read; files have points. */
-export const local = text => (state.language === 'en' ? text : text.replace(/(\d)\.(?=\d)/g, '$1,'));
-
-/** A sentence of the solver { key, text, values } in the language of the page; its English text without one. */
-export function told({ key, text, values }) {
-  const own = words().answers?.[key];
-  return own ? local(say(own, ...values)) : text;
-}
 
 export const pair_name = () => `${state.glass}|${state.table}`;
 export const pair = () => data.pairs[pair_name()];
@@ -68,18 +55,9 @@ export function drop_changes(list, ...names) {
   for (const { name, sets } of list) if (names.includes(name)) for (const path of sets) delete state.changes[path];
 }
 
-export function speak(language) {
-  state.language = language;
-  decimals.comma = language !== 'en';
-}
-/** The first language of the browser that the page has. */
-export const spoken = () =>
-  (navigator.languages || []).map(code => code.slice(0, 2)).find(code => Object.hasOwn(sentences, code)) || 'en';
-
 export function remember() {
   const parts = { glass: state.glass, table: state.table, ...state.changes };
   if (state.harmonics < all_harmonics) parts.harmonics = state.harmonics;
-  if (state.language !== spoken()) parts.language = state.language;
   if (state.lesson) parts.lesson = state.lesson;
   const address = '#' + new URLSearchParams(parts);
   try {
@@ -99,7 +77,6 @@ export function recall() {
     else if (key === 'harmonics' && Number.isInteger(harmonics) && harmonics > 0)
       state.harmonics = Math.min(harmonics, all_harmonics);
     else if (key === 'lesson' && harmonics >= 1 && harmonics <= 5) state.lesson = Math.floor(harmonics);
-    else if (key === 'language' && Object.hasOwn(sentences, value)) speak(value);
     else if (key.includes('/')) state.changes[key] = value;
     else state.unknown.push(`${key}=${value}`);
   }

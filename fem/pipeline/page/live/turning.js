@@ -1,10 +1,11 @@
 // The scene of the live page: the hand is dragged up and down, and the sense of the orbit switched.
-import { $, at_end, doc, found, remember, sense, state, value_of, words } from './state.js';
+import { $, at_end, doc, found, remember, sense, state, value_of } from './state.js';
 import { Scene } from '../js/scene.js';
 import { h } from '../js/dom.js';
 import { shows } from './lesson.js';
 import { orbits } from '../js/motion.js';
 import { pressing } from '../js/series.js';
+import { texts } from './texts.js';
 import { why } from '../views/common.js';
 
 const offset = 'Motion/Force offset';
@@ -26,7 +27,7 @@ const fallen = {
 
 /** Makes the scene in its place; `solve` is asked for a study whose hand has moved. */
 export function make_scene(solve) {
-  scene = new Scene(words().scene_words, height => {
+  scene = new Scene(height => {
     state.changes[offset] = String(Number((height - value_of('Motion/Centre of mass height')).toPrecision(3)));
     remember();
     solve(false);
@@ -39,7 +40,7 @@ export function make_scene(solve) {
   scene.drawing.shows = shows;
   above = h('div');
   scene.add_tab(above);
-  scene.tabs.append(h('button', { id: 'sense', onclick: turned }));
+  scene.tabs.append(h('button', { id: 'sense', onclick: turned }, texts.other_sense));
   $('scene').replaceChildren(scene.node);
 }
 
@@ -54,10 +55,10 @@ function draw_above() {
   const { ring, paper } = doc.summary;
   const load = doc.tables.motion[doc.tables.motion.length - 1].load;
   const glasses = [
-    { title: words().elastic, omega: ring.omega_terminal, load },
-    { title: words().ring, omega: paper.omega_terminal }
+    { title: texts.elastic, omega: ring.omega_terminal, load },
+    { title: texts.ring, omega: paper.omega_terminal }
   ];
-  above.replaceChildren(orbits(glasses, parameters(), words().above_words).node);
+  above.replaceChildren(orbits(glasses, parameters()).node);
 }
 
 export function draw_scene() {
@@ -77,13 +78,7 @@ export function draw_scene() {
     sense: sense(),
     falls,
     most: Math.abs(doc.summary.ring?.tau_at_rest || 0),
-    why: why(words().scene_words, { falls, held }, pressing(at_end()), found.is_last ? value_of(offset) : undefined)
+    why: why({ falls, held }, pressing(at_end()), found.is_last ? value_of(offset) : undefined)
   });
   if (rows) draw_above();
-  $('sense').textContent = words().other_sense;
-}
-
-export function speak_scene() {
-  scene.speak(words().scene_words);
-  draw_scene();
 }

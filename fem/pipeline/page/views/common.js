@@ -2,18 +2,19 @@
 import { h } from '../js/dom.js';
 import { orbits } from '../js/motion.js';
 import { Scene } from '../js/scene.js';
-import { en } from '../live/en.js';
 import { pressing } from '../js/series.js';
 import { shown } from '../js/words.js';
 import { sketch } from '../js/sketch.js';
 import { table_of } from '../js/tables.js';
+import { texts } from '../live/texts.js';
 import { truncation } from './spin.js';
 
 /**
  * Why the glass turns, falls or is held, by what the two sides press; `offset` of the hand from the centre of mass, if that
  * is why.
  */
-export function why(t, { falls, held }, { inside, outside }, offset) {
+export function why({ falls, held }, { inside, outside }, offset) {
+  const t = texts.scene_words;
   if (falls) return t.tips;
   if (held) return t.held;
   const hand = offset < 0 ? t.hand_below : offset > 0 ? t.hand_above : offset === 0 ? t.hand_level : '';
@@ -42,7 +43,7 @@ function turning(doc, glasses) {
   const { Glass: glass, Motion: given, Load: load } = parameters;
   const is_given = load.Source === 'file' || load['Moment ratio'] >= 0;
   const end = ending(doc);
-  const scene = new Scene(en.scene_words);
+  const scene = new Scene();
   scene.set({
     rows: motion,
     radius: glass['Contact radius'],
@@ -51,7 +52,7 @@ function turning(doc, glasses) {
     orbit_radius: given['Orbit radius'],
     sense: given['Orbit sense'] === 'clockwise' ? -1 : 1,
     falls: end.falls,
-    why: why(en.scene_words, end, pressing(doc), is_given ? undefined : given['Force offset'])
+    why: why(end, pressing(doc), is_given ? undefined : given['Force offset'])
   });
   scene.add_tab(above.node);
   return [scene, { id: above.id, node: h('template'), alone: above.alone }];

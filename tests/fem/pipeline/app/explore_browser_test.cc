@@ -12,9 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <map>
-#include <regex>
-#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -97,9 +94,9 @@ std::string framed(const std::string &page, int width)
          ";\ndocument.body.append(frame);\n";
 }
 
-/// A script that opens @p page, makes the first move, and goes through the languages and the lesson: the
-/// spin, the errors, the figures of the report, the texts without a translation, and what each step of the
-/// lesson says; "told" in German of a study that tips, an unusual value and one that is not allowed.
+/// A script that opens @p page, makes the first move, and goes through the lesson: the spin, the errors, the
+/// figures of the report, and the text of each step of the lesson; "told": answer and notice of a study that
+/// tips, of an unusual value and of a value that is not allowed.
 std::string live_report_script(const std::string &page)
 {
   return framed(page, 1100) + R"(
@@ -111,17 +108,12 @@ std::string live_report_script(const std::string &page)
   const found = await shown.move(path, value);
   while (!root.body.dataset.rested)
     await new Promise(r => setTimeout(r, 20));
-  for (const button of [...root.querySelectorAll("#languages button")])
-    root.querySelector(`#languages [lang=${button.lang}]`).click();
-  found.untranslated = [...(shown.untranslated || [])];
-  root.querySelector("#languages [lang=de]").click();
   found.told = [];
   for (const [path, value] of [["Motion/Force offset", 0.3], ["Motion/Mass", 3], ["Motion/Orbit speed", -1]]) {
     await shown.move(path, value);
     found.told.push(root.querySelector("#answer").textContent + " " + root.querySelector("#notice").textContent);
     await shown.move(path);
   }
-  root.querySelector("#languages [lang=en]").click();
   root.querySelector("#lesson-button").click();
   found.lesson = [];
   for (let step = 1; step <= 5; ++step) {
@@ -169,14 +161,13 @@ TEST(ExplorePage, TheReportOfRunLiveSolvesItsStudyAgainAndTeaches)
                        policy.back() == '\'');
     EXPECT_NEAR(found["omega"].get<double>(), omega, 1e-9);
     EXPECT_EQ(found["errors"], nlohmann::json::array());
-    EXPECT_EQ(found["untranslated"], nlohmann::json::array());
     EXPECT_THAT(found["figures"].get<std::vector<std::string>>(),
                 testing::IsSupersetOf({ "spin_up", "load" }));
     const nlohmann::json &told = found["told"];
-    EXPECT_THAT(told[0].get<std::string>(), testing::HasSubstr("verlangt ein Momentenverhältnis von"));
-    EXPECT_THAT(told[1].get<std::string>(),
-                testing::HasSubstr("liegt für ein Glas außerhalb von 0,02 bis 2"));
-    EXPECT_THAT(told[2].get<std::string>(), testing::HasSubstr("ist nicht zulässig"));
+    EXPECT_THAT(told[0].get<std::string>(), testing::HasSubstr("asks for a moment ratio of"));
+    EXPECT_THAT(told[1].get<std::string>(), testing::HasSubstr("is outside 0.02 to 2"));
+    EXPECT_THAT(told[2].get<std::string>(),
+                testing::HasSubstr("Not available in this page: Motion/Orbit speed"));
     ASSERT_EQ(found["lesson"].size(), 5u);
     const std::string pressed = boost::replace_all_copy(found["lesson"][1].get<std::string>(), "\u00a0", " ");
     for (const double angle : { M_PI / 2, -M_PI / 2 })
@@ -199,7 +190,7 @@ TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)
   const std::string words =
     "%3Cimg%20src=x%20onerror=%22document.documentElement.dataset.ran%3D1%22%3E%60%27%5C%E2%80%A8";
   const auto address = [](const std::string &value)
-  { return "bare.html#language=" + value + "&glass=" + value + "&table=" + value + "&harmonics=" + value; };
+  { return "bare.html#other=" + value + "&glass=" + value + "&table=" + value + "&harmonics=" + value; };
   const std::vector<std::string> answering = { "page.html", "bare.html",
                                                address("constructor") + "&constructor=1",
                                                address("__proto__"), address(words) };
@@ -214,7 +205,7 @@ TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)
   for (const std::string &one : answering)
     EXPECT_NE(shown[one]["answer"].get<std::string>().find("one turn in"), std::string::npos)
       << one << ": " << shown[one]["answer"];
-  EXPECT_NE(shown[address("__proto__")]["words"].get<std::string>().find("language=__proto__"),
+  EXPECT_NE(shown[address("__proto__")]["words"].get<std::string>().find("other=__proto__"),
             std::string::npos);
   for (const std::string &one : refusing)
     EXPECT_EQ(shown[one]["answer"].get<std::string>().find("Not available in this page: "), 0u)
@@ -222,7 +213,7 @@ TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)
 }
 
 /// A script that opens @p page, gives the card of measured runs the tables @p good and @p bad, and fits: what
-/// it says in each language, and of the bad table.
+/// it says then, and of the bad table.
 std::string fitting_script(const std::string &page, const std::string &good, const std::string &bad)
 {
   return framed(page, 400) + R"(
@@ -244,11 +235,7 @@ std::string fitting_script(const std::string &page, const std::string &good, con
   await wait(() => $("fit-result").children.length);
   found.figures = [...root.querySelectorAll("#fit-result figure")].map(figure => figure.id);
   found.width = root.documentElement.scrollWidth;
-  for (const language of ["de", "fr", "en"]) {
-    root.querySelector(`#languages [lang=${language}]`).click();
-    found[language] = $("fit-card").innerText;
-  }
-  found.untranslated = [...(shown.untranslated || [])];
+  found.card = $("fit-card").innerText;
   $("fit-start-free").click();
   found.start = $("fit-start").valueAsNumber;
   found.bad = await give("<img src=x onerror=parent.ran=1>.csv", )" +
@@ -280,14 +267,11 @@ TEST(ExplorePage, AMeasuredRunIsFittedAndABadFileGivesTheReadersSentence)
   EXPECT_THAT(found["read"].get<std::string>(), testing::HasSubstr("40 rows"));
   EXPECT_EQ(found["figures"], nlohmann::json({ "live_fit", "live_fit_ellipse_1_2" }));
   EXPECT_LE(found["width"].get<int>(), 400);
-  EXPECT_EQ(found["untranslated"], nlohmann::json::array());
   const double friction = read_summary(scratch / "fit")["fit"]["entries"][0]["value"].get<double>();
   std::ostringstream digits;
   digits << std::setprecision(5) << friction;
-  EXPECT_THAT(found["en"].get<std::string>(), testing::HasSubstr(digits.str() + " ±"));
-  EXPECT_THAT(found["en"].get<std::string>(), testing::HasSubstr("known together only"));
-  EXPECT_THAT(found["de"].get<std::string>(), testing::HasSubstr("nur zusammen bekannt"));
-  EXPECT_THAT(found["fr"].get<std::string>(), testing::HasSubstr("connus qu’ensemble"));
+  EXPECT_THAT(found["card"].get<std::string>(), testing::HasSubstr(digits.str() + " ±"));
+  EXPECT_THAT(found["card"].get<std::string>(), testing::HasSubstr("known together only"));
   // A start that is held stays where the fit has it.
   EXPECT_NEAR(found["start"].get<double>(),
               read_summary(scratch / "fit")["fit"]["runs"][0]["start"].get<double>(), 1e-4);
@@ -295,86 +279,6 @@ TEST(ExplorePage, AMeasuredRunIsFittedAndABadFileGivesTheReadersSentence)
   EXPECT_EQ(found["left"], 0);
   EXPECT_TRUE(found["disabled"].get<bool>());
   EXPECT_FALSE(found["ran"].get<bool>());
-}
-
-/// The keys of the sentences of a language, each with the numbers that its sentence has.
-std::multiset<std::string> sentences_of(const std::string &language)
-{
-  const fs::path folder = fs::path(STEMWARE_DOCS).parent_path() / "fem/pipeline/page/live";
-  std::string text = read_text(folder / (language + ".js"));
-  if (const fs::path lesson = folder / ("lesson_" + language + ".js"); fs::exists(lesson))
-    text += read_text(lesson);
-  const std::regex sentence(R"((?:^|\n)\s+(\w+|'[^'\n]+'):([^\n]*(?:\n\s+['"`][^\n]*)?))"),
-    number(R"(\{\d\})");
-  std::multiset<std::string> keys;
-  for (std::sregex_iterator i(text.begin(), text.end(), sentence), end; i != end; ++i)
-  {
-    const std::string words = (*i)[2];
-    std::set<std::string> numbers;
-    for (std::sregex_iterator k(words.begin(), words.end(), number); k != end; ++k)
-      numbers.insert(k->str());
-    std::string key = (*i)[1];
-    for (const std::string &one : numbers)
-      key += ' ' + one;
-    keys.insert(key);
-  }
-  return keys;
-}
-
-/// The sentences with a key in C++, without those of fits: numbers in each by key.
-std::map<std::string, std::set<std::string>> sentences_of_solver()
-{
-  const fs::path folder = fs::path(STEMWARE_DOCS).parent_path() / "fem/pipeline";
-  const std::regex sentence(R"rx(\bsentence\(\s*"(\w+)",\s*((?:"[^"]*"\s*)+))rx"), number(R"(\{\d\})");
-  std::map<std::string, std::set<std::string>> found;
-  for (const auto &file : fs::recursive_directory_iterator(folder))
-    if (file.path().extension() == ".cc" && file.path().filename() != "fit_sentences.cc")
-    {
-      const std::string text = read_text(file.path());
-      if (text.find("sentence(") == std::string::npos)
-        continue;
-      for (std::sregex_iterator i(text.begin(), text.end(), sentence), end; i != end; ++i)
-      {
-        const std::string words = (*i)[2];
-        std::set<std::string> &numbers = found[(*i)[1]];
-        for (std::sregex_iterator k(words.begin(), words.end(), number); k != end; ++k)
-          numbers.insert(k->str());
-      }
-    }
-  return found;
-}
-
-TEST(ExplorePage, EveryLanguageHasEverySentenceOfTheSolver)
-{
-  const auto english = sentences_of_solver();
-  EXPECT_GE(english.size(), 9u);
-  for (const char *const language : { "answers_de", "answers_fr" })
-  {
-    SCOPED_TRACE(language);
-    std::set<std::string> keys;
-    for (const std::string &sentence : sentences_of(language))
-    {
-      std::istringstream words(sentence);
-      std::string key;
-      words >> key;
-      keys.insert(key);
-      ASSERT_EQ(english.count(key), 1u) << key;
-      for (std::string number; english.at(key) != std::set<std::string>{ "{0}" } && words >> number;)
-        EXPECT_EQ(english.at(key).count(number), 1u) << key << ' ' << number;
-    }
-    for (const auto &[key, numbers] : english)
-      EXPECT_EQ(keys.count(key), 1u) << key;
-  }
-}
-
-TEST(ExplorePage, EveryLanguageHasEverySentenceWithItsNumbers)
-{
-  const std::multiset<std::string> english = sentences_of("en");
-  EXPECT_GT(english.size(), 80u);
-  // English has no dictionary of names and words of pictures: they are in English.
-  const std::multiset<std::string> german = sentences_of("de");
-  EXPECT_TRUE(std::includes(german.begin(), german.end(), english.begin(), english.end()));
-  EXPECT_EQ(sentences_of("fr"), german);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
-// The lesson in English; {0}, {1} are numbers.
-export const lesson_en = {
+// Texts of the lesson; {0}, {1} are numbers.
+export const lesson_texts = {
   step: 'Step {0} of 5: {1}',
   right: 'As you said.',
   other: 'It is otherwise.',
