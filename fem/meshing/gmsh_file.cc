@@ -18,6 +18,13 @@ std::string in_format_2()
   return std::string("; convert it: ") + gmsh_command + ".";
 }
 
+/// Number of nodes and corners of an element type, corners first; zero for types without faces.
+struct ElementType
+{
+  unsigned int n_nodes = 0;
+  unsigned int n_corners = 0; ///< 8: hexahedron, 4: quadrilateral, 0: ignored
+};
+
 const std::map<long, ElementType> gmsh_types = { { 15, { 1, 0 } },  { 1, { 2, 0 } },  { 8, { 3, 0 } },
                                                  { 26, { 4, 0 } },  { 27, { 5, 0 } }, { 3, { 4, 4 } },
                                                  { 10, { 9, 4 } },  { 16, { 8, 4 } }, { 5, { 8, 8 } },
@@ -71,7 +78,6 @@ public:
     read_nodes();
     read_elements();
     content.points = std::move(points.points);
-    content.names.id_instructions = "save it without Mesh.SaveAll and give its surfaces physical ids";
     return std::move(content);
   }
 
@@ -112,7 +118,7 @@ private:
       const auto dimension = whole_number_in(words.next()), id = whole_number_in(words.next());
       const std::size_t begin = line.find('"'), end = line.rfind('"');
       if (dimension == 2 && id && *id > 0 && begin < end)
-        content.names.of_ids[static_cast<unsigned int>(*id)] = line.substr(begin + 1, end - begin - 1);
+        content.names[static_cast<unsigned int>(*id)] = line.substr(begin + 1, end - begin - 1);
     }
   }
 
@@ -240,7 +246,23 @@ private:
     nodes.clear();
     for (unsigned int k = 0; k < type.n_nodes; ++k)
       nodes.push_back(words.whole_number());
-    content.add(type, id, [&](unsigned int k) { return points.at(nodes[k]); });
+    if (type.n_corners == 8)
+    {
+      content.is_second_order = content.is_second_order || type.n_nodes > type.n_corners;
+      content.hexahedra.emplace_back();
+      for (unsigned int k = 0; k < 8; ++k)
+        content.hexahedra.back()[k] = points.at(nodes[k]);
+    }
+    else if (type.n_corners == 4 && id != 0)
+    {
+      if (id > 1000000000)
+        throw UnreadableMesh("marks faces with the id " + std::to_string(id) +
+                             "; give ids from 1 to 1000000000.");
+      MarkedFace &face = content.faces.emplace_back();
+      face.id = static_cast<unsigned int>(id);
+      for (unsigned int k = 0; k < 4; ++k)
+        face.corners[k] = points.at(nodes[k]);
+    }
   }
 
   std::map<std::string, std::string_view> sections;

@@ -40,11 +40,6 @@ std::string printable(std::string_view text, std::size_t max_length)
   return shown;
 }
 
-std::optional<double> number_in(std::string_view word)
-{
-  return whole_word<double>(word);
-}
-
 std::optional<long> whole_number_in(std::string_view word)
 {
   return whole_word<long>(word);
@@ -61,7 +56,7 @@ std::string_view Tokenizer::next()
 double Tokenizer::number()
 {
   const std::string_view word = next();
-  if (const auto value = number_in(word))
+  if (const auto value = whole_word<double>(word))
     return *value;
   refuse_word(word);
 }
@@ -72,14 +67,6 @@ long Tokenizer::whole_number()
   if (const auto value = whole_number_in(word))
     return *value;
   refuse_word(word);
-}
-
-unsigned int marked_id(long id)
-{
-  if (id < 1 || id > 1000000000)
-    throw UnreadableMesh("marks faces with the id " + std::to_string(id) +
-                         "; give ids from 1 to 1000000000.");
-  return static_cast<unsigned int>(id);
 }
 
 void NumberedPoints::add(long number, const std::array<double, 3> &point)

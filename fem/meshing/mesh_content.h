@@ -26,21 +26,12 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Command lines that convert a mesh file to a readable one; the first keeps physical groups.
+/// Command line that converts what Gmsh reads, physical groups included.
 inline constexpr char gmsh_command[] = "`gmsh FILE -save -format msh22 -o x.msh`";
-inline constexpr char meshio_command[] =
-  "`meshio convert --ascii -o gmsh22 FILE x.msh` (Debian: python3-meshio)";
 
-/// Corners of the faces of a hexahedron, S1 to S6 of Abaqus, by their places in MeshContent::hexahedra.
+/// Corners of the faces of a hexahedron, by their places in MeshContent::hexahedra.
 constexpr unsigned int faces_of_hexahedron[6][4] = { { 0, 1, 2, 3 }, { 4, 7, 6, 5 }, { 0, 4, 5, 1 },
                                                      { 1, 5, 6, 2 }, { 2, 6, 7, 3 }, { 3, 7, 4, 0 } };
-
-/// Number of nodes and corners of an element type, corners first; zero for types without faces.
-struct ElementType
-{
-  unsigned int n_nodes = 0;
-  unsigned int n_corners = 0; ///< 8: hexahedron, 4: quadrilateral, 0: ignored
-};
 
 /// Face of the surface that the file marks.
 struct MarkedFace
@@ -49,44 +40,18 @@ struct MarkedFace
   unsigned int id = 0;                      ///< greater than 0
 };
 
-/// Returns the id of a face if it is valid: 1 to 1000000000. Throws UnreadableMesh.
-unsigned int marked_id(long id);
-
-/// Names that a file gives to faces of the surface, for messages.
-struct FaceNames
-{
-  std::map<unsigned int, std::string> of_ids = {};
-  std::vector<std::string> without_ids = {}; ///< of sets and surfaces
-  std::string id_instructions = {};          ///< instruction for giving ids to faces in this format
-};
+/// Names of a file's faces by their ids, for messages.
+using FaceNames = std::map<unsigned int, std::string>;
 
 /// Hexahedra of a mesh file by their corners.
 struct MeshContent
 {
   std::vector<std::array<double, 3>> points;
-  /// Indices of points: round the bottom, then round the top above them, as Gmsh, Abaqus and VTK have it.
+  /// Indices of points: round the bottom, then round the top above them, as Gmsh and VTK have it.
   std::vector<std::array<unsigned int, 8>> hexahedra;
   std::vector<MarkedFace> faces;
   bool is_second_order = false; ///< the file has more nodes than corners
   FaceNames names;
-
-  /// Adds a hexahedron, or a quadrilateral whose @p id is not 0: the points of its corners are @p corner(0),
-  /// @p corner(1) and so on. Throws as marked_id().
-  template <typename Corner>
-  void add(const ElementType &type, long id, const Corner &corner)
-  {
-    if (type.n_corners == 8)
-    {
-      is_second_order = is_second_order || type.n_nodes > type.n_corners;
-      hexahedra.emplace_back();
-      for (unsigned int k = 0; k < 8; ++k)
-        hexahedra.back()[k] = corner(k);
-    }
-    else if (type.n_corners == 4 && id != 0)
-    {
-      faces.push_back({ { corner(0), corner(1), corner(2), corner(3) }, marked_id(id) });
-    }
-  }
 };
 
 /// Tokens of a text, separated by blanks and line ends.
@@ -114,8 +79,7 @@ private:
 /// ASCII.
 std::string printable(std::string_view text, std::size_t max_length = 30);
 
-/// Returns the number in @p word; std::nullopt if @p word is not a number.
-std::optional<double> number_in(std::string_view word);
+/// Returns the integer in @p word; std::nullopt if @p word is not an integer.
 std::optional<long> whole_number_in(std::string_view word);
 
 /// Points of a file by their numbers in the file.
@@ -134,10 +98,9 @@ private:
   std::unordered_map<long, unsigned int> index;
 };
 
-/// Reads a file in one of the formats of read_hexahedra(). Time and memory are linear in the size of the
-/// text, whatever the numbers. Throws UnreadableMesh.
+/// Reads a file of read_hexahedra(). Time and memory are linear in the size of the text, whatever the
+/// numbers. Throws UnreadableMesh.
 MeshContent read_gmsh(const std::string &text);
-MeshContent read_abaqus(const std::string &text);
 
 /// Facts of a mesh file apart from its cells.
 struct MeshFileFacts
@@ -146,11 +109,10 @@ struct MeshFileFacts
   FaceNames names = {};
 };
 
-/// Reads the hexahedra of a file and the ids of their faces: Gmsh's .msh (format 2 or 4, ASCII; physical
-/// ids), or Abaqus's .inp (C3D8, C3D20, C3D27; element surfaces whose names end in their ids, or if there are
-/// none, sets of surface elements such as S4 or CPS4 whose names do). Coordinates are multiplied by @p unit
-/// [m]. Time and memory grow with the size of the file. Throws std::invalid_argument with one sentence for
-/// any other file, for a damaged one, and if nodes coincide that are not shared.
+/// Reads the hexahedra of a file of Gmsh (.msh in format 2 or 4, ASCII) and the physical ids of their faces.
+/// Coordinates are multiplied by @p unit [m]. Time and memory grow with the size of the file. Throws
+/// std::invalid_argument with one sentence for any other file, for a damaged one, and if nodes coincide that
+/// are not shared.
 MeshFileFacts read_hexahedra(const std::string &file_name, double unit,
                              dealii::Triangulation<3, 3> &triangulation);
 

@@ -5,7 +5,7 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/grid/tria_description.h>
 
-#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -158,7 +158,7 @@ std::string text_of(const std::string &file_name)
   const auto size = std::filesystem::file_size(file_name, error);
   std::string text(error ? 0 : size, '\0');
   if (!file || error || !file.read(text.data(), static_cast<std::streamsize>(text.size())))
-    throw UnreadableMesh("cannot be read; give the path of a .msh or .inp file.");
+    throw UnreadableMesh("cannot be read; give the path of a .msh file.");
   if (text.empty())
     throw UnreadableMesh("is empty; export the mesh anew.");
   if (text.compare(0, 2, "\xFF\xFE") == 0 || text.compare(0, 2, "\xFE\xFF") == 0)
@@ -172,19 +172,15 @@ std::string text_of(const std::string &file_name)
 
 MeshFileFacts read_hexahedra(const std::string &file_name, double unit, Triangulation<3> &triangulation)
 {
-  const std::map<std::string, MeshContent (*)(const std::string &)> readers = { { ".msh", read_gmsh },
-                                                                                { ".inp", read_abaqus } };
-  const std::size_t dot = file_name.find_last_of('.');
-  const auto reader =
-    readers.find(dot == std::string::npos ? "" : boost::to_lower_copy(file_name.substr(dot)));
   const std::string subject = "Mesh file = " + file_name + " ";
-  if (reader == readers.end())
+  if (!boost::iends_with(file_name, ".msh"))
     throw std::invalid_argument(
-      subject + "has no known file name extension; give a .msh or .inp file, and convert others: " +
-      gmsh_command + ", or for .vtu and what Gmsh does not read " + meshio_command + ".");
+      subject + "is not a .msh file; convert it: " + gmsh_command +
+      ", or for .inp (Abaqus), .vtu and what Gmsh does not read `meshio convert --ascii -o gmsh22 FILE "
+      "x.msh` (Debian: meshio-tools) with Contact/Mesh contact height, which needs no ids.");
   try
   {
-    MeshContent content = reader->second(text_of(file_name));
+    MeshContent content = read_gmsh(text_of(file_name));
     for (std::array<double, 3> &point : content.points)
       for (double &coordinate : point)
         coordinate *= unit;

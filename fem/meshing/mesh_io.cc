@@ -150,20 +150,17 @@ void require_boundaries(const std::string &file_name, const MeshFileOptions &mar
   std::vector<std::string> known;
   for (const auto &[id, height] : heights)
   {
-    const auto name = names.of_ids.find(id);
-    known.push_back(std::to_string(id) +
-                    (name == names.of_ids.end() ? "" : " (" + printable(name->second) + ")"));
+    const auto name = names.find(id);
+    known.push_back(std::to_string(id) + (name == names.end() ? "" : " (" + printable(name->second) + ")"));
   }
-  std::vector<std::string> others;
-  for (const std::string &name : names.without_ids)
-    others.push_back(printable(name));
   std::string text =
     "Mesh file = " + file_name + (has_contact ? " has no stem cut: " : " has no contact zone: ");
   if (heights.empty())
-    throw std::invalid_argument(text + "none of its faces has an id" +
-                                (others.empty() ? "" : ", but it has the names " + listed(others)) + "; " +
-                                names.id_instructions + ", " + std::to_string(marks.contact_id) +
-                                " for the contact zone and " + std::to_string(marks.stem_id) +
+    throw std::invalid_argument(text +
+                                "none of its faces has an id; save it without Mesh.SaveAll and give its "
+                                "surfaces physical ids, " +
+                                std::to_string(marks.contact_id) + " for the contact zone and " +
+                                std::to_string(marks.stem_id) +
                                 " for the stem cut, or set Contact/Mesh contact height.");
 
   // The lowest faces are likely to touch the table, and the highest ones to be the stem cut.

@@ -99,7 +99,7 @@ struct ContactSection
                 "revolution: fast, and the way to elastic tables; solid: the foot in three-dimensional "
                 "finite elements, for any mesh");
     list.path("Mesh file", mesh_file,
-              "Mesh of the foot (.msh or .inp, hexahedra), which then also gives its shape; empty: "
+              "Mesh of the foot (.msh of Gmsh, hexahedra), which then also gives its shape; empty: "
               "generated from the subsection Glass. A relative path starts at the study file");
     list.choice("Mesh unit", mesh_file_options.unit, mesh_units(), "Unit of the coordinates in the mesh file",
                 used_if(has_mesh_file));

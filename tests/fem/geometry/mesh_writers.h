@@ -8,7 +8,6 @@
 
 #include <functional>
 #include <iomanip>
-#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -27,42 +26,6 @@ inline std::vector<dealii::Point<3>> nodes_of(const dealii::Triangulation<3> &me
     for (const unsigned int l : cell->line_indices())
       nodes[mesh.n_vertices() + cell->line_index(l)] = cell->line(l)->center();
   return nodes;
-}
-
-/// A mesh as other programs write it, from the formats' manuals: nodes counted from 1, hexahedra C3D8 or
-/// C3D20, and for each boundary id an element surface SURFACE_<id>.
-inline std::string abaqus_text(const dealii::Triangulation<3> &mesh, bool second_order = false)
-{
-  std::ostringstream text;
-  const std::vector<dealii::Point<3>> nodes = nodes_of(mesh, second_order);
-  text << std::setprecision(17) << "*HEADING\na foot\n*NODE\n";
-  for (std::size_t v = 0; v < nodes.size(); ++v)
-  {
-    const dealii::Point<3> &x = nodes[v];
-    text << v + 1 << ", " << x[0] << ", " << x[1] << ", " << x[2] << '\n';
-  }
-  text << "*ELEMENT, TYPE=" << (second_order ? "C3D20R" : "C3D8") << ", ELSET=EB1\n";
-  std::map<unsigned int, std::string> surfaces;
-  // S1 ... S6 of Abaqus by deal.II's number of the face.
-  constexpr unsigned int side[] = { 6, 4, 3, 5, 1, 2 };
-  unsigned int n = 0;
-  for (const auto &cell : mesh.active_cell_iterators())
-  {
-    text << ++n;
-    for (const unsigned int v : { 0u, 1u, 3u, 2u, 4u, 5u, 7u, 6u })
-      text << ", " << cell->vertex_index(v) + 1;
-    unsigned int column = 8; // Abaqus takes sixteen numbers a line
-    if (second_order)
-      for (const unsigned int l : { 2u, 1u, 3u, 0u, 6u, 5u, 7u, 4u, 8u, 9u, 11u, 10u })
-        text << (++column == 16 ? ",\n" : ", ") << mesh.n_vertices() + cell->line_index(l) + 1;
-    text << '\n';
-    for (const unsigned int f : cell->face_indices())
-      if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() != 0)
-        surfaces[cell->face(f)->boundary_id()] += std::to_string(n) + ", S" + std::to_string(side[f]) + '\n';
-  }
-  for (const auto &[id, members] : surfaces)
-    text << "*SURFACE, TYPE=ELEMENT, NAME=SURFACE_" << id << '\n' << members;
-  return text.str();
 }
 
 inline std::string gmsh_text(const dealii::Triangulation<3> &mesh)
@@ -164,12 +127,6 @@ inline void make_split(const dealii::Triangulation<3> &mesh,
   }
   dealii::GridTools::delete_unused_vertices(points, cells, faces);
   split.create_triangulation(points, cells, faces);
-}
-
-/// The text of @p mesh in the format with this ending.
-inline std::string mesh_text(const dealii::Triangulation<3> &mesh, const std::string &extension)
-{
-  return extension == ".inp" ? abaqus_text(mesh) : gmsh_text(mesh);
 }
 
 } // namespace stemware::fem_tests

@@ -278,7 +278,7 @@ TEST(Ranks, MeshEstimateIsThatOfOneRank)
   profile.crown_radius = 0; // a file says itself how round the rim is
   dealii::Triangulation<3> drawn;
   make_foot_mesh(profile, { 12, 2, 1 }, drawn);
-  const TemporaryFile file(abaqus_text(drawn), ".inp");
+  const TemporaryFile file(gmsh_text(drawn));
   const auto on = [&](MPI_Comm communicator)
   {
     SolidMesh mesh = mesh_of_file(communicator, file.name);

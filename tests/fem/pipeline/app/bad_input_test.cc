@@ -106,7 +106,7 @@ TEST(BadInput, SettingsAreRefusedInOneSentence)
          { { "Contact/Mesh file=study.prm" }, "is read by a solid body only" },
          { { solid, "Contact/Degree=3" }, "give 1 or 2" },
          { { solid, "Contact/Mesh file=nothing.msh" }, "nothing.msh does not exist" },
-         { { solid, "Contact/Mesh file=study.prm" }, "give a .msh or .inp file" },
+         { { solid, "Contact/Mesh file=study.prm" }, "is not a .msh file" },
          { { solid, "Contact/Mesh file=." }, "is not a file" },
          { { solid, "Contact/Mesh file=cube.msh" }, "has no contact zone" },
          { { solid, flat_foot, "Glass/Contact radius=0.3", "Glass/Foot radius=0.34" },

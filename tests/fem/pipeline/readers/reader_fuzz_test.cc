@@ -129,11 +129,11 @@ std::string text_in_docs(const std::string &name)
   return text;
 }
 
-std::string small_mesh(const std::string &extension)
+std::string small_mesh()
 {
   dealii::Triangulation<3> mesh;
   fem::make_foot_mesh(fem::GlassProfile(), { 8, 2, 1 }, mesh);
-  return fem_tests::mesh_text(mesh, extension);
+  return fem_tests::gmsh_text(mesh);
 }
 
 std::string small_gmsh_4()
@@ -161,28 +161,25 @@ std::vector<FuzzedReader> made_readers()
   const auto read_speeds = [](const fs::path &file) {
     read_study("", { "Motion/End time=1", "Motion/Orbit speed file=" + file.string() });
   };
-  return {
-    { "prm", ".prm", { text_in_docs("wine_glass.prm"), commented_defaults() }, read_given_study },
-    { "json",
-      ".json",
-      { study_as_json(Study()).dump(2), "{\"Glass\": {\"Contact radius\": 0.03}}" },
-      read_given_study },
-    { "profile", ".csv", { text_in_docs("own_profile.csv") }, read_profile },
-    { "speeds", ".csv", { text_in_docs("hand_speed.csv"), "0;0,2\n1;0,3\n2;0,35\n" }, read_speeds },
-    { "load",
-      ".dat",
-      { "# ring radius: 0.03 (m)\n0 0.4684 0\n1 0 -0.13\n2 0.01 0.02\n" },
-      [](const fs::path &file) { read_load_file(file.string()); } },
-    { "msh", ".msh", { small_mesh(".msh"), small_gmsh_4() }, read_mesh },
-    { "inp", ".inp", { small_mesh(".inp"), small_mesh(".inp") + "*ELSET, ELSET=A\n1, 2\n" }, read_mesh },
-    { "cases", ".csv", { case_table }, [](const fs::path &file) { cases_from_file(file.string()); } },
-    { "measured",
-      ".csv",
-      { "sep=;\r\ndot\r\nt (ms);ω [rpm];x\r\n0;;1\r\n100;-1,5;2\r\n200;−2,25;3\r\n",
-        "\"Time (s)\",\"Gyroscope z (rad/s)\"\n1.0E-1,-1.5\n2.0E-1,-2.25\n",
-        "#multi:\n\tdot\t\nt\tθ (deg)\n0.0\t\n0.1\t-1.5\n0.2\t-2.25\n" },
-      [](const fs::path &file) { read_measured_run(file.string(), ""); } }
-  };
+  return { { "prm", ".prm", { text_in_docs("wine_glass.prm"), commented_defaults() }, read_given_study },
+           { "json",
+             ".json",
+             { study_as_json(Study()).dump(2), "{\"Glass\": {\"Contact radius\": 0.03}}" },
+             read_given_study },
+           { "profile", ".csv", { text_in_docs("own_profile.csv") }, read_profile },
+           { "speeds", ".csv", { text_in_docs("hand_speed.csv"), "0;0,2\n1;0,3\n2;0,35\n" }, read_speeds },
+           { "load",
+             ".dat",
+             { "# ring radius: 0.03 (m)\n0 0.4684 0\n1 0 -0.13\n2 0.01 0.02\n" },
+             [](const fs::path &file) { read_load_file(file.string()); } },
+           { "msh", ".msh", { small_mesh(), small_gmsh_4() }, read_mesh },
+           { "cases", ".csv", { case_table }, [](const fs::path &file) { cases_from_file(file.string()); } },
+           { "measured",
+             ".csv",
+             { "sep=;\r\ndot\r\nt (ms);ω [rpm];x\r\n0;;1\r\n100;-1,5;2\r\n200;−2,25;3\r\n",
+               "\"Time (s)\",\"Gyroscope z (rad/s)\"\n1.0E-1,-1.5\n2.0E-1,-2.25\n",
+               "#multi:\n\tdot\t\nt\tθ (deg)\n0.0\t\n0.1\t-1.5\n0.2\t-2.25\n" },
+             [](const fs::path &file) { read_measured_run(file.string(), ""); } } };
 }
 
 const std::vector<FuzzedReader> &all_readers()
@@ -234,7 +231,7 @@ TEST_P(ReaderFuzz, EndsInWhatWasReadOrInOneSentence)
   fs::remove_all(folder);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ReaderFuzz, testing::Range<std::size_t>(0, 9),
+INSTANTIATE_TEST_SUITE_P(All, ReaderFuzz, testing::Range<std::size_t>(0, 8),
                          [](const auto &given) { return all_readers().at(given.param).name; });
 
 } // namespace
