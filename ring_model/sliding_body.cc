@@ -1,5 +1,7 @@
 #include "ring_model/sliding_body.h"
 
+#include "ring_model/friction_kernels.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/load/require.h"
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -98,5 +100,20 @@ double SlidingBody::mean_power(double exponent) const
   for (const WeightedRing &one : rings(HUGE_VAL))
     sum += one.weight * std::pow(one.radius, exponent);
   return sum;
+}
+
+Wrench SlidingBody::friction(double limit, double speed, double omega) const
+{
+  require_positive(limit, "the friction mu N", "N");
+  // Averages over the weight of the kernels of n = 0, the torque's times r.
+  double drag = 0., torque = 0.;
+  for (const WeightedRing &one : rings(omega == 0. ? HUGE_VAL : speed / std::abs(omega)))
+  {
+    const FrictionKernels kernels(omega * one.radius, speed, 0);
+    drag += one.weight * kernels.U(0);
+    torque += one.weight * one.radius * kernels.K(0);
+  }
+  const double scale = limit / (2. * pi);
+  return { scale * torque, -scale * drag, 0. };
 }
 } // namespace stemware::ring

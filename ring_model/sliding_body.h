@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ring_model/friction_functionals.h"
+
 #include <functional>
 #include <vector>
 
@@ -49,6 +51,11 @@ public:
   /// Mean of r^2 over the weight [m^2]: the gyration radius squared of a body whose mass is spread like its
   /// weight.
   double mean_square_radius() const { return mean_square; }
+
+  /// Returns the friction of the table in the slip frame at the speed v >= 0 [m/s] and the spin omega
+  /// [rad/s], for @p limit = mu N [N] of sliding without spin. Throws std::invalid_argument if the body
+  /// neither slides nor spins.
+  Wrench friction(double limit, double speed, double omega) const;
 
 private:
   SlidingBody(double inner_radius, double outer_radius);

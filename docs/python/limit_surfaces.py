@@ -46,5 +46,3 @@ for ax, (name, (load, options)) in zip(axes, loads.items()):
     figures.limit_surface(s, ax).set_title(name, fontsize=9)
 axes[0].legend(fontsize=7)
 figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "limit_surfaces.svg")
-stop = ring.slide(loads["disc"][0], mu=0.3, mass=0.3, speed=1.0, omega=20.0)["final_slip_ratio"]
-print(f"a disc comes to rest with v / omega R = {1 / stop:.4f}; an ellipsoid of arm 2/3 R lets its sliding die first")

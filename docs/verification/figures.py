@@ -1,4 +1,4 @@
-"""Figures of the pages of docs/verification as SVG text: pages.py and simulators.py call them."""
+"""Figures of the pages of docs/verification as SVG text, for pages.py."""
 import math
 
 ink, soft, grid, frame, allowed = "#1c1e21", "#5b6067", "#e6e9ed", "#c9ced5", "#e8f1f7"
@@ -98,17 +98,3 @@ def harmonics(claim):
     plot.bars([2.0], [0.00425], [1e-4], soft)
     plot.shapes.append(text(98, plot.at(2, 0.00425)[1] + 4.5, "Stemware with its band"))
     return document(550, 332, claim["title"], plot.shapes)
-
-
-def laws(panels):
-    """Torque over force for each contact; panels: name -> {law: (forces, torques)} over mu N and mu N R."""
-    shapes, dashes = [], ["none", "7 4", "2 3"]
-    for i, (name, curves) in enumerate(panels.items()):
-        plot = Plot((50 + 250 * i, 66, 200, 200), (0, 1), (0, 1), (0, 0.5, 1), (0, 0.5, 1), name)
-        for (law, (forces, torques)), color, dash in zip(curves.items(), colors, dashes):
-            plot.curve(forces, torques, color, dash)
-        shapes += plot.shapes
-    for i, (law, color, dash) in enumerate(zip(next(iter(panels.values())), colors, dashes)):
-        shapes += [line(50 + 150 * i, 22, 82 + 150 * i, 22, color, f'stroke-width="1.6" stroke-dasharray="{dash}"'),
-                   text(90 + 150 * i, 26.5, law)]
-    return document(770, 320, "Torque over force in one slip", shapes + [text(385, 308, "force / μN; upwards: torque / μNR", "middle")])

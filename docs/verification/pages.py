@@ -82,8 +82,7 @@ def index(claims):
     for c in run:
         lines.append(f"| [{c['title']}]({c['name']}.md) | {', '.join(kinds_of(c))} | {sum(len(case['checks']) for case in c['cases'])} "
                      f"| {'yes' if c.get('quick') else ''} |")
-    lines += ["", "[CB-glass](benchmark.md) is a benchmark for other codes. "
-              "[What simulators take](simulators.md) has exact friction of ring, disc and Hertz patch beside the laws of simulators.", "",
+    lines += ["", "[CB-glass](benchmark.md) is a benchmark for other codes.", "",
               "Not compared is Filon's receding contact, an elastic layer that lies on a base without bond: "
               "the layers of Stemware are bonded to their base.", "", "The claims below are checked by the tests of the source, not by a study:", "", "| claim | kind of reference | test |",
               "|---|---|---|"]

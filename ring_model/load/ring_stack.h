@@ -23,7 +23,7 @@ namespace stemware::ring
  *     load.moment_ratio(radius);                                // |M_N| / (N R / 2)
  *
  * Result of a contact calculation for the ring: a plain value without history, SI units. Loads that depend on
- * the spin, or are truncated, are models (LoadModel), not other types of load.
+ * the spin are functions that return a RingStack.
  */
 class RingStack
 {

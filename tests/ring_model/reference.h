@@ -36,12 +36,13 @@ inline void expect_relative(double actual, double expected, double tolerance, co
 }
 
 /// Terminal spin under the load of @p ring, to rounding.
-inline TerminalSpin terminal_spin_of(const SelfConsistentRing &ring, const Motion &motion = {},
-                                     double radius = 0.03)
+template <typename Ring>
+TerminalSpin terminal_spin_of(const Ring &ring, const Motion &motion = {}, double radius = 0.03)
 {
   SpinSearch search{ motion.orbit_speed / radius };
   search.tolerance = std::numeric_limits<double>::epsilon();
-  return terminal_spin([&](double omega) { return ring.torque(omega); }, motion.yaw_inertia, search);
+  return terminal_spin([&](double omega) { return ring.at(omega).friction.torque; }, motion.yaw_inertia,
+                       search);
 }
 
 /// Evenly distributed numbers from a fixed seed, so that a failure comes back.

@@ -18,7 +18,7 @@ const std::vector<RemovedWord> &removed_words()
     { "", "compare",
       "the budget of `stemware run` has the steps from the paper's model to the study's, and "
       "`stemware sweep --vary \"Motion/Closure=paper,hand,full\"` the moment balances" },
-    { "", "slide", "the ring model's library has free sliding (docs/cookbooks/slide.md)" },
+    { "", "slide", "an example in Python: docs/python/slide.py" },
     { "converge", "--at", "the torque is evaluated at half and at one and a half times the terminal spin" },
     { "truncate", "--at", "torque.csv of `stemware run` has the torque over the spin" },
     { "mesh", "--output", "the console shows the whole answer, and --json prints it as one line" },

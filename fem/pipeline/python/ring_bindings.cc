@@ -1,13 +1,12 @@
 // stemware._ring: Python bindings of ring_model. Arguments are arrays of equal shape, which stemware/ring.py
 // broadcasts; results have that shape. SI units.
 
-#include "ring_model/free_sliding.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/friction_kernels.h"
 #include "ring_model/load/require.h"
 #include "ring_model/self_consistent_ring.h"
+#include "ring_model/sliding_body.h"
 #include "ring_model/spin/answer.h"
-#include "ring_model/unilateral_foundation.h"
 #include "ring_model/yaw_motion.h"
 
 #include <Eigen/Geometry>
@@ -140,11 +139,10 @@ struct Friction
   {
     at = [load, &law](double x, double y, double omega) { return wrench(law, load, { x, y }, omega); };
   }
-  Friction(const SlidingBody &body, double mu, double mass, double yaw_inertia, double gravity, double height)
+  /// @param limit mu N [N].
+  Friction(const SlidingBody &body, double limit)
+      : at([body, limit](double speed, double, double omega) { return body.friction(limit, speed, omega); })
   {
-    const FreeSlider one{ body, mass, yaw_inertia, mu, gravity, height };
-    one.validate();
-    at = [one](double speed, double, double omega) { return sliding_friction(one, speed, omega); };
   }
   explicit Friction(const SelfConsistentRing &ring)
       : at([ring](double, double, double omega) { return ring.at(omega).friction; })
@@ -165,15 +163,11 @@ struct Friction
   std::function<Wrench(double, double, double)> at;
 };
 
-SelfConsistentRing balanced_ring(const Motion &motion, const std::string &closure, double radius,
-                                 std::optional<double> exponent, unsigned int n_harmonics)
+SelfConsistentRing balanced_ring(const Motion &motion, const std::string &closure, double radius)
 {
-  std::shared_ptr<const LoadModel> model = std::make_shared<FirstHarmonicModel>(radius);
-  if (exponent)
-    model = std::make_shared<UnilateralFoundation>(radius, *exponent, n_harmonics);
   for (const Closure one : { Closure::paper, Closure::hand, Closure::full })
     if (to_string(one) == closure)
-      return { one, motion, model };
+      return { one, motion, radius };
   throw std::invalid_argument("the closure is \"" + closure + "\", but must be paper, hand or full");
 }
 
@@ -215,15 +209,6 @@ py::array motion_of(const PhasedTorqueFunction &torque, double yaw_inertia, cons
   const auto at = interruptible(torque);
   return numpy_of(
     without_gil([&] { return yaw_motion(at, yaw_inertia, initial_spin, times, accuracy, spin_scale); }));
-}
-
-py::tuple slide(const Friction &friction, double mass, double yaw_inertia, double radius, double speed,
-                double omega, double accuracy)
-{
-  const auto along = interruptible(SlidingFriction([&](double v, double w) { return friction.at(v, 0, w); }));
-  const SlidingInertia inertia = { mass, yaw_inertia, radius };
-  const SlidingPath path = without_gil([&] { return slide_to_stop(inertia, along, speed, omega, accuracy); });
-  return py::make_tuple(numpy_of(path.states), path.final_slip_ratio);
 }
 
 /// Defines the exceptions; the translator of BalanceLost, registered last, is called first.
@@ -341,7 +326,7 @@ of the table about x and y in the frame of the glass, which gives the lean torqu
          "Returns the sum of the rings at theta [rad], an array [N/rad].");
 
   py::class_<SelfConsistentRing>(m, "SelfConsistentRing")
-    .def(py::init(&balanced_ring), "motion"_a, "closure"_a, "radius"_a, "exponent"_a, "n_harmonics"_a)
+    .def(py::init(&balanced_ring), "motion"_a, "closure"_a, "radius"_a)
     .def(
       "load", [](const SelfConsistentRing &ring, double omega) { return LeaningLoad(ring.at(omega).load); },
       "omega"_a, "Returns the RingStack in balance at a spin [rad/s].");
@@ -395,14 +380,12 @@ u: slip speed [m/s]; decay_speed [m/s], viscous [s/m].)")
   m.def("kernels", &kernels);
   py::class_<Friction>(m, "Friction")
     .def(py::init<const LeaningLoad &, const FrictionLaw &>(), py::keep_alive<1, 3>())
-    .def(py::init<const SlidingBody &, double, double, double, double, double>())
+    .def(py::init<const SlidingBody &, double>())
     .def(py::init<const SelfConsistentRing &>())
-    .def("wrench", &Friction::wrenches)
-    .def("slide", &slide);
+    .def("wrench", &Friction::wrenches);
 
   PYBIND11_NUMPY_DTYPE(TerminalSpin, omega, torque_slope, time_constant, stable, held);
   PYBIND11_NUMPY_DTYPE(YawSample, time, yaw_angle, omega);
-  PYBIND11_NUMPY_DTYPE(SlidingState, time, x, y, yaw, speed, heading, omega, friction_loss, distance);
   m.def("answer", &answer_about);
   m.def("yaw_motion", &motion_of);
 }

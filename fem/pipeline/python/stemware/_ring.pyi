@@ -1,4 +1,4 @@
-from typing import Any, Callable, Optional
+from typing import Any, Callable
 
 from numpy import ndarray
 from numpy.typing import ArrayLike
@@ -62,7 +62,7 @@ class RingStack:
     def at(self, theta: ArrayLike) -> ndarray: ...
 
 class SelfConsistentRing:
-    def __init__(self, motion: Motion, closure: str, radius: float, exponent: Optional[float], n_harmonics: int) -> None: ...
+    def __init__(self, motion: Motion, closure: str, radius: float) -> None: ...
     def load(self, omega: float) -> RingStack: ...
 
 class Pressure:

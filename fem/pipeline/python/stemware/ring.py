@@ -1,5 +1,5 @@
-"""The ring model: normal loads on concentric rings, their friction over numpy arrays, limit surfaces, the terminal spin of a
-glass, and free sliding.
+"""The ring model: normal loads on concentric rings, their friction over numpy arrays, limit surfaces, and the terminal spin
+of a glass.
 
 SI units. Slip frame: x along the direction of travel, y to its left, z up. Spins and angles are positive counter-clockwise,
 seen from above. The rim speed is |omega| R, the slip ratio omega R / v. A value that is not allowed raises BadInput. A load or
@@ -34,12 +34,11 @@ class SelfConsistentRing(_ring.SelfConsistentRing):
     """Rigid ring whose load, friction and hand force balance at every spin.
 
     closure: moments in the balance: "paper" (centripetal part of the hand force), "hand" (whole hand force), "full" (friction
-    too). radius [m]. exponent: None for harmonics 0 and 1 only, exact for a linear support in full contact; 1 for a flat rim
-    that may lift off a mat, 1.5 for a round rim, with n_harmonics.
+    too). radius [m]. The load has the harmonics 0 and 1: exact for a linear support in full contact.
     """
 
-    def __init__(self, *, motion, closure="full", radius=0.03, exponent=None, n_harmonics=128):
-        super().__init__(motion, closure, radius, exponent, n_harmonics)
+    def __init__(self, *, motion, closure="full", radius=0.03):
+        super().__init__(motion, closure, radius)
         self.motion, self.radius = motion, radius
 
 
@@ -128,7 +127,7 @@ def wrench(load, speed, omega, mu=None, law=None, normal_force=1.0, direction=0.
     if isinstance(load, Pressure):
         if law is not None:
             raise BadInput("a Pressure takes mu; give a RingStack for a law")
-        return _friction(_ring.Friction(load, mu, normal_force, 1.0, 1.0, 0.0), speed, 0.0, omega)
+        return _friction(_ring.Friction(load, mu * normal_force), speed, 0.0, omega)
     friction = _ring.Friction(load, coulomb(mu) if law is None else law)
     return _friction(friction, speed * np.cos(direction), speed * np.sin(direction), omega)
 
@@ -268,26 +267,3 @@ def yaw_motion(torque, *, yaw_inertia, times, initial_spin=0.0, accuracy=1e-9, s
     yaw_inertia [kg m^2]. accuracy: of the angle in rad, and of omega relative to spin_scale [rad/s], for instance v / R.
     """
     return _columns(_ring.yaw_motion(torque, yaw_inertia, times, initial_spin, accuracy, spin_scale))
-
-
-def slide(body, *, mu, mass, speed, omega, yaw_inertia=None, gravity=9.81, centre_of_mass_height=0.0, accuracy=1e-12):
-    """Computes the free sliding of a Pressure or RingStack with the initial speed >= 0 [m/s] and omega [rad/s] to the stop.
-
-    Returns a dict: arrays time [s], x, y [m], yaw [rad], speed [m/s], heading [rad], omega [rad/s], friction_loss [J], distance
-    [m] in a fixed frame with x along the initial velocity; and final_slip_ratio, the limit of omega R / v at the stop.
-
-    mass [kg]; yaw_inertia [kg m^2], by default of a mass distributed like the load; gravity [m/s^2]. centre_of_mass_height [m]:
-    the friction shifts a Pressure forward in proportion to it; a RingStack keeps its load. accuracy: relative, of a step.
-
-    >>> round(1 / slide(Pressure.disc(0.03), mu=0.3, mass=0.3, speed=1.0, omega=20.0)["final_slip_ratio"], 10)
-    0.6530017892
-    """
-    is_pressure = isinstance(body, Pressure)
-    inertia = yaw_inertia or mass * (body.mean_power(2) if is_pressure else body.radius**2)
-    if is_pressure:
-        friction = _ring.Friction(body, mu, mass, inertia, gravity, centre_of_mass_height)
-    else:
-        scale = mass * gravity / body.normal_force
-        friction = _ring.Friction(RingStack(radii=body.radii, a=body.a * scale, b=body.b * scale), coulomb(mu))
-    states, final_slip_ratio = friction.slide(mass, inertia, body.radius, speed, omega, accuracy)
-    return {**_columns(states), "final_slip_ratio": final_slip_ratio}

@@ -1,8 +1,7 @@
 // Loads in balance with friction at every spin: balances from their neighbours, curves between samples.
 #include "fem/pipeline/coupling/balanced_load.h"
-#include "ring_model/self_consistent_ring.h"
 #include "ring_model/spin/spin_curve.h"
-#include "ring_model/unilateral_foundation.h"
+#include "tests/ring_model/unilateral_rim.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +21,7 @@ constexpr double rim = 0.03;     // m
 /// Loads of the rim over the moment ratio.
 ring::RingStack rim_load(double moment_ratio)
 {
-  return ring::UnilateralFoundation(rim, 1.5).rings(weight, { 0, -moment_ratio * weight * rim / 2 });
+  return ring::test::UnilateralFoundation(rim, 1.5).rings(weight, { 0, -moment_ratio * weight * rim / 2 });
 }
 
 /// Moment ratio at which the pressure, which goes like the power 3/2 of the penetration, vanishes at one
@@ -78,7 +77,7 @@ TEST(SpinCurve, TellsALoadByItsDifferenceToALikeOne)
 TEST(SpinCurve, FindsWhereTheRimLiftsOff)
 {
   // As many harmonics as a contact gives to a ring: high ones turn with the edges of the contact.
-  const ring::UnilateralFoundation rim_of_24(rim, 1.5, 24);
+  const ring::test::UnilateralFoundation rim_of_24(rim, 1.5, 24);
   const auto load = [&](double m) { return rim_of_24.rings(weight, { 0, -m * weight * rim / 2 }); };
   for (const double upper : { 1.3, 1.5 })
   {
@@ -101,8 +100,8 @@ TEST(SpinCurve, SaysWhenSamplesDoNotSuffice)
 
 SharedLoad balanced_rim()
 {
-  const ring::SelfConsistentRing glass(ring::Closure::full, ring::Motion(),
-                                       std::make_shared<ring::UnilateralFoundation>(rim, 1.5));
+  const ring::test::BalancedRim glass{ ring::Closure::full, ring::Motion(),
+                                       ring::test::UnilateralFoundation(rim, 1.5) };
   return std::make_shared<GivenLoad>(report_of(glass.at(0).load), all_harmonics,
                                      [glass](double omega) { return glass.at(omega).load; });
 }

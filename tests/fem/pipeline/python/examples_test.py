@@ -10,7 +10,7 @@ import unittest
 
 source = os.path.abspath(sys.argv[1])
 names = sys.argv[2:]
-pages = ["docs/python.md", "docs/cookbooks/slide.md"]
+pages = ["docs/python.md"]
 arguments = {"monte_carlo": ["24"]}  # studies
 
 

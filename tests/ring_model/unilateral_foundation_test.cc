@@ -1,10 +1,6 @@
 #include "ring_model/load/constants.h"
-#include "ring_model/load_model.h"
-#include "ring_model/unilateral_foundation.h"
 #include "tests/ring_model/reference.h"
-
-#include <limits>
-#include <stdexcept>
+#include "tests/ring_model/unilateral_rim.h"
 
 namespace stemware::ring
 {
@@ -15,7 +11,7 @@ using test::reference;
 
 void expect_reference_rows(const char *table, double exponent)
 {
-  const UnilateralFoundation foundation(0.03, exponent, 16);
+  const test::UnilateralFoundation foundation(0.03, exponent, 16);
   for (const auto &row : reference()[table]["rows"])
   {
     const double m = row["ratio"];
@@ -43,7 +39,7 @@ TEST(UnilateralFoundation, LiftsOffAtItsOnset)
 {
   for (const double p : { 0.5, 1., 1.5, 2., 3.7 })
   {
-    const UnilateralFoundation foundation(0.03, p, 8);
+    const test::UnilateralFoundation foundation(0.03, p, 8);
     const double onset = foundation.lift_off_ratio();
     EXPECT_DOUBLE_EQ(onset, 2. * p / (p + 1.));
     EXPECT_EQ(foundation.edge(onset), -1.);
@@ -61,7 +57,7 @@ TEST(UnilateralFoundation, CoefficientsAreThoseOfThePointwiseLoad)
 {
   // Trapezoidal rule on the pointwise load: an independent projection.
   const double p = 2.5;
-  const UnilateralFoundation foundation(0.03, p, 12);
+  const test::UnilateralFoundation foundation(0.03, p, 12);
   for (const double m : { 0.3, 1., 1.42, 1.428, 1.4285, 1.44, 1.7, 1.95 }) // onset at 10/7
   {
     const auto shape = foundation.shape(m);
@@ -90,43 +86,12 @@ TEST(UnilateralFoundation, ApproachesTippingAsAPointLoad)
   // m = 2 - theta_c^2 / (2p+3), a_n/a_0 -> 2
   for (const double p : { 1., 1.5 })
   {
-    const UnilateralFoundation foundation(0.03, p, 8);
+    const test::UnilateralFoundation foundation(0.03, p, 8);
     const double m = 2. - 1e-6;
     expect_relative(std::acos(foundation.edge(m)), std::sqrt((2. * p + 3.) * 1e-6), 1e-3, "edge angle");
     for (unsigned int n = 2; n <= 8; ++n)
       EXPECT_NEAR(foundation.shape(m)[n], 2., 1e-4);
   }
 }
-
-TEST(UnilateralFoundation, LoadsHaveTheResultantsAskedFor)
-{
-  test::Numbers numbers(4);
-  for (const double p : { 1., 1.5, 2.2 })
-    for (unsigned int trial = 0; trial < 20; ++trial)
-    {
-      const UnilateralFoundation foundation(0.04, p, 32);
-      const double force = numbers.between(0.5, 5.), m = numbers.between(0.01, 1.99),
-                   angle = numbers.between(0., 7.);
-      const Eigen::Vector2d moment =
-        0.5 * m * force * 0.04 * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-      const RingStack load = foundation.rings(force, moment);
-      expect_relative(load.normal_force(), force, 1e-14, "N");
-      EXPECT_LE((load.moment() - moment).norm(), 1e-14 * force * 0.04);
-    }
-}
-
-TEST(UnilateralFoundation, NamesTippingAndRefusesBadInput)
-{
-  const UnilateralFoundation foundation(0.03, 1.);
-  EXPECT_THROW(foundation.edge(2.), Tipping);
-  EXPECT_THROW(foundation.rings(1., { 0.04, 0. }), Tipping);
-  EXPECT_THROW(foundation.edge(-0.1), std::invalid_argument);
-  EXPECT_THROW(foundation.edge(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
-  EXPECT_THROW(foundation.rings(0., { 0., 0. }), std::invalid_argument);
-  EXPECT_THROW(UnilateralFoundation(0.03, 0.), std::invalid_argument);
-  EXPECT_THROW(UnilateralFoundation(-0.03, 1.), std::invalid_argument);
-  EXPECT_THROW(UnilateralFoundation(0.03, 1., 0), std::invalid_argument);
-}
-
 } // namespace
 } // namespace stemware::ring
