@@ -84,7 +84,7 @@ TEST(MultigridAgreement, HardFlatLandAgreesWithOtherPrograms)
 
 // As a study has it, on cells halved five times, against elements of degree 3 on cells of half the usual
 // size, graded to the corners from there on, twice the lines and half as many harmonics again.
-TEST(MultigridAgreement, HardFlatLandUnderASmoothFoot)
+TEST(MultigridAgreement, HardFlatLandUnderASmoothFootLong)
 {
   RevolutionSetup setup;
   setup.profile = flat_profile();

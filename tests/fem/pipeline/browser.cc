@@ -16,8 +16,8 @@ std::string script_string(const std::string &text)
 
 std::string axe_script()
 {
-  const std::string axe = std::string(STEMWARE_AXE).empty() ? "" : read_text(STEMWARE_AXE);
-  return "const axe_source = " + script_string(axe) + R"(;
+  return "const axe_source = " + script_string(read_text(STEMWARE_AXE)) // empty if it is not installed
+         + R"(;
 const serious = async shown => {
   if (!axe_source)
     return [];
@@ -206,7 +206,7 @@ std::string without_policy(const std::string &page)
 
 Ended chromium(const ScratchFolder &scratch, const std::vector<std::string> &arguments)
 {
-  std::vector<std::string> command = { STEMWARE_CHROMIUM,
+  std::vector<std::string> command = { "chromium",
                                        "--headless",
                                        "--no-sandbox",
                                        "--disable-gpu",

@@ -11,8 +11,9 @@ namespace stemware::test
 /// A text as a string of a script within a page.
 std::string script_string(const std::string &text);
 
-/// A script that defines `serious(window)`: a promise of what axe-core (it looks for what keeps people from
-/// reading a page) finds serious or critical, a string for each; of nothing where it is not installed.
+/// Returns a script that defines `serious(window)`: a promise of the accessibility violations that axe-core
+/// finds serious or critical, a string for each. Without axe-core the promise is an empty list; the test
+/// Reports.AxeCoreIsInstalledLong fails then.
 std::string axe_script();
 
 /// Returns a script that defines `troubles(document)`: a sentence for each text of a figure that is cut off

@@ -1,6 +1,5 @@
 #include "tests/fem/pipeline/program_runner.h"
 
-#include "fem/pipeline/app/program.h"
 #include "tests/fem/pipeline/csv_table.h"
 
 #include <gtest/gtest.h>
@@ -12,13 +11,11 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
-#include <iostream>
 #include <memory>
 #include <numeric>
 #include <spawn.h>
 #include <sstream>
 #include <stdexcept>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -52,7 +49,7 @@ pid_t start(const std::vector<std::string> &command, const fs::path &folder)
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, ".err", O_WRONLY | O_CREAT | O_TRUNC, 0600);
   pid_t process = -1;
   const int error =
-    posix_spawn(&process, command.front().c_str(), &actions, nullptr, arguments.data(), environ);
+    posix_spawnp(&process, command.front().c_str(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0)
     throw std::runtime_error("cannot start " + command.front());
@@ -88,100 +85,7 @@ void set_environment()
     ::setenv(name, "1", 1);
 }
 
-void write_line(int place, const std::string &text)
-{
-  const std::string line = text + "\n";
-  for (std::size_t n = 0; n < line.size();)
-  {
-    const auto n_written = ::write(place, line.data() + n, line.size() - n);
-    if (n_written <= 0)
-      throw std::runtime_error("the process that runs programs has gone");
-    n += static_cast<std::size_t>(n_written);
-  }
-}
-
-/// Empty when the other side has gone.
-std::string read_line(int place)
-{
-  std::string line;
-  for (char letter; ::read(place, &letter, 1) == 1 && letter != '\n';)
-    line += letter;
-  return line;
-}
-
-/// The other end of the process that runs programs, or -1.
-int program_server = -1;
-
-/// Becomes the program of a request: {"folder", "arguments", "environment"}.
-[[noreturn]] void become_program(const nlohmann::json &request)
-{
-  const std::string folder = request["folder"];
-  auto arguments = request["arguments"].get<std::vector<std::string>>();
-  static auto environment = request["environment"].get<std::vector<std::string>>();
-  ::clearenv();
-  for (std::string &variable : environment)
-    ::putenv(variable.data());
-  if (::chdir(folder.c_str()) != 0)
-    ::_exit(127);
-  for (const auto &[name, stream] : { std::pair(".out", STDOUT_FILENO), std::pair(".err", STDERR_FILENO) })
-    ::dup2(::open(name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600), stream);
-  std::vector<char *> words;
-  for (std::string &argument : arguments)
-    words.push_back(argument.data());
-  words.push_back(nullptr);
-  const int exit_code = pipeline::run_program(static_cast<int>(arguments.size()), words.data());
-  std::cout.flush();
-  std::fflush(nullptr);
-  ::_exit(exit_code); // what else would be done at the end is the tests' business
-}
-
 } // namespace
-
-void serve_programs()
-{
-  int ends[2];
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    throw std::runtime_error("there is no socket for the process that runs programs");
-  program_server = ends[0];
-  const pid_t process = ::fork();
-  if (process < 0)
-    throw std::runtime_error("the process that runs programs cannot start");
-  ::close(process == 0 ? ends[0] : ends[1]);
-  if (process > 0)
-    return;
-  for (std::string line = read_line(ends[1]); !line.empty(); line = read_line(ends[1]))
-  {
-    const pid_t child = ::fork();
-    if (child == 0)
-    {
-      ::close(ends[1]);
-      become_program(nlohmann::json::parse(line));
-    }
-    write_line(ends[1], std::to_string(status_of(child)));
-  }
-  ::_exit(0);
-}
-
-ScratchFolder::ScratchFolder()
-{
-  std::string pattern = (fs::temp_directory_path() / "stemware-test-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr)
-    throw std::runtime_error("cannot create a folder like " + pattern);
-  folder = pattern;
-}
-
-ScratchFolder::~ScratchFolder()
-{
-  std::error_code error;
-  fs::remove_all(folder, error);
-}
-
-std::string ScratchFolder::write(const std::string &name, const std::string &text) const
-{
-  fs::create_directories((folder / name).parent_path());
-  std::ofstream(folder / name, std::ios::binary) << text;
-  return (folder / name).string();
-}
 
 RunningProgram::RunningProgram(const std::vector<std::string> &command, const fs::path &folder)
     : folder(folder)
@@ -217,20 +121,9 @@ Ended RunningProgram::end()
 
 Ended stemware(const ScratchFolder &scratch, const std::vector<std::string> &arguments)
 {
-  std::vector<std::string> command = { "stemware" };
+  std::vector<std::string> command = { STEMWARE_PROGRAM };
   command.insert(command.end(), arguments.begin(), arguments.end());
-  set_environment();
-  std::vector<std::string> environment;
-  for (char **variable = environ; *variable != nullptr; ++variable)
-    environment.emplace_back(*variable);
-  const nlohmann::json request = { { "folder", scratch.path().string() },
-                                   { "arguments", command },
-                                   { "environment", environment } };
-  write_line(program_server, request.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-  const std::string status = read_line(program_server);
-  if (status.empty())
-    throw std::runtime_error("the process that runs programs has gone");
-  return ended_with(std::stoi(status), scratch.path());
+  return RunningProgram(command, scratch.path()).end();
 }
 
 std::vector<std::string> with_settings(std::vector<std::string> command,
@@ -251,27 +144,26 @@ nlohmann::json solved(const ScratchFolder &scratch, const std::vector<std::strin
   return ended.exit_code == 0 ? read_summary(scratch / results) : nlohmann::json();
 }
 
-std::vector<std::string> all_verbs()
-{
-  const ScratchFolder scratch;
-  std::istringstream lines(stemware(scratch, { "--help" }).out);
-  std::vector<std::string> verbs;
-  std::string line;
-  while (std::getline(lines, line) && line != "Verbs:")
-    ;
-  while (std::getline(lines, line) && !line.empty())
-    // "  run      Compute a study ..."; what a description needs of further lines is indented deeper.
-    if (line.compare(0, 3, "   ") != 0)
-      verbs.push_back(line.substr(2, line.find(' ', 2) - 2));
-  return verbs;
-}
-
 std::string read_text(const fs::path &file)
 {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
+}
+
+std::string bad_lines(const std::string &text)
+{
+  std::string bad;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    const auto n_columns =
+      std::count_if(line.begin(), line.end(), [](char letter) { return (letter & 0xC0) != 0x80; });
+    if (n_columns > 100 || line.find('\x1b') != std::string::npos)
+      bad += line + '\n';
+  }
+  return bad;
 }
 
 std::vector<std::string> departures_from_schema(const nlohmann::json &summary)

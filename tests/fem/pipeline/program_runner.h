@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/fem/pipeline/scratch_folder.h"
+
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -10,25 +12,6 @@
 
 namespace stemware::test
 {
-
-/// A new folder for one test, gone with the object.
-class ScratchFolder
-{
-public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder &) = delete;
-  ScratchFolder &operator=(const ScratchFolder &) = delete;
-
-  std::filesystem::path operator/(const std::string &name) const { return folder / name; }
-  const std::filesystem::path &path() const { return folder; }
-
-  /// Writes a file and returns its path.
-  std::string write(const std::string &name, const std::string &text) const;
-
-private:
-  std::filesystem::path folder;
-};
 
 /// What a program has left behind when it has ended.
 struct Ended
@@ -59,13 +42,7 @@ private:
   pid_t process = -1;
 };
 
-/// Starts the process whose children stemware() are. To be called once, first of all: it must have one
-/// thread, and nothing in it that a program would not find.
-void serve_programs();
-
-/// Runs the program in the folder with these arguments: in a new process, with streams, folder and
-/// environment of its own, but without the half second in which `stemware` loads its libraries. What a
-/// program does with signals and limits, and what mpirun does with it, is asked of RunningProgram.
+/// Runs the program `stemware` in the folder with these arguments.
 Ended stemware(const ScratchFolder &scratch, const std::vector<std::string> &arguments);
 
 /// A command with --set before each of @p settings.
@@ -76,9 +53,6 @@ std::vector<std::string> with_settings(std::vector<std::string> command,
 nlohmann::json solved(const ScratchFolder &scratch, const std::vector<std::string> &command,
                       const std::vector<std::string> &settings = {}, const std::string &results = "results");
 
-/// The verbs that `stemware --help` lists.
-std::vector<std::string> all_verbs();
-
 std::string read_text(const std::filesystem::path &file);
 
 /// What stands between @p begin and the next @p end in @p text; empty where there is no such place.
@@ -87,6 +61,9 @@ std::string between(const std::string &text, const std::string &begin, const std
 /// The same after every @p begin.
 std::vector<std::string> all_between(const std::string &text, const std::string &begin,
                                      const std::string &end);
+
+/// Lines that are too wide for the console, or hold escape codes.
+std::string bad_lines(const std::string &text);
 
 /// What is not as fem/pipeline/document/summary.schema.json says in a summary, one sentence each.
 std::vector<std::string> departures_from_schema(const nlohmann::json &summary);

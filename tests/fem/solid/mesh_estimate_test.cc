@@ -98,7 +98,7 @@ double of_body_of_revolution(const GlassProfile &profile, double friction)
 
 } // namespace
 
-TEST(MeshEstimate, IsTheErrorOnMeshesMadeForTheNumber)
+TEST(MeshEstimate, IsTheErrorOnMeshesMadeForTheNumberLong)
 {
   const GlassProfile profile = profile_of(GlassShape::foot);
   const double truth = of_body_of_revolution(profile, 0);
@@ -135,7 +135,7 @@ TEST(MeshEstimate, IsTheErrorOnACoarseMesh)
   EXPECT_NEAR(ratio_on({ 12, 2, 1 }, 1, 0.3), 1, 0.1);
 }
 
-TEST(MeshEstimate, KnowsFrictionAndLinearElements)
+TEST(MeshEstimate, KnowsFrictionAndLinearElementsLong)
 {
   for (const auto &[degree, friction] : { std::pair(2u, 0.3), { 1u, 0. } })
     EXPECT_NEAR(ratio_on({ 48, 2, 1 }, degree, friction), 1, 0.2) << "degree " << degree;
@@ -143,7 +143,7 @@ TEST(MeshEstimate, KnowsFrictionAndLinearElements)
 
 // Under a spring in the place of a hard table one Newton step says next to nothing of the error. Oracle: the
 // body of revolution with cubic elements, graded to the land's inner edge and to the corners; 2e-6 are left.
-TEST(MeshEstimate, HoldsUnderAHardFlatLand)
+TEST(MeshEstimate, HoldsUnderAHardFlatLandLong)
 {
   RevolutionSetup setup;
   setup.profile = flat_profile();

@@ -188,7 +188,7 @@ TEST(Multigrid, IterationsDoNotGrow)
   expect_iterations_that_do_not_grow(GlassProfile(), { 24, 2, 1 }, 1, 2);
 }
 
-TEST(MultigridLong, AgreesWithTheFactorisation)
+TEST(Multigrid, AgreesWithTheFactorisationLong)
 {
   for (const unsigned int degree : { 1u, 2u })
   {
@@ -197,7 +197,7 @@ TEST(MultigridLong, AgreesWithTheFactorisation)
   }
 }
 
-TEST(MultigridLong, IterationsDoNotGrow)
+TEST(Multigrid, IterationsDoNotGrowLong)
 {
   // More levels, and quadratic elements on them, are for multigrid_benchmark
   // (docs/method/solid_measurements.md).

@@ -93,7 +93,7 @@ TEST(Fit, TruthsOfAFewRunsLieInTheirIntervals)
   EXPECT_GE(found.in_95, 0.95 * found.n - 3 * std::sqrt(0.95 * 0.05 * found.n));
 }
 
-TEST(Fit, TruthsOf402RunsLieInTheirIntervals)
+TEST(Fit, TruthsOf402RunsLieInTheirIntervalsLong)
 {
   const Coverage found = cover(134);
   EXPECT_GE(found.in_68, 0.64 * found.n);

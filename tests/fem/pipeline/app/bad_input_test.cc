@@ -1,7 +1,10 @@
 // Whatever is wrong with the input ends in one clear sentence, a meaningful exit code, and nothing on the
 // disk.
+#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/study/study_checks.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
+#include "tests/fem/pipeline/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -26,6 +29,12 @@ void expect_refused(const ScratchFolder &scratch, const std::vector<std::string>
   EXPECT_THAT(ended.err, testing::HasSubstr(expected));
   EXPECT_THAT(ended.err, testing::Not(testing::HasSubstr("does not match the given pattern")));
   EXPECT_EQ(names_in(scratch.path()), before);
+}
+
+/// The sentence with which the program refuses a study before any work.
+std::string study_refusal(const std::string &file, const std::vector<std::string> &overrides = {})
+{
+  return sentence_of([&] { pipeline::require_no_tipping_at_rest(pipeline::read_study(file, overrides)); });
 }
 
 // More of what may stand in a study: StudyFile, StudyChecks, QuantityText and TextReader.
@@ -56,8 +65,10 @@ TEST(BadInput, StudyFilesAreRefusedInOneSentence)
            "Glass/Contact radius = -1 is not allowed" } })
   {
     const ScratchFolder scratch;
-    expect_refused(scratch, { "run", scratch.write(name, text) }, expected);
+    EXPECT_THAT(study_refusal(scratch.write(name, text)), testing::HasSubstr(expected)) << name;
   }
+  const ScratchFolder scratch;
+  expect_refused(scratch, { "run", scratch.write("empty.prm", "") }, "is empty");
 }
 
 TEST(BadInput, SettingsAreRefusedInOneSentence)
@@ -65,12 +76,12 @@ TEST(BadInput, SettingsAreRefusedInOneSentence)
   const std::string solid = "Contact/Body=solid", foot = "Glass/Shape=foot",
                     flat_foot = "Contact/Mesh file=" STEMWARE_MESHES "/flat_foot.msh";
   const ScratchFolder scratch;
-  scratch.write("study.prm", "# defaults\n");
+  const std::string study = scratch.write("study.prm", "# defaults\n");
   scratch.write("cube.msh",
                 "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
                 "5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n$EndNodes\n$Elements\n1\n1 5 2 0 1 1 2 3 4 5 6 7 8\n"
                 "$EndElements\n");
-  scratch.write("tipping.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.9 0\n");
+  const std::string tipping = scratch.write("tipping.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.9 0\n");
   for (const auto &[settings, expected] : std::vector<std::pair<std::vector<std::string>, std::string>>{
          { { "=0.03" }, "is not an assignment" },
          { { "Glass/Contact radius" }, "is not an assignment" },
@@ -94,7 +105,7 @@ TEST(BadInput, SettingsAreRefusedInOneSentence)
          { { "Load/Moment ratio=2" }, "less than 2, where the foot tips" },
          { { "Load/File=nothing.dat" }, "Load/Source = file" },
          { { "Load/Source=file" }, "needs Load/File" },
-         { { "Load/Source=file", "Load/File=tipping.dat" }, "tips at 2" },
+         { { "Load/Source=file", "Load/File=" + tipping }, "tips at 2" },
          { { "Motion/Force offset=0.3" }, "asks for a moment ratio of" },
          { { "Motion/Liquid mass=0.5" }, "the bowl overflows: the liquid reaches 0.13415 m" },
          { { "Motion/Liquid mass=1 g" }, "meets the bottom of the bowl" },
@@ -103,11 +114,14 @@ TEST(BadInput, SettingsAreRefusedInOneSentence)
          { { "Contact/Degree=5" }, "from 1 to 4" },
          { { "Contact/Azimuth lines=3" }, "from 16 to 100000" },
          { { "Contact/Azimuth lines=20" }, "lines" },
-         { { "Contact/Mesh file=study.prm" }, "is read by a solid body only" },
+         { { "Contact/Mesh file=" + study }, "is read by a solid body only" },
          { { solid, "Contact/Degree=3" }, "give 1 or 2" },
          { { solid, "Contact/Mesh file=nothing.msh" }, "nothing.msh does not exist" },
-         { { solid, "Contact/Mesh file=study.prm" }, "is not a .msh file" },
-         { { solid, "Contact/Mesh file=." }, "is not a file" },
+         { { solid, "Contact/Mesh file=" + study }, "give a .msh or .inp file" },
+         { { solid, "Contact/Mesh file=." }, "is not a file" } })
+    EXPECT_THAT(study_refusal(study, settings), testing::HasSubstr(expected)) << settings.back();
+  // What only the work on the foot shows.
+  for (const auto &[settings, expected] : std::vector<std::pair<std::vector<std::string>, std::string>>{
          { { solid, "Contact/Mesh file=cube.msh" }, "has no contact zone" },
          { { solid, flat_foot, "Glass/Contact radius=0.3", "Glass/Foot radius=0.34" },
            "has a radius of 0.03" },

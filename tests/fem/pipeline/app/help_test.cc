@@ -3,20 +3,35 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 namespace stemware::test
 {
 namespace
 {
 
-TEST(Help, TeachesByExampleAndNamesPagesThatExist)
+/// The verbs that `stemware --help` lists.
+std::vector<std::string> all_verbs(const std::string &help)
+{
+  std::istringstream lines(help);
+  std::vector<std::string> verbs;
+  std::string line;
+  while (std::getline(lines, line) && line != "Verbs:")
+    ;
+  while (std::getline(lines, line) && !line.empty())
+    // "  run      Compute a study ..."; further lines of a description are indented deeper.
+    if (line.compare(0, 3, "   ") != 0)
+      verbs.push_back(line.substr(2, line.find(' ', 2) - 2));
+  return verbs;
+}
+
+TEST(Help, OfEachVerbFitsTheConsoleAndNamesPagesThatExist)
 {
   const ScratchFolder scratch;
   const std::string help = stemware(scratch, { "--help" }).out;
   EXPECT_EQ(stemware(scratch, { "help" }).out, help);
-  EXPECT_THAT(help, testing::HasSubstr("Examples:\n  stemware "));
-  for (const char *code : { "  0 ", "  1 ", "  2 ", "  3 " })
-    EXPECT_THAT(help, testing::HasSubstr(code));
-  const std::vector<std::string> verbs = all_verbs();
+  EXPECT_EQ(bad_lines(help), "");
+  const std::vector<std::string> verbs = all_verbs(help);
   EXPECT_GE(verbs.size(), 4u);
   std::size_t n_pages = 0;
   for (const std::string &verb : verbs)
@@ -25,8 +40,7 @@ TEST(Help, TeachesByExampleAndNamesPagesThatExist)
     const Ended ended = stemware(scratch, { verb, "--help" });
     EXPECT_EQ(ended.exit_code, 0);
     EXPECT_EQ(ended.err, "");
-    EXPECT_THAT(ended.out, testing::HasSubstr("Examples:\n  stemware "));
-    EXPECT_EQ(stemware(scratch, { "help", verb }).out, ended.out);
+    EXPECT_EQ(bad_lines(ended.out), "");
     for (const std::string &page : all_between(ended.out, "docs/", ".md"))
     {
       EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(STEMWARE_DOCS) / (page + ".md"))) << page;
@@ -34,6 +48,7 @@ TEST(Help, TeachesByExampleAndNamesPagesThatExist)
     }
   }
   EXPECT_GT(n_pages, 0u);
+  EXPECT_EQ(stemware(scratch, { "help", "run" }).out, stemware(scratch, { "run", "--help" }).out);
 }
 
 TEST(Help, DefaultsOfOneSectionAreAStudyToo)

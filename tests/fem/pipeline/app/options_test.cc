@@ -4,30 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 namespace stemware::test
 {
-namespace
-{
-
-/// Lines that are too wide for the console, or hold escape codes.
-std::string bad_lines(const std::string &text)
-{
-  std::string bad;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);)
-  {
-    const auto n_columns =
-      std::count_if(line.begin(), line.end(), [](char letter) { return (letter & 0xC0) != 0x80; });
-    if (n_columns > 100 || line.find('\x1b') != std::string::npos)
-      bad += line + '\n';
-  }
-  return bad;
-}
-
-} // namespace
-
 TEST(StudyOptions, QuietPrintsNothing)
 {
   const ScratchFolder scratch;
@@ -71,9 +49,6 @@ TEST(StudyOptions, TextFitsTheConsoleWithoutEscapeCodes)
     EXPECT_EQ(other.exit_code, 0) << other.err;
     EXPECT_EQ(bad_lines(other.out + other.err), "");
   }
-  for (const std::string &verb : all_verbs())
-    EXPECT_EQ(bad_lines(stemware(scratch, { verb, "--help" }).out), "");
-  EXPECT_EQ(bad_lines(stemware(scratch, { "--help" }).out), "");
 }
 
 } // namespace stemware::test

@@ -186,7 +186,7 @@ void expect_limit_at_right_height(unsigned int n_steps)
   ratios.expect_fair_medians();
 }
 
-TEST(LiftedBands, OfRandomMomentsHold)
+TEST(LiftedBands, OfRandomMomentsHoldLong)
 {
   expect_bands_of_random_moments_hold(30);
 }
@@ -196,7 +196,7 @@ TEST(LiftedBands, OfTwoRandomMomentsHold)
   expect_bands_of_random_moments_hold(2);
 }
 
-TEST(LiftedBands, OfRandomHeightsInBalanceHold)
+TEST(LiftedBands, OfRandomHeightsInBalanceHoldLong)
 {
   expect_bands_of_random_heights_hold(20);
 }
@@ -206,7 +206,7 @@ TEST(LiftedBands, OfTwoRandomHeightsInBalanceHold)
   expect_bands_of_random_heights_hold(2);
 }
 
-TEST(LiftedBands, OfHeightsUpToTheFallHold)
+TEST(LiftedBands, OfHeightsUpToTheFallHoldLong)
 {
   expect_limit_at_right_height(20);
 }
@@ -231,7 +231,7 @@ void expect_bands_with_vanishing_slip_hold(double smallest_moment, unsigned int 
   ratios.expect_fair_medians();
 }
 
-TEST(LiftedBands, WithVanishingSlipInTheContactHold)
+TEST(LiftedBands, WithVanishingSlipInTheContactHoldLong)
 {
   expect_bands_with_vanishing_slip_hold(1.90, 9);
 }

@@ -137,7 +137,7 @@ void expect_band_of_spin_holds(const Study &study)
 
 // The share over many random studies: tests/benchmark/error_band_coverage.cc, docs/method/error_bands.md.
 
-TEST(ErrorBands, OfARandomStudyHolds)
+TEST(ErrorBands, OfARandomStudyHoldsLong)
 {
   expect_band_of_spin_holds(RandomStudies(2024).next());
 }
@@ -170,7 +170,7 @@ void expect_band_holds_corners(unsigned int n_harmonics, unsigned int n_lines)
   EXPECT_LT(spin.parts.at("mesh") + spin.parts.at("degree"), 10 * error);
 }
 
-TEST(ErrorBands, HoldWhatCornersFarFromTheContactAdd)
+TEST(ErrorBands, HoldWhatCornersFarFromTheContactAddLong)
 {
   expect_band_holds_corners(Study().contact.harmonics, Study().contact.azimuth_lines);
 }

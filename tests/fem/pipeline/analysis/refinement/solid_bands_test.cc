@@ -129,7 +129,7 @@ TEST(SolidBands, OfAnOvalMeshAreTheChangeOfTheTerminalSpin)
 
 // In balance with friction and tilt, the mesh being the coarsest that there is: its band is that of halved
 // cells. The contact is a twentieth of a cell wide, so that more rings would be extrapolated to its nodes.
-TEST(SolidBands, OfAFootOnAMat)
+TEST(SolidBands, OfAFootOnAMatLong)
 {
   Study study = solid_study(fem::GlassShape::foot, { 24, 2, 1 });
   study.table.foundation_modulus = 1e12;
@@ -167,7 +167,7 @@ TEST(SolidBands, OfCountsOfCellsThatDoNotHalve)
 
 // With re-entrant corners, where the error falls with the first order; its band is that of cells twice as
 // large.
-TEST(SolidBands, OfAStepOnAMat)
+TEST(SolidBands, OfAStepOnAMatLong)
 {
   const Study study = step_on_mat(1e11);
   const ErrorBands solid = bands_of(study), revolution = bands_of(revolved(study));
@@ -177,7 +177,7 @@ TEST(SolidBands, OfAStepOnAMat)
 }
 
 // The contact is a hundredth of a cell wide: what halving the cells changes is a small part of the error.
-TEST(SolidBands, OfAContactThatIsNarrowerThanItsCells)
+TEST(SolidBands, OfAContactThatIsNarrowerThanItsCellsLong)
 {
   Study study = step_on_mat(1e15);
   study.contact.friction_coupling = FrictionCoupling::none;
@@ -202,12 +202,12 @@ TEST(SolidBands, OfALinearFlatLandOnAHardTable)
   EXPECT_LT(solid[index_of(solid, "a2")].band, 0.1); // of a_0
 }
 
-TEST(SolidBands, OfAFlatLandOnAHardTable)
+TEST(SolidBands, OfAFlatLandOnAHardTableLong)
 {
   expect_band_of_flat_land(0.5);
 }
 
-TEST(SolidBands, OfAFlatLandThatLiftsOffAHardTable)
+TEST(SolidBands, OfAFlatLandThatLiftsOffAHardTableLong)
 {
   expect_band_of_flat_land(1.2);
 }

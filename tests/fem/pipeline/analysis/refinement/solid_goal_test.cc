@@ -85,7 +85,7 @@ TEST(SolidGoal, LeavesAStudyWithoutAGoalAlone)
 
 // Oracle: the body of revolution on a mesh that leaves a tenth of the smallest error judged, by the next
 // coarser one.
-TEST(SolidGoal, EstimatesAreTheErrorsAgainstTheBodyOfRevolution)
+TEST(SolidGoal, EstimatesAreTheErrorsAgainstTheBodyOfRevolutionLong)
 {
   Study study = lifting_foot();
   const Study of_revolution = study;

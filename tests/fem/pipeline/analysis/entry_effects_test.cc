@@ -2,17 +2,14 @@
 // studies in which it says that it has an effect. The list below names what is not so: another base study, a
 // value, and the number of summary.json that must change. An entry that is read, checked and echoed, but not
 // passed on, fails here.
-#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/answer/study_answer.h"
 #include "fem/pipeline/answer/threaded_executor.h"
-#include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/feet/contact_report.h"
-#include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/report/run_results.h"
 #include "fem/pipeline/report/table_renderers.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/numbers.h"
-#include "tests/fem/pipeline/program_runner.h"
+#include "tests/fem/pipeline/scratch_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -179,30 +176,18 @@ const std::vector<Effect> effects = {
   { "Load/File", "two.dat", "/load/a/1", from_file },
 };
 
-/// All that a study results in, with the spin-up's table beside the parts of summary.json.
-Json results_of(const Study &study, const test::ScratchFolder &scratch)
+/// The summary of a study, with the spin-up's table beside its parts.
+Json results_of(const Study &study)
 {
-  if (study.contact.body == BodyKind::revolution)
-  {
-    fem::ComplianceCache cache;
-    const auto foot = study_foot(study, cache);
-    const SharedLoad load = find_load(study, foot);
-    const SpinStudy spin =
-      study_spin(study, foot, *load, ThreadedExecutor(cache), silent_progress(), Depth::answer);
-    const Results results =
-      make_document(study, describe(study, foot, *load, spin.all().terminal->omega), spin, {});
-    Json all = results.findings.summary;
-    for (const ResultFile &file : results.files)
-      if (file.name == "spin_up.csv")
-        all["spin_up.csv"] = data_table(std::get<Table>(file.content));
-    return all;
-  }
-  // A solid body needs MPI, which the program starts and ends.
-  const std::string file = scratch.write("study.prm", study_as_prm(study));
-  const test::Ended ended =
-    test::stemware(scratch, { "run", file, "--quick", "--output", "results", "--quiet" });
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  return Json::parse(test::read_text(scratch / "results/summary.json"));
+  fem::ComplianceCache cache;
+  const StudyAnswer answer =
+    answer_study(study, Depth::answer, ThreadedExecutor(cache), silent_progress(), false);
+  const Results results = make_document(study, answer.contact, answer.spin, answer.bands, answer.goal);
+  Json all = results.findings.summary;
+  for (const ResultFile &file : results.files)
+    if (file.name == "spin_up.csv")
+      all["spin_up.csv"] = data_table(std::get<Table>(file.content));
+  return all;
 }
 
 /// The study of an effect's base, or with its value too: one that is solved in no time, but for what the base
@@ -236,14 +221,10 @@ protected:
     const Study study = study_of(GetParam(), false, shared->scratch);
     const std::string text = study_as_prm(study);
     const auto known = shared->of_bases.find(text);
-    return known != shared->of_bases.end() ? known->second
-                                           : shared->of_bases[text] = results_of(study, shared->scratch);
+    return known != shared->of_bases.end() ? known->second : shared->of_bases[text] = results_of(study);
   }
 
-  static Json results_with_the_value()
-  {
-    return results_of(study_of(GetParam(), true, shared->scratch), shared->scratch);
-  }
+  static Json results_with_the_value() { return results_of(study_of(GetParam(), true, shared->scratch)); }
 
 private:
   struct Shared
