@@ -22,6 +22,7 @@ stand_in dpkg '[[ $1 != --print-architecture ]] || echo amd64'
 stand_in sudo '[[ $1 == -* ]] || exec "$@"'
 stand_in apt-get 'seq 500'
 stand_in ctest ''
+stand_in npm ''
 stand_in cmake 'seq 200; [[ $* != *--build* ]] || { mkdir -p build/release; printf "%s\n" "#!/bin/sh" "echo \"stemware \$*\" >>\"\$CALLS\"" >build/release/stemware; chmod +x build/release/stemware; }'
 
 troubles=0
@@ -42,6 +43,19 @@ ends 0 run '^apt-get .*install --yes .*cmake' '^cmake --build .*--target stemwar
 ends 0 "run my_glass.prm --set Contact/Body=solid" '--target stemware stemware_solid_module$' '^stemware run my_glass.prm --set Contact/Body=solid --output results/my_glass$'
 ends 0 "install $scratch/there" '--target stemware stemware_solid_module$' "^cmake --install .*--prefix $scratch/there"
 ends 0 test '^apt-get .*chromium' '^cmake --build --preset release --parallel [0-9]+$' '^ctest --preset release$'
+mkdir -p build/release && touch build/release/build.ninja && echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/release/CMakeCache.txt
+ends 0 "run --yes" '^cmake --preset release$' # packages were installed
+on_a_terminal() { script -qec "./quickstart run $1" /dev/null >"$scratch/out" 2>&1; } # answer on standard input, arguments
+: >"$CALLS"
+! on_a_terminal "" <<<n && grep -q 'apt-get install' "$scratch/out" && ! grep -q '^apt-get' "$CALLS" || { echo "n: installs" && cat "$scratch/out" "$CALLS" && troubles=$((troubles + 1)); }
+on_a_terminal "" <<<y && grep -q '^apt-get .*install' "$CALLS" || { echo "y: does not install" && cat "$scratch/out" && troubles=$((troubles + 1)); }
+on_a_terminal --yes </dev/null && ! grep -q 'Install them' "$scratch/out" || { echo "--yes: asks" && cat "$scratch/out" && troubles=$((troubles + 1)); }
+stand_in apt-get '[[ -e $CALLS.mended ]] || { echo "dpkg was interrupted, you must manually run dpkg --configure -a"; exit 100; }'
+stand_in dpkg '[[ $1 != --configure ]] || touch "$CALLS.mended"; [[ $1 != --print-architecture ]] || echo amd64'
+ends 0 run '^dpkg --configure -a$' '^apt-get .*install'
+stand_in dpkg '[[ $1 != --print-architecture ]] || echo amd64'
+ends 0 run '^apt-get .*install'
+! grep -q 'dpkg --configure' "$CALLS" || { echo "dpkg --configure without need" && troubles=$((troubles + 1)); }
 ends 0 "test --long -j 3" '^ctest --preset release-long -j 3$'
 ends 0 "test -R ring" '^ctest --preset release -R ring$'
 stand_in cmake '[[ $* != *--build* ]] || sleep 60'
