@@ -121,7 +121,7 @@ TEST(BadInput, SettingsAreRefusedInOneSentence)
   for (const auto &[settings, expected] : std::vector<std::pair<std::vector<std::string>, std::string>>{
          { { "Load/Source=file", "Load/File=tipping.dat" }, "tips at 2" },
          { { "Contact/Azimuth lines=20" }, "lines" },
-         { { solid, "Contact/Mesh file=study.prm" }, "give a .msh or .inp file" },
+         { { solid, "Contact/Mesh file=study.prm" }, "is not a .msh file" },
          { { solid, "Contact/Mesh file=cube.msh" }, "has no contact zone" },
          { { solid, flat_foot, "Glass/Contact radius=0.3", "Glass/Foot radius=0.34" },
            "has a radius of 0.03" },
