@@ -81,11 +81,6 @@ foreach(page IN LISTS pages)
     endif()
   endforeach()
 
-  string(REGEX MATCHALL "[.]csv/[^=/ ]*/[^ ]*" markers "${text}")
-  foreach(marker IN LISTS markers)
-    string(APPEND troubles "${page} names a row by its place: ${marker}\n")
-  endforeach()
-
   set(patterns "")
   string(REGEX MATCHALL "gtest_filter='[^']+" filters "${text}")
   foreach(filter IN LISTS filters)

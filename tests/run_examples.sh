@@ -6,7 +6,7 @@
 #   run_examples.sh SOURCE_FOLDER STEMWARE "help [VERB]" RESULTS      the examples of stemware [VERB] --help
 #
 # A page is read in a clone; the examples of --help run in an empty folder, with the installed program and nothing else.
-# A command that is one of docs/numbers/studies.txt is not run again: its results are in the folder RESULTS, from the same
+# A command that is one of docs/studies.txt is not run again: its results are in the folder RESULTS, from the same
 # program and studies.
 #
 # Commands of one code block share a shell; lines of blocks that begin with another word are not commands of a user of
@@ -90,7 +90,7 @@ reduced() {
   command=$(sed -E -e 's/:[0-9]+(:log)?"/:2\1"/g' -e 's/--samples [0-9]+/--samples 4/' -e 's/mpirun -n [0-9]+/mpirun -n 2/' \
     -e 's|build/release/stemware|stemware|' -e 's/(Azimuthal cells)=[0-9]+/\1=24/' -e 's/--levels [0-9]+/--levels 3/' \
     -e 's/(Refinements|Foot layers|Degree)=2/\1=1/' <<<"$1")
-  # The answer tells whether a command works; budget and bands are those of the studies in docs/numbers/studies.txt.
+  # The answer tells whether a command works; budget and bands are those of the studies in docs/studies.txt.
   [[ $command == *--quick* || $examples == *budget.dat* ]] || command=$(sed -E 's/stemware run( |$)/stemware run --quick\1/' <<<"$command")
   # One contact does too; a balance at every spin takes hundreds.
   local of_the_page=$source/docs/cookbooks/none
@@ -110,14 +110,14 @@ reduced() {
   printf '%s' "$command"
 }
 
-# Takes the results of a command from those of docs/numbers/studies.txt; fails where there are none of this program.
+# Takes the results of a command from those of docs/studies.txt; fails where there are none of this program.
 take_results() {
   [[ $1 != *--output* ]] || return 1
   local name verb study
   name=$(awk -v command="${1% --quiet}" '$1 ~ /^[a-z0-9_]+:$/ { name = $1; sub(/^[a-z0-9_]+: */, ""); if ($0 == command) { sub(/:/, "", name); print name; exit } }' \
-    "$source/docs/numbers/studies.txt")
+    "$source/docs/studies.txt")
   local summary=$results/$name/summary.json
-  [[ -n $name && $summary -nt $program && -z $(find "$source/docs/cookbooks" "$source/docs/numbers/studies.txt" "$source/meshes" -newer "$summary") ]] || return 1
+  [[ -n $name && $summary -nt $program && -z $(find "$source/docs/cookbooks" "$source/docs/studies.txt" "$source/meshes" -newer "$summary") ]] || return 1
   read -r _ verb study _ <<<"$1"
   [[ $study == *.prm ]] && study=$(basename -- "$study" .prm) || study=default
   [[ $verb == run ]] || study+=-$verb

@@ -4,6 +4,7 @@
 #include "fem/pipeline/input/study_size.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/support/numbers.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/fem/pipeline/refusal.h"
@@ -48,6 +49,20 @@ TEST(PlausibleValues, WhatHasNoEffectOrIsLeftOutIsNotLookedAt)
 {
   EXPECT_EQ(notes_with({ { "Table/Disc thickness", "8" } }), Texts());
   EXPECT_EQ(notes_with({ { "Glass/Crown radius", "0" } }), Texts());
+}
+
+TEST(PlausibleValues, StandInTheTableOfThePage)
+{
+  const std::string page = test::read_text(STEMWARE_DOCS "/values.md");
+  for (const StudyEntry &entry : entries_of(Study()))
+    if (entry.plausible)
+    {
+      const std::string range =
+        to_short_text(entry.plausible->min) + " to " + to_short_text(entry.plausible->max);
+      EXPECT_THAT(page, testing::HasSubstr("\n| `" + entry.path() + "` | " + range +
+                                           (entry.unit == "1" ? "" : " " + entry.unit) + " | " +
+                                           entry.plausible_reason + " |\n"));
+    }
 }
 
 TEST(PlausibleValues, DefaultsAndRangesAreThemselvesPlausible)

@@ -1,0 +1,41 @@
+#!/usr/bin/env python3
+"""Writes docs/summary.md, the keys of summary.json, from its schema.
+
+    keys.py            writes the page
+    keys.py --check    exit code 1 if the page differs
+"""
+import json
+import pathlib
+import sys
+
+here = pathlib.Path(__file__).resolve().parent
+HEAD = "| key | unit | meaning |\n|---|---|---|\n"
+
+
+def rows(schema, path=""):
+    """Rows of the properties of a schema; the properties of objects and lists in it stand below them."""
+    text = ""
+    for key, value in schema.get("properties", {}).items() if isinstance(schema, dict) else ():
+        meaning = value.get("description", "").replace("|", "\\|")
+        text += f"| `{path}{key}` | {value.get('unit', '')} | {meaning} |\n"
+        text += rows(value, f"{path}{key}.") + rows(value.get("items", {}), f"{path}{key}[].")
+        if isinstance(value.get("additionalProperties"), dict):
+            text += rows(value["additionalProperties"], f"{path}{key}.*.")
+    return text
+
+
+schema = json.loads((here / "../fem/pipeline/document/summary.schema.json").read_text())
+page = f"""# The keys of summary.json
+
+{schema["description"]} The schema is `fem/pipeline/document/summary.schema.json`, installed as \
+`share/stemware/summary.schema.json`; this page is made from it by `docs/keys.py`. Each verb writes a subset of the keys; \
+`[]` represents each entry of a list, `*` any name.
+
+{HEAD}{rows(schema)}
+`load`, `load_at_terminal` and `load_at_fall` have these keys:
+
+{HEAD}{rows(schema["definitions"]["load"], "load.")}"""
+if "--check" not in sys.argv:
+    (here / "summary.md").write_text(page)
+elif (here / "summary.md").read_text() != page:
+    sys.exit("docs/summary.md is not what the schema declares; docs/keys.py makes it again.")
