@@ -1,16 +1,12 @@
 #include "fem/pipeline/answer/study_answer.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
-#include "fem/pipeline/page/explore_page.h"
-#include "fem/pipeline/page/live_bodies.h"
 #include "fem/pipeline/page/publish.h"
 #include "fem/pipeline/report/run_results.h"
 #include "fem/pipeline/system/ranks.h"
 
 #include <CLI/CLI.hpp>
 
-#include <optional>
-#include <string>
 #include <utility>
 
 namespace stemware::pipeline
@@ -23,7 +19,6 @@ namespace
 struct RunOptions : StudyOptions
 {
   bool quick = false; ///< the answer and its curves alone
-  bool live = false;  ///< a report that solves the study again
 };
 
 /// Solves a study and writes the folder of its results. Collective over all ranks. Throws BadInput,
@@ -31,16 +26,7 @@ struct RunOptions : StudyOptions
 void run(const RunOptions &options)
 {
   const Depth depth = options.quick ? Depth::answer : Depth::full;
-
-  std::string solver;
-  const auto refuse = [&](const Study &study)
-  {
-    if (!options.live)
-      return;
-    require_live(study);
-    solver = live_solver();
-  };
-  StudyWork work(options, true, refuse); // refuses everything that can be refused
+  StudyWork work(options, true); // refuses everything that can be refused
   StudyAnswer answer = answer_study(work.study, depth, work.executor, work.progress, true);
   // Only the first rank knows where the foot presses; each has the fields of its own cells.
   Results results = is_first_rank()
@@ -48,11 +34,7 @@ void run(const RunOptions &options)
                       : Results();
   if (answer.contact.foot)
     results.fields = std::move(answer.contact.foot->fields);
-  std::optional<LivePart> live;
-  if (options.live)
-    live =
-      live_part({ work.study, {}, {}, n_threads_of(options) }, solver, work.cache, [](const PagePair &) {});
-  publish(options, work.study, std::move(results), work.folder, work.stopwatch, live);
+  publish(options, work.study, std::move(results), work.folder, work.stopwatch);
 }
 
 } // namespace
@@ -62,8 +44,6 @@ void add_run_verb(CLI::App &program, Verb &chosen)
   const auto [verb, options] = add_study_verb(
     program, chosen, "run", "Compute a study: contact, torque, spin, and the size of each effect", run);
   verb->add_flag("--quick", options->quick, "The answer and its curves, no budget and no error bands");
-  verb->add_flag("--live", options->live,
-                 "A report with sliders, which solves the study again in the browser");
 }
 
 } // namespace stemware::pipeline

@@ -360,7 +360,7 @@ std::string explore_page(const LivePart &live, const std::vector<PagePair> &pair
   for (const PagePair &pair : pairs)
     spins += (spins.empty() ? "" : ", ") + pair.glass + " on " + pair.table + ' ' +
              boost::replace_all_copy(spin_text(pair), "-", "\u2212");
-  return page_of(nullptr, "The spinning wine glass", "Terminal spins by stemware run: " + spins + '.', live);
+  return live_page(live, "The spinning wine glass", "Terminal spins by stemware run: " + spins + '.');
 }
 
 } // namespace stemware::pipeline

@@ -45,7 +45,7 @@ LivePart live_part(const PageOptions &options, const std::string &solver, fem::C
 /// Returns the terminal spin of a pair with its unit, or that the glass falls.
 std::string spin_text(const PagePair &pair);
 
-/// Returns the page of @p live, whose pairs are @p pairs, without a document.
+/// Returns the page of @p live, whose pairs are @p pairs.
 std::string explore_page(const LivePart &live, const std::vector<PagePair> &pairs);
 
 } // namespace stemware::pipeline

@@ -11,38 +11,56 @@ namespace stemware::pipeline
 /// HTML, style and scripts of the page: modules of page/, joined by CMake.
 const CompiledTexts &report_page_texts();
 
+namespace
+{
+
+/// page.html with @p parts, which differ between reports and live pages.
+std::string filled(const std::string &title, const std::string &answer,
+                   std::map<std::string, std::string> parts)
+{
+  parts.insert({ { "WRITTEN_BY", written_by_stemware },
+                 { "TITLE", html_text(title) },
+                 { "ANSWER", html_text(answer) } });
+  return with_marks_replaced(text_of(report_page_texts(), "page.html"), parts);
+}
+
+constexpr auto no_script =
+  "Pictures, tables and sliders of this page need JavaScript. If only these lines are shown, this site "
+  "or browser runs no scripts: save the file and open it in a browser of May 2023 or later.";
+
+} // namespace
+
 std::string page_of(const nlohmann::ordered_json &document, const std::string &title,
-                    const std::string &answer, const std::optional<LivePart> &live)
+                    const std::string &answer)
 {
   const CompiledTexts &texts = report_page_texts();
-  const std::string files =
-    document.is_null() ? "" : " All numbers are in summary.json and the CSV files beside it.";
-  std::map<std::string, std::string> parts = {
-    { "WRITTEN_BY", written_by_stemware },
-    { "TITLE", html_text(title) },
-    { "ANSWER", html_text(answer) },
-    { "NO_SCRIPT",
-      "Pictures, tables and sliders of this page need JavaScript. If only these lines are shown, this site "
-      "or browser runs no scripts: save the file and open it in a browser of May 2023 or later." +
-        files },
-    { "STYLE", text_of(texts, "style.css") },
-    { "LIVE", "" },
-    { "LIVE_POLICY", "" },
-    { "DOCUMENT", json_within_html(document) },
-    { "SHA256", base64_of_digits(live ? STEMWARE_LIVE_SHA256 : STEMWARE_PAGE_SHA256) },
-    { "SCRIPT", text_of(texts, live ? "live.js" : "script.js") }
-  };
-  if (live)
-  {
-    parts["STYLE"] += text_of(texts, "live.css");
-    parts["LIVE_POLICY"] = " 'wasm-unsafe-eval'; worker-src blob:";
-    parts["LIVE"] =
-      with_marks_replaced(text_of(texts, "live.html"), { { "DATA", json_within_html(live->data) },
-                                                         { "BODIES", live->bodies },
-                                                         { "WASM", live->wasm },
-                                                         { "WORKER", text_of(texts, "worker.js") } });
-  }
-  return with_marks_replaced(text_of(texts, "page.html"), parts);
+  const std::string content =
+    R"(<script type="application/json" id="document">)" + json_within_html(document) + "</script>";
+  return filled(title, answer,
+                { { "NO_SCRIPT", std::string(no_script) +
+                                   " All numbers are in summary.json and the CSV files beside it." },
+                  { "STYLE", text_of(texts, "style.css") },
+                  { "POLICY", "" },
+                  { "CONTENT", content },
+                  { "SHA256", base64_of_digits(STEMWARE_PAGE_SHA256) },
+                  { "SCRIPT", text_of(texts, "script.js") } });
+}
+
+std::string live_page(const LivePart &live, const std::string &title, const std::string &answer)
+{
+  const CompiledTexts &texts = report_page_texts();
+  const std::string content =
+    with_marks_replaced(text_of(texts, "live.html"), { { "DATA", json_within_html(live.data) },
+                                                       { "BODIES", live.bodies },
+                                                       { "WASM", live.wasm },
+                                                       { "WORKER", text_of(texts, "worker.js") } });
+  return filled(title, answer,
+                { { "NO_SCRIPT", no_script },
+                  { "STYLE", text_of(texts, "style.css") + text_of(texts, "live.css") },
+                  { "POLICY", " 'wasm-unsafe-eval'; worker-src blob:" },
+                  { "CONTENT", content },
+                  { "SHA256", base64_of_digits(STEMWARE_LIVE_SHA256) },
+                  { "SCRIPT", text_of(texts, "live.js") } });
 }
 
 } // namespace stemware::pipeline

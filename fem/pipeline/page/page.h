@@ -2,11 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include <optional>
 #include <string>
 
-/// The page of results: HTML, style and script of page/ with an embedded document. Pictures, tables and
-/// surrounding sentences are made in the browser.
+/// Pages: HTML, style and script of page/ with an embedded document of results, or with a solver. Pictures,
+/// tables and surrounding sentences are made in the browser.
 namespace stemware::pipeline
 {
 
@@ -17,9 +16,12 @@ struct LivePart
   std::string bodies, wasm;    ///< compliances and solver, gzip in base64
 };
 
-/// Returns a self-contained page of @p document; null: without one. @p title and @p answer are also included
-/// as text, for browsers without scripts.
+/// Returns a self-contained page of @p document. @p title and @p answer are also included as text, for
+/// browsers without scripts.
 std::string page_of(const nlohmann::ordered_json &document, const std::string &title,
-                    const std::string &answer, const std::optional<LivePart> &live = {});
+                    const std::string &answer);
+
+/// Returns a self-contained page that solves @p live.
+std::string live_page(const LivePart &live, const std::string &title, const std::string &answer);
 
 } // namespace stemware::pipeline

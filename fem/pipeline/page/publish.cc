@@ -1,6 +1,7 @@
 #include "fem/pipeline/page/publish.h"
 
 #include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/page/page.h"
 #include "fem/pipeline/report/table_renderers.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/system/console.h"
@@ -72,8 +73,7 @@ Json page_document(const Results &results, Json summary)
 
 /// Writes all files but the fields into @p place, a folder that will be @p final_place.
 void write_results(const StudyOptions &options, const std::optional<Study> &study, const Results &results,
-                   Stopwatch &stopwatch, const fs::path &place, const fs::path &final_place,
-                   const std::optional<LivePart> &live = {})
+                   Stopwatch &stopwatch, const fs::path &place, const fs::path &final_place)
 {
   for (const ResultFile &file : results.files)
     if (!std::holds_alternative<std::monostate>(file.content))
@@ -86,8 +86,8 @@ void write_results(const StudyOptions &options, const std::optional<Study> &stud
     write_text_file(place / "parameters.prm", study_as_prm(*echo));
   }
   Json summary = summary_of(options.verb, echo, results.findings);
-  write_text_file(place / "report.html", page_of(page_document(results, summary), results.words["title"],
-                                                 results.words["answer"], live));
+  write_text_file(place / "report.html",
+                  page_of(page_document(results, summary), results.words["title"], results.words["answer"]));
   stopwatch.finish("report");
   std::set<std::string> files = { "summary.json", "timings.json" };
   for (const auto &item : fs::directory_iterator(place))
@@ -131,7 +131,7 @@ Json summary_of(const std::string &verb, const std::optional<Study> &study, cons
 }
 
 void publish(const StudyOptions &options, const std::optional<Study> &study, Results results,
-             ResultsFolder &folder, Stopwatch &stopwatch, const std::optional<LivePart> &live)
+             ResultsFolder &folder, Stopwatch &stopwatch)
 {
   // The folder is whole before it gets its name.
   folder.open();
@@ -140,7 +140,7 @@ void publish(const StudyOptions &options, const std::optional<Study> &study, Res
   on_first_rank(
     [&]
     {
-      write_results(options, study, results, stopwatch, folder.working_folder(), folder.final_folder(), live);
+      write_results(options, study, results, stopwatch, folder.working_folder(), folder.final_folder());
       folder.publish();
     });
   if (is_first_rank())

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "fem/pipeline/input/study_options.h"
-#include "fem/pipeline/page/page.h"
 #include "fem/pipeline/report/results.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/system/output.h"
@@ -22,12 +21,10 @@ nlohmann::ordered_json summary_of(const std::string &verb, const std::optional<S
 /// parameters.prm, summary.json ("schema", "program", "verb", "parameters", findings, "files") and
 /// timings.json. It then renames the folder and prints the console's text and the location. With --json the
 /// last line of standard output is {"verb", "results", "summary", "report", key figures}. Without a study
-/// parameters.prm and "parameters" are omitted.
-///
-/// @p live: part of report.html that solves the study again, if any. Throws OutputFailure, and
-/// std::runtime_error for a finding that is not finite.
+/// parameters.prm and "parameters" are omitted. Throws OutputFailure, and std::runtime_error for a finding
+/// that is not finite.
 void publish(const StudyOptions &options, const std::optional<Study> &study, Results results,
-             ResultsFolder &folder, Stopwatch &stopwatch, const std::optional<LivePart> &live = {});
+             ResultsFolder &folder, Stopwatch &stopwatch);
 
 /// Writes the same files into the existing @p folder, on one rank: for a sweep, whose rows are already there.
 void publish_in(const std::filesystem::path &folder, const StudyOptions &options,

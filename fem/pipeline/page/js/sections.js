@@ -69,12 +69,10 @@ function show(doc, view, main) {
   );
 }
 
-/** Shows the document of the page, if there is one, with one of the views by verbs. */
+/** Shows the document of the page with one of the views by verbs. */
 export function show_document(views) {
-  const main = document.querySelector('main');
   const doc = JSON.parse(document.getElementById('document').textContent);
-  if (doc) show(doc, views[doc.summary.verb](doc), main);
-  else main.remove();
+  show(doc, views[doc.summary.verb](doc), document.querySelector('main'));
 }
 
 /** Shows one picture in the place of the page, for files that are made without a hand: report.html#svg=torque. */

@@ -8,8 +8,7 @@ import { draw_scene, make_scene } from './turning.js';
 import { make_measured } from './measured.js';
 import { save_curves, study_text } from './keep.js';
 import { facts, tell } from './says.js';
-import { figure_of, show_anew, show_document } from '../js/sections.js';
-import { run } from '../views/run.js';
+import { figure_of, show_anew } from '../js/sections.js';
 import { say } from '../js/words.js';
 import { texts } from './texts.js';
 import { write_lesson } from './lesson.js';
@@ -100,7 +99,7 @@ async function copy_address() {
   }
 }
 
-show_document({ run });
+document.querySelector('main').remove(); // text for browsers without scripts
 recall();
 make_choices(choose);
 $('live').hidden = false;
