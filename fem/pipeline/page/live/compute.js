@@ -91,19 +91,16 @@ function choose(name, changes) {
     changed = {};
   }
   const own = Object.fromEntries(data.pairs[name].values);
-  const refused = [];
   let failure = null; // the first reply that refuses
   for (const path in { ...changed, ...changes }) {
     const wish = Object.hasOwn(changes, path) ? changes[path] : (own[path] ?? data.entries[path]);
     if (stays && changed[path] === changes[path]) continue;
     const why = set(path, wish);
-    if (!why.error) continue;
-    refused.push(why.error);
-    failure ||= { ...why, refused: true };
+    if (why.error) failure ||= { ...why, refused: true };
   }
-  changed = refused.length ? {} : { ...changes };
-  if (refused.length) pair = null;
-  return { refused, failure, stays };
+  changed = failure ? {} : { ...changes };
+  if (failure) pair = null;
+  return { failure, stays };
 }
 
 const work = {
@@ -113,14 +110,6 @@ const work = {
     return { ...read(solver.explore_solve(m.harmonics, m.cold || !stays ? 1 : 0)), was_cold: m.cold || !stays };
   },
   curves: () => read(solver.explore_curves()),
-  measured: m => {
-    const { refused } = choose(m.pair, m.changes);
-    return refused.length ? { error: refused[0], refused: true } : called('explore_measured', m.name, m.text);
-  },
-  fit: m => {
-    const { refused } = choose(m.pair, m.changes);
-    return refused.length ? { error: refused[0], refused: true } : called('explore_fit', m.name, m.text, m.free, m.start);
-  },
   budget: () => read(solver.explore_budget()),
   pressure: () => read(solver.explore_pressure())
 };

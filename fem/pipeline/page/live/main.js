@@ -122,7 +122,7 @@ $('as-prm').onclick = () => download('explored.prm', study_text(), 'text/plain')
 $('as-csv').onclick = () => save_curves(drawn.values());
 $('as-link').onclick = copy_address;
 $('as-print').onclick = () => print();
-make_measured(queue, () => draw(['spin']));
+make_measured(() => draw(['spin']));
 addEventListener('hashchange', () => {
   state.changes = {};
   state.lesson = 0;

@@ -1,129 +1,76 @@
-// A measured run: read, drawn and fitted by the solver, while the page stays as it is.
-import { $, doc, pair_name, state } from './state.js';
-import { curve, ellipse } from '../views/fit.js';
-import { figure_of, show_anew } from '../js/sections.js';
-import { h } from '../js/dom.js';
-import { on_page } from './pictures.js';
+// A measured run over the computed spin-up: a table whose first column of numbers is time.
+import { $, doc } from './state.js';
 import { say, shown } from '../js/words.js';
+import { h } from '../js/dom.js';
+import { table_of } from '../js/tables.js';
 import { texts } from './texts.js';
 
-const offered = ['Motion/Friction coefficient', 'Motion/Grip torque', 'Motion/Centre of mass height'];
-const free = new Set(offered.slice(0, 2));
-let queue, run; // { name, text } of the file
-let is_start_free = true,
-  held_start = 0; // s
-let fitted = null; // document of the last fit, with `reads`: what was read
+const degree = Math.PI / 180;
+const units = { 'rad/s': [1, false], '°/s': [degree, false], rad: [1, true], '°': [degree, true] }; // factor, is an angle
+const separators = ['\t', ';', /\s+/, /,(?=(?:[^"]*"[^"]*")*[^"]*$)/];
+const max_bytes = 2e7;
+const max_points = 2000; // drawn
+let run = { time: null, columns: [] }; // columns: { heading, values }
 
-const label = path => texts.labels[path] || path.split('/')[1];
-const status = text => ($('fit-status').textContent = text);
+const bare = cell => cell.trim().replace(/^"(.*)"$/, '$1');
+/** The number of a cell, with decimal comma or point; NaN for other text. */
+function number(cell) {
+  const text = bare(cell).replace('−', '-');
+  return /^[-+]?(\d+([.,]\d*)?|[.,]\d+)(e[-+]?\d+)?$/i.test(text) ? Number(text.replace(',', '.')) : NaN;
+}
+const is_data = row => row.filter(Number.isFinite).length > 1;
 
-/** Files of this size are no runs of a glass; the whole text goes to the solver. */
-const largest = 2e7;
+/** The columns of numbers of a table. */
+function read(text) {
+  const lines = text.split(/[\r\n]+/).filter(line => line.trim());
+  const sample = lines[lines.length >> 1] || '';
+  const separator = separators.find(one => is_data(sample.trim().split(one).map(number)));
+  const cells = lines.map(line => line.trim().split(separator));
+  const rows = cells.map(row => row.map(number));
+  const first = rows.findIndex(is_data);
+  const data = rows.filter(is_data);
+  if (first < 0) return [];
+  const headings = cells[first - 1]?.length === data[0].length ? cells[first - 1].map(bare) : [];
+  const columns = data[0].map((_, i) => ({
+    heading: headings[i] || say(texts.column, i + 1),
+    values: data.map(row => row[i] ?? NaN)
+  }));
+  return columns.filter(({ values }) => 2 * values.filter(Number.isFinite).length > values.length);
+}
 
-async function take(file, draw_spin) {
-  if (!file) return;
-  if (file.size > largest) return status(texts.fit_large);
-  run = { name: file.name, text: (await file.text()).replaceAll('\0', ' ') };
-  fitted = null;
-  write_measured();
-  const asked = await queue.wait_for({ do: 'measured', pair: pair_name(), changes: { ...state.changes }, ...run });
-  if (!asked) return status(texts.fit_cancelled);
-  if (asked.reply.error) {
-    run = null;
+function range({ values }) {
+  const known = values.filter(Number.isFinite);
+  return known.reduce((a, b) => Math.max(a, b)) - known.reduce((a, b) => Math.min(a, b));
+}
+
+/** Puts the chosen column into the document as spins [rad/s] over time [s]; an angle is differentiated. */
+function convert() {
+  const { values } = run.columns[$('measured-column').value];
+  const [factor, is_angle] = units[$('measured-unit').value];
+  const rate = i => (values[i + 1] - values[i - 1]) / (run.time[i + 1] - run.time[i - 1]);
+  const points = run.time.map((t, i) => [t - run.time[0], factor * (is_angle ? rate(i) : values[i])]);
+  const step = Math.ceil(points.length / max_points);
+  const drawn = points.filter((point, i) => i % step === 0 && point.every(Number.isFinite));
+  doc.tables.measured = table_of(['time', 'omega'], drawn);
+}
+
+/** The controls of a measured run; `draw` draws the spin-up again. */
+export function make_measured(draw) {
+  const take = async file => {
+    if (!file) return;
+    const [time, ...columns] = file.size > max_bytes ? [] : read(await file.text());
+    run = { time: time?.values, columns: columns.sort((a, b) => range(b) - range(a)) };
+    $('measured-column').replaceChildren(...run.columns.map(({ heading }, i) => h('option', { value: i }, heading)));
+    $('measured-choice').hidden = !run.columns.length;
     delete doc.tables.measured;
-    write_measured();
-    status(asked.reply.error);
-  } else {
-    doc.tables.measured = asked.reply.document.tables.measured;
-    const text = `${run.name}: ${asked.reply.document.words.data}`;
-    status(text);
-  }
-  draw_spin();
-}
-
-async function fit() {
-  const start = is_start_free ? '' : String(held_start);
-  const message = { do: 'fit', pair: pair_name(), changes: { ...state.changes }, ...run, free: [...free].join('\n'), start };
-  status(texts.fitting);
-  $('fit').hidden = true;
-  $('fit-cancel').hidden = false;
-  const asked = await queue.wait_for(message);
-  $('fit-cancel').hidden = true;
-  $('fit').hidden = false;
-  fitted = asked?.reply.document || null;
-  write_measured();
-  if (!asked) status(texts.fit_cancelled);
-  else if (asked.reply.error) status(asked.reply.error);
-  else status(say(texts.fit_done, (asked.ms / 1000).toFixed(1)));
-}
-
-function value_of({ value, spread, unit }) {
-  const own = unit === '1' ? '' : ` ${unit}`;
-  return `${shown(value, '.5g')} ± ${shown(spread, '.2g')}${own}`;
-}
-
-/** Values, curve, ellipses and sentences of the fit. */
-function result() {
-  const { entries, runs } = fitted.summary.fit;
-  const rows = [
-    ...entries.map(entry => [label(entry.entry), value_of(entry)]),
-    [texts.fit_start, value_of({ value: runs[0].start, spread: runs[0].start_spread, unit: 's' })]
-  ];
-  const pictures = [on_page(curve(fitted, runs[0], 0), 'live_fit', texts.fit_curve)];
-  entries.forEach((_, j) => {
-    for (let i = 0; i < j; ++i) {
-      const given = ellipse(fitted, i, j, label);
-      pictures.push(on_page(given, `live_${given.id}`, texts.fit_ellipse));
-    }
-  });
-  pictures.forEach(show_anew);
-  return [
-    h('dl', { class: 'fitted' }, rows.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value)))), // prettier-ignore
-    fitted.words.fit_sentences.map(({ key, text, values }) => {
-      const own = texts.fit_sentences[key];
-      const named = values.map(value => (offered.includes(value) ? label(value) : value));
-      return h('p', {}, own ? say(own, ...named) : text);
-    }),
-    h('div', { class: 'figures' }, pictures.map(figure_of))
-  ];
-}
-
-/** Frees the start, or holds it where the last fit has it. */
-function hold(e) {
-  is_start_free = e.target.checked;
-  if (fitted) held_start = Number(fitted.summary.fit.runs[0].start.toPrecision(4));
-  write_measured();
-}
-
-/** Writes the card. */
-export function write_measured() {
-  $('fit-free').replaceChildren(
-    ...offered.map(path => {
-      const change = e => {
-        free[e.target.checked ? 'add' : 'delete'](path);
-        $('fit').disabled = !run || !free.size;
-      };
-      const box = h('input', { type: 'checkbox', checked: free.has(path), onchange: change });
-      return h('label', { class: 'choice' }, box, ' ', label(path));
-    }),
-    h('label', { class: 'choice' }, h('input', { id: 'fit-start-free', type: 'checkbox', checked: is_start_free, onchange: hold }), ' ', texts.fit_start), // prettier-ignore
-    is_start_free ? '' : h('label', { class: 'choice' }, texts.fit_held, ' ', h('input', { id: 'fit-start', type: 'number', step: 'any', value: held_start, onchange: e => (held_start = e.target.valueAsNumber || 0) })) // prettier-ignore
-  );
-  $('fit').disabled = !run || !free.size;
-  $('fit-result').replaceChildren(...(fitted ? result() : []).flat());
-}
-
-/** The card of measured runs; `draw_spin` draws the spin-up anew. */
-export function make_measured(given, draw_spin) {
-  queue = given;
-  write_measured();
-  status(texts.fit_wait);
-  $('measured').onchange = e => take(e.target.files[0], draw_spin);
-  $('fit').onclick = fit;
-  $('fit-cancel').onclick = () => queue.cancel();
+    if (run.columns.length) convert();
+    const points = doc.tables.measured?.values[0];
+    const said = points ? say(texts.measured, file.name, run.time.length, shown(Math.max(...points), '.3g')) : say(texts.unreadable, file.name); // prettier-ignore
+    $('measured-status').textContent = said;
+    draw();
+  };
+  $('measured').onchange = e => take(e.target.files[0]);
+  for (const id of ['measured-column', 'measured-unit']) $(id).onchange = () => (convert(), draw());
   addEventListener('dragover', e => e.preventDefault());
-  addEventListener('drop', e => {
-    e.preventDefault();
-    take(e.dataTransfer.files[0], draw_spin);
-  });
+  addEventListener('drop', e => (e.preventDefault(), take(e.dataTransfer.files[0])));
 }

@@ -22,14 +22,9 @@ export const calm = ['torque', 'spin', 'budget', 'pressure'];
 export function picture(name) {
   const [is_known, make] = pictures[name];
   const given = is_known() && make();
-  return given ? on_page(given, `live_${name}`, texts[name]) : null;
+  if (!given) return null;
+  return { ...given, id: `live_${name}`, title: texts[name], words: '', caption: '', marks: given.marks.filter(Boolean) };
 }
-
-/** A picture of reports on this page, where it has no caption. */
-export const on_page = (given, id, title) => {
-  const marks = given.marks.filter(Boolean);
-  return { ...given, id, title, words: '', caption: '', marks };
-};
 
 /** All harmonics against the first alone, as the budget has them; nothing where that does not spin. */
 export function harmonic_effect() {

@@ -132,20 +132,6 @@ export class Queue {
     this.next();
   }
 
-  /** Asks for something beside the answers: { reply, ms }, or nothing where a move or cancel() ended it. */
-  async wait_for(message) {
-    this.stopped = false;
-    while (!this.rests) await new Promise(done => setTimeout(done, 20));
-    const asked = this.stopped ? null : await this.ask(message);
-    this.next();
-    return asked;
-  }
-
-  cancel() {
-    this.stopped = true;
-    if (this.busy) cancel();
-  }
-
   /** After a pause: once more from the beginning, as `stemware run` solves it; then what takes longer. */
   async rest(reply) {
     if (reply.error) return;

@@ -97,19 +97,16 @@ export function spin_up(doc) {
     words: `to ${shown(ring.omega_terminal ?? ring.fall?.omega, '.4g')} rad/s`,
     caption:
       `${known ? `The terminal spin is ${shown(ring.omega_terminal, '.5g')} rad/s, ${shown(Math.abs(ring.omega_terminal) / (2 * Math.PI), '.3g')} turns per second.` : ''}` +
-      (measured ? ' Points: measured, Motion/Measured spin file.' : '') +
       (settles ? ' Dotted: time constant of the approach to the terminal spin.' : '') +
       one_way(doc),
     x: { label: 'time', symbol: 't =', unit: 's', room: 0 },
     y: { label: 'spin ω', unit: 'rad/s', zero: true },
     marks: [
+      ...(measured ? [dots({ x: measured.time, y: measured.omega, name: 'measured', colour: 'ink', hollow: true })] : []),
       ...curve_keys(t).map(key => {
         const [name, colour, dash] = look_of(key);
         return line({ x: t.time, y: t[key].map(v => v ?? NaN), name, colour, dash });
       }),
-      ...(measured
-        ? [dots({ x: measured.time, y: measured.omega, name: 'measured', colour: 'ink', hollow: true })]
-        : []),
       ...(known ? [rule({ y: ring.omega_terminal, colour: 'c8', dash: '1 3' })] : []),
       ...(settles
         ? [

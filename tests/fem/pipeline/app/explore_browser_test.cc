@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -210,72 +211,89 @@ TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)
       << one << ": " << shown[one]["answer"];
 }
 
-/// A script that opens @p page, gives the card of measured runs the tables @p good and @p bad, and fits: what
-/// it says then, and of the bad table.
-std::string fitting_script(const std::string &page, const std::string &good, const std::string &bad)
+/// A script that opens @p page and gives it @p tables, texts of files by name, one after the other: for each
+/// the status, the columns on offer, and the points over the computed spin-up with the first of @p units.
+std::string measured_script(const std::string &page, const nlohmann::ordered_json &tables,
+                            const std::map<std::string, std::string> &units)
 {
   return framed(page, 400) + R"(
   const wait = async until => { while (!until()) await new Promise(r => setTimeout(r, 20)); };
-  await wait(() => frame.contentWindow?.started);
+  await wait(() => frame.contentWindow?.started && frame.contentDocument.body.dataset.rested);
   const shown = frame.contentWindow, root = shown.document, $ = id => root.getElementById(id);
-  const give = async (name, text) => {
+  const blobs = [];
+  shown.URL.createObjectURL = blob => (blobs.push(blob), "data:,");
+  shown.HTMLAnchorElement.prototype.click = () => {};
+  const points = async () => {
+    root.querySelectorAll("#live_spin figcaption button.file")[2].click();
+    const rows = (await blobs.pop().text()).trim().split("\r\n").map(row => row.split(","));
+    return rows.filter(row => row[0] == "measured").map(row => row.slice(1).map(Number));
+  };
+  const found = {}, units = )" +
+         nlohmann::json(units).dump() + R"(;
+  for (const [name, text] of Object.entries()" +
+         nlohmann::json(tables).dump() + R"()) {
     const files = new shown.DataTransfer();
     files.items.add(new shown.File([text], name));
-    const before = $("fit-status").textContent;
     $("measured").files = files.files;
     $("measured").dispatchEvent(new shown.Event("change"));
-    await wait(() => $("fit-status").textContent !== before && $("fit-status").textContent.includes(name));
-    return $("fit-status").textContent;
-  };
-  const found = { read: await give("run.csv", )" +
-         script_string(good) + R"() };
-  $("fit").click();
-  await wait(() => $("fit-result").children.length);
-  found.figures = [...root.querySelectorAll("#fit-result figure")].map(figure => figure.id);
+    await wait(() => $("measured-status").textContent.startsWith(name));
+    if (units[name]) {
+      $("measured-unit").value = units[name];
+      $("measured-unit").dispatchEvent(new shown.Event("change"));
+    }
+    found[name] = { status: $("measured-status").textContent, hidden: $("measured-choice").hidden, points: await points(),
+                    columns: [...$("measured-column").options].map(option => option.text) };
+  }
   found.width = root.documentElement.scrollWidth;
-  found.card = $("fit-card").innerText;
-  $("fit-start-free").click();
-  found.start = $("fit-start").valueAsNumber;
-  found.bad = await give("<img src=x onerror=parent.ran=1>.csv", )" +
-         script_string(bad) + R"();
-  found.left = $("fit-result").children.length;
-  found.disabled = $("fit").disabled;
   found.ran = Boolean(window.ran);
   return found;)";
 }
 
-TEST(ExplorePage, AMeasuredRunIsFittedAndABadFileGivesTheReadersSentence)
+TEST(ExplorePage, AMeasuredRunIsDrawnOverTheComputedCurve)
 {
-  std::string run = "t (s);omega (rad/s)\n";
-  for (int i = 0; i < 40; ++i)
-  {
-    const double t = 0.04 * i;
-    run += std::to_string(t) + ';' +
-           std::to_string(-3.4 * (1 - std::exp(-std::max(t - 0.1, 0.) / 0.19)) + 0.02 * std::sin(91 * t)) +
-           '\n';
-  }
+  using Points = std::vector<std::pair<double, double>>;
+  const std::string hostile = "<img src=x onerror=parent.ran=1>.csv";
+  const nlohmann::ordered_json tables = {
+    // phyphox with decimal commas: the axis with the largest range is the first on offer
+    { "phone.csv", "\"Time (s)\";\"x (rad/s)\";\"y (rad/s)\";\"z (rad/s)\"\n"
+                   "2,00;0,1;0,0;0\n2,50;0,2;0,1;-1,5\n3,00;0,1;0,0;-2,25E0\n" },
+    { "degrees.csv", "t,omega\n0,0\n1,-180\n" },
+    // a film: an angle, with a line before the names and an incomplete line
+    { "film.txt", "mass_A\nt\ttheta\n0\t0\n0.5\t-90\n1\t-270\n1.5\t\n2\t-810\n" },
+    { "radians.txt", "0 0\n0.5 -1\n1 -4\n" },
+    { hostile, "no numbers\nhere\n" }
+  };
+  const std::map<std::string, std::string> units = {
+    { "phone.csv", "rad/s" }, { "degrees.csv", "°/s" }, { "film.txt", "°" }, { "radians.txt", "rad" }
+  };
+  const std::map<std::string, Points> expected = { { "phone.csv", { { 0, 0 }, { 0.5, -1.5 }, { 1, -2.25 } } },
+                                                   { "degrees.csv", { { 0, 0 }, { 1, -M_PI } } },
+                                                   { "film.txt",
+                                                     { { 0.5, -1.5 * M_PI }, { 1, -8. / 3 * M_PI } } },
+                                                   { "radians.txt", { { 0.5, -4 } } } };
   const ScratchFolder scratch;
   ASSERT_EQ(stemware(scratch, { "explore", "--output", "page.html" }).exit_code, 0);
-  scratch.write("run.csv", run);
-  const Ended done = stemware(scratch, { "fit", "--data", "run.csv", "--quick", "--output", "fit", "--free",
-                                         "Motion/Friction coefficient", "--free", "Motion/Grip torque" });
-  ASSERT_EQ(done.exit_code, 0) << done.err;
   const nlohmann::json found =
-    found_in_browser(scratch, fitting_script(read_text(scratch / "page.html"), run, run + "0.5;-3\n"));
-  EXPECT_THAT(found["read"].get<std::string>(), testing::HasSubstr("40 rows"));
-  EXPECT_EQ(found["figures"], nlohmann::json({ "live_fit", "live_fit_ellipse_1_2" }));
+    found_in_browser(scratch, measured_script(read_text(scratch / "page.html"), tables, units));
+  for (const auto &[name, points] : expected)
+  {
+    SCOPED_TRACE(name);
+    const auto drawn = found[name]["points"].get<Points>();
+    ASSERT_EQ(drawn.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      EXPECT_NEAR(drawn[i].first, points[i].first, 1e-12);
+      EXPECT_NEAR(drawn[i].second, points[i].second, 1e-12);
+    }
+  }
+  EXPECT_EQ(found["phone.csv"]["columns"], nlohmann::json({ "z (rad/s)", "x (rad/s)", "y (rad/s)" }));
+  EXPECT_EQ(found["film.txt"]["columns"], nlohmann::json({ "theta" }));
+  EXPECT_EQ(found["radians.txt"]["columns"], nlohmann::json({ "column 2" }));
+  EXPECT_THAT(found["phone.csv"]["status"].get<std::string>(), testing::HasSubstr("3 points in 1 s"));
+  EXPECT_THAT(found[hostile]["status"].get<std::string>(), testing::HasSubstr("no two columns of numbers"));
+  EXPECT_TRUE(found[hostile]["hidden"].get<bool>());
+  EXPECT_EQ(found[hostile]["points"], nlohmann::json::array());
   EXPECT_LE(found["width"].get<int>(), 400);
-  const double friction = read_summary(scratch / "fit")["fit"]["entries"][0]["value"].get<double>();
-  std::ostringstream digits;
-  digits << std::setprecision(5) << friction;
-  EXPECT_THAT(found["card"].get<std::string>(), testing::HasSubstr(digits.str() + " ±"));
-  EXPECT_THAT(found["card"].get<std::string>(), testing::HasSubstr("known together only"));
-  // A start that is held stays where the fit has it.
-  EXPECT_NEAR(found["start"].get<double>(),
-              read_summary(scratch / "fit")["fit"]["runs"][0]["start"].get<double>(), 1e-4);
-  EXPECT_THAT(found["bad"].get<std::string>(), testing::HasSubstr("line 42"));
-  EXPECT_EQ(found["left"], 0);
-  EXPECT_TRUE(found["disabled"].get<bool>());
   EXPECT_FALSE(found["ran"].get<bool>());
 }
 
