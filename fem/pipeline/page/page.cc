@@ -8,8 +8,8 @@
 namespace stemware::pipeline
 {
 
-/// HTML, style and scripts of the page: modules of page/, joined by CMake.
-const CompiledTexts &report_page_texts();
+/// HTML of pages, and bundles of their scripts and styles with check sums.
+const CompiledTexts &page_texts();
 
 namespace
 {
@@ -21,7 +21,13 @@ std::string filled(const std::string &title, const std::string &answer,
   parts.insert({ { "WRITTEN_BY", written_by_stemware },
                  { "TITLE", html_text(title) },
                  { "ANSWER", html_text(answer) } });
-  return with_marks_replaced(text_of(report_page_texts(), "page.html"), parts);
+  return with_marks_replaced(text_of(page_texts(), "page.html"), parts);
+}
+
+/// The check sum in a file of sha256sum, as a Content-Security-Policy has it.
+std::string check_sum(const std::string &file)
+{
+  return base64_of_digits(text_of(page_texts(), file).substr(0, 64));
 }
 
 constexpr auto no_script =
@@ -33,7 +39,7 @@ constexpr auto no_script =
 std::string page_of(const nlohmann::ordered_json &document, const std::string &title,
                     const std::string &answer)
 {
-  const CompiledTexts &texts = report_page_texts();
+  const CompiledTexts &texts = page_texts();
   const std::string content =
     R"(<script type="application/json" id="document">)" + json_within_html(document) + "</script>";
   return filled(title, answer,
@@ -42,13 +48,13 @@ std::string page_of(const nlohmann::ordered_json &document, const std::string &t
                   { "STYLE", text_of(texts, "style.css") },
                   { "POLICY", "" },
                   { "CONTENT", content },
-                  { "SHA256", base64_of_digits(STEMWARE_PAGE_SHA256) },
+                  { "SHA256", check_sum("script.sha256") },
                   { "SCRIPT", text_of(texts, "script.js") } });
 }
 
 std::string live_page(const LivePart &live, const std::string &title, const std::string &answer)
 {
-  const CompiledTexts &texts = report_page_texts();
+  const CompiledTexts &texts = page_texts();
   const std::string content =
     with_marks_replaced(text_of(texts, "live.html"), { { "DATA", json_within_html(live.data) },
                                                        { "BODIES", live.bodies },
@@ -59,7 +65,7 @@ std::string live_page(const LivePart &live, const std::string &title, const std:
                   { "STYLE", text_of(texts, "style.css") + text_of(texts, "live.css") },
                   { "POLICY", " 'wasm-unsafe-eval'; worker-src blob:" },
                   { "CONTENT", content },
-                  { "SHA256", base64_of_digits(STEMWARE_LIVE_SHA256) },
+                  { "SHA256", check_sum("live.sha256") },
                   { "SCRIPT", text_of(texts, "live.js") } });
 }
 
