@@ -140,8 +140,8 @@ nlohmann::json reports_in_browser(const ScratchFolder &scratch, const std::vecto
   return found_in_browser(scratch, axe_script() + troubles_script() + "const addresses = " +
                                      script_string(nlohmann::json(addresses).dump()) + R"(;
   const found = {}, no_number = /NaN|undefined|Infinity|\[object/;
-  const parsed = csv => csv.trim().split("\r\n").map(row => row.match(/("([^"]|"")*"|[^,]*)(,|$)/g)
-    .map(cell => cell.replace(/,$/, "").replace(/^"|"$/g, "").replaceAll('""', '"')));
+  const parsed = csv => csv.trim().split("\r\n").map(row => row.split(/,(?=(?:[^"]*"[^"]*")*[^"]*$)/)
+    .map(cell => cell.replace(/^"|"$/g, "").replaceAll('""', '"')));
   for (const address of JSON.parse(addresses)) {
     const frame = document.createElement("iframe"), flaws = [], figures = {}, tables = {}, blobs = [];
     frame.style = "border:0;height:900px;width:1100px";
@@ -172,7 +172,9 @@ nlohmann::json reports_in_browser(const ScratchFolder &scratch, const std::vecto
       const text = await content(svg), file = new DOMParser().parseFromString(text, "image/svg+xml");
       if (file.querySelector("parsererror") || text.includes("var(--"))
         flaws.push("no SVG: " + text.slice(0, 200));
-      figures[figure.id] = parsed(await content(csv));
+      const rows = (figures[figure.id] = parsed(await content(csv)));
+      if (rows[0].includes("") || rows.some(row => row.length != rows[0].length))
+        flaws.push("the CSV of " + figure.id + " has other columns than headings: " + rows[0]);
     }
     for (const table of page.querySelectorAll("table")) {
       const title = table.caption.firstChild ? table.caption.innerText.replace(/ CSV$/, "") : "";

@@ -34,7 +34,9 @@ export function standalone(figure, width = 480) {
 
 function table_of({ x = {}, y = {}, marks }) {
   const label = axis => heading_of({ heading: axis.label || '', unit: axis.unit });
-  return csv([['curve', label(x) || 'x', label(y) || 'y'], ...marks.flatMap(m => m.rows())]);
+  const further = [...new Set(marks.flatMap(mark => (mark.rows().length ? Object.keys(mark.extra || {}) : [])))];
+  const row_of = mark => (row, i) => [...row, ...further.map(heading => mark.extra?.[heading]?.[i])];
+  return csv([['curve', label(x) || 'x', label(y) || 'y', ...further], ...marks.flatMap(m => m.rows().map(row_of(m)))]);
 }
 
 function save(figure, kind) {

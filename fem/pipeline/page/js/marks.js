@@ -1,5 +1,6 @@
 // What a picture may show over its axes. Each mark says how far it reaches, draws itself, finds what lies next to a place, and
-// lists its numbers: { extent(): {x, y}, draw(X, Y, box), near(px, py, X, Y): {i, px, py, away}, at(i), rows() }.
+// lists its numbers: { extent(): {x, y}, draw(X, Y, box), near(px, py, X, Y): {i, px, py, away}, at(i), rows(), extra }. A row is
+// [name, x, y]; `extra` has further numbers of each row, lists by their headings.
 import { s } from './dom.js';
 
 export const clean = list => list.filter(Number.isFinite);
@@ -93,7 +94,8 @@ export const dots = ({ x, y, name, colour = 'c1', size = 4, hollow, band, across
   near: (px, py, X, Y) => nearest(x, y, px, py, X, Y),
   at: i => ({ x: x[i], y: y[i], band: band && band[i], words: words && words[i] }),
   count: x.length,
-  rows: () => x.map((value, i) => [name || '', value, y[i], ...(band ? [band[i]] : [])])
+  rows: () => x.map((value, i) => [name || '', value, y[i]]),
+  extra: band && { '±': band }
 });
 
 /** Bars from `from` to `to` along the numbered rows of a vertical axis that has names. */
@@ -123,7 +125,8 @@ export const bars = ({ from, to, texts, name, colour = 'c1', rows: at, words, pa
   },
   at: i => ({ x: to[i], y: at[i], words: words && words[i] }),
   count: at.length,
-  rows: () => at.map((row, i) => [name || '', texts ? texts[i] : row, from[i], to[i]])
+  rows: () => at.map((row, i) => [name || '', to[i], texts ? texts[i] : row]),
+  extra: { from }
 });
 
 /** A straight line across the picture at x or y, with words at its end. */

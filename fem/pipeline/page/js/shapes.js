@@ -33,7 +33,7 @@ function contains(polygon, x, y) {
 }
 
 /** Coloured polygons [[x, y], ...], a value each; `words(i)` are said of one. */
-export const patches = ({ polygons, value, colours: { range, both_signs }, words, name, lines }) => {
+export const patches = ({ polygons, value, colours: { range, both_signs, label }, words, name, lines }) => {
   const levels = 48;
   const share = v => (v - range[0]) / (range[1] - range[0] || 1);
   const level = v => Math.max(0, Math.min(levels - 1, Math.floor(share(v) * levels)));
@@ -62,7 +62,8 @@ export const patches = ({ polygons, value, colours: { range, both_signs }, words
       return i < 0 || !Number.isFinite(value[i]) ? null : { i, px, py, away: 0 };
     },
     at: i => ({ words: words(i) }),
-    rows: () => polygons.map((polygon, i) => [name || '', middle(polygon, 0), middle(polygon, 1), value[i]])
+    rows: () => polygons.map(polygon => [name || '', middle(polygon, 0), middle(polygon, 1)]),
+    extra: { [label]: value }
   };
 };
 
@@ -109,7 +110,8 @@ export const arrows = ({ x, y, u, v, name, colour = 'c1', words, width = 1.6, he
   },
   at: i => ({ x: x[i] + u[i] / 2, y: y[i] + v[i] / 2, words: words && words[i] }),
   count: words ? x.length : 0,
-  rows: () => x.map((_, i) => [name || '', x[i], y[i], u[i], v[i]])
+  rows: () => x.map((_, i) => [name || '', x[i], y[i]]),
+  extra: { 'Δx': u, 'Δy': v }
 });
 
 /** The straight lines of a drawing: [[x0, y0, x1, y1], ...] in the units of the axes; `heads`: 1 or 2 arrows. */

@@ -9,7 +9,7 @@ const true_minus = text => text.replace(/(^|[\s([<>=±≤,])-(?=\d)/g, '$1−');
 function general(x, n, whole) {
   const power = x === 0 ? 0 : Math.floor(Math.log10(Math.abs(Number(x.toPrecision(n)))));
   const text = power < -4 || power >= Math.max(n, 6) ? x.toExponential(n - 1) : x.toFixed(Math.max(0, n - 1 - power));
-  return whole || !text.includes('.') ? text : text.replace(/\.?0+(?=e|$)/, '');
+  return whole ? text : text.replace(/(\.\d*?)0+(?=e|$)/, '$1').replace(/\.(?=e|$)/, '');
 }
 
 /** Rounds the half-width of an error band up to two digits. */

@@ -4,14 +4,15 @@ import { csv } from '../js/words.js';
 import { download } from '../js/dom.js';
 import { label_of } from '../js/figure.js';
 
-/** Points of all curves: which picture and curve, what x and y are, and x and y. */
+/** Points of all curves: picture, curve, meaning of x and y, x, y, and the heading and value of a colour or band. */
 export function save_curves(drawn) {
   const rows = [...drawn].flatMap(({ id, x, y, marks }) =>
-    marks.flatMap(mark =>
-      mark.rows().map(([curve, at, value]) => [id, curve, label_of(x || {}), label_of(y || {}), at, value])
-    )
+    marks.flatMap(mark => {
+      const [heading, values] = Object.entries(mark.extra || {})[0] || ['', []];
+      return mark.rows().map(([curve, ...at], i) => [id, curve, label_of(x || {}), label_of(y || {}), ...at, heading, values[i]]); // prettier-ignore
+    })
   );
-  download('explored.csv', csv([['picture', 'curve', 'x is', 'y is', 'x', 'y'], ...rows]), 'text/csv');
+  download('explored.csv', csv([['picture', 'curve', 'x is', 'y is', 'x', 'y', 'value is', 'value'], ...rows]), 'text/csv');
 }
 
 /** The study as a file of parameters. */
