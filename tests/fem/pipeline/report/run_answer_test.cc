@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
 #include <string>
 
 namespace stemware::pipeline
@@ -92,21 +91,6 @@ TEST(RunAnswer, SentenceAndTableSayTheSameAtEverySpeed)
   EXPECT_NE(nothing.find("less than 3.3e-18 rad/s."), std::string::npos) << nothing;
 }
 
-TEST(RunAnswer, SaysOneWayInEverySentence)
-{
-  SpunStudy one_way;
-  one_way.study.load.coupling = LoadCoupling::one_way;
-  const std::string said = one_way.answer(), word = "one-way";
-  std::size_t n_said = 0;
-  for (auto at = said.find(word); at != std::string::npos; at = said.find(word, at + 1))
-    ++n_said;
-  EXPECT_EQ(n_said, 4u) << said;
-  one_way.study.load.moment_ratio = 0.5;
-  expect_all(one_way.answer(), { "given moment", "(one-way)", "1.93 s" });
-  one_way.study.load.source = LoadSource::file;
-  expect_all(one_way.answer(), { "given load", "(one-way)", "1.93 s" });
-}
-
 TEST(RunAnswer, NoPerCentWhereTheSpinChangesItsSign)
 {
   SpunStudy turned;
@@ -134,17 +118,6 @@ TEST(RunAnswer, SenseIsSeenFromAboveAndComparedWithTheOrbit)
   EXPECT_EQ(begins(2, OrbitSense::counterclockwise), "counter-clockwise, with its orbit");
   EXPECT_EQ(begins(-2, OrbitSense::clockwise), "clockwise, with its orbit");
   EXPECT_EQ(begins(2, OrbitSense::clockwise), "counter-clockwise, against its orbit");
-}
-
-TEST(RunAnswer, ThePapersSpinStandsBesideAnotherModelOnly)
-{
-  SpunStudy spun;
-  spun.spin.budget.rows.front().omega_terminal = 1e-13;
-  EXPECT_NE(spun.answer().find("its orbit. In the paper's model"), std::string::npos);
-  spun.spin.budget.rows.front().omega_terminal.reset();
-  EXPECT_EQ(spun.answer().find("paper's rigid"), std::string::npos);
-  spun.spin.budget.rows = { { { 1 }, "paper", 1, -3.25 } };
-  EXPECT_EQ(spun.answer().find("paper's rigid"), std::string::npos);
 }
 
 TEST(RunAnswer, AGlassThatDoesNotSpinHasNoPercentages)
@@ -199,43 +172,6 @@ TEST(Remarks, ScatterOfAProfileIsInNoBand)
   EXPECT_NE(answer().find(page), std::string::npos) << answer();
   run.study.glass.rim_circle->rms_distance = 1e-11; // rounding
   EXPECT_EQ(answer().find(page), std::string::npos);
-}
-
-TEST(Remarks, AFootThatIsNotRoundIsNotWavy)
-{
-  SpunStudy spun;
-  spun.spin.phases.reset();
-  EXPECT_EQ(out_of_flat_remark(spun.study, spun.spin), "");
-  spun.spin.phases.emplace();
-  spun.spin.phases->spin_ripple = 0.0123;
-  spun.spin.phases->torque_ripple = 4.56e-4;
-  std::set<std::string> causes;
-  for (const Waviness &rim : { Waviness(), Waviness{ { 3, 1e-6, 0 } } })
-    for (const Waviness &table : { Waviness(), Waviness{ { 2, 1e-6, 0 } } })
-    {
-      spun.study.glass.waviness = rim;
-      spun.study.table.waviness = table;
-      causes.insert(out_of_flat_remark(spun.study, spun.spin));
-      expect_all(out_of_flat_remark(spun.study, spun.spin), { "±0.0123 rad/s", "±0.000456 N m" });
-    }
-  EXPECT_EQ(causes.size(), 4u);
-}
-
-TEST(Remarks, LiftOffAndLoadsThatPull)
-{
-  LoadReport load = { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) };
-  load.contact_fraction = 1;
-  load.minimum = 0.1;
-  load.moment_ratio = 0.9;
-  EXPECT_EQ(lift_off_sentences({ { "At rest", &load } }), "");
-  load.contact_fraction = 0.75;
-  load.minimum = 0;
-  const auto says = [&](const char *what) {
-    return lift_off_sentences({ { "At rest", &load } }).find(what) != std::string::npos;
-  };
-  EXPECT_TRUE(says("75.0 %") && says("moment ratio of 0.9"));
-  load.minimum = -999999;
-  EXPECT_TRUE(says("75.0 %") && says("-1e+06 N/rad"));
 }
 
 } // namespace
