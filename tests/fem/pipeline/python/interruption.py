@@ -5,20 +5,12 @@ import sys
 import time
 
 
-def seconds_until_stopped(setup, loop, wait):
-    """Runs `setup`, then `loop`, sends SIGINT `wait` seconds later; returns the seconds until KeyboardInterrupt [s].
-
-    Raises AssertionError if the loop does not end with KeyboardInterrupt.
-    """
+def is_stopped(setup, loop, wait):
+    """Runs `setup`, then `loop`, and sends SIGINT `wait` seconds later; True if the loop ends with KeyboardInterrupt."""
     code = (setup + "\nprint('ready', flush=True)\ntry:\n    " + loop +
             "\nexcept KeyboardInterrupt:\n    print('stopped', flush=True)\n")
     child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
     child.stdout.readline()
     time.sleep(wait)
-    begin = time.monotonic()
     child.send_signal(signal.SIGINT)
-    answer = child.stdout.readline()
-    seconds = time.monotonic() - begin
-    child.communicate(timeout=60)
-    assert answer == "stopped\n", answer
-    return seconds
+    return child.communicate()[0] == "stopped\n"

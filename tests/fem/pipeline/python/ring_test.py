@@ -15,7 +15,7 @@ from scipy.special import ellipe, ellipkm1
 
 from stemware import ring
 
-from interruption import seconds_until_stopped
+from interruption import is_stopped
 
 N, mu, R, v = 3.0, 0.3, 0.03, 0.35
 
@@ -286,18 +286,14 @@ class Manners(unittest.TestCase):
                                 (name, key, given, expected))
 
     def test_interruption(self):
-        seconds = seconds_until_stopped(
+        self.assertTrue(is_stopped(
             "import numpy as np\nfrom stemware import ring\n"
             "load = ring.RingStack.first_harmonic(normal_force=1, moment=(0.01, 0), radius=0.03)",
-            "while True: ring.wrench(load, 0.35, np.linspace(-1, 1, 2_000_000), mu=0.3)", 1.5)
-        print(f"Ctrl-C took {seconds:.2f} s")
+            "while True: ring.wrench(load, 0.35, np.linspace(-1, 1, 2_000_000), mu=0.3)", 1.5))
 
-    def test_import(self):
-        code = ("import numpy, time\nb = time.perf_counter()\nimport stemware\nprint(time.perf_counter() - b)\n"
-                "assert 'deal' not in open('/proc/self/maps').read()\n")
-        took = min(float(subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True, check=True).stdout) for _ in range(7))
-        print(f"import stemware after numpy: {1e3 * took:.0f} ms, least of 7")
-        self.assertLess(took, 0.2)
+    def test_import_loads_no_finite_elements(self):
+        code = "import stemware\nassert 'deal' not in open('/proc/self/maps').read()\n"
+        subprocess.run([sys.executable, "-c", code], check=True)
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ import numpy as np
 import stemware
 from stemware import ring
 
-from interruption import seconds_until_stopped
+from interruption import is_stopped
 
 program, source = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 cookbook = os.path.join(source, "docs/cookbooks/{}.prm").format
@@ -291,9 +291,8 @@ class Manners(unittest.TestCase):
         slow = {"Table/Interface": "hard", "Table/Substrate": "elastic", "Contact/Refinements": 2, "Contact/Harmonics": 64}
         for entries, loop in (({}, "while True: study.run()"), ({}, "while True: study.run(threads=2)"), (slow, "study.answer()")):
             setup = f"import stemware\nstemware.Study().answer()\nstudy = stemware.Study(entries={entries!r})"
-            seconds = [seconds_until_stopped(setup, loop, wait) for wait in (1, 3)]
-            print(f"Ctrl-C in {loop} took {max(seconds):.2f} s")
-            self.assertLess(max(seconds), 5)  # 1 s on a machine of its own
+            for wait in (1, 3):
+                self.assertTrue(is_stopped(setup, loop, wait), (loop, wait))
 
     def test_nothing_is_printed_and_no_mpi(self):
         code = ("import stemware\nstemware.Study().run(quick=True)\nassert 'libdeal' in open('/proc/self/maps').read()\n"

@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -203,7 +202,6 @@ TEST_P(ReaderFuzz, EndsInWhatWasReadOrInOneSentence)
   for (unsigned int trial = 0; trial < reader.n_trials; ++trial)
   {
     std::ofstream(file, std::ios::binary) << mutate(reader.seeds[trial % reader.seeds.size()]);
-    const auto start = std::chrono::steady_clock::now();
     try
     {
       reader.read(file);
@@ -224,7 +222,6 @@ TEST_P(ReaderFuzz, EndsInWhatWasReadOrInOneSentence)
       fs::copy_file(file, kept, fs::copy_options::overwrite_existing);
       ADD_FAILURE() << "trial " << trial << ", kept as " << kept << ": " << foreign.what();
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << "trial " << trial;
   }
   EXPECT_EQ(n_read + n_refused, reader.n_trials);
   RecordProperty("read", static_cast<int>(n_read));
