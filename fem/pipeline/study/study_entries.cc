@@ -142,45 +142,6 @@ struct EntryList
   }
 };
 
-/// Entry of an earlier version, or a value of an entry, and the new way.
-struct Renamed
-{
-  std::string path;
-  std::string value; ///< empty: every other value, and the entry itself
-  std::string instead;
-  std::string last_version = "0.1"; ///< last version that took it
-};
-
-const std::vector<Renamed> all_renamed = {
-  { "Table/Kind", "rigid", "write Table/Interface = hard, Table/Substrate = rigid" },
-  { "Table/Kind", "mat", "write Table/Interface = Winkler, Table/Substrate = rigid" },
-  { "Table/Kind", "rough", "write Table/Interface = rough, Table/Substrate = rigid" },
-  { "Table/Kind", "elastic", "write Table/Interface = hard, Table/Substrate = elastic" },
-  { "Table/Kind", "",
-    "write Table/Interface = hard, Winkler or rough, and Table/Substrate = rigid or elastic" },
-  { "Contact/Friction coupling", "automatic", "write Contact/Friction coupling = elastic" },
-  { "Load/Coupling", "frozen", "write Load/Coupling = one-way" },
-  { "Load/Coupling", "response", "write Load/Coupling = two-way" },
-  { "Load/Coupling", "exact", "write Load/Coupling = two-way" },
-  { "Load/Response tolerance", "",
-    "leave it out: with Load/Coupling = two-way the contact is solved in balance at every spin" },
-  { "Contact/Checkpoint folder", "", "a contact takes seconds to a minute: leave the entry out", "0.3" },
-};
-
-/// Throws BadInput with the new way for an entry or a value of an earlier version. @p origin begins the
-/// sentence; @p value is the text that the entry is given, nothing where the entry alone is asked for.
-void refuse_renamed(const std::string &origin, const std::string &path,
-                    const std::optional<std::string> &value = {})
-{
-  const auto is_gone = [&](const Renamed &renamed) { return renamed.path == path && renamed.value.empty(); };
-  const bool entry_is_gone = std::any_of(all_renamed.begin(), all_renamed.end(), is_gone);
-  for (const Renamed &renamed : all_renamed)
-    if (renamed.path == path && (renamed.value.empty() || renamed.value == value))
-      throw BadInput(origin + path + (value ? " = " + shortened(*value) : "") + " is " +
-                     (entry_is_gone ? "an entry" : "a value") + " of version " + renamed.last_version + "; " +
-                     renamed.instead + '.');
-}
-
 /// Word of the field that is no entry's name, and the entries that it may be meant for, the commonest first.
 struct FieldWord
 {
@@ -323,7 +284,6 @@ const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::st
                            const std::string &word)
 {
   const std::string path = full_path(entries, word);
-  refuse_renamed(origin, path);
   const auto entry = std::find_if(entries.begin(), entries.end(),
                                   [&](const StudyEntry &candidate) { return candidate.path() == path; });
   if (entry == entries.end()) // the suggestion takes long
@@ -351,9 +311,7 @@ void assign(const StudyEntry &entry, const std::string &origin, const std::strin
 void assign(const std::vector<StudyEntry> &entries, const std::string &origin, const std::string &path,
             const std::string &value)
 {
-  const std::string whole = full_path(entries, path);
-  refuse_renamed(origin, whole, value);
-  assign(entry_at(entries, origin, whole), origin, value);
+  assign(entry_at(entries, origin, path), origin, value);
 }
 
 StudyEntry find_entry(const std::string &option, const std::string &path)

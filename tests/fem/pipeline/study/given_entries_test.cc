@@ -1,10 +1,8 @@
-// What a study is told that it cannot use: entries without effect are named, words of version 0.1 refused.
+// Entries without effect are named.
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/support/failures.h"
-#include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
-#include "tests/fem/pipeline/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -22,11 +20,6 @@ using Names = std::vector<std::string>;
 Names idle_with(const Settings &settings)
 {
   return unused_entries(with_values(Study(), "the test", settings));
-}
-
-std::string refusal_of(const std::string &file, const std::vector<std::string> &overrides = {})
-{
-  return test::sentence_of([&] { read_study(file, overrides); });
 }
 
 TEST(IdleEntries, FollowTheChoicesOfTheStudy)
@@ -116,37 +109,6 @@ TEST(IdleEntries, ThereAreNoneInTheCookbooks)
       ++n_studies;
     }
   EXPECT_GE(n_studies, 9u);
-}
-
-TEST(RenamedEntries, AreRefusedWithTheNewWordsWhereverTheyStand)
-{
-  const test::ScratchFolder scratch;
-  const std::string empty = scratch.write("empty.prm", "# nothing\n");
-  for (const auto &[section, name, value, words] :
-       { std::tuple("Table", "Kind", "rigid", "Table/Interface = hard, Table/Substrate = rigid"),
-         std::tuple("Table", "Kind", "mat", "Table/Interface = Winkler, Table/Substrate = rigid"),
-         std::tuple("Table", "Kind", "rough", "Table/Interface = rough, Table/Substrate = rigid"),
-         std::tuple("Table", "Kind", "elastic", "Table/Interface = hard, Table/Substrate = elastic"),
-         std::tuple("Table", "Kind", "stone", "hard, Winkler or rough"),
-         std::tuple("Contact", "Friction coupling", "automatic", "Contact/Friction coupling = elastic"),
-         std::tuple("Load", "Coupling", "frozen", "Load/Coupling = one-way"),
-         std::tuple("Load", "Coupling", "response", "Load/Coupling = two-way"),
-         std::tuple("Load", "Coupling", "exact", "Load/Coupling = two-way"),
-         std::tuple("Load", "Response tolerance", "1e-6", "leave it out"),
-         std::tuple("Contact", "Checkpoint folder", "state", "leave the entry out") })
-  {
-    const std::string entry = section + std::string("/") + name, assignment = entry + " = " + value;
-    // First in a file: what is wrong after it is not looked at.
-    const std::string prm = scratch.write("a.prm", "subsection " + std::string(section) + "\n  set " + name +
-                                                     " = " + value + "\n  set Foo = 1\nend\n");
-    const std::string json =
-      scratch.write("a.json", "{\"" + std::string(section) + "\": {\"" + name + "\": \"" + value + "\"}}");
-    for (const std::string &sentence :
-         { refusal_of(empty, { assignment }), refusal_of(prm), refusal_of(json) })
-      EXPECT_THAT(sentence, testing::AllOf(testing::HasSubstr(assignment), testing::HasSubstr(words)));
-    EXPECT_THROW(with_values(Study(), "--vary", { { entry, value } }), BadInput);
-  }
-  EXPECT_THROW(find_entry("--vary", "Table/Kind"), BadInput);
 }
 
 } // namespace
