@@ -30,6 +30,20 @@ double RevolutionSetup::plane_strain_compliance() const
   return compliance;
 }
 
+double RevolutionSetup::compliance_under_band(double width) const
+{
+  const auto of_half_space = [&](const ElasticMaterial &material)
+  { return (1 - material.poisson_ratio * material.poisson_ratio) / material.young_modulus * width; };
+  double compliance = foot_is_rigid ? 0 : of_half_space(material);
+  if (table.substrate)
+  {
+    const ElasticMaterial &below = table.substrate->material;
+    compliance += std::min(of_half_space(below), table.substrate->disc.thickness /
+                                                   (below.lame_lambda() + 2 * below.shear_modulus()));
+  }
+  return compliance;
+}
+
 ContactCompliance RevolutionSetup::total_compliance(const ContactCompliance &foot,
                                                     const ContactCompliance *disc) const
 {
@@ -60,13 +74,12 @@ std::shared_ptr<const InterfaceLaw> RevolutionSetup::interface() const
 {
   if (!table.interface->is_hard())
     return table.interface;
-  const double compliance = plane_strain_compliance();
+  const double compliance = compliance_under_band(
+    profile.crown_radius > 0 && contact_half_width > 0 ? contact_half_width : profile.land_width);
   if (compliance == 0)
     throw std::invalid_argument("A rigid foot on a hard, rigid table has no defined pressure; make foot, "
                                 "interface or substrate compliant.");
-  const double width =
-    profile.crown_radius > 0 && contact_half_width > 0 ? contact_half_width : profile.land_width;
-  return std::make_shared<WinklerInterface>(hardness / (compliance * width));
+  return std::make_shared<WinklerInterface>(hardness / compliance);
 }
 
 double hertz_half_width(const RevolutionSetup &setup, double normal_force)

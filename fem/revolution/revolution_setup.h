@@ -52,7 +52,8 @@ struct RevolutionSetup
   RevolutionSetup resolved_for(double normal_force) const;
 
   /// Returns the table's interface; for a hard table a penalty law whose penetration is 1 / hardness of the
-  /// contact's deformation. Throws std::invalid_argument if no part is compliant.
+  /// contact's deformation, compliance_under_band() times the pressure. Throws std::invalid_argument if no
+  /// part is compliant.
   std::shared_ptr<const InterfaceLaw> interface() const;
 
   /// Returns the compliance of foot and substrate together, without disabled parts; @p disc: nullptr without
@@ -69,6 +70,10 @@ struct RevolutionSetup
 
   /// Returns the load per length of the rim under @p normal_force [N/m].
   double line_load(double normal_force) const;
+
+  /// Returns the displacement of the compliant bodies per pressure on a band of @p width [m/Pa]: that of a
+  /// half-space, or of a layer that cannot bulge, if the substrate is so thin that the latter is smaller.
+  double compliance_under_band(double width) const;
 
   /// Returns (1 - nu^2) / E of the compliant bodies, 1 / E* [1/Pa].
   double plane_strain_compliance() const;
