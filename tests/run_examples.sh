@@ -53,9 +53,9 @@ if [[ $what == *fit || -n ${own_cases:-} ]]; then
   sed 's/Force offset *= -0.05/Force offset = -0.03/' my_glass.prm >high_hand.prm
 fi
 
-# As many cases as the pages split, each without an elastic foot.
+# Cases without an elastic foot.
 if [[ ${own_cases:-} ]]; then
-  { echo "Load/Source,Motion/Mass (g)" && seq -f "first harmonic,%g" 201 400; } >cases.csv
+  { echo "Load/Source,Motion/Mass (g)" && seq -f "first harmonic,%g" 201 204; } >cases.csv
 fi
 
 # The commands in a text of lines "BLOCK<tab>LINE": one line "BLOCK<tab>COMMAND" each, continued lines joined, remarks

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <new>
 #include <omp.h>
 #include <stdexcept>
 
@@ -38,10 +39,16 @@ void hold_to_one_thread()
   omp_set_max_active_levels(0); // CHOLMOD starts four threads of its own for each of the caller's
 }
 
-[[noreturn]] void throw_indefinite()
+/// Throws std::bad_alloc if CHOLMOD ran out of memory in its last step, std::runtime_error if it failed
+/// otherwise.
+template <typename Factors>
+void require_success(Factors &factors)
 {
-  throw std::runtime_error(
-    "A stiffness matrix is not positive definite: the mesh is distorted or the body is not fixed.");
+  if (factors.cholmod().status == CHOLMOD_OUT_OF_MEMORY)
+    throw std::bad_alloc();
+  if (factors.cholmod().status < 0 || factors.info() != Eigen::Success)
+    throw std::runtime_error(
+      "A stiffness matrix is not positive definite: the mesh is distorted or the body is not fixed.");
 }
 
 } // namespace
@@ -72,22 +79,25 @@ struct SparseCholesky::Factors : Eigen::CholmodSimplicialLLT<LowerTriangle, Eige
     cholmod().method[0].ordering = CHOLMOD_AMD;
     cholmod().postorder = 1;
     cholmod().print = 0; // what goes wrong is said by the caller
-    compute(lower);
+    analyzePattern(lower);
+    require_success(*this);
+    factorize(lower);
+    require_success(*this);
   }
 };
 
 SparseCholesky::SparseCholesky(const dealii::SparseMatrix<double> &matrix)
     : factors(std::make_unique<Factors>(lower_triangle_of(matrix)))
 {
-  if (factors->info() != Eigen::Success)
-    throw_indefinite();
 }
 
 SparseCholesky::~SparseCholesky() = default;
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd &right_hand_sides) const
 {
-  return factors->solve(right_hand_sides);
+  Eigen::MatrixXd solutions = factors->solve(right_hand_sides);
+  require_success(*factors);
+  return solutions;
 }
 
 struct BlockCholesky::Factors : Eigen::CholmodSupernodalLLT<LowerTriangle, Eigen::Lower>
@@ -106,6 +116,7 @@ BlockCholesky::BlockCholesky(const LowerTriangle &pattern)
     : factors(std::make_unique<Factors>())
 {
   factors->analyzePattern(pattern);
+  require_success(*factors);
 }
 
 BlockCholesky::~BlockCholesky() = default;
@@ -114,14 +125,15 @@ void BlockCholesky::factorise(const LowerTriangle &matrix)
 {
   const auto alone = enter_blas();
   factors->factorize(matrix);
-  if (factors->info() != Eigen::Success)
-    throw_indefinite();
+  require_success(*factors);
 }
 
 Eigen::VectorXd BlockCholesky::solve(const Eigen::VectorXd &right_hand_side) const
 {
   const auto alone = enter_blas();
-  return factors->solve(right_hand_side);
+  Eigen::VectorXd solution = factors->solve(right_hand_side);
+  require_success(*factors);
+  return solution;
 }
 
 /// Factors L L' in the order of the matrix, of blocks where that pays.
@@ -142,13 +154,13 @@ struct BlockInverse::Factors : Eigen::CholmodSimplicialLLT<LowerTriangle, Eigen:
       : Factors()
   {
     m_cholmodFactor = cholmod_copy_factor(symbolic.m_cholmodFactor, &cholmod());
+    require_success(*this);
     m_isInitialized = true;
     m_analysisIsOk = 1;
   }
   Factors &operator=(const Factors &) = delete;
 
   bool are_blocks() const { return m_cholmodFactor->is_super != 0; }
-  bool are_whole() { return cholmod().status == CHOLMOD_OK && info() == Eigen::Success; }
 
   /// The last @p n rows and columns of L.
   Eigen::MatrixXd end(Eigen::Index n) const
@@ -200,6 +212,7 @@ BlockInverse::BlockInverse(const LowerTriangle &pattern, const std::vector<unsig
   for (Eigen::Index k = 0; k < plan->reordered.nonZeros(); ++k)
     plan->sources.push_back(static_cast<Eigen::Index>(plan->reordered.valuePtr()[k]));
   plan->symbolic.analyzePattern(plan->reordered);
+  require_success(plan->symbolic);
 }
 
 BlockInverse::~BlockInverse() = default;
@@ -216,8 +229,7 @@ Eigen::MatrixXd BlockInverse::operator()(const Eigen::VectorXd &entries, unsigne
       alone = enter_blas();
     numeric.factorize(matrix);
   }
-  if (!numeric.are_whole())
-    throw_indefinite();
+  require_success(numeric);
 
   // With the kept rows last, (L L')^-1 has (L_e L_e')^-1 in their rows and columns, L_e the end of L.
   const auto n_kept = static_cast<Eigen::Index>(plan->of_kept.size());

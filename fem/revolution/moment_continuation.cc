@@ -3,6 +3,7 @@
 #include "fem/geometry/require.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace stemware::fem
@@ -77,7 +78,7 @@ ContactSolution continue_in_moment(BodyOfRevolution &body, TableLaw &law, const 
         ContactOutcome::tipping,
         sentence("the required moment grows faster with the tilt than the moment of the contact; the balance "
                  "ends at ",
-                 100 * path.share,
+                 std::round(1000 * path.share) / 10,
                  " % of the moment. Lower the centre of mass or the hand, or reduce the speed."));
     }
   return path.last;

@@ -4,7 +4,6 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/variants/answer_share.h"
 
 #include <algorithm>
 #include <chrono>
@@ -210,14 +209,9 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
     (has_own_balance ? fewer.on_same_foot : fewer.on_same_load) = true;
   }
   variants.insert(variants.end(), others.begin(), others.end());
-  const bool lifts_off = whole.row.at_rest && whole.row.status != ring::Status::full_contact;
-  const AnswerWork work = { foot ? foot->n_contacts() : 0, load.phases() != nullptr, lifts_off };
-  const WorkShares shares = work_shares(study, work, variants, depth == Depth::full);
-  progress.share_done(shares.answer);
   StudyRows rows;
   std::vector<LoadedRow> solved =
     solve_rows(variants, foot, question, executor, progress, "models", whole.load);
-  progress.share_done(shares.variants);
   const auto first_other = solved.begin() + static_cast<std::ptrdiff_t>(orders.size()) - 1;
   rows.by_harmonics.assign(std::make_move_iterator(solved.begin()), std::make_move_iterator(first_other));
   rows.others.assign(std::make_move_iterator(first_other), std::make_move_iterator(solved.end()));

@@ -9,6 +9,7 @@
 #include "fem/pipeline/refinement/goal_mesh.h"
 #include "fem/pipeline/refinement/quantities_of_interest.h"
 #include "fem/pipeline/support/failures.h"
+#include "ring_model/no_balance.h"
 
 #include <cmath>
 #include <exception>
@@ -118,7 +119,12 @@ try
 }
 catch (const fem::ContactFailure &contact)
 {
-  return { fem::to_string(contact.outcome), failure_sentence() };
+  return { fem::to_string(contact.outcome), failure_sentence(), {},
+           contact.outcome == fem::ContactOutcome::tipping };
+}
+catch (const ring::Tipping &)
+{
+  return { "", failure_sentence(), {}, true };
 }
 catch (const std::bad_alloc &)
 {

@@ -21,15 +21,16 @@ const std::vector<std::string> &sweep_keys();
 struct CaseResult
 {
   std::string outcome; ///< of the contact; empty if there was none
-  std::string message; ///< cause of a failed case, one sentence; empty if the case is solved
+  std::string message; ///< cause of a case without numbers, one sentence; empty if the case is solved
   std::map<std::string, double> values = {}; ///< values by key; missing values are left out
+  bool tips_at_rest = false;                 ///< the glass falls before it spins: no numbers, no failure
 
-  bool is_solved() const { return message.empty(); }
+  bool has_failed() const { return !message.empty() && !tips_at_rest; }
   std::optional<double> value(const std::string &key) const;
   /// True if the glass stands at rest and tips on the way: an answer without a terminal spin.
   bool falls_over() const { return values.count("omega_fall") > 0; }
   /// "ok", "tips" or "failed".
-  std::string status() const { return !is_solved() ? "failed" : falls_over() ? "tips" : "ok"; }
+  std::string status() const { return has_failed() ? "failed" : falls_over() || tips_at_rest ? "tips" : "ok"; }
 };
 
 /// Solves a study on its own @p foot like `run` with Depth::answer: all harmonics and the first only. Equal

@@ -19,8 +19,6 @@ ConsoleProgress::ConsoleProgress(Stopwatch &stopwatch)
 void ConsoleProgress::stage_done(const std::string &stage)
 {
   stopwatch.finish(stage);
-  if (stage == "mesh_and_stiffness")
-    before_contacts = stopwatch.elapsed();
 }
 
 void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, std::size_t n_all)
@@ -28,7 +26,7 @@ void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, s
   if (n_all > 0)
   {
     if (!bar)
-      bar.emplace(n_all, 0, what, false); // a row on a hard table takes as long as ten others
+      bar.emplace(n_all, what);
     bar->show(n_done);
     if (n_done == n_all)
       bar.reset();
@@ -39,19 +37,6 @@ void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, s
     return; // the bar shows how far it is
   last_line = now;
   console() << fmt::format(FMT_STRING("  {} {}"), n_done, what) << std::endl;
-}
-
-void ConsoleProgress::share_done(double share)
-{
-  constexpr double much = 1.5;
-  const double elapsed = stopwatch.elapsed();
-  if (!in_contacts)
-    in_contacts = (elapsed - before_contacts) / share;
-  const double whole = elapsed + (1 - share) * *in_contacts;
-  if (whole <= worth_telling || (whole < much * printed_time && printed_time < much * whole))
-    return;
-  printed_time = whole;
-  note("Time", "about " + rough_duration(whole) + " in all");
 }
 
 void ConsoleProgress::iteration(const fem::ContactIteration &step)

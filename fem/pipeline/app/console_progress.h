@@ -22,17 +22,11 @@ public:
 
   void stage_done(const std::string &stage) override;
   void pieces_done(const std::string &what, std::size_t n_done, std::size_t n_all) override;
-  /// Estimates the time of the whole from that of the answer; prints it above 10 s, and again if it changes
-  /// by half.
-  void share_done(double share) override;
   void iteration(const fem::ContactIteration &step) override;
   void note(const std::string &subject, const std::string &text) override;
 
 private:
   Stopwatch &stopwatch;
-  double before_contacts = 0;        ///< elapsed when the foot was set up [s]
-  std::optional<double> in_contacts; ///< planned for contacts [s], see share_done()
-  double printed_time = 0;           ///< last printed estimate [s]
   std::optional<WorkProgress> bar;
   bool has_header = false; ///< of the table of Newton steps
   std::chrono::steady_clock::time_point last_line = std::chrono::steady_clock::now();

@@ -2,7 +2,12 @@
 
 #include "fem/pipeline/app/program.h"
 
+#include <cstdlib>
+
 int main(int argc, char *argv[])
 {
-  return stemware::pipeline::run_program(argc, argv);
+  const int exit_code = stemware::pipeline::run_program(argc, argv);
+  // Everything is written. At the end of deal.II's static objects TBB starts threads, and aborts the program if
+  // the memory left has no room for their stacks.
+  std::_Exit(exit_code);
 }

@@ -11,6 +11,7 @@
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
 #include "fem/pipeline/system/console.h"
+#include "fem/pipeline/system/memory_left.h"
 #include "fem/pipeline/system/program.h"
 #include "fem/pipeline/system/ranks.h"
 
@@ -19,6 +20,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fmt/format.h>
+#include <iostream>
+#include <stdexcept>
 #include <thread>
 
 namespace stemware::pipeline
@@ -43,12 +47,36 @@ std::string why_no_folder(const std::string &text)
            : "";
 }
 
+/// Refuses a study that does not fit into the memory that the limits of the process leave: libraries would
+/// wait for memory for ever, or end the program.
+void require_memory_left(const Study &study, unsigned int n_threads)
+{
+  constexpr double buffer_of_blas = 1.4e8, stack_and_heap_of_thread = 8e7; // in the address space
+  const MemoryLeft left = memory_left();
+  double needed = size_of(study).memory - memory_of_the_program;
+  if (left.is_address_space)
+    needed = needed / n_ranks() + buffer_of_blas + (n_threads - 1) * stack_and_heap_of_thread;
+  if (study.load.is_from_contact() && left.bytes < needed)
+    throw std::runtime_error(fmt::format(
+      FMT_STRING("The study needs about {:.2g} GB more memory, but {} leaves {:.2g} GB; raise the "
+                 "limit, or use fewer cells or threads (--threads 1)."),
+      needed / 1e9, left.limit, std::max(left.bytes, 0.) / 1e9));
+}
+
 } // namespace
 
 void print_note(const std::string &label, const std::string &note)
 {
   if (!note.empty())
     console() << wrapped(note, label) << std::endl;
+}
+
+void print_warning(const std::string &label, const std::string &warning, const StudyOptions &options)
+{
+  if (options.quiet && !warning.empty() && is_first_rank())
+    std::cerr << "stemware: " << warning << std::endl;
+  else
+    print_note(label, warning);
 }
 
 void add_study_option(CLI::App &verb, StudyOptions &options, const std::string &role)
@@ -106,7 +134,7 @@ void add_override_option(CLI::App &verb, StudyOptions &options)
 
 void add_console_options(CLI::App &verb, StudyOptions &options)
 {
-  verb.add_flag("--quiet", options.quiet, "Print nothing unless something is wrong");
+  verb.add_flag("--quiet", options.quiet, "Print warnings and errors only");
   verb.add_flag("--json", options.json,
                 "Print one JSON object on standard output, with paths and key figures;\n"
                 "the other text goes to standard error");
@@ -124,18 +152,19 @@ Study begin_study(const StudyOptions &options)
                                             : options.study_file)
             << std::endl;
   for (const std::string &note : implausible_notes(study)) // a slip of a unit is behind most of them
-    print_note("Check     ", note);
-  require_no_tipping_at_rest(study);
+    print_warning("Check     ", note, options);
   print_note("Profile   ", profile_note(study));
   const std::string &spins = study.motion.measured_spin_file;
   print_note("Measured  ",
              spins.empty() ? "" : read_measured_run(spins, study.motion.measured_column).summary);
   if (options.verb != "sweep") // its cases have studies of their own
   {
-    print_note("Unused    ", unused_entries_note(unused_entries(study)));
+    require_no_tipping_at_rest(study);
+    print_warning("Unused    ", unused_entries_note(unused_entries(study)), options);
     print_note("Memory    ", memory_note(study));
   }
   load_modules_of(study);
+  require_memory_left(study, n_threads_of(options));
   return study;
 }
 

@@ -52,6 +52,9 @@ void add_console_options(CLI::App &verb, StudyOptions &options);
 /// Prints @p note on the console after @p label; nothing if the note is empty.
 void print_note(const std::string &label, const std::string &note);
 
+/// Prints a @p warning like print_note(), with --quiet on standard error.
+void print_warning(const std::string &label, const std::string &warning, const StudyOptions &options);
+
 /// Begins a verb: directs the console, reads and checks the study, loads the modules of its foot, and makes
 /// all checks that are possible before the work. Throws BadInput.
 Study begin_study(const StudyOptions &options);

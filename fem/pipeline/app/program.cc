@@ -1,6 +1,5 @@
 #include "fem/pipeline/app/program.h"
 
-#include "fem/pipeline/app/removed_words.h"
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/feet/failure_sentence.h"
 #include "fem/pipeline/support/failures.h"
@@ -62,14 +61,9 @@ std::string trouble_with(const CLI::App &program, const CLI::ParseError &error)
   const std::vector<std::string> known = chosen.empty() ? verbs_of(program) : options_of(verb);
   const std::vector<std::string> rest = verb.remaining();
   if (!rest.empty())
-  {
-    const std::string removed = removed_word_message(chosen.empty() ? "" : verb.get_name(), rest.front());
-    if (!removed.empty())
-      return removed + "; see";
     return not_known(rest.front(), known,
                      chosen.empty() ? "not one of the verbs " + listed(known, "and")
                                     : "not expected by " + verb.get_name());
-  }
   return chosen.empty() ? "say what to do: one of " + listed(known, "and") + "; see"
                         : shortened(error.what(), 160) + "; see";
 }
@@ -88,8 +82,6 @@ void describe_program(CLI::App &program)
 std::string why_no_verb(const CLI::App &program, const std::string &name)
 {
   const std::vector<std::string> verbs = verbs_of(program);
-  if (const std::string removed = removed_word_message("", name); !removed.empty())
-    return removed + ". `stemware --help` for examples.";
   return not_known(name, verbs, "not one of the verbs " + listed(verbs, "and")) +
          " `stemware --help` for examples.";
 }

@@ -27,28 +27,7 @@ struct SweepOptions : StudyOptions
 {
   std::vector<std::string> varied; ///< --vary, see cases_of_grid()
   std::string cases;               ///< --cases, see cases_from_file()
-  std::string rows;                ///< --rows FIRST:LAST, counted from 1; empty: all
 };
-
-/// Rows of a list of cases, from 0; the last one is included.
-struct RowRange
-{
-  std::size_t first = 0, last = 0;
-};
-
-RowRange rows_of(const SweepOptions &options, std::size_t n_cases)
-{
-  if (options.rows.empty())
-    return { 0, n_cases - 1 };
-  const auto colon = std::min(options.rows.find(':'), options.rows.size());
-  const auto first = parse_count(options.rows.substr(0, colon)),
-             last = colon < options.rows.size() ? parse_count(options.rows.substr(colon + 1)) : first;
-  ensure(first && last && 1 <= *first && *first <= *last && *last <= n_cases,
-         fmt::format(FMT_STRING("--rows {} is not a part of the {} cases; give the first and the last one, "
-                                "--rows 1:{}."),
-                     shortened(options.rows), n_cases, n_cases));
-  return { *first - 1, *last - 1 };
-}
 
 CaseList list_of(const SweepOptions &options)
 {
@@ -60,27 +39,17 @@ CaseList list_of(const SweepOptions &options)
 }
 
 /// Names implausible values of the cases, the first one of each entry.
-void note_implausible_cases(const CaseList &list)
+void note_implausible_cases(const CaseList &list, const StudyOptions &options)
 {
   for (std::size_t e = 0; e < list.entries.size(); ++e)
     for (const std::vector<std::string> &values : list.cases)
     {
       const auto number = list.entries[e].unit.empty() ? std::nullopt : parse_number(values[e]);
       const std::string note = number ? implausible_note(list.entries[e].path, *number) : "";
-      print_note("Check     ", note);
+      print_warning("Check     ", note, options);
       if (!note.empty())
         break;
     }
-}
-
-/// Options with the folder of the results: a part of the cases has a folder of its own by default.
-StudyOptions with_place(const SweepOptions &options, const RowRange &rows)
-{
-  StudyOptions placed = options;
-  placed.output = options.results_place().string();
-  if (options.output.empty() && !options.rows.empty())
-    placed.output += fmt::format(FMT_STRING("-rows-{}-{}"), rows.first + 1, rows.last + 1);
-  return placed;
 }
 
 /// Solves the cases of a sweep that are not finished in the folder of its results. Throws BadInput,
@@ -90,42 +59,39 @@ void sweep(const SweepOptions &options)
   // 1. Everything that can be refused is refused here.
   Stopwatch stopwatch;
   ensure(n_ranks() == 1,
-         "A sweep runs in one process and not under mpirun; split its cases into processes with "
-         "--rows 1:100, --rows 101:200 and so on.");
+         "A sweep runs in one process and not under mpirun; docs/sweep.md shows a sweep on many machines "
+         "(stemware.solve() in Python).");
   CaseList list = list_of(options);
-  const RowRange rows = rows_of(options, list.cases.size());
-  const StudyOptions placed = with_place(options, rows);
   list.base = begin_study(options);
-  SweepFile file(placed.results_place(), list);
+  SweepFile file(options.results_place(), list);
+  const std::size_t n_cases = list.cases.size(), n_kept = file.finished().size();
   std::vector<std::size_t> wanted;
-  for (std::size_t i = rows.first; i <= rows.last; ++i)
+  for (std::size_t i = 0; i < n_cases; ++i)
     if (file.finished().count(i) == 0)
       wanted.push_back(i);
   const unsigned int n_threads = n_threads_of(options);
-  const std::size_t n_rows = rows.last - rows.first + 1;
-  console() << "Sweep     " << n_rows << " cases, " << n_threads << " at a time" << std::endl;
-  if (wanted.size() < n_rows)
-    console() << "          " << n_rows - wanted.size() << " of them are finished" << std::endl;
-  note_implausible_cases(list);
+  console() << "Sweep     " << n_cases << " cases, " << n_threads << " at a time" << std::endl;
+  if (n_kept > 0)
+    console() << "          " << n_kept << " of them are in sweep.csv and kept" << std::endl;
+  note_implausible_cases(list, options);
   stopwatch.finish("input");
 
   // 2. The cases.
-  WorkProgress progress(n_rows, n_rows - wanted.size());
-  std::size_t n_done = n_rows - wanted.size(), n_failed = 0;
+  WorkProgress progress(n_cases);
+  std::size_t n_done = n_kept, n_failed = 0;
   solve_cases(list, wanted, n_threads,
               [&](std::size_t index, const CaseResult &result)
               {
                 file.append(index, result);
-                n_failed += result.is_solved() ? 0 : 1;
+                n_failed += result.has_failed() ? 1 : 0;
                 progress.show(++n_done, n_failed);
               });
-  file.sort();
   stopwatch.finish("cases");
 
   // 3. What they say together.
-  publish_in(placed.results_place(), placed, list.base, sweep_results(list, file.finished()), stopwatch);
+  publish_in(options.results_place(), options, list.base, sweep_results(list, file.finished()), stopwatch);
   for (const auto &[index, result] : file.finished())
-    if (result.is_solved())
+    if (!result.has_failed())
       return;
   throw std::runtime_error(fmt::format(FMT_STRING("All {} cases failed, the first one because: {}"),
                                        file.finished().size(), file.finished().begin()->second.message));
@@ -142,8 +108,6 @@ void add_sweep_verb(CLI::App &program, Verb &chosen)
   verb->add_option("--vary", options->varied, "Values of one entry: a range or a list; at most twice")
     ->type_name("\"Section/Entry=values\"")
     ->allow_extra_args(false);
-  verb->add_option("--rows", options->rows, "Solves these cases only, counted from 1")
-    ->type_name("FIRST:LAST");
 }
 
 } // namespace stemware::pipeline

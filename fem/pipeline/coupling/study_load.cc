@@ -6,7 +6,6 @@
 #include "ring_model/no_balance.h"
 #include "ring_model/self_consistent_ring.h"
 
-#include <exception>
 #include <stdexcept>
 #include <utility>
 
@@ -56,14 +55,7 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, const FootMaker &mak
 void require_no_tipping(const Study &study)
 {
   if (study.load.is_from_contact())
-    try
-    {
-      study.required_resultants();
-    }
-    catch (const BadInput &failure)
-    {
-      std::throw_with_nested(ring::Tipping(failure.what()));
-    }
+    study.required_resultants();
 }
 
 SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress,

@@ -82,18 +82,18 @@ std::string sweep_answer(const CaseList &list, const FinishedCases &finished)
 {
   const std::size_t n_cases = list.cases.size();
   const auto n_failed =
-    std::count_if(finished.begin(), finished.end(), [](const auto &one) { return !one.second.is_solved(); });
+    std::count_if(finished.begin(), finished.end(), [](const auto &one) { return one.second.has_failed(); });
   const std::string of_cases = " of " + std::to_string(n_cases) + " cases ";
   std::string text;
-  if (finished.size() < n_cases)
-    append(text, std::to_string(finished.size()) + of_cases +
-                   "are finished; run the sweep without --rows for the others.");
   if (const auto falls = range_of(list, finished, "omega_fall"))
     append(text, "In " + std::to_string(falls->n) + of_cases +
                    "the glass stands at rest and tips over while it spins up" +
                    (falls->n == 1 ? " (" + falls->min_case + "); it has"
                                   : ", one of them " + falls->min_case + "; they have") +
                    " no terminal spin.");
+  if (const auto n_at_rest = std::count_if(finished.begin(), finished.end(),
+                                           [](const auto &one) { return one.second.tips_at_rest; }))
+    append(text, "In " + std::to_string(n_at_rest) + of_cases + "the glass falls before it spins.");
   if (const auto spin = range_of(list, finished, "omega_terminal"))
     append(text, under_its_load(list.base, "In " + std::to_string(spin->n) +
                                              (spin->n == 1 ? " case" : " cases") + " the terminal spin is ") +

@@ -1,36 +1,32 @@
 #include "fem/pipeline/document/sweep_file.h"
 
+#include "fem/pipeline/document/table.h"
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/study/table_file.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/json.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
-#include "fem/pipeline/system/json_text.h"
 #include "fem/pipeline/system/output.h"
 #include "fem/pipeline/system/program.h"
 #include "fem/pipeline/system/text_file.h"
 
-#include <algorithm>
 #include <cerrno>
-#include <cstdint>
-#include <fcntl.h>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <set>
-#include <sys/file.h>
+#include <sstream>
+#include <sys/stat.h>
 #include <system_error>
-#include <unistd.h>
 
 namespace stemware::pipeline
 {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 namespace
 {
 
-constexpr char study_name[] = "study.json", table_name[] = "sweep.csv", sorted_name[] = "sweep.csv.sorted";
+constexpr char table_name[] = "sweep.csv";
 
 std::string csv_row(const std::vector<std::string> &cells)
 {
@@ -40,155 +36,108 @@ std::string csv_row(const std::vector<std::string> &cells)
   return row + '\n';
 }
 
-std::string header_of(const CaseList &list)
+/// Names of the columns behind the varied entries.
+std::vector<std::string> result_keys()
 {
-  std::vector<std::string> keys;
-  for (const Quantity &column : sweep_columns(list))
-    keys.push_back(with_unit(column.key, column.unit, false));
-  return csv_row(keys);
+  std::vector<std::string> keys = sweep_keys();
+  keys.insert(keys.end(), { "contact_outcome", "status", "message" });
+  return keys;
 }
 
-/// FNV-1a of the content of a file; tells a changed file from the one that finished cases have read.
-std::string digest(const std::string &file)
+std::string headings(const CaseList &list)
 {
-  std::uint64_t hash = 14695981039346656037u;
-  for (const char byte : read_text_file(file))
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211u;
-  return fmt::format(FMT_STRING("{:016x}"), hash);
+  std::vector<std::string> cells = { "case" };
+  for (const VariedEntry &entry : list.entries)
+    cells.push_back(with_unit(entry.path, entry.unit, false));
+  for (const std::string &key : result_keys())
+    cells.push_back(with_unit(key, quantity_named(key, table_name).unit, false));
+  return csv_row(cells);
 }
 
-/// Digests of the files that some case reads, by their paths from @p folder.
-Json digests(const fs::path &folder, const CaseList &list)
+/// Files that some case reads.
+std::set<std::string> files_of_cases(const CaseList &list)
 {
-  std::set<std::string> files;
-  for (const std::string &file : files_of(list.base))
-    files.insert(file);
+  const std::vector<std::string> of_base = files_of(list.base);
+  std::set<std::string> files(of_base.begin(), of_base.end());
   Study study;
   const std::vector<StudyEntry> entries = study_entries(study);
   for (std::size_t e = 0; e < list.entries.size(); ++e)
-    if (const StudyEntry &entry = entry_at(entries, "", list.entries[e].path); entry.path_value != nullptr)
+    if (entry_at(entries, "", list.entries[e].path).path_value != nullptr)
       for (const auto &values : list.cases)
         files.insert(values[e]);
-  Json json = Json::object();
-  for (const std::string &file : files)
-    json[fs::relative(file, folder).string()] = digest(file);
-  return json;
+  return files;
 }
 
-/// Content of study.json. Paths start at the folder: the same sweep may be started from anywhere.
-Json study_of_sweep(const fs::path &folder, const CaseList &list)
+/// The head of sweep.csv. Paths start at the folder: the same sweep may be started from anywhere.
+std::string head_of(const fs::path &folder, const CaseList &list)
 {
-  Json columns = Json::array();
-  for (const Quantity &column : sweep_columns(list))
-    columns.push_back({ { "key", column.key }, { "unit", column.unit }, { "label", column.heading } });
-  const Json study = { { "program",
-                         { { "version", program_version() }, { "revision", program_revision() } } },
-                       { "parameters", study_as_json(with_paths_from(folder, list.base)) },
-                       { "columns", columns },
-                       { "files", digests(folder, list) } };
-  // Names of files may be no UTF-8, of which JSON is made.
-  return Json::parse(study.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
-
-/// First difference of two studies of a sweep, for a sentence that begins with the folder; empty if there is
-/// none. Files that only one of them names do not count.
-std::string difference(const Json &before, const Json &now)
-{
-  if (before.value("program", Json()) != now["program"])
-    return "holds a sweep of another version of Stemware";
-  for (const auto &[section, entries] : now["parameters"].items())
-    for (const auto &[name, value] : entries.items())
-      if (const Json old =
-            before.value("parameters", Json::object()).value(section, Json::object()).value(name, Json());
-          old != value)
-        return fmt::format(FMT_STRING("holds a sweep of another study ({}/{} = {} there, {} here)"), section,
-                           name, shortened(old.dump(), 40), shortened(value.dump(), 40));
-  if (before.value("columns", Json()) != now["columns"])
-    return "holds a sweep with other columns";
-  for (const auto &[file, hash] : now["files"].items())
-    if (before.value("files", Json::object()).value(file, hash) != hash)
-      return "holds a sweep that read another content of " + shortened_path(file);
-  return "";
+  std::string head = "# stemware " + program_version() + " (" + program_revision() + ")\n";
+  std::istringstream study(study_as_prm(with_paths_from(folder, list.base)));
+  for (std::string line; std::getline(study, line);)
+    head += "# " + line + '\n';
+  for (const std::string &file : files_of_cases(list))
+    if (struct stat status = {}; ::stat(file.c_str(), &status) == 0)
+      head += fmt::format(FMT_STRING("# reads {}: {} bytes of {:%Y-%m-%dT%H:%M:%S}.{:09}Z\n"),
+                          on_one_line(fs::relative(file, folder).string()), status.st_size,
+                          fmt::gmtime(status.st_mtim.tv_sec), status.st_mtim.tv_nsec);
+  return head + headings(list);
 }
 
 } // namespace
 
-std::vector<Quantity> sweep_columns(const CaseList &list)
-{
-  std::vector<Quantity> columns = { quantity_named("case", "sweep.csv") };
-  for (const VariedEntry &entry : list.entries)
-  {
-    const std::string name = entry.path.substr(entry.path.find('/') + 1);
-    columns.push_back({ entry.path, entry.path, entry.unit, name, name });
-  }
-  std::vector<std::string> keys = sweep_keys();
-  keys.insert(keys.end(), { "contact_outcome", "status", "message" });
-  for (const std::string &key : keys)
-    columns.push_back(quantity_named(key, "sweep.csv"));
-  return columns;
-}
-
 SweepFile::SweepFile(const fs::path &wanted, const CaseList &list)
-    : folder(resolved_output(wanted))
+    : folder(fs::absolute(wanted).lexically_normal())
+    , file(folder / table_name)
     , list(list)
-    , header(header_of(list))
+    , head(head_of(folder, list))
 {
-  const auto refuse = [&](const std::string &trouble)
-  {
-    throw OutputFailure("The folder " + shortened_path(folder.string()) + " " + trouble +
-                        "; choose another one with --output.");
-  };
-  require_replaceable(folder, study_name);
+  require_replaceable(folder);
+  const std::string text = read_text_file(file);
+  const bool is_begun = head.compare(0, text.size(), text) != 0; // else killed before the first row
   std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    refuse("cannot be made (" + error.message() + ")");
-  const std::string rows = read_text_file(folder / table_name);
-  const bool is_begun = rows.find('\n') != rows.npos; // else the program was killed before its first row
-  const Json study = Json::parse(dump_utf8(study_of_sweep(folder, list)));
   if (is_begun)
   {
-    const Json before = json_in(read_text_file(folder / study_name)).value_or(Json::object());
-    if (const std::string trouble = difference(before.is_object() ? before : Json::object(), study);
-        !trouble.empty())
-      refuse(trouble);
-    if (rows.compare(0, header.size(), header) != 0)
-      refuse("holds a sweep with other columns");
-    read_rows(rows);
+    require_head(text);
+    const std::size_t n_whole = text.rfind('\n') + 1;
+    read_rows(text.substr(0, n_whole));
+    fs::resize_file(file, n_whole, error);
   }
-  else // before sweep.csv: a folder without study.json is no sweep's
-    write_text_file(folder / study_name, dump_utf8(study, 2) + '\n');
-  open();
-  const std::size_t n_whole = is_begun ? rows.rfind('\n') + 1 : 0;
-  if (::ftruncate(descriptor, static_cast<off_t>(n_whole)) != 0)
-    refuse("cannot be written (" + std::generic_category().message(errno) + ")");
+  else
+  {
+    if (fs::exists(folder / stamp_name) && !fs::exists(file))
+      throw OutputFailure("The folder " + shortened_path(folder.string()) +
+                          " holds other results, but no sweep.csv; choose another folder with --output.");
+    fs::create_directories(folder, error);
+    if (!error)
+      write_text_file(folder / stamp_name,
+                      "sweep.csv\nsummary.json\nparameters.prm\nreport.html\ntimings.json\n");
+  }
+  if (!error)
+    stream.open(file, is_begun ? std::ios::app : std::ios::trunc);
+  if (error || !stream)
+    throw OutputFailure(fmt::format(
+      FMT_STRING("The file {} cannot be written ({}); choose another folder with --output."),
+      shortened_path(file.string()), error ? error.message() : std::generic_category().message(errno)));
   if (!is_begun)
-    write(header);
+    write(head);
 }
 
-SweepFile::~SweepFile()
+void SweepFile::require_head(const std::string &text) const
 {
-  if (descriptor >= 0)
-    ::close(descriptor);
-}
-
-void SweepFile::open()
-{
-  const std::string place = shortened_path((folder / table_name).string());
-  descriptor =
-    ::open((folder / table_name).c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666);
-  if (descriptor < 0)
-    throw OutputFailure("The file " + place + " cannot be written (" +
-                        std::generic_category().message(errno) + "); choose another folder with --output.");
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    throw OutputFailure("Another sweep writes into " + place +
-                        "; wait for it, or choose another folder with --output.");
+  std::istringstream there(text), here(head);
+  std::string before, now;
+  for (unsigned int line = 1; std::getline(here, now); ++line)
+    if (!std::getline(there, before) || before != now)
+      throw OutputFailure(fmt::format(
+        FMT_STRING("{}, line {}: the rows are those of another version, study, file or list of columns, "
+                   "\"{}\" there and \"{}\" now; choose another folder with --output."),
+        shortened_path(file.string()), line, shortened(before), shortened(now)));
 }
 
 void SweepFile::read_rows(const std::string &text)
 {
-  const std::string place = shortened_path((folder / table_name).string());
-  const TextTable table = parse_table(place, text.substr(0, text.rfind('\n') + 1));
+  const std::string place = shortened_path(file.string());
+  const TextTable table = parse_table(place, text);
   const std::size_t n_entries = list.entries.size(), n_numbers = sweep_keys().size();
   for (auto row = table.rows.begin() + 1; row != table.rows.end(); ++row)
   {
@@ -209,6 +158,7 @@ void SweepFile::read_rows(const std::string &text)
         refuse(fmt::format(FMT_STRING("case {} has {} = {} there, {} now"), *number, list.entries[e].path,
                            shortened(row->cells[1 + e]), shortened(list.cases[index][e])));
     CaseResult result = { row->cells[n_entries + n_numbers + 1], row->cells.back() };
+    result.tips_at_rest = !result.message.empty() && row->cells[n_entries + n_numbers + 2] == "tips";
     for (std::size_t q = 0; q < n_numbers; ++q)
       if (const std::string &cell = row->cells[1 + n_entries + q]; !cell.empty())
       {
@@ -221,7 +171,16 @@ void SweepFile::read_rows(const std::string &text)
   }
 }
 
-std::string SweepFile::row_of(std::size_t index, const CaseResult &result) const
+void SweepFile::write(const std::string &text)
+{
+  if (!(stream << text << std::flush))
+    throw OutputFailure(fmt::format(
+      FMT_STRING("The file {} cannot be written ({}); free some space and run the same command again to "
+                 "continue."),
+      shortened_path(file.string()), std::generic_category().message(errno)));
+}
+
+void SweepFile::append(std::size_t index, const CaseResult &result)
 {
   std::vector<std::string> cells = { std::to_string(index + 1) };
   cells.insert(cells.end(), list.cases[index].begin(), list.cases[index].end());
@@ -231,42 +190,8 @@ std::string SweepFile::row_of(std::size_t index, const CaseResult &result) const
     cells.push_back(value ? to_text(*value) : "");
   }
   cells.insert(cells.end(), { result.outcome, result.status(), result.message });
-  return csv_row(cells);
-}
-
-void SweepFile::write(const std::string &text)
-{
-  for (std::size_t n_written = 0; n_written < text.size();)
-  {
-    const ssize_t n = ::write(descriptor, text.data() + n_written, text.size() - n_written);
-    if (n < 0 && errno == EINTR)
-      continue;
-    if (n < 0)
-      throw OutputFailure(fmt::format(
-        FMT_STRING(
-          "The file {} cannot be written ({}); free some space and run the same command again to continue."),
-        shortened_path((folder / table_name).string()), std::generic_category().message(errno)));
-    n_written += static_cast<std::size_t>(n);
-  }
-}
-
-void SweepFile::append(std::size_t index, const CaseResult &result)
-{
-  write(row_of(index, result));
+  write(csv_row(cells));
   cases[index] = result;
-}
-
-void SweepFile::sort()
-{
-  std::string text = header;
-  for (const auto &[index, result] : cases)
-    text += row_of(index, result);
-  write_text_file(folder / sorted_name, text);
-  std::error_code error;
-  fs::rename(folder / sorted_name, folder / table_name, error);
-  if (error)
-    throw OutputFailure("The file " + shortened_path((folder / table_name).string()) +
-                        " cannot be written (" + error.message() + "); run the same command again.");
 }
 
 } // namespace stemware::pipeline

@@ -2,56 +2,41 @@
 
 #include "fem/pipeline/answer/case_list.h"
 #include "fem/pipeline/answer/sweep_case.h"
-#include "fem/pipeline/document/table.h"
 
 #include <filesystem>
+#include <fstream>
 #include <string>
-#include <vector>
 
 namespace stemware::pipeline
 {
 
-/// Returns the columns of sweep.csv: case (from 1), varied entries by path, sweep_keys(), contact_outcome,
-/// status, message.
-std::vector<Quantity> sweep_columns(const CaseList &list);
-
-/// Files of a running sweep in its folder:
-///
-///   study.json   program, study, columns of sweep.csv, check sums of the files that cases read
-///   sweep.csv    a row for each finished case, in the order in which cases finish, sorted at the end
-///
-/// Each row is written at once: a killed program leaves at most its last line incomplete, which is dropped
-/// when the sweep continues. A system lock on sweep.csv excludes a second process and ends with the process.
+/// sweep.csv in the folder of a sweep: lines that begin with # (version, base study, size and time of the
+/// files that cases read), the headings (case, varied entries, sweep_keys(), contact_outcome, status, message
+/// with their units), and a row for each finished case, in the order in which cases finish. Each row is
+/// flushed: a killed program leaves at most an incomplete last line, which is dropped when the sweep goes on.
 class SweepFile
 {
 public:
-  /// Creates the files, or reads the finished cases of an earlier run of the same sweep. Throws
-  /// OutputFailure, with nothing changed, for a folder that require_replaceable() rejects, for another study,
-  /// other columns or cases that the list lacks, and for a folder in use.
+  /// Creates the file, or reads the finished cases of an earlier run of the same sweep. Throws OutputFailure,
+  /// with nothing changed, for a folder that require_replaceable() rejects, for another version, base study,
+  /// input file or column, and for a row that is no case of the list.
   SweepFile(const std::filesystem::path &wanted, const CaseList &list);
-  ~SweepFile();
-  SweepFile(const SweepFile &) = delete;
-  SweepFile &operator=(const SweepFile &) = delete;
 
   const FinishedCases &finished() const { return cases; }
 
   /// Appends the row of a case. Throws OutputFailure if it cannot be written.
   void append(std::size_t index, const CaseResult &result);
 
-  /// Sorts the rows by case.
-  void sort();
-
 private:
-  void open();
+  void require_head(const std::string &text) const;
   void read_rows(const std::string &text);
   void write(const std::string &text);
-  std::string row_of(std::size_t index, const CaseResult &result) const;
 
-  const std::filesystem::path folder;
+  const std::filesystem::path folder, file;
   const CaseList &list;
-  const std::string header;
+  const std::string head; ///< lines that begin with #, and the headings
   FinishedCases cases;
-  int descriptor = -1;
+  std::ofstream stream;
 };
 
 } // namespace stemware::pipeline

@@ -37,17 +37,15 @@ Failure present_failure()
   {
     return { failure.what(), ExitCode::output_failure, true };
   }
-  catch (const fem::TippingDemand &failure)
-  {
-    return { std::string("The foot cannot stand: ") + failure.what(), ExitCode::bad_input, true };
-  }
   catch (const fem::ContactFailure &failure)
   {
-    return { std::string("No contact solution: ") + failure.what(), ExitCode::numerical_failure, true };
+    const bool tips = failure.outcome == fem::ContactOutcome::tipping;
+    return { tips ? "The glass falls: " + failure.message : std::string("No contact solution: ") + failure.what(),
+             tips ? ExitCode::bad_input : ExitCode::numerical_failure, true };
   }
   catch (const ring::NoBalance &failure)
   {
-    return { failure.what(), ExitCode::numerical_failure, true };
+    return { failure.what(), failure.tips() ? ExitCode::bad_input : ExitCode::numerical_failure, true };
   }
   catch (const std::filesystem::filesystem_error &failure)
   {

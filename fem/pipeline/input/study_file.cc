@@ -132,6 +132,24 @@ void read_json(const std::string &file, const std::string &text, const std::vect
   }
 }
 
+/// Entries for a study file: any value is taken of those that @p overrides replace.
+std::vector<StudyEntry> without_overridden(Study &study, const std::vector<std::string> &overrides)
+{
+  std::vector<StudyEntry> entries = study_entries(study);
+  for (const std::string &text : overrides)
+  {
+    const std::string path = full_path(entries, boost::trim_copy(text.substr(0, text.find('='))));
+    for (StudyEntry &entry : entries)
+      if (entry.path() == path)
+        entry.assign = [&study, path](const std::string &value)
+        {
+          study.given_entries[path] = value;
+          return true;
+        };
+  }
+  return entries;
+}
+
 /// Applies all of --set, "Section/Entry=value" or "Entry=value", each of its entries once, as in a study
 /// file.
 void apply(const std::vector<std::string> &overrides, const std::vector<StudyEntry> &entries)
@@ -306,7 +324,7 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
       is_stream ? "The study on standard input" : "The study file " + shortened_path(file), file);
     read_text(origin, text,
               is_stream ? begins_with_brace(text) : std::filesystem::path(file).extension() == ".json",
-              entries);
+              without_overridden(study, overrides));
   }
   forget_stated_defaults(study);
   for (std::string *path : paths_of(study))

@@ -17,9 +17,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The program and its libraries.
-constexpr double memory_of_the_program = 1.6e8;
-
 /// A dense system of harmonics times places across the land, the state on all lines, and a few factorised
 /// meridional sections.
 void add_body_of_revolution(const Study &study, StudySize &size)

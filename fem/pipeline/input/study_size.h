@@ -7,6 +7,9 @@
 namespace stemware::pipeline
 {
 
+/// Memory of the program and its libraries, a part of StudySize::memory [byte].
+inline constexpr double memory_of_the_program = 1.6e8;
+
 /// Cost of a study, estimated before the work from its entries and the number of vertices of a mesh file, by
 /// measured factors; accurate to a factor of two or three.
 struct StudySize

@@ -89,9 +89,9 @@ void write_results(const StudyOptions &options, const std::optional<Study> &stud
   write_text_file(place / "report.html",
                   page_of(page_document(results, summary), results.words["title"], results.words["answer"]));
   stopwatch.finish("report");
-  std::set<std::string> files = { "summary.json", "timings.json" };
-  for (const auto &item : fs::directory_iterator(place))
-    files.insert(item.path().filename().string());
+  std::set<std::string> files = { "summary.json", "timings.json", "report.html" };
+  for (const ResultFile &file : results.files)
+    files.insert(fs::path(file.name).begin()->string());
   summary["files"] = files;
   write_text_file(place / "summary.json", dump_utf8(summary, 2) + "\n");
   stopwatch.finish("summary");

@@ -267,7 +267,21 @@ void bind_failures(py::module_ &m)
   translate<ring::NoTerminalSpin>(ring.attr("NoTerminalSpin"));
   translate<ring::Tipping>(ring.attr("Tipping"));
   translate<fem::ContactFailure>(py::exception<void>(m, "ContactFailure", ring.attr("NoBalance")));
-  translate<fem::TippingDemand>(ring.attr("BadInput"));
+  static const py::handle tipping = ring.attr("Tipping").cast<py::object>().release();
+  py::register_local_exception_translator(
+    [](std::exception_ptr failure)
+    {
+      try
+      {
+        std::rethrow_exception(failure);
+      }
+      catch (const fem::ContactFailure &contact)
+      {
+        if (contact.outcome != fem::ContactOutcome::tipping)
+          throw;
+        PyErr_SetString(tipping.ptr(), failure_sentence().c_str());
+      }
+    });
   translate<OutputFailure>(py::exception<void>(m, "OutputFailure", PyExc_OSError));
   translate<BadInput>(ring.attr("BadInput"));
 }

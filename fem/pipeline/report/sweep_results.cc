@@ -66,7 +66,7 @@ Json failure_rows(const CaseList &list, const FinishedCases &finished)
   constexpr std::size_t max_rows = 20;
   std::map<std::string, std::pair<std::size_t, std::size_t>> reasons; // message: first case, number
   for (const auto &[index, result] : finished)
-    if (!result.is_solved())
+    if (result.has_failed())
       ++reasons.emplace(result.message, std::pair(index, std::size_t(0))).first->second.second;
   Json rows = Json::array();
   for (const auto &[message, place] : reasons)
@@ -115,7 +115,7 @@ Json ends_of(const std::optional<CaseRange> &range)
 Results sweep_results(const CaseList &list, const FinishedCases &finished)
 {
   const auto n_failed =
-    std::count_if(finished.begin(), finished.end(), [](const auto &one) { return !one.second.is_solved(); });
+    std::count_if(finished.begin(), finished.end(), [](const auto &one) { return one.second.has_failed(); });
   const Json ranges = range_rows(list, finished);
   Json entries = Json::array();
   for (const VariedEntry &entry : list.entries)
@@ -139,7 +139,6 @@ Results sweep_results(const CaseList &list, const FinishedCases &finished)
   if (list.is_grid())
     results.tables["grid"] = grid_of(list, finished);
   results.files = { { "sweep.csv", "a row for each case: entries, numbers, status, message" },
-                    { "study.json", "study, columns with units and labels, version" },
                     { "summary.json", "numbers of cases" },
                     { "parameters.prm", "the study that the cases modify" },
                     { "timings.json", "how long it took" } };

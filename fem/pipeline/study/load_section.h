@@ -61,9 +61,9 @@ struct LoadSection
       "that does not spin yet is kept at every spin, as a given moment and a load from a file are by nature",
       used_if(is_from_contact() && has_closure()));
     list.number("Moment ratio", moment_ratio,
-                { "a number less than 2, where the foot tips", [](double value) { return value < 2; } }, "",
+                any_number, "",
                 "Moment of the table's pressure over N R / 2 for a static study; negative: the closure's "
-                "moment. The foot tips at 2");
+                "moment. The foot tips at 2, on a flat land of outer radius r_o at 2 r_o / R");
     list.number("Moment direction", moment_direction, any_number, "rad",
                 "Where a static study's load is largest, counter-clockwise from the direction of travel; "
                 "used with Moment ratio >= 0",

@@ -5,8 +5,10 @@
 #include "fem/contact/winkler_interface.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
+#include "ring_model/no_balance.h"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -78,14 +80,25 @@ fem::Resultants Study::required_resultants() const
     required.moment_x = moment.x();
     required.moment_y = moment.y();
   }
-  if (load.is_from_contact() && !contact.mesh_file.empty()) // the hull of the mesh's land decides
+  const double ratio = pipeline::moment_ratio(required, radius), limit = tipping_ratio();
+  if (ratio < limit)
     return required;
-  const double ratio = pipeline::moment_ratio(required, radius);
-  const auto [asked, limit] = distinct_texts(ratio, 2);
-  ensure(ratio < 2, std::string("The closure ") + ring::to_string(motion.closure) +
-                      " asks for a moment ratio of " + asked + ", but the foot tips at " + limit +
-                      "; change the height of the hand or the speed.");
-  return required;
+  const double unit = required.normal_force * radius / 2;
+  const auto [asked, most] =
+    load.is_static() ? distinct_texts(ratio, limit) : distinct_texts(ratio * unit, limit * unit);
+  throw ring::Tipping(
+    load.is_static()
+      ? "Load/Moment ratio = " + asked + " makes the glass fall, which tips at " + most + "; give less."
+      : "The glass would fall: the hand needs a moment of " + asked + " N m, the weight can give " + most +
+          " N m. Hold it nearer to the centre of mass, go slower or on a larger circle.");
+}
+
+double Study::tipping_ratio() const
+{
+  if (load.is_from_contact() && !contact.mesh_file.empty())
+    return std::numeric_limits<double>::infinity();
+  const bool is_flat = load.is_from_contact() && glass.profile.crown_radius == 0;
+  return is_flat ? 2 * glass.profile.land_outer_radius() / glass.profile.contact_radius : 2;
 }
 
 double moment_ratio(const fem::Resultants &load, double contact_radius)

@@ -37,8 +37,12 @@ struct Study
 
   /// Returns the required resultants at omega = 0, where the friction is exactly (-mu N, 0): N = m g with the
   /// closure's moment, or with the given moment of a static study, M_N = m N R/2 (sin, -cos)(direction of the
-  /// load's maximum) [N, N m]. Throws BadInput if the foot tips, m >= 2.
+  /// load's maximum) [N, N m]. Throws ring::Tipping if the foot tips, m >= tipping_ratio().
   fem::Resultants required_resultants() const;
+
+  /// Returns the moment ratio at which the glass tips: 2 r_o / R on a flat land of outer radius r_o, 2 on the
+  /// crest of a crowned rim and on a ring. Infinite for a mesh file, whose contact zone decides.
+  double tipping_ratio() const;
 };
 
 /// Returns the moment ratio m = |M_N| / (N R / 2) of @p load, R = @p contact_radius [m].

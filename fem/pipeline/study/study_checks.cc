@@ -5,6 +5,7 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
+#include "ring_model/no_balance.h"
 
 #include <boost/algorithm/string/join.hpp>
 
@@ -182,6 +183,20 @@ void require_known_waviness(const Study &study)
   }
 }
 
+/// The hand is at least as high as the table. The heights are known if the balance of moments has them.
+void require_hand_above_table(const Study &study)
+{
+  const ring::Motion &motion = study.motion.orbit;
+  const bool is_known = entry_at(entries_of(study), "", "Motion/Centre of mass height").has_effect ||
+                        study.given_entries.count("Motion/Centre of mass height") > 0;
+  const double height = motion.centre_of_mass_height + motion.force_offset;
+  ensure(!is_known || height >= -1e-12,
+         filled("Motion/Force offset = {} m puts the hand {} m below the table, for Motion/Centre of mass "
+                "height = {} m; give at least {} m.",
+                { to_text(motion.force_offset), to_short_text(-height), to_text(motion.centre_of_mass_height),
+                  to_text(-motion.centre_of_mass_height) }));
+}
+
 /// Speeds from a file reach as far as the spin-up, whose load is one that follows them.
 void require_known_speeds(const Study &study)
 {
@@ -250,6 +265,7 @@ std::string with_implausible_values(const Study &study, const std::string &sente
 
 void check_values(const Study &study)
 {
+  require_hand_above_table(study);
   const ring::Motion &motion = study.motion.orbit;
   ensure(
     study.motion.breakaway_friction == 0 || study.motion.breakaway_friction >= motion.friction_coefficient,
@@ -325,9 +341,9 @@ void require_no_tipping_at_rest(const Study &study)
   {
     study.required_resultants();
   }
-  catch (const BadInput &tipping)
+  catch (const ring::Tipping &tipping)
   {
-    throw BadInput(with_implausible_values(study, tipping.what()));
+    throw ring::Tipping(with_implausible_values(study, tipping.what()));
   }
 }
 

@@ -23,8 +23,9 @@ std::string implausible_note(const std::string &path, double value);
 /// Returns the implausible_note() of each given entry with an effect.
 std::vector<std::string> implausible_notes(const Study &study);
 
-/// Throws BadInput for a glass that would tip at rest. Implausible values, the likelier cause, stand before
-/// the reason: "Unusual values for a glass: Motion/Mass = 300 kg (0.02 to 2 kg). The closure ...".
+/// Throws ring::Tipping for a glass that would tip at rest. Implausible values, the likelier cause, stand
+/// before the reason: "Unusual values for a glass: Motion/Mass = 300 kg (0.02 to 2 kg). The glass would fall
+/// ...".
 void require_no_tipping_at_rest(const Study &study);
 
 } // namespace stemware::pipeline

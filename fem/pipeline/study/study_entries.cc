@@ -223,6 +223,10 @@ std::string suggestion(const std::vector<StudyEntry> &entries, const std::string
     meant = closest_match(word, paths);
   if (const auto likely = closest_match(name, names); likely && !meant)
     meant = paths[static_cast<std::size_t>(std::find(names.begin(), names.end(), *likely) - names.begin())];
+  for (const StudyEntry &entry : entries) // a name without its last words
+    if (!meant && !name.empty() && boost::istarts_with(entry.name, name + ' ') &&
+        (name == word || word.rfind(entry.section + '/', 0) == 0))
+      meant = entry.path();
   return meant ? "; did you mean " + *meant + "? (`stemware defaults` lists what there is.)"
                : "; `stemware defaults` lists what there is.";
 }

@@ -22,8 +22,6 @@ public:
   virtual void stage_done(const std::string & /*stage*/) {}
   /// Called when @p n_done of @p n_all pieces of @p what are done; @p n_all is 0 if unknown.
   virtual void pieces_done(const std::string & /*what*/, std::size_t /*n_done*/, std::size_t /*n_all*/) {}
-  /// Called when about @p share (0 to 1) of the whole work is done.
-  virtual void share_done(double /*share*/) {}
   virtual void iteration(const fem::ContactIteration & /*step*/) {}
   /// Called with a note for the console, under a heading of one or two words.
   virtual void note(const std::string & /*subject*/, const std::string & /*text*/) {}

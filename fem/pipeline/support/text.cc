@@ -94,7 +94,7 @@ std::string filled(const std::string &pattern, const std::vector<std::string> &w
 
 std::string csv_field(const std::string &text)
 {
-  if (text.find_first_of(",\"\r\n") == std::string::npos)
+  if (text.find_first_of(",\"#\r\n") == std::string::npos)
     return text;
   std::string quoted = "\"";
   for (const char letter : text)

@@ -24,7 +24,8 @@ std::string listed(const std::vector<std::string> &words, const std::string &las
 /// Returns @p pattern with each "{}" replaced by the next of @p words.
 std::string filled(const std::string &pattern, const std::vector<std::string> &words);
 
-/// Returns @p text as a field of a CSV file, quoted if it has a comma, a quotation mark or a line end.
+/// Returns @p text as a field of a CSV file, quoted if it has a comma, a quotation mark, a line end or a #,
+/// which begins comments for many readers.
 std::string csv_field(const std::string &text);
 
 /// Returns the closest of @p words to @p word by edit distance (insertions, deletions, changes; ignoring

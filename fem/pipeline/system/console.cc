@@ -4,7 +4,6 @@
 #include "fem/pipeline/system/ranks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
@@ -77,21 +76,9 @@ void require_printed()
       "Standard output is incomplete (disk full?); results written to a folder are complete.");
 }
 
-std::string rough_duration(double seconds)
-{
-  if (seconds < 90)
-    return fmt::format(FMT_STRING("{:.0f} s"), std::ceil(seconds));
-  if (seconds < 90 * 60)
-    return fmt::format(FMT_STRING("{:.0f} min"), std::ceil(seconds / 60));
-  return fmt::format(FMT_STRING("{:.1f} h"), seconds / 3600);
-}
-
-WorkProgress::WorkProgress(std::size_t n_cases, std::size_t n_before, std::string noun, bool are_alike)
+WorkProgress::WorkProgress(std::size_t n_cases, std::string noun)
     : n_cases(n_cases)
-    , n_before(n_before)
     , noun(std::move(noun))
-    , are_alike(are_alike)
-    , tenths_shown(10 * n_before / std::max<std::size_t>(n_cases, 1))
 {
 }
 
@@ -113,12 +100,6 @@ void WorkProgress::show(std::size_t n_finished, std::size_t n_failed)
   std::string text = fmt::format(FMT_STRING("{} of {} {}"), n_finished, n_cases, noun);
   if (n_failed > 0)
     text += fmt::format(FMT_STRING(", {} failed"), n_failed);
-  const double elapsed = std::chrono::duration<double>(now - start).count();
-  const double left = n_finished > n_before ? elapsed * static_cast<double>(n_cases - n_finished) /
-                                                static_cast<double>(n_finished - n_before)
-                                            : 0;
-  if (are_alike && left > worth_telling)
-    text += ", " + rough_duration(left) + " left";
   if (!is_watched)
   {
     console() << "          " << text << std::endl;

@@ -24,21 +24,13 @@ std::ostream &console();
 /// Call it at the end of the program.
 void require_printed();
 
-/// Shortest duration that is predicted on the console [s].
-inline constexpr double worth_telling = 10;
-
-/// Returns a duration as "3 min".
-std::string rough_duration(double seconds);
-
 /// Progress of many cases on the console: on a terminal a bar, else a line for every tenth, at most every
-/// three seconds; with the remaining time if that is worth_telling.
+/// three seconds.
 class WorkProgress
 {
 public:
-  /// @p n_before of the @p n_cases were finished by an earlier run. @p noun: name of the cases. The remaining
-  /// time is predicted only if the cases @p are_alike in cost.
-  explicit WorkProgress(std::size_t n_cases, std::size_t n_before = 0, std::string noun = "cases",
-                        bool are_alike = true);
+  /// @p noun: name of the cases.
+  explicit WorkProgress(std::size_t n_cases, std::string noun = "cases");
   ~WorkProgress();
 
   /// Shows the progress; may be called often.
@@ -46,12 +38,9 @@ public:
 
 private:
   const std::size_t n_cases;
-  const std::size_t n_before;
   const std::string noun;
-  const bool are_alike;
-  const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point last_line = start;
-  std::size_t tenths_shown;
+  std::chrono::steady_clock::time_point last_line = std::chrono::steady_clock::now();
+  std::size_t tenths_shown = 0;
   std::size_t bar_width = 0; ///< columns of the last line, to be overwritten
 };
 

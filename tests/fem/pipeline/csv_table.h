@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -8,15 +10,17 @@
 namespace stemware::test
 {
 
-/// The fields of a table as RFC 4180 has them, line by line. Throws std::runtime_error for a text that does
-/// not end with a line end.
+/// The fields of a table as RFC 4180 has them, line by line without those that begin with #. Throws
+/// std::runtime_error for a text that does not end with a line end.
 inline std::vector<std::vector<std::string>> parse_csv(const std::string &text)
 {
   std::vector<std::vector<std::string>> rows = { { "" } };
   bool is_quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i)
   {
-    if (text[i] == '"' && is_quoted && text.compare(i, 2, "\"\"") == 0)
+    if (text[i] == '#' && (i == 0 || (text[i - 1] == '\n' && !is_quoted)))
+      i = text.find('\n', i);
+    else if (text[i] == '"' && is_quoted && text.compare(i, 2, "\"\"") == 0)
       rows.back().back() += text[i++];
     else if (text[i] == '"')
       is_quoted = !is_quoted;
@@ -35,6 +39,23 @@ inline std::vector<std::vector<std::string>> parse_csv(const std::string &text)
     throw std::runtime_error("the last line of the table has no end");
   rows.pop_back();
   return rows;
+}
+
+/// Lines of sweep.csv in the order of their cases, without those that begin with #: rows are written in the
+/// order in which cases finish.
+inline std::string sorted_by_case(const std::string &text)
+{
+  std::istringstream stream(text);
+  std::string headings;
+  std::map<int, std::string> rows;
+  for (std::string line; std::getline(stream, line);)
+    if (line.rfind("case,", 0) == 0)
+      headings = line + '\n';
+    else if (line[0] != '#')
+      rows[std::stoi(line)] = line + '\n';
+  for (const auto &[number, row] : rows)
+    headings += row;
+  return headings;
 }
 
 /// A table whose columns are found by their titles.

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <memory>
 #include <numeric>
+#include <set>
 #include <spawn.h>
 #include <sstream>
 #include <stdexcept>
@@ -239,7 +240,8 @@ std::vector<std::string> names_in(const fs::path &folder)
 {
   std::vector<std::string> names;
   for (const auto &item : fs::directory_iterator(folder))
-    if (item.path().filename() != ".out" && item.path().filename() != ".err")
+    if (const std::set<std::string> own = { ".out", ".err", ".stemware" };
+        own.count(item.path().filename()) == 0)
       names.push_back(item.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;

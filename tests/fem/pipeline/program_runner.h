@@ -78,7 +78,8 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path &table
 /// run.
 std::map<std::string, std::string> all_files(const std::filesystem::path &folder);
 
-/// Names of everything in a folder, hidden files too, without the runner's own .out and .err.
+/// Names of everything in a folder, hidden files too, without .stemware and the runner's own .out
+/// and .err.
 std::vector<std::string> names_in(const std::filesystem::path &folder);
 
 /// A study that runs in a second: a step profile that friction does not deform and that does not tilt, the

@@ -2,6 +2,7 @@
 // disk.
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/study/study_checks.h"
+#include "ring_model/no_balance.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/fem/pipeline/refusal.h"
@@ -34,7 +35,14 @@ void expect_refused(const ScratchFolder &scratch, const std::vector<std::string>
 /// The sentence with which the program refuses a study before any work.
 std::string study_refusal(const std::string &file, const std::vector<std::string> &overrides = {})
 {
-  return sentence_of([&] { pipeline::require_no_tipping_at_rest(pipeline::read_study(file, overrides)); });
+  try
+  {
+    return sentence_of([&] { pipeline::require_no_tipping_at_rest(pipeline::read_study(file, overrides)); });
+  }
+  catch (const ring::Tipping &falls)
+  {
+    return falls.what();
+  }
 }
 
 // More of what may stand in a study: StudyFile, StudyChecks, QuantityText and TextReader.
@@ -102,10 +110,13 @@ TEST(BadInput, SettingsAreRefusedInOneSentence)
          { { foot, "Glass/Stem height=0.003" }, "a longer stem" },
          { { "Table/Foundation modulus=nan" }, "is not allowed" },
          { { "Table/Decay length=0" }, "greater than 0" },
-         { { "Load/Moment ratio=2" }, "less than 2, where the foot tips" },
+         { { "Load/Moment ratio=2" }, "tips at 2; give less" },
+         { { "Glass/Crown radius=0", "Load/Moment ratio=2.2" }, "tips at 2.13333; give less" },
          { { "Load/File=nothing.dat" }, "Load/Source = file" },
          { { "Load/Source=file" }, "needs Load/File" },
-         { { "Motion/Force offset=0.3" }, "asks for a moment ratio of" },
+         { { "Motion/Force offset=0.3" }, "The glass would fall: the hand needs a moment of" },
+         { { "Motion/Force offset=-0.085" }, "0.005 m below the table" },
+         { { "Motion/Friction=0.2" }, "did you mean Motion/Friction coefficient?" },
          { { "Motion/Liquid mass=0.5" }, "the bowl overflows: the liquid reaches 0.13415 m" },
          { { "Motion/Liquid mass=1 g" }, "meets the bottom of the bowl" },
          { { "Contact/Azimuthal cells=10" }, "multiple of 4" },
@@ -138,7 +149,8 @@ TEST(BadInput, CommandsAreRefusedInOneSentence)
     scratch.write(name, "# mine\n");
   std::filesystem::create_directory(scratch / "results");
   scratch.write("results/summary.json", "{}");
-  scratch.write("results/figures/my_note.txt", "mine");
+  scratch.write("results/.stemware", "summary.json\n");
+  scratch.write("results/my_note.txt", "mine");
   const auto before = all_files(scratch / "results");
   struct Refused
   {
@@ -146,9 +158,9 @@ TEST(BadInput, CommandsAreRefusedInOneSentence)
     std::string expected;
     int exit_code = 1;
   };
-  const std::string around = "around the folder where the program was started",
+  const std::string around = "contains the folder where the program was started",
                     no_mark = "exists without a mark of Stemware",
-                    note = "holds figures/my_note.txt, which Stemware never writes; move it away";
+                    note = "holds my_note.txt, which Stemware did not write; move it away";
   for (const auto &[command, expected, exit_code] : std::vector<Refused>{
          { {}, "say what to do: one of run" },
          { { "rum" }, "\"rum\" is not one of the verbs run" },
@@ -214,15 +226,46 @@ TEST(BadInput, ASlipOfUnitsBehindATippingGlassIsNamedFirst)
   EXPECT_THAT(ended.out,
               testing::HasSubstr("Check     Motion/Centre of mass height = 80 m is outside 0.01 to 0.3 m"));
   const auto named = ended.err.find("Motion/Centre of mass height = 80 m (0.01 to 0.3 m)");
-  EXPECT_LT(named, ended.err.find("but the foot tips at 2")) << ended.err;
+  EXPECT_LT(named, ended.err.find("The glass would fall")) << ended.err;
   EXPECT_THAT(ended.err, testing::HasSubstr("Motion/Orbit speed = 35 m/s (0.01 to 3 m/s)"));
   EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+}
+
+TEST(BadInput, QuietSilencesProgressAndNoWarning)
+{
+  const ScratchFolder scratch;
+  const std::vector<std::string> run = { "run", "--quiet", "--set", "Load/Source=first harmonic" };
+  EXPECT_EQ(stemware(scratch, run).err, "");
+  const Ended heavy = stemware(scratch, with_settings(run, { "Motion/Mass=300 kg" }));
+  EXPECT_EQ(heavy.exit_code, 0);
+  EXPECT_EQ(heavy.out, "");
+  EXPECT_THAT(heavy.err, testing::HasSubstr("write 300 g"));
 }
 
 /// The exit code and standard error of a command of the shell; $S is the program.
 Ended shell(const ScratchFolder &scratch, const std::string &command)
 {
   return RunningProgram({ "/bin/sh", "-c", "S=" STEMWARE_PROGRAM "; " + command }, scratch.path()).end();
+}
+
+TEST(BadInput, LittleMemoryIsNamedWithinSeconds)
+{
+  const ScratchFolder scratch;
+  std::size_t n_refused = 0;
+  for (const char *study : { "", " --set Contact/Body=solid" })
+    for (const char *limit : { "600000", "700000", "1000000", "1200000" }) // kB
+    {
+      SCOPED_TRACE(limit + std::string(study));
+      const Ended ended = shell(scratch, std::string("ulimit -c 0 -v ") + limit +
+                                           "; timeout 100 $S run --quick --quiet --threads 1" + study);
+      if (ended.exit_code == 0)
+        continue;
+      ++n_refused;
+      EXPECT_EQ(ended.exit_code, 2) << ended.err;
+      EXPECT_THAT(ended.err, testing::HasSubstr("memory"));
+      EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    }
+  EXPECT_GE(n_refused, 1u);
 }
 
 TEST(BadInput, OutputThatIsLostEndsInAFailure)

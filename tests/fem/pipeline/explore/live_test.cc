@@ -238,9 +238,10 @@ TEST(Live, AGlassThatTipsSaysSo)
 {
   fem::ComplianceCache cache;
   open_page({}, live_bodies(Study(), cache));
-  explore_set("Motion/Force offset", "-300 mm"); // at rest
+  explore_set("Motion/Force offset", "300 mm"); // at rest
   EXPECT_TRUE(solved().value("tips", false));
-  explore_set("Motion/Force offset", "-150 mm"); // on its way
+  explore_set("Motion/Force offset", "-50 mm");
+  explore_set("Motion/Centre of mass height", "138 mm"); // on its way
   EXPECT_FALSE(solved()["document"]["summary"]["ring"]["fall"].is_null());
 }
 

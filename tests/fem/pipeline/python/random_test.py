@@ -28,7 +28,7 @@ def by_python(file):
         document = stemware.Study(file).run(quick=True).document
         return {key: value for key, value in document.items() if key != "files"}, 0
     except (stemware.BadInput, stemware.NoBalance) as failure:
-        return str(failure), 1 if isinstance(failure, stemware.BadInput) else 2
+        return str(failure), 1 if isinstance(failure, (stemware.BadInput, stemware.Tipping)) else 2
 
 
 class RandomStudies(unittest.TestCase):

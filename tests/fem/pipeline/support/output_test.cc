@@ -23,8 +23,8 @@ using Names = std::vector<std::string>;
 void write_results(const fs::path &folder, const std::string &mark)
 {
   write_text_file(folder / "summary.json", mark);
-  fs::create_directory(folder / "figures");
-  write_text_file(folder / "figures/load.svg", "a picture of " + mark);
+  fs::create_directory(folder / "fields");
+  write_text_file(folder / "fields/contact.vtu", "a field of " + mark);
 }
 
 void publish(const fs::path &target, const std::string &mark)
@@ -55,56 +55,68 @@ void expect_sentence(const std::string &sentence, const std::string &part)
   EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
 }
 
-TEST(ResultNames, AreThoseOfFilesAndOfPicturesThatEarlierVersionsDrew)
-{
-  for (const char *name : { "report.html", "load.csv", "fields/contact.vtu", "fields/contact_12.vtu",
-                            "figures/load.dat", "figures/style.gnuplot" })
-    EXPECT_TRUE(is_result_name(name)) << name;
-  for (const char *name : { "fields/contact_.vtu", "fields/contact_1a.vtu", "fields/contact_1.vtu.txt",
-                            "figures/note.svg", "load.svg", "figures/load.csv", "../load.csv", "" })
-    EXPECT_FALSE(is_result_name(name)) << name;
-}
-
 TEST(ResultsFolder, AppearsWholeOrNotAtAll)
 {
   const ScratchFolder scratch;
   {
     ResultsFolder folder(scratch / "results/paper");
-    EXPECT_EQ(names_in(scratch.path()), Names{});
+    EXPECT_EQ(names_in(scratch / "results"), Names{});
     folder.open();
     write_results(folder.working_folder(), "new");
     EXPECT_FALSE(fs::exists(scratch / "results/paper"));
     folder.publish();
   }
   EXPECT_EQ(names_in(scratch / "results"), Names{ "paper" });
-  EXPECT_EQ(names_in(scratch / "results/paper"), (Names{ "figures", "summary.json" }));
+  EXPECT_EQ(names_in(scratch / "results/paper"), (Names{ "fields", "summary.json" }));
+  EXPECT_EQ(read_text(scratch / "results/paper/.stemware"), "fields\nfields/contact.vtu\nsummary.json\n");
   {
-    ResultsFolder failed(scratch / "results/deep/other");
+    ResultsFolder failed(scratch / "results/other");
     failed.open();
     write_results(failed.working_folder(), "lost");
   }
   EXPECT_EQ(names_in(scratch / "results"), Names{ "paper" });
 }
 
-TEST(ResultsFolder, ReplacesOlderResultsWholly)
+TEST(ResultsFolder, ReplacesTheFilesOfItsStampAndCarriesHiddenFilesOver)
 {
   const ScratchFolder scratch;
-  fs::create_directory(scratch / "paper"); // empty
-  publish(scratch / "paper", "old");
-  scratch.write("paper/without.csv", "not written again");
-  publish(scratch / "paper", "new");
-  EXPECT_EQ(read_text(scratch / "paper/summary.json"), "new");
-  EXPECT_EQ(names_in(scratch / "paper"), (Names{ "figures", "summary.json" }));
-  EXPECT_EQ(names_in(scratch.path()), Names{ "paper" });
-}
-
-TEST(ResultsFolder, AFileThatNoListNamesIsNotPublished)
-{
-  const ScratchFolder scratch;
+  fs::create_directory(scratch / "paper");
+  scratch.write("paper/.DS_Store", "seen before the first run");
+  {
+    ResultsFolder folder(scratch / "paper");
+    folder.open();
+    write_results(folder.working_folder(), "old");
+    write_text_file(folder.working_folder() / "without.csv", "not written again");
+    folder.publish();
+  }
+  for (const char *name :
+       { "Thumbs.db", "desktop.ini", ".nfs000012", ".~lock.load.csv#", "fields/.DS_Store" })
+    scratch.write(std::string("paper/") + name, name);
+  fs::create_directory(scratch / "paper/.ipynb_checkpoints");
+  scratch.write("paper/.ipynb_checkpoints/note", "mine");
   ResultsFolder folder(scratch / "paper");
   folder.open();
-  write_text_file(folder.working_folder() / "new.csv", "forgotten in the list");
-  EXPECT_THROW(folder.publish(), std::logic_error);
+  write_text_file(folder.working_folder() / "summary.json", "new"); // and no fields
+  folder.publish();
+  EXPECT_EQ(read_text(scratch / "paper/summary.json"), "new");
+  EXPECT_EQ(names_in(scratch / "paper"),
+            (Names{ ".DS_Store", ".ipynb_checkpoints", ".nfs000012", ".~lock.load.csv#", "Thumbs.db",
+                    "desktop.ini", "fields", "summary.json" }));
+  EXPECT_EQ(names_in(scratch / "paper/fields"), Names{ ".DS_Store" });
+  EXPECT_EQ(read_text(scratch / "paper/.ipynb_checkpoints/note"), "mine");
+  EXPECT_EQ(names_in(scratch.path()), Names{ "paper" });
+  publish(scratch / "paper", "newest"); // the folder with a hidden file only is in the stamp
+}
+
+TEST(ResultsFolder, ANameWithoutRoomForItsPartialFolderIsRefusedBeforeTheWork)
+{
+  const ScratchFolder scratch;
+  const std::size_t longest = 255 - std::string(".partial-" + std::to_string(::getpid())).size();
+  publish(scratch / std::string(longest, 'n'), "old");
+  publish(scratch / std::string(longest, 'n'), "new"); // the name of older results is not longer
+  EXPECT_EQ(read_text(scratch / std::string(longest, 'n') / "summary.json"), "new");
+  expect_sentence(refusal_of_folder(scratch / std::string(longest + 1, 'n')), "File name too long");
+  EXPECT_EQ(names_in(scratch.path()), Names{ std::string(longest, 'n') });
 }
 
 struct Change
@@ -148,22 +160,26 @@ INSTANTIATE_TEST_SUITE_P(
   Kinds, ChangedResults,
   testing::Values(
     Change{ "note", [](const auto &s) { s.write("paper/note.txt", "mine"); }, "holds note.txt, which" },
-    Change{ "hidden", [](const auto &s) { s.write("paper/.git", "mine"); }, "holds .git, which" },
-    Change{ "own_figure", [](const auto &s) { s.write("paper/figures/note.svg", "mine"); },
-            "holds figures/note.svg, which Stemware never writes" },
+    Change{ "own_field", [](const auto &s) { s.write("paper/fields/note.vtu", "mine"); },
+            "holds fields/note.vtu, which Stemware did not write" },
     Change{ "quotes_and_lines", [](const auto &s) { s.write("paper/it's \"mine\"\n`x`", "mine"); },
             "holds it's \"mine\" `x`, which" },
     Change{ "folder", [](const auto &s) { fs::create_directory(s / "paper/mine"); }, "holds mine, which" },
-    Change{ "folder_named_as_a_file", [](const auto &s) { fs::create_directory(s / "paper/load.csv"); },
-            "holds load.csv, which" },
-    Change{ "no_summary",
+    Change{ "folder_named_as_a_file",
+            [](const auto &s)
+            {
+              fs::remove(s / "paper/summary.json");
+              fs::create_directory(s / "paper/summary.json");
+            },
+            "holds summary.json, which" },
+    Change{ "no_stamp",
             [](const auto &s)
             {
               fs::remove_all(s / "paper");
               fs::create_directory(s / "paper");
               s.write("paper/load.csv", "measured by hand");
             },
-            "holds load.csv but no summary.json" },
+            "holds load.csv, which" },
     Change{ "link_for_a_file",
             [](const auto &s)
             {
@@ -174,10 +190,10 @@ INSTANTIATE_TEST_SUITE_P(
     Change{ "link_for_a_folder",
             [](const auto &s)
             {
-              fs::rename(s / "paper/figures", s / "moved");
-              fs::create_directory_symlink("../moved", s / "paper/figures");
+              fs::rename(s / "paper/fields", s / "moved");
+              fs::create_directory_symlink("../moved", s / "paper/fields");
             },
-            "holds figures, which" }),
+            "holds fields, which" }),
   [](const auto &info) { return info.param.name; });
 
 TEST(ResultsFolder, RefusesPlacesThatAreNone)
@@ -191,37 +207,30 @@ TEST(ResultsFolder, RefusesPlacesThatAreNone)
   ASSERT_EQ(::mkfifo((scratch / "pipe").c_str(), 0600), 0);
   const auto before = names_in(scratch.path());
   for (const auto &[place, reason] :
-       { std::pair("file", "exists and is not a folder"), std::pair("pipe", "exists and is not a folder"),
-         std::pair("to_nothing", "is a link"), std::pair("loop", "is a link"),
-         std::pair("to_folder/", "is a link"), std::pair("file/results", "cannot be written"),
+       { std::pair("file", "is not a folder"), std::pair("pipe", "is not a folder"),
+         std::pair("to_nothing", "is not a folder"), std::pair("loop", "is not a folder"),
+         std::pair("to_folder/", "is not a folder"), std::pair("file/results", "cannot be written"),
          std::pair("loop/results", "cannot be written") })
     expect_sentence(refusal_of_folder(scratch / place), reason);
   expect_sentence(refusal_of_folder("/proc/stemware"), "cannot be written");
-  expect_sentence(refusal_of_folder("/dev"), "Stemware never writes");
-  expect_sentence(refusal_of_folder("/"), "is around the folder where the program was started");
-  expect_sentence(refusal_of_folder("."), "is the folder where the program was started");
-  expect_sentence(refusal_of_folder(scratch / "\xff"), "not in UTF-8");
+  expect_sentence(refusal_of_folder("/dev"), "Stemware did not write");
+  expect_sentence(refusal_of_folder("/"), "contains the folder where the program was started");
+  expect_sentence(refusal_of_folder("."), "contains the folder where the program was started");
   EXPECT_EQ(names_in(scratch.path()), before);
   // Folders above the last one may be links.
   publish(scratch / "to_folder/it's \"odd\"\n$(x)", "new");
   EXPECT_EQ(names_in(scratch / "folder"), Names{ "it's \"odd\"\n$(x)" });
 }
 
-TEST(ResultsFolder, NamesLeftoversAndLeavesThem)
+TEST(ResultsFolder, LeavesPartialFoldersOfOtherRuns)
 {
   const ScratchFolder scratch;
-  fs::create_directory(scratch / "paper.partial-1");
-  scratch.write("paper.partial-1/load.csv", "half");
-  const std::string own = "paper.partial-" + std::to_string(::getpid());
-  fs::create_directory(scratch / own); // of an earlier process of the same number
-  fs::create_directory(scratch / "other.partial-1");
-  testing::internal::CaptureStdout();
+  const std::string own = "paper.partial-" + std::to_string(::getpid()); // of a process of the same number
+  fs::create_directory(scratch / own);
+  scratch.write(own + "/load.csv", "half");
   publish(scratch / "paper", "new");
-  const std::string said = testing::internal::GetCapturedStdout();
-  EXPECT_THAT(said, testing::HasSubstr("paper.partial-1 and " + own));
-  EXPECT_THAT(said, testing::Not(testing::HasSubstr("other.partial-1")));
-  EXPECT_EQ(names_in(scratch.path()), (Names{ "other.partial-1", "paper", "paper.partial-1", own }));
-  EXPECT_EQ(read_text(scratch / "paper.partial-1/load.csv"), "half");
+  EXPECT_EQ(names_in(scratch.path()), (Names{ "paper", own }));
+  EXPECT_EQ(names_in(scratch / own), Names{ "load.csv" });
 }
 
 TEST(ResultsFolder, OfTwoAtOnceTheLaterOneStays)
