@@ -2,7 +2,6 @@
 
 #include "fem/contact/contact_solution.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
@@ -46,7 +45,7 @@ double spin_scale(const Study &study)
     const double share = std::abs(load.moment_x) / (load.normal_force * study.glass.profile.contact_radius);
     return share < 1e-12 ? unit : unit * std::clamp(2 * share, 1e-6, 1.);
   }
-  catch (const BadInput &) // a model of the chain that tips
+  catch (const ring::Tipping &) // a model of the chain
   {
     return unit;
   }
