@@ -104,7 +104,7 @@ SweepFile::SweepFile(const fs::path &wanted, const CaseList &list)
   }
   else
   {
-    if (fs::exists(folder / stamp_name) && !fs::exists(file))
+    if (fs::exists(folder / "summary.json") && !fs::exists(file))
       throw OutputFailure("The folder " + shortened_path(folder.string()) +
                           " holds other results, but no sweep.csv; choose another folder with --output.");
     fs::create_directories(folder, error);
