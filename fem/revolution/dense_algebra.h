@@ -7,8 +7,9 @@
 namespace stemware::fem
 {
 
-// Loops that are compiled for several kinds of processors: 1.1 to 1.75 times as fast as Eigen compiled for
-// all of them (n = 20 ... 300), and safe between threads, which Debian's serial OpenBLAS is not.
+// Loops that are compiled for several kinds of processors: from 60 unknowns on 1.5 times as fast as Eigen's
+// PartialPivLU compiled for all of them, 2.5 times from 300 on (tests/benchmark/dense_algebra_benchmark.cc),
+// and safe between threads, which Debian's serial OpenBLAS is not.
 
 /// Solves the dense systems A X = B by Gaussian elimination with row pivots. @p system is [A, B], shape [n,
 /// n + @p n_columns]. X overwrites B, and A is overwritten. A singular A gives non-finite numbers.
