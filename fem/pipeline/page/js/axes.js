@@ -45,7 +45,8 @@ function range_of(axis, found) {
     return low === high ? [low / 3, high * 3] : [low / room, high * room];
   }
   const room = (axis.room ?? 0.05) * (high - low) || (high === low ? Math.abs(high) * 0.1 || 1 : 0);
-  return [low - (axis.zero && low === 0 ? 0 : room), high + (axis.zero && high === 0 ? 0 : room)];
+  const ends_at_zero = end => axis.zero && end === 0 && low < high;
+  return [low - (ends_at_zero(low) ? 0 : room), high + (ends_at_zero(high) ? 0 : room)];
 }
 
 function rows_scale(rows, from, to) {

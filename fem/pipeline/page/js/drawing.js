@@ -76,8 +76,9 @@ export class Drawing {
     parts.label_line.setAttribute('stroke-opacity', paths.label_faces ? 0.7 : 0.1);
     this.draw_hand(row, travel, set);
     this.draw_torque(row, set);
-    const share = this.most > 0 ? Math.round((100 * Math.abs(row.torque)) / this.most) : 0;
-    this.number.textContent = shows('torque') ? say(t.instant, shown(row.time, '.2f'), shown(row.omega, '.2f'), share) : '';
+    const share = Math.round((100 * Math.abs(row.torque)) / this.most);
+    const instant = say(t.instant, shown(row.time, '.2f'), shown(row.omega, '.2f'));
+    this.number.textContent = shows('torque') ? `${instant}, ${this.most > 0 ? say(t.share, share) : t.no_torque}` : '';
   }
 
   draw_table({ orbit }, set) {

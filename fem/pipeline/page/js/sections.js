@@ -2,6 +2,7 @@
 import { Figure } from './figure.js';
 import { h, rich } from './dom.js';
 import { table } from './tables.js';
+import { without_rounding } from './rounding.js';
 
 const figures = new Map(); // by id
 const fit = ({ target, contentRect }) => {
@@ -72,6 +73,7 @@ function show(doc, view, main) {
 /** Shows the document of the page with one of the views by verbs. */
 export function show_document(views) {
   const doc = JSON.parse(document.getElementById('document').textContent);
+  without_rounding(doc);
   show(doc, views[doc.summary.verb](doc), document.querySelector('main'));
 }
 

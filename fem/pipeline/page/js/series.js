@@ -12,18 +12,21 @@ export const around = (load, n) =>
 
 /**
  * How hard the rim presses [N/m]: on average, towards the orbit's centre and away from it; the sense in which friction turns
- * the glass. Nothing without a load.
+ * the glass, and the side that is pressed harder: outside, inside or even. Nothing without a load.
  */
 export function pressing({ summary: { load }, tables, words }) {
   if (!load?.a) return {};
-  const side = ((words.sketch.clockwise ? -1 : 1) * turn) / 4;
+  const sense = words.sketch.clockwise ? -1 : 1;
+  const side = (sense * turn) / 4;
   // Where the foot has lifted off the series swings about zero.
   const at = angle => Math.max(tables.load_lines ? 0 : -Infinity, value_of(load, angle)) / load.ring_radius;
   const [, b1 = 0] = load.b;
+  const turns = Math.abs(b1) > 1e-9 * load.a[0] ? Math.sign(b1) : 0;
   return {
     mean: load.a[0] / load.ring_radius,
     inside: at(side),
     outside: at(-side),
-    turn: Math.abs(b1) > 1e-9 * load.a[0] ? Math.sign(b1) : 0
+    turn: turns,
+    harder: turns === 0 ? 'even' : turns * sense < 0 ? 'outside' : 'inside'
   };
 }

@@ -1,5 +1,5 @@
 // The lesson: five steps from the hand to the terminal spin. Each asks for a prediction before it shows the answer.
-import { $, doc, remember, sense, state, value_of } from './state.js';
+import { $, doc, found, remember, sense, state, value_of } from './state.js';
 import { h } from '../js/dom.js';
 import { pressing } from '../js/series.js';
 import { say, shown } from '../js/words.js';
@@ -8,35 +8,57 @@ import { texts } from './texts.js';
 
 const t = lesson_texts;
 const chosen = {}; // predictions by step
-const shown_parts = [['hand'], ['hand', 'pressure'], ['hand', 'pressure', 'friction'], ['hand', 'pressure', 'friction', 'torque'], ['hand', 'pressure', 'friction', 'torque']]; // prettier-ignore
-const pictures = [[], ['load'], ['load'], ['torque'], ['spin', 'torque']];
+// Parts of the scene and pictures that a step shows before its prediction and after it.
+const scene_parts = ['hand', 'pressure', 'friction', 'torque'];
+const parts_before = [1, 1, 2, 3, 4];
+const parts_after = [2, 2, 3, 4, 4];
+const pictures_before = [[], [], ['load'], [], ['torque']];
+const pictures_after = [[], ['load'], ['load'], ['torque'], ['spin', 'torque']];
+const is_predicted = () => chosen[state.lesson] !== undefined;
+const at_step = (before, after) => (is_predicted() ? after : before)[state.lesson - 1];
 
 /** Whether a part of the scene is shown in the present step. */
 export const shows = part =>
-  !state.lesson || shown_parts[state.lesson - 1].includes(part) || (chosen[state.lesson] !== undefined && shown_parts[Math.min(state.lesson, 4)].includes(part)); // prettier-ignore
+  !state.lesson || scene_parts.indexOf(part) < at_step(parts_before, parts_after);
 
-const offset = () => value_of('Motion/Force offset');
-/** The right prediction of each step, for the study as it is. */
-const right = [
-  () => (offset() < 0 ? 0 : offset() > 0 ? 1 : 2),
-  () => 1,
-  () => 1,
-  () => (offset() * sense() < 0 ? 0 : offset() ? 1 : 2),
-  () => 1
+/** The side that is pressed harder at rest: 0 the outside, 1 the inside, 2 neither. */
+const side = () => ['outside', 'inside', 'even'].indexOf(pressing(doc).harder);
+/** The way of the torque at rest: 0 against the orbit, 1 with it, 2 none. While it is not known, it follows the pressure. */
+function way() {
+  const torque = doc.summary.ring.tau_at_rest;
+  return !Number.isFinite(torque) ? side() : torque === 0 ? 2 : torque * sense() < 0 ? 0 : 1;
+}
+/** The right option of each step in the present state. */
+const right = [side, () => (doc.summary.load?.moment_ratio > 1 ? 2 : 1), () => 1, way, () => 1];
+
+/** The answer of each step with its numbers. */
+const answers = [
+  ({ answer }) => {
+    const millimetres = 1e3 * Math.abs(value_of('Motion/Force offset'));
+    const moment = 1e3 * Math.abs(doc.summary.load?.moment?.[0]);
+    return say(answer[side()], shown(millimetres, '.3g'), shown(moment, '.3g'));
+  },
+  ({ answer }) => {
+    const { inside, outside } = pressing(doc);
+    return say(answer[right[1]()], ...[inside, outside].map(x => shown(x, '.3g')), shown(doc.summary.load?.moment_ratio, '.2g'));
+  },
+  ({ answer }) => say(answer[way() === 2 ? 2 : 1], shown(Math.abs(doc.tables.motion?.[0].hand[0] ?? NaN), '.3g')),
+  ({ answer }) => say(answer[way()], shown(1e3 * doc.summary.ring.tau_at_rest, '.3g')),
+  ({ answer, paper: beside, ...states }) => {
+    const { ring, paper } = doc.summary;
+    const { omega_terminal: omega, fall } = ring;
+    if (fall) return say(states.falls, shown(fall.omega, '.3g'));
+    if (way() === 2) return states.still;
+    if (omega === 0) return states.held;
+    const compared = Number.isFinite(paper?.omega_terminal) ? ' ' + say(beside, shown(paper.omega_terminal, '.3g')) : '';
+    return say(answer, shown(omega, '.3g'), shown((2 * Math.PI) / Math.abs(omega), '.3g')) + compared;
+  }
 ];
 
-/** The numbers in the answer of each step. */
-function numbers() {
-  const { ring = {}, load = {}, paper = {} } = doc.summary;
-  const at_rest = pressing(doc);
-  const spin = ring.omega_terminal;
-  return [
-    [shown(1e3 * Math.abs(offset()), '.3g'), shown(1e3 * Math.abs(load?.moment?.[0] ?? NaN), '.3g')],
-    [shown(at_rest.inside, '.3g'), shown(at_rest.outside, '.3g'), shown(load?.moment_ratio, '.2g')],
-    [shown(Math.abs(doc.tables.motion?.[0].hand[0] ?? NaN), '.3g')],
-    [shown(1e3 * ring.tau_at_rest, '.3g')],
-    [shown(spin, '.3g'), shown((2 * Math.PI) / Math.abs(spin), '.3g'), shown(paper.omega_terminal, '.3g')]
-  ];
+/** The verdict on a prediction; *The net force* is a half-right answer where one side has more friction. */
+function verdict(step, mine) {
+  if (mine === right[step - 1]()) return t.right;
+  return step === 3 && mine === 0 && way() !== 2 ? t.half : t.other;
 }
 
 /** Writes the present step; `changed` is called when what is shown changes. */
@@ -55,9 +77,10 @@ export function write_lesson(changed) {
   else delete document.body.dataset.lesson;
   document.body.toggleAttribute('data-told', step === 5 && chosen[5] !== undefined);
   for (const place of document.querySelectorAll('[data-picture]'))
-    place.closest('.card').classList.toggle('taught', step > 0 && pictures[step - 1].includes(place.dataset.picture));
+    place.closest('.card').classList.toggle('taught', step > 0 && at_step(pictures_before, pictures_after).includes(place.dataset.picture)); // prettier-ignore
   if (!step) return;
-  const { title, question, options, answer, then } = t.steps[step - 1];
+  const texts_of_step = t.steps[step - 1];
+  const { title, question, options, then } = texts_of_step;
   const mine = chosen[step];
   const choose = i => {
     chosen[step] = i;
@@ -67,7 +90,10 @@ export function write_lesson(changed) {
   const predictions = options.map((text, i) =>
     h('button', { 'aria-pressed': String(mine === i), onclick: () => choose(i) }, say(text))
   );
-  const said = mine === undefined ? [] : [h('p', {}, h('b', {}, mine === right[step - 1]() ? t.right : t.other), ' ', say(answer, ...numbers()[step - 1])), h('p', {}, say(then))]; // prettier-ignore
+  const said = [];
+  if (found.answer?.tips) said.push(h('p', {}, t.tips));
+  else if (doc.summary.ring && mine !== undefined)
+    said.push(h('p', {}, h('b', {}, verdict(step, mine)), ' ', answers[step - 1](texts_of_step)), h('p', {}, say(then)));
   $('lesson').replaceChildren(
     h('h2', {}, say(t.step, step, title)),
     h('p', {}, say(question)),

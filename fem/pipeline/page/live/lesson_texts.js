@@ -1,18 +1,23 @@
-// Texts of the lesson; {0}, {1} are numbers.
+// Texts of the lesson; {0}, {1} are numbers. An answer that depends on the state is a list by the right option.
 export const lesson_texts = {
   step: 'Step {0} of 5: {1}',
   right: 'As you said.',
-  other: 'It is otherwise.',
+  half: 'Half right.',
+  other: 'Not quite.',
   back: 'Back',
   next: 'Next step',
+  tips: 'This glass tips over: the hand would need more counter-moment than the weight can give. Move the hand towards the centre of mass.',
   steps: [
     {
       title: 'press',
       question:
         'The hand pulls the glass towards the centre of its circle, at the height of the green ring. What does this pull do to the foot?',
       options: ['It presses the outside harder.', 'It presses the inside harder.', 'It presses both sides alike.'],
-      answer:
-        'The pull acts {0} mm beside the centre of mass. Its moment of {1} mN m tips the glass, and the table has to hold against it: with its pressure.',
+      answer: [
+        'The hand pulls {0} mm below the centre of mass. The glass would rather go straight on, so it leans outwards, and the outside is pressed harder. The moment of {1} mN m tries to tip the glass.',
+        'The hand pulls {0} mm above the centre of mass. It pulls the top inwards while the rest would rather go straight on, so the glass leans inwards, and the inside is pressed harder. The moment of {1} mN m tries to tip the glass.',
+        'The hand pulls at the centre of mass. Nothing leans the glass outwards or inwards, and both sides are pressed alike.'
+      ],
       then: 'Look at the wall round the rim: its height is the pressure. Drag the hand up and down.'
     },
     {
@@ -23,35 +28,51 @@ export const lesson_texts = {
         'It rises and falls once, evenly.',
         'It is high at one place only.'
       ],
-      answer:
+      answer: [
+        '',
         'It rises and falls once: a first harmonic. At rest it is {0} N/m on the inside and {1} N/m on the outside. The moment ratio is {2}; beyond 1 a part of the rim lifts off, at 2 the glass tips.',
-      then: 'The solid curve is the load by angle, the dashed one its first harmonic only. Choose oak: a second, smaller wave is added.'
+        'A part of the rim has lifted off, and the rest carries the glass. At rest the pressure is {0} N/m on the inside and {1} N/m on the outside. The moment ratio is {2}; beyond 1 a part of the rim lifts off, at 2 the glass tips.'
+      ],
+      then: 'The pressure is also high in front: the hand pulls forwards above the table, friction holds the rim back, and the glass leans forwards. The solid curve is the load by angle, the dashed one its first harmonic only. Choose oak: a second, smaller wave is added.'
     },
     {
       title: 'friction',
-      question: 'At rest all places of the rim slide in one direction. Which friction can turn the glass?',
+      question:
+        'The glass does not spin yet, so every point of the rim slides the same way. Which friction can turn the glass?',
       options: ['The net force.', 'The difference between the two sides.', 'None: all arrows are parallel.'],
-      answer:
-        'The net force of {0} N acts along a line beside the axis only as far as the arrows of one side are longer. The difference turns the glass; equal arrows would not.',
+      answer: [
+        '',
+        'Equal arrows left and right would cancel. The longer ones win: the net force of {0} N acts beside the axis.',
+        'Only a difference between the sides turns a glass. Here the arrows left and right are equal and cancel: the net force of {0} N acts through the axis.'
+      ],
       then: 'Blue arrows turn the glass clockwise, orange ones counter-clockwise. Count them by their length.'
     },
     {
       title: 'torque',
       question: 'Seen from above: which way does the friction turn the glass?',
       options: ['Against its orbit.', 'With its orbit.', 'Not at all.'],
-      answer: 'The torque at rest is {0} mN m: the coefficient of friction times the moment of the hand.',
+      answer: [
+        'Friction turns it against its orbit. The torque at rest is {0} mN m: the coefficient of friction times the moment of the hand.',
+        'Friction turns it with its orbit. The torque at rest is {0} mN m: the coefficient of friction times the moment of the hand.',
+        'Friction does not turn it: both sides have the same friction, and the torque at rest is zero.'
+      ],
       then: 'The arrow round the stem is the torque that is left. Play the spin-up: the arrow shrinks.'
     },
     {
       title: 'terminal spin',
-      question: 'Why does the spin stop growing?',
+      question: 'Why does the spin of a glass stop growing?',
       options: [
         'The hand gets tired.',
-        'The spin turns the friction, until both sides balance.',
+        'The spinning rim slides in new directions; friction tilts until its torques cancel.',
         'The air brakes the glass.'
       ],
       answer:
-        'A glass that spins slides in other directions, and the arrows turn until their torques cancel: at {0} rad/s, one turn in {1} s. The rigid ring of the paper has {2} rad/s.',
+        'The spinning rim slides in new directions; friction tilts until its torques cancel. That is at {0} rad/s, one turn in {1} s.',
+      paper: 'The rigid ring of the paper has {0} rad/s.',
+      still: 'Friction that tilts would brake a spin. Here nothing starts one: the torque at rest is zero.',
+      held: 'Friction that tilts would brake a spin. Here the fingers hold the glass: their torque is larger than that of friction.',
+      falls:
+        'Friction that tilts would brake the spin. This glass tips over before, at {0} rad/s. Move the hand towards the centre of mass.',
       then: 'Now a last prediction: what happens if the hand crosses the centre of mass? Drag it up. At the centre of mass nothing turns; above, the glass spins with its orbit, and soon it tips.'
     }
   ]

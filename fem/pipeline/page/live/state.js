@@ -1,4 +1,6 @@
 // What the live page holds: a glass, a table, the number of harmonics, what has been changed of the study, and the answer.
+import { without_rounding } from '../js/rounding.js';
+
 export const $ = id => document.getElementById(id);
 export const data = JSON.parse($('data').textContent);
 export const all_harmonics = 17; // the slider's last place
@@ -22,6 +24,7 @@ export function forget() {
 /** Takes what a reply says into the document. */
 export function learn(part) {
   for (const key of ['summary', 'words', 'tables']) Object.assign(doc[key], part[key]);
+  without_rounding(doc);
 }
 /** The document with the load of the last spin as its load. */
 export function at_end() {

@@ -13,13 +13,12 @@ import { truncation } from './spin.js';
  * Why the glass turns, falls or is held, by what the two sides press; `offset` of the hand from the centre of mass, if that
  * is why.
  */
-export function why({ falls, held }, { inside, outside }, offset) {
+export function why({ falls, held }, { harder }, offset) {
   const t = texts.scene_words;
   if (falls) return t.tips;
   if (held) return t.held;
   const hand = offset < 0 ? t.hand_below : offset > 0 ? t.hand_above : offset === 0 ? t.hand_level : '';
-  const even = Math.abs(outside - inside) <= 1e-6 * Math.abs(outside);
-  return `${hand} ${even ? t.even : outside > inside ? t.outside : t.inside}`.trim();
+  return `${hand} ${t[harder] || ''}`.trim();
 }
 
 /** How a run ends: its last spin, whether it moves at all, spins for ever, falls, or is held by the fingers. */
@@ -29,10 +28,6 @@ export function ending({ summary: { ring, parameters }, words }) {
   const held = parameters.Motion['Grip torque'] > 0 && ring.omega_terminal === 0;
   return { omega, moves, falls: Boolean(ring.fall), spins: moves && !ring.fall, held };
 }
-
-/** The torque of friction at rest, rounding as 0. */
-export const torque_at_rest = ({ ring, load }) =>
-  Math.abs(ring.tau_at_rest) > 1e-9 * load.normal_force * load.ring_radius ? ring.tau_at_rest : 0;
 
 /** Why the glass turns, beside how `glasses` turn, seen from above; without rows of its motion the latter alone. */
 function turning(doc, glasses) {

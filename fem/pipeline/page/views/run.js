@@ -1,6 +1,6 @@
 // What `stemware run` shows.
 import { around } from '../js/series.js';
-import { bands, beginning, ending, fewer_harmonics, files, study, torque_at_rest } from './common.js';
+import { bands, beginning, ending, fewer_harmonics, files, study } from './common.js';
 import { columns, table_of } from '../js/tables.js';
 import { driven, phases, spin_up, torque, torque_of_harmonics } from './spin.js';
 import { effects, waterfall } from './budget.js';
@@ -75,7 +75,7 @@ function spin_text(doc) {
   const { summary } = doc;
   const { ring } = summary;
   const { falls, spins } = ending(doc);
-  const at_rest = torque_at_rest(summary);
+  const at_rest = summary.ring.tau_at_rest;
   const text =
     `Friction turns the glass at rest with τ_z = ${shown(at_rest)} N m; μ M_Nx, which depends on the first harmonic ` +
     `only, is ${shown(at_rest && ring.tau_closed_form)} N m.`;

@@ -275,9 +275,8 @@ TEST(Reports, PicturesAndTablesShowTheNumbersOfTheFiles)
   const auto ends_at = [&](double omega)
   {
     return std::any_of(bars.begin() + 1, bars.end(),
-                       [&](const nlohmann::json &row) {
-                         return std::abs(std::stod(row[1].get<std::string>()) - omega) < 1e-8;
-                       });
+                       [&](const nlohmann::json &row)
+                       { return std::abs(std::stod(row[1].get<std::string>()) - omega) < 1e-8; });
   };
   for (std::size_t i = 1; i < budget.size(); ++i)
     if (budget[i]["name"] != "harmonics" && !budget[i]["difference"].is_null())
@@ -300,6 +299,32 @@ TEST(Reports, PicturesAndTablesShowTheNumbersOfTheFiles)
       EXPECT_EQ(rows[i + 1][1], "\u2013");
     }
   }
+}
+
+TEST(Reports, NumbersReadBackAreTheirValues)
+{
+  // Every exponent in every kind of digits, read back by its marks: 9.3 · 10⁻¹⁰.
+  const std::string script = "const { shown } = await import(" +
+                             script_string("file://" + fs::path(STEMWARE_DOCS).parent_path().string() +
+                                           "/fem/pipeline/page/js/words.js") +
+                             R"();
+  const raised = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  const read = text => {
+    const [, sign, mantissa, , minus, digits] = text.match(/^\+?(−?)([\d.]*)( · )?(?:10(⁻?)([⁰¹²³⁴⁵⁶⁷⁸⁹]+))?$/);
+    const power = digits ? Number([...digits].map(c => raised.indexOf(c)).join("")) : 0;
+    return (sign ? -1 : 1) * Number((mantissa || "1") + "e" + (minus ? "-" : "") + power);
+  };
+  const wrong = [];
+  for (let power = -300; power <= 300; ++power)
+    for (const digits of [1, 1.5, 2.00001, 7.21346, 9.3202, 9.99999951])
+      for (const [kind, error] of [[".6g", 6e-6], [".2g", 0.06], ["#.3g", 6e-3], ["+.4g", 6e-4], [".1e", 0.06], ["short", 6e-3]])
+        for (const sign of [-1, 1]) {
+          const value = sign * digits * 10 ** power, text = shown(value, kind);
+          if (!(Math.abs(read(text) / value - 1) <= error)) wrong.push([value, kind, text]);
+        }
+  return wrong.slice(0, 5);)";
+  const ScratchFolder scratch;
+  EXPECT_EQ(found_in_browser(scratch, script), nlohmann::json::array());
 }
 
 /// Reports with hostile text in every place that takes any: those of all verbs, of a study and measured spins

@@ -179,6 +179,106 @@ TEST(ExplorePage, ThePageOfAStudySolvesItAgainAndTeaches)
   EXPECT_EQ(falls.exit_code, 0) << falls.err;
 }
 
+/// A state of the page, with the right option of each step of its lesson, and words of the last step.
+struct Taught
+{
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> changes; ///< entries; "table": a button
+  std::vector<int> right;                                   ///< empty: the glass tips over
+  std::string words;
+};
+
+/// A script that opens @p page in each of @p states and tries all options of the lesson: "right", the options
+/// that are called right in each step; the "texts" after the first option; "torque", the arrow of the scene;
+/// and all "words" beside pictures.
+std::string states_script(const std::string &page, const std::vector<Taught> &states)
+{
+  nlohmann::ordered_json wanted;
+  for (const Taught &state : states)
+    wanted[state.name] = state.changes;
+  return framed(page, 1100) + R"(
+  const wait = async until => { while (!until()) await new Promise(r => setTimeout(r, 20)); };
+  await wait(() => frame.contentWindow?.started);
+  const shown = frame.contentWindow, root = shown.document, $ = id => root.getElementById(id), found = {};
+  const rests = async () => {
+    delete root.body.dataset.rested;
+    await wait(() => root.body.dataset.rested || $("answer").matches(".falls"));
+  };
+  const lesson = selector => root.querySelectorAll("#lesson " + selector);
+  for (const [name, changes] of Object.entries()" +
+         wanted.dump() + R"()) {
+    for (const [path, value] of changes)
+      if (path == "table") root.querySelector(`#tables [data-name="${value}"]`).click();
+      else await shown.move(path, value);
+    await rests();
+    const state = (found[name] = { right: [], texts: [], torque: root.querySelector("#scene svg path:last-of-type").getAttribute("d"),
+      words: root.querySelector("#scene .instant").textContent + " " + $("facts").innerText + " " + $("answer").innerText });
+    $("lesson-button").click();
+    for (let step = 1; step <= 5; ++step) {
+      const right = [];
+      for (let i = 2; i >= 0; --i) {
+        lesson("[role=group] button")[i].click();
+        if ($("lesson").innerText.includes("As you said.")) right.push(i);
+      }
+      state.right.push(right);
+      state.texts.push($("lesson").innerText);
+      lesson(".row:last-child button:last-child")[0].click();
+    }
+    $("lesson-button").click();
+    for (const [path] of changes)
+      if (path == "table") root.querySelector(`#tables [data-name="mat"]`).click();
+      else await shown.move(path);
+  }
+  return found;)";
+}
+
+TEST(ExplorePage, TheLessonIsTrueInEveryState)
+{
+  const std::string hand = "Motion/Force offset", centre = "Motion/Centre of mass height";
+  // By hand: a hand below the centre of mass presses the outside, whose friction turns the glass against its
+  // orbit.
+  const std::vector<int> below = { 0, 1, 1, 0, 1 };
+  const std::vector<Taught> states = {
+    { "default", {}, below, "The rigid ring of the paper" },
+    { "clockwise", { { "Motion/Orbit sense", "clockwise" } }, below, "The rigid ring of the paper" },
+    { "far below", { { hand, "-0.07" } }, below, "one turn in" },
+    { "lift-off", { { hand, "-0.02" } }, { 0, 2, 1, 0, 1 }, "one turn in" },
+    { "level", { { hand, "0" } }, { 2, 2, 1, 2, 1 }, "Here nothing starts one" },
+    { "above", { { hand, "0.01" } }, { 1, 2, 1, 1, 1 }, "one turn in" },
+    { "above, clockwise",
+      { { hand, "0.01" }, { "Motion/Orbit sense", "clockwise" } },
+      { 1, 2, 1, 1, 1 },
+      "one turn in" },
+    { "held", { { "Motion/Grip torque", "0.005" } }, below, "the fingers hold the glass" },
+    { "falls", { { centre, "0.138" } }, { 0, 2, 1, 0, 1 }, "This glass tips over before" },
+    { "tips", { { hand, "0.3" } }, {}, "This glass tips over" },
+    { "oak", { { "table", "oak" } }, below, "one turn in" },
+    { "window glass", { { "table", "window glass" } }, below, "one turn in" },
+    { "rigid", { { "table", "rigid" } }, below, "one turn in" }
+  };
+  const ScratchFolder scratch;
+  const nlohmann::json found =
+    found_in_browser(scratch, states_script(read_text(fs::path(STEMWARE_DOCS) / "explore.html"), states));
+  for (const Taught &state : states)
+  {
+    SCOPED_TRACE(state.name);
+    std::vector<std::vector<int>> right(5);
+    for (std::size_t i = 0; i < state.right.size(); ++i)
+      right[i] = { state.right[i] };
+    EXPECT_EQ(found[state.name]["right"], nlohmann::json(right));
+    EXPECT_THAT(found[state.name]["texts"][4].get<std::string>(), testing::HasSubstr(state.words));
+    for (const nlohmann::json &text : found[state.name]["texts"])
+      EXPECT_THAT(text.get<std::string>(),
+                  testing::Not(testing::ContainsRegex("NaN|undefined|\u2013|\u207b|-0 |\u22120 ")));
+  }
+  // Rounding errors are no torque and no spin.
+  EXPECT_EQ(found["level"]["torque"], "");
+  EXPECT_NE(found["default"]["torque"], "");
+  const std::string words = found["level"]["words"].get<std::string>();
+  EXPECT_THAT(words, testing::HasSubstr("no torque"));
+  EXPECT_THAT(words, testing::Not(testing::HasSubstr("\u22120.0")));
+}
+
 TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)
 {
   const ScratchFolder scratch;
