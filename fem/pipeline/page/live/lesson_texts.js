@@ -6,7 +6,7 @@ export const lesson_texts = {
   other: 'Not quite.',
   back: 'Back',
   next: 'Next step',
-  tips: 'This glass tips over: the hand would need more counter-moment than the weight can give. Move the hand towards the centre of mass.',
+  tips: 'This glass tips over: the hand would need more counter-moment than the weight can give. Move the hand to another height, or go slower.',
   steps: [
     {
       title: 'press',
@@ -72,7 +72,7 @@ export const lesson_texts = {
       still: 'Friction that tilts would brake a spin. Here nothing starts one: the torque at rest is zero.',
       held: 'Friction that tilts would brake a spin. Here the fingers hold the glass: their torque is larger than that of friction.',
       falls:
-        'Friction that tilts would brake the spin. This glass tips over before, at {0} rad/s. Move the hand towards the centre of mass.',
+        'Friction that tilts would brake the spin. This glass tips over before, at {0} rad/s. Move the hand to another height, or go slower.',
       then: 'Now a last prediction: what happens if the hand crosses the centre of mass? Drag it up. At the centre of mass nothing turns; above, the glass spins with its orbit, and soon it tips.'
     }
   ]

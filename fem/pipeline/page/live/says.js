@@ -36,12 +36,11 @@ function answer_text({ ring, first_n, paper, load_at_terminal: load }) {
 
 const failure_text = ({ tips, refused, error }) => (tips ? texts.tips : refused ? say(texts.refused, error) : error);
 
-function notes_of({ fit, tips, error, notes = [] }) {
+function notes_of({ fit, notes = [] }) {
   const t = texts;
   const { ring: all, first_n } = doc.summary;
   return [
     state.unknown.length && say(t.unknown, state.unknown.map(word => word.slice(0, 60)).join(', ')),
-    !all && tips && error,
     all && fit === 'near' && say(t.near, shown(band(), '.2e')),
     ...notes,
     first_n?.standing === 'formal' && t.pulls

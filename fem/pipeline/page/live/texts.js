@@ -21,7 +21,7 @@ export const texts = {
   paper_says: 'The paper’s ring: {0} rad/s.',
   full: 'The whole land is in contact.',
   lifts: 'The foot has partly lifted off: {0} % of the land is in contact.',
-  tips: 'The glass tips over.',
+  tips: 'The hand would need more counter-moment than the weight can give: the glass falls.',
   falls: 'It stands at rest and tips over while it spins up, at {0} rad/s.',
   no_spin: 'There is no terminal spin: {0}',
   refused: 'Not available in this page: {0}',
