@@ -32,11 +32,20 @@ export function standalone(figure, width = 480) {
   return { text, width, height };
 }
 
+/** Further numbers of the rows of a mark by their headings with units. */
+export const extra_of = (mark, axes) =>
+  Object.fromEntries(
+    (mark.extra || []).map(({ heading, axis, values }) => [heading_of({ heading, unit: axes[axis]?.unit }), values])
+  );
+
 function table_of({ x = {}, y = {}, marks }) {
   const label = axis => heading_of({ heading: axis.label || '', unit: axis.unit });
-  const further = [...new Set(marks.flatMap(mark => (mark.rows().length ? Object.keys(mark.extra || {}) : [])))];
-  const row_of = mark => (row, i) => [...row, ...further.map(heading => mark.extra?.[heading]?.[i])];
-  return csv([['curve', label(x) || 'x', label(y) || 'y', ...further], ...marks.flatMap(m => m.rows().map(row_of(m)))]);
+  const further = [...new Set(marks.filter(m => m.rows().length).flatMap(m => Object.keys(extra_of(m, { x, y }))))];
+  const rows_of = mark => {
+    const extra = extra_of(mark, { x, y });
+    return mark.rows().map((row, i) => [...row, ...further.map(heading => extra[heading]?.[i])]);
+  };
+  return csv([['curve', label(x) || 'x', label(y) || (y.rows ? 'row' : 'y'), ...further], ...marks.flatMap(rows_of)]);
 }
 
 function save(figure, kind) {

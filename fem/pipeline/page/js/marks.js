@@ -1,6 +1,6 @@
 // What a picture may show over its axes. Each mark says how far it reaches, draws itself, finds what lies next to a place, and
 // lists its numbers: { extent(): {x, y}, draw(X, Y, box), near(px, py, X, Y): {i, px, py, away}, at(i), rows(), extra }. A row is
-// [name, x, y]; `extra` has further numbers of each row, lists by their headings.
+// [name, x, y]; `extra` has further numbers of each row: { heading, axis with the unit, values }.
 import { s } from './dom.js';
 
 export const clean = list => list.filter(Number.isFinite);
@@ -95,7 +95,7 @@ export const dots = ({ x, y, name, colour = 'c1', size = 4, hollow, band, across
   at: i => ({ x: x[i], y: y[i], band: band && band[i], words: words && words[i] }),
   count: x.length,
   rows: () => x.map((value, i) => [name || '', value, y[i]]),
-  extra: band && { '±': band }
+  extra: band && [{ heading: '±', axis: across ? 'x' : 'y', values: band }]
 });
 
 /** Bars from `from` to `to` along the numbered rows of a vertical axis that has names. */
@@ -126,7 +126,7 @@ export const bars = ({ from, to, texts, name, colour = 'c1', rows: at, words, pa
   at: i => ({ x: to[i], y: at[i], words: words && words[i] }),
   count: at.length,
   rows: () => at.map((row, i) => [name || '', to[i], texts ? texts[i] : row]),
-  extra: { from }
+  extra: [{ heading: 'from', axis: 'x', values: from }]
 });
 
 /** A straight line across the picture at x or y, with words at its end. */

@@ -63,7 +63,7 @@ export const patches = ({ polygons, value, colours: { range, both_signs, label }
     },
     at: i => ({ words: words(i) }),
     rows: () => polygons.map(polygon => [name || '', middle(polygon, 0), middle(polygon, 1)]),
-    extra: { [label]: value }
+    extra: [{ heading: label, values: value }]
   };
 };
 
@@ -111,7 +111,10 @@ export const arrows = ({ x, y, u, v, name, colour = 'c1', words, width = 1.6, he
   at: i => ({ x: x[i] + u[i] / 2, y: y[i] + v[i] / 2, words: words && words[i] }),
   count: words ? x.length : 0,
   rows: () => x.map((_, i) => [name || '', x[i], y[i]]),
-  extra: { 'Δx': u, 'Δy': v }
+  extra: [
+    { heading: 'Δx', axis: 'x', values: u },
+    { heading: 'Δy', axis: 'y', values: v }
+  ]
 });
 
 /** The straight lines of a drawing: [[x0, y0, x1, y1], ...] in the units of the axes; `heads`: 1 or 2 arrows. */

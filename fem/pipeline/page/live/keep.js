@@ -2,13 +2,14 @@
 import { data, doc, pair, state } from './state.js';
 import { csv } from '../js/words.js';
 import { download } from '../js/dom.js';
+import { extra_of } from '../js/files.js';
 import { label_of } from '../js/figure.js';
 
 /** Points of all curves: picture, curve, meaning of x and y, x, y, and the heading and value of a colour or band. */
 export function save_curves(drawn) {
   const rows = [...drawn].flatMap(({ id, x, y, marks }) =>
     marks.flatMap(mark => {
-      const [heading, values] = Object.entries(mark.extra || {})[0] || ['', []];
+      const [heading, values] = Object.entries(extra_of(mark, { x, y }))[0] || ['', []];
       return mark.rows().map(([curve, ...at], i) => [id, curve, label_of(x || {}), label_of(y || {}), ...at, heading, values[i]]); // prettier-ignore
     })
   );

@@ -64,9 +64,9 @@ export function make_measured(draw) {
     $('measured-choice').hidden = !run.columns.length;
     delete doc.tables.measured;
     if (run.columns.length) convert();
-    const points = doc.tables.measured?.values[0];
-    const said = points ? say(texts.measured, file.name, run.time.length, shown(Math.max(...points), '.3g')) : say(texts.unreadable, file.name); // prettier-ignore
-    $('measured-status').textContent = said;
+    const text = run.columns.length ? texts.measured : texts.unreadable;
+    const seconds = range({ values: run.time || [0] });
+    $('measured-status').textContent = say(text, file.name, run.time?.length, shown(seconds, '.3g'));
     draw();
   };
   $('measured').onchange = e => take(e.target.files[0]);

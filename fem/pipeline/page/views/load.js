@@ -56,7 +56,10 @@ export function load_polar(doc) {
   const curve = part => {
     const places = places_of(part);
     const words = i => [part.name, `θ = ${shown(part.theta[i], '.4g')}°`, `λ/a_0 = ${shown(part.load[i], '.4g')}`];
-    const extra = { 'θ (°)': part.theta, 'λ / R (N/m)': part.load.map(v => v * load.mean) };
+    const extra = [
+      { heading: 'θ (°)', values: part.theta },
+      { heading: 'λ / R (N/m)', values: part.load.map(v => v * load.mean) }
+    ];
     return { ...line({ ...part, x: places.map(p => p[0]), y: places.map(p => p[1]), words }), extra };
   };
   const loaded = parts[parts.length - 1];
