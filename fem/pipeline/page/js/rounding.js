@@ -2,8 +2,7 @@
 const share = 1e-9; // of the normal force times the radius, for torques
 
 function zero(object, keys, limit) {
-  for (const key of keys)
-    if (typeof object?.[key] === 'number' && Math.abs(object[key]) < limit) object[key] = 0;
+  for (const key of keys) if (typeof object?.[key] === 'number' && Math.abs(object[key]) < limit) object[key] = 0;
 }
 
 /** Sets torques, moments and spins of a document that are rounding errors to zero, in place. */
@@ -24,6 +23,7 @@ export function without_rounding({ summary, tables, words }) {
     zero(row, ['torque'], torque);
     zero(row, ['omega', 'yaw'], spin);
   }
-  for (const [name, limit] of [['torque', torque], ['spin_up', spin]]) // prettier-ignore
-    tables[name]?.values.forEach((column, i) => i && zero(column, column.keys(), limit));
+  const limits = { torque, spin_up: spin };
+  for (const name in limits)
+    tables[name]?.values.forEach((column, i) => i && zero(column, column.keys(), limits[name]));
 }

@@ -13,7 +13,11 @@ export function save_curves(drawn) {
       return mark.rows().map(([curve, ...at], i) => [id, curve, label_of(x || {}), label_of(y || {}), ...at, heading, values[i]]); // prettier-ignore
     })
   );
-  download('explored.csv', csv([['picture', 'curve', 'x is', 'y is', 'x', 'y', 'value is', 'value'], ...rows]), 'text/csv');
+  download(
+    'explored.csv',
+    csv([['picture', 'curve', 'x is', 'y is', 'x', 'y', 'value is', 'value'], ...rows]),
+    'text/csv'
+  );
 }
 
 /** The study as a file of parameters. */

@@ -18,8 +18,7 @@ const is_predicted = () => chosen[state.lesson] !== undefined;
 const at_step = (before, after) => (is_predicted() ? after : before)[state.lesson - 1];
 
 /** Whether a part of the scene is shown in the present step. */
-export const shows = part =>
-  !state.lesson || scene_parts.indexOf(part) < at_step(parts_before, parts_after);
+export const shows = part => !state.lesson || scene_parts.indexOf(part) < at_step(parts_before, parts_after);
 
 /** The side that is pressed harder at rest: 0 the outside, 1 the inside, 2 neither. */
 const side = () => ['outside', 'inside', 'even'].indexOf(pressing(doc).harder);
@@ -40,7 +39,11 @@ const answers = [
   },
   ({ answer }) => {
     const { inside, outside } = pressing(doc);
-    return say(answer[right[1]()], ...[inside, outside].map(x => shown(x, '.3g')), shown(doc.summary.load?.moment_ratio, '.2g'));
+    return say(
+      answer[right[1]()],
+      ...[inside, outside].map(x => shown(x, '.3g')),
+      shown(doc.summary.load?.moment_ratio, '.2g')
+    );
   },
   ({ answer }) => say(answer[way() === 2 ? 2 : 1], shown(Math.abs(doc.tables.motion?.[0].hand[0] ?? NaN), '.3g')),
   ({ answer }) => say(answer[way()], shown(1e3 * doc.summary.ring.tau_at_rest, '.3g')),
@@ -50,7 +53,9 @@ const answers = [
     if (fall) return say(states.falls, shown(fall.omega, '.3g'));
     if (way() === 2) return states.still;
     if (omega === 0) return states.held;
-    const compared = Number.isFinite(paper?.omega_terminal) ? ' ' + say(beside, shown(paper.omega_terminal, '.3g')) : '';
+    const compared = Number.isFinite(paper?.omega_terminal)
+      ? ' ' + say(beside, shown(paper.omega_terminal, '.3g'))
+      : '';
     return say(answer, shown(omega, '.3g'), shown((2 * Math.PI) / Math.abs(omega), '.3g')) + compared;
   }
 ];
@@ -93,7 +98,10 @@ export function write_lesson(changed) {
   const said = [];
   if (found.answer?.tips) said.push(h('p', {}, t.tips));
   else if (doc.summary.ring && mine !== undefined)
-    said.push(h('p', {}, h('b', {}, verdict(step, mine)), ' ', answers[step - 1](texts_of_step)), h('p', {}, say(then)));
+    said.push(
+      h('p', {}, h('b', {}, verdict(step, mine)), ' ', answers[step - 1](texts_of_step)),
+      h('p', {}, say(then))
+    );
   $('lesson').replaceChildren(
     h('h2', {}, say(t.step, step, title)),
     h('p', {}, say(question)),

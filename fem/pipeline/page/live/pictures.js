@@ -23,7 +23,14 @@ export function picture(name) {
   const [is_known, make] = pictures[name];
   const given = is_known() && make();
   if (!given) return null;
-  return { ...given, id: `live_${name}`, title: texts[name], words: '', caption: '', marks: given.marks.filter(Boolean) };
+  return {
+    ...given,
+    id: `live_${name}`,
+    title: texts[name],
+    words: '',
+    caption: '',
+    marks: given.marks.filter(Boolean)
+  };
 }
 
 /** All harmonics against the first alone, as the budget has them; nothing where that does not spin. */

@@ -102,7 +102,9 @@ export function spin_up(doc) {
     x: { label: 'time', symbol: 't =', unit: 's', room: 0 },
     y: { label: 'spin ω', unit: 'rad/s', zero: true },
     marks: [
-      ...(measured ? [dots({ x: measured.time, y: measured.omega, name: 'measured', colour: 'ink', hollow: true })] : []),
+      ...(measured
+        ? [dots({ x: measured.time, y: measured.omega, name: 'measured', colour: 'ink', hollow: true })]
+        : []),
       ...curve_keys(t).map(key => {
         const [name, colour, dash] = look_of(key);
         return line({ x: t.time, y: t[key].map(v => v ?? NaN), name, colour, dash });
