@@ -58,9 +58,9 @@ its elastic foot by finite elements, friction, and what each effect does.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-stemware)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-    "stemware (= ${CPACK_DEBIAN_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), python3-numpy")
-if(TARGET stemware_python) # its modules are built for one release of Python
+set(same_version "stemware (= ${CPACK_DEBIAN_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})") # for the library of fem/solid/simd
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_version}, python3-numpy")
+if(TARGET stemware_python) # its extensions are built for one release of Python
   get_target_property(minor stemware_python PYTHON_MINOR)
   math(EXPR next "${minor} + 1")
   string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ", python3 (>= 3.${minor}), python3 (<< 3.${next})")
@@ -75,7 +75,7 @@ set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SECTION libdevel)
 get_directory_property(dealii_version DIRECTORY fem DEFINITION DEAL_II_PACKAGE_VERSION)
 string(
   JOIN ", " CPACK_DEBIAN_LIBRARIES_PACKAGE_DEPENDS
-  "libdeal.ii-dev (>= ${dealii_version})" libsuitesparse-dev libeigen3-dev libboost-dev libtbb-dev)
+  "${same_version}" "libdeal.ii-dev (>= ${dealii_version})" libsuitesparse-dev libeigen3-dev libboost-dev libtbb-dev)
 set(CPACK_DEBIAN_LIBRARIES_DESCRIPTION
     "Headers, archives and CMake package of the ring model and of the finite
 elements.")

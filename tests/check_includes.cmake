@@ -12,7 +12,7 @@ set(order
     fem/elasticity
     fem/factorisation
     fem/meshing
-    fem/matrix_free
+    fem/solid/simd
     fem/contact
     fem/revolution
     fem/meridian
@@ -23,7 +23,6 @@ set(order
     fem/pipeline/input
     fem/pipeline/coupling
     fem/pipeline/feet
-    fem/pipeline/modules
     fem/pipeline/variants
     fem/pipeline/analysis
     fem/pipeline/pictures
@@ -116,11 +115,9 @@ foreach(file IN LISTS files)
     elseif(file MATCHES "^fem/" AND NOT file MATCHES "^fem/pipeline/" AND included MATCHES "^ring_model/"
            AND NOT (included MATCHES "^ring_model/load/"))
       string(APPEND troubles "${file} includes ${included}: the finite elements know ring_model/load, and no more\n")
-    elseif(file MATCHES "^fem/pipeline/" AND included MATCHES "^fem/(solid|matrix_free)/" AND NOT file STREQUAL
-                                                                                    fem/pipeline/modules/solid_feet.cc)
-      string(APPEND troubles "${file} includes ${included}: modules/solid_feet.cc alone makes solid feet\n")
-    elseif(file MATCHES "^fem/pipeline/" AND included MATCHES "^deal\\.II/" AND NOT file MATCHES "^fem/pipeline/modules/")
-      string(APPEND troubles "${file} includes ${included}: the program stands on deal.II through its modules alone\n")
+    elseif(file MATCHES "^fem/pipeline/" AND included MATCHES "^fem/solid/" AND NOT file STREQUAL
+                                                                              fem/pipeline/feet/solid_study_foot.cc)
+      string(APPEND troubles "${file} includes ${included}: a build without solid feet lacks it\n")
     elseif(file MATCHES "^fem/solid/" AND included MATCHES "^fem/(revolution|meridian)/")
       string(APPEND troubles "${file} includes ${included}: the bodies do not know each other\n")
     endif()

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/matrix_free/elastic_operator.h"
+#include "fem/solid/simd/elastic_operator.h"
 #include "fem/solid/contact_stiffness.h"
 
 #include <deal.II/dofs/dof_handler.h>

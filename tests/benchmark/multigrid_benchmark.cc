@@ -10,7 +10,7 @@
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/matrix_free/elastic_operator.h"
+#include "fem/solid/simd/elastic_operator.h"
 #include "fem/meridian/meshed_revolution_foot.h"
 #include "fem/meshing/foot_mesh.h"
 #include "fem/solid/mesh_hierarchy.h"

@@ -1,8 +1,9 @@
 #include "fem/pipeline/answer/threaded_executor.h"
 
-#include "fem/pipeline/feet/finite_elements.h"
 #include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/system/ranks.h"
+
+#include <deal.II/base/multithread_info.h>
 
 #include <atomic>
 #include <exception>
@@ -16,15 +17,16 @@ namespace stemware::pipeline
 namespace
 {
 
-/// limit_threads() while it lives.
+/// Limits deal.II, and with it TBB in the whole process, to a number of threads while the object lives.
 class ThreadLimit
 {
 public:
   explicit ThreadLimit(unsigned int n_threads)
-      : before(limit_threads(n_threads))
+      : before(dealii::MultithreadInfo::n_threads())
   {
+    dealii::MultithreadInfo::set_thread_limit(n_threads);
   }
-  ~ThreadLimit() { limit_threads(before); }
+  ~ThreadLimit() { dealii::MultithreadInfo::set_thread_limit(before); }
   ThreadLimit(const ThreadLimit &) = delete;
   ThreadLimit &operator=(const ThreadLimit &) = delete;
 

@@ -1,7 +1,7 @@
+#include "fem/meshing/foot_mesh.h"
 #include "fem/meshing/mesh_io.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
-#include "fem/pipeline/feet/finite_elements.h"
 #include "fem/pipeline/feet/usable_mesh.h"
 #include "fem/pipeline/input/profile_file.h"
 #include "fem/pipeline/input/study_file.h"
@@ -13,6 +13,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <deal.II/grid/tria.h>
+
 #include <iostream>
 #include <sstream>
 
@@ -20,7 +22,7 @@ namespace stemware::pipeline
 {
 
 namespace fs = std::filesystem;
-using Mesh = FiniteElementFunctions::Mesh;
+using Mesh = dealii::Triangulation<3>;
 
 namespace
 {
@@ -56,21 +58,21 @@ void check_options(const MeshOptions &options)
 MeshFindings read_mesh(const std::string &file, const ContactSection &contact, Mesh &mesh)
 {
   const fem::MeshReport report = read_mesh_file(file, contact.mesh_file_options, mesh, contact.memory_limit);
-  return { file, finite_elements().check_mesh(mesh), report };
+  return { file, fem::check_mesh(mesh), report };
 }
 
 /// The study's generated foot as a file has to describe it, with the crown in the mesh.
 MeshFindings generate_mesh(const Study &study, Mesh &mesh)
 {
-  finite_elements().make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
-  finite_elements().move_to_crown(study.glass.profile, mesh);
-  return { "generated", finite_elements().check_mesh(mesh), std::nullopt };
+  fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
+  fem::move_to_crown(study.glass.profile, mesh);
+  return { "generated", fem::check_mesh(mesh), std::nullopt };
 }
 
 std::string as_text(const Mesh &mesh, const std::string &format)
 {
   std::ostringstream text;
-  format == ".msh" ? finite_elements().write_msh(mesh, text) : finite_elements().write_mesh_vtu(mesh, text);
+  format == ".msh" ? fem::write_msh(mesh, text) : fem::write_mesh_vtu(mesh, text);
   return text.str();
 }
 
@@ -102,9 +104,9 @@ void mesh(const MeshOptions &options)
   const std::string file = options.check.empty() ? study->contact.mesh_file : options.check;
 
   // 2. What it is like, and whether it can be used.
-  const auto mesh = finite_elements().empty_mesh();
+  Mesh mesh;
   const ContactSection contact = study ? study->contact : ContactSection();
-  const MeshFindings findings = file.empty() ? generate_mesh(*study, *mesh) : read_mesh(file, contact, *mesh);
+  const MeshFindings findings = file.empty() ? generate_mesh(*study, mesh) : read_mesh(file, contact, mesh);
   console() << mesh_text(findings) << std::flush;
   require_usable(findings.origin, findings.check,
                  file.empty() ? fem::MeshFileOptions() : contact.mesh_file_options);
@@ -115,7 +117,7 @@ void mesh(const MeshOptions &options)
 
   // 3. The mesh in files.
   for (const std::string &name : options.writes)
-    write_mesh(*mesh, name);
+    write_mesh(mesh, name);
   if (options.study.json && is_first_rank())
     print_json(findings, options);
 }

@@ -163,7 +163,7 @@ Study begin_study(const StudyOptions &options)
     print_warning("Unused    ", unused_entries_note(unused_entries(study)), options);
     print_note("Memory    ", memory_note(study));
   }
-  load_modules_of(study);
+  prepare_foot_of(study);
   require_memory_left(study, n_threads_of(options));
   return study;
 }

@@ -10,6 +10,8 @@
 #include "fem/pipeline/system/ranks.h"
 #include "fem/pipeline/system/shared_files.h"
 
+#include <deal.II/base/multithread_info.h>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -164,6 +166,8 @@ void add_help_verb(CLI::App &program, Verb &chosen)
 int run_program(int argc, char *argv[])
 {
   open_missing_streams();
+  // deal.II's own threads would compete with those of the study and make sums depend on the machine.
+  dealii::MultithreadInfo::set_thread_limit(1);
   std::signal(SIGXFSZ, SIG_IGN); // a file beyond `ulimit -f` is one that cannot be written
   std::optional<MpiSession> mpi; // ends after everything that uses it
   try

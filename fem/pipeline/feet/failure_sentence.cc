@@ -1,13 +1,15 @@
 #include "fem/pipeline/feet/failure_sentence.h"
 
 #include "fem/contact/contact_solution.h"
-#include "fem/pipeline/feet/finite_elements.h"
 #include "fem/pipeline/system/ranks.h"
 #include "ring_model/no_balance.h"
+
+#include <deal.II/base/exceptions.h>
 
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <sstream>
 
 namespace stemware::pipeline
 {
@@ -57,11 +59,15 @@ Failure present_failure()
   {
     return { "The study does not fit into this machine's memory; use fewer cells or Contact/Degree = 1." };
   }
+  catch (const dealii::ExceptionBase &failure)
+  {
+    std::ostringstream information;
+    failure.print_info(information);
+    return { "deal.II stopped: " + std::string(failure.get_exc_name()) + " " + information.str() };
+  }
   catch (const std::exception &failure)
   {
-    const FiniteElementFunctions *elements = loaded_finite_elements();
-    const std::string of_dealii = elements ? elements->sentence_of(failure) : "";
-    return { of_dealii.empty() ? failure.what() : of_dealii };
+    return { failure.what() };
   }
 }
 

@@ -1,56 +1,54 @@
 #include "fem/pipeline/feet/make_foot.h"
 
+#include "fem/meridian/meridian_meshes.h"
+#include "fem/meridian/meshed_revolution_foot.h"
+#include "fem/meshing/foot_mesh.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/feet/finite_elements.h"
-#include "fem/pipeline/feet/solid_feet.h"
+#include "fem/pipeline/feet/solid_study_foot.h"
 #include "fem/pipeline/feet/usable_mesh.h"
 #include "fem/pipeline/input/study_size.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/system/module.h"
 #include "fem/pipeline/system/ranks.h"
+
+#include <deal.II/grid/tria.h>
 
 #include <stdexcept>
 
 namespace stemware::pipeline
 {
 
-namespace
+void prepare_foot_of(const Study &study)
 {
-
-const SolidFootFunctions &solid_feet()
-{
-  finite_elements(); // the module stands on this one
-  return *static_cast<const SolidFootFunctions *>(
-    load_table("solid", "stemware_solid_feet", "Contact/Body = solid, with MPI, p4est and Trilinos,"));
-}
-
-} // namespace
-
-void load_modules_of(const Study &study)
-{
-  if (!study.load.is_from_contact())
+  if (!study.load.is_from_contact() || study.contact.body != BodyKind::solid)
     return;
-  finite_elements();
-  if (study.contact.body != BodyKind::solid)
-    return;
-  solid_feet();
+#ifdef STEMWARE_HAS_SOLID
   start_mpi();
+#else
+  throw BadInput(
+    "Contact/Body = solid needs the solid foot, which this Stemware was built without; build it with "
+    "`./quickstart install`, or in a build folder with `cmake -D STEMWARE_SOLID=ON . && cmake --build .`.");
+#endif
 }
 
 std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache,
                                      const fem::Foot *similar, const Discretisation &discretisation,
                                      const Model &model)
 {
-  load_modules_of(study);
+  prepare_foot_of(study);
   try
   {
     switch (study.contact.body)
     {
     case BodyKind::solid:
-      return solid_feet().make_foot(study, discretisation, model, similar);
+#ifdef STEMWARE_HAS_SOLID
+      return make_solid_foot(study, discretisation, model, similar);
+#else
+      break;
+#endif
     case BodyKind::revolution:
-      return finite_elements().make_revolution_foot(revolution_setup(study, discretisation, model), cache);
+      return std::make_shared<fem::MeshedRevolutionFoot>(revolution_setup(study, discretisation, model),
+                                                         cache);
     }
   }
   catch (const std::invalid_argument &error)
@@ -92,16 +90,16 @@ bool uses_penalty_for_hard_table(const Study &study, const Discretisation &discr
 std::vector<fem::SectionPolygon> foot_section(const Study &study, const Discretisation &discretisation)
 {
   if (abilities(study.contact.body).is_of_revolution)
-    return finite_elements().meridian_cells(revolution_setup(study, discretisation));
+    return fem::section_cells(fem::MeridianMeshes(revolution_setup(study, discretisation)).foot);
   // Between two sectors of any usual mesh.
   constexpr double azimuth = 0.02;
-  const auto mesh = finite_elements().empty_mesh();
+  dealii::Triangulation<3> mesh;
   if (study.contact.mesh_file.empty())
-    finite_elements().make_foot_mesh(study.glass.profile, study.contact.resolution, *mesh);
+    fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
   else
-    read_mesh_file(study.contact.mesh_file, study.contact.mesh_file_options, *mesh,
+    read_mesh_file(study.contact.mesh_file, study.contact.mesh_file_options, mesh,
                    study.contact.memory_limit);
-  return finite_elements().section_cells(*mesh, azimuth);
+  return fem::section_cells(mesh, azimuth);
 }
 
 } // namespace stemware::pipeline

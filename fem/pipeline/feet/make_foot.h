@@ -10,13 +10,12 @@
 namespace stemware::pipeline
 {
 
-/// Loads the modules that make the foot of @p study, and starts MPI for a solid one. Throws BadInput if a
-/// module cannot be loaded.
-void load_modules_of(const Study &study);
+/// Starts MPI for a study with a solid foot. Throws BadInput in a build without solid feet.
+void prepare_foot_of(const Study &study);
 
 /// Makes the foot of a study on its table; feet with the same @p cache share compliances. Collective for a
 /// solid foot, which shares mesh and elements with @p similar if both are equal and not used simultaneously.
-/// Throws BadInput as load_modules_of(), and for an unusable mesh file or setup.
+/// Throws BadInput as prepare_foot_of(), and for an unusable mesh file or setup.
 std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache,
                                      const fem::Foot *similar = nullptr,
                                      const Discretisation &discretisation = {}, const Model &model = {});

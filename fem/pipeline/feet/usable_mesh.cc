@@ -1,9 +1,10 @@
 #include "fem/pipeline/feet/usable_mesh.h"
 
-#include "fem/pipeline/feet/finite_elements.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/system/text_file.h"
+
+#include <deal.II/grid/tria.h>
 
 #include <cmath>
 #include <filesystem>
@@ -44,7 +45,7 @@ try
 {
   require_regular_file("The mesh " + shortened_path(file), file);
   require_readable_size(file, memory_limit);
-  return finite_elements().read_foot_mesh(file, mesh, marks);
+  return fem::read_foot_mesh(file, mesh, marks);
 }
 catch (const std::invalid_argument &error)
 {
@@ -122,10 +123,10 @@ void require_same_glass(const fem::MeshReport &report, const std::string &file, 
 void require_usable_mesh(const Study &study)
 {
   const ContactSection &contact = study.contact;
-  const auto mesh = finite_elements().empty_mesh();
+  dealii::Triangulation<3> mesh;
   const fem::MeshReport report =
-    read_mesh_file(contact.mesh_file, contact.mesh_file_options, *mesh, contact.memory_limit);
-  require_usable(contact.mesh_file, finite_elements().check_mesh(*mesh), contact.mesh_file_options);
+    read_mesh_file(contact.mesh_file, contact.mesh_file_options, mesh, contact.memory_limit);
+  require_usable(contact.mesh_file, fem::check_mesh(mesh), contact.mesh_file_options);
   require_same_glass(report, contact.mesh_file, study);
 }
 

@@ -5,7 +5,6 @@
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/explore/explorer.h"
-#include "fem/pipeline/feet/finite_elements.h"
 #include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/page/live_bodies.h"
@@ -14,6 +13,8 @@
 #include "fem/pipeline/system/program.h"
 #include "fem/pipeline/system/shared_files.h"
 #include "fem/pipeline/system/text_file.h"
+
+#include <deal.II/base/utilities.h>
 
 #include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
@@ -277,6 +278,12 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
   }
 }
 
+std::string compressed_base64(const std::string &text)
+{
+  const std::string compressed = dealii::Utilities::compress(text);
+  return dealii::Utilities::encode_base64({ compressed.begin(), compressed.end() });
+}
+
 /// The text between the tags of a script of a page.
 std::string script_in(const std::string &page, const std::string &id)
 {
@@ -293,7 +300,7 @@ std::string live_solver()
 {
   for (const std::filesystem::path &folder : shared_folders())
     if (const std::string wasm = read_text_file(folder / "explore.wasm"); !wasm.empty())
-      return finite_elements().compressed_base64(wasm);
+      return compressed_base64(wasm);
   for (const std::filesystem::path &folder : shared_folders())
     if (std::string wasm = script_in(read_text_file(folder / "explore.html"), "wasm"); !wasm.empty())
       return wasm;
@@ -345,7 +352,7 @@ LivePart live_part(const PageOptions &options, const std::string &solver, fem::C
              { "entries", entries },
              { "pairs", pairs },
              { "bodies", bodies.places } },
-           finite_elements().compressed_base64(bodies.bytes),
+           compressed_base64(bodies.bytes),
            solver };
 }
 

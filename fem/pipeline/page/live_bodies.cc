@@ -1,7 +1,7 @@
 #include "fem/pipeline/page/live_bodies.h"
 
+#include "fem/meridian/meridian_meshes.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
-#include "fem/pipeline/feet/finite_elements.h"
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/support/failures.h"
 
@@ -23,8 +23,13 @@ void require_live(const Study &study)
 LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache, const Discretisation &discretisation)
 {
   require_live(study);
-  const auto [foot, disc] = finite_elements().compliances(revolution_setup(study, discretisation), cache);
-  return { *foot, disc ? std::optional(*disc) : std::nullopt };
+  const fem::RevolutionSetup setup = revolution_setup(study, discretisation);
+  const fem::MeridianMeshes meshes(setup);
+  const fem::MeridianOptions options = setup.meridian_of_zone();
+  LiveBodies bodies = { *cache.get(meshes.foot, setup.material, options), std::nullopt };
+  if (setup.table.substrate)
+    bodies.disc = *cache.get(meshes.disc, setup.table.substrate->material, options);
+  return bodies;
 }
 
 } // namespace stemware::pipeline

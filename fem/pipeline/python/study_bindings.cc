@@ -25,6 +25,8 @@
 #include "fem/pipeline/variants/solve.h"
 #include "ring_model/no_balance.h"
 
+#include <deal.II/base/multithread_info.h>
+
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -290,6 +292,7 @@ void bind_failures(py::module_ &m)
 
 PYBIND11_MODULE(_study, m)
 {
+  dealii::MultithreadInfo::set_thread_limit(1); // deal.II's own threads would compete with those of the studies
   bind_failures(m);
   py::class_<Study>(m, "Study")
     .def(py::init(

@@ -1,12 +1,17 @@
 #include "fem/pipeline/system/ranks.h"
 
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/system/module.h"
-#include "fem/pipeline/system/rank_functions.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
+
+#include <boost/serialization/utility.hpp>
 
 #include <atomic>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -17,8 +22,16 @@ namespace stemware::pipeline
 namespace
 {
 
-/// MPI once it has started.
-std::atomic<const RankFunctions *> running = nullptr;
+namespace mpi = dealii::Utilities::MPI;
+
+/// Exit code and message of some work on one rank.
+using RankOutcome = std::pair<int, std::string>;
+
+/// MPI of this program, and all that deal.II starts with it; nullptr if MPI was started by others, or never.
+std::unique_ptr<mpi::MPI_InitFinalize> session;
+
+/// Whether start_mpi() has been called.
+std::atomic<bool> is_running = false;
 
 bool says_one(const char *variable)
 {
@@ -59,6 +72,21 @@ void prepare_to_stand_alone()
     ::unsetenv("SLURM_STEP_ID");
 }
 
+void start_session()
+{
+  if (mpi::job_supports_mpi()) // mpi4py has started it
+    return;
+  static int n_arguments = 0;
+  static char **arguments = nullptr;
+  const unsigned int n_threads = dealii::MultithreadInfo::n_threads();
+  // Open MPI gives a hang-up its default action back, which nohup had taken.
+  const auto hang_up = std::signal(SIGHUP, SIG_IGN);
+  session = std::make_unique<mpi::MPI_InitFinalize>(n_arguments, arguments, 1);
+  if (hang_up != SIG_ERR)
+    std::signal(SIGHUP, hang_up);
+  dealii::MultithreadInfo::set_thread_limit(n_threads);
+}
+
 /// Outcome of some work: the exit code that belongs to it, and the message of its failure.
 RankOutcome outcome_of(const std::function<void()> &work)
 try
@@ -84,32 +112,32 @@ MpiSession::MpiSession()
 
 MpiSession::~MpiSession()
 {
-  if (const RankFunctions *mpi = running.exchange(nullptr))
-    mpi->stop();
+  is_running = false;
+  session.reset();
 }
 
 void start_mpi()
 {
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);
-  if (running)
+  if (is_running)
     return;
-  const auto *mpi =
-    static_cast<const RankFunctions *>(load_table("fem", "stemware_ranks", "A study on ranks"));
-  if (launcher().has_several && !mpi->has_mpi)
+#ifndef DEAL_II_WITH_MPI
+  if (launcher().has_several)
     throw BadInput(
       "mpirun started this program, whose deal.II was built without MPI; start it without mpirun.");
+#endif
   if (!launcher().is_there)
     prepare_to_stand_alone();
-  mpi->start();
-  running = mpi;
+  start_session();
+  is_running = true;
 }
 
 void on_every_rank(const std::function<void()> &work)
 {
   std::vector<RankOutcome> outcomes = { outcome_of(work) };
   if (n_ranks() > 1)
-    outcomes = running.load()->all_gather(outcomes.front());
+    outcomes = mpi::all_gather(MPI_COMM_WORLD, outcomes.front());
   for (const auto &[code, message] : outcomes)
     if (code == static_cast<int>(ExitCode::output_failure))
       throw OutputFailure(message);
@@ -126,17 +154,17 @@ std::string from_first_rank(const std::function<std::string()> &work)
 {
   std::string text;
   on_first_rank([&] { text = work(); });
-  return n_ranks() > 1 ? running.load()->broadcast(text) : text;
+  return n_ranks() > 1 ? mpi::broadcast(MPI_COMM_WORLD, text) : text;
 }
 
 unsigned int this_rank()
 {
-  return running ? running.load()->this_rank() : 0;
+  return is_running ? mpi::this_mpi_process(MPI_COMM_WORLD) : 0;
 }
 
 unsigned int n_ranks()
 {
-  return running ? running.load()->n_ranks() : 1;
+  return is_running ? mpi::n_mpi_processes(MPI_COMM_WORLD) : 1;
 }
 
 bool is_first_rank()
@@ -146,8 +174,10 @@ bool is_first_rank()
 
 void abort_all_ranks(int exit_status)
 {
-  if (running)
-    running.load()->abort(exit_status);
+#ifdef DEAL_II_WITH_MPI
+  if (is_running)
+    MPI_Abort(MPI_COMM_WORLD, exit_status);
+#endif
   std::_Exit(exit_status);
 }
 

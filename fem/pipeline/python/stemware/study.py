@@ -5,22 +5,17 @@ import html
 import json
 import os
 import shutil
-import sys
 import tempfile
 
 import numpy as np
 
 from . import ring
 
-_flags = sys.getdlopenflags()
 try:
-    sys.setdlopenflags(_flags | os.RTLD_GLOBAL)  # the program's modules look for their symbols in _study
     from . import _study
 except ImportError as failure:
     raise ImportError("this stemware has the ring alone; build the study with `cmake --build` or install the package "
                       f"python3-stemware ({failure})") from failure
-finally:
-    sys.setdlopenflags(_flags)
 from ._study import ContactFailure, OutputFailure, Start  # noqa: F401
 
 

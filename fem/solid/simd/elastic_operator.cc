@@ -1,6 +1,6 @@
 // deal.II's matrix-free evaluation for more lanes than Debian's library holds: the templates are instantiated
 // here. See CMakeLists.txt.
-#include "fem/matrix_free/elastic_operator.h"
+#include "fem/solid/simd/elastic_operator.h"
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/mapping.h>

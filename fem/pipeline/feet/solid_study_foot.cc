@@ -1,4 +1,4 @@
-#include "fem/pipeline/feet/solid_feet.h"
+#include "fem/pipeline/feet/solid_study_foot.h"
 
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/study_balance.h"
@@ -96,8 +96,10 @@ public:
   const std::string elements; ///< elements_of()
 };
 
-std::shared_ptr<fem::Foot> make_foot(const Study &study, const Discretisation &discretisation,
-                                     const Model &model, const fem::Foot *similar)
+} // namespace
+
+std::shared_ptr<fem::Foot> make_solid_foot(const Study &study, const Discretisation &discretisation,
+                                           const Model &model, const fem::Foot *similar)
 {
   const fem::SolidSetup setup = solid_setup(study, discretisation, model);
   const std::string elements = elements_of(study, discretisation);
@@ -107,10 +109,5 @@ std::shared_ptr<fem::Foot> make_foot(const Study &study, const Discretisation &d
   return std::make_shared<StudyFoot>(other ? other->own_mesh() : solid_mesh(study, discretisation), setup,
                                      other, elements);
 }
-
-} // namespace
-
-extern "C" const SolidFootFunctions stemware_solid_feet;
-const SolidFootFunctions stemware_solid_feet = { make_foot };
 
 } // namespace stemware::pipeline

@@ -42,11 +42,11 @@ public:
 /// Makes the operator of a DoFHandler whose element is an FESystem of three FE_Q of degree 1, 2 or 3. All
 /// arguments but the material must outlive it. Throws std::invalid_argument for another degree.
 template <typename Number>
-std::unique_ptr<ElasticOperator<Number>>
+[[gnu::visibility("default")]] std::unique_ptr<ElasticOperator<Number>>
 make_elastic_operator(const dealii::Mapping<3, 3> &mapping, const dealii::DoFHandler<3, 3> &dof_handler,
                       const dealii::AffineConstraints<double> &constraints, const ElasticMaterial &material);
 
 /// Returns the number of double-precision SIMD lanes of this build.
-unsigned int n_simd_lanes();
+[[gnu::visibility("default")]] unsigned int n_simd_lanes();
 
 } // namespace stemware::fem
