@@ -2,8 +2,8 @@
 #include "fem/meridian/revolution_output.h"
 
 #include "fem/geometry/boundary_ids.h"
-#include "fem/meshing/vtu_writer.h"
 
+#include <deal.II/base/data_out_base.h>
 #include <deal.II/fe/fe_q.h>
 
 #include <Eigen/Geometry>
@@ -12,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <sstream>
+#include <tuple>
 #include <utility>
 
 namespace stemware::fem
@@ -21,6 +23,8 @@ using namespace dealii;
 
 namespace
 {
+
+using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
 
 /// Strain of isotropic elasticity under a stress.
 Eigen::Matrix3d strain_of(const Eigen::Matrix3d &stress, const ElasticMaterial &material)
@@ -113,45 +117,28 @@ public:
 
   std::string text() const
   {
-    VtuWriter writer((span + 1) * (span + 1) * (span + 1));
-    const std::vector<std::int32_t> cells = cells_of(writer);
-    const std::size_t n_points = nodes.size() * basis.n_lines();
-    std::vector<float> points(3 * n_points), displacement(points.size()), rigid_motion(points.size()),
-      stress(9 * n_points), strain(stress.size()), mises(n_points), contact_pressure(n_points);
-    for (std::size_t n = 0; n < nodes.size(); ++n)
+    std::vector<std::string> names;
+    std::vector<std::tuple<unsigned int, unsigned int, std::string, Interpretation>> ranges;
+    const auto add = [&](const std::string &name, unsigned int n_components, Interpretation interpretation)
     {
-      const MeridianNode &node = nodes[n];
-      const Eigen::MatrixXd in_phase = basis.evaluate(node.in_phase / node.n_cells);
-      const Eigen::MatrixXd conjugate = basis.evaluate_conjugates(node.conjugate / node.n_cells);
-      const Eigen::VectorXd on_circle =
-        node.is_contact ? pressure.on_circle(node.at[0], basis) : Eigen::VectorXd::Zero(basis.n_lines());
-      for (unsigned int line = 0; line < basis.n_lines(); ++line)
-      {
-        const std::size_t point = n * basis.n_lines() + line;
-        const PointFields values =
-          in_slip_frame(node.at, basis.azimuth(line) + axis, in_phase.col(line), conjugate.col(line));
-        const auto put = [point](const auto &from, std::vector<float> &to)
-        {
-          const auto n_components = static_cast<std::size_t>(from.size());
-          for (std::size_t i = 0; i < n_components; ++i)
-            to[n_components * point + i] = static_cast<float>(from.data()[i]);
-        };
-        put(values.point, points);
-        put(values.displacement, displacement);
-        put(values.rigid_motion, rigid_motion);
-        put(values.stress, stress);
-        put(strain_of(values.stress, field.material()), strain);
-        mises[point] = static_cast<float>(von_mises(values.stress));
-        contact_pressure[point] = static_cast<float>(on_circle(line));
-      }
-    }
-    writer.add_field("displacement", 3, std::move(displacement));
-    writer.add_field("rigid_motion", 3, std::move(rigid_motion));
-    writer.add_field("stress", 9, std::move(stress));
-    writer.add_field("strain", 9, std::move(strain));
-    writer.add_field("von_mises_stress", 1, std::move(mises));
-    writer.add_field("contact_pressure", 1, std::move(contact_pressure));
-    return writer.text(points, cells);
+      if (n_components > 1)
+        ranges.emplace_back(names.size(), names.size() + n_components - 1, name, interpretation);
+      names.insert(names.end(), n_components, name);
+    };
+    add("displacement", 3, DataComponentInterpretation::component_is_part_of_vector);
+    add("rigid_motion", 3, DataComponentInterpretation::component_is_part_of_vector);
+    add("stress", 9, DataComponentInterpretation::component_is_part_of_tensor);
+    add("strain", 9, DataComponentInterpretation::component_is_part_of_tensor);
+    add("von_mises_stress", 1, DataComponentInterpretation::component_is_scalar);
+    add("contact_pressure", 1, DataComponentInterpretation::component_is_scalar);
+
+    DataOutBase::VtkFlags flags;
+    flags.print_date_and_time = false; // equal studies give equal files
+    flags.compression_level = decltype(flags.compression_level)::best_speed;
+    flags.write_higher_order_cells = span > 1;
+    std::ostringstream text;
+    DataOutBase::write_vtu(patches(values_at_points()), names, ranges, flags, text);
+    return text.str();
   }
 
 private:
@@ -235,26 +222,65 @@ private:
     }
   }
 
-  /// Points of the cells: pieces of the meridional cells swept over a sector each. A cell's coordinates are
-  /// the meridian's two with the azimuth between them, which makes it right-handed.
-  std::vector<std::int32_t> cells_of(const VtuWriter &writer) const
+  /// Fields in the order of text(), then the coordinates.
+  static constexpr unsigned int n_values = 29;
+  using PointValues = std::array<float, n_values>;
+
+  /// Returns the values of node n on the line l at n * n_lines + l.
+  std::vector<PointValues> values_at_points() const
   {
-    const unsigned int n_nodes = span + 1;
-    std::vector<std::int32_t> cells, cell(n_nodes * n_nodes * n_nodes);
+    std::vector<PointValues> points(nodes.size() * basis.n_lines());
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+    {
+      const MeridianNode &node = nodes[n];
+      const Eigen::MatrixXd in_phase = basis.evaluate(node.in_phase / node.n_cells);
+      const Eigen::MatrixXd conjugate = basis.evaluate_conjugates(node.conjugate / node.n_cells);
+      const Eigen::VectorXd on_circle =
+        node.is_contact ? pressure.on_circle(node.at[0], basis) : Eigen::VectorXd::Zero(basis.n_lines());
+      for (unsigned int line = 0; line < basis.n_lines(); ++line)
+      {
+        const PointFields fields =
+          in_slip_frame(node.at, basis.azimuth(line) + axis, in_phase.col(line), conjugate.col(line));
+        Eigen::Matrix<double, n_values, 1> values;
+        values << fields.displacement, fields.rigid_motion, fields.stress.reshaped(),
+          strain_of(fields.stress, field.material()).reshaped(), von_mises(fields.stress), on_circle(line),
+          fields.point;
+        Eigen::Map<Eigen::Matrix<float, n_values, 1>>(points[n * basis.n_lines() + line].data()) =
+          values.cast<float>();
+      }
+    }
+    return points;
+  }
+
+  /// Returns the pieces of the meridional cells swept over a sector each. A patch's coordinates are the
+  /// meridian's two with the azimuth between them, which makes it right-handed.
+  std::vector<DataOutBase::Patch<3>> patches(const std::vector<PointValues> &points) const
+  {
+    const unsigned int n = span + 1; // nodes of a patch in each direction
+    std::vector<DataOutBase::Patch<3>> patches;
     for (const auto &[grid, of_grid] : grids)
       for (unsigned int line = 0; line < basis.n_lines(); line += span)
         for (unsigned int row = 0; row + 1 < grid.extent()[1]; row += span)
           for (unsigned int column = 0; column + 1 < grid.extent()[0]; column += span)
           {
-            for (unsigned int j = 0; j < n_nodes; ++j)
-              for (unsigned int k = 0; k < n_nodes; ++k)
-                for (unsigned int i = 0; i < n_nodes; ++i)
-                  cell[writer.place(i, k, j)] =
-                    static_cast<std::int32_t>(of_grid[grid.index(column + i, row + j)] * basis.n_lines() +
-                                              (line + k) % basis.n_lines());
-            cells.insert(cells.end(), cell.begin(), cell.end());
+            DataOutBase::Patch<3> &patch = patches.emplace_back();
+            patch.patch_index = static_cast<unsigned int>(patches.size() - 1);
+            patch.n_subdivisions = span;
+            patch.reference_cell = ReferenceCells::Hexahedron;
+            patch.points_are_available = true;
+            patch.data.reinit(n_values, n * n * n);
+            for (unsigned int j = 0; j < n; ++j)
+              for (unsigned int k = 0; k < n; ++k)
+                for (unsigned int i = 0; i < n; ++i)
+                {
+                  const PointValues &values =
+                    points[of_grid[grid.index(column + i, row + j)] * basis.n_lines() +
+                           (line + k) % basis.n_lines()];
+                  for (unsigned int d = 0; d < n_values; ++d)
+                    patch.data(d, (j * n + k) * n + i) = values[d];
+                }
           }
-    return cells;
+    return patches;
   }
 
   struct PointFields

@@ -3,8 +3,8 @@
 #include "fem/geometry/boundary_ids.h"
 #include "fem/meshing/mesh_content.h"
 #include "fem/meshing/mesh_quality.h"
-#include "fem/meshing/vtu_writer.h"
 
+#include <deal.II/base/data_out_base.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
 
@@ -319,29 +319,31 @@ void write_msh(const Triangulation<3> &triangulation, std::ostream &stream)
 void write_mesh_vtu(const Triangulation<3> &triangulation, std::ostream &stream)
 {
   const std::vector<double> jacobians = scaled_jacobians(triangulation);
-  VtuWriter writer(8);
-  std::vector<float> points, quality, boundary;
-  std::vector<std::int32_t> cells;
+  std::vector<DataOutBase::Patch<3>> patches;
   for (const auto &cell : triangulation.active_cell_iterators())
   {
     types::boundary_id id = 0;
     for (const auto &face : cell->face_iterators())
       if (face->at_boundary())
         id = std::max(id, face->boundary_id());
-    const std::size_t first = cells.size();
-    cells.resize(first + 8);
+    DataOutBase::Patch<3> &patch = patches.emplace_back();
+    patch.patch_index = cell->active_cell_index();
+    patch.reference_cell = ReferenceCells::Hexahedron;
+    patch.data.reinit(2, 8);
     for (const unsigned int v : cell->vertex_indices())
     {
-      cells[first + writer.place(v & 1U, v >> 1U & 1U, v >> 2U)] = static_cast<std::int32_t>(first + v);
-      for (unsigned int d = 0; d < 3; ++d)
-        points.push_back(static_cast<float>(cell->vertex(v)[d]));
-      quality.push_back(static_cast<float>(jacobians[cell->active_cell_index()]));
-      boundary.push_back(static_cast<float>(id));
+      patch.vertices[v] = cell->vertex(v);
+      patch.data(0, v) = static_cast<float>(jacobians[cell->active_cell_index()]);
+      patch.data(1, v) = static_cast<float>(id);
     }
   }
-  writer.add_field("scaled_jacobian", 1, std::move(quality));
-  writer.add_field("boundary_id", 1, std::move(boundary));
-  stream << writer.text(points, cells);
+  DataOutBase::VtkFlags flags;
+  flags.print_date_and_time = false; // equal meshes give equal files
+  std::ostringstream text;
+  DataOutBase::write_vtu(patches, { "scaled_jacobian", "boundary_id" }, {}, flags, text);
+  const std::string file = text.str();
+  const std::size_t root = file.find("<VTKFile");
+  stream << file.substr(0, root) << "<!-- Foot mesh written by Stemware -->\n" << file.substr(root);
 }
 
 } // namespace stemware::fem

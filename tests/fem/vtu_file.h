@@ -11,14 +11,12 @@
 namespace stemware::fem_tests
 {
 
-/// The arrays of a VTU file of one piece: as much of the format as deal.II writes (zlib-compressed base64),
-/// and base64 without compression behind a length of 64 bits.
+/// The arrays of a VTU file of one piece: as much of the format as deal.II writes, zlib-compressed base64.
 class VtuFile
 {
 public:
   explicit VtuFile(const std::string &text)
   {
-    const bool is_compressed = has(text.substr(0, text.find("<Piece")), "compressor=");
     for (std::size_t at = text.find("<DataArray"); at != std::string::npos;
          at = text.find("<DataArray", at + 1))
     {
@@ -27,7 +25,7 @@ public:
       const bool is_point_list = text.rfind("<Points>", at) != std::string::npos && !has(tag, "Name=");
       const std::string name = is_point_list ? "points" : attribute(tag, "Name");
       const std::string body = text.substr(begin, text.find('<', begin) - begin);
-      const std::string bytes = is_compressed ? inflated(body) : counted(decoded(body));
+      const std::string bytes = inflated(body);
       if (has(tag, "Float32"))
         numbers[name] = converted<float>(bytes);
       else if (has(tag, "Int32"))
@@ -78,16 +76,6 @@ private:
       }
     }
     return bytes;
-  }
-
-  /// What follows the length before it.
-  static std::string counted(const std::string &bytes)
-  {
-    std::uint64_t n_bytes = 0;
-    std::memcpy(&n_bytes, bytes.data(), sizeof(n_bytes));
-    if (bytes.size() != sizeof(n_bytes) + n_bytes)
-      throw std::runtime_error("an array of another length than it says");
-    return bytes.substr(sizeof(n_bytes));
   }
 
   /// A header of four numbers (blocks, their size, the last one's, compressed size) stands before the data.

@@ -180,39 +180,6 @@ TEST(RevolutionFields, PressureCarriesTheLoad)
     }
 }
 
-TEST(RevolutionFields, CellsListTheirNodesAsVtkDoes)
-{
-  // The corners that an edge, a face and the middle of a vtkTriQuadraticHexahedron lie between, nodes 8
-  // to 26.
-  const std::vector<std::string> between = { "01",   "12",   "23",   "30",   "45",      "56",   "67",
-                                             "74",   "04",   "15",   "26",   "37",      "0374", "1265",
-                                             "0154", "3267", "0123", "4567", "01234567" };
-  MeshedRevolutionFoot foot{ RevolutionSetup() };
-  const VtuFile file = picture_of(foot, foot.solve(load_at(0.5)));
-  for (std::size_t cell = 0; cell < file.n_cells(); ++cell)
-  {
-    ASSERT_EQ(file.array("types")[cell], 29);
-    const auto node = [&](unsigned int i)
-    {
-      return vector_at(file.array("points"),
-                       static_cast<std::size_t>(file.array("connectivity")[27 * cell + i]));
-    };
-    const Eigen::Vector3d side = node(1) - node(0), across = node(3) - node(0), up = node(4) - node(0);
-    if (side.norm() * across.norm() * up.norm() == 0)
-      continue; // at the axis
-    EXPECT_GT(side.cross(across).dot(up), 0);
-    for (unsigned int i = 0; i < between.size(); ++i)
-    {
-      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-      for (const char corner : between[i])
-        mean += node(static_cast<unsigned int>(corner - '0')) / static_cast<double>(between[i].size());
-      // Curved edges of an eleventh of a radian leave their chords by less than a twentieth.
-      ASSERT_LT((node(8 + i) - mean).norm(), 0.05 * std::max({ side.norm(), across.norm(), up.norm() }))
-        << "node " << 8 + i << " of cell " << cell;
-    }
-  }
-}
-
 TEST(RevolutionFields, AgreeWithTheSolidBody)
 {
   const GlassProfile profile = flat_profile();
