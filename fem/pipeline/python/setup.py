@@ -36,7 +36,7 @@ ParallelCompile("STEMWARE_COMPILERS", default=2).install()
 setup(
     name="stemware",
     version=version,
-    description="The Coulomb ring that slides and spins: limit surfaces, terminal spins, free sliding",
+    description="The Coulomb ring that slides and spins: limit surfaces, terminal spins",
     license="MIT",
     python_requires=">=3.9",
     install_requires=["numpy"],
