@@ -25,14 +25,17 @@ struct ElementType
   unsigned int n_corners = 0; ///< 8: hexahedron, 4: quadrilateral, 0: ignored
 };
 
-const std::map<long, ElementType> gmsh_types = { { 15, { 1, 0 } },  { 1, { 2, 0 } },  { 8, { 3, 0 } },
-                                                 { 26, { 4, 0 } },  { 27, { 5, 0 } }, { 3, { 4, 4 } },
-                                                 { 10, { 9, 4 } },  { 16, { 8, 4 } }, { 5, { 8, 8 } },
-                                                 { 12, { 27, 8 } }, { 17, { 20, 8 } } };
+const std::map<long, ElementType> gmsh_types = { { 15, { 1, 0 } }, { 1, { 2, 0 } },  { 8, { 3, 0 } },
+                                                 { 26, { 4, 0 } }, { 27, { 5, 0 } }, { 2, { 3, 0 } },
+                                                 { 9, { 6, 0 } },  { 3, { 4, 4 } },  { 10, { 9, 4 } },
+                                                 { 16, { 8, 4 } }, { 5, { 8, 8 } },  { 12, { 27, 8 } },
+                                                 { 17, { 20, 8 } } };
 
 ElementType type_of(long number)
 {
   const auto type = gmsh_types.find(number);
+  if (number == 6 || number == 13 || number == 18)
+    throw UnreadableMesh(std::string("has wedges; ") + wedge_advice);
   if (type == gmsh_types.end())
     throw UnreadableMesh("has elements of Gmsh's type " + std::to_string(number) + "; " + advice);
   return type->second;
@@ -192,7 +195,8 @@ private:
 
   void read_nodes()
   {
-    Tokenizer words = section("Nodes");
+    const bool have_parameters = sections.count("ParametricNodes") > 0; // in format 2
+    Tokenizer words = section(have_parameters ? "ParametricNodes" : "Nodes");
     for (long n = n_blocks(words); n > 0; --n)
     {
       const Block block = next_block(words);
@@ -205,6 +209,8 @@ private:
         points.add(number, point(words));
         for (long k = 0; k < block.dimension && block.kind != 0; ++k)
           words.number();
+        if (have_parameters)
+          words.skip_line();
       }
     }
   }

@@ -1,5 +1,7 @@
 #include "fem/meshing/mesh_content.h"
 
+#include <boost/locale/utf.hpp>
+
 #include <algorithm>
 #include <charconv>
 
@@ -34,9 +36,18 @@ std::optional<Number> whole_word(std::string_view word)
 
 std::string printable(std::string_view text, std::size_t max_length)
 {
-  std::string shown(text.substr(0, max_length));
-  for (char &letter : shown)
-    letter = letter < ' ' || letter > '~' ? '?' : letter;
+  using Utf8 = boost::locale::utf::utf_traits<char>;
+  std::string shown;
+  for (auto here = text.begin(); here != text.end() && max_length > 0; --max_length)
+  {
+    const auto start = here;
+    const boost::locale::utf::code_point letter = Utf8::decode(here, text.end());
+    const bool is_control = letter < 0x20 || (letter >= 0x7f && letter < 0xa0);
+    if (boost::locale::utf::is_valid_codepoint(letter) && !is_control)
+      shown.append(start, here);
+    else
+      shown += '?';
+  }
   return shown;
 }
 
@@ -51,6 +62,11 @@ std::string_view Tokenizer::next()
   const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
   rest.remove_prefix(word.size());
   return word;
+}
+
+void Tokenizer::skip_line()
+{
+  rest.remove_prefix(std::min(rest.find('\n'), rest.size()));
 }
 
 double Tokenizer::number()

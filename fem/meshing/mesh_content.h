@@ -29,6 +29,11 @@ public:
 /// Command line that converts what Gmsh reads, physical groups included.
 inline constexpr char gmsh_command[] = "`gmsh FILE -save -format msh22 -o x.msh`";
 
+/// Instruction for a mesh of revolution whose cells collapse on the axis.
+inline constexpr char wedge_advice[] =
+  "recombine triangles (Mesh.RecombineAll); for a section revolved about the axis, put an O-grid under the "
+  "stem or leave a hole there.";
+
 /// Corners of the faces of a hexahedron, by their places in MeshContent::hexahedra.
 constexpr unsigned int faces_of_hexahedron[6][4] = { { 0, 1, 2, 3 }, { 4, 7, 6, 5 }, { 0, 4, 5, 1 },
                                                      { 1, 5, 6, 2 }, { 2, 6, 7, 3 }, { 3, 7, 4, 0 } };
@@ -66,6 +71,9 @@ public:
   /// Returns the next word; empty after the last.
   std::string_view next();
 
+  /// Skips the rest of the line.
+  void skip_line();
+
   /// Reads a number. Throws UnreadableMesh if the next word is missing or is not a number.
   double number();
   /// Reads an integer. Throws UnreadableMesh if the next word is missing or is not an integer.
@@ -75,8 +83,8 @@ private:
   std::string_view rest;
 };
 
-/// Returns at most @p max_length characters of a text of a file, with "?" for each that is not printable
-/// ASCII.
+/// Returns at most @p max_length characters of a text of a file in UTF-8, with "?" for each that cannot be
+/// printed.
 std::string printable(std::string_view text, std::size_t max_length = 30);
 
 /// Returns the integer in @p word; std::nullopt if @p word is not an integer.
@@ -112,7 +120,8 @@ struct MeshFileFacts
 /// Reads the hexahedra of a file of Gmsh (.msh in format 2 or 4, ASCII) and the physical ids of their faces.
 /// Coordinates are multiplied by @p unit [m]. Time and memory grow with the size of the file. Throws
 /// std::invalid_argument with one sentence for any other file, for a damaged one, and if nodes coincide that
-/// are not shared.
+/// are not shared or hang, in the middle of edges or faces of other cells. Faces inside the body, nodes of no
+/// cell and other sections of the file are ignored.
 MeshFileFacts read_hexahedra(const std::string &file_name, double unit,
                              dealii::Triangulation<3, 3> &triangulation);
 

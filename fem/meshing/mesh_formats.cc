@@ -6,12 +6,15 @@
 #include <deal.II/grid/tria_description.h>
 
 #include <boost/algorithm/string/predicate.hpp>
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 
 namespace stemware::fem
 {
@@ -66,18 +69,116 @@ void require_shared_nodes(const MeshContent &content)
              "foot is one body."));
 }
 
+using FaceCorners = std::array<unsigned int, 4>; // indices of points, one after the other round the face
+
+/// Returns whether @p x lies on the bilinear face, to 1e-6 of its size.
+bool lies_on(const std::array<Point<3>, 4> &face, const Point<3> &x)
+{
+  const double size = face[0].distance(face[2]) + face[1].distance(face[3]);
+  const Tensor<1, 3> twist = (face[0] - face[1]) + (face[2] - face[3]);
+  double s = 0.5, t = 0.5;
+  Tensor<1, 3> distance;
+  for (int step = 0; step < 8; ++step) // Newton's method for the closest point
+  {
+    const Tensor<1, 3> along_s = (face[1] - face[0]) + t * twist, along_t = (face[3] - face[0]) + s * twist;
+    distance = face[0] + s * (face[1] - face[0]) + t * (face[3] - face[0]) + s * t * twist - x;
+    const double ss = along_s * along_s, st = along_s * along_t, tt = along_t * along_t,
+                 determinant = ss * tt - st * st, a = along_s * distance, b = along_t * distance;
+    if (!(determinant > 0))
+      return false;
+    s -= (tt * a - st * b) / determinant;
+    t -= (ss * b - st * a) / determinant;
+  }
+  const auto is_inside = [](double value) { return value > -1e-6 && value < 1 + 1e-6; };
+  return distance.norm() < 1e-6 * size && is_inside(s) && is_inside(t);
+}
+
+/// Throws UnreadableMesh if nodes hang: they lie on edges or faces of @p surface, the faces of one cell each,
+/// that do not have them. On a curved surface, a node beside an edge counts if two edges connect it with the
+/// ends at an angle of over 150 degrees. Cells at such nodes only seem to be joined.
+void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
+                              const std::vector<FaceCorners> &surface)
+{
+  namespace bg = boost::geometry;
+  using Place = bg::model::point<double, 3, bg::cs::cartesian>;
+  const auto point = [&](unsigned int i) { return Point<3>(points[i][0], points[i][1], points[i][2]); };
+  std::map<unsigned int, std::set<unsigned int>> neighbors;
+  for (const FaceCorners &face : surface)
+    for (unsigned int k = 0; k < 4; ++k)
+    {
+      neighbors[face[k]].insert(face[(k + 1) % 4]);
+      neighbors[face[(k + 1) % 4]].insert(face[k]);
+    }
+  std::set<unsigned int> hanging;
+  std::map<std::pair<unsigned int, unsigned int>, unsigned int> middles; // of edges
+  std::vector<std::pair<Place, unsigned int>> places;
+  for (const auto &[a, of_a] : neighbors)
+  {
+    places.emplace_back(Place(points[a][0], points[a][1], points[a][2]), a);
+    for (const unsigned int b : of_a)
+      for (const unsigned int middle : neighbors[b])
+        if (of_a.count(middle) > 0)
+        {
+          const Tensor<1, 3> to_a = point(a) - point(middle), to_b = point(b) - point(middle);
+          if (to_a * to_b < std::cos(150 * numbers::PI / 180) * to_a.norm() * to_b.norm())
+          {
+            hanging.insert(middle);
+            middles[std::minmax(a, b)] = middle;
+          }
+        }
+  }
+  const bg::index::rtree<std::pair<Place, unsigned int>, bg::index::quadratic<16>> tree(places);
+  for (const FaceCorners &face : surface)
+  {
+    // On a curved surface, the middle of a face is connected with the middles of its four edges.
+    std::map<unsigned int, unsigned int> n_connections;
+    for (unsigned int k = 0; k < 4; ++k)
+      if (const auto middle = middles.find(std::minmax(face[k], face[(k + 1) % 4])); middle != middles.end())
+        for (const unsigned int neighbor : neighbors[middle->second])
+          if (++n_connections[neighbor] == 4)
+            hanging.insert(neighbor);
+    std::array<Point<3>, 4> corners;
+    std::array<double, 3> lower = points[face[0]], upper = lower;
+    for (unsigned int k = 0; k < 4; ++k)
+    {
+      corners[k] = point(face[k]);
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        lower[d] = std::min(lower[d], corners[k][d]);
+        upper[d] = std::max(upper[d], corners[k][d]);
+      }
+    }
+    const double margin = 1e-6 * corners[0].distance(corners[2]);
+    const bg::model::box<Place> box(Place(lower[0] - margin, lower[1] - margin, lower[2] - margin),
+                                    Place(upper[0] + margin, upper[1] + margin, upper[2] + margin));
+    for (auto found = tree.qbegin(bg::index::intersects(box)); found != tree.qend(); ++found)
+      if (std::find(face.begin(), face.end(), found->second) == face.end() &&
+          lies_on(corners, point(found->second)))
+        hanging.insert(found->second);
+  }
+  if (hanging.empty())
+    return;
+  const Point<3> x = point(*hanging.begin());
+  throw UnreadableMesh(sentence("has ", hanging.size(),
+                                " nodes in the middle of edges or faces of cells that do not have them, one "
+                                "at (",
+                                x[0], ", ", x[1], ", ", x[2],
+                                ") m; cells at such nodes only seem to be joined: divide neighbouring cells "
+                                "alike."));
+}
+
 /// Throws UnreadableMesh where points are no numbers, cells no hexahedra, or faces not those of one or two
-/// cells: deal.II takes the latter for granted.
-void require_mesh(const MeshContent &content)
+/// cells: deal.II takes the latter for granted. Drops marked faces inside the body.
+void require_mesh(MeshContent &content)
 {
   if (content.hexahedra.empty())
     throw UnreadableMesh("has no hexahedra; mesh the foot in hexahedra (Gmsh: Mesh.RecombineAll, "
                          "Mesh.SubdivisionAlgorithm = 2).");
-  for (const std::array<double, 3> &point : content.points)
-    for (const double coordinate : point)
-      if (!(std::abs(coordinate) < 1e6))
-        throw UnreadableMesh("has coordinates outside the range of a foot; export the mesh again.");
-  require_shared_nodes(content);
+  for (const auto &hexahedron : content.hexahedra)
+    for (const unsigned int corner : hexahedron)
+      for (const double coordinate : content.points[corner])
+        if (!(std::abs(coordinate) < 1e6))
+          throw UnreadableMesh("has coordinates outside the range of a foot; export the mesh again.");
   std::vector<std::array<unsigned int, 4>> faces;
   faces.reserve(6 * content.hexahedra.size());
   for (std::array<unsigned int, 8> corners : content.hexahedra)
@@ -86,19 +187,32 @@ void require_mesh(const MeshContent &content)
       faces.push_back(sorted({ corners[face[0]], corners[face[1]], corners[face[2]], corners[face[3]] }));
     std::sort(corners.begin(), corners.end());
     if (std::adjacent_find(corners.begin(), corners.end()) != corners.end())
-      throw UnreadableMesh("has a hexahedron that has a corner twice; export the mesh anew.");
+      throw UnreadableMesh(std::string("has a hexahedron that has a corner twice; ") + wedge_advice);
   }
+  require_shared_nodes(content);
   std::sort(faces.begin(), faces.end());
   for (std::size_t i = 2; i < faces.size(); ++i)
     if (faces[i] == faces[i - 2])
       throw UnreadableMesh("has a face between three hexahedra; export the mesh anew.");
-  for (const MarkedFace &face : content.faces)
+  const auto n_cells = [&](const std::array<unsigned int, 4> &corners)
   {
-    const auto [begin, end] = std::equal_range(faces.begin(), faces.end(), sorted(face.corners));
-    if (end - begin != 1)
-      throw UnreadableMesh("marks a face that is not on the surface of its hexahedra with the id " +
-                           std::to_string(face.id) + "; mark faces of the surface only.");
-  }
+    const auto [begin, end] = std::equal_range(faces.begin(), faces.end(), sorted(corners));
+    return end - begin;
+  };
+  for (const MarkedFace &face : content.faces)
+    if (n_cells(face.corners) == 0)
+      throw UnreadableMesh("marks a face that is no face of its hexahedra with the id " +
+                           std::to_string(face.id) + "; export the mesh anew.");
+  content.faces.erase(std::remove_if(content.faces.begin(), content.faces.end(),
+                                     [&](const MarkedFace &face) { return n_cells(face.corners) == 2; }),
+                      content.faces.end());
+  std::vector<FaceCorners> surface;
+  for (const auto &corners : content.hexahedra)
+    for (const auto &face : faces_of_hexahedron)
+      if (const FaceCorners one = { corners[face[0]], corners[face[1]], corners[face[2]], corners[face[3]] };
+          n_cells(one) == 1)
+        surface.push_back(one);
+  require_no_hanging_nodes(content.points, surface);
 }
 
 /// The marked faces by their corners. Throws UnreadableMesh where one is marked with two ids.
@@ -112,7 +226,7 @@ std::map<std::array<unsigned int, 4>, MarkedFace> once(const std::vector<MarkedF
   return marked;
 }
 
-void build(const MeshContent &content, Triangulation<3> &triangulation)
+void build(MeshContent &content, Triangulation<3> &triangulation)
 {
   // The files go round a face, deal.II along it.
   constexpr unsigned int order[] = { 0, 1, 3, 2, 4, 5, 7, 6 };

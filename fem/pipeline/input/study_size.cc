@@ -17,6 +17,9 @@ namespace stemware::pipeline
 namespace
 {
 
+/// Of linear elements in a generated mesh, which is few cells thick.
+constexpr double unknowns_per_cell = 4.5;
+
 /// A dense system of harmonics times places across the land, the state on all lines, and a few factorised
 /// meridional sections.
 void add_body_of_revolution(const Study &study, StudySize &size)
@@ -31,17 +34,17 @@ void add_body_of_revolution(const Study &study, StudySize &size)
                                                 slenderness(profile.stem_height, profile.stem_radius));
   if (study.table.make().substrate)
     coarse += 4 * slenderness(study.table.disc.radius, study.table.disc.thickness);
-  size.cells = coarse * halvings * halvings;
-  const double nodes = size.cells * contact.degree * contact.degree;
+  const double nodes = coarse * std::pow(halvings * contact.degree, 2);
   size.unknowns = across * (2. * contact.harmonics + 1);
   size.memory += 3 * 800 * nodes + 52 * size.unknowns * size.unknowns + 4000 * across * contact.azimuth_lines;
 }
 
-/// The vertices of a mesh file: the number in its section $Nodes, the second one of Gmsh's format 4; of files
-/// without that section the bytes over those that a vertex takes with its cell. 0 where there is no file.
-double n_vertices(const std::string &file)
+/// Returns the number of nodes of a mesh file: that of its section $Nodes or $ParametricNodes, the second one
+/// of Gmsh's format 4; of files without these sections the bytes over those that a node takes with its cell.
+/// Returns 0 if there is no file.
+double n_nodes(const std::string &file)
 {
-  constexpr double bytes_per_vertex = 80;
+  constexpr double bytes_per_node = 80;
   constexpr std::size_t head_size = 100000;
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
@@ -51,33 +54,35 @@ double n_vertices(const std::string &file)
   std::istringstream stream(head);
   std::string line;
   while (std::getline(stream, line))
-    if (line.rfind("$Nodes", 0) == 0 && std::getline(stream, line))
+    if ((line.rfind("$Nodes", 0) == 0 || line.rfind("$ParametricNodes", 0) == 0) &&
+        std::getline(stream, line))
     {
       double first = 0, second = 0;
       std::istringstream numbers(line);
       return numbers >> first >> second ? second : first;
     }
-  return static_cast<double>(std::filesystem::file_size(file, error)) / bytes_per_vertex;
+  return static_cast<double>(std::filesystem::file_size(file, error)) / bytes_per_node;
 }
 
-/// Cells of the generated mesh, or at most those of the file: hexahedra have about as many vertices.
-double coarse_cells(const ContactSection &contact)
+/// Unknowns of linear elements on the mesh without refinements.
+double coarse_unknowns(const ContactSection &contact)
 {
   if (!contact.mesh_file.empty())
-    return n_vertices(contact.mesh_file);
+    return 3 * n_nodes(contact.mesh_file);
   const double per_sector = (contact.resolution.radial_cells + 8.) * (contact.resolution.foot_layers + 0.);
-  return contact.resolution.azimuthal_cells * std::max(per_sector, 16.);
+  return unknowns_per_cell * contact.resolution.azimuthal_cells * std::max(per_sector, 16.);
 }
 
 void add_solid_body(const Study &study, StudySize &size)
 {
   const ContactSection &contact = study.contact;
-  size.cells = coarse_cells(contact) * std::pow(8., contact.refinements);
+  size.unknowns = coarse_unknowns(contact) * std::pow(8., contact.refinements);
   const unsigned int n_edge_halvings = edge_halvings(study);
   if (n_edge_halvings > 0) // 19 to 28 of those round the edge, with those that lead to them
-    size.cells += 20 * std::ldexp(contact.resolution.azimuthal_cells,
-                                  static_cast<int>(contact.refinements + n_edge_halvings));
-  size.unknowns = 4.5 * size.cells * std::pow(contact.degree, 3);
+    size.unknowns +=
+      unknowns_per_cell * 20 *
+      std::ldexp(contact.resolution.azimuthal_cells, static_cast<int>(contact.refinements + n_edge_halvings));
+  size.unknowns *= std::pow(contact.degree, 3);
   // Bytes per unknown (docs/method/solid_measurements.md).
   constexpr double factorised = 25e3;
   // The meshes under one with a halved edge have many cells too.
@@ -141,7 +146,7 @@ std::string memory_note(const Study &study)
   constexpr double worth_saying = 1e9;
   const StudySize size = size_of(study);
   return size.memory > worth_saying
-           ? fmt::format(FMT_STRING("about {:.2g} GB for {:.0f} cells"), size.memory / 1e9, size.cells)
+           ? fmt::format(FMT_STRING("about {:.2g} GB for {:.2g} unknowns"), size.memory / 1e9, size.unknowns)
            : "";
 }
 
@@ -160,9 +165,9 @@ void require_affordable(const Study &study)
     const StudyEntry entry = greediest(trial);
     const auto [needed, limit] = distinct_texts(size.memory / 1e9, study.contact.memory_limit / 1e9, 2);
     throw BadInput(
-      fmt::format(FMT_STRING("{} = {} would take about {} GB of memory ({:.2g} cells, {:.2g} unknowns), "
+      fmt::format(FMT_STRING("{} = {} would take about {} GB of memory ({:.2g} unknowns), "
                              "above {} GB; give a {}, or allow more with Contact/Memory limit = {:.0f} GB."),
-                  entry.path(), shortened_path(entry.text()), needed, size.cells, size.unknowns, limit,
+                  entry.path(), shortened_path(entry.text()), needed, size.unknowns, limit,
                   entry.path_value != nullptr ? "coarser mesh" : "value nearer to its default",
                   std::ceil(1.1 * size.memory / 1e9)));
   }

@@ -10,11 +10,10 @@ namespace stemware::pipeline
 /// Memory of the program and its libraries, a part of StudySize::memory [byte].
 inline constexpr double memory_of_the_program = 1.6e8;
 
-/// Cost of a study, estimated before the work from its entries and the number of vertices of a mesh file, by
+/// Cost of a study, estimated before the work from its entries and the number of nodes of a mesh file, by
 /// measured factors; accurate to a factor of two or three.
 struct StudySize
 {
-  double cells = 0;    ///< cells of the mesh (of a file: upper bound); 0 without a contact
   double unknowns = 0; ///< unknowns of the largest linear system
   double memory = 0;   ///< [byte]
   double steps = 0;    ///< time steps of the spin-up

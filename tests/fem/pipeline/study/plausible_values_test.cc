@@ -139,9 +139,10 @@ TEST(StudySize, AMeshFileIsCountedBeforeItIsRead)
   const std::string format_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n7000\n";
   const std::string format_4 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n1 2\n$EndEntities\n"
                                "$Nodes\n12 7000 1 7000\n";
-  for (const std::string &mesh : { format_2, format_4, std::string(560000, 'x') })
-    EXPECT_NEAR(size_with(mesh).cells, 7000, 1e-9);
-  EXPECT_NEAR(size_with(format_2, "1").cells, 56000, 1e-9);
+  const std::string with_parameters = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$ParametricNodes\n7000\n";
+  for (const std::string &mesh : { format_2, format_4, with_parameters, std::string(560000, 'x') })
+    EXPECT_NEAR(size_with(mesh).unknowns, 21000, 1e-9);
+  EXPECT_NEAR(size_with(format_2, "1").unknowns, 168000, 1e-9);
   const std::string large = scratch.write("large.msh", "$Nodes\n20000000\n");
   const std::string refusal =
     why_refused({ { "Contact/Body", "solid" }, { "Contact/Degree", "2" }, { "Contact/Mesh file", large } });
