@@ -20,7 +20,7 @@ for name, body in bodies.items():
         return [T.force_x / mass, T.torque / inertia, y[0], y[1]]
 
     def nearly_at_rest(t, y):  # both motions end at the same instant, where friction has no direction
-        return abs(y[0]) + abs(y[1]) * R - 1e-5
+        return abs(y[0]) + abs(y[1]) * R - 1e-6
     nearly_at_rest.terminal = True
     path = solve_ivp(rate, (0, 2), [1.0, 20.0, 0, 0], events=nearly_at_rest, rtol=1e-9, atol=1e-12)
     speed, omega, distance, _ = path.y
