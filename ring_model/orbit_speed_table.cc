@@ -51,6 +51,7 @@ OrbitSpeedTable::OrbitSpeedTable(std::vector<double> given_times, std::vector<do
   std::vector<double> t = times, v = speeds;
   if (t.size() < 4)
     refine(t, v, 1. / 3.);
+  knot_times = t;
   using Interpolant = boost::math::interpolators::pchip<std::vector<double>>;
   const auto cubic = std::make_shared<const Interpolant>(std::move(t), std::move(v));
   interpolant = [cubic](double time) { return (*cubic)(time); };

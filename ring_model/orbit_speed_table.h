@@ -10,7 +10,8 @@ namespace stemware::ring
 /**
  * Orbit speed v(t) from a table, interpolated by the monotone cubic of Fritsch and Carlson (SIAM J. Numer.
  * Anal. 17 (1980) 238): values stay within the range of the two neighbouring entries, and the acceleration
- * dv/dt is continuous. Fewer than four entries are joined by straight lines.
+ * dv/dt is continuous. At the first and the last entry dv/dt is that of the straight line to the neighbour.
+ * Fewer than four entries are joined by straight lines.
  */
 class OrbitSpeedTable
 {
@@ -36,6 +37,9 @@ public:
   /// its largest speed: friction then has the direction of the motion to come.
   Motion motion_at(const Motion &motion, double time) const;
 
+  /// Returns the times between which dv/dt is smooth [s]; its slope jumps there.
+  const std::vector<double> &knots() const { return knot_times; }
+
   bool starts_from_rest() const { return speeds.front() == 0.; }
 
   double max_speed() const;
@@ -49,6 +53,7 @@ private:
 
   std::vector<double> times;
   std::vector<double> speeds;
+  std::vector<double> knot_times;
   std::function<double(double)> interpolant;
   std::function<double(double)> slope;
 };

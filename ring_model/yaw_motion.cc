@@ -4,6 +4,7 @@
 #include "ring_model/no_balance.h"
 
 #include <Eigen/Dense>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -28,8 +30,8 @@ using YawState = std::array<double, 2>;
 class StiffMotion
 {
 public:
-  StiffMotion(const PhasedTorqueFunction &torque, double yaw_inertia, double accuracy, double spin_scale)
-      : torque(torque)
+  StiffMotion(PhasedTorqueFunction torque, double yaw_inertia, double accuracy, double spin_scale)
+      : torque(std::move(torque))
       , yaw_inertia(yaw_inertia)
       , accuracy(accuracy)
       , spin_scale(spin_scale)
@@ -42,26 +44,26 @@ public:
   {
     // Some 30 torques a step, while explicit steps take two a time constant.
     constexpr double min_time_constants = 20.;
-    // The torque of a grip jumps at rest: its slope is that beside the jump, where the glass turns to.
+    // A torque may jump at rest: its slope is that beside the jump, where the glass turns to.
     YawSample beside = start;
     beside.omega += std::copysign(2e-5 * spin_scale, torque(start.time, start.yaw_angle, start.omega));
     return -slopes(beside).spin / yaw_inertia * end > min_time_constants * static_cast<double>(n_times);
   }
 
-  /// Follows the motion from @p state to the time @p end [s]; @p step [s] is the step tried first, and next.
-  YawSample advanced(YawSample state, double end, double &step) const
+  /// Returns the state after one step from @p state, at the time @p end [s] at the latest. @p step [s]: tried
+  /// first, replaced by the step to try next.
+  YawSample after_step(const YawSample &state, double end, double &step) const
   {
     constexpr double safety = 0.9, max_growth = 5., max_shrinkage = 0.2;
-    constexpr unsigned int max_steps = 100000;
-    for (unsigned int n_steps = 0; state.time < end; ++n_steps)
+    for (;;)
     {
       const bool is_last = state.time + 1.01 * step >= end;
       const double tried = is_last ? end - state.time : step;
-      if (n_steps > max_steps || state.time + tried == state.time)
-        throw NoBalance(
-          sentence("the spin follows its torque with a time constant of ", -yaw_inertia / slopes(state).spin,
-                   " s and was not found beyond t = ", state.time, " s; increase the yaw inertia"));
       const Slopes slope = slopes(state);
+      if (state.time + tried == state.time)
+        throw NoBalance(sentence("the spin follows its torque with a time constant of ",
+                                 -yaw_inertia / slope.spin, " s and was not found beyond t = ", state.time,
+                                 " s; increase the yaw inertia"));
       const std::optional<YawSample> whole = collocated(state, slope, tried);
       std::optional<YawSample> halves = collocated(state, slope, tried / 2.);
       if (halves)
@@ -69,16 +71,23 @@ public:
       const double error = whole && halves ? relative_difference(*whole, *halves) : infinity;
       const double growth =
         std::clamp(safety * std::pow(error, -1. / 6.), max_shrinkage, max_growth); // of a local error O(h^6)
-      if (error <= 1.)
-      {
-        state = *halves;
-        if (is_last)
-          state.time = end;
-      }
       if (!is_last || growth < 1.)
         step = tried * growth;
+      if (error > 1.)
+        continue;
+      if (is_last)
+        halves->time = end;
+      return *halves;
     }
-    return state;
+  }
+
+  /// Returns the state one step of @p step [s] after @p state, without an estimate of its error.
+  YawSample within_step(const YawSample &state, double step) const
+  {
+    const std::optional<YawSample> found = collocated(state, slopes(state), step);
+    if (!found)
+      throw NoBalance(sentence("the spin was not found beyond t = ", state.time, " s"));
+    return *found;
   }
 
 private:
@@ -146,71 +155,247 @@ private:
     return std::nullopt;
   }
 
-  const PhasedTorqueFunction &torque;
+  const PhasedTorqueFunction torque;
   const double yaw_inertia, accuracy, spin_scale;
 };
 
-/// The motion from @p start on, sampled at @p times counted from there: a StiffMotion, or the
-/// Dormand-Prince pair with step control and dense output (Boost.Odeint). The torque is never asked for at
-/// times beyond the last of @p times.
-std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFunction &torque,
-                                   double yaw_inertia, const std::vector<double> &times, double accuracy,
-                                   double spin_scale)
+/// Motion of a spin that the fingers brake with up to a grip. While the glass turns in one direction the
+/// torque is smooth; the spin ends at 0 in an event, and the glass then rests until the free torque exceeds
+/// the grip, or turns back.
+class GrippedMotion
 {
-  // The error of one step is held a decade below the request: errors of all steps add up, and the
-  // interpolation between steps is one order lower than the steps themselves.
-  const double accuracy_of_step = accuracy / 10.;
-  const double end = times.empty() ? 0. : times.back();
-  const PhasedTorqueFunction until_end = [&](double time, double yaw_angle, double omega)
-  { return torque(start.time + std::min(time, end), yaw_angle, omega); };
-  const double push = std::abs(until_end(0., start.yaw_angle, start.omega)) / yaw_inertia;
-  double first_step = 1e-3 / std::max(push / spin_scale, 1.);
-
-  std::vector<YawSample> samples;
-  samples.reserve(times.size());
-  const StiffMotion stiff(until_end, yaw_inertia, accuracy_of_step, spin_scale);
-  YawSample now = { 0., start.yaw_angle, start.omega };
-  if (stiff.is_stiff(now, end, times.size()))
+public:
+  GrippedMotion(const PhasedTorqueFunction &torque, double yaw_inertia, double accuracy, double spin_scale,
+                double grip, const std::vector<double> &breaks)
+      : torque(torque)
+      , yaw_inertia(yaw_inertia)
+      , accuracy(accuracy)
+      , spin_scale(spin_scale)
+      , grip(grip)
+      , breaks(breaks)
   {
-    for (const double time : times)
-    {
-      now = stiff.advanced(now, time, first_step);
-      samples.push_back({ start.time + time, now.yaw_angle, now.omega });
-    }
-    return samples;
   }
 
-  namespace odeint = boost::numeric::odeint;
-  auto stepper =
-    odeint::make_dense_output(accuracy_of_step, accuracy_of_step, odeint::runge_kutta_dopri5<YawState>());
-  const auto rate_of = [&](const YawState &state, YawState &rate, double time)
+  /// Returns the motion from @p start on at @p times counted from there. The torque is never evaluated beyond
+  /// the last one.
+  std::vector<YawSample> from(const YawSample &start, const std::vector<double> &times)
   {
-    rate[0] = state[1] * spin_scale;
-    rate[1] = until_end(time, state[0], rate[0]) / (yaw_inertia * spin_scale);
-  };
-  const YawState first = { start.yaw_angle, start.omega / spin_scale };
-  stepper.initialize(first, 0., first_step);
-  for (const double time : times)
-  {
-    unsigned int n_steps = 0;
-    while (stepper.current_time() < time * (1. - 1e-15))
+    origin = start.time;
+    wanted = &times;
+    end = times.empty() ? 0. : times.back();
+    now = { 0., start.yaw_angle, start.omega };
+    samples.clear();
+    samples.reserve(times.size());
+    const double push = std::abs(free_torque(now)) / yaw_inertia;
+    step = 1e-3 / std::max(push / spin_scale, 1.);
+    is_stiff = stiff_motion(direction()).is_stiff(now, end, times.size());
+    constexpr unsigned int max_stretches = 100000;
+    for (unsigned int n = 0; samples.size() < times.size(); ++n)
     {
-      // The last step ends at the last output: a torque given by a table may be unknown beyond.
-      if (stepper.current_time() + stepper.current_time_step() > end)
-        stepper.initialize(YawState(stepper.current_state()), stepper.current_time(),
-                           end - stepper.current_time());
+      if (n > max_stretches)
+        throw NoBalance(
+          sentence("the spin changes its sign at t = ", origin + now.time, " s again and again"));
+      if (const int turns = direction(); turns == 0)
+        rest();
+      else if (is_stiff)
+        turn_stiffly(turns);
+      else
+        turn(turns);
+    }
+    return std::move(samples);
+  }
+
+private:
+  /// Torque without the fingers [N m].
+  double free_torque(const YawSample &at) const
+  {
+    return torque(origin + std::min(at.time, end), at.yaw_angle, at.omega);
+  }
+
+  /// +1 or -1 for the direction in which the glass turns or begins to turn; 0 while the fingers hold it.
+  int direction() const
+  {
+    const double pushed = now.omega != 0. || grip == 0. ? now.omega : free_torque(now);
+    if (now.omega == 0. && std::abs(pushed) <= grip && grip > 0.)
+      return 0;
+    return pushed < 0. ? -1 : 1;
+  }
+
+  StiffMotion stiff_motion(int turns) const
+  {
+    return { [=](double time, double angle, double omega) {
+              return free_torque({ time, angle, omega }) - turns * grip;
+            },
+             yaw_inertia, accuracy, spin_scale };
+  }
+
+  /// Positive until a spin in the direction @p turns has ended. What the integrator does not resolve is no
+  /// reversal.
+  double before_stop(int turns, double omega) const { return turns * omega / spin_scale + accuracy / 100.; }
+
+  /// Next time at which a step ends: a break of the torque, or the end.
+  double next_break(double time) const
+  {
+    const double after = origin + time + 1e-13 * (std::abs(origin) + end);
+    const auto next = std::upper_bound(breaks.begin(), breaks.end(), after);
+    return next == breaks.end() ? end : std::min(*next - origin, end);
+  }
+
+  void stop(const YawSample &at) { now = { at.time, at.yaw_angle, 0. }; }
+
+  void add(const YawSample &sample)
+  {
+    samples.push_back({ origin + (*wanted)[samples.size()], sample.yaw_angle, sample.omega });
+  }
+
+  /// Whether the next output is at or before @p time, to rounding.
+  bool is_due(double time) const
+  {
+    return samples.size() < wanted->size() && (*wanted)[samples.size()] * (1. - 1e-15) <= time;
+  }
+
+  /// Root of @p positive, which changes its sign between @p from and @p to; on the side of @p to.
+  template <typename Function>
+  static double end_of(const Function &positive, double from, double to)
+  {
+    std::uintmax_t n_iterations = 100;
+    return boost::math::tools::toms748_solve(positive, from, to,
+                                             boost::math::tools::eps_tolerance<double>(48), n_iterations)
+      .second;
+  }
+
+  /// Stays at rest until the free torque exceeds the grip, or to the end.
+  void rest()
+  {
+    constexpr unsigned int n_looks = 64; // at least, between outputs and breaks
+    const double look = (end - now.time) / n_looks;
+    const auto excess = [&](double time) {
+      return std::abs(free_torque({ time, now.yaw_angle, 0. })) - grip;
+    };
+    for (;;)
+    {
+      while (is_due(now.time))
+        add(now);
+      if (samples.size() == wanted->size())
+        return;
+      const double next = std::min({ (*wanted)[samples.size()], next_break(now.time), now.time + look });
+      if (excess(next) > 0.)
+      {
+        const double first = now.time + 1e-9 * (next - now.time); // the excess may be 0 where the rest began
+        now.time = excess(first) < 0. ? end_of(excess, first, next) : first;
+        while (is_due(now.time))
+          add(now);
+        step = 1e-3;
+        return;
+      }
+      now.time = next;
+    }
+  }
+
+  /// Integrates while the glass turns in the direction @p turns: the Dormand-Prince pair with step control
+  /// and dense output (Boost.Odeint).
+  void turn(int turns)
+  {
+    namespace odeint = boost::numeric::odeint;
+    constexpr unsigned int n_looks = 8; // per step: a spin may touch 0 within it
+    const auto rate_of = [&](const YawState &state, YawState &rate, double time)
+    {
+      rate[0] = state[1] * spin_scale;
+      rate[1] = (free_torque({ time, state[0], rate[0] }) - turns * grip) / (yaw_inertia * spin_scale);
+    };
+    auto stepper = odeint::make_dense_output(accuracy, accuracy, odeint::runge_kutta_dopri5<YawState>());
+    stepper.initialize(YawState{ now.yaw_angle, now.omega / spin_scale }, now.time, step);
+    const auto state_at = [&](double time) -> YawSample
+    {
+      YawState state;
+      stepper.calc_state(time, state);
+      return { time, state[0], state[1] * spin_scale };
+    };
+    const auto before = [&](double time) { return before_stop(turns, state_at(time).omega); };
+    while (is_due(now.time))
+      add(now);
+    for (unsigned int n_steps = 0; samples.size() < wanted->size();)
+    {
+      const double from = stepper.current_time(), last = next_break(from);
+      if (from + stepper.current_time_step() > last)
+        stepper.initialize(YawState(stepper.current_state()), from, last - from);
       stepper.do_step(rate_of);
       const auto &[angle, spin] = stepper.current_state();
-      if (++n_steps > 100000 || !std::isfinite(angle) || !std::isfinite(spin))
-        throw NoBalance(sentence("the spin-up did not reach t = ", time, " s: stuck at t = ",
-                                 stepper.current_time(), " s; request a lower accuracy than ", accuracy));
+      const unsigned int n_done = static_cast<unsigned int>(samples.size());
+      double to = stepper.current_time(), seen = from;
+      bool stops = false;
+      if (grip > 0.)
+        for (unsigned int i = 1; i <= n_looks && !stops; ++i)
+        {
+          const double looked = i == n_looks ? to : from + (to - from) * i / n_looks;
+          stops = before(looked) <= 0.;
+          if (stops)
+            to = before(seen) > 0. ? end_of(before, seen, looked) : seen;
+          seen = looked;
+        }
+      while (is_due(to))
+        add(state_at((*wanted)[samples.size()]));
+      if (stops)
+      {
+        step = 1e-3;
+        return stop(state_at(to));
+      }
+      n_steps = samples.size() > n_done ? 0 : n_steps + 1;
+      if (n_steps > 100000 || !std::isfinite(angle) || !std::isfinite(spin))
+        throw NoBalance(sentence("the spin-up did not reach t = ", origin + (*wanted)[samples.size()],
+                                 " s: stuck at t = ", origin + stepper.current_time(),
+                                 " s; request a lower accuracy than ", accuracy));
     }
-    YawState state = first;
-    if (time > 0.)
-      stepper.calc_state(time, state);
-    samples.push_back({ start.time + time, state[0], state[1] * spin_scale });
   }
-  return samples;
+
+  /// turn() by StiffMotion.
+  void turn_stiffly(int turns)
+  {
+    const StiffMotion motion = stiff_motion(turns);
+    while (is_due(now.time))
+      add(now);
+    for (unsigned int n_steps = 0; samples.size() < wanted->size(); ++n_steps)
+    {
+      const double last = std::min((*wanted)[samples.size()], next_break(now.time));
+      const YawSample next = motion.after_step(now, last, step);
+      if (grip > 0. && before_stop(turns, next.omega) <= 0. && before_stop(turns, now.omega) > 0.)
+      {
+        const auto before = [&](double time) {
+          return before_stop(turns,
+                             time > now.time ? motion.within_step(now, time - now.time).omega : now.omega);
+        };
+        const double stopped = end_of(before, now.time, next.time);
+        return stop(stopped > now.time ? motion.within_step(now, stopped - now.time) : now);
+      }
+      now = next;
+      while (is_due(now.time))
+      {
+        add(now);
+        n_steps = 0;
+      }
+      if (n_steps > 100000)
+        throw NoBalance(sentence("the spin was not found beyond t = ", origin + now.time, " s"));
+    }
+  }
+
+  const PhasedTorqueFunction &torque;
+  const double yaw_inertia, accuracy, spin_scale, grip;
+  const std::vector<double> &breaks;
+  const std::vector<double> *wanted = nullptr;
+  std::vector<YawSample> samples;
+  YawSample now = {}; ///< time since `origin`
+  double origin = 0., end = 0., step = 0.;
+  bool is_stiff = false;
+};
+
+/// The motion from @p start on, sampled at @p times counted from there. The error of one step is held a
+/// decade below the request: errors of all steps add up, and the interpolation between steps is one order
+/// lower than the steps themselves.
+std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFunction &torque,
+                                   double yaw_inertia, const std::vector<double> &times, double accuracy,
+                                   double spin_scale, double grip, const std::vector<double> &breaks = {})
+{
+  return GrippedMotion(torque, yaw_inertia, accuracy / 10., spin_scale, grip, breaks).from(start, times);
 }
 
 /// Mean of equidistant samples with a weight that comes and goes smoothly.
@@ -257,6 +442,18 @@ void require_motion(double yaw_inertia, double initial_spin, double accuracy, do
 }
 } // namespace
 
+double grip_torque(double torque, double omega, double grip)
+{
+  if (omega == 0)
+    return -std::copysign(std::min(std::abs(torque), grip), torque);
+  return -std::copysign(grip, omega);
+}
+
+double torque_with_grip(double torque, double omega, double grip)
+{
+  return torque + grip_torque(torque, omega, grip);
+}
+
 PhasedTorqueFunction observed(PhasedTorqueFunction torque, TimeObserver observer)
 {
   if (!observer)
@@ -269,17 +466,23 @@ PhasedTorqueFunction observed(PhasedTorqueFunction torque, TimeObserver observer
 }
 
 std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
-                                  const std::vector<double> &times, double accuracy, double spin_scale)
+                                  const std::vector<double> &times, double accuracy, double spin_scale,
+                                  double grip, const std::vector<double> &breaks)
 {
   require_motion(yaw_inertia, initial_spin, accuracy, spin_scale);
+  require(std::isfinite(grip) && grip >= 0., "the grip torque is ", grip, " N m, but must be at least 0");
+  require(std::is_sorted(breaks.begin(), breaks.end()), "the ", breaks.size(),
+          " times at which the torque has a break must increase");
   require(std::is_sorted(times.begin(), times.end()) &&
             (times.empty() || (times.front() >= 0. && std::isfinite(times.back()))),
           "the ", times.size(), " output times must be finite, increasing and not negative");
-  return motion_from({ 0., 0., initial_spin }, torque, yaw_inertia, times, accuracy, spin_scale);
+  return motion_from({ 0., 0., initial_spin }, torque, yaw_inertia, times, accuracy, spin_scale, grip,
+                     breaks);
 }
 
 std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, double yaw_inertia,
-                                        double initial_spin, double time_step, unsigned int n_steps)
+                                        double initial_spin, double time_step, unsigned int n_steps,
+                                        double grip)
 {
   require_positive(yaw_inertia, "the yaw inertia", "kg m^2");
   require_positive(time_step, "the time step", "s");
@@ -289,14 +492,17 @@ std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, doub
   for (unsigned int i = 1; i <= n_steps; ++i)
   {
     const auto [time, angle, omega] = samples.back();
-    samples.push_back({ i * time_step, angle + omega * time_step,
-                        omega + torque(time, angle, omega) / yaw_inertia * time_step });
+    const double free = torque(time, angle, omega),
+                 next = omega + torque_with_grip(free, omega, grip) / yaw_inertia * time_step;
+    // Fingers stop a spin; they do not turn the glass back.
+    const bool stops = omega * next < 0. && std::abs(free) <= grip;
+    samples.push_back({ i * time_step, angle + omega * time_step, stops ? 0. : next });
   }
   return samples;
 }
 
 LongTimeSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
-                            double window, double accuracy, double spin_scale)
+                            double window, double accuracy, double spin_scale, double grip)
 {
   constexpr unsigned int n_samples = 2048, n_windows = 8, n_doublings = 2;
   constexpr double largest_uncertainty = 1e-5;
@@ -313,7 +519,7 @@ LongTimeSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inert
     for (unsigned int i = 0; i < n_windows; ++i)
     {
       const std::vector<YawSample> samples =
-        motion_from(state, torque, yaw_inertia, times, accuracy / 10., spin_scale);
+        motion_from(state, torque, yaw_inertia, times, accuracy / 10., spin_scale, grip);
       state = samples.back();
       spin.mean = smooth_mean(samples);
       spin.ripple = half_range(samples);

@@ -23,20 +23,32 @@ struct YawSample
   double omega;     ///< d psi / dt [rad/s]
 };
 
+/// Returns the torque of fingers that resist @p torque or the spin @p omega [rad/s] with up to @p grip [N m];
+/// at rest it cancels @p torque up to that limit.
+double grip_torque(double torque, double omega, double grip);
+
+/// Returns @p torque plus grip_torque() at the spin @p omega [rad/s] [N m].
+double torque_with_grip(double torque, double omega, double grip);
+
 /**
- * Integrates I_z d omega/dt = tau_z(t, psi, omega), d psi/dt = omega from psi = 0 at t = 0 by the
- * Dormand-Prince pair with step control and dense output (Boost.Odeint), sampled at @p times; by an implicit
- * method (Radau IIA) if the time constant is far below the time between outputs.
+ * Integrates I_z d omega/dt = tau_z(t, psi, omega) - grip sgn(omega), d psi/dt = omega from psi = 0 at t = 0
+ * by the Dormand-Prince pair with step control and dense output (Boost.Odeint), sampled at @p times; by an
+ * implicit method (Radau IIA) if the time constant is far below the time between outputs. A spin that reaches
+ * 0 is exactly 0 until |tau_z| at rest exceeds the grip. The end of such a rest is sought between outputs,
+ * breaks and 64 parts of the time that is left.
  *
  * @param times    Output times [s], increasing, the first one >= 0.
  * @param accuracy Requested accuracy of psi in radians and of omega relative to @p spin_scale; relative to
  *                 their sizes where these are larger.
  * @param spin_scale Spin that counts as large, v / R [rad/s].
+ * @param grip     Torque up to which fingers brake or hold the glass [N m].
+ * @param breaks   Increasing times [s] at which a derivative of the torque jumps: a step ends there.
  * @throws std::invalid_argument for times out of order or values out of range, std::runtime_error if the step
  *         control gives up.
  */
 std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
-                                  const std::vector<double> &times, double accuracy, double spin_scale);
+                                  const std::vector<double> &times, double accuracy, double spin_scale,
+                                  double grip = 0., const std::vector<double> &breaks = {});
 
 /**
  * Integrates the same equations by forward Euler, as in the paper, from t = 0 and psi = 0 in @p n_steps steps
@@ -45,7 +57,8 @@ std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw
  * @throws std::invalid_argument if the inertia or the step is not positive.
  */
 std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, double yaw_inertia,
-                                        double initial_spin, double time_step, unsigned int n_steps);
+                                        double initial_spin, double time_step, unsigned int n_steps,
+                                        double grip = 0.);
 
 /// Spin of a ring whose torque depends on the phase, after the transient.
 struct LongTimeSpin
@@ -70,5 +83,5 @@ struct LongTimeSpin
  *         more than 1e-5 of @p spin_scale, or as yaw_motion().
  */
 LongTimeSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
-                            double window, double accuracy, double spin_scale);
+                            double window, double accuracy, double spin_scale, double grip = 0.);
 } // namespace stemware::ring

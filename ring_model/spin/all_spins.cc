@@ -1,6 +1,7 @@
 #include "ring_model/friction_functionals.h"
 #include "ring_model/if_balanced.h"
 #include "ring_model/spin/curves.h"
+#include "ring_model/yaw_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,10 +7,12 @@
 #include "ring_model/spin/phase_loads.h"
 #include "ring_model/spin/phase_torque.h"
 #include "ring_model/spin/to_precision.h"
+#include "ring_model/yaw_motion.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 
 namespace stemware::ring
@@ -77,11 +79,9 @@ void take_long_run_mean(const LoadAtSpin &load, const Question &question, double
   const double friction_torque = motion.friction_at_rest() * motion.normal_force() * load.radius(),
                torque_scale = slope > 0 ? slope * spin_scale : friction_torque;
   const PhaseTorque torque(load, motion, spin.omega, reach, 0.03 * accuracy * torque_scale);
-  const auto with_grip = [&](double time, double yaw_angle, double omega)
-  { return torque_with_grip(torque(time, yaw_angle, omega), omega, question.grip_torque); };
-  const LongTimeSpin mean =
-    long_time_spin(observed(with_grip, question.observer), motion.yaw_inertia, spin.omega,
-                   averaging_window(phases.periods(), motion, spin), accuracy, spin_scale);
+  const LongTimeSpin mean = long_time_spin(observed(std::cref(torque), question.observer), motion.yaw_inertia,
+                                           spin.omega, averaging_window(phases.periods(), motion, spin),
+                                           accuracy, spin_scale, question.grip_torque);
   spin.omega = mean.mean;
   found.ripple = mean.ripple;
   // The mean's own error, and that between phases as far as ripple makes the glass stay longer at some.
@@ -305,18 +305,6 @@ double yaw_torque(const LoadAtSpin &load, const Motion &motion, double omega,
 {
   const LeaningLoad at_spin = load.at(omega, marks);
   return wrench(motion, at_spin, omega).torque + at_spin.lean_torque();
-}
-
-double grip_torque(double torque, double omega, double grip)
-{
-  if (omega == 0)
-    return -std::copysign(std::min(std::abs(torque), grip), torque);
-  return -std::copysign(grip, omega);
-}
-
-double torque_with_grip(double torque, double omega, double grip)
-{
-  return torque + grip_torque(torque, omega, grip);
 }
 
 } // namespace stemware::ring

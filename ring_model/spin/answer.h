@@ -176,13 +176,6 @@ Answer compared_with_all(Answer answer, const Answer &all, const LoadAtSpin &loa
 /// bound on their torque is below a tenth of the search's tolerance.
 bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Motion &motion);
 
-/// Returns the torque of fingers that resist @p torque or the spin @p omega [rad/s] with up to @p grip [N m];
-/// at rest it cancels @p torque up to that limit.
-double grip_torque(double torque, double omega, double grip);
-
-/// Returns @p torque plus grip_torque() at the spin @p omega [rad/s] [N m].
-double torque_with_grip(double torque, double omega, double grip);
-
 /// Returns tau_z of friction plus the lean torque with the marks at @p marks, or the mean over the phases
 /// without @p marks; the grip is not included [N m].
 double yaw_torque(const LoadAtSpin &load, const Motion &motion, double omega,

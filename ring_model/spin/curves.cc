@@ -19,14 +19,13 @@ namespace
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double spin_up_accuracy = 1e-10; ///< of omega(t), relative to v / R
 
-/// Friction, lean and grip torque together [N m]; time and yaw angle matter if the phase does.
+/// Friction and lean torque together [N m]; time and yaw angle matter if the phase does.
 PhasedTorqueFunction torque_function(const LoadAtSpin &load, const Question &question)
 {
   const auto torque = [&](double time, double yaw_angle, double omega)
   {
     const Motion &motion = question.motion;
-    const double free = yaw_torque(load, motion, omega, orientation_of_marks(motion, time, yaw_angle));
-    return torque_with_grip(free, omega, question.grip_torque);
+    return yaw_torque(load, motion, omega, orientation_of_marks(motion, time, yaw_angle));
   };
   return observed(torque, question.observer);
 }
@@ -64,8 +63,8 @@ void spin_up(const LoadAtSpin &load, const Question &question, Answer &found)
       sample.omega = sample.yaw_angle = unknown;
     return sample;
   };
-  for (const YawSample &sample :
-       yaw_motion(torque, motion.yaw_inertia, 0, times, spin_up_accuracy, load.spin_scale(motion)))
+  for (const YawSample &sample : yaw_motion(torque, motion.yaw_inertia, 0, times, spin_up_accuracy,
+                                            load.spin_scale(motion), question.grip_torque))
     found.spin_up.push_back(unless_fallen(sample));
   if (question.euler_step == 0)
     return;
@@ -73,7 +72,7 @@ void spin_up(const LoadAtSpin &load, const Question &question, Answer &found)
   const unsigned int stride = euler_steps(times.back(), n_intervals, question.euler_step);
   const unsigned int n_steps = stride * n_intervals;
   const std::vector<YawSample> samples =
-    yaw_motion_euler(torque, motion.yaw_inertia, 0, times.back() / n_steps, n_steps);
+    yaw_motion_euler(torque, motion.yaw_inertia, 0, times.back() / n_steps, n_steps, question.grip_torque);
   for (unsigned int i = 0; i <= n_intervals; ++i)
     found.euler.push_back(unless_fallen(samples[i * stride]));
 }

@@ -42,9 +42,12 @@ std::vector<YawSample> driven_motion(const PhasedTorqueFunction &torque, const O
     else
       later.push_back(time - start);
   const auto torque_since = [&](double time, double angle, double omega)
-  { return torque_with_grip(torque(start + time, angle, omega), omega, grip); };
-  for (YawSample sample :
-       yaw_motion(torque_since, motion.yaw_inertia, 0., later, accuracy, motion.orbit_speed / radius))
+  { return torque(start + time, angle, omega); };
+  std::vector<double> breaks = speeds.knots();
+  for (double &time : breaks)
+    time -= start;
+  for (YawSample sample : yaw_motion(torque_since, motion.yaw_inertia, 0., later, accuracy,
+                                     motion.orbit_speed / radius, grip, breaks))
   {
     sample.time += start;
     samples.push_back(sample);

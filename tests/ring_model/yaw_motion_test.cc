@@ -205,6 +205,102 @@ TEST(YawMotion, AGripThatJumpsAtRestDoesNotMakeItStiff)
   EXPECT_LT(n_torques[1], 1.3 * n_torques[0]);
 }
 
+TEST(YawMotion, FingersHoldTheGlassFromAnEventToAnEvent)
+{
+  // I omega' = A cos(nu t) - c omega - grip sgn(omega). In closed form while the glass turns; it stops at the
+  // root of that, and turns again when A |cos(nu t)| exceeds the grip. The stiff ring has a time constant of
+  // 1e-6 s.
+  constexpr double damping = 1.2e-3, force = 4e-3, nu = 4.6, grip = 2.5e-3;
+  for (const double inertia : { 3e-4, 1e-9 })
+  {
+    const double rate = damping / inertia, scale = force / inertia / (rate * rate + nu * nu);
+    double began = 0.;
+    int turns = 1;
+    const auto turning = [&](double time) // omega(began) = 0
+    {
+      const auto forced = [&](double t)
+      { return scale * (rate * std::cos(nu * t) + nu * std::sin(nu * t)) - turns * grip / damping; };
+      return forced(time) - forced(began) * std::exp(-rate * (time - began));
+    };
+    std::vector<double> times, expected;
+    for (unsigned int half = 0; half < 6; ++half, turns = -turns)
+    {
+      double turned = began + 1e-3, stopped = began + M_PI / nu;
+      while (stopped - turned > 1e-15 * stopped && turned < (turned + stopped) / 2. &&
+             (turned + stopped) / 2. < stopped)
+        (turns * turning((turned + stopped) / 2.) > 0. ? turned : stopped) = (turned + stopped) / 2.;
+      for (const double share : { 0.01, 0.3, 0.6, 0.99 })
+      {
+        times.push_back(began + share * (stopped - began));
+        expected.push_back(turning(times.back()));
+      }
+      began = ((half + 1) * M_PI - std::acos(grip / force)) / nu;
+      ASSERT_GT(began, stopped);
+      for (const double share : { 0.01, 0.5, 0.99 })
+      {
+        times.push_back(stopped + share * (began - stopped));
+        expected.push_back(0.);
+      }
+    }
+    unsigned int n_torques = 0;
+    const auto torque = [&](double time, double, double omega)
+    {
+      ++n_torques;
+      return force * std::cos(nu * time) - damping * omega;
+    };
+    const auto samples = yaw_motion(torque, inertia, 0., times, 1e-11, 3., grip);
+    for (unsigned int i = 0; i < times.size(); ++i)
+      if (expected[i] == 0.)
+        EXPECT_EQ(samples[i].omega, 0.) << inertia << " at " << times[i];
+      else
+        EXPECT_NEAR(samples[i].omega, expected[i], 1e-8) << inertia << " at " << times[i];
+    EXPECT_LT(n_torques, 40000u);
+  }
+}
+
+TEST(YawMotion, AGlassThatIsHeldAtTheStartAndToTheEndRests)
+{
+  const auto torque = [](double time, double, double omega)
+  { return 1e-3 * std::sin(9. * time) - 1e-3 * omega; };
+  for (const YawSample &sample : yaw_motion(torque, inertia, 0., { 0., 0.3, 2. }, 1e-9, 10., 1.0001e-3))
+    EXPECT_EQ(sample.omega, 0.);
+  EXPECT_EQ(long_time_spin(torque, inertia, 0.1, 3., 1e-9, 10., 1.0001e-3).mean, 0.);
+  for (const YawSample &sample : yaw_motion_euler(torque, inertia, 0.1, 1e-2, 300, 1.0001e-3))
+  {
+    if (sample.time > 1.)
+    {
+      EXPECT_EQ(sample.omega, 0.) << sample.time;
+    }
+  }
+}
+
+TEST(YawMotion, AStepEndsAtEachBreak)
+{
+  // The torque's slope in time jumps thirty times: omega = drive(t) - drive'(t) / rate + decaying parts in
+  // closed form.
+  const double rate = 4.;
+  const auto drive = [](double t)
+  { return std::abs(std::remainder(t, 0.2)); }; // corners at multiples of 0.1 s
+  const auto torque = [&](double time, double, double omega)
+  { return inertia * rate * (drive(time) - omega); };
+  std::vector<double> breaks, times;
+  for (int i = 0; i <= 30; ++i)
+  {
+    breaks.push_back(0.1 * i);
+    times.push_back(0.1 * i + 0.03);
+  }
+  const auto samples = yaw_motion(torque, inertia, 0., times, 1e-6, 1., 0., breaks);
+  double omega = 0.; // at the corner before
+  for (int i = 0; i <= 30; ++i)
+  {
+    const double slope = i % 2 == 0 ? 1. : -1., low = drive(0.1 * i);
+    const auto at = [&](double t)
+    { return low + slope * (t - 1. / rate) + (omega - low + slope / rate) * std::exp(-rate * t); };
+    EXPECT_NEAR(samples[static_cast<std::size_t>(i)].omega, at(0.03), 1e-6) << i;
+    omega = at(0.1);
+  }
+}
+
 TEST(YawMotion, EulerConvergesAtFirstOrderToTheAdaptiveMotion)
 {
   const MarkedRing ring;
@@ -360,6 +456,8 @@ TEST(YawMotion, RefusesBadInput)
 {
   const MarkedRing ring;
   EXPECT_THROW(yaw_motion(ring, -1., 0., { 1. }, 1e-9, 10.), std::invalid_argument);
+  EXPECT_THROW(yaw_motion(ring, inertia, 0., { 1. }, 1e-9, 10., -1e-3), std::invalid_argument);
+  EXPECT_THROW(yaw_motion(ring, inertia, 0., { 1. }, 1e-9, 10., 0., { 1., 0.5 }), std::invalid_argument);
   EXPECT_THROW(yaw_motion(ring, inertia, 0., { 1., 0.5 }, 1e-9, 10.), std::invalid_argument);
   EXPECT_THROW(yaw_motion(ring, inertia, 0., { 1. }, 0., 10.), std::invalid_argument);
   EXPECT_THROW(yaw_motion(ring, inertia, NAN, { 1. }, 1e-9, 10.), std::invalid_argument);

@@ -1,6 +1,6 @@
 #include "fem/pipeline/analysis/spin_up.h"
 
-#include "ring_model/spin/answer.h"
+#include "ring_model/yaw_motion.h"
 
 #include <boost/math/constants/constants.hpp>
 
