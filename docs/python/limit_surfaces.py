@@ -5,6 +5,7 @@
 import os
 import sys
 import tempfile
+from typing import Any, Dict, Tuple
 
 import matplotlib
 matplotlib.use("Agg")
@@ -22,7 +23,7 @@ with tempfile.TemporaryDirectory() as folder:
     rows = np.column_stack([np.repeat(r, theta.size), np.tile(theta, r.size), p.ravel()])
     np.savetxt(file, rows, delimiter=",", header="r (m),theta (rad),pressure (Pa)", comments="")
     leaning = ring.stack_from_csv(file)
-loads = {
+loads: Dict[str, Tuple[Any, Dict[str, Any]]] = {
     "disc": (ring.Pressure.disc(R), {}),
     "annulus, 0.7 R to R": (ring.Pressure.annulus(0.7 * R, R), {}),
     "Hertz": (ring.Pressure.hertz(R), {}),

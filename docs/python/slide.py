@@ -21,7 +21,7 @@ for name, body in bodies.items():
 
     def nearly_at_rest(t, y):  # both motions end at the same instant, where friction has no direction
         return abs(y[0]) + abs(y[1]) * R - 1e-6
-    nearly_at_rest.terminal = True
+    nearly_at_rest.terminal = True  # type: ignore[attr-defined]
     path = solve_ivp(rate, (0, 2), [1.0, 20.0, 0, 0], events=nearly_at_rest, rtol=1e-9, atol=1e-12)
     speed, omega, distance, _ = path.y
     print(f"{name:5s} stops after {distance[-1]:.4f} m and {path.t[-1]:.4f} s, omega R / v = {omega[-1] * R / speed[-1]:.3f}")

@@ -181,6 +181,19 @@ std::function<LeaningLoad(double)> load_function(const py::object &load)
   return load.cast<std::function<LeaningLoad(double)>>();
 }
 
+/// Throws Tipping if no pressure within the outermost ring of @p load has its moment.
+void require_a_pressure(const RingStack &load, double omega)
+{
+  double outer = 0;
+  for (const RingStack::Ring &ring : load.rings())
+    outer = std::max(outer, ring.radius);
+  const double moment = load.moment().norm(), limit = load.normal_force() * outer;
+  if (moment >= limit)
+    throw Tipping(sentence("the glass tips: at ", omega, " rad/s the moment is ", moment,
+                           " N m, but the normal force has ", limit,
+                           " N m at most, at the outermost ring; lower the hand or the speed"));
+}
+
 /// Returns the terminal spin, all balances, the torque of friction and lean at rest [N m], v / R [rad/s] and
 /// the spin-up.
 py::tuple answer_about(const py::object &given, const Motion &motion, double grip_torque, bool all,
@@ -197,6 +210,9 @@ py::tuple answer_about(const py::object &given, const Motion &motion, double gri
   if (found.fall && times.empty())
     throw BalanceLost(found.reason, found.fall->omega, true);
   found.value();
+  require_a_pressure(found.at_rest->load, 0);
+  if (found.terminal)
+    require_a_pressure(found.at_terminal->load, found.terminal->omega);
   return py::make_tuple(
     numpy_of(std::vector<TerminalSpin>(found.terminal ? 1 : 0, found.terminal.value_or(TerminalSpin()))),
     numpy_of(found.all_spins), found.at_rest->friction.torque + found.at_rest->lean_torque,
@@ -204,11 +220,11 @@ py::tuple answer_about(const py::object &given, const Motion &motion, double gri
 }
 
 py::array motion_of(const PhasedTorqueFunction &torque, double yaw_inertia, const Row &times,
-                    double initial_spin, double accuracy, double spin_scale)
+                    double initial_spin, double accuracy, double spin_scale, double grip_torque)
 {
   const auto at = interruptible(torque);
-  return numpy_of(
-    without_gil([&] { return yaw_motion(at, yaw_inertia, initial_spin, times, accuracy, spin_scale); }));
+  return numpy_of(without_gil(
+    [&] { return yaw_motion(at, yaw_inertia, initial_spin, times, accuracy, spin_scale, grip_torque); }));
 }
 
 /// Defines the exceptions; the translator of BalanceLost, registered last, is called first.
@@ -332,9 +348,10 @@ of the table about x and y in the frame of the glass, which gives the lean torqu
       "omega"_a, "Returns the RingStack in balance at a spin [rad/s].");
 
   using B = SlidingBody;
-  py::class_<B>(m, "Pressure", R"(Axisymmetric normal pressure p(r) between the radii inner and outer [m].
+  py::class_<B>(m, "Pressure", py::dynamic_attr(),
+                R"(Axisymmetric normal pressure p(r) between the radii inner and outer [m].
 
-p takes an array of radii [m] and returns an array or a number in any unit; only its shape counts. Gauss points cluster
+p takes an array of radii [m], or one radius, and returns the pressure in any unit; only its shape counts. Gauss points cluster
 at both radii and at v / |omega|, where friction is singular; a RingStack of as many rings is off by 1e-4 there.)")
     .def(py::init(
            [](const std::function<py::object(const py::array &)> &p, double inner, double outer)
@@ -342,8 +359,7 @@ at both radii and at v / |omega|, where friction is singular; a RingStack of as 
              const auto at = [p](const Row &radii)
              {
                const py::gil_scoped_acquire gil;
-               const py::array r = numpy_of(radii);
-               return (p(r) + r * py::float_(0.)).cast<Row>(); // p may return one number
+               return p(numpy_of(radii)).cast<Row>();
              };
              return B::with_pressure(at, inner, outer);
            }),
@@ -360,6 +376,7 @@ at both radii and at v / |omega|, where friction is singular; a RingStack of as 
 
 PYBIND11_MODULE(_ring, m)
 {
+  m.attr("__version__") = STEMWARE_VERSION;
   bind_failures(m);
   bind_motion(m);
   bind_loads(m);

@@ -43,5 +43,6 @@ setup(
     packages=["stemware"],
     package_data={"stemware": ["py.typed", "*.pyi"]},
     options={"build": {"build_base": build}, "egg_info": {"egg_base": build}},
-    ext_modules=[Pybind11Extension("stemware._ring", sources, include_dirs=[top, eigen()], cxx_std=17)],
+    ext_modules=[Pybind11Extension("stemware._ring", sources, include_dirs=[top, eigen()], cxx_std=17,
+                                   define_macros=[("STEMWARE_VERSION", f'"{version}"')])],
 )

@@ -2,22 +2,35 @@
 
 `import stemware` loads stemware.ring only. Study, fit, read, solve and figures load their libraries at first use.
 """
-import importlib
+from __future__ import annotations
+
+import importlib.util
+from typing import TYPE_CHECKING, Any, List
 
 from . import ring  # noqa: F401
+from ._ring import __version__  # noqa: F401
 from .ring import BadInput, BalanceLost, NoBalance, NoTerminalSpin, Tipping  # noqa: F401
 
 _places = {"Study": "study", "Result": "study", "read": "study", "presets": "study", "ContactFailure": "study",
            "OutputFailure": "study", "fit": "study", "Start": "study", "limit_cache": "study", "solve": "many",
            "study": "", "many": "", "figures": ""}
+if TYPE_CHECKING:  # what __getattr__ returns
+    from . import figures, many, study  # noqa: F401
+    from .many import solve  # noqa: F401
+    from .study import (ContactFailure, OutputFailure, Result, Start, Study, fit, limit_cache, presets,  # noqa: F401
+                        read)
+
+__all__ = ["ring", "BadInput", "BalanceLost", "NoBalance", "NoTerminalSpin", "Tipping"]
+if importlib.util.find_spec(__name__ + "._study"):  # else this is the ring alone
+    __all__ += _places
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> Any:
     if name not in _places:
         raise AttributeError(f"stemware has no {name}")
     module = importlib.import_module("." + (_places[name] or name), __name__)
     return getattr(module, name) if _places[name] else module
 
 
-def __dir__():
+def __dir__() -> List[str]:
     return sorted([*globals(), *_places])

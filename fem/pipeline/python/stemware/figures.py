@@ -1,6 +1,11 @@
 """Figures for papers and notebooks by matplotlib: each function draws a Result or a LimitSurface into axes and returns them."""
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
 
+from .ring import LimitSurface
 
 def _axes(ax, **kind):
     if ax is not None:
@@ -9,16 +14,17 @@ def _axes(ax, **kind):
     return plt.subplots(subplot_kw=kind)[1]
 
 
-def pressure(result, ax=None, cmap="viridis"):
+def pressure(result: Any, ax: Any = None, cmap: str = "viridis") -> Any:
     """Draws the pressure p(r, theta) of the contact at rest, unrolled along the rim."""
     ax, p = _axes(ax), result.curves["pressure"]
-    dots = ax.scatter(np.degrees(p["theta"]), 1e3 * p["r"], c=p["p"] / 1e3, s=9, cmap=cmap)
+    theta = p["theta"].reshape(-1, *[1] * (p["r"].ndim - 1))  # of a row of the grid
+    dots = ax.scatter(np.degrees(np.broadcast_to(theta, p["r"].shape)), 1e3 * p["r"], c=p["p"] / 1e3, s=9, cmap=cmap)
     ax.figure.colorbar(dots, ax=ax, label="pressure (kPa)")
     ax.set(xlabel="θ from the direction of travel (°)", ylabel="r (mm)", xlim=(0, 360), xticks=range(0, 361, 90))
     return ax
 
 
-def load(result, ax=None, **style):
+def load(result: Any, ax: Any = None, **style: Any) -> Any:
     """Draws the load λ(θ) of the contact at rest, and the sum of its harmonics."""
     ax, theta = _axes(ax), np.linspace(0, 2 * np.pi, 721)
     ax.plot(np.degrees(theta), result.load().at(theta), **{"color": "C0", "label": "harmonics", **style})
@@ -29,7 +35,7 @@ def load(result, ax=None, **style):
     return ax
 
 
-def torque(result, ax=None, **style):
+def torque(result: Any, ax: Any = None, **style: Any) -> Any:
     """Draws the total torque on the glass over its spin; a circle marks the terminal spin."""
     ax, curve = _axes(ax), result.curves["torque"]
     ax.plot(curve["omega"], 1e3 * curve["sum"], **style)
@@ -40,7 +46,7 @@ def torque(result, ax=None, **style):
     return ax
 
 
-def spin_up(result, ax=None, **style):
+def spin_up(result: Any, ax: Any = None, **style: Any) -> Any:
     """Draws the spin-up ω(t) from rest, and the spin-up of the paper's model for the same glass."""
     ax, up = _axes(ax), result.curves["spin_up"]
     ax.plot(up["time"], up["omega"], **{"label": "elastic foot", **style})
@@ -49,7 +55,7 @@ def spin_up(result, ax=None, **style):
     return ax
 
 
-def budget(result, ax=None, at_least=1e-3):
+def budget(result: Any, ax: Any = None, at_least: float = 1e-3) -> Any:
     """Draws the budget as a waterfall from the paper's spin to the study's; steps below at_least [rad/s] are left out."""
     ax = _axes(ax)
     rows = [row for row in result["budget"] if row["omega_terminal"] is not None
@@ -65,7 +71,7 @@ def budget(result, ax=None, at_least=1e-3):
     return ax
 
 
-def limit_surface(surface, ax=None, pade=True):
+def limit_surface(surface: LimitSurface, ax: Any = None, pade: bool = True) -> Any:
     """Draws a limit surface with the ellipsoid and, for a Pressure, the Pade forms."""
     ax = _axes(ax)
     ax.plot(surface.force, surface.torque, "k", lw=2, label="exact")

@@ -1,5 +1,14 @@
 """Many studies: solve() takes a table of cases and returns a table of answers; any executor of concurrent.futures works."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Callable, List, Mapping, Optional, Sequence, Union
+
 from .ring import BadInput, NoBalance
+
+if TYPE_CHECKING:
+    import pandas
+
+    from .study import Study
 
 
 def _solve_one(source, changes, case, quantities):
@@ -13,7 +22,9 @@ def _solve_one(source, changes, case, quantities):
         return {"failure": str(failure)}
 
 
-def solve(cases, executor=None, study=None, quantities=None, progress=None):
+def solve(cases: Union[pandas.DataFrame, Sequence[Mapping[str, Any]]], executor: Any = None, study: Union[Study, str, None] = None,
+          quantities: Optional[Sequence[str]] = None,
+          progress: Optional[Callable[[str, int, int], Any]] = None) -> pandas.DataFrame:
     """Solves the study with the entries of each case; returns a DataFrame with the columns of cases, the columns of sweep.csv,
     and failure, a sentence if a case has no answer, else empty. attrs["units"]: unit by column.
 
@@ -35,7 +46,12 @@ def solve(cases, executor=None, study=None, quantities=None, progress=None):
         if progress:
             progress("cases", len(rows), len(work))
     found = _study.case_keys() if quantities is None else list(quantities)
-    units = {key: _study.unit(key.rpartition("/")[2], "sweep" if quantities is None else key.partition("/")[0]) for key in found}
+
+    def unit_of(path):  # a part of the document has the units of its tables, else those of a sweep
+        section, _, key = path.rpartition("/")
+        return (_study.unit(key, section) if section else "") or _study.unit(key, "sweep.csv").replace("*", "")
+
+    units = {path: unit_of(path) for path in found}
     answers = pandas.DataFrame(rows, index=frame.index).reindex(columns=[*found, "failure"])
     both = pandas.concat([frame, answers], axis=1)
     both.attrs["units"] = {**{key: _study.unit_of_entry(key) for key in frame}, **units}

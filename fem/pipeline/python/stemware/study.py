@@ -1,4 +1,6 @@
 """Studies with the program's digits: a Study has entries, a Result has the document and curves."""
+from __future__ import annotations
+
 import atexit
 import functools
 import html
@@ -6,6 +8,7 @@ import json
 import os
 import shutil
 import tempfile
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Mapping, Optional, Union
 
 import numpy as np
 
@@ -17,6 +20,19 @@ except ImportError as failure:
     raise ImportError("this stemware has the ring alone; build the study with `cmake --build` or install the package "
                       f"python3-stemware ({failure})") from failure
 from ._study import ContactFailure, OutputFailure, Start  # noqa: F401
+
+if TYPE_CHECKING:
+    import pandas
+
+Progress = Optional[Callable[[str, int, int], Any]]
+Path = Union[str, "os.PathLike[str]"]
+
+
+def _no_pickle(self):
+    raise TypeError("a Start holds solved contacts, which stay in their process; make one Start in each process")
+
+
+Start.__reduce__ = _no_pickle
 
 
 @functools.lru_cache(None)
@@ -33,17 +49,22 @@ def _text(value):
     return value if isinstance(value, str) else repr(int(value) if isinstance(value, (int, np.integer)) else float(value))
 
 
+def _digits(value, band):
+    """Returns the value with two digits of its band, or six digits without a band."""
+    return f"{value:.6g}" if not band else f"{value:.{max(0, 1 - int(np.floor(np.log10(band))))}f}"
+
+
 def _presets():
     return {"glass": _study.glass_presets(), "table": _study.table_presets()}
 
 
-def limit_cache(n):
+def limit_cache(n: int) -> None:
     """Empties the cache of compliances, which studies with equal meshes share, and limits it to n entries (at start 128) of 0.1
     to 1 MB each."""
     _study.limit_cache(n)
 
 
-def presets():
+def presets() -> pandas.DataFrame:
     """Returns the presets of glasses and tables: a DataFrame with kind, name, words (a description) and entries (lines of a
     study file)."""
     import pandas
@@ -64,7 +85,8 @@ class Study:
     0.25
     """
 
-    def __init__(self, file="", *, text=None, glass="", table="", entries=None):
+    def __init__(self, file: Path = "", *, text: Optional[str] = None, glass: str = "", table: str = "",
+                 entries: Optional[Mapping[str, Any]] = None):
         if bool(file) + (text is not None) + bool(glass or table) > 1:
             raise ring.BadInput("a study comes from a file, a text or a preset; give one of them")
         if glass or table:
@@ -73,38 +95,45 @@ class Study:
                                            for kind, all in _presets().items()), "study.prm")
         self._source = os.path.abspath(file) if file else "", text
         self._study = _study.Study(os.fspath(file), text)
-        self.changes = {}
+        self.changes: Dict[str, str] = {}
         if file:
             self._study.name = os.path.splitext(os.path.basename(file))[0]
         for path, value in (entries or {}).items():
             self[path] = value
 
-    def __setitem__(self, path, value):
+    def __setitem__(self, path: str, value: Any) -> None:
         self._study.assign(path, _text(value))
         self.changes[path] = _text(value)
 
-    def __getitem__(self, path):
+    def __getitem__(self, path: str) -> Any:
         return self._study.value(path)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.keys())
+
+    def keys(self) -> List[str]:
+        """Returns the paths of all entries."""
+        return [one["path"] for one in self._study.entries()]
 
     def __reduce__(self):
         return _restored, (*self._source, self.changes)
 
-    def copy(self):
+    def copy(self) -> Study:
         return _restored(*self._source, self.changes)
 
     def __repr__(self):
         return f"Study({self._study.name!r}, entries={self.changes!r})"
 
-    def entries(self):
+    def entries(self) -> pandas.DataFrame:
         """Returns all entries: a DataFrame by path with value, unit, allowed, help and given (False: the default)."""
         import pandas
         return pandas.DataFrame(self._study.entries()).set_index("path")
 
-    def prm(self):
+    def prm(self) -> str:
         """Returns the text of a study file."""
         return self._study.prm()
 
-    def check(self):
+    def check(self) -> List[str]:
         """Returns a list of warnings about implausible values; raises BadInput if the entries contradict each other."""
         self._study.check()
         return self._study.notes()
@@ -116,7 +145,7 @@ class Study:
             _mpi()
         return self._study
 
-    def answer(self, start=None):
+    def answer(self, start: Optional[Start] = None) -> Dict[str, Any]:
         """Returns the numbers of one case of `stemware sweep`, a dict by key; None for a number that does not exist. It is the
         fastest way to a terminal spin. Raises BadInput, ContactFailure, NoBalance or a class derived from NoBalance.
 
@@ -125,16 +154,16 @@ class Study:
         """
         return self._ready().answer(start)
 
-    def run(self, quick=False, threads=1, progress=None, start=None):
+    def run(self, quick: bool = False, threads: int = 1, progress: Progress = None, start: Optional[Start] = None) -> Result:
         """Returns the Result of `stemware run`, without files and fields; quick: without budget and bands. start and exceptions
         as of answer()."""
         return Result._of(_study.Found("run", self._ready(), quick, 0, threads, progress, start))
 
-    def truncate(self, threads=1, progress=None):
+    def truncate(self, threads: int = 1, progress: Progress = None) -> Result:
         """Returns the Result of `stemware truncate`: the spin over the number of harmonics, result.table("truncation")."""
         return Result._of(_study.Found("truncate", self._ready(), False, 0, threads, progress, None))
 
-    def converge(self, levels=3, threads=1, progress=None):
+    def converge(self, levels: int = 3, threads: int = 1, progress: Progress = None) -> Result:
         """Returns the Result of `stemware converge`: observed orders, limits and bands (grid convergence index)."""
         return Result._of(_study.Found("converge", self._ready(), False, levels, threads, progress, None))
 
@@ -143,25 +172,39 @@ def _restored(file, text, changes):
     return Study(file, text=text, entries=changes)
 
 
-class Result:
-    """Result of a solver. document: the dict of summary.json (docs/summary.md). curves: "torque", "spin_up", "load" and
-    "pressure", each a dict of arrays in SI units. result["ring/omega_terminal"]: value by its path; result.ring: a part."""
+def _on_grid(points):
+    """Returns theta (n,), r (n, m) and p (n, m) of the pressure's cuts at equal angles, one row per angle in ascending order; the
+    flat columns if the cuts differ in their number of points."""
+    theta = points["theta"]
+    m = int(np.argmax(theta != theta[0])) or theta.size if theta.size else 1
+    if theta.size % m or (theta.reshape(-1, m) != theta[::m, None]).any():
+        return points
+    order = np.argsort(theta[::m], kind="stable")
+    return {"theta": theta[::m][order], **{key: points[key].reshape(-1, m)[order] for key in "rp"}}
 
-    def __init__(self, document, curves=None, found=None):
+
+class Result:
+    """Result of a solver. document: the dict of summary.json (docs/summary.md). curves: "torque", "spin_up" and "load", each a
+    dict of arrays in SI units, and "pressure": theta (n,) [rad], and r and p on its grid, (n, m) [m, Pa].
+    result["ring/omega_terminal"]: value by its path; result.ring: a part."""
+
+    def __init__(self, document: Dict[str, Any], curves: Optional[Dict[str, Any]] = None, found: Any = None):
         self.document, self.curves, self._found = document, curves or {}, found
 
     @classmethod
     def _of(cls, found):
         curves = {name: ring._columns(one) if isinstance(one, np.ndarray) else one for name, one in found.curves().items()}
+        if "pressure" in curves:
+            curves["pressure"] = _on_grid(curves["pressure"])
         return cls(json.loads(found.document()), curves, found)
 
-    def __getitem__(self, path):
+    def __getitem__(self, path: str) -> Any:
         part = self.document
         for key in path.split("/"):
             part = part[int(key) if isinstance(part, list) else key]
         return part
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         if name.startswith("_") or name not in self.__dict__.get("document", {}):
             raise AttributeError(f"the result has no {name}")
         return self.document[name]
@@ -169,25 +212,39 @@ class Result:
     def __getstate__(self):
         return {"document": self.document, "curves": self.curves, "_found": None}
 
+    def _spin_text(self):
+        """Returns the terminal spin with the digits that its band leaves."""
+        band = ((self.document.get("error_bands") or {}).get("omega_terminal") or {}).get("band")
+        return "none" if self.omega is None else _digits(self.omega, band) + (f" ± {band:.1e}" if band else "")
+
+    def __repr__(self):
+        verb = self.document["verb"]
+        return f"Result({verb}: terminal spin {self._spin_text()} rad/s)" if "ring" in self.document else f"Result({verb})"
+
     @property
-    def omega(self):
+    def omega(self) -> Optional[float]:
         """Terminal spin [rad/s]; None without one."""
         return self["ring/omega_terminal"]
 
-    def table(self, name):
+    def table(self, name: str) -> pandas.DataFrame:
         """Returns a list of the document ("budget", "without", "truncation") as a DataFrame; attrs["units"]: unit by column."""
         import pandas
         frame = pandas.DataFrame(self[name])
         frame.attrs["units"] = {key: _study.unit(key, name) for key in frame}
         return frame
 
-    def bands(self):
-        """Returns the error bands, a DataFrame by quantity: value, band (half-width) and the parts of the band."""
+    def bands(self) -> pandas.DataFrame:
+        """Returns the error bands, a DataFrame by quantity: value, band (half-width) and the parts of the band; attrs["units"]:
+        unit by quantity."""
         import pandas
+        if not self.document.get("error_bands"):
+            raise ring.BadInput("this result has no error bands; solve it with run() without quick")
         rows = {key: {"value": one["value"], "band": one["band"], **one["parts"]} for key, one in self["error_bands"].items()}
-        return pandas.DataFrame.from_dict(rows, orient="index")
+        frame = pandas.DataFrame.from_dict(rows, orient="index")
+        frame.attrs["units"] = {key: one["unit"] for key, one in self["error_bands"].items()}
+        return frame
 
-    def load(self, at="rest"):
+    def load(self, at: str = "rest") -> ring.RingStack:
         """Returns the load at "rest" or at the "terminal" spin as a ring.RingStack, the same at every spin. Its tilt is the
         smallest one with the lean torque of the glass in that state."""
         part, lean = self["load" if at == "rest" else "load_at_terminal"], self["ring/lean_torque_at_" + at] or 0.0
@@ -195,30 +252,31 @@ class Result:
         moment = ring.RingStack(**load).moment
         return ring.RingStack(**load, tilt=-lean * moment / (moment @ moment) if lean else (0.0, 0.0))
 
-    def save(self, folder):
+    def save(self, folder: Path) -> None:
         """Writes the program's folder of results, without fields; overwrites an earlier one."""
         if self._found is None:
             raise ring.BadInput("this result was read or sent from another process; save it where it was solved")
         self._found.save(os.path.abspath(folder))
 
-    def page(self, path):
+    def page(self, path: Path) -> None:
         """Writes the report, an HTML file, to path."""
         with tempfile.TemporaryDirectory() as folder:
             self.save(os.path.join(folder, "results"))
             shutil.move(os.path.join(folder, "results", "report.html"), path)
 
     def _repr_html_(self):
-        def show(x):
-            return "" if x is None else f"{x:.5g}" if isinstance(x, float) else html.escape(str(x))
+        def show(row, key):
+            value = row[key]
+            digits = _digits(value, 1e-4 * abs(self.omega or 1)) if isinstance(value, float) else str("" if value is None else value)
+            return html.escape(digits)
         if "ring" not in self.document:
-            return f"<p>{show(self.document['verb'])}</p>"
-        band = ((self.document.get("error_bands") or {}).get("omega_terminal") or {}).get("band")
-        spin = "none" if self.omega is None else show(self.omega) + (f" ± {show(band)}" if band is not None else "")
+            return f"<p>{html.escape(self.document['verb'])}</p>"
         keys = ("step", "name", "harmonics", "omega_terminal", "difference")
-        rows = "".join("<tr>" + "".join(f"<td>{show(row[key])}</td>" for key in keys) + "</tr>"
-                       for row in self.document["budget"] or [])
-        return (f"<p>terminal spin <b>{spin}</b> rad/s, {show(self['ring/standing'])}</p><table><tr><th></th><th>model</th>"
-                f"<th>harmonics</th><th>rad/s</th><th>difference</th></tr>{rows}</table>")
+        # The last rows of a budget add harmonics that change nothing.
+        rows = "".join("<tr>" + "".join(f"<td>{show(row, key)}</td>" for key in keys) + "</tr>" for row in self.document["budget"] or []
+                       if row["difference"] is None or abs(row["difference"]) > 1e-6 * abs(self.omega or 1))
+        return (f"<p>terminal spin <b>{self._spin_text()}</b> rad/s, {html.escape(str(self['ring/standing']))}</p><table><tr><th></th>"
+                f"<th>model</th><th>harmonics</th><th>rad/s</th><th>difference</th></tr>{rows}</table>")
 
 
 class Fit(Result):
@@ -254,7 +312,7 @@ def fit(study, data, free, gyroscope_zero="", quick=False, threads=1, progress=N
     return Fit._of(found)
 
 
-def read(folder):
+def read(folder: Path) -> Result:
     """Returns the Result in a folder written by the program or by save(); without curves."""
     with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
         return Result(json.load(file))

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import warnings
 
 import numpy as np
 from scipy.integrate import quad
@@ -161,7 +162,7 @@ class LimitSurface(unittest.TestCase):
             self.assertLess(np.hypot(force - s.force, torque - s.torque).max(), bound)
         e = 1e-4  # second order: the error falls like the cube at pure sliding
         for x in (e, 2 * e):
-            one = ring.wrench(ring.Pressure.hertz(R), 1.0, x / R, mu=1.0)
+            one = ring.wrench(ring.Pressure.hertz(R), 1.0, x / R, mu=1.0, normal_force=1.0)
             self.assertLess(abs(-one.force_x - (1 - x * x / 10)), x**3)
 
     def test_ellipsoid_and_excess(self):
@@ -172,7 +173,85 @@ class LimitSurface(unittest.TestCase):
         self.assertLess(np.abs(s.excess(s.force, s.torque)).max(), 1e-12)
 
 
+def of_points(x, y, force, velocity, omega, point):
+    """Force and torque about a point that moves, of points with these normal forces and mu = 1."""
+    arm_x, arm_y = x - point[0], y - point[1]
+    slip = np.array([velocity[0] - omega * arm_y, velocity[1] + omega * arm_x])
+    pull = -force * slip / np.hypot(*slip)
+    return pull.sum(axis=1), (arm_x * pull[1] - arm_y * pull[0]).sum()
+
+
+class AnyLoad(unittest.TestCase):
+    def test_a_pressure_in_any_direction_about_any_point(self):
+        # A disc of 1e6 points by the midpoint rule.
+        r, theta = R * np.sqrt((np.arange(1000)[:, None] + 0.5) / 1000), 2 * np.pi * (np.arange(1000) + 0.5) / 1000
+        x, y = (r * np.cos(theta)).ravel(), (r * np.sin(theta)).ravel()
+        for omega, direction, point in ((0.1, np.pi / 2, (0, 0)), (-9.0, 0.7, (0.01, -0.004)), (20.0, -2.0, (0, 0.05))):
+            got = ring.wrench(ring.Pressure.disc(R), v, omega, mu=mu, normal_force=N, direction=direction, about=point)
+            force, torque = of_points(x, y, mu * N / x.size, v * np.array([np.cos(direction), np.sin(direction)]), omega, point)
+            np.testing.assert_allclose([got.force_x, got.force_y], force, atol=2e-6 * mu * N)
+            self.assertAlmostEqual(float(got.torque), torque, delta=2e-6 * mu * N * R)
+
+    def test_a_stack_about_a_point(self):
+        got = ring.wrench(LimitSurface.stack, v, 6.0, mu=mu, direction=0.4, about=(0.004, -0.003))
+        force, torque = moving_friction(LimitSurface.stack, (v * np.cos(0.4), v * np.sin(0.4)), 6.0, (0.004, -0.003))
+        np.testing.assert_allclose([got.force_x, got.force_y, got.torque], mu * np.array([*force, torque]), rtol=1e-9)
+
+    def test_patches(self):
+        x, y, force = np.array([0.03, -0.02, 0.0, 0.01]), np.array([0.0, 0.02, -0.04, 0.01]), np.array([1.0, 2.0, 0.5, 0.0])
+        patch = ring.Patch(x, y, force)
+        for point in ((0.0, 0.0), (0.01, 0.02)):
+            expected = of_points(x, y, force, (0.1, -0.2), 3.0, point)
+            got = ring.wrench(patch, np.hypot(0.1, 0.2), 3.0, mu=1.0, direction=np.arctan2(-0.2, 0.1), about=point)
+            np.testing.assert_allclose([got.force_x, got.force_y, got.torque], [*expected[0], expected[1]], rtol=1e-13)
+        self.assertEqual(float(ring.wrench(ring.Patch(0.0, 0.0, 2.0), 0.0, 1.0, mu=mu).torque), 0)  # a point that only turns
+        theta = np.arange(2000) * 2 * np.pi / 2000
+        circle, thin = ring.Patch(R * np.cos(theta), R * np.sin(theta), N / 2000), ring.Pressure.ring(R)
+        self.assertAlmostEqual(circle.radius / R, 1, delta=1e-12)
+        one, other = ring.limit_surface(circle, n=9), ring.limit_surface(thin, n=9)
+        np.testing.assert_allclose(one.force[1:-1], other.force[1:-1], atol=1e-3)  # nothing moves at one of the points
+        np.testing.assert_allclose(one.torque[1:-1], other.torque[1:-1], atol=1e-3)
+        # A plank that turns about its end: mu N L / 2.
+        plank = ring.Patch(0.2 * (np.arange(1000) + 0.5) / 1000, 0.0, N / 1000)
+        self.assertAlmostEqual(float(-ring.wrench(plank, 0.0, 1.0, mu=mu, about=(0, 0)).torque) / (mu * N * 0.1), 1, delta=1e-12)
+        self.assertAlmostEqual(ring.limit_surface(plank, about="centre of pressure").arm, 0.05, delta=1e-12)
+
+    def test_forms_outside_their_range_warn(self):
+        for surface, form, warns in (
+            (ring.limit_surface(ring.Pressure.disc(R)), lambda s: s.ellipsoid(), False),
+            (ring.limit_surface(ring.Pressure.ring(R)), lambda s: s.ellipsoid(), False),
+            (ring.limit_surface(ring.RingStack.first_harmonic(normal_force=N, moment=(0.3 * N * R, 0), radius=R)), lambda s: s.ellipsoid(), True),
+            (ring.limit_surface(ring.Pressure.hertz(R)), lambda s: s.pade(1), False),
+            (ring.limit_surface(ring.Pressure.ring(R)), lambda s: s.pade(1), True),
+        ):
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                curve = form(surface)
+            self.assertEqual([one.category for one in caught], [UserWarning] * warns)
+            self.assertEqual(curve.force.shape, surface.force.shape)
+
+
 class Motions(unittest.TestCase):
+    def test_a_glass_that_tips_has_no_spin(self):
+        # |M| > N R: -dz m v^2 / rho and the friction's moment, far beyond what a rim carries.
+        tall = ring.Motion(force_offset=0.03)
+        with self.assertRaises(ring.Tipping):
+            ring.answer(ring.SelfConsistentRing(motion=tall, closure="full"))
+        for ratio, tips in ((1.99, False), (2.01, True)):
+            load = ring.RingStack.first_harmonic(normal_force=tall.normal_force, moment=(ratio * tall.normal_force * R / 2, 0), radius=R)
+            if tips:
+                self.assertRaises(ring.NoBalance, ring.answer, load, tall)
+            else:
+                self.assertGreater(ring.answer(load, tall).omega, 0)
+
+    def test_fingers_that_hold_the_glass_for_a_while(self):
+        # tau = A cos(nu t) - c omega: at rest while A |cos(nu t)| < grip, from the stop on.
+        found = ring.yaw_motion(lambda t, psi, w: 4e-3 * np.cos(4.6 * t) - 1.2e-3 * w, yaw_inertia=1e-9, times=[0.1, 0.341, 0.45],
+                                spin_scale=3.0, grip_torque=2.5e-3)
+        self.assertAlmostEqual(found["omega"][0], (4e-3 * np.cos(0.46) - 2.5e-3) / 1.2e-3, delta=1e-5)
+        self.assertEqual(found["omega"][1], 0)
+        self.assertAlmostEqual(found["omega"][2], (4e-3 * np.cos(4.6 * 0.45) + 2.5e-3) / 1.2e-3 if np.cos(4.6 * 0.45) < -0.625 else 0, delta=1e-5)
+
     def test_terminal_spins(self):
         body = ring.SelfConsistentRing(motion=ring.Motion(), closure="paper", radius=R)
         found = ring.answer(body)
@@ -210,6 +289,22 @@ class Manners(unittest.TestCase):
             (lambda: ring.Pressure(lambda r: 0 * r, 0, R), ring.BadInput, "positive somewhere"),
             (lambda: ring.Pressure.annulus(R, R), ring.BadInput, "increase"),
             (lambda: ring.wrench(ring.Pressure.disc(R), v, 1), ring.BadInput, "give mu"),
+            (lambda: ring.wrench(ring.Pressure.disc(R), v, 1, mu=mu), ring.BadInput, "normal_force"),
+            (lambda: ring.wrench(LimitSurface.stack, v, 1, mu=mu, normal_force=N), ring.BadInput, "its own normal force"),
+            (lambda: ring.wrench(LimitSurface.stack, -v, 1, mu=mu), ring.BadInput, "negative"),
+            (lambda: ring.wrench(LimitSurface.stack, v, 1, mu=-mu), ring.BadInput, ">= 0"),
+            (lambda: ring.wrench(ring.SelfConsistentRing(motion=ring.Motion()), 1.0, 1), ring.BadInput, "own motion"),
+            (lambda: ring.wrench(ring.SelfConsistentRing(motion=ring.Motion()), 0.0, 1, direction=1.0), ring.BadInput, "direction"),
+            (lambda: ring.wrench(LimitSurface.stack, v, 1j, mu=mu), ring.BadInput, "complex"),
+            (lambda: ring.wrench(LimitSurface.stack, v, np.array(["2026-01-01"], "datetime64[D]"), mu=mu), ring.BadInput, "datetime64"),
+            (lambda: ring.Patch([0, 1], 0, [-1, 2]), ring.BadInput, "pulls"),
+            (lambda: ring.Pressure.disc("wide"), ring.BadInput, "Pressure.disc got (str)"),
+            (lambda: ring.RingStack(1, 2, 3), ring.BadInput, "RingStack got"),
+            (lambda: ring.Stribeck(static="high", kinetic=0.2, decay_speed=0.1), ring.BadInput, "Stribeck"),
+            (lambda: ring.SelfConsistentRing(motion=3), ring.BadInput, "SelfConsistentRing got"),
+            (lambda: ring.kernels(1.0, 1.0, 2.5), ring.BadInput, "integer"),
+            (lambda: ring.answer(LimitSurface.stack, 3), ring.BadInput, "give a Motion"),
+            (lambda: ring.answer(LimitSurface.stack, ring.Motion(), grip_torque=[1]), ring.BadInput, "grip torque"),
             (lambda: ring.SelfConsistentRing(motion=ring.Motion(), closure="open"), ring.BadInput, "paper, hand or full"),
             (lambda: ring.limit_surface(LimitSurface.stack, about="rim"), ring.BadInput, "centre of pressure"),
             (lambda: ring.limit_surface(LimitSurface.stack).pade(), ring.BadInput, "Pressure"),
@@ -230,8 +325,34 @@ class Manners(unittest.TestCase):
 
     def test_shapes(self):
         self.assertEqual(ring.wrench(LimitSurface.stack, v, np.zeros((3, 1)) + np.ones(4), mu=mu).torque.shape, (3, 4))
-        self.assertEqual(ring.wrench(ring.Pressure.disc(R), v, 1.0, mu=mu).torque.shape, ())
+        self.assertEqual(ring.wrench(ring.Pressure.disc(R), v, 1.0, mu=mu, normal_force=N).torque.shape, ())
         self.assertEqual(ring.kernels(np.ones((2, 3)), 1.0, 4)[1].shape, (2, 3, 5))
+
+    def test_arrays_keep_what_they_are(self):
+        load, disc = LimitSurface.stack, ring.Pressure.disc(R)
+        masked = ring.wrench(load, v, np.ma.masked_array([1.0, 2.0, 3.0], [False, True, False]), mu=mu).torque
+        np.testing.assert_array_equal(np.isnan(masked), [False, True, False])
+        np.testing.assert_allclose(masked[::2], ring.wrench(load, v, [1.0, 3.0], mu=mu).torque, rtol=1e-15)
+        self.assertTrue(np.isnan(ring.kernels(np.nan, 1.0, 2)).all())
+        found = ring.wrench(disc, v, [1.0, 9.0], mu=[[0.1], [0.3]], normal_force=[2.0, 5.0])
+        for i, one in enumerate((0.1, 0.3)):
+            for k, (omega, force) in enumerate(((1.0, 2.0), (9.0, 5.0))):
+                alone = ring.wrench(disc, v, omega, mu=one, normal_force=force)
+                np.testing.assert_allclose([part[i, k] for part in found], alone, rtol=1e-14, atol=1e-18)
+        p = np.ma.masked_array(np.ones((3, 64)), np.eye(3, 64, dtype=bool))
+        self.assertRaises(ring.BadInput, ring.stack_from_pressure, np.linspace(0.02, 0.03, 3), np.arange(64) * 2 * np.pi / 64, p)
+
+    def test_a_pressure_of_one_radius_at_a_time(self):
+        one = ring.Pressure(lambda r: 2.0 if r < R else 0.0, 0, R)  # no answer for an array
+        self.assertAlmostEqual(one.mean_power(2) / (R * R / 2), 1, delta=1e-13)
+        with self.assertRaises(ZeroDivisionError):
+            ring.Pressure(lambda r: 1 / 0, 0, R)
+
+    def test_numbers_in_the_words(self):
+        for one, words in ((LimitSurface.stack, "2 rings"), (ring.Pressure.disc(R), "0.03"), (ring.Patch([0, 1], 0, 1), "2 points"),
+                           (ring.limit_surface(ring.Pressure.disc(R)), "arm = 0.02 m"), (ring.coulomb(0.3), "0.3"),
+                           (ring.SelfConsistentRing(motion=ring.Motion(), closure="hand"), "hand")):
+            self.assertIn(words, repr(one))
 
     def test_liquid(self):
         """A filled glass beside the empty one of its mass whose centre of mass is the liquid's metacentre."""
@@ -251,6 +372,11 @@ class Manners(unittest.TestCase):
         one = pickle.loads(pickle.dumps(LimitSurface.stack))
         np.testing.assert_array_equal(one.a, LimitSurface.stack.a)
         self.assertEqual(pickle.loads(pickle.dumps(ring.Motion(mass=0.2))).mass, 0.2)
+        body = ring.SelfConsistentRing(motion=ring.Motion(mass=0.2), closure="hand", radius=0.025)
+        for one in (ring.Pressure.hertz(R), ring.Pressure.annulus(0.01, R), ring.Pressure(np.ones_like, 0, R), ring.coulomb(0.2), body,
+                    ring.Patch([0, 1], 0, 1), ring.limit_surface(ring.Pressure.disc(R), n=3)):
+            self.assertEqual(repr(pickle.loads(pickle.dumps(one))), repr(one))
+        self.assertEqual(ring.answer(pickle.loads(pickle.dumps(body))), ring.answer(body))
 
     def test_a_table(self):
         r, theta = np.linspace(0.02, 0.03, 5), np.arange(64) * 2 * np.pi / 64

@@ -98,7 +98,13 @@ class SameDigits(unittest.TestCase):
             with executor:
                 other = stemware.solve([{"Motion/Mass": "250 g"}, {"Motion/Mass": 0.3}], executor=executor)
             self.assertTrue(found.equals(other))
-        self.assertEqual(found.attrs["units"]["omega_terminal"], "rad/s")
+        units = found.attrs["units"]
+        self.assertEqual([units[key] for key in ("omega_terminal", "omega_first_harmonic", "normal_force", "mean_load", "ring_radius")],
+                         ["rad/s", "rad/s", "N", "N/rad", "m"])
+        numbers = [key for key in found if found[key].dtype.kind == "f"]
+        self.assertEqual([key for key in numbers if not units[key]], [])
+        chosen = stemware.solve([{}], quantities=["ring/omega_terminal", "load/moment_ratio"])
+        self.assertEqual([chosen.attrs["units"][key] for key in ("ring/omega_terminal", "load/moment_ratio")], ["rad/s", "1"])
 
     def test_one_glass_as_file_text_and_preset(self):
         study = stemware.Study(glass="tumbler", table="oak")
@@ -133,6 +139,27 @@ class SameDigits(unittest.TestCase):
                 stemware.Study(entries=self.solid).answer()
         finally:
             del os.environ["OMPI_COMM_WORLD_SIZE"]
+
+
+class TerminalSpin(unittest.TestCase):
+    def test_friction_lean_and_grip_add_up_to_zero(self):
+        """The lean torque belongs to the tilt, which only the closure full has; friction by a quadrature over the rings."""
+        theta = np.arange(1024) * 2 * np.pi / 1024
+        for closure in ("paper", "hand", "full"):
+            with self.subTest(closure):
+                grip = 2e-4
+                result = stemware.Study(entries={"Motion/Closure": closure, "Motion/Grip torque": grip,
+                                                 "Motion/Centre of mass height": 0.07, **few_lines}).run(quick=True)
+                load, omega, torque = result.load_at_terminal, result.omega, 0.0
+                for r, one in zip(load["radii"], load["rings"]):
+                    n = np.arange(len(one["a"]))[:, None]
+                    density = one["a"] @ np.cos(n * theta) + one["b"] @ np.sin(n * theta)
+                    slip_x, slip_y = 0.35 - omega * r * np.sin(theta), omega * r * np.cos(theta)
+                    torque += 0.3 * r * (density * (np.sin(theta) * slip_x - np.cos(theta) * slip_y)
+                                         / np.hypot(slip_x, slip_y)).mean() * 2 * np.pi
+                lean = result["ring/lean_torque_at_terminal"]
+                self.assertEqual(lean != 0, closure == "full")
+                self.assertAlmostEqual(torque + lean - grip * np.sign(omega), 0, delta=1e-10)
 
 
 class SameSentences(unittest.TestCase):
@@ -210,6 +237,21 @@ class Results(unittest.TestCase):
         self.assertAlmostEqual(ring.answer(load, motion).torque_at_rest / rest, 1, delta=1e-6)
         terminal = ring.wrench(self.result.load("terminal"), motion.orbit_speed, self.result.omega, mu=motion.friction_coefficient).torque
         self.assertLess(abs(float(terminal) + self.result.load("terminal").lean_torque), 1e-9)
+
+    def test_the_pressure_on_its_grid_carries_the_weight(self):
+        p = self.result.curves["pressure"]
+        self.assertEqual(p["p"].shape, (p["theta"].size, p["r"].shape[1]))
+        widths = np.trapz(p["p"] * p["r"], p["r"], axis=1)
+        force = widths.mean() * 2 * np.pi
+        self.assertAlmostEqual(force / 2.943, 1, delta=0.01)
+        moment = (np.trapz(p["p"] * p["r"]**2, p["r"], axis=1) * np.sin(p["theta"])).mean() * 2 * np.pi
+        self.assertAlmostEqual(moment / self.result.load().moment[0], 1, delta=0.02)
+
+    def test_numbers_in_the_words(self):
+        self.assertIn("-3.65", repr(self.result))
+        self.assertNotIn("e-16", self.result._repr_html_())
+        with self.assertRaisesRegex(stemware.BadInput, "without quick"):
+            self.result.bands()
 
     def test_folder_and_page(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -298,6 +340,19 @@ class Manners(unittest.TestCase):
             setup = f"import stemware\nstemware.Study().answer()\nstudy = stemware.Study(entries={entries!r})"
             for wait in (1, 3):
                 self.assertTrue(is_stopped(setup, loop, wait), (loop, wait))
+
+    def test_the_package_shows_its_names(self):
+        import pydoc
+        text = pydoc.plain(pydoc.render_doc(stemware))
+        for name in ("Study", "solve", "read"):
+            self.assertIn(name, dir(stemware))
+            self.assertIn(name, text)
+        self.assertRegex(stemware.__version__, r"^\d+\.\d+\.\d+")
+        study = stemware.Study()
+        self.assertIn("Motion/Mass", list(study))
+        self.assertEqual(study.keys(), list(study.entries().index))
+        with self.assertRaisesRegex(TypeError, "one Start in each process"):
+            pickle.dumps(stemware.Start())
 
     def test_nothing_is_printed_and_no_mpi(self):
         code = ("import stemware\nstemware.Study().run(quick=True)\nassert 'libdeal' in open('/proc/self/maps').read()\n"
