@@ -219,6 +219,7 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
     driven.acceleration.push_back(speeds.acceleration(time));
   }
   driven.omega = spins_of(samples);
+  driven.integration_error = accuracy * study.motion.orbit.orbit_speed / radius;
   driven.interpolation_change_at_end = changes.back();
   driven.interpolation_change = *std::max_element(changes.begin(), changes.end());
   return driven;

@@ -35,8 +35,12 @@ struct DrivenSpinUp
   std::vector<double> omega;        ///< all harmonics, error control [rad/s]
   /// Change of omega if the file's entries are interpolated linearly instead of by the monotone cubic,
   /// estimated with a first harmonic on a rigid rim in balance [rad/s].
-  double interpolation_change = 0;               ///< largest absolute change over the times
-  double interpolation_change_at_end = 0;        ///< change at the last time
+  double interpolation_change = 0;        ///< largest absolute change over the times
+  double interpolation_change_at_end = 0; ///< change at the last time
+  double integration_error = 0;           ///< largest error that the integration was asked for [rad/s]
+  /// Half-width of the band of the last omega: integration_error and the relative band of the terminal spin
+  /// [rad/s].
+  std::optional<double> band_at_end = {};
   std::optional<ring::Breakaway> breakaway = {}; ///< breakaway of a hand that starts from rest
 };
 

@@ -218,7 +218,7 @@ std::string several_spins_remark(const SpinStudy &spin)
          std::to_string(n_stable) + " of them stable; the initial spin decides which one the glass reaches.";
 }
 
-std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
+std::string driven_remark(const SpinStudy &spin)
 {
   const auto &driven = spin.spin_up.driven;
   if (!driven)
@@ -226,7 +226,8 @@ std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
   const auto [slowest, fastest] = std::minmax_element(driven->speed.begin(), driven->speed.end());
   std::string text =
     "With the speeds of Motion/Orbit speed file, " + number(*slowest, ".4g") + " to " +
-    number(*fastest, ".4g") + " m/s, the glass spins at " + number(driven->omega.back(), ".6g") +
+    number(*fastest, ".4g") + " m/s, the glass spins at " +
+    format::with_band(driven->omega.back(), driven->band_at_end) +
     " rad/s at the end; with the constant Motion/Orbit speed, the basis of all other numbers, "
     "at " +
     number(spin.spin_up.adaptive.back(), ".6g") +
@@ -237,10 +238,6 @@ std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
        ? "less than 1e-9 rad/s"
        : "up to " + number(driven->interpolation_change, ".1e") + " rad/s in between and " +
            number(driven->interpolation_change_at_end, ".1e") + " rad/s at the end");
-  if (const auto band = band_of(bands, "omega_terminal"))
-    text += (driven->interpolation_change > *band ? "; this exceeds the discretisation error of about "
-                                                  : "; the discretisation error is about ") +
-            number(*band, "band") + " rad/s (band of the terminal spin at constant speed)";
   text += ".";
   if (const auto &start = driven->breakaway)
     text += " The glass rests until t = " + number(start->time, ".4g") +

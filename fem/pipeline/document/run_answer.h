@@ -37,6 +37,6 @@ std::string out_of_flat_remark(const Study &study, const SpinStudy &spin);
 std::string several_spins_remark(const SpinStudy &spin);
 
 /// Returns a remark on the spins under the speeds of a file and at constant speed.
-std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands);
+std::string driven_remark(const SpinStudy &spin);
 
 } // namespace stemware::pipeline

@@ -88,6 +88,7 @@ Json driven_summary(const DrivenSpinUp &driven)
 {
   Json summary = { { "speed_at_end", driven.speed.back() }, { "omega_at_end", driven.omega.back() } };
   summary.update(STEMWARE_JSON(driven, interpolation_change, interpolation_change_at_end));
+  summary["band_at_end"] = driven.band_at_end ? Json(*driven.band_at_end) : Json(nullptr);
   summary["breakaway"] = to_json_or_null(driven.breakaway,
                                          [](const ring::Breakaway &start)
                                          {
@@ -286,7 +287,7 @@ Json words_of(const Study &study, const ContactReport &report, const SpinStudy &
            { "thin_layer", thin_layer_remark(study, report.load.half_width()) },
            { "out_of_flat", out_of_flat_remark(study, spin) },
            { "several_spins", several_spins_remark(spin) },
-           { "driven", driven_remark(spin, bands) },
+           { "driven", driven_remark(spin) },
            { "spin_unit", spin_unit(study) },
            { "rounding", rounding_of_spins(study) } };
 }

@@ -5,6 +5,7 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
+#include "ring_model/moment_balance.h"
 #include "ring_model/no_balance.h"
 
 #include <boost/algorithm/string/join.hpp>
@@ -197,6 +198,21 @@ void require_hand_above_table(const Study &study)
                   to_text(-motion.centre_of_mass_height) }));
 }
 
+/// The moment of @p now that no friction can take away, over the largest moment of a pressure on the land.
+/// From 1 on the glass tips at every spin; contacts next to that are slow, and fail before they tip.
+double certain_tipping_share(const Study &study, const ring::Motion &now)
+{
+  const ring::Closure closure = study.motion.closure;
+  const double friction = now.has_constant_friction()
+                            ? now.friction_coefficient
+                            : std::max(now.static_coefficient, now.friction_coefficient) +
+                                now.viscous_friction * 3 * now.orbit_speed;
+  const double of_hand = ring::required_moment(closure, now, Eigen::Vector2d::Zero()).norm(),
+               of_friction = std::abs(ring::friction_arm(closure, now)) * friction * now.normal_force(),
+               outer = study.glass.profile.contact_radius + study.glass.profile.land_width / 2;
+  return (of_hand - of_friction) / (now.normal_force() * outer);
+}
+
 /// Speeds from a file reach as far as the spin-up, whose load is one that follows them.
 void require_known_speeds(const Study &study)
 {
@@ -213,7 +229,7 @@ void require_known_speeds(const Study &study)
       throw BadInput(filled("{} does not reach t = {} s; give speeds from 0 to Motion/End time = {} s.",
                             { entry, to_text(time), to_text(study.motion.end_time) }));
     }
-  constexpr unsigned int n_times = 1000; // at which liquid has to stay in its bowl
+  constexpr unsigned int n_times = 1000; // at which liquid has to stay in its bowl and the glass on its foot
   for (unsigned int i = 0; i <= n_times && study.motion.orbit.liquid.mass > 0; ++i)
     try
     {
@@ -233,6 +249,17 @@ void require_known_speeds(const Study &study)
          needs + "a body of revolution; set Contact/Body = revolution.");
   ensure(!study.has_waviness(),
          needs + "a flat rim on a flat table; leave Glass/Rim waviness and Table/Waviness empty.");
+  for (unsigned int i = 0; i <= n_times && study.contact.mesh_file.empty(); ++i)
+  {
+    const double time = study.motion.end_time * i / n_times;
+    const ring::Motion now = study.motion.orbit_speeds->motion_at(study.motion.orbit, time);
+    ensure(
+      certain_tipping_share(study, now) < 1,
+      filled("{}: at t = {} s, where v = {} m/s and dv/dt = {} m/s^2, the glass tips at every spin; give "
+             "lower speeds, or lower the hand.",
+             { entry, to_short_text(time), to_short_text(now.orbit_speed),
+               to_short_text(now.orbit_acceleration) }));
+  }
 }
 
 /// Note about @p entry, whose @p value is implausible.

@@ -143,6 +143,20 @@ TEST(OrbitSpeed, AHandThatStartsFromRestIsARunLikeAnyOther)
   EXPECT_NEAR(later.back() / expected.back(), 1, 0.02);
 }
 
+TEST(OrbitSpeed, AGlassThatTheFingersComeToHoldEndsAtRest)
+{
+  // The hand slows down and goes on slowly; the fingers then hold the glass, exactly at rest, whatever its
+  // load is.
+  const std::string rows = "t (s), v (m/s)\n0, 0.35\n0.4, 0.35\n0.8, 0.05\n1, 0.05\n";
+  for (const char *source : { "Load/Source=contact", "Load/Source=first harmonic" })
+  {
+    const std::vector<double> omega =
+      driven(rows, { source, "Motion/Grip torque=0.0009", "Motion/End time=1" })[3];
+    EXPECT_LT(omega[80], -1.) << source; // t = 0.4 s
+    EXPECT_EQ(omega.back(), 0.) << source;
+  }
+}
+
 TEST(OrbitSpeed, BreakawayIsThatOfTheStaticFriction)
 {
   const ScratchFolder scratch;
@@ -227,6 +241,9 @@ TEST(OrbitSpeed, WrongFilesEndInOneSentence)
   refused("t (s), v (m/s)\n0, 0.2\n0, 0.5\n", "line 3");
   refused("t (s), v (m/s)\n0, 0.2\n2, -1\n", "greater than 0");
   refused("t (s), v (m/s)\n0, 0.2\n1, 0\n2, 0.3\n", "line 3");
+  // 5 cm below the centre of mass, v^2 / (rho g) = 32 mm / 5 cm at the edge of the land, v = 0.9704 m/s,
+  // without friction.
+  refused("t (s), v (m/s)\n0, 0.2\n2, 1.2\n", "v = 0.97", { "Motion/Closure=paper" });
   refused("t (s), v (m/s)\n0, 0.2\n1, 0.5\n", "does not reach t = 2 s");
   refused(good, "Load/Coupling = two-way", { "Load/Moment ratio=0.3" });
   const Ended missing = stemware(scratch, { "run", "--set", "Motion/Orbit speed file=none.csv" });
