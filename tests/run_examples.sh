@@ -42,15 +42,6 @@ else
   cp -r -- "$source/meshes" "$source/quickstart" .
   cp meshes/flat_foot.msh my_foot.msh
   for study in my_glass.prm glass.prm; do stemware defaults >$study; done
-  sed -nE 's/^    (t \(s\), .*|[0-9.]+, -?[0-9.]+)$/\1/p' "$source/docs/measure.md" >filmed.csv
-fi
-
-# Noisy spin-ups of the default glass in fingers that hold it with 2e-4 N m.
-if [[ $what == *fit || -n ${own_cases:-} ]]; then
-  seq 0 0.05 1.25 | paste -d, - <(printf '%s\n' 0.026 -0.507 -0.992 -1.398 -1.734 -1.992 -2.249 -2.457 -2.593 -2.736 \
-    -2.846 -2.975 -3.041 -3.112 -3.200 -3.208 -3.254 -3.247 -3.319 -3.350 -3.342 -3.380 -3.380 -3.417 -3.415 -3.407) |
-    sed '1i t (s),omega (rad/s)' | tee run.csv low.csv high.csv >film.csv
-  sed 's/Force offset *= -0.05/Force offset = -0.03/' my_glass.prm >high_hand.prm
 fi
 
 # Cases without an elastic foot.

@@ -127,23 +127,4 @@ ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes,
   return bands;
 }
 
-FitResult fit_study(const std::vector<RunToFit> &runs, FitQuestion question, const Executor &executor,
-                    Progress &progress)
-{
-  if (question.with_profiles)
-    question.band = [&](const Study &study) -> std::optional<double>
-    {
-      if (!study.load.is_from_contact())
-        return std::nullopt;
-      const std::shared_ptr<ElasticFoot> foot = study_foot(study, executor.make_foot);
-      ring::Question slope;
-      slope.with_slope = true;
-      const ring::Answer all = ring::answer(*find_load(study, foot), spin_question(study, slope));
-      const auto band = band_of(estimate_bands(study, foot, all, {}, executor), "omega_terminal");
-      return band && all.omega_terminal() ? std::optional(std::abs(*band / *all.omega_terminal()))
-                                          : std::nullopt;
-    };
-  return fit(runs, question, executor, progress);
-}
-
 } // namespace stemware::pipeline

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fem/pipeline/analysis/fit.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/feet/contact_report.h"
 #include "fem/pipeline/refinement/error_bands.h"
@@ -44,10 +43,5 @@ TruncatedStudy truncate_study(const Study &study, const Executor &executor, Prog
 /// Solves @p study on the levels of @p axes, its refinement_axes(). Throws as answer_study() and refine().
 ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor,
                           Progress &progress);
-
-/// fit() of runs, with the error bands of their discretisations if profiles are
-/// wanted. Throws as fit() and answer_study().
-FitResult fit_study(const std::vector<RunToFit> &runs, FitQuestion question, const Executor &executor,
-                    Progress &progress);
 
 } // namespace stemware::pipeline

@@ -154,9 +154,6 @@ Study begin_study(const StudyOptions &options)
   for (const std::string &note : implausible_notes(study)) // a slip of a unit is behind most of them
     print_warning("Check     ", note, options);
   print_note("Profile   ", profile_note(study));
-  const std::string &spins = study.motion.measured_spin_file;
-  print_note("Measured  ",
-             spins.empty() ? "" : read_measured_run(spins, study.motion.measured_column).summary);
   if (options.verb != "sweep") // its cases have studies of their own
   {
     require_no_tipping_at_rest(study);

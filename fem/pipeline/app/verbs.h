@@ -28,7 +28,6 @@ CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, con
   VERB(new)      /* a study file of a glass on a table to start from */                                      \
   VERB(truncate) /* a study with fewer and fewer harmonics of its load */                                    \
   VERB(sweep)    /* a study many times, with other values each time */                                       \
-  VERB(fit)      /* entries of a study, to measured runs */                                                  \
   VERB(explore)  /* a page that solves a study again at every move of a slider */                            \
   VERB(mesh)     /* a foot mesh, written or looked at */                                                     \
   VERB(converge) /* a study on ever finer levels; observed orders and error bands */                         \

@@ -2,12 +2,9 @@
 
 #include "fem/contact/contact_solution.h"
 #include "fem/contact/footprint.h"
-#include "fem/pipeline/analysis/free_entries.h"
 #include "fem/pipeline/explore/explorer.h"
-#include "fem/pipeline/pictures/fit_pictures.h"
 #include "fem/pipeline/pictures/pictures.h"
 #include "fem/pipeline/pictures/spin_rows.h"
-#include "fem/pipeline/study/measured_run.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
@@ -15,7 +12,6 @@
 
 #include <exception>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -30,11 +26,6 @@ std::optional<fem::ContactState> last_contact;                     // NOLINT
 std::string reply;                                                 // NOLINT: what the page reads
 
 using Json = nlohmann::ordered_json;
-
-MeasuredRun measured_run(const char *name, const char *table)
-{
-  return parse_measured_run(name, table, explorer->study().motion.measured_column);
-}
 
 /// An answer by the keys of summary.json/ring.
 Json ring_summary(const ring::Answer &row)
@@ -227,35 +218,5 @@ const char *explore_budget()
       const Budget budget = explorer->budget();
       pictures.tables["waterfall"] = chain_rows(explorer->study(), named_steps(budget.rows));
       return document_of(pictures, { { "harmonic_effect", harmonic_effect_summary(budget.harmonics) } });
-    });
-}
-
-const char *explore_measured(const char *name, const char *table)
-{
-  return answer(
-    [&]
-    {
-      const MeasuredRun run = measured_run(name, table);
-      Pictures pictures;
-      pictures.words["data"] = run.summary;
-      add_measured_columns(run, pictures);
-      return document_of(pictures);
-    });
-}
-
-const char *explore_fit(const char *name, const char *table, const char *free, const char *start)
-{
-  return answer(
-    [&]
-    {
-      std::vector<FreeEntry> entries;
-      std::istringstream lines(free);
-      for (std::string line; std::getline(lines, line);)
-        entries.push_back(parse_free_entry(line));
-      const FitResult found = explorer->fit(name, measured_run(name, table), entries,
-                                            *start ? std::optional(parse_start(start)) : std::nullopt);
-      Pictures pictures;
-      add_fit_columns(found, pictures);
-      return document_of(pictures, { { "fit", fit_summary(found) } });
     });
 }

@@ -21,9 +21,4 @@ extern "C"
   const char *explore_curves();
   /// Returns the steps from the paper's model to the last answer's.
   const char *explore_budget();
-  /// Reads @p table, the text of the file @p name of spins or yaw angles: the table "measured" and the word
-  /// "data".
-  const char *explore_measured(const char *name, const char *table);
-  /// Explorer::fit() to such a file; @p free: entries, a line each; @p start: time of the start, or empty.
-  const char *explore_fit(const char *name, const char *table, const char *free, const char *start);
 }

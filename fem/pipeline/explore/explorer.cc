@@ -224,22 +224,6 @@ Budget Explorer::budget()
   return find_budget(present, solved);
 }
 
-FitResult Explorer::fit(const std::string &name, const MeasuredRun &data, const std::vector<FreeEntry> &free,
-                        const std::optional<Prior> &start) const
-{
-  check_values(present);
-  require_no_tipping(present);
-  require_mesh();
-  FitQuestion question;
-  question.free = free;
-  question.start = start;
-  question.with_profiles = question.with_next_run = false;
-  // The mesh is that of the compliances, whatever a study alone would have.
-  const Executor on_this_mesh([this](const Study &asked, const Discretisation &, const Model &model,
-                                     const fem::Foot *) { return make_foot(asked, discretisation, model); });
-  return pipeline::fit({ { name, present, data } }, question, on_this_mesh);
-}
-
 std::vector<double> serialized(const fem::ContactCompliance &compliance)
 {
   std::vector<double> numbers = {

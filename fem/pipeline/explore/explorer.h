@@ -1,11 +1,8 @@
 #pragma once
 
 #include "fem/pipeline/analysis/budget.h"
-#include "fem/pipeline/analysis/fit.h"
-#include "fem/pipeline/analysis/free_entries.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/explore/live_balance.h"
-#include "fem/pipeline/study/measured_run.h"
 #include "fem/revolution/contact_compliance.h"
 
 #include <memory>
@@ -71,11 +68,6 @@ public:
   /// Returns the chain of models from the paper's model to the last answer's, and the effect of the
   /// harmonics.
   Budget budget();
-
-  /// Fits @p free to @p data with fit(), by the data's noise alone: without profiles and next run. @p start:
-  /// FitQuestion::start. Throws BadInput for a rejected study or run, and as balances.
-  FitResult fit(const std::string &name, const MeasuredRun &data, const std::vector<FreeEntry> &free,
-                const std::optional<Prior> &start) const;
 
   /// Returns the pressure of @p contact, the contact of the last answer.
   fem::PressureMap pressure(const fem::ContactState &contact) const

@@ -51,16 +51,10 @@ TextTable read_table(const std::string &setting, const std::string &file)
   return parse_table(setting, read_input_text(setting, file));
 }
 
-ColumnTable read_column_file(const std::string &setting, const std::string &file,
-                             const std::vector<FileColumn> &columns, MissingValues missing_values)
+std::vector<FileRow> read_column_file(const std::string &setting, const std::string &file,
+                                      const std::vector<FileColumn> &columns)
 {
-  return parse_columns(setting, read_input_text(setting, file), columns, missing_values);
-}
-
-MeasuredRun read_measured_run(const std::string &file, const std::string &column, const std::string &setting)
-{
-  const std::string origin = setting + shortened_path(file);
-  return parse_measured_run(origin, read_input_text(origin, file), column);
+  return parse_columns(setting, read_input_text(setting, file), columns);
 }
 
 ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file)
@@ -68,8 +62,7 @@ ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file)
   const std::string setting = "Motion/Orbit speed file = " + shortened_path(file);
   std::vector<double> times, speeds;
   for (const FileRow &row :
-       read_column_file(setting, file, { { { "t", "time" }, "s" }, { { "v", "speed", "velocity" }, "m/s" } })
-         .rows)
+       read_column_file(setting, file, { { { "t", "time" }, "s" }, { { "v", "speed", "velocity" }, "m/s" } }))
   {
     const std::string place = fmt::format(FMT_STRING("{}, line {}: "), setting, row.line);
     ensure(row.values[1] > 0 || (row.values[1] == 0 && (speeds.empty() || speeds.back() == 0)),

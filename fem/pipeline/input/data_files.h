@@ -1,7 +1,6 @@
 #pragma once
 
 #include "fem/pipeline/study/column_table.h"
-#include "fem/pipeline/study/measured_run.h"
 #include "fem/pipeline/study/table_file.h"
 #include "ring_model/load/ring_stack.h"
 #include "ring_model/orbit_speed_table.h"
@@ -17,14 +16,8 @@ namespace stemware::pipeline
 TextTable read_table(const std::string &setting, const std::string &file);
 
 /// Reads a file of numbers by parse_columns(). Throws BadInput, also for a file that cannot be read.
-ColumnTable read_column_file(const std::string &setting, const std::string &file,
-                             const std::vector<FileColumn> &columns,
-                             MissingValues missing_values = MissingValues::refused);
-
-/// Reads Motion/Measured spin file with Motion/Measured column, parse_measured_run(). Throws BadInput, which
-/// begins with @p setting and the file.
-MeasuredRun read_measured_run(const std::string &file, const std::string &column,
-                              const std::string &setting = "Motion/Measured spin file = ");
+std::vector<FileRow> read_column_file(const std::string &setting, const std::string &file,
+                                      const std::vector<FileColumn> &columns);
 
 /// Reads the orbit speed v(t) from Motion/Orbit speed file: two columns, time and speed (read_column_file()),
 /// times increasing, speeds greater than 0 except at the beginning, where the hand may be at rest. Throws

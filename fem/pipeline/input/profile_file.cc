@@ -26,8 +26,7 @@ std::vector<fem::SectionVertex> points_in(const std::string &file)
 {
   std::vector<fem::SectionVertex> points;
   for (const FileRow &row :
-       read_column_file(entry_of(file), file, { { { "r", "radius" }, "m" }, { { "z", "height" }, "m" } })
-         .rows)
+       read_column_file(entry_of(file), file, { { { "r", "radius" }, "m" }, { { "z", "height" }, "m" } }))
   {
     const double r = row.values[0], z = row.values[1];
     ensure(std::abs(r) < 1 && std::abs(z) < 1,

@@ -307,8 +307,6 @@ void check_study(const Study &study)
   if (!study.contact.mesh_file.empty())
     require_regular_file("Contact/Mesh file = " + shortened_path(study.contact.mesh_file),
                          study.contact.mesh_file);
-  if (!study.motion.measured_spin_file.empty())
-    read_measured_run(study.motion.measured_spin_file, study.motion.measured_column);
   require_affordable(study);
 }
 

@@ -191,13 +191,6 @@ void add_spin_up_columns(const SpinUpCurves &curves, unsigned int n_first, Pictu
                                      { "omega", thinned(curves.driven->omega) } });
 }
 
-void add_measured_columns(const MeasuredRun &run, Pictures &pictures)
-{
-  const std::vector<MeasuredSpin> spins = spins_of(run);
-  pictures.add_columns("measured", { { "time", column_of(spins, &MeasuredSpin::time) },
-                                     { "omega", column_of(spins, &MeasuredSpin::omega) } });
-}
-
 void add_phase_columns(const PhaseStudy &phases, Pictures &pictures)
 {
   const bool of_glass = phases.n_glass_phases > 1;

@@ -4,7 +4,6 @@
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/coupling/load_report.h"
-#include "fem/pipeline/study/measured_run.h"
 
 #include <nlohmann/json.hpp>
 
@@ -51,9 +50,6 @@ void add_torque_columns(const TorqueCurve &curve, const std::vector<double> &of_
 
 /// Adds "spin_up": spins with all harmonics, with the first @p n_first unless 0, and of the paper's model.
 void add_spin_up_columns(const SpinUpCurves &curves, unsigned int n_first, Pictures &pictures);
-
-/// Adds "measured": the spins of @p run over its time.
-void add_measured_columns(const MeasuredRun &run, Pictures &pictures);
 
 /// Adds "phases": torque over the azimuth of the mark of the glass or the table.
 void add_phase_columns(const PhaseStudy &phases, Pictures &pictures);

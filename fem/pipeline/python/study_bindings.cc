@@ -13,7 +13,6 @@
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/page/publish.h"
 #include "fem/pipeline/report/convergence_results.h"
-#include "fem/pipeline/report/fit_results.h"
 #include "fem/pipeline/report/run_results.h"
 #include "fem/pipeline/report/truncation_results.h"
 #include "fem/pipeline/study/study_checks.h"
@@ -30,6 +29,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <utility>
+#include <vector>
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -127,7 +128,6 @@ struct Found
   Study study;
   Results results;
   std::shared_ptr<const StudyAnswer> answer = {}; ///< of run
-  std::vector<FittedRun> fitted = {};             ///< of fit
 
   std::string document() const { return dump_utf8(summary_of(verb, study, results.findings)); }
 
@@ -178,22 +178,6 @@ Found results_of(const std::string &verb, const Study &given, bool quick, unsign
   return solved(listener, n_threads, work);
 }
 
-Found fit_of(const std::vector<std::tuple<std::string, Study, MeasuredRun>> &given,
-             const std::vector<std::string> &free, const std::string &zero, const std::string &start,
-             bool quick, unsigned int n_threads, const py::object &listener)
-{
-  std::vector<RunToFit> runs;
-  for (const auto &[name, study, data] : given)
-    runs.push_back({ name, checked(study), data });
-  const FitQuestion question = fit_question(free, zero, start, quick);
-  const auto work = [&](Progress &progress, const Executor &executor) -> Found
-  {
-    const FitResult found = fit_study(runs, question, executor, progress);
-    return { "fit", found.study, tabulate_fit(found), {}, found.runs };
-  };
-  return solved(listener, n_threads, work);
-}
-
 /// Returns the numbers of one case of a sweep by key.
 py::dict case_of(const Study &given, Start *start)
 {
@@ -207,21 +191,13 @@ py::dict case_of(const Study &given, Start *start)
   return all;
 }
 
-/// Returns the curves of a run, or of each measured run of a fit, by name.
+/// Returns the curves of a run by name.
 py::dict curves_in(const Found &found)
 {
   const auto numpy_of = [](const auto &values)
   { return py::array(static_cast<py::ssize_t>(values.size()), values.data()); };
-  py::dict curves;
-  for (std::size_t r = 0; r < found.fitted.size(); ++r)
-  {
-    const FittedRun &run = found.fitted[r];
-    curves[("run_" + std::to_string(r + 1)).c_str()] =
-      py::dict("time"_a = numpy_of(run.times), "measured"_a = numpy_of(run.measured),
-               "fitted"_a = numpy_of(run.fitted));
-  }
   if (!found.answer)
-    return curves;
+    return {};
   const StudyAnswer &answer = *found.answer;
   const TorqueCurve &torque = answer.spin.torque;
   const SpinUpCurves &up = answer.spin.spin_up;
@@ -336,10 +312,6 @@ the contacts of the last one. For one thread.)")
     .def("curves", &curves_in)
     .def("save", &Found::save, "folder"_a, py::call_guard<py::gil_scoped_release>());
 
-  m.def("fit", &fit_of, "runs"_a, "free"_a, "zero"_a, "start"_a, "quick"_a, "n_threads"_a, "progress"_a);
-  py::class_<MeasuredRun>(m, "MeasuredRun")
-    .def(py::init<const std::vector<double> &, const std::vector<double> &>());
-  m.def("read_run", &read_measured_run);
   py::class_<MpiSession>(m, "MpiSession").def(py::init<>());
   m.def("unit",
         [](const std::string &key, const std::string &section) { return quantity_named(key, section).unit; });

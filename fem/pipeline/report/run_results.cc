@@ -143,15 +143,6 @@ double moment_at_rest(const ContactReport &report, const SpinStudy &spin)
   return spin.phases ? spin.all().at_rest.value().load.moment().x() : report.load.moment.x();
 }
 
-/// The run that is drawn beside the spin-up.
-std::optional<MeasuredRun> measured_run(const Study &study)
-{
-  const std::string &file = study.motion.measured_spin_file;
-  if (file.empty())
-    return std::nullopt;
-  return read_measured_run(file, study.motion.measured_column);
-}
-
 Json ring_summary(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   const ring::Answer &all = spin.all();
@@ -162,10 +153,6 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
       { "fall", fall_summary(all) },
       { "terminal_spins", terminal_spins_summary(spin) },
       { "driven", to_json_or_null(spin.spin_up.driven, driven_summary) },
-      { "measured", to_json_or_null(measured_run(study),
-                                    [](const MeasuredRun &run) {
-                                      return Json{ { "points", spins_of(run).size() } };
-                                    }) },
       { "no_lift_off", has_no_lift_off(report) },
       { "tilt_at_terminal",
         all.terminal ? Json{ report.load_at_end.tilt.x(), report.load_at_end.tilt.y() } : Json(nullptr) },
@@ -255,8 +242,6 @@ void add_spin(const Study &study, const ContactReport &report, const SpinStudy &
     add_slip_columns("slip_at_end", motion, radius, report.load_at_end.rings, *omega, document);
   add_torque_columns(spin.torque, {}, document);
   add_spin_up_columns(spin.spin_up, 1, document);
-  if (const auto measured = measured_run(study))
-    add_measured_columns(*measured, document);
   if (!spin.spin_up.instants.empty())
     add_motion(study, spin.spin_up.instants, document);
   if (spin.phases)

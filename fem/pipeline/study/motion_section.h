@@ -20,8 +20,6 @@ struct MotionSection
   double grip_torque = 0;       ///< of the fingers, against the spin [N m]
   std::string orbit_speed_file; ///< v(t) of the spin-up; empty: Motion/Orbit speed throughout
   std::shared_ptr<const ring::OrbitSpeedTable> orbit_speeds = {}; ///< table of that file, if given
-  std::string measured_spin_file; ///< points plotted with the spin-up; empty: none
-  std::string measured_column;    ///< heading of the spins or angles in that file; empty: by the usual names
   double breakaway_friction = 0; ///< coefficient at which a glass at rest begins to slide; 0: that of sliding
   double end_time = 2;           ///< of the spin-up [s]
   double euler_step = 1e-3;      ///< largest step of the forward Euler method [s]
@@ -76,15 +74,6 @@ struct MotionSection
               "Speeds of a hand that is no motor, for the spin-up: a CSV file with the header \"t (s), v "
               "(m/s)\" (other units too) and a row for each time, from 0 to End time at least. The hand may "
               "start from rest. All else belongs to Orbit speed. A relative path starts at the study file");
-    list.path(
-      "Measured spin file", measured_spin_file,
-      "Spins of a real glass, to be drawn beside the spin-up; `stemware fit` fits to them. A CSV file "
-      "with a row for each point and the header \"t (s), omega (rad/s)\" (other columns and units "
-      "too) or \"t (s), angle (deg)\", clockwise negative. A relative path starts at the study file");
-    list.words("Measured column", measured_column,
-               "Heading of the column with the spins, or yaw angles, in that file, such as Gyroscope y; "
-               "nothing: by the usual names",
-               used_if(!measured_spin_file.empty()));
     list.choice(
       "Orbit sense", orbit.orbit_sense,
       { { "counterclockwise", OrbitSense::counterclockwise }, { "clockwise", OrbitSense::clockwise } },

@@ -55,8 +55,4 @@ std::string friction_note(const Study &study);
 /// Throws BadInput for incompatible, unphysical or unsupported values.
 void check_values(const Study &study);
 
-/// Throws BadInput if the study has waviness and @p verb follows one load over the spin: a wavy load depends
-/// on the yaw angle too.
-void require_flat(const Study &study, const std::string &verb);
-
 } // namespace stemware::pipeline

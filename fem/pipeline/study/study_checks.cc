@@ -324,14 +324,6 @@ void check_values(const Study &study)
   require_known_speeds(study);
 }
 
-void require_flat(const Study &study, const std::string &verb)
-{
-  for (const auto &[entry, waviness] : wavy_entries(study))
-    throw BadInput(filled("{} makes the load depend on the yaw angle, which stemware {} does not follow; "
-                          "leave it empty, or see the truncations and closures of stemware run.",
-                          { entry, verb }));
-}
-
 std::vector<std::string> unused_entries(const Study &study)
 {
   std::vector<std::string> idle;

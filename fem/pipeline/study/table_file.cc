@@ -48,11 +48,10 @@ std::optional<char> named_separator(const std::string &origin, const std::string
 class TableReader
 {
 public:
-  TableReader(const std::string &origin, const std::string &text, bool blanks_separate, char given_separator)
+  TableReader(const std::string &origin, const std::string &text, bool blanks_separate)
       : origin(origin)
       , text(text)
       , blanks_separate(blanks_separate)
-      , given_separator(given_separator)
   {
   }
 
@@ -65,9 +64,7 @@ public:
     {
       if (table.rows.empty())
       {
-        separator = given_separator != 0 ? given_separator
-                    : named              ? *named
-                                         : separator_of(text, place, blanks_separate);
+        separator = named ? *named : separator_of(text, place, blanks_separate);
         table.separator = separator;
       }
       read_row();
@@ -167,7 +164,6 @@ private:
 
   const std::string &origin, &text;
   const bool blanks_separate;
-  const char given_separator;
   char separator = '\n';
   std::size_t place = 0;
   unsigned int line = 1;
@@ -185,10 +181,9 @@ std::string TextTable::with_point(std::string cell) const
   return cell;
 }
 
-TextTable parse_table(const std::string &origin, const std::string &text, bool blanks_separate,
-                      char separator)
+TextTable parse_table(const std::string &origin, const std::string &text, bool blanks_separate)
 {
-  return TableReader(origin, text, blanks_separate, separator).read();
+  return TableReader(origin, text, blanks_separate).read();
 }
 
 ColumnHeading parse_heading(const std::string &cell)

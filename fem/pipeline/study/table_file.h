@@ -29,11 +29,9 @@ struct TextTable
 /// has, in this order, outside quotes. A first row without any of them has one cell, or, if
 /// @p blanks_separate, cells separated by blanks. Cells in double quotes may hold separators, line ends and
 /// doubled quotes (RFC 4180). Empty lines and lines that begin with # are skipped. A first line "sep=;" of a
-/// spreadsheet names the separator in place of the first row, and so does @p separator unless it is 0. Throws
-/// BadInput, which begins with @p origin and names the line, for a quote that is not closed and for a "sep="
-/// with another separator.
-TextTable parse_table(const std::string &origin, const std::string &text, bool blanks_separate = false,
-                      char separator = 0);
+/// spreadsheet names the separator in place of the first row. Throws BadInput, which begins with @p origin
+/// and names the line, for a quote that is not closed and for a "sep=" with another separator.
+TextTable parse_table(const std::string &origin, const std::string &text, bool blanks_separate = false);
 
 /// Heading of a column.
 struct ColumnHeading

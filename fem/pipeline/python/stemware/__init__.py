@@ -1,6 +1,6 @@
 """Stemware in Python: friction of loads that slide and spin (stemware.ring), and studies of a wine glass that spins on a table.
 
-`import stemware` loads stemware.ring only. Study, fit, read, solve and figures load their libraries at first use.
+`import stemware` loads stemware.ring only. Study, read, solve and figures load their libraries at first use.
 """
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ._ring import __version__  # noqa: F401
 from .ring import BadInput, BalanceLost, NoBalance, NoTerminalSpin, Tipping  # noqa: F401
 
 _places = {"Study": "study", "Result": "study", "read": "study", "presets": "study", "ContactFailure": "study",
-           "OutputFailure": "study", "fit": "study", "Start": "study", "limit_cache": "study", "solve": "many",
+           "OutputFailure": "study", "Start": "study", "limit_cache": "study", "solve": "many",
            "study": "", "many": "", "figures": ""}
 if TYPE_CHECKING:  # what __getattr__ returns
     from . import figures, many, study  # noqa: F401

@@ -279,39 +279,6 @@ class Result:
                 f"<th>model</th><th>harmonics</th><th>rad/s</th><th>difference</th></tr>{rows}</table>")
 
 
-class Fit(Result):
-    """Result of stemware.fit. values, spreads (standard deviations): by entry; correlation: an array; sentences: remarks on the
-    entries; runs: a list of dicts with start, zero, noise; curves: "run_1", "run_2", ..., each with time, measured, fitted."""
-
-    values = property(lambda self: {one["entry"]: one["value"] for one in self["fit/entries"]})
-    spreads = property(lambda self: {one["entry"]: one["spread"] for one in self["fit/entries"]})
-    correlation = property(lambda self: np.array(self["fit/correlation"]))
-    sentences = property(lambda self: self["fit/sentences"])
-    runs = property(lambda self: self["fit/runs"])
-
-
-def fit(study, data, free, gyroscope_zero="", quick=False, threads=1, progress=None, start=""):
-    """Fits entries of a study to measured spin-ups, as `stemware fit`; returns a Fit.
-
-    data: a file, a pair of arrays (time [s], spin [rad/s]), or a list of runs, each of them data or a pair (data, own study).
-    A file of angles is fitted as angles. free: entries to fit, each a path or "path = value +- spread". gyroscope_zero: offset
-    of the measured spin, as --gyroscope-zero. quick: without profiles and the advice on the next run. start: time at which the
-    glass begins to slide, as --start.
-    """
-    def run_of(one, own):
-        if isinstance(one, (str, os.PathLike)):
-            return os.fspath(one), own._ready(), _study.read_run(os.fspath(one), own["Motion/Measured column"], "data ")
-        time, spin = (np.asarray(column, dtype=float) for column in one)
-        if time.size != spin.size:
-            raise ring.BadInput(f"the data have {time.size} times and {spin.size} spins; give equally many")
-        return "data", own._ready(), _study.MeasuredRun(time, spin)
-
-    runs = [run_of(*one) if isinstance(one, tuple) and isinstance(one[1], Study) else run_of(one, study)
-            for one in (data if isinstance(data, list) else [data])]
-    found = _study.fit(runs, [free] if isinstance(free, str) else list(free), gyroscope_zero, start, quick, threads, progress)
-    return Fit._of(found)
-
-
 def read(folder: Path) -> Result:
     """Returns the Result in a folder written by the program or by save(); without curves."""
     with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:

@@ -96,11 +96,6 @@ const std::vector<Effect> effects = {
   { "Motion/Orbit radius", "0.2", "/load/moment/0" },
   { "Motion/Orbit speed file", "speeds.csv", "/ring/driven", two_way },
   { "Motion/Breakaway friction", "0.5", "/ring/driven/breakaway/force", from_rest, "/ring/omega_terminal" },
-  { "Motion/Measured spin file", "measured.csv", "/ring/measured", {}, "/ring/omega_terminal" },
-  { "Motion/Measured column",
-    "Gyroscope y",
-    "/ring/measured/points",
-    { { "Motion/Measured spin file", "measured.csv" } } },
   { "Motion/Friction coefficient", "0.2", "/ring/tau_at_rest" },
   { "Motion/Friction law", "Stribeck", "/ring/omega_terminal", slow_decay },
   { "Motion/Gravity", "9", "/load/normal_force" },
@@ -203,8 +198,7 @@ Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder 
   if (with_value)
     values.emplace_back(effect.entry, effect.value);
   for (auto &[entry, value] : values)
-    if (entry == "Load/File" || entry == "Glass/Profile file" || entry == "Motion/Orbit speed file" ||
-        entry == "Motion/Measured spin file")
+    if (entry == "Load/File" || entry == "Glass/Profile file" || entry == "Motion/Orbit speed file")
       value = scratch / value;
   return with_values(Study(), "the list of effects", values);
 }
@@ -242,7 +236,6 @@ void EntryEffects::SetUpTestSuite()
   scratch.write("one.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.1 0.1\n");
   scratch.write("speeds.csv", "t (s), v (m/s)\n0, 0.2\n3, 0.4\n");
   scratch.write("start.csv", "t (s), v (m/s)\n0, 0\n3, 0.4\n");
-  scratch.write("measured.csv", "t (s), omega (rad/s), Gyroscope y (rad/s)\n0.5, -3, 0\n1, -3.5,\n");
   scratch.write("two.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.2 0.1\n");
   const std::string plate = "0,0.002\n0.027,0.0015\n0.03,0\n0.033,0.0015\n0.034,0.002\n";
   scratch.write("thick.csv", plate + "0.034,0.006\n0.006,0.006\n0.006,0.02\n0,0.02\n");

@@ -29,10 +29,6 @@ std::ostream &operator<<(std::ostream &stream, const Opened &report)
   return stream << report.name;
 }
 
-/// A spin-up that `fit` can read.
-constexpr const char *measured_spins =
-  "t (s),omega (rad/s)\n0,0\n0.1,-1.44\n0.2,-2.32\n0.3,-2.84\n0.4,-3.15\n0.5,-3.38\n0.7,-3.55\n1,-3.63\n";
-
 const std::vector<Opened> &opened()
 {
   static const std::string resting = "Load/Coupling=one-way";
@@ -40,7 +36,6 @@ const std::vector<Opened> &opened()
     { "run", { "run", "study.prm" } },
     { "truncate", { "truncate", "study.prm" } },
     { "converge", { "converge", "study.prm", "--levels", "2", "--set", resting } },
-    { "fit", { "fit", "study.prm", "--data", "run.csv", "--free", "Friction coefficient", "--quick" } },
     { "sweep",
       { "sweep", "study.prm", "--set", resting, "--vary", "Motion/Friction coefficient=0.2:0.4:5" } },
     { "sweep_of_maps",
@@ -101,7 +96,7 @@ const std::vector<State> &states()
       "does not spin up",
       { "torque", "load" },
       { "spin_up", "waterfall", "effects", "truncation" } },
-    { { "driven", quick({ "Motion/Orbit speed file=speeds.csv", "Motion/Measured spin file=spins.csv" }) },
+    { { "driven", quick({ "Motion/Orbit speed file=speeds.csv" }) },
       "turns once",
       { "driven_spin_up", "orbit_speed" } },
     { { "load_file", plain({ "Load/Source=file", "Load/File=load.dat" }) },
@@ -173,9 +168,7 @@ TEST_P(BrowserStates, HaveTheirPicturesAndNoFlaw)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", plain_study());
-  scratch.write("run.csv", measured_spins);
   scratch.write("speeds.csv", "t (s), v (m/s)\n0, 0.3\n100, 0.35\n");
-  scratch.write("spins.csv", "t (s), omega (rad/s)\n0, 0\n1, -2\n");
   scratch.write("load.dat", "# ring radius: 0.03 (m)\n0 0.4684 0\n1 0 -0.1\n2 0.01 0\n");
   scratch.write("broken.csv", "r (m), z (m)\n0, 0\n");
   scratch.write("own_profile.csv", read_text(fs::path(STEMWARE_COOKBOOKS) / "own_profile.csv"));
@@ -327,8 +320,8 @@ TEST(Reports, NumbersReadBackAreTheirValues)
   EXPECT_EQ(found_in_browser(scratch, script), nlohmann::json::array());
 }
 
-/// Reports with hostile text in every place that takes any: those of all verbs, of a study and measured spins
-/// of that name, and one for each other file that a study reads; a sweep has a case that fails, too.
+/// Reports with hostile text in every place that takes any: those of all verbs, of a study of that
+/// name, and one for each other file that a study reads; a sweep has a case that fails, too.
 std::vector<Opened> hostile_reports(const std::string &place)
 {
   std::vector<Opened> reports = opened();
@@ -353,9 +346,7 @@ std::vector<Opened> hostile_reports(const std::string &place)
       reports.back().arguments.insert(reports.back().arguments.end(), profile.begin(), profile.end());
   }
   for (Opened &report : reports)
-    report.arguments.insert(
-      report.arguments.end(),
-      { "--set", "Motion/Measured spin file=" + place + " spins.csv", "--output", report.name });
+    report.arguments.insert(report.arguments.end(), { "--output", report.name });
   return reports;
 }
 
@@ -364,12 +355,10 @@ TEST(Reports, HostileTextRunsNoScriptAndNoCommand)
   const ScratchFolder scratch;
   const std::string place = hostile_text();
   scratch.write(place + ".prm", plain_study());
-  scratch.write("run.csv", measured_spins);
   scratch.write(place + ".csv", read_text(fs::path(STEMWARE_DOCS) / "cookbooks/own_profile.csv"));
   scratch.write(place + " broken.csv", "r (m), z (m)\n0, 0\n");
   scratch.write(place + ".dat", "# ring radius: 0.03 (m)\n0 0.4684 0\n1 0.1 0\n2 0.01 0\n");
   scratch.write(place + " speeds.csv", "t (s), v (m/s)\n0, 0.3\n100, 0.35\n");
-  scratch.write(place + " spins.csv", "t (s), omega (rad/s)\n0, 0\n1, -2\n");
   scratch.write(place + ".msh", read_text(fs::path(STEMWARE_DOCS) / "../meshes/flat_foot.msh"));
   std::vector<std::string> pages;
   for (const Opened &report : hostile_reports(place))

@@ -48,15 +48,12 @@ TEST(ColumnKeys, EachColumnOfEachFileIsDeclaredOnce)
   const ScratchFolder scratch;
   scratch.write("study.prm", plain_study("subsection Contact\n  set Body = revolution\n  set Harmonics = 6\n"
                                          "  set Azimuth lines = 64\nend\n"));
-  scratch.write("run.csv", "t (s),omega (rad/s)\n0,0\n0.1,-1.4\n0.2,-2.3\n0.3,-2.8\n0.4,-3.1\n0.5,-3.3\n");
   std::set<std::string> seen;
-  for (const std::vector<std::string> &verb :
-       { std::vector<std::string>{ "run" },
-         { "truncate" },
-         { "converge", "--levels", "2" },
-         { "sweep", "--vary", "Motion/Mass=0.3,0.31" },
-         { "fit", "--data", "run.csv", "--free", "Friction coefficient", "--quick" },
-         { "run", "--quick", "--set", "Glass/Rim waviness=3: 1e-6" } })
+  for (const std::vector<std::string> &verb : { std::vector<std::string>{ "run" },
+                                                { "truncate" },
+                                                { "converge", "--levels", "2" },
+                                                { "sweep", "--vary", "Motion/Mass=0.3,0.31" },
+                                                { "run", "--quick", "--set", "Glass/Rim waviness=3: 1e-6" } })
   {
     std::vector<std::string> arguments = verb;
     arguments.insert(arguments.begin() + 1, "study.prm");
@@ -77,7 +74,7 @@ TEST(ColumnKeys, EachColumnOfEachFileIsDeclaredOnce)
           }
       }
   }
-  EXPECT_GE(seen.size(), 12u);
+  EXPECT_GE(seen.size(), 11u);
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 """The three faces of a study, command line, page and Python: the same digits, sentences, presets and units. Given: the program,
 the solver of the page."""
 import json
-import math
 import os
 import re
 import subprocess
@@ -54,50 +53,6 @@ class Faces(unittest.TestCase):
                 ring = answer["document"]["summary"]["ring"]
                 self.assertLess(abs(ring["omega_terminal"] - python.omega), 1e-10)
                 self.assertLess(abs(ring["tau_at_rest"] - python["ring/tau_at_rest"]), 1e-13)
-
-    def test_fit(self):
-        """Program, Python and page fit with the same digits; a bad file gives all of them the reader's sentence."""
-        times = [0.04 * i for i in range(40)]
-        free = ["Motion/Friction coefficient", "Motion/Grip torque"]
-        for entries in ({"Load/Source": "first harmonic"}, {}):
-            quick = not entries
-            with self.subTest(entries), tempfile.TemporaryDirectory() as folder:
-                data = folder + "/run.csv"
-                with open(data, "w", encoding="utf-8") as file:
-                    file.write("t (s),omega (rad/s)\n" + "".join(
-                        f"{t},{-3.4 * (1 - math.exp(-max(t - 0.1, 0) / 0.19)) + 0.02 * math.sin(91 * t)}\n" for t in times))
-                done = output(program, "fit", "--data", data, *[word for one in free for word in ("--free", one)],
-                              *(["--quick"] if quick else []), "--quiet", "--threads", "1", "--output", folder + "/r",
-                              *words(entries, "--set"))
-                self.assertEqual(done.returncode, 0, done.stderr)
-                python = stemware.fit(stemware.Study(entries=entries), data, free, quick=quick)
-                with open(folder + "/r/summary.json", encoding="utf-8") as file:
-                    self.assertEqual(json.load(file)["fit"], python["fit"])
-                with open(folder + "/r/fit.csv", encoding="utf-8") as file:
-                    rows = [line.split(",") for line in file if line[0].isdigit()]
-                self.assertEqual([run["points"] for run in python.runs], [len(times)])
-                curve = python.curves["run_1"]
-                self.assertEqual([float(row[3]) for row in rows], list(curve["fitted"]))
-                if quick:  # the page has a study with a contact, and no profiles
-                    in_page = json.loads(output(page, "fit", data, *free).stdout)["document"]["summary"]["fit"]
-                    with open(folder + "/r/summary.json", encoding="utf-8") as file:
-                        by_program = json.load(file)["fit"]
-                    self.assertEqual(in_page["sentences"][:-1], by_program["sentences"][:-1])
-                    for one, other in zip(in_page["entries"], by_program["entries"]):
-                        self.assertLess(abs(one["value"] - other["value"]), 1e-6 * one["spread"])
-                        self.assertLess(abs(one["spread"] / other["spread"] - 1), 1e-6)
-                    held = stemware.fit(stemware.Study(entries=entries), data, free, quick=True, start="0.1")
-                    in_page = json.loads(output(page, "fit", data, "start=0.1", *free).stdout)["document"]["summary"]["fit"]
-                    for run in (held.runs[0], in_page["runs"][0]):
-                        self.assertAlmostEqual(run["start"], 0.1)
-                    for one, other in zip(in_page["entries"], held["fit/entries"]):
-                        self.assertLess(abs(one["value"] - other["value"]), 1e-6 * one["spread"])
-                    with open(data, "a", encoding="utf-8") as file:
-                        file.write("0.5,-3\n")  # the time falls
-                    sentence = json.loads(output(page, "fit", data, *free).stdout)["error"]
-                    done = output(program, "fit", "--data", data, "--free", free[0], "--output", folder + "/bad")
-                    self.assertTrue(sentence.startswith(data), sentence)
-                    self.assertIn(sentence[len(data):], " ".join(done.stderr.split()))
 
     def test_sentences(self):
         for entries in REFUSED:

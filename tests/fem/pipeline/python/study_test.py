@@ -65,24 +65,6 @@ class SameDigits(unittest.TestCase):
         self.assertIn("<table>", result._repr_html_())
         self.assertGreater(result.bands().loc["omega_terminal", "band"], 0)
 
-    def test_a_fit(self):
-        study = stemware.Study(entries={"Load/Source": "first harmonic"})
-        time = np.linspace(0, 1, 60)
-        curve = study.run(quick=True).curves["spin_up"]
-        spin = np.interp(time - 0.2, curve["time"], curve["omega"]) + 0.02 * np.cos(3 * np.arange(60))
-        free = ["Motion/Friction coefficient", "Motion/Yaw inertia = 3000 +- 100 g cm^2"]
-        found = stemware.fit(study, (time, spin), free)
-        self.assertAlmostEqual(found.values["Motion/Friction coefficient"], 0.3, delta=0.03)
-        self.assertEqual(found.correlation.shape, (2, 2))
-        with tempfile.TemporaryDirectory() as folder:
-            np.savetxt(folder + "/run.csv", np.column_stack([time, spin]), delimiter=",", header="t (s),omega (rad/s)", comments="",
-                       fmt="%.17g")
-            expected = summary_of("fit", "--set", "Load/Source=first harmonic", "--data", folder + "/run.csv",
-                                  *[word for entry in free for word in ("--free", entry)])
-            document = without_folder(stemware.fit(study, folder + "/run.csv", free).document)
-        self.assertEqual(document, expected)
-        self.assertEqual(document["fit"]["entries"], found["fit/entries"])
-
     def test_a_case_is_that_of_sweep(self):
         with tempfile.TemporaryDirectory() as folder:
             done = stemware_run("sweep", "--vary", "Motion/Mass=250,300 g", "--threads", "1", "--quiet", "--output", folder + "/s")

@@ -96,7 +96,6 @@ TEST(RunByHand, RingOfTheSummary)
  "time_constant": 1.9101234567,
  "terminal_spins": [],
  "driven": null,
- "measured": null,
  "no_lift_off": false,
  "force_at_terminal": [
   1.9901234567,

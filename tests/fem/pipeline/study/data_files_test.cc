@@ -19,7 +19,7 @@ const std::vector<FileColumn> time_and_speed = { { { "t", "time" }, "s" }, { { "
 
 std::vector<FileRow> rows_of(const std::string &file)
 {
-  return read_column_file("Entry = my.csv", file, time_and_speed).rows;
+  return read_column_file("Entry = my.csv", file, time_and_speed);
 }
 
 /// The sentence with which a file is refused.
