@@ -23,9 +23,11 @@
 #include "fem/pipeline/system/ranks.h"
 #include "fem/pipeline/variants/solve.h"
 #include "ring_model/no_balance.h"
+#include "ring_model/spin/curves.h"
 
 #include <deal.II/base/multithread_info.h>
 
+#include <mutex>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -191,13 +193,67 @@ py::dict case_of(const Study &given, Start *start)
   return all;
 }
 
+/// Yaw torque of a study over the spin without the grip, for spin-ups with any grip and yaw inertia.
+class FreeTorque
+{
+public:
+  /// Solves @p given. @p start as of case_result().
+  FreeTorque(const Study &given, Start *start)
+  {
+    solved(py::none(), 1,
+           [&](Progress &, const Executor &executor)
+           {
+             study = checked(given);
+             ensure(!study.motion.orbit_speeds, "A spin-up has a constant Motion/Orbit speed; leave out "
+                                                "Motion/Orbit speed file.");
+             const Variant variant = { "", "", study, mesh_for_goal(study, executor).discretisation };
+             const auto foot = foot_of(variant, start ? start->foot : nullptr, executor);
+             const SharedLoad load = find_load(study, foot);
+             ring::Question question = spin_question(study);
+             question.grip_torque = 0;
+             question.with_minima = false;
+             free = ring::answer(*load, question).value();
+             curve = ring::interpolated_for_curves(load, free, 0, 1.001 * free.last_spin().value());
+             if (start)
+               start->foot = foot;
+             return 0;
+           });
+  }
+
+  /// Returns spin [rad/s] and yaw angle [rad] at rising @p times [s] of a spin-up from rest; NaN after
+  /// tipping. @p grip [N m], @p yaw_inertia [kg m^2].
+  std::pair<std::vector<double>, std::vector<double>> spin_up(const std::vector<double> &times, double grip,
+                                                              double yaw_inertia)
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    ring::Question question = spin_question(study);
+    question.grip_torque = grip;
+    question.motion.yaw_inertia = yaw_inertia;
+    question.known = &free;
+    question.times = times;
+    std::pair<std::vector<double>, std::vector<double>> found;
+    for (const ring::YawSample &sample : ring::answer(*curve, question).spin_up)
+    {
+      found.first.push_back(sample.omega);
+      found.second.push_back(sample.yaw_angle);
+    }
+    return found;
+  }
+
+private:
+  Study study;
+  ring::Answer free;
+  ring::SharedLoad curve;
+  std::mutex mutex;
+};
+
 /// Returns the curves of a run by name.
 py::dict curves_in(const Found &found)
 {
   const auto numpy_of = [](const auto &values)
   { return py::array(static_cast<py::ssize_t>(values.size()), values.data()); };
   if (!found.answer)
-    return {};
+    return py::dict();
   const StudyAnswer &answer = *found.answer;
   const TorqueCurve &torque = answer.spin.torque;
   const SpinUpCurves &up = answer.spin.spin_up;
@@ -300,6 +356,9 @@ PYBIND11_MODULE(_study, m)
                     R"(Initial guess (warm start) of the next Study.answer(start=...) or run(start=...):
 the contacts of the last one. For one thread.)")
     .def(py::init<>());
+  py::class_<FreeTorque>(m, "FreeTorque")
+    .def(py::init<const Study &, Start *>(), "study"_a, "start"_a)
+    .def("spin_up", &FreeTorque::spin_up, py::call_guard<py::gil_scoped_release>());
   m.def("limit_cache",
         [](std::size_t n) { cache() = std::make_shared<fem::ComplianceCache>(n, &check_signals); });
 

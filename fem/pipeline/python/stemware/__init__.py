@@ -1,6 +1,6 @@
 """Stemware in Python: friction of loads that slide and spin (stemware.ring), and studies of a wine glass that spins on a table.
 
-`import stemware` loads stemware.ring only. Study, read, solve and figures load their libraries at first use.
+`import stemware` loads stemware.ring only. Study, fit, read, solve and figures load their libraries at first use.
 """
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from ._ring import __version__  # noqa: F401
 from .ring import BadInput, BalanceLost, NoBalance, NoTerminalSpin, Tipping  # noqa: F401
 
 _places = {"Study": "study", "Result": "study", "read": "study", "presets": "study", "ContactFailure": "study",
-           "OutputFailure": "study", "Start": "study", "limit_cache": "study", "solve": "many",
-           "study": "", "many": "", "figures": ""}
+           "OutputFailure": "study", "Start": "study", "limit_cache": "study", "solve": "many", "fit": "fitting", "Fit": "fitting",
+           "study": "", "many": "", "fitting": "", "figures": ""}
 if TYPE_CHECKING:  # what __getattr__ returns
-    from . import figures, many, study  # noqa: F401
+    from . import figures, fitting, many, study  # noqa: F401
+    from .fitting import Fit, fit  # noqa: F401
     from .many import solve  # noqa: F401
-    from .study import (ContactFailure, OutputFailure, Result, Start, Study, fit, limit_cache, presets,  # noqa: F401
-                        read)
+    from .study import ContactFailure, OutputFailure, Result, Start, Study, limit_cache, presets, read  # noqa: F401
 
 __all__ = ["ring", "BadInput", "BalanceLost", "NoBalance", "NoTerminalSpin", "Tipping"]
 if importlib.util.find_spec(__name__ + "._study"):  # else this is the ring alone

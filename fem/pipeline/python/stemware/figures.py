@@ -1,4 +1,4 @@
-"""Figures for papers and notebooks by matplotlib: each function draws a Result or a LimitSurface into axes and returns them."""
+"""Figures for papers and notebooks by matplotlib: each function draws a Result, a Fit or a LimitSurface into axes and returns them."""
 from __future__ import annotations
 
 from typing import Any
@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from .ring import LimitSurface
+
 
 def _axes(ax, **kind):
     if ax is not None:
@@ -81,3 +82,16 @@ def limit_surface(surface: LimitSurface, ax: Any = None, pade: bool = True) -> A
             ax.plot(*surface.pade(order), style, lw=1.2, label=f"Padé, order {order}")
     ax.set(xlabel="force / μN", ylabel="torque / that of pure spin", aspect="equal")
     return ax
+
+
+def fit(found: Any, axes: Any = None) -> Any:
+    """Draws points and curves of a Fit into the first of two axes, the residuals over sigma into the second."""
+    if axes is None:
+        import matplotlib.pyplot as plt
+        axes = plt.subplots(2, sharex=True, gridspec_kw={"height_ratios": (3, 1)})[1]
+    for r, run in enumerate(found.runs):
+        axes[0].plot(run["time"], run["measured"], f"C{r}.", run["time"], run["fitted"], f"C{r}", ms=3)
+        axes[1].plot(run["time"], run["residuals"] / run["sigma"], f"C{r}.", ms=3)
+    axes[0].set(ylabel="spin (rad/s), or yaw angle (rad)")
+    axes[1].set(xlabel="time (s)", ylabel="residual / σ")
+    return axes

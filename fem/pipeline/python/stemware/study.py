@@ -8,7 +8,7 @@ import json
 import os
 import shutil
 import tempfile
-from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Mapping, Optional, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 
@@ -158,6 +158,19 @@ class Study:
         """Returns the Result of `stemware run`, without files and fields; quick: without budget and bands. start and exceptions
         as of answer()."""
         return Result._of(_study.Found("run", self._ready(), quick, 0, threads, progress, start))
+
+    def _torque(self, start=None):
+        """Returns the torque over the spin, for spin-ups with any grip and yaw inertia."""
+        return _study.FreeTorque(self._ready(), start)
+
+    def spin_up(self, times: Any, start: Optional[Start] = None) -> Tuple[np.ndarray, np.ndarray]:
+        """Returns two arrays, spin [rad/s] and yaw angle [rad] of a spin-up from rest at rising times >= 0 [s]; NaN after the glass
+        has tipped. start and exceptions as of answer()."""
+        times = np.asarray(times, dtype=float)
+        if times.ndim != 1 or not np.all(np.isfinite(times)) or np.any(times < 0) or np.any(np.diff(times) <= 0):
+            raise ring.BadInput("the times of a spin-up rise from 0 or later; give numpy.linspace(0, 2, 200)")
+        found = self._torque(start).spin_up(times, self["Motion/Grip torque"], self["Motion/Yaw inertia"])
+        return np.array(found[0]), np.array(found[1])
 
     def truncate(self, threads: int = 1, progress: Progress = None) -> Result:
         """Returns the Result of `stemware truncate`: the spin over the number of harmonics, result.table("truncation")."""
