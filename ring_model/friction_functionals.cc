@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace stemware::ring
 {
@@ -61,17 +63,37 @@ Wrench coulomb_wrench(double mu, const RingStack &load, double omega, double spe
   return friction_functionals(CoulombLaw(mu), load.radii(), load.n_harmonics(), omega, speed)(load);
 }
 
-double truncation_bound(const Motion &motion, const RingStack &load, unsigned int n_max, double omega)
+TorqueByHarmonics::TorqueByHarmonics(const Motion &motion, const RingStack &load, double omega)
+    : shares(load.n_harmonics() + 1)
+    , bounds(load.n_harmonics() + 1)
 {
   const LoadFunctional torque = friction_functionals(motion, load.radii(), load.n_harmonics(), omega).torque;
-  double bound = 0.;
-  for (std::size_t j = 0; j < load.rings().size(); ++j)
-    for (unsigned int n = n_max + 1; n <= load.n_harmonics(); ++n)
+  for (unsigned int n = 0; n <= load.n_harmonics(); ++n)
+    for (std::size_t j = 0; j < load.rings().size(); ++j)
     {
-      const auto column = static_cast<Eigen::Index>(j);
-      bound += std::hypot(load.rings()[j].a[n], load.rings()[j].b[n]) *
-               std::hypot(torque.a(n, column), torque.b(n, column));
+      const RingStack::Ring &ring = load.rings()[j];
+      const double a = torque.a(n, static_cast<Eigen::Index>(j)),
+                   b = torque.b(n, static_cast<Eigen::Index>(j));
+      shares[n] += a * ring.a[n] + b * ring.b[n];
+      bounds[n] += std::hypot(a, b) * std::hypot(ring.a[n], ring.b[n]);
     }
-  return bound;
+}
+
+double TorqueByHarmonics::change(unsigned int n) const
+{
+  double sum = 0.;
+  for (std::size_t k = 2; k < shares.size() && k <= n; ++k)
+    sum += shares[k];
+  return sum;
+}
+
+double TorqueByHarmonics::rest(unsigned int n) const
+{
+  return std::accumulate(shares.begin() + std::min<std::ptrdiff_t>(n + 1, shares.size()), shares.end(), 0.);
+}
+
+double TorqueByHarmonics::bound(unsigned int n) const
+{
+  return std::accumulate(bounds.begin() + std::min<std::ptrdiff_t>(n + 1, bounds.size()), bounds.end(), 0.);
 }
 } // namespace stemware::ring

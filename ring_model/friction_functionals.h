@@ -69,9 +69,31 @@ Wrench wrench(const FrictionLaw &law, const RingStack &load, const Eigen::Vector
 Wrench coulomb_wrench(double mu, const RingStack &load, double omega, double speed);
 
 /**
- * Returns an a-priori bound [N m] on the change of tau_z under the law of @p motion if the harmonics above @p
- * n_max are left out: sum_j sum_{n > n_max} |lambda_{j,n}| |K_{j,n}|, where |lambda_{j,n}| = sqrt(a_{j,n}^2 +
- * b_{j,n}^2) and |K_{j,n}| is the torque functional's coefficient, mu r_j |K_n(eps_j)| for Coulomb.
+ * Torque tau_z of friction on one load at one spin, with the load cut after n harmonics:
+ *
+ *     const TorqueByHarmonics torque(motion, load, omega);
+ *     torque.change(2); // effect of the second harmonic on tau_z [N m]
+ *
+ * tau_z(n) = sum_{k <= n} tau_k, where tau_k is the share of harmonic k of all rings. No balance is solved
+ * again. An n above the highest harmonic of the load stands for the whole load.
  */
-double truncation_bound(const Motion &motion, const RingStack &load, unsigned int n_max, double omega);
+class TorqueByHarmonics
+{
+public:
+  /// Friction under the law of @p motion, at its orbit speed. Throws as friction_functionals().
+  TorqueByHarmonics(const Motion &motion, const RingStack &load, double omega);
+
+  /// Returns Delta tau_z(n) = tau_z(n) - tau_z(1) [N m].
+  double change(unsigned int n) const;
+  /// Returns tau_z(all) - tau_z(n) [N m].
+  double rest(unsigned int n) const;
+  /// Returns an a-priori bound on |rest(n)| [N m]: sum_j sum_{k > n} |lambda_{j,k}| |K_{j,k}|, where
+  /// |lambda_{j,k}| = sqrt(a_{j,k}^2 + b_{j,k}^2) and |K_{j,k}| is the torque functional's coefficient, mu
+  /// r_j |K_k(eps_j)| for Coulomb.
+  double bound(unsigned int n) const;
+
+private:
+  std::vector<double> shares; ///< tau_k [N m]
+  std::vector<double> bounds; ///< bounds on |tau_k| [N m]
+};
 } // namespace stemware::ring

@@ -280,15 +280,10 @@ Answer compared_with_all(Answer answer, const Answer &all, const LoadAtSpin &loa
   const double scale = motion.orbit_speed / all.at_rest->load.radius();
   if (answer.terminal && std::abs(omega) > 1e-9 * scale)
     answer.relative_change = (answer.terminal->omega - omega) / omega + 0.; // no -0
-  answer.bound = truncation_bound(motion, all.at_terminal->load, answer.harmonics, omega);
   if (load.phases() && answer.at_rest)
-  {
-    for (const RingStack &sample : load.phases()->samples(omega))
-      answer.bound = std::max(*answer.bound, truncation_bound(motion, sample, answer.harmonics, omega));
     for (const RingStack &sample : load.phases()->samples(0))
       answer.at_rest->minimum =
         std::min(answer.at_rest->minimum, sample.truncated(answer.harmonics).minimum());
-  }
   return answer;
 }
 
@@ -296,7 +291,7 @@ bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Mot
 {
   constexpr double negligible = 1e-12; // of the terminal spin
   const std::optional<ZeroGuess> zero = all.zero_guess();
-  return zero && truncation_bound(motion, all.at_terminal->load, n_harmonics, zero->omega) <
+  return zero && TorqueByHarmonics(motion, all.at_terminal->load, zero->omega).bound(n_harmonics) <
                    negligible * std::abs(zero->slope * zero->omega);
 }
 

@@ -128,8 +128,6 @@ struct Answer
   // Relative to the answer of all harmonics, compared_with_all():
   std::optional<double> relative_change = {}; ///< change of the terminal spin; std::nullopt if the full
                                               ///< load's spin is 0
-  /// A-priori bound on the change of tau_z at the full load's terminal spin [N m].
-  std::optional<double> bound = {};
 
   std::vector<double> torque_spins = {}; ///< Question::spins, then those by terminal_shares [rad/s]
   std::vector<Torques> torques = {};     ///< torques at torque_spins
@@ -168,8 +166,7 @@ Answer answer(const LoadAtSpin &load, const Question &question);
 Answer failed_answer(const std::exception_ptr &failure, Answer answer = {});
 
 /// Returns @p answer, the answer of a truncation of @p load, with the change of the terminal spin relative to
-/// the full answer @p all and the a-priori bound. If the phase matters, bound and minimum are the worst over
-/// the phases.
+/// the full answer @p all. If the phase matters, the minimum is the least of all phases.
 Answer compared_with_all(Answer answer, const Answer &all, const LoadAtSpin &load, const Motion &motion);
 
 /// Returns whether the harmonics above @p n_harmonics are negligible at the terminal spin of @p all: the

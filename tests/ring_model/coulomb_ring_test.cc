@@ -91,7 +91,7 @@ TEST(CoulombRing, TruncationBoundHolds)
     for (const unsigned int n_max : { 0u, 1u, 2u, 3u, 8u, 16u })
     {
       const double change = std::abs(coulomb_wrench(0.3, load.truncated(n_max), omega, speed).torque - full);
-      const double bound = truncation_bound(Motion(), load, n_max, omega);
+      const double bound = TorqueByHarmonics(Motion(), load, omega).bound(n_max);
       EXPECT_LE(change, bound + 1e-16);
       if (n_max == 16)
       {
@@ -103,7 +103,7 @@ TEST(CoulombRing, TruncationBoundHolds)
   const RingStack single({ 1., 0., 0., 0. }, { 0., 0., 0., 0.2 }, 0.03);
   const double change =
     coulomb_wrench(0.3, single, 6., 0.35).torque - coulomb_wrench(0.3, single.truncated(2), 6., 0.35).torque;
-  expect_relative(std::abs(change), truncation_bound(Motion(), single, 2, 6.), 1e-12, "sharp bound");
+  expect_relative(std::abs(change), TorqueByHarmonics(Motion(), single, 6.).bound(2), 1e-12, "sharp bound");
 }
 
 TEST(CoulombRing, PureSpinAndPureSlideAreOpposedFully)

@@ -56,8 +56,8 @@ TEST(FrictionLaw, TheTruncationBoundHoldsUnderStribecksLaw)
     {
       const double change =
         wrench(motion, load, omega).torque - wrench(motion, load.truncated(n), omega).torque;
-      EXPECT_LE(std::abs(change), truncation_bound(motion, load, n, omega) * (1. + 1e-12));
-      EXPECT_GT(truncation_bound(motion, load, n, omega), 0.);
+      EXPECT_LE(std::abs(change), TorqueByHarmonics(motion, load, omega).bound(n) * (1. + 1e-12));
+      EXPECT_GT(TorqueByHarmonics(motion, load, omega).bound(n), 0.);
     }
 }
 

@@ -263,6 +263,8 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   for (const LoadedRow &other : solved.others)
     if (other.variant.key == "one_ring")
       result.one_ring = beside_all(other.row, result.all());
+  result.torque_effects = ring::torque_effects(load, study.motion.orbit, result.all(),
+                                               truncation_orders(load.n_harmonics()), rows.load.get());
   result.curve_error = rows.load->interpolation_error();
   result.terminal_spins = curves.all.all_spins;
   result.torque = curves.torque;

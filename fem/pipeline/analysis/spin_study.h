@@ -3,6 +3,7 @@
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/driven_load.h"
+#include "ring_model/spin/torque_effect.h"
 
 #include <cstddef>
 #include <memory>
@@ -85,6 +86,7 @@ struct SpinStudy
   std::optional<ring::Answer> one_ring; ///< all harmonics on one ring; std::nullopt if the study has one ring
   Budget budget;                        ///< without rows for Depth::answer
   TorqueCurve torque;                   ///< of the first harmonic and of all
+  ring::TorqueEffects torque_effects;   ///< for truncation_orders()
   SpinUpCurves spin_up;
   /// Answer::all_spins of the last row; empty with waviness, or if a torque takes minutes (a solid body in
   /// balance at every spin).

@@ -1,7 +1,9 @@
 #include "fem/pipeline/answer/study_answer.h"
 
 #include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/spin/curves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -106,6 +108,11 @@ TruncatedStudy truncate_study(const Study &study, const Executor &executor, Prog
   for (const LoadedRow &answer :
        rows_by_harmonics(study, foot, *load, question, executor, progress, Depth::rows).by_harmonics)
     truncated.rows.push_back(answer.row);
+  const double last = truncated.rows.back().last_spin().value_or(0);
+  const ring::SharedLoad curve =
+    ring::interpolated_for_curves(load, truncated.rows.back(), std::min(last, 0.), std::max(last, 0.));
+  truncated.torque_effects = ring::torque_effects(*load, study.motion.orbit, truncated.rows.back(),
+                                                  truncation_orders(load->n_harmonics()), curve.get());
   truncated.load = load->report();
   progress.stage_done("truncations");
   return truncated;

@@ -33,7 +33,8 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
 struct TruncatedStudy
 {
   LoadReport load = {};
-  std::vector<ring::Answer> rows = {}; ///< rows_by_harmonics()
+  std::vector<ring::Answer> rows = {};     ///< rows_by_harmonics()
+  ring::TorqueEffects torque_effects = {}; ///< for truncation_orders()
 };
 
 /// Solves @p study with decreasing numbers of harmonics; if the glass tips on the way, the last row has a

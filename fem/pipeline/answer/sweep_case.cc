@@ -10,6 +10,7 @@
 #include "fem/pipeline/refinement/quantities_of_interest.h"
 #include "fem/pipeline/support/failures.h"
 #include "ring_model/no_balance.h"
+#include "ring_model/spin/torque_effect.h"
 
 #include <cmath>
 #include <exception>
@@ -30,10 +31,21 @@ struct SolvedCase
   const LoadReport load;
   const std::optional<fem::ContactState> contact; ///< at rest
   const ring::Answer first, all;
+  const ring::TorqueEffects effects; ///< of all harmonics, without curves
 
   HarmonicEffect harmonics() const
   {
     return harmonic_effect(first.omega_terminal(), all.omega_terminal(), spin_scale(study));
+  }
+
+  /// Effect of all harmonics on tau_z at one of the spins of a TorqueEffect [N m], or over |tau_z| at rest.
+  std::optional<double> torque_change(std::optional<ring::TorqueEffect::AtSpin> ring::TorqueEffect::*spin,
+                                      bool is_relative) const
+  {
+    const auto &at_spin = effects.rows.back().*spin;
+    if (!at_spin || (is_relative && effects.torque_at_rest == 0))
+      return std::nullopt;
+    return at_spin->change / (is_relative ? effects.torque_at_rest : 1);
   }
 
   /// Terminal spin of a first harmonic on a ring of the contact radius.
@@ -44,6 +56,7 @@ struct SolvedCase
 };
 
 using Case = SolvedCase;
+using Effect = ring::TorqueEffect;
 using Number = std::optional<double>;
 
 /// Number of a case with its key.
@@ -62,6 +75,13 @@ std::vector<CaseNumber> make_numbers()
     { "omega_paper", [](const Case &found) { return found.omega_on_ring(ring::Closure::paper); } },
     { "harmonic_effect", [](const Case &found) { return found.harmonics().absolute; } },
     { "harmonic_effect_relative", [](const Case &found) { return found.harmonics().relative; } },
+    { "torque_change_half", [](const Case &found) { return found.torque_change(&Effect::half, false); } },
+    { "torque_change_half_relative",
+      [](const Case &found) { return found.torque_change(&Effect::half, true); } },
+    { "torque_change_terminal",
+      [](const Case &found) { return found.torque_change(&Effect::terminal, false); } },
+    { "torque_change_terminal_relative",
+      [](const Case &found) { return found.torque_change(&Effect::terminal, true); } },
     { "time_constant", [](const Case &found) { return found.all.time_constant(); } },
     { "held",
       [](const Case &found)
@@ -178,7 +198,13 @@ CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &f
   question.with_minima = false;
   const std::vector<LoadedRow> rows =
     rows_by_harmonics(study, foot, *load, question, executor, progress, Depth::answer).by_harmonics;
-  const SolvedCase found = { study, load->report(), load->contact(0), rows.front().row, rows.back().row };
+  const SolvedCase found = { study,
+                             load->report(),
+                             load->contact(0),
+                             rows.front().row,
+                             rows.back().row,
+                             ring::torque_effects(*load, study.motion.orbit, rows.back().row,
+                                                  { load->n_harmonics() }) };
   CaseResult result;
   if (found.contact)
     result.outcome = fem::to_string(found.contact->solution.outcome);

@@ -16,7 +16,8 @@ void truncate(const StudyOptions &options)
 {
   StudyWork work(options, true);
   const TruncatedStudy answer = truncate_study(work.study, work.executor, work.progress);
-  publish(options, work.study, make_truncation_document(work.study, answer.load, answer.rows), work.folder,
+  publish(options, work.study,
+          make_truncation_document(work.study, answer.load, answer.rows, answer.torque_effects), work.folder,
           work.stopwatch);
 }
 

@@ -13,7 +13,8 @@ namespace stemware::pipeline
 using format::number;
 
 std::string truncation_answer(const Study &study, const std::vector<ring::Answer> &rows,
-                              const HarmonicEffect &effect, unsigned int n_enough)
+                              const ring::TorqueEffects &effects, const HarmonicEffect &effect,
+                              unsigned int n_enough)
 {
   const ring::Answer &all = rows.back();
   const std::optional<double> first = rows.front().omega_terminal();
@@ -40,6 +41,7 @@ std::string truncation_answer(const Study &study, const std::vector<ring::Answer
                             std::to_string(all.harmonics) + " harmonics of its load, " +
                             (first ? "to " + number(*first, ".6g") + " rad/s with the first harmonic only."
                                    : "and has no terminal spin with the first harmonic only."));
+  append(text, torque_effect_sentence(effects));
   append(text, harmonic_effect_sentence(study, effect));
   append(text, "From " + std::to_string(n_enough) + " harmonics on, the spin is accurate to 1e-4.");
   return text;

@@ -19,7 +19,8 @@ namespace stemware::pipeline
 /// Returns the answer of `truncate`: effect of the harmonics on the terminal spin of @p rows (last row: all
 /// harmonics), or the fall of the last row. @p n_enough harmonics give the spin to 1e-4.
 std::string truncation_answer(const Study &study, const std::vector<ring::Answer> &rows,
-                              const HarmonicEffect &effect, unsigned int n_enough);
+                              const ring::TorqueEffects &effects, const HarmonicEffect &effect,
+                              unsigned int n_enough);
 
 /// Returns the answer of `converge`: terminal spin with its band, the observed order on the first axis, and
 /// the Richardson value.

@@ -94,7 +94,10 @@ std::string spinning_answer(const Study &study, const SpinStudy &spin, const Err
   if (!band && !spin.is_quick() && study.load.is_from_contact())
     append(text, missing_band_sentence(study));
   if (spin.rows.size() > 1)
+  {
+    append(text, torque_effect_sentence(spin.torque_effects));
     append(text, harmonic_effect_sentence(study, spin.budget.harmonics));
+  }
   append(text, largest_step_sentence(study, spin.budget));
   if (band)
     append(text, "The band is the discretisation error. It contains neither uncertain inputs (friction, "

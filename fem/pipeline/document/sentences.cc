@@ -57,6 +57,22 @@ std::string faster_or_slower(double change)
   return number(std::abs(change), ".3g%") + (change > 0 ? " faster" : " slower");
 }
 
+std::string torque_effect_sentence(const ring::TorqueEffects &effects)
+{
+  if (effects.rows.size() < 2 || !effects.rows.back().half || effects.torque_at_rest == 0)
+    return "";
+  const ring::TorqueEffect &all = effects.rows.back();
+  const auto relative = [&](double torque) { return number(torque / effects.torque_at_rest, "+.3g%"); };
+  if (!(std::abs(all.largest.value_or(all.half->change)) > 1e-9 * effects.torque_at_rest))
+    return "The harmonics beyond the first do not change the torque of friction at any spin.";
+  std::string text = "At half the terminal spin the harmonics beyond the first change tau_z of friction by " +
+                     number(all.half->change, "+.3g") + " N m (" + relative(all.half->change) +
+                     " of |tau_z| at rest)";
+  if (all.largest)
+    text += ", at most by " + relative(*all.largest) + ", at " + number(*all.largest_at, ".3g") + " rad/s";
+  return text + "; at rest by nothing, for every contact.";
+}
+
 std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect)
 {
   if (!effect.absolute)

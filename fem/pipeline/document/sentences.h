@@ -35,6 +35,10 @@ double seconds_a_turn(double omega);
 /// Returns a relative change of a spin as text: "2.5 % faster", "0.81 % slower".
 std::string faster_or_slower(double change);
 
+/// Returns a sentence on the effect of the harmonics beyond the first on tau_z of friction at half the
+/// terminal spin, where it is largest, and at rest; empty without a terminal spin or such harmonics.
+std::string torque_effect_sentence(const ring::TorqueEffects &effects);
+
 /// Returns a sentence on the effect of the harmonics beyond the first on the terminal spin; empty without an
 /// effect.
 std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect);

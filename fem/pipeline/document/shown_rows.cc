@@ -10,16 +10,6 @@ namespace stemware::pipeline
 
 using Json = nlohmann::ordered_json;
 
-Json shown_spin_rows(const std::vector<ring::Answer> &rows)
-{
-  constexpr double small_change = 1e-11;
-  Json shown = spin_rows(rows);
-  const auto &rest = rows.back().at_rest;
-  zero_rounding_errors(shown, "tau_at_rest", rest ? 1e-12 * std::abs(rest->friction.torque) : 0);
-  zero_rounding_errors(shown, "relative_change", small_change);
-  return shown;
-}
-
 Json shown_chain(const Study &study, std::vector<BudgetRow> rows)
 {
   const double band = rows.empty() ? 0 : rows.back().band.value_or(0);

@@ -6,10 +6,6 @@
 namespace stemware::pipeline
 {
 
-/// Returns spin_rows() for display: changes of spin below 1e-11 and torques below 1e-12 of the last row's
-/// torque at rest are 0.
-nlohmann::ordered_json shown_spin_rows(const std::vector<ring::Answer> &rows);
-
 /// Returns chain_rows() for display: rows without effect are omitted, differences below 1e-9 v/R are 0, and
 /// terminal spins have the digits supported by the band of the last row.
 nlohmann::ordered_json shown_chain(const Study &study, std::vector<BudgetRow> rows);

@@ -1,5 +1,6 @@
 #include "fem/pipeline/pictures/spin_rows.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stemware::pipeline
@@ -18,6 +19,37 @@ double friction_torque(const ring::RingState &state)
 Json force_of(const ring::RingState &state)
 {
   return { state.friction.force_x, state.friction.force_y };
+}
+
+/// The effect of harmonics on the torque, by the keys of a row of "truncation" and of its tables.
+Json effect_numbers(const ring::TorqueEffect &effect, double torque_at_rest)
+{
+  using AtSpin = ring::TorqueEffect::AtSpin;
+  const auto relative = [&](const Json &torque)
+  {
+    return torque.is_null() || torque_at_rest == 0 ? Json(nullptr)
+                                                   : Json(torque.get<double>() / torque_at_rest);
+  };
+  Json change = { { "half", to_json_or_null(effect.half, &AtSpin::change) },
+                  { "terminal", to_json_or_null(effect.terminal, &AtSpin::change) },
+                  { "largest", effect.largest },
+                  { "largest_at", effect.largest_at } };
+  Json numbers = { { "torque_rest",
+                     { { "half", to_json_or_null(effect.half, &AtSpin::rest) },
+                       { "terminal", to_json_or_null(effect.terminal, &AtSpin::rest) } } },
+                   { "bound_half", to_json_or_null(effect.half, &AtSpin::bound) },
+                   { "bound", to_json_or_null(effect.terminal, &AtSpin::bound) },
+                   { "rest_half", to_json_or_null(effect.half, &AtSpin::rest) },
+                   { "rest_terminal", to_json_or_null(effect.terminal, &AtSpin::rest) },
+                   { "change_largest_at", effect.largest_at } };
+  for (const char *state : { "half", "terminal", "largest" })
+  {
+    numbers[std::string("change_") + state] = change[state];
+    numbers[std::string("change_") + state + "_relative"] = change[std::string(state) + "_relative"] =
+      relative(change[state]);
+  }
+  numbers["torque_change"] = change;
+  return numbers;
 }
 
 /// "formal", or why something is missing; empty for what stands as it is.
@@ -47,13 +79,38 @@ Json spin_rows(const std::vector<ring::Answer> &rows)
                      { "force_at_terminal", to_json_or_null(end, force_of) },
                      { "time_constant", row.time_constant() },
                      { "relative_change", row.relative_change },
-                     { "bound", row.bound },
                      { "load_minimum", to_json_or_null(rest, &ring::RingState::minimum) },
                      { "pulling_share", to_json_or_null(rest, &ring::RingState::pulling_share) },
                      { "moment_ratio_at_terminal", to_json_or_null(end, &ring::RingState::moment_ratio) },
                      { "message", text_or_null(row.reason) } });
   }
   return list;
+}
+
+Json truncation_rows(const std::vector<ring::Answer> &rows, const ring::TorqueEffects &effects, double scale)
+{
+  Json list = Json::array();
+  for (const ring::TorqueEffect &effect : effects.rows)
+  {
+    ring::Answer not_solved;
+    not_solved.harmonics = effect.harmonics;
+    const auto row =
+      std::find_if(rows.begin(), rows.end(),
+                   [&](const ring::Answer &answer) { return answer.harmonics == effect.harmonics; });
+    const ring::Answer &answer = row == rows.end() ? not_solved : *row;
+    list.push_back(spin_rows({ answer })[0]);
+    list.back().update(effect_numbers(effect, effects.torque_at_rest));
+    list.back()["spin_change"] =
+      harmonic_effect(rows.front().omega_terminal(), answer.omega_terminal(), scale).relative;
+  }
+  return list;
+}
+
+Json torque_effect_summary(const ring::TorqueEffects &effects)
+{
+  if (effects.rows.size() < 2)
+    return nullptr;
+  return effect_numbers(effects.rows.back(), effects.torque_at_rest)["torque_change"];
 }
 
 Json fall_summary(const ring::Answer &all)

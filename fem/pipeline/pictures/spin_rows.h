@@ -4,6 +4,7 @@
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/support/json.h"
 #include "ring_model/spin/answer.h"
+#include "ring_model/spin/torque_effect.h"
 
 #include <string>
 #include <vector>
@@ -15,6 +16,16 @@ namespace stemware::pipeline
 
 /// Returns all numbers of the rows of run and truncate.
 nlohmann::ordered_json spin_rows(const std::vector<ring::Answer> &rows);
+
+/// Returns "truncation" of summary.json with further keys for tables: the numbers of @p rows, and for each
+/// number of harmonics the effect on tau_z of friction. Numbers of harmonics without an answer in @p rows
+/// have no spin. @p scale: spin_scale().
+nlohmann::ordered_json truncation_rows(const std::vector<ring::Answer> &rows,
+                                       const ring::TorqueEffects &effects, double scale);
+
+/// Returns "torque_effect" of summary.json, the effect of all harmonics; null without harmonics beyond the
+/// first.
+nlohmann::ordered_json torque_effect_summary(const ring::TorqueEffects &effects);
 
 /// Returns "fall" of summary.json: null without a fall, else its spin and moment ratio.
 nlohmann::ordered_json fall_summary(const ring::Answer &all);

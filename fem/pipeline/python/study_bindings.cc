@@ -164,7 +164,8 @@ Found results_of(const std::string &verb, const Study &given, bool quick, unsign
     if (verb == "truncate")
     {
       const TruncatedStudy answer = truncate_study(study, executor, progress);
-      return { verb, study, make_truncation_document(study, answer.load, answer.rows) };
+      return { verb, study,
+               make_truncation_document(study, answer.load, answer.rows, answer.torque_effects) };
     }
     if (verb == "converge")
     {

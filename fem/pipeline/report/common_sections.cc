@@ -45,30 +45,30 @@ Json part_rows(const std::vector<BandedQuantity> &bands)
 
 } // namespace
 
-Json shown_truncations(const std::vector<ring::Answer> &rows, const std::optional<ring::Answer> &one_ring)
+Json shown_truncations(const Json &rows)
 {
-  std::vector<ring::Answer> shown;
-  std::copy_if(rows.begin(), rows.end(), std::back_inserter(shown),
-               [&](const ring::Answer &row)
-               {
-                 return row.harmonics == rows.back().harmonics || !row.relative_change ||
-                        std::abs(*row.relative_change) > 1e-9;
-               });
-  if (one_ring)
-    shown.push_back(*one_ring);
-  Json table = shown_spin_rows(shown);
-  if (one_ring)
-    table.back()["harmonics"] = std::to_string(one_ring->harmonics) + ", on one ring";
-  return table;
+  const double torque_at_rest = std::abs(rows.back().value("tau_at_rest", 0.));
+  Json shown = Json::array();
+  for (const Json &row : rows)
+    if (row == rows.back() || !row["rest_terminal"].is_number() ||
+        std::abs(row["rest_terminal"].get<double>()) > 1e-9 * torque_at_rest)
+      shown.push_back(row);
+  zero_rounding_errors(shown, "change_half change_terminal change_largest rest_half rest_terminal",
+                       1e-12 * torque_at_rest);
+  zero_rounding_errors(shown, "change_half_relative change_terminal_relative change_largest_relative", 1e-12);
+  zero_rounding_errors(shown, "spin_change", 1e-11);
+  return shown;
 }
 
-void add_truncations(const std::vector<ring::Answer> &rows, const std::optional<ring::Answer> &one_ring,
-                     Document &document)
+void add_truncations(const Json &rows, const ring::TorqueEffects &effects, Document &document)
 {
-  document.findings.summary["truncation"] = declared(spin_rows(rows), "truncation");
-  document.add_rows("truncations", shown_truncations(rows, one_ring),
-                    "harmonics tau_at_rest omega_terminal relative_change bound load_minimum",
-                    "shown_truncations");
+  document.findings.summary["truncation"] = declared(rows, "truncation");
+  document.add_rows("truncations", shown_truncations(rows), truncation_keys);
+  std::vector<std::pair<std::string, std::vector<double>>> curves = { { "omega", effects.spins } };
+  for (const ring::TorqueEffect &effect : effects.rows)
+    if (effect.harmonics > 1)
+      curves.emplace_back(std::to_string(effect.harmonics), effect.curve);
+  document.add_columns("torque_changes", curves);
 }
 
 void add_bands(const std::vector<BandedQuantity> &bands, Document &document)

@@ -20,12 +20,18 @@ namespace stemware::pipeline
 
 // ---- tables of the page
 
-/// Returns the rows that change the spin by more than 1e-9, followed by all harmonics on @p one_ring.
-nlohmann::ordered_json shown_truncations(const std::vector<ring::Answer> &rows,
-                                         const std::optional<ring::Answer> &one_ring);
+/// Columns of the effect of harmonics on tau_z and on the terminal spin, for people.
+inline constexpr char truncation_keys[] = "harmonics change_half change_half_relative change_terminal "
+                                          "change_terminal_relative rest_terminal bound omega_terminal "
+                                          "spin_change";
 
-/// Adds "truncation" of summary.json and "truncations" of shown_truncations().
-void add_truncations(const std::vector<ring::Answer> &rows, const std::optional<ring::Answer> &one_ring,
+/// Returns truncation_rows() that matter: those whose rest of tau_z exceeds 1e-9 of the torque at rest, and
+/// all harmonics; rounding is 0.
+nlohmann::ordered_json shown_truncations(const nlohmann::ordered_json &rows);
+
+/// Adds @p rows, truncation_rows(), as "truncation" of summary.json, as the table "truncations" and, with the
+/// curves of @p effects, as the picture "torque_changes".
+void add_truncations(const nlohmann::ordered_json &rows, const ring::TorqueEffects &effects,
                      Document &document);
 
 /// Adds the tables "bands" and "band_parts".
@@ -78,6 +84,9 @@ Table phase_table(const PhaseStudy &phases);
 
 /// Returns the answer by number of harmonics, from "truncation" of summary.json.
 Table truncation_table(const nlohmann::ordered_json &truncation);
+
+/// Returns the effects of harmonics on tau_z against the spin.
+Table torque_change_table(const ring::TorqueEffects &effects);
 
 /// Returns the table of the Newton steps of the contact at rest.
 Table history_table(const std::vector<fem::ContactIteration> &history);

@@ -203,6 +203,7 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
     { "budget", spin.is_quick() ? Json(nullptr) : budget_summary(study, spin.budget.rows) },
     { "without", spin.is_quick() ? Json(nullptr) : declared(without_rows(study, spin.budget), "without") },
     { "harmonic_effect", harmonic_effect_summary(spin.budget.harmonics) },
+    { "torque_effect", torque_effect_summary(spin.torque_effects) },
     { "one_ring", spin.one_ring ? selected_keys(spin_rows({ *spin.one_ring })[0],
                                                 "tau_at_rest omega_terminal relative_change")
                                 : Json(nullptr) }
@@ -248,7 +249,8 @@ void add_spin(const Study &study, const ContactReport &report, const SpinStudy &
     add_phase_columns(*spin.phases, document);
   document.add_rows("friction", friction_rows(study, spin.all()),
                     "name torque lean_torque grip_torque torque_sum force[]");
-  add_truncations(spin.rows, spin.one_ring, document);
+  add_truncations(truncation_rows(spin.rows, spin.torque_effects, spin_scale(study)), spin.torque_effects,
+                  document);
 }
 
 void add_budget(const Study &study, const SpinStudy &spin, Document &document)
@@ -300,8 +302,7 @@ void add_foot_files(const FootReport &foot, bool has_terminal_spin, std::vector<
   }
 }
 
-std::vector<ResultFile> files_of(const Study &study, const ContactReport &report, const SpinStudy &spin,
-                                 const Findings &findings)
+std::vector<ResultFile> files_of(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   const ring::RingStack &rings = report.load.rings;
   std::vector<ResultFile> files = { { "summary.json", "all numbers, for programs" },
@@ -324,7 +325,7 @@ std::vector<ResultFile> files_of(const Study &study, const ContactReport &report
   add("torque.csv", "τ_z, T_x, T_y against the spin", torque_table(spin.torque));
   add("spin_up.csv", "the spin against time", spin_up_table(spin.spin_up));
   add("truncation.csv", "the answer with 1, 2, 3, 4, 6, 8 ... harmonics",
-      truncation_table(findings.summary["truncation"]));
+      truncation_table(truncation_rows(spin.rows, spin.torque_effects, spin_scale(study))));
   if (spin.spin_up.driven)
     add("driven_spin_up.csv", "the spin against time under the speeds of the file",
         driven_spin_table(*spin.spin_up.driven));
@@ -379,7 +380,7 @@ Results make_document(const Study &study, const ContactReport &report, const Spi
     results.add_list("contact");
   if (!bands.empty())
     add_bands(bands, results);
-  results.files = files_of(study, report, spin, results.findings);
+  results.files = files_of(study, report, spin);
   results.console = console_of(study, spin, results);
   return results;
 }

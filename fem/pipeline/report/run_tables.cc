@@ -135,8 +135,21 @@ Table phase_table(const PhaseStudy &phases)
 
 Table truncation_table(const nlohmann::ordered_json &truncation)
 {
-  return table_of(truncation, "harmonics tau_at_rest omega_terminal relative_change bound load_minimum",
+  return table_of(truncation,
+                  "harmonics tau_at_rest change_half change_half_relative change_terminal "
+                  "change_terminal_relative change_largest change_largest_at rest_half bound_half "
+                  "rest_terminal bound omega_terminal relative_change load_minimum",
                   "truncation");
+}
+
+Table torque_change_table(const ring::TorqueEffects &effects)
+{
+  Table table = { "", { numbers("omega", "rad/s", effects.spins) } };
+  for (const ring::TorqueEffect &effect : effects.rows)
+    table.columns.push_back(
+      numbers("tau_z up to harmonic " + std::to_string(effect.harmonics) + " minus tau_z of the first", "N m",
+              effect.curve));
+  return table;
 }
 
 Table history_table(const std::vector<fem::ContactIteration> &history)

@@ -34,33 +34,39 @@ unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double shar
 } // namespace
 
 Results make_truncation_document(const Study &study, const LoadReport &load,
-                                 const std::vector<ring::Answer> &rows)
+                                 const std::vector<ring::Answer> &rows, const ring::TorqueEffects &effects)
 {
+  const Json truncation = truncation_rows(rows, effects, spin_scale(study));
   const std::optional<double> omega = rows.back().omega_terminal();
   const HarmonicEffect effect = harmonic_effect(rows.front().omega_terminal(), omega, spin_scale(study));
   const unsigned int n_enough = harmonics_enough(rows, 1e-4);
   Results results = { document_of(study, "how many harmonics of the load matter") };
   results.findings.summary = { { "load", load_summary(load) },
                                { "fall", fall_summary(rows.back()) },
-                               { "harmonic_effect", harmonic_effect_summary(effect) } };
+                               { "harmonic_effect", harmonic_effect_summary(effect) },
+                               { "torque_effect", torque_effect_summary(effects) } };
   results.findings.key_figures = { { "omega_terminal", omega },
                                    { "harmonic_effect", effect.absolute },
                                    { "harmonic_effect_relative", effect.relative },
                                    { "harmonics_for_1e-4", omega ? Json(n_enough) : Json(nullptr) } };
-  results.words["answer"] = truncation_answer(study, rows, effect, n_enough);
+  results.words["answer"] = truncation_answer(study, rows, effects, effect, n_enough);
   add_load_lines(load, results);
-  add_truncations(rows, std::nullopt, results);
+  add_truncations(truncation, effects, results);
   results.files = { { "summary.json", "all numbers, for programs" },
                     { "parameters.prm", "the study as input file" },
                     { "truncation.csv", "the answer with 1, 2, 3, 4, 6, 8 ... harmonics",
-                      truncation_table(results.findings.summary["truncation"]) },
+                      truncation_table(truncation) },
+                    { "torque_changes.csv", "effect of the harmonics 2 ... n on τ_z against the spin",
+                      torque_change_table(effects) },
                     { "timings.json", "how long it took" } };
-  results.console = {
-    { results.words["answer"] },
-    { is_one_way(study) ? "One-way, the load at rest truncated:" : "In balance at every spin:",
-      table_of(shown_truncations(rows, std::nullopt),
-               "harmonics omega_terminal relative_change bound load_minimum", "shown_truncations") }
-  };
+  results.console = { { results.words["answer"] },
+                      { "The harmonics 2 ... n and tau_z: one load, the complete study's, cut after n. Rest: "
+                        "all minus n. In per "
+                        "cent of |tau_z| at rest. " +
+                          std::string(is_one_way(study)
+                                        ? "The spins are those of the load at rest, cut after n."
+                                        : "Each terminal spin is a balance of its own."),
+                        table_of(shown_truncations(truncation), truncation_keys, "truncations") } };
   return results;
 }
 

@@ -4,6 +4,7 @@
 #include "fem/pipeline/report/results.h"
 #include "fem/pipeline/study/study.h"
 #include "ring_model/spin/answer.h"
+#include "ring_model/spin/torque_effect.h"
 
 #include <vector>
 
@@ -11,8 +12,8 @@ namespace stemware::pipeline
 {
 
 /// Returns the results of `truncate`: @p rows are rows_by_harmonics(), the last with a terminal spin; @p load
-/// is the study's load at rest.
+/// is the study's load at rest, @p effects the effects of its harmonics on tau_z.
 Results make_truncation_document(const Study &study, const LoadReport &load,
-                                 const std::vector<ring::Answer> &rows);
+                                 const std::vector<ring::Answer> &rows, const ring::TorqueEffects &effects);
 
 } // namespace stemware::pipeline

@@ -7,7 +7,7 @@ import { shown } from '../js/words.js';
 import { sketch } from '../js/sketch.js';
 import { table_of } from '../js/tables.js';
 import { texts } from '../live/texts.js';
-import { truncation } from './spin.js';
+import { torque_changes, truncation } from './spin.js';
 
 /**
  * Why the glass turns, falls or is held, by what the two sides press; `offset` of the hand from the centre of mass, if that
@@ -99,14 +99,15 @@ export const bands = doc =>
 
 /** What the spin is with fewer harmonics of the load; remarks stand before and after how to read it. */
 export const fewer_harmonics = (doc, [before, after] = []) => ({
-  title: 'Fewer harmonics',
+  title: 'The effect of each harmonic',
   text: [
     before,
-    'No harmonic beyond the first changes the torque at rest. The bound on the change of τ_z follows from the omitted harmonics ' +
-      'only, at the terminal spin of all harmonics. A negative minimum load is tensile (not physical). Rows ' +
-      'that change the spin by less than 1e-9 are in truncation.csv only.',
+    'Δτ_z(n) is the effect of the harmonics 2 … n on the torque of friction, under one load: that of the complete study ' +
+      'at each spin, cut after n. The rest is the effect of the harmonics that are left out; the bound holds for it. At rest ' +
+      'no harmonic beyond the first changes the torque. Each terminal spin is a balance of its own. Rows with a rest ' +
+      'below 1e-9 of the torque at rest are in truncation.csv only.',
     after
   ],
-  pictures: [truncation(doc)],
-  tables: [{ name: 'truncations', title: 'The answer with a truncated load' }]
+  pictures: [torque_changes(doc), truncation(doc)],
+  tables: [{ name: 'truncations', title: 'Torque and spin by the number of harmonics' }]
 });

@@ -170,6 +170,40 @@ export function phases(doc) {
   };
 }
 
+/** The effect of the harmonics 2 … n on the torque, over the spin; nothing where it is rounding. */
+export function torque_changes(doc) {
+  const t = columns(doc.tables.torque_changes);
+  const rest = Math.abs(doc.summary.truncation[0].tau_at_rest);
+  const orders = Object.keys(t).filter(key => key !== 'omega');
+  const all = orders[orders.length - 1];
+  if (!all || !(largest(t[all]) > 1e-9 * rest)) return null;
+  // Curves that lie on the one of all harmonics say nothing.
+  const differs = n => largest(t[n].map((v, i) => v - t[all][i])) > 0.01 * largest(t[all]);
+  const shown_orders = [...orders.filter(differs).slice(0, 4), all];
+  const colours = ['c2', 'c3', 'c4', 'c5'];
+  const dashes = ['8 4', '9 3 2 3', '3 3', '9 3 2 3 2 3'];
+  const part = (n, i) =>
+    line({
+      x: t.omega,
+      y: t[n].map(v => (v === null ? NaN : (100 * v) / rest)),
+      name: n === all ? 'all harmonics' : `n ≤ ${n}`,
+      colour: n === all ? 'c1' : colours[i],
+      dash: n === all ? undefined : dashes[i]
+    });
+  return {
+    id: 'torque_changes',
+    title: 'Effect of the harmonics beyond the first on the torque',
+    words: `${shown((100 * doc.summary.torque_effect.half) / rest, '+.3g')} % at half the terminal spin`,
+    caption:
+      'Δτ_z(n) = τ_z(n) − τ_z(1) of friction: the load of the complete study at each spin, cut after n harmonics, ' +
+      'without a new balance. Relative to the torque at rest.' +
+      one_way(doc),
+    x: { label: 'spin ω', symbol: 'ω =', unit: 'rad/s' },
+    y: { label: 'Δτ_z(n) / |τ_z(0)|', unit: '%', zero: true, digits: '.3g' },
+    marks: shown_orders.map(part)
+  };
+}
+
 export function truncation(doc) {
   const rows = doc.summary.truncation.filter(row => Math.abs(row.relative_change) > 1e-12); // smaller ones say nothing
   if (rows.length < 3) return null;

@@ -203,27 +203,6 @@ TEST(Budget, RowsOfContacts)
             contact_rows(study, { "1 paper 1", "2 given moment 1", "3 where the foot touches 1" }));
 }
 
-TEST(Truncation, BoundsHold)
-{
-  Study study = quick_contact_study();
-  study.motion.orbit.centre_of_mass_height = 0.1; // lift-off
-  fem::ComplianceCache cache;
-  const auto foot = study_foot(study, cache);
-  const std::vector<LoadedRow> rows =
-    rows_by_harmonics(study, foot, *find_load(study, foot), spin_question(study), ThreadedExecutor(cache))
-      .by_harmonics;
-  const double omega = rows.back().row.terminal->omega;
-  for (const LoadedRow &loaded : rows)
-  {
-    const ring::Answer &row = loaded.row;
-    // There the torque of all harmonics vanishes: what is left is that of the harmonics left out.
-    const double torque = std::abs(yaw_torque(*loaded.load, study.motion.orbit, omega));
-    EXPECT_LE(torque, *row.bound + 1e-13) << row.harmonics;
-    EXPECT_TRUE(row.harmonics != 1 || torque > 1e-6); // the bound bounds something
-  }
-  EXPECT_TRUE(rows.front().row.pulls()); // the first harmonic alone
-}
-
 TEST(Truncation, FirstHarmonicOfAThinStiffRingIsTheClosedForm)
 {
   Study study = quick_contact_study();

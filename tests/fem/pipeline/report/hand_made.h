@@ -76,8 +76,7 @@ inline ring::Answer hand_made_row(Numbers &next, unsigned int harmonics)
   next();
   row.status = ring::Status::lift_off;
   row.relative_change = next() / 100;
-  row.bound = next() / 1e6;
-  for (int i = 0; i < 4; ++i) // numbers that no row has
+  for (int i = 0; i < 5; ++i) // numbers that no row has
     next();
   return row;
 }

@@ -1,0 +1,94 @@
+#include "ring_model/spin/torque_effect.h"
+
+#include "ring_model/friction_functionals.h"
+#include "ring_model/if_balanced.h"
+
+#include <boost/math/tools/minima.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace stemware::ring
+{
+namespace
+{
+using Torque = std::optional<TorqueByHarmonics>;
+
+std::optional<TorqueEffect::AtSpin> effect_at(const Torque &torque, unsigned int n)
+{
+  if (!torque)
+    return std::nullopt;
+  return TorqueEffect::AtSpin{ torque->change(n), torque->rest(n), torque->bound(n) };
+}
+
+/// Polishes the largest value of |change(spin)| between the neighbours of its largest sample, at the spin
+/// @p spins[i].
+template <typename Change>
+double polished_maximum(const std::vector<double> &spins, std::size_t i, const Change &change)
+{
+  constexpr int n_bits = 20; // of the spin: the value is then accurate to rounding
+  const auto [low, high] = std::minmax(spins[i > 0 ? i - 1 : 0], spins[std::min(i + 1, spins.size() - 1)]);
+  const auto found = boost::math::tools::brent_find_minima(
+    [&](double omega) { return -std::abs(change(omega)); }, low, high, n_bits);
+  return -found.second > std::abs(change(spins[i])) ? found.first : spins[i];
+}
+
+/// Adds curve and largest effect of @p row from @p torques, those at @p spins.
+template <typename TorqueAt>
+void add_curve(const std::vector<double> &spins, const std::vector<Torque> &torques,
+               const TorqueAt &torque_at, TorqueEffect &row)
+{
+  const auto change_of = [&](const Torque &torque)
+  { return torque ? torque->change(row.harmonics) : std::numeric_limits<double>::quiet_NaN(); };
+  std::size_t largest = 0;
+  for (std::size_t i = 0; i < spins.size(); ++i)
+  {
+    row.curve.push_back(change_of(torques[i]));
+    if (std::abs(row.curve[i]) > std::abs(row.curve[largest]))
+      largest = i;
+  }
+  const auto change = [&](double omega)
+  {
+    const double value = change_of(torque_at(omega));
+    return std::isfinite(value) ? value : 0.;
+  };
+  row.largest_at = row.curve[largest] == 0. ? 0. : polished_maximum(spins, largest, change);
+  row.largest = change(*row.largest_at);
+}
+} // namespace
+
+TorqueEffects torque_effects(const LoadAtSpin &load, const Motion &motion, const Answer &all,
+                             const std::vector<unsigned int> &orders, const LoadAtSpin *curve)
+{
+  constexpr unsigned int n_intervals = 64;
+  const auto torque_of = [&motion](const LoadAtSpin &of, double omega) -> Torque
+  { return if_balanced([&] { return TorqueByHarmonics(motion, of.at(omega), omega); }); };
+  TorqueEffects effects = { std::abs(all.at_rest.value().friction.torque) };
+  Torque half, terminal;
+  if (all.terminal)
+  {
+    half = torque_of(load, all.terminal->omega / 2);
+    terminal = TorqueByHarmonics(motion, all.at_terminal.value().load, all.terminal->omega);
+  }
+  std::vector<Torque> torques;
+  const double last = all.last_spin().value_or(0.);
+  for (unsigned int i = 0; curve && i <= n_intervals; ++i)
+  {
+    effects.spins.push_back(last * i / n_intervals + 0.); // no -0
+    torques.push_back(torque_of(*curve, effects.spins.back()));
+  }
+  for (const unsigned int n : orders)
+  {
+    TorqueEffect &row = effects.rows.emplace_back();
+    row.harmonics = n;
+    row.half = effect_at(half, n);
+    row.terminal = effect_at(terminal, n);
+    if (curve)
+      add_curve(
+        effects.spins, torques, [&](double omega) { return torque_of(*curve, omega); }, row);
+  }
+  return effects;
+}
+} // namespace stemware::ring

@@ -1,0 +1,104 @@
+// The effect of each harmonic on the torque, against the friction of the truncated loads by plain quadrature.
+#include "ring_model/spin/torque_effect.h"
+#include "tests/ring_model/quadrature.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stemware::ring
+{
+namespace
+{
+constexpr double radius = 0.03;
+
+/// Load of three rings whose moment and higher harmonics change with the spin @p omega [rad/s].
+RingStack load_at(double omega)
+{
+  const double s = 1. + 0.02 * omega;
+  return RingStack({ { 0.028, { 0.15, 0.03, 0.02 * s, -0.01, 0.004 }, { 0., 0.1 * s, -0.01, 0.02, 0.003 } },
+                     { 0.030, { 0.20, 0.02, -0.01, 0.01 * s, 0.002 }, { 0., 0.12, 0.015, -0.01 * s, 0.001 } },
+                     { 0.032, { 0.12, -0.01, 0.03, 0.005, 0.001 }, { 0., 0.07, 0.004, 0.006, -0.002 } } });
+}
+
+const LoadFromFunction the_load([](double omega) -> LeaningLoad { return load_at(omega); });
+
+/// tau_z of the load at @p omega cut after @p n by the trapezoidal rule, which has no kernels.
+double torque_by_quadrature(double omega, unsigned int n)
+{
+  const Motion motion;
+  return test::wrench_by_quadrature(motion.friction_coefficient, load_at(omega).truncated(n), omega,
+                                    motion.orbit_speed, 4000)
+    .torque;
+}
+
+/// The rule's error falls like (omega R / v)^4000, so that only rounding of some 10 N m mu R is left.
+constexpr double tolerance = 1e-16;
+
+TEST(TorqueEffect, IsTheTorqueOfTheTruncatedLoadByQuadrature)
+{
+  const Motion motion;
+  const Answer all = answer(the_load, { motion });
+  const double omega = *all.omega_terminal();
+  const TorqueEffects effects = torque_effects(the_load, motion, all, { 1, 2, 3, 4, 9 }, &the_load);
+  EXPECT_NEAR(effects.torque_at_rest, std::abs(torque_by_quadrature(0., 4)), tolerance);
+  ASSERT_EQ(effects.rows.size(), 5u);
+  for (const TorqueEffect &row : effects.rows)
+    for (const auto &[spin, found] : { std::pair(omega / 2, row.half), std::pair(omega, row.terminal) })
+    {
+      const double cut = torque_by_quadrature(spin, row.harmonics);
+      EXPECT_NEAR(found.value().change, cut - torque_by_quadrature(spin, 1), tolerance);
+      EXPECT_NEAR(found.value().rest, torque_by_quadrature(spin, 4) - cut, tolerance);
+      EXPECT_GE(found.value().bound, std::abs(found.value().rest));
+      EXPECT_LT(found.value().bound, row.harmonics < 4 ? 4e-4 : 1e-300);
+    }
+}
+
+TEST(TorqueEffect, TheLargestIsThatOfADenseScan)
+{
+  const Motion motion;
+  const Answer all = answer(the_load, { motion });
+  const TorqueEffects effects = torque_effects(the_load, motion, all, { 1, 2, 4 }, &the_load);
+  EXPECT_EQ(effects.rows[0].largest, 0.);
+  for (const TorqueEffect &row : { effects.rows[1], effects.rows[2] })
+  {
+    double largest = 0.;
+    for (int i = 0; i <= 5000; ++i)
+    {
+      const double omega = *all.omega_terminal() * i / 5000;
+      const double change = TorqueByHarmonics(motion, load_at(omega), omega).change(row.harmonics);
+      largest = std::abs(change) > std::abs(largest) ? change : largest;
+    }
+    // The scan misses a parabola's top by (1 / 10000)^2 of its height.
+    EXPECT_NEAR(*row.largest, largest, 1e-7 * std::abs(largest));
+    EXPECT_NEAR(*row.largest, TorqueByHarmonics(motion, load_at(*row.largest_at), *row.largest_at).change(
+                                row.harmonics), 1e-18);
+  }
+}
+
+TEST(TorqueEffect, AtRestNoHarmonicBeyondTheFirstActs)
+{
+  for (unsigned int n = 1; n <= 4; ++n)
+    EXPECT_NEAR(TorqueByHarmonics(Motion(), load_at(0.), 0.).rest(n), 0., 1e-18);
+}
+
+TEST(TorqueEffect, AGlassThatTipsHasTheCurveUpToTheFall)
+{
+  const Motion motion;
+  const LoadFromFunction load(
+    [](double omega) -> LeaningLoad
+    {
+      if (omega < -1.)
+        throw Tipping("it tips");
+      return load_at(omega);
+    });
+  const Answer all = answer(load, { motion });
+  ASSERT_TRUE(all.fall);
+  const TorqueEffects effects = torque_effects(load, motion, all, { 1, 4 }, &load);
+  EXPECT_FALSE(effects.rows[1].half);
+  EXPECT_FALSE(effects.rows[1].terminal);
+  EXPECT_DOUBLE_EQ(effects.spins.back(), all.fall->omega);
+  EXPECT_TRUE(std::isfinite(effects.rows[1].curve.back()));
+}
+} // namespace
+} // namespace stemware::ring
