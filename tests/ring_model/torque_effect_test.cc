@@ -71,8 +71,9 @@ TEST(TorqueEffect, TheLargestIsThatOfADenseScan)
     }
     // The scan misses a parabola's top by (1 / 10000)^2 of its height.
     EXPECT_NEAR(*row.largest, largest, 1e-7 * std::abs(largest));
-    EXPECT_NEAR(*row.largest, TorqueByHarmonics(motion, load_at(*row.largest_at), *row.largest_at).change(
-                                row.harmonics), 1e-18);
+    EXPECT_NEAR(*row.largest,
+                TorqueByHarmonics(motion, load_at(*row.largest_at), *row.largest_at).change(row.harmonics),
+                1e-18);
   }
 }
 

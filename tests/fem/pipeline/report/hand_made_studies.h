@@ -73,6 +73,16 @@ inline pipeline::Budget hand_made_budget(Numbers &next)
   return budget;
 }
 
+/// Effects of one and of two harmonics whose numbers are all different. Torque at rest: 2 N m.
+inline ring::TorqueEffects hand_made_effects()
+{
+  using AtSpin = ring::TorqueEffect::AtSpin;
+  return { 2,
+           { 0, -4 },
+           { { 1, AtSpin{ 0, 0.25, 0.3125 }, AtSpin{ 0, 0.375, 0.4375 }, 0, 0, { 0, 0 } },
+             { 2, AtSpin{ 0.25, 0, 0 }, AtSpin{ 0.375, 0, 0 }, 0.5, -3, { 0, 0.375 } } } };
+}
+
 struct RunByHand
 {
   RunByHand()
@@ -105,6 +115,7 @@ struct RunByHand
     spin.curve_error = next();
     spin.rows = { hand_made_row(next, 1), hand_made_row(next, 2) };
     spin.torque = hand_made_torque_curve(next);
+    spin.torque_effects = hand_made_effects();
     spin.spin_up = {
       { 0, next() }, { 0, next() }, { 0, next() }, { 0, next() }, { 0, next() }, { 0, next() }
     };

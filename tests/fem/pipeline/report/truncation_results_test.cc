@@ -19,7 +19,10 @@ Results made_truncation()
   const LoadReport load = hand_made_load_report(next);
   std::vector<ring::Answer> rows = { hand_made_row(next, 1), missing_row(2), hand_made_row(next, 3) };
   rows.back().relative_change = 0;
-  return make_truncation_document(study, load, rows);
+  ring::TorqueEffects effects = hand_made_effects();
+  effects.rows.push_back(effects.rows.back());
+  effects.rows.back().harmonics = 3;
+  return make_truncation_document(study, load, rows, effects);
 }
 
 TEST(TruncationByHand, SaysHowManyHarmonicsAreEnough)
