@@ -1,6 +1,7 @@
 #include "fem/contact/contact_extent.h"
 
 #include "fem/contact/azimuthal_density.h"
+#include "fem/contact/largest_between.h"
 #include "fem/contact/line_integral.h"
 #include "ring_model/load/lagrange.h"
 
@@ -84,8 +85,8 @@ double positive_share(const std::vector<CutValue> &cuts)
   return 1 - std::min(1., lost / two_pi);
 }
 
-/// Largest value between the cuts: the maximum of the polynomial through the largest one and three neighbours
-/// on either side, or one neighbour if the contact ends closer by.
+} // namespace
+
 double largest_between(const std::vector<CutValue> &cuts)
 {
   const auto largest =
@@ -116,6 +117,9 @@ double largest_between(const std::vector<CutValue> &cuts)
   }
   return largest->value;
 }
+
+namespace
+{
 
 /// Share of the sectors with a place under pressure; @p is_loaded of the sectors from theta = 0 on, of this
 /// part of the surface.

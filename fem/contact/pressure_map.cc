@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace stemware::fem
 {
@@ -137,13 +138,38 @@ std::vector<std::vector<std::size_t>> groups_of_azimuths(const std::vector<doubl
   return groups;
 }
 
-/// Where the pressure ends beyond the loaded point @p i of a cut: where the line from the loaded point before
-/// it through this one meets zero, at the next point at the latest; without one before it half-way to the
-/// next.
+/// Distance from the last loaded point, with the pressure @p last, to an edge at which the pressure ends
+/// upright as under Hertz's line contact, over the spacing of the points; @p before and @p second: pressures
+/// at the two points before. There the square of the pressure is nearly linear, and a quadratic goes through
+/// the three squares. std::nullopt if the pressure itself is closer to linear.
+std::optional<double> reach_of_upright_edge(double last, double before, double second)
+{
+  const auto bend = [](double q0, double q1, double q2) { return std::abs((q2 - 2 * q1 + q0) / (q1 - q0)); };
+  const double q0 = last * last, q1 = before * before, q2 = second * second;
+  if (!(before > last && second > before && bend(q0, q1, q2) < bend(last, before, second)))
+    return std::nullopt;
+  const double quadratic = (q2 - 2 * q1 + q0) / 2, linear = q1 - q0 - quadratic;
+  const double discriminant = linear * linear - 4 * quadratic * q0;
+  if (discriminant < 0)
+    return std::nullopt;
+  return 2 * q0 / (linear + std::sqrt(discriminant));
+}
+
+/// Where the pressure ends beyond the loaded point @p i of a cut, at the next point at the latest: at
+/// reach_of_upright_edge() of three equally spaced points, else where the line from the loaded point before
+/// it through this one meets zero; without one before it half-way to the next.
 double edge_beyond(const std::vector<PressurePoint> &cut, std::size_t i, bool outwards)
 {
   if (i == (outwards ? cut.size() - 1 : 0))
     return cut[i].radius;
+  const auto at = [&](std::size_t n) -> const PressurePoint & { return cut[outwards ? i - n : i + n]; };
+  if (const std::size_t n_before = outwards ? i : cut.size() - 1 - i; n_before >= 2)
+  {
+    const double spacing = at(0).radius - at(1).radius;
+    const auto reach = reach_of_upright_edge(at(0).pressure, at(1).pressure, at(2).pressure);
+    if (reach && std::abs(at(1).radius - at(2).radius - spacing) < 1e-3 * std::abs(spacing))
+      return at(0).radius + std::min(*reach, 1.) * spacing;
+  }
   const double to_next = cut[outwards ? i + 1 : i - 1].radius - cut[i].radius;
   const bool is_first = i == (outwards ? 0 : cut.size() - 1);
   const PressurePoint &before = is_first ? cut[i] : cut[outwards ? i - 1 : i + 1];

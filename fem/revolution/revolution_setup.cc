@@ -1,5 +1,7 @@
 #include "fem/revolution/revolution_setup.h"
 
+#include "fem/contact/stiff_spring.h"
+
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
@@ -79,7 +81,7 @@ std::shared_ptr<const InterfaceLaw> RevolutionSetup::interface() const
   if (compliance == 0)
     throw std::invalid_argument("A rigid foot on a hard, rigid table has no defined pressure; make foot, "
                                 "interface or substrate compliant.");
-  return std::make_shared<WinklerInterface>(hardness / compliance);
+  return make_stiff_spring(hardness / compliance);
 }
 
 double hertz_half_width(const RevolutionSetup &setup, double normal_force)

@@ -30,6 +30,9 @@ PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const PhaseExtremes
   study.spin_uncertainty = row.spin_uncertainty;
   study.zero_of_mean_torque = row.zero_of_mean_torque;
   study.least_load = at_rest.least_load;
+  if (row.omega_terminal())
+    for (const ring::RingStack &rings : loads.samples(*row.omega_terminal()))
+      study.least_load = std::min(study.least_load, std::max(0., rings.minimum()));
   study.least_contact_fraction = at_rest.least_contact_fraction;
   study.n_glass_phases = loads.phases().glass.size();
   study.n_table_phases = loads.phases().table.size();

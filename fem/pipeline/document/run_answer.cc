@@ -96,7 +96,7 @@ std::string spinning_answer(const Study &study, const SpinStudy &spin, const Err
   if (spin.rows.size() > 1)
   {
     append(text, torque_effect_sentence(spin.torque_effects));
-    append(text, harmonic_effect_sentence(study, spin.budget.harmonics));
+    append(text, harmonic_effect_sentence(study, spin.budget.harmonics, band_of(bands, "harmonic_effect")));
   }
   append(text, largest_step_sentence(study, spin.budget));
   if (band)
@@ -106,14 +106,22 @@ std::string spinning_answer(const Study &study, const SpinStudy &spin, const Err
   return text;
 }
 
-/// Largest pressure and contact width of a load. Empty without a contact.
-std::string pressed_sentence(const std::string &state, const LoadReport &load)
+/// Largest pressure and contact width of a load, with bands that exceed a tenth of them; at any spin the
+/// bands of the rest. Empty without a contact.
+std::string pressed_sentence(const std::string &state, const LoadReport &load, const ErrorBands &bands)
 {
   if (!load.peak_pressure)
     return "";
-  const auto text = [](double value, const char *unit) { return in_usual_unit(rounded(value, 3), unit); };
-  return state + " the largest pressure is " + text(*load.peak_pressure, "Pa") +
-         (load.contact_width ? ", the contact at most " + text(*load.contact_width, "m") + " wide." : ".");
+  const auto text = [&](const std::string &key, double value, const char *unit)
+  {
+    const std::optional<double> band = band_of(bands, key);
+    return in_usual_unit(rounded(value, 3), unit) +
+           (band && *band > 0.1 * value ? " ± " + in_usual_unit(rounded(*band, 2), unit) : "");
+  };
+  return state + " the largest pressure is " + text("peak_pressure", *load.peak_pressure, "Pa") +
+         (load.contact_width
+            ? ", the contact at most " + text("contact_width", *load.contact_width, "m") + " wide."
+            : ".");
 }
 
 } // namespace
@@ -163,11 +171,11 @@ std::string lift_off_remark(const Study &study, const ContactReport &report, con
   return lift_off_sentences({ { "At rest", &report.load } });
 }
 
-std::string contact_remark(const ContactReport &report, const SpinStudy &spin)
+std::string contact_remark(const ContactReport &report, const SpinStudy &spin, const ErrorBands &bands)
 {
-  std::string text = pressed_sentence("At rest", report.load);
+  std::string text = pressed_sentence("At rest", report.load, bands);
   if (spin.all().terminal)
-    append(text, pressed_sentence("At the terminal spin", report.load_at_end));
+    append(text, pressed_sentence("At the terminal spin", report.load_at_end, bands));
   return text;
 }
 

@@ -73,12 +73,16 @@ std::string torque_effect_sentence(const ring::TorqueEffects &effects)
   return text + "; at rest by nothing, for every contact.";
 }
 
-std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect)
+std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect,
+                                     const std::optional<double> &band)
 {
   if (!effect.absolute)
     return "";
   const std::string opening = "The higher harmonics of the " + one_way_word(study) + "load ",
-                    change = number(*effect.absolute, "+.3g") + " rad/s";
+                    change = number(*effect.absolute, "+.3g") +
+                             (band && *band > 0.1 * std::abs(*effect.absolute) ? " ± " + number(*band, "band")
+                                                                               : "") +
+                             " rad/s";
   if (!is_spin(study, *effect.absolute))
     return opening + "change the spin by less than " + number(rounding_of_spins(study), ".2g") + " rad/s.";
   if (effect.relative)

@@ -5,6 +5,7 @@
 #include "fem/pipeline/study/study.h"
 #include "ring_model/spin/answer.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,8 +41,9 @@ std::string faster_or_slower(double change);
 std::string torque_effect_sentence(const ring::TorqueEffects &effects);
 
 /// Returns a sentence on the effect of the harmonics beyond the first on the terminal spin; empty without an
-/// effect.
-std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect);
+/// effect. The @p band of the effect [rad/s] is added if it exceeds a tenth of it.
+std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect,
+                                     const std::optional<double> &band = {});
 
 /// Returns sentences on a glass that stands at rest and tips on the way, whose answer @p all has a fall.
 std::string fall_sentences(const Study &study, const ring::Answer &all);

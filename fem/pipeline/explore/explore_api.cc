@@ -103,6 +103,23 @@ Json failure_of(const std::string &message, bool tips)
   return { { "error", message }, { "tips", tips }, { "notes", implausible_notes(explorer->study()) } };
 }
 
+/// Message of the failure of a balance, or of the failure nested in it.
+std::string message_of(const ring::Tipping &failure)
+{
+  try
+  {
+    std::rethrow_if_nested(failure);
+  }
+  catch (const BadInput &cause)
+  {
+    return cause.what();
+  }
+  catch (...) // NOLINT: the outer message
+  {
+  }
+  return failure.what();
+}
+
 /// Answers with what @p make returns, or with why it throws.
 template <typename Make>
 const char *answer(const Make &make)
@@ -113,7 +130,7 @@ const char *answer(const Make &make)
   }
   catch (const ring::Tipping &failure)
   {
-    reply = dump_utf8(failure_of(failure.what(), true));
+    reply = dump_utf8(failure_of(message_of(failure), true));
   }
   catch (const fem::ContactFailure &failure)
   {
@@ -185,9 +202,10 @@ const char *explore_pressure()
       if (last_contact)
       {
         const fem::PressureMap map = explorer->pressure(*last_contact);
-        pictures.tables["foot"] = { { "footprint",
-                                      pressure_map(map, explorer->study().glass.profile.contact_radius,
-                                                   fem::largest_pressure(map)) } };
+        pictures.tables["foot"] = {
+          { "footprint", pressure_map(map, explorer->study().glass.profile.contact_radius,
+                                      fem::largest_pressure(map), last_contact->load.peak_pressure) }
+        };
       }
       return document_of(pictures);
     });

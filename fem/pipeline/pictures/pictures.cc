@@ -37,13 +37,15 @@ std::vector<double> thinned(const std::vector<double> &values, std::size_t max_s
 constexpr double micrometres = 1e6; ///< of a metre
 
 /// Largest and mean pressure, and the width of the contact.
-Json measures_of(const fem::PressureMap &footprint, double pascals)
+Json measures_of(const fem::PressureMap &footprint, double pascals, double peak,
+                 const std::optional<double> &band)
 {
   if (!fem::has_cells(footprint))
     return nullptr;
   const fem::FootprintMeasures measures = fem::measures_of(footprint);
   const bool is_even = measures.widest - measures.narrowest < 0.005 * measures.widest;
-  return { { "largest", measures.largest.pressure / pascals },
+  return { { "largest", peak / pascals },
+           { "band", band && *band > 0.1 * peak ? Json(*band / pascals) : Json(nullptr) },
            { "azimuth", measures.largest.azimuth / degree },
            { "mean", measures.mean / pascals },
            { "narrowest", is_even ? Json(nullptr) : Json(measures.narrowest * micrometres) },
@@ -202,7 +204,8 @@ void add_phase_columns(const PhaseStudy &phases, Pictures &pictures)
                          { "at_terminal", phases.torque_at_terminal } });
 }
 
-Json pressure_map(const fem::PressureMap &footprint, double contact_radius, double largest)
+Json pressure_map(const fem::PressureMap &footprint, double contact_radius, double largest, double peak,
+                  const std::optional<double> &band)
 {
   const bool is_low = fem::largest_pressure(footprint) < 1e6;
   const double pascals = is_low ? 1e3 : 1e6;
@@ -225,7 +228,7 @@ Json pressure_map(const fem::PressureMap &footprint, double contact_radius, doub
            { "unit", is_low ? "kPa" : "MPa" },
            { "largest", shortened(largest / pascals) },
            { "is_grid", fem::has_cells(footprint) },
-           { "measures", measures_of(footprint, pascals) } };
+           { "measures", measures_of(footprint, pascals, peak, band) } };
 }
 
 } // namespace stemware::pipeline

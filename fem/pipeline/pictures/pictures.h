@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,7 +55,10 @@ void add_spin_up_columns(const SpinUpCurves &curves, unsigned int n_first, Pictu
 /// Adds "phases": torque over the azimuth of the mark of the glass or the table.
 void add_phase_columns(const PhaseStudy &phases, Pictures &pictures);
 
-/// Returns p(r, theta) of @p footprint cut by cut, on a scale that ends at @p largest [Pa].
-nlohmann::ordered_json pressure_map(const fem::PressureMap &footprint, double contact_radius, double largest);
+/// Returns p(r, theta) of @p footprint cut by cut, on a scale that ends at @p largest [Pa], with the load's
+/// @p peak pressure and the error band of the peak at rest [Pa]; the band is left out up to a tenth of the
+/// peak.
+nlohmann::ordered_json pressure_map(const fem::PressureMap &footprint, double contact_radius, double largest,
+                                    double peak, const std::optional<double> &band = {});
 
 } // namespace stemware::pipeline

@@ -1,5 +1,6 @@
 #include "fem/pipeline/refinement/error_bands.h"
 
+#include "fem/contact/footprint.h"
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/refinement/band_changes.h"
@@ -30,7 +31,8 @@ struct EvaluationPoints
   std::vector<double> spins;
   std::optional<double> first; ///< terminal spin of the first harmonic alone
   std::vector<ring::Orientation> phases;
-  double spin_scale = 0; ///< v / R [rad/s]
+  double spin_scale = 0;   ///< v / R [rad/s]
+  bool with_width = false; ///< the width of the contact has a band
 };
 
 /// Torques at one spin [N m]; NaN without a balance.
@@ -95,6 +97,10 @@ Evaluation evaluate(const LoadsAtPhases &loads, const ElasticFoot &foot, const r
 {
   Evaluation found = {};
   found.at_rest = loads.all.front()->report();
+  if (probe.with_width)
+    if (const fem::PressureMap map = foot.body().pressure_map(*loads.all.front()->contact(0));
+        fem::has_cells(map))
+      found.at_rest.contact_width = fem::measures_of(map).widest;
   found.table_motion = loads.all.front()->contact(0).value().solution.motion;
   found.torques.assign(probe.spins.size(), { 0, 0 });
   const double share = 1. / static_cast<double>(probe.phases.size());
@@ -200,6 +206,8 @@ EvaluationPoints probe_of(const Study &study, const ElasticFoot &foot, double om
   probe.spins = { 0, omega / 2, omega, 1.5 * omega };
   probe.first = first;
   probe.phases = phases_of(study, foot);
+  probe.with_width = study.table.is_hard() && study.glass.profile.crown_radius > 0 &&
+                     abilities(study.contact.body).is_of_revolution;
   probe.spin_scale = study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
   return probe;
 }

@@ -28,10 +28,16 @@ std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double s
   const bool ends_somewhere = load.contact_fraction > 0 && load.contact_fraction < 1;
   quantities.push_back({ "contact_fraction", "share of the land in contact", "1", load.contact_fraction,
                          ends_somewhere ? share_noise : 0. });
+  if (load.azimuth_fraction)
+    quantities.push_back({ "azimuth_fraction", "share of the azimuths in contact", "1",
+                           *load.azimuth_fraction, *load.azimuth_fraction < 1 ? share_noise : 0. });
   quantities.push_back({ "minimum", "least load at rest", "N/rad", load.minimum, relative_noise * mean });
   if (load.peak_pressure)
     quantities.push_back({ "peak_pressure", "largest pressure at rest", "Pa", *load.peak_pressure,
                            relative_noise * *load.peak_pressure });
+  if (load.contact_width)
+    quantities.push_back({ "contact_width", "largest width of the contact at rest", "m", *load.contact_width,
+                           relative_noise * *load.contact_width });
   return quantities;
 }
 

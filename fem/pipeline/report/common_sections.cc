@@ -125,6 +125,13 @@ Json band_summary(const std::vector<BandedQuantity> &bands)
                                    { "parts", parts },
                                    { "unit", each.quantity.unit } };
   }
+  if (const auto spin = find_quantity(bands, "omega_terminal"); spin != bands.end())
+  {
+    const std::vector<double> spins = spins_of_interest(spin->quantity.value);
+    for (std::size_t i = 0; i < spins.size(); ++i)
+      if (const auto torque = summary.find("tau_at_spin_" + std::to_string(i + 1)); torque != summary.end())
+        (*torque)["omega"] = spins[i];
+  }
   return summary;
 }
 

@@ -101,7 +101,8 @@ Json section_of(const std::vector<fem::SectionPolygon> &cells, double contact_ra
 
 } // namespace
 
-void add_foot_pictures(const Study &study, const FootReport &foot, Document &document)
+void add_foot_pictures(const Study &study, const FootReport &foot, const ErrorBands &bands,
+                       Document &document)
 {
   constexpr double share_of_radius = 0.12;
   const double radius = study.glass.profile.contact_radius;
@@ -109,18 +110,21 @@ void add_foot_pictures(const Study &study, const FootReport &foot, Document &doc
   double largest = fem::largest_pressure(foot.footprint);
   if (foot.footprint_at_end)
     largest = std::max(largest, fem::largest_pressure(*foot.footprint_at_end)); // one scale for both
-  pictures["footprint"] = pressure_map(foot.footprint, radius, largest);
+  const std::optional<double> band = band_of(bands, "peak_pressure");
+  pictures["footprint"] =
+    pressure_map(foot.footprint, radius, largest, foot.at_rest.load.peak_pressure, band);
   if (foot.footprint_at_end)
-    pictures["footprint_at_end"] = pressure_map(*foot.footprint_at_end, radius, largest);
+    pictures["footprint_at_end"] =
+      pressure_map(*foot.footprint_at_end, radius, largest, foot.at_end->load.peak_pressure, band);
   if (!foot.stressed_section.empty())
     pictures["stresses"] = stresses(foot.stressed_section);
   if (foot.section.empty())
     return;
   const double crown = study.contact.mesh_file.empty() ? study.glass.profile.crown_radius : 0;
-  const fem::ContactWidth band = fem::loaded_band(foot.footprint);
-  pictures["section"] = section_of(foot.section, radius, crown, band);
+  const fem::ContactWidth zone = fem::loaded_band(foot.footprint);
+  pictures["section"] = section_of(foot.section, radius, crown, zone);
   // The pressure seen from above, its distance from the rim drawn larger.
-  const double extent = std::max({ radius - band.inner, band.outer - radius, 1e-4 * radius });
+  const double extent = std::max({ radius - zone.inner, zone.outer - radius, 1e-4 * radius });
   pictures["magnification"] = std::max(1., round_down(share_of_radius * radius / extent));
 }
 

@@ -162,10 +162,14 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
 }
 
 /// Summary of the effects of an out-of-flat rim or table.
-Json waviness_summary(const PhaseStudy &phases)
+Json waviness_summary(const PhaseStudy &phases, const LoadReport &at_rest)
 {
-  return STEMWARE_JSON(phases, spin_ripple, spin_uncertainty, zero_of_mean_torque, torque_ripple, least_load,
-                       least_contact_fraction, n_glass_phases, n_table_phases, n_spins, interpolation_error);
+  Json summary =
+    STEMWARE_JSON(phases, spin_ripple, spin_uncertainty, zero_of_mean_torque, torque_ripple, least_load,
+                  least_contact_fraction, n_glass_phases, n_table_phases, n_spins, interpolation_error);
+  const bool is_at_rest = !at_rest.over_phases || phases.least_load >= at_rest.over_phases->least_load;
+  summary["least_load_state"] = is_at_rest ? "at rest" : "at the terminal spin";
+  return summary;
 }
 
 /// Summary of a drawn profile and the circle of its rim.
@@ -199,7 +203,8 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
     { "ring", ring_summary(study, report, spin) },
     { "coupling", to_json_or_null(report.coupling, [&](const CouplingStatistics &coupling)
                                   { return coupling_summary(coupling, spin.curve_error); }) },
-    { "waviness", to_json_or_null(spin.phases, waviness_summary) },
+    { "waviness", to_json_or_null(spin.phases, [&](const PhaseStudy &phases)
+                                  { return waviness_summary(phases, report.load); }) },
     { "budget", spin.is_quick() ? Json(nullptr) : budget_summary(study, spin.budget.rows) },
     { "without", spin.is_quick() ? Json(nullptr) : declared(without_rows(study, spin.budget), "without") },
     { "harmonic_effect", harmonic_effect_summary(spin.budget.harmonics) },
@@ -269,7 +274,7 @@ Json words_of(const Study &study, const ContactReport &report, const SpinStudy &
   append(answer, profile_remark(study));
   return { { "answer", answer },
            { "lift_off", lift_off_remark(study, report, spin) },
-           { "pressed", contact_remark(report, spin) },
+           { "pressed", contact_remark(report, spin, bands) },
            { "narrow_contact", narrow_contact_remark(study, report) },
            { "thin_layer", thin_layer_remark(study, report.load.half_width()) },
            { "out_of_flat", out_of_flat_remark(study, spin) },
@@ -375,7 +380,7 @@ Results make_document(const Study &study, const ContactReport &report, const Spi
     add_budget(study, spin, results);
   add_load_lines(report.load, results);
   if (report.foot)
-    add_foot_pictures(study, *report.foot, results);
+    add_foot_pictures(study, *report.foot, bands, results);
   if (report.foot)
     results.add_list("contact");
   if (!bands.empty())

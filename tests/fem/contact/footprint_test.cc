@@ -1,5 +1,6 @@
 // How wide a pressure map is in contact and how hard, against pressures whose edges and means are known.
 #include "fem/contact/footprint.h"
+#include "fem/contact/pressure_profile.h"
 
 #include <gtest/gtest.h>
 
@@ -106,6 +107,72 @@ TEST(Footprint, AtTheEndOfTheLandHasAMean)
     for (PressurePoint &point : cut)
       point.pressure = 0;
   EXPECT_TRUE(std::isnan(measures_of(footprint).mean));
+}
+
+/// The pressure p_0 (1 - x^2)^a on a line is found from its moments. A law that makes it of the depth 1 -
+/// x^2.
+TEST(PressureProfile, IsFoundFromTheMomentsOfALine)
+{
+  const double middle = 0.03, half_width = 2e-6, peak = 14e6, azimuth_width = 0.1;
+  for (const double exponent : { 0.5, 0.8, 1. })
+  {
+    // Many short lines along x, since the pressure is integrated by few points on each.
+    ContactSurface surface;
+    surface.lines_are_radial = true;
+    std::vector<Eigen::Vector3d> depths;
+    constexpr int n = 400;
+    for (int i = 0; i < n; ++i)
+    {
+      ContactLine line;
+      Eigen::Vector3d depth;
+      for (int s = 0; s < 3; ++s)
+      {
+        const double x = 1.2 * (2. * (i + s / 2.) / n - 1), radius = middle + half_width * x;
+        line.position.row(s) << radius, 0;
+        line.transverse_tangent.row(s) << 0, azimuth_width * radius;
+        depth(s) = 1 - x * x;
+      }
+      line.azimuth_width = azimuth_width;
+      surface.lines.push_back(line);
+      depths.push_back(depth);
+    }
+    const auto profiles = profiles_of_cuts(
+      surface, depths, [&](double depth) { return peak * std::pow(std::max(depth, 0.), exponent); });
+    ASSERT_EQ(profiles.size(), 1u);
+    const PressureProfile &profile = profiles.front();
+    EXPECT_NEAR(profile.middle, middle, 1e-5 * half_width);
+    EXPECT_NEAR(profile.half_width, half_width, 1e-4 * half_width) << exponent;
+    EXPECT_NEAR(profile.exponent, exponent, 1e-3);
+    EXPECT_NEAR(profile.peak, peak, 1e-4 * peak) << exponent;
+    EXPECT_NEAR(profile.at(middle + 0.6 * half_width), peak * std::pow(0.64, exponent), 1e-3 * peak);
+    EXPECT_EQ(profile.at(middle + 1.01 * half_width), 0);
+  }
+}
+
+/// A map of Hertz's pressures ends at their edges, between its points: the square of the pressure is
+/// interpolated.
+TEST(PressureProfile, MapEndsAtTheEdges)
+{
+  const auto half_width = [](double azimuth) { return 1e-6 * (2 + std::cos(azimuth)); };
+  std::vector<PressureProfile> profiles;
+  for (unsigned int c = 0; c < 36; ++c)
+  {
+    const double azimuth = full_turn * c / 36;
+    profiles.push_back({ azimuth, 0.03, half_width(azimuth), 0.5, c == 18 ? 0 : 1e6 });
+  }
+  const PressureMap map = pressure_map_of(profiles);
+  EXPECT_TRUE(has_cells(map));
+  EXPECT_NEAR(measures_of(map).widest, 6e-6, 1e-12);
+  EXPECT_NEAR(measures_of(map).largest.pressure, 1e6, 1e-6);
+  for (const auto &cut : map.cuts)
+  {
+    const auto width = contact_width(cut, true);
+    const double azimuth = cut.front().azimuth;
+    ASSERT_EQ(width.has_value(), std::cos(azimuth) > -0.999) << azimuth;
+    if (width)
+      EXPECT_NEAR(width->outer - width->inner, 2 * half_width(azimuth), 1e-6 * half_width(azimuth))
+        << azimuth;
+  }
 }
 
 } // namespace

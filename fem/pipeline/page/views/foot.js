@@ -55,7 +55,7 @@ export function footprint(map, id, state) {
   const m = map.measures;
   const from = m && (m.narrowest > 0 ? `${shown(m.narrowest, '.3g')} µm to ` : m.narrowest === 0 ? 'at most ' : '');
   const says = m
-    ? ` Largest pressure ${shown(m.largest, '.3g')} ${map.unit} at θ = ${shown(m.azimuth, '.0f')}°, mean ${shown(m.mean, '.3g')} ${map.unit}; ` +
+    ? ` Largest pressure ${shown(m.largest, '.3g')}${m.band ? ` ± ${shown(m.band, '.2g')}` : ''} ${map.unit} at θ = ${shown(m.azimuth, '.0f')}°, mean ${shown(m.mean, '.3g')} ${map.unit}; ` +
       `the contact is ${from}${shown(m.widest, '.3g')} µm wide${m.has_edge ? '' : ', measured as the band with 99 % of the load'}.`
     : '';
   return {

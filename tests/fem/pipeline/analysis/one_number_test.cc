@@ -52,6 +52,7 @@ TEST(OneNumber, BandsAreThoseOfTheReportedNumbers)
   const Json &load = summary["load"], &ring = summary["ring"], &budget = summary["budget"];
   std::map<std::string, double> reported = { { "ring_radius", load["ring_radius"] },
                                              { "contact_fraction", load["contact_fraction"] },
+                                             { "azimuth_fraction", load["azimuth_fraction"] },
                                              { "minimum", load["minimum"] },
                                              { "peak_pressure", load["peak_pressure"] },
                                              { "tau_at_rest", ring["tau_at_rest"] },
@@ -74,6 +75,8 @@ TEST(OneNumber, BandsAreThoseOfTheReportedNumbers)
       continue;
     EXPECT_EQ(band["value"].get<double>(), reported.at(key)) << key;
   }
+  for (const auto &[key, share] : { std::pair("tau_at_spin_1", 0.5), { "tau_at_spin_2", 1.5 } })
+    EXPECT_NEAR(bands[key]["omega"].get<double>(), share * ring["omega_terminal"].get<double>(), 1e-12);
   // Torques without another name are friction's, everywhere.
   EXPECT_EQ(budget.back()["torques"][0], ring["tau_at_rest"]);
   EXPECT_EQ(summary["truncation"].back()["tau_at_rest"], ring["tau_at_rest"]);

@@ -115,6 +115,7 @@ private:
     const LiftedFoot foot = glass.foot;
     const LiftedFoot::Contact at_rest(foot, glass.lie_at_rest());
     std::map<std::string, double> truth = { { "contact_fraction", at_rest.azimuth_share() },
+                                            { "azimuth_fraction", at_rest.azimuth_share() },
                                             { "peak_pressure", at_rest.largest_pressure() },
                                             { "minimum", at_rest.line_load(std::acos(-1.)) } };
     for (unsigned int n = 1; n <= 6; ++n)
@@ -289,6 +290,7 @@ TEST(FlatLandBands, ThatLiftsOffAMatHold)
     const double slope = study.motion.orbit.normal_force() / exact.per_slope, tilt = -slope / 1e9;
     expect_within_bands(study,
                         { { "contact_fraction", exact.share },
+                          { "azimuth_fraction", std::acos(exact.zero / outer) / std::acos(-1.) },
                           { "peak_pressure", slope * (outer - exact.zero) },
                           { "table_motion_0", -tilt * exact.zero },
                           { "table_motion_1", tilt * std::cos(row.direction) },

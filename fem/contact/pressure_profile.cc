@@ -1,0 +1,149 @@
+#include "fem/contact/pressure_profile.h"
+
+#include "fem/contact/azimuthal_density.h"
+#include "fem/contact/line_integral.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stemware::fem
+{
+
+PressureProfile PressureProfile::with(const PressureMoments &moments, double exponent)
+{
+  PressureProfile profile = { moments.azimuth, moments.middle, 0, exponent, 0 };
+  if (!(moments.force > 0 && moments.variance > 0))
+    return profile;
+  // (1 - x^2)^a has the variance 1 / (2 a + 3) and the kurtosis 3 (2 a + 3) / (2 a + 5).
+  profile.half_width = std::sqrt(moments.variance * (2 * exponent + 3));
+  profile.peak = moments.force / profile.half_width * std::tgamma(exponent + 1.5) /
+                 std::tgamma(exponent + 1) * boost::math::double_constants::one_div_root_pi;
+  return profile;
+}
+
+double PressureProfile::at(double radius) const
+{
+  const double x = (radius - middle) / half_width;
+  return std::abs(x) < 1 ? peak * std::pow((1 - x) * (1 + x), exponent) : 0;
+}
+
+std::vector<PressureMoments> moments_of_cuts(const ContactSurface &surface,
+                                             const std::vector<Eigen::Vector3d> &depths,
+                                             const std::function<double(double)> &pressure)
+{
+  // Calls visit(radius, p dr) at the quadrature points of a line.
+  const auto integrate = [&](std::size_t l, const auto &visit)
+  {
+    const ContactLine &line = surface.lines[l];
+    const Eigen::Vector3d along = quadratic_through(depths[l]), x = quadratic_through(line.position.col(0)),
+                          y = quadratic_through(line.position.col(1));
+    for_each_loaded_point(AreaElement(line), depths[l],
+                          [&](const LinePoint &point)
+                          {
+                            const double radius = std::hypot(value_at(x, point.xi), value_at(y, point.xi));
+                            visit(radius, pressure(value_at(along, point.xi)) * point.area /
+                                            (radius * line.azimuth_width));
+                          });
+  };
+  Eigen::Vector2d sums = Eigen::Vector2d::Zero();
+  for (std::size_t l = 0; l < depths.size(); ++l)
+    integrate(l, [&](double radius, double force) { sums += force * Eigen::Vector2d(1, radius); });
+  sums = surface.parts.sum(sums);
+  if (!(sums(0) > 0))
+    return {};
+  const double origin = sums(1) / sums(0); // within the contact, so that little cancels
+
+  constexpr int n_moments = 5;
+  using Moments = Eigen::Matrix<double, n_moments, 1>; // int p (r - origin)^k dr
+  std::vector<Moments> of_lines(depths.size(), Moments::Zero()), of_cuts;
+  for (std::size_t l = 0; l < depths.size(); ++l)
+    integrate(l,
+              [&](double radius, double force)
+              {
+                for (int k = 0; k < n_moments; ++k, force *= radius - origin)
+                  of_lines[l](k) += force;
+              });
+  std::vector<PressureMoments> cuts;
+  for (int k = 0; k < n_moments; ++k)
+  {
+    std::vector<double> values;
+    for (const Moments &moments : of_lines)
+      values.push_back(moments(k));
+    const std::vector<CutValue> sums_of_cuts =
+      values_of_cuts(surface, values, [](double one, double other) { return one + other; });
+    cuts.resize(sums_of_cuts.size());
+    of_cuts.resize(cuts.size());
+    for (std::size_t c = 0; c < cuts.size(); ++c)
+    {
+      of_cuts[c](k) = sums_of_cuts[c].value;
+      cuts[c].azimuth = sums_of_cuts[c].azimuth;
+    }
+  }
+  for (std::size_t c = 0; c < cuts.size(); ++c)
+  {
+    PressureMoments &cut = cuts[c];
+    cut.middle = origin;
+    cut.force = of_cuts[c](0);
+    if (!(cut.force > 0))
+      continue;
+    const Moments mean = of_cuts[c] / cut.force;
+    const double shift = mean(1);
+    cut.middle = origin + shift;
+    cut.variance = mean(2) - shift * shift;
+    const double fourth = mean(4) - shift * (4 * mean(3) - shift * (6 * mean(2) - 3 * shift * shift));
+    cut.kurtosis = fourth / (cut.variance * cut.variance);
+  }
+  return cuts;
+}
+
+std::vector<PressureProfile> profiles_of_cuts(const ContactSurface &surface,
+                                              const std::vector<Eigen::Vector3d> &depths,
+                                              const std::function<double(double)> &pressure)
+{
+  const std::vector<PressureMoments> cuts = moments_of_cuts(surface, depths, pressure);
+  double force = 0, kurtosis = 0;
+  for (const PressureMoments &cut : cuts)
+    if (cut.variance > 0)
+    {
+      force += cut.force;
+      kurtosis += cut.force * cut.kurtosis;
+    }
+  kurtosis /= force;
+  if (!(kurtosis > 1.8 && kurtosis < 2.3))
+    return {};
+  // No layer makes the pressure under a crown more even than a half-space does.
+  const double exponent = std::max(0.5, PressureProfile::exponent_of(kurtosis));
+  std::vector<PressureProfile> profiles;
+  for (const PressureMoments &cut : cuts)
+    profiles.push_back(PressureProfile::with(cut, exponent));
+  return profiles;
+}
+
+PressureMap pressure_map_of(const std::vector<PressureProfile> &profiles)
+{
+  constexpr unsigned int n_points_across = 33;
+  double inner = std::numeric_limits<double>::infinity(), outer = 0;
+  for (const PressureProfile &profile : profiles)
+    if (profile.peak > 0)
+    {
+      inner = std::min(inner, profile.middle - profile.half_width);
+      outer = std::max(outer, profile.middle + profile.half_width);
+    }
+  PressureMap map;
+  map.is_grid = true;
+  for (const PressureProfile &profile : profiles)
+  {
+    std::vector<PressurePoint> &cut = map.cuts.emplace_back();
+    for (unsigned int i = 0; i < n_points_across; ++i)
+    {
+      const double radius = inner + (outer - inner) * i / (n_points_across - 1);
+      cut.push_back({ radius, profile.azimuth, profile.peak > 0 ? profile.at(radius) : 0 });
+    }
+  }
+  return map.rotated(0); // azimuths from 0 on
+}
+
+} // namespace stemware::fem
