@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/solid/simd/elastic_operator.h"
 #include "fem/solid/contact_stiffness.h"
+#include "fem/solid/simd/elastic_operator.h"
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>

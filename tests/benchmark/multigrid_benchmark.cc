@@ -10,11 +10,11 @@
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/solid/simd/elastic_operator.h"
 #include "fem/meridian/meshed_revolution_foot.h"
 #include "fem/meshing/foot_mesh.h"
 #include "fem/solid/mesh_hierarchy.h"
 #include "fem/solid/nested_contact.h"
+#include "fem/solid/simd/elastic_operator.h"
 #include "tests/benchmark/solid_benchmark.h"
 
 #include <deal.II/base/timer.h>

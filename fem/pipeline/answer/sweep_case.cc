@@ -139,8 +139,9 @@ try
 }
 catch (const fem::ContactFailure &contact)
 {
-  return { fem::to_string(contact.outcome), failure_sentence(), {},
-           contact.outcome == fem::ContactOutcome::tipping };
+  return {
+    fem::to_string(contact.outcome), failure_sentence(), {}, contact.outcome == fem::ContactOutcome::tipping
+  };
 }
 catch (const ring::Tipping &)
 {

@@ -30,7 +30,10 @@ struct CaseResult
   /// True if the glass stands at rest and tips on the way: an answer without a terminal spin.
   bool falls_over() const { return values.count("omega_fall") > 0; }
   /// "ok", "tips" or "failed".
-  std::string status() const { return has_failed() ? "failed" : falls_over() || tips_at_rest ? "tips" : "ok"; }
+  std::string status() const
+  {
+    return has_failed() ? "failed" : falls_over() || tips_at_rest ? "tips" : "ok";
+  }
 };
 
 /// Solves a study on its own @p foot like `run` with Depth::answer: all harmonics and the first only. Equal

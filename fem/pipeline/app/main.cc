@@ -7,7 +7,7 @@
 int main(int argc, char *argv[])
 {
   const int exit_code = stemware::pipeline::run_program(argc, argv);
-  // Everything is written. At the end of deal.II's static objects TBB starts threads, and aborts the program if
-  // the memory left has no room for their stacks.
+  // Everything is written. At the end of deal.II's static objects TBB starts threads, and aborts the program
+  // if the memory left has no room for their stacks.
   std::_Exit(exit_code);
 }

@@ -11,9 +11,9 @@
 #include "fem/pipeline/system/output.h"
 #include "fem/pipeline/system/ranks.h"
 
-#include <CLI/CLI.hpp>
-
 #include <deal.II/grid/tria.h>
+
+#include <CLI/CLI.hpp>
 
 #include <iostream>
 #include <sstream>

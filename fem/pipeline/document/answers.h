@@ -7,6 +7,7 @@
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/support/json.h"
 #include "ring_model/spin/answer.h"
+#include "ring_model/spin/torque_effect.h"
 
 #include <optional>
 #include <string>

@@ -4,6 +4,7 @@
 #include "fem/pipeline/feet/contact_report.h"
 #include "fem/pipeline/study/study.h"
 #include "ring_model/spin/answer.h"
+#include "ring_model/spin/torque_effect.h"
 
 #include <optional>
 #include <string>

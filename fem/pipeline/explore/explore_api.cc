@@ -103,23 +103,6 @@ Json failure_of(const std::string &message, bool tips)
   return { { "error", message }, { "tips", tips }, { "notes", implausible_notes(explorer->study()) } };
 }
 
-/// Message of the failure of a balance, or of the failure nested in it.
-std::string message_of(const ring::Tipping &failure)
-{
-  try
-  {
-    std::rethrow_if_nested(failure);
-  }
-  catch (const BadInput &cause)
-  {
-    return cause.what();
-  }
-  catch (...) // NOLINT: the outer message
-  {
-  }
-  return failure.what();
-}
-
 /// Answers with what @p make returns, or with why it throws.
 template <typename Make>
 const char *answer(const Make &make)
@@ -130,7 +113,7 @@ const char *answer(const Make &make)
   }
   catch (const ring::Tipping &failure)
   {
-    reply = dump_utf8(failure_of(message_of(failure), true));
+    reply = dump_utf8(failure_of(failure.what(), true));
   }
   catch (const fem::ContactFailure &failure)
   {

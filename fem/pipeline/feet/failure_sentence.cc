@@ -42,7 +42,8 @@ Failure present_failure()
   catch (const fem::ContactFailure &failure)
   {
     const bool tips = failure.outcome == fem::ContactOutcome::tipping;
-    return { tips ? "The glass falls: " + failure.message : std::string("No contact solution: ") + failure.what(),
+    return { tips ? "The glass falls: " + failure.message
+                  : std::string("No contact solution: ") + failure.what(),
              tips ? ExitCode::bad_input : ExitCode::numerical_failure, true };
   }
   catch (const ring::NoBalance &failure)

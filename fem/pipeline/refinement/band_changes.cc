@@ -20,12 +20,6 @@ namespace
 /// On what converges faster than any order, or with the first order and more.
 constexpr double usual_factor = 1.25;
 
-/// On the change to cells twice as large under a crowned rim on a hard table, whose pressure ends in a square
-/// root: the error of quadratic elements falls with the order 3, of which 2 is relied on. A degree more is
-/// tried on the large cells, where it changes 2^3 times as much; cells far from the contact are halved
-/// besides.
-constexpr double factor_of_hard_crown = 1. / 3, factor_of_its_degree = usual_factor / 8;
-
 /// On the change of azimuth lines under a load that ends between two of them: the larger of two changes may
 /// be half of the error.
 constexpr double factor_of_lines = 2.5;
@@ -122,13 +116,10 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
     changes.push_back(change_of(from, 0, fewer));
   }
   const Variant coarse = changed(fewer, [](Variant &variant) { variant.discretisation.fineness /= 2; });
-  const bool is_hard_crown =
-    study.table.is_hard() && study.glass.profile.crown_radius > 0 && study.contact.degree > 1;
-  changes.push_back(change_of("mesh", is_hard_crown ? factor_of_hard_crown : usual_factor, coarse, from));
+  changes.push_back(change_of("mesh", usual_factor, coarse, from));
   // Where cells are small, a higher degree is tried on the coarse ones: that tells more than enough.
   if (study.contact.degree < 4 && study.table.is_hard())
-    changes.push_back(change_of("degree", is_hard_crown ? factor_of_its_degree : usual_factor,
-                                changed(coarse, raise_degree), "mesh"));
+    changes.push_back(change_of("degree", usual_factor, changed(coarse, raise_degree), "mesh"));
   else if (study.contact.degree < 4)
     changes.push_back(change_of("degree", usual_factor, changed(fewer, raise_degree), from));
   // At re-entrant corners, far from the contact, the error falls with the first order: halved cells show half

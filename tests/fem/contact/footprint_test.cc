@@ -170,8 +170,10 @@ TEST(PressureProfile, MapEndsAtTheEdges)
     const double azimuth = cut.front().azimuth;
     ASSERT_EQ(width.has_value(), std::cos(azimuth) > -0.999) << azimuth;
     if (width)
+    {
       EXPECT_NEAR(width->outer - width->inner, 2 * half_width(azimuth), 1e-6 * half_width(azimuth))
         << azimuth;
+    }
   }
 }
 
