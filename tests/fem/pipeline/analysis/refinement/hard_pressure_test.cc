@@ -19,14 +19,14 @@ namespace
 
 using test::SolvedStudy;
 
-double uniform(std::mt19937 &random, double from, double to)
+double value_between(std::mt19937 &random, double from, double to)
 {
   return from + (to - from) * static_cast<double>(random()) / 4294967296.;
 }
 
 double log_uniform(std::mt19937 &random, double from, double to)
 {
-  return std::exp(uniform(random, std::log(from), std::log(to)));
+  return std::exp(value_between(random, std::log(from), std::log(to)));
 }
 
 /// A glass on a hard table: rigid, or a thick disc that yields more or less than the glass. A third lifts
@@ -35,16 +35,16 @@ Study random_hard_study(std::mt19937 &random)
 {
   Study study;
   study.motion.orbit.mass = log_uniform(random, 0.1, 0.8);
-  study.glass.material = { log_uniform(random, 5e10, 2e11), uniform(random, 0.15, 0.35) };
+  study.glass.material = { log_uniform(random, 5e10, 2e11), value_between(random, 0.15, 0.35) };
   study.glass.profile.crown_radius = log_uniform(random, 1e-3, 1e-2);
-  study.load.moment_ratio = uniform(random, 0, 1.5);
-  study.load.moment_direction = uniform(random, -3, 3);
+  study.load.moment_ratio = value_between(random, 0, 1.5);
+  study.load.moment_direction = value_between(random, -3, 3);
   study.table.interface = TableInterface::hard;
-  if (uniform(random, 0, 1) < 0.7)
+  if (value_between(random, 0, 1) < 0.7)
   {
     study.table.substrate = TableSubstrate::elastic;
     study.table.disc = { 0.15, 0.05 };
-    study.table.disc_material = { log_uniform(random, 5e9, 2e11), uniform(random, 0.1, 0.4) };
+    study.table.disc_material = { log_uniform(random, 5e9, 2e11), value_between(random, 0.1, 0.4) };
   }
   study.contact.harmonics = 8;
   study.contact.azimuth_lines = 64;
