@@ -389,7 +389,7 @@ TEST(ExplorePage, AMeasuredRunIsDrawnOverTheComputedCurve)
   EXPECT_EQ(found["phone.csv"]["columns"], nlohmann::json({ "z (rad/s)", "x (rad/s)", "y (rad/s)" }));
   EXPECT_EQ(found["film.txt"]["columns"], nlohmann::json({ "theta" }));
   EXPECT_EQ(found["radians.txt"]["columns"], nlohmann::json({ "column 2" }));
-  EXPECT_THAT(found["phone.csv"]["status"].get<std::string>(), testing::HasSubstr("3 points in 1 s"));
+  EXPECT_THAT(found["phone.csv"]["status"].get<std::string>(), testing::HasSubstr("3 points in 1\u00a0s"));
   EXPECT_THAT(found[hostile]["status"].get<std::string>(), testing::HasSubstr("no two columns of numbers"));
   EXPECT_TRUE(found[hostile]["hidden"].get<bool>());
   EXPECT_EQ(found[hostile]["points"], nlohmann::json::array());
