@@ -30,8 +30,12 @@ TEST(RevolutionRun, WhereTheSpinDoesNotMatterOneContactSolutionIsEnough)
   EXPECT_EQ(two_way["ring"], one_way["ring"]);
   ASSERT_EQ(two_way["truncation"].size(), one_way["truncation"].size());
   for (std::size_t i = 0; i < one_way["truncation"].size(); ++i)
-    EXPECT_NEAR(two_way["truncation"][i]["omega_terminal"].get<double>(),
-                one_way["truncation"][i]["omega_terminal"].get<double>(), 1e-10);
+  {
+    const auto &one = one_way["truncation"][i]["omega_terminal"],
+               &two = two_way["truncation"][i]["omega_terminal"];
+    ASSERT_EQ(one.is_null(), two.is_null()); // a quick run solves the first and the last row
+    EXPECT_TRUE(one.is_null() || std::abs(two.get<double>() - one.get<double>()) < 1e-10);
+  }
   // Friction that deforms the foot turns with the spin.
   const auto turning =
     glass_run(scratch, { "Motion/Closure=paper", "Load/Coupling=two-way", "Contact/Friction coupling=elastic",

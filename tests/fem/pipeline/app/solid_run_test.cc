@@ -36,7 +36,7 @@ TEST(SolidRun, OnOneCircleOfNodesTheBalanceIsThatOfARing)
   // the budget.
   const std::vector<std::string> thick_foot = { "Motion/Mass=0.566464",
                                                 "Motion/Centre of mass height=0.0531084",
-                                                "Motion/Force offset=-0.0794324",
+                                                "Motion/Force offset=-0.05",
                                                 "Motion/Orbit radius=0.0797628",
                                                 "Motion/Orbit speed=0.0522861",
                                                 "Motion/Orbit sense=clockwise",
