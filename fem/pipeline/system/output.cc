@@ -102,6 +102,7 @@ ResultsFolder::ResultsFolder(const fs::path &wanted)
   const auto check = [this]
   {
     require_replaceable(target);
+    made_parent = !fs::exists(target.parent_path());
     const std::string probe = make_partial_folder(target);
     std::error_code error, no_error;
     if (fs::exists(target) && fs::is_empty(target, no_error))
@@ -117,6 +118,8 @@ ResultsFolder::~ResultsFolder()
   std::error_code error;
   if (!partial.empty() && is_first_rank())
     fs::remove_all(partial, error);
+  if (made_parent)
+    fs::remove(target.parent_path(), error); // stays if it holds results
 }
 
 void ResultsFolder::open()
@@ -137,7 +140,8 @@ void ResultsFolder::publish()
       fs::rename(target / name, whole / name);
     }
     std::string stamp;
-    for (const std::string &name : content_of(whole).others)
+    const std::vector<std::string> names = content_of(whole).others;
+    for (const std::string &name : std::set<std::string>(names.begin(), names.end()))
       stamp += name + '\n';
     write_text_file(whole / stamp_name, stamp);
     while (::rename(whole.c_str(), target.c_str()) != 0)

@@ -27,6 +27,7 @@ public:
 
   void open(); ///< creates the partial folder, the same on every rank; collective
   const std::filesystem::path &working_folder() const { return partial; } ///< after open()
+  bool made_parent = false; ///< the folder of `target` did not exist before
   const std::filesystem::path &final_folder() const { return target; }
 
   /// Renames the partial folder and removes older results but no hidden files; on the first rank only. Throws

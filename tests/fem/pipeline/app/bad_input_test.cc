@@ -195,7 +195,7 @@ TEST(BadInput, CommandsAreRefusedInOneSentence)
            "not a Gmsh .msh mesh" },
          { { "new" }, "FILE is required" },
          { { "new", "" }, "The name of the study file is empty" },
-         { { "new", "mine.prm" }, "is not overwritten", 3 },
+         { { "new", "mine.prm" }, "exists without a mark of Stemware", 3 },
          { { "new", "x\nset Foo = 1.prm" }, "line end" },
          { { "new", "x\nset Foo = 1.prm", "--cookbook", "paper" }, "line end" },
          { { "new", "my.prm", "--glass", "flute" }, "champagne" },
@@ -256,7 +256,7 @@ TEST(BadInput, LittleMemoryIsNamedWithinSeconds)
     for (const char *limit : { "600000", "700000", "1000000", "1200000" }) // kB
     {
       SCOPED_TRACE(limit + std::string(study));
-      const Ended ended = shell(scratch, std::string("ulimit -c 0 -v ") + limit +
+      const Ended ended = shell(scratch, std::string("ulimit -c 0; ulimit -v ") + limit +
                                            "; timeout 100 $S run --quick --quiet --threads 1" + study);
       if (ended.exit_code == 0)
         continue;

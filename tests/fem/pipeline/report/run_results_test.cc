@@ -19,9 +19,9 @@ TEST(RunByHand, Truncations)
             R"(harmonics (1): 1 | 2
 tau_z at rest (N m): 1.4601234567 | 1.8301234567
 change of tau_z at half the terminal spin (N m): 0 | 0.25
-the same over |tau_z| at rest (1): 0 | 0.125
+change of tau_z at half the terminal spin over |tau_z| at rest (1): 0 | 0.125
 change of tau_z at the terminal spin (N m): 0 | 0.375
-the same over |tau_z| at rest (1): 0 | 0.1875
+change of tau_z at the terminal spin over |tau_z| at rest (1): 0 | 0.1875
 largest change of tau_z from rest to the terminal spin (N m): 0 | 0.5
 omega of the largest change (rad/s): 0 | -3
 tau_z of all harmonics minus tau_z(n) at half the terminal spin (N m): 0.25 | 0
@@ -38,8 +38,8 @@ TEST(RunByHand, EffectOnTheTorque)
 {
   const Results results = made_run();
   EXPECT_EQ(results.findings.summary["torque_effect"].dump(),
-            R"({"half":0.25,"half_relative":0.125,"terminal":0.375,"terminal_relative":0.1875,"largest":0.5,)"
-            R"("largest_relative":0.25,"largest_at":-3.0})");
+            R"({"half":0.25,"terminal":0.375,"largest":0.5,"largest_at":-3.0,"half_relative":0.125,)"
+            R"("terminal_relative":0.1875,"largest_relative":0.25})");
   EXPECT_EQ(results.findings.summary["truncation"][0]["torque_rest"].dump(),
             R"({"half":0.25,"terminal":0.375})");
 }

@@ -129,7 +129,7 @@ TEST(StudyFile, TakesAnEntryByItsNameAlone)
   EXPECT_THAT(refusal("", { "Mass=250 g", "Motion/Mass=0.3" }), testing::HasSubstr("twice"));
   const std::string twice = "set Mass = 250 g\nsubsection Motion\n  set Mass = 0.3\nend\n";
   EXPECT_THAT(refusal(scratch.write("b.prm", twice)), testing::HasSubstr("a second time, after line 1"));
-  EXPECT_THAT(refusal("", { "Coupling=frozen" }), testing::HasSubstr("Load/Coupling = one-way"));
+  EXPECT_THAT(refusal("", { "Coupling=frozen" }), testing::HasSubstr("give two-way or one-way"));
   EXPECT_THAT(refusal("", { "Mas=1" }), testing::HasSubstr("did you mean Motion/Mass?"));
 }
 
