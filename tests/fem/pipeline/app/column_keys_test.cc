@@ -36,7 +36,8 @@ std::vector<std::string> keys_of(const Json &columns, const std::string &heading
     const std::string unit = column["unit"];
     const Json names = column.value("name", Json(key));
     for (const Json &name : names.is_array() ? names : Json::array({ names }))
-      if (matches(heading, name.get<std::string>() + (unit.empty() ? "" : " (" + unit + ")")))
+      if (matches(heading, name.get<std::string>() + (unit.empty() ? "" : " (" + unit + ")")) ||
+          (unit == "1" && matches(heading, name.get<std::string>()))) // sweep.csv leaves out a unit of 1
         keys.push_back(key);
   }
   return keys;
