@@ -155,9 +155,9 @@ std::optional<double> reach_of_upright_edge(double last, double before, double s
   return 2 * q0 / (linear + std::sqrt(discriminant));
 }
 
-/// Where the pressure ends beyond the loaded point @p i of a cut, at the next point at the latest: at
-/// reach_of_upright_edge() of three equally spaced points, else where the line from the loaded point before
-/// it through this one meets zero; without one before it half-way to the next.
+/// Returns the point at which the pressure ends beyond the loaded point @p i of a cut, at the next point at
+/// the latest: at reach_of_upright_edge() of three equally spaced points, else where the line from the loaded
+/// point before it through this one meets zero; without one before it half-way to the next.
 double edge_beyond(const std::vector<PressurePoint> &cut, std::size_t i, bool outwards)
 {
   if (i == (outwards ? cut.size() - 1 : 0))

@@ -17,7 +17,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Of linear elements in a generated mesh, which is few cells thick.
+/// Factor for linear elements in a generated mesh, which is a few cells thick.
 constexpr double unknowns_per_cell = 4.5;
 
 /// A dense system of harmonics times places across the land, the state on all lines, and a few factorised

@@ -128,7 +128,7 @@ TEST(BadInput, SettingsAreRefusedInOneSentence)
          { { solid, "Contact/Mesh file=nothing.msh" }, "nothing.msh does not exist" },
          { { solid, "Contact/Mesh file=." }, "is not a file" } })
     EXPECT_THAT(study_refusal(study, settings), testing::HasSubstr(expected)) << settings.back();
-  // What only the work on the foot shows.
+  // Refusals that appear only once the foot is meshed.
   for (const auto &[settings, expected] : std::vector<std::pair<std::vector<std::string>, std::string>>{
          { { "Load/Source=file", "Load/File=tipping.dat" }, "tips at 2" },
          { { "Contact/Azimuth lines=20" }, "lines" },

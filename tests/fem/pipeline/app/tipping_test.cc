@@ -1,5 +1,5 @@
-// Where a glass on a flat land tips: geometry. The oracle is the pressure of a rigid annulus on a mat,
-// integrated over chords.
+// A glass on a flat land tips at the border of the land. The oracle is the pressure of a rigid annulus on a
+// mat, integrated over chords.
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
