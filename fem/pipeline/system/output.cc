@@ -102,10 +102,10 @@ ResultsFolder::ResultsFolder(const fs::path &wanted)
   const auto check = [this]
   {
     require_replaceable(target);
-    made_parent = !fs::exists(target.parent_path());
-    const std::string probe = make_partial_folder(target);
     std::error_code error, no_error;
-    if (fs::exists(target) && fs::is_empty(target, no_error))
+    made_parent = !fs::exists(target.parent_path(), no_error);
+    const std::string probe = make_partial_folder(target);
+    if (fs::exists(target, no_error) && fs::is_empty(target, no_error))
       fs::rename(probe, target, error); // fails at a mount point
     fs::remove_all(probe, no_error);
     ensure_output(!error, target, " cannot be written (" + error.message() + ");");

@@ -33,6 +33,8 @@ TEST(Interruption, EndsTheProgramAndLeavesOlderResults)
   write_study(scratch);
   ASSERT_EQ(RunningProgram(run_with({}), scratch.path()).end().exit_code, 0);
   const auto before = all_files(scratch / "results");
+  const auto hang_up =
+    std::signal(SIGHUP, SIG_DFL); // a test under nohup ignores it, and so would the program
   for (const int signal : { SIGINT, SIGTERM, SIGHUP })
   {
     // Nearly all of the time goes into one factorisation.
@@ -43,6 +45,7 @@ TEST(Interruption, EndsTheProgramAndLeavesOlderResults)
     program.send(signal);
     EXPECT_EQ(program.end().exit_code, 128 + signal);
   }
+  std::signal(SIGHUP, hang_up);
   EXPECT_EQ(all_files(scratch / "results"), before);
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "results", "study.prm" }));
 }
