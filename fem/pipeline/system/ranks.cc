@@ -80,10 +80,11 @@ void start_session()
   static char **arguments = nullptr;
   const unsigned int n_threads = dealii::MultithreadInfo::n_threads();
   // Open MPI gives a hang-up its default action back, which nohup had taken.
-  const auto hang_up = std::signal(SIGHUP, SIG_IGN);
+  struct sigaction hang_up;
+  const bool is_known = ::sigaction(SIGHUP, nullptr, &hang_up) == 0;
   session = std::make_unique<mpi::MPI_InitFinalize>(n_arguments, arguments, 1);
-  if (hang_up != SIG_ERR)
-    std::signal(SIGHUP, hang_up);
+  if (is_known)
+    ::sigaction(SIGHUP, &hang_up, nullptr);
   dealii::MultithreadInfo::set_thread_limit(n_threads);
 }
 
