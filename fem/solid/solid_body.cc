@@ -59,19 +59,20 @@ SolidBody::SolidBody(const Triangulation<3> &triangulation, const ElasticMateria
                      const SolidGap &gap, const SolidOptions &options, const SolidBody *similar)
     : SolidBody(
         stiffness_of(triangulation, material, options, similar ? similar->stiffness->shared() : nullptr),
-        material, gap, options.linear_tolerance)
+        material, gap, options.linear_tolerance, options.line_factor)
 {
 }
 
 SolidBody::SolidBody(std::unique_ptr<BodyStiffness> of_body, const ElasticMaterial &material,
-                     const SolidGap &gap, double linear_tolerance)
+                     const SolidGap &gap, double linear_tolerance, unsigned int line_factor)
     : stiffness(std::move(of_body))
     , material(material)
     , gap(gap)
     , linear_tolerance(linear_tolerance)
+    , line_factor(line_factor)
     , contact(stiffness->contact_nodes())
     , zone(describe_contact_zone(mesh().mapping, mesh().dof_handler, mesh().constraints,
-                                 stiffness->contact_nodes(), gap))
+                                 stiffness->contact_nodes(), gap, line_factor * default_lines_per_face))
     , horizontal(horizontal_places(mesh().dof_handler, contact.nodes()))
 {
   for (Vector *vector : { &displacement, &elastic_forces })
@@ -84,7 +85,7 @@ std::unique_ptr<SolidBody> SolidBody::coarser() const
 {
   if (!has_coarser_mesh())
     return nullptr;
-  auto body = std::make_unique<SolidBody>(stiffness->coarser(), material, gap, linear_tolerance);
+  auto body = std::make_unique<SolidBody>(stiffness->coarser(), material, gap, linear_tolerance, line_factor);
   body->set_sliding(sliding);
   return body;
 }

@@ -32,13 +32,13 @@ public:
   /// table. The triangulation is serial or distributed over its communicator, and must outlive the body.
   /// Throws std::invalid_argument if the mesh has no stem cut or no contact zone.
   ///
-  /// @p similar: body of the same triangulation, material and options, solved alternately with this one; the
+  /// @p similar: body of the same triangulation, material and elements, solved alternately with this one; the
   /// two share the elements of a multigrid method.
   SolidBody(const dealii::Triangulation<3> &triangulation, const ElasticMaterial &material,
             const SolidGap &gap, const SolidOptions &options = {}, const SolidBody *similar = nullptr);
-  /// Creates a body with the given stiffness; @p linear_tolerance as SolidOptions::linear_tolerance.
+  /// Creates a body with the given stiffness; @p linear_tolerance and @p line_factor as in SolidOptions.
   SolidBody(std::unique_ptr<BodyStiffness> stiffness, const ElasticMaterial &material, const SolidGap &gap,
-            double linear_tolerance);
+            double linear_tolerance, unsigned int line_factor = 1);
 
   const ContactSurface &contact_surface() const override { return zone.surface; }
   Eigen::VectorXd contact_displacement() const override { return contact.nodes().gather(displacement); }
@@ -122,6 +122,7 @@ private:
   const ElasticMaterial material;
   const SolidGap gap;
   double linear_tolerance;
+  const unsigned int line_factor;
   ContactStiffness contact;
   const SolidContactZone zone;
   const std::vector<HorizontalPlaces> horizontal;

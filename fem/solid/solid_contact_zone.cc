@@ -164,14 +164,10 @@ ContactLine make_line(const SampledFace &face, double eta, double weight, const 
   return line;
 }
 
-/// Lines cross the border of contact inside a face, where the line integrals are not smooth in eta: more
-/// points than a smooth integrand needs.
-constexpr unsigned int n_lines_per_face = 8;
-
 std::vector<ContactLine> make_lines(const std::vector<SampledFace> &faces, const ContactNodes &nodes,
-                                    const SolidGap &gap)
+                                    const SolidGap &gap, unsigned int lines_per_face)
 {
-  const QGauss<1> gauss(n_lines_per_face);
+  const QGauss<1> gauss(lines_per_face);
   std::vector<ContactLine> lines;
   for (const SampledFace &face : faces)
     for (unsigned int q = 0; q < gauss.size(); ++q)
@@ -224,7 +220,7 @@ void describe_nodes(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
     surface.node_gap(i) += gap(surface.node_position(i, 0), surface.node_position(i, 1));
 }
 
-void measure(ContactSurface &surface, const ContactNodes &nodes)
+void measure(ContactSurface &surface, const ContactNodes &nodes, unsigned int lines_per_face)
 {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(surface.n_nodes());
   bool are_radial = true, is_crowned = false;
@@ -249,7 +245,7 @@ void measure(ContactSurface &surface, const ContactNodes &nodes)
   surface.is_crowned = surface.parts.any(is_crowned);
   constexpr double min_hole = 0.1; // of the outer radius; less is a cell about the axis
   surface.is_ring = surface.parts.min(inner) > min_hole * surface.parts.max(outer);
-  const double n_faces = surface.parts.sum(static_cast<double>(surface.lines.size())) / n_lines_per_face;
+  const double n_faces = surface.parts.sum(static_cast<double>(surface.lines.size())) / lines_per_face;
   surface.n_sectors = static_cast<unsigned int>(
     std::max(1., std::round(2 * numbers::PI * n_faces / surface.parts.sum(total_width))));
 }
@@ -314,7 +310,8 @@ std::vector<global_dof_index> contact_dofs(const DoFHandler<3> &dof_handler,
 
 SolidContactZone describe_contact_zone(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
                                        const AffineConstraints<double> &constraints,
-                                       const std::shared_ptr<const ContactNodes> &nodes, const SolidGap &gap)
+                                       const std::shared_ptr<const ContactNodes> &nodes, const SolidGap &gap,
+                                       unsigned int lines_per_face)
 {
   const MPI_Comm &communicator = dof_handler.get_communicator();
   const std::vector<SampledFace> faces = sample_faces(mapping, dof_handler, constraints);
@@ -326,8 +323,8 @@ SolidContactZone describe_contact_zone(const Mapping<3> &mapping, const DoFHandl
     throw std::invalid_argument("The mesh has no contact zone: no boundary face carries the id 2; mark the "
                                 "faces that may touch the table.");
   describe_nodes(mapping, dof_handler, *nodes, gap, zone.surface);
-  zone.surface.lines = make_lines(faces, *nodes, gap);
-  measure(zone.surface, *nodes);
+  zone.surface.lines = make_lines(faces, *nodes, gap, lines_per_face);
+  measure(zone.surface, *nodes, lines_per_face);
   zone.smallest_cell = smallest_edge(faces, communicator);
   return zone;
 }

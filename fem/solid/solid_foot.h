@@ -72,7 +72,7 @@ class SolidFoot : public Foot
 {
 public:
   /// Throws std::invalid_argument for an inadmissible mesh or setup; the substrate must be rigid. @p similar:
-  /// foot of the same mesh, material and options, not used while this one solves; the two share data.
+  /// foot of the same mesh, material and elements, not used while this one solves; the two share data.
   SolidFoot(const SolidMesh &mesh, const SolidSetup &setup, const SolidFoot *similar = nullptr);
 
   ~SolidFoot() override;

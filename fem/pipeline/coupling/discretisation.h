@@ -13,6 +13,7 @@ struct Discretisation
   /// Penalty of a hard interface over the default; below 1 for a solid foot: of any interface over its own
   /// stiffness.
   double hardness = 1;
+  unsigned int line_factor = 1; ///< contact lines of each face of a solid foot, over the default
   std::vector<std::vector<unsigned int>> halved = {}; ///< numbers of the halved cells, mesh after mesh
 };
 

@@ -75,6 +75,7 @@ fem::SolidSetup solid_setup(const Study &study, const Discretisation &discretisa
   setup.table = study.table.make();
   setup.options.degree = study.contact.degree;
   setup.options.linear_solver = linear_solver_of(study, discretisation);
+  setup.options.line_factor = discretisation.line_factor;
   setup.hardness = discretisation.hardness;
   if (model.friction_in_foot)
     set_friction(study, setup);

@@ -20,7 +20,7 @@ namespace
 /// On what converges faster than any order, or with the first order and more.
 constexpr double usual_factor = 1.25;
 
-/// On the change of azimuth lines under a load that ends between two of them: the larger of two changes may
+/// On the change of contact lines under a load that ends between two of them: the larger of two changes may
 /// be half of the error.
 constexpr double factor_of_lines = 2.5;
 
@@ -92,6 +92,20 @@ void add_gathering(const Variant &own_study, const ElasticFoot &foot,
   }
 }
 
+/// Adds three and four times the lines along which the table law is integrated, set by @p multiply(variant,
+/// factor). The error of N lines under a load that ends between two of them depends on the place of its edge
+/// there, and is of both signs: one other count may agree by chance.
+void add_lines(const Variant &own, const std::function<void(Variant &, unsigned int factor)> &multiply,
+               std::vector<BandChange> &changes)
+{
+  for (const unsigned int factor : { 4u, 3u })
+  {
+    changes.push_back(change_of("lines", factor_of_lines,
+                                changed(own, [&](Variant &variant) { multiply(variant, factor); })));
+    changes.back().is_alternative = true;
+  }
+}
+
 std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticFoot &foot, bool is_full)
 {
   const Study &study = own.study;
@@ -128,16 +142,10 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
     changes.push_back(change_of(
       "mesh", 2, changed(fewer, [](Variant &variant) { ++variant.discretisation.halvings_beyond_zone; }),
       from));
-  // The error of N lines under a load that ends between two of them depends on the place of its edge there,
-  // and is of both signs: one other count may agree by chance.
   if (!is_full)
-    for (const unsigned int factor : { 4u, 3u })
-    {
-      changes.push_back(
-        change_of("lines", factor_of_lines,
-                  changed(own, [=](Variant &variant) { variant.study.contact.azimuth_lines *= factor; })));
-      changes.back().is_alternative = true;
-    }
+    add_lines(
+      own, [](Variant &variant, unsigned int factor) { variant.study.contact.azimuth_lines *= factor; },
+      changes);
   if (study.table.is_hard())
     changes.push_back(change_of("interface", 1.5, changed(own, harden)));
   // Where the slip vanishes between the rings, the error depends on the place between them and is of both
@@ -201,7 +209,7 @@ double softening_by_narrow_contact(const Study &study, const LoadReport &load, d
 }
 
 std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &foot,
-                                         const LoadReport &at_rest)
+                                         const LoadReport &at_rest, bool is_full)
 {
   const Study &study = own.study;
   const double cell = foot.body().description().contact_cell_size;
@@ -241,6 +249,13 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
     changes.push_back(change_of("interface", 2, changed(cheapest, harden), as_cheapest));
   else if (uses_penalty_for_hard_table(study, own.discretisation))
     changes.push_back(change_of("interface", 2, changed(own, harden)));
+  // The edge of the contact crosses faces of a mesh file in any direction, and those of a generated mesh with
+  // lift-off. Nodal multipliers have no lines.
+  if ((!is_full || !study.contact.mesh_file.empty()) &&
+      (!study.table.is_hard() || uses_penalty_for_hard_table(study, own.discretisation)))
+    add_lines(
+      own, [](Variant &variant, unsigned int factor) { variant.discretisation.line_factor *= factor; },
+      changes);
   // Where the contact is far narrower than the distance of nodes, whose weights in the balance of moments are
   // those of the rings extrapolated, more rings would show rounding.
   const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
@@ -255,7 +270,7 @@ std::vector<BandChange> band_changes(const Study &study, const ElasticFoot &foot
 {
   const Variant own = own_variant(study, &foot);
   return abilities(study.contact.body).is_of_revolution ? changes_of_revolution(own, foot, is_full)
-                                                        : changes_of_solid(own, foot, at_rest);
+                                                        : changes_of_solid(own, foot, at_rest, is_full);
 }
 
 } // namespace stemware::pipeline

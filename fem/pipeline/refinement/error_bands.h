@@ -21,7 +21,8 @@ namespace stemware::pipeline
 ///   degree          elements of one degree more (on hard tables both on cells twice as large); of a solid
 ///                   foot if they are linear
 ///   harmonics       half the elastic harmonics; not of a solid foot
-///   lines           four and three times the azimuth lines; nothing in full contact; not of a solid foot
+///   lines           four and three times the azimuth lines, of a solid foot the lines of each face; nothing in full
+///                   contact, unless the mesh is from a file
 ///   interface       ten times the penalty of a hard interface
 ///   load_harmonics  twice the harmonics of the load, half if the lines or cells resolve no more
 ///   rings           2 n, 2 n + 1 and 4 n of n rings, the largest change; under a solid foot one less, five

@@ -1,0 +1,110 @@
+#pragma once
+
+// A rigid square plate on a Winkler mat that lifts off, tilted in any direction: exact up to rounding.
+#include <Eigen/Dense>
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace stemware::verification
+{
+
+/// Square plate [-1, 1]^2 [m] whose depth is d = motion . (1, x, y) where it is positive, with unit force per
+/// depth and area. The load is 1 N with its centre at a given place.
+class LiftedSquare
+{
+public:
+  /// Finds the balance by Newton's method, from full contact with the load in the middle.
+  explicit LiftedSquare(const Eigen::Vector2d &centre)
+  {
+    const Eigen::Vector3d demand(1, centre(0), centre(1));
+    constexpr unsigned int n_steps = 40;
+    for (unsigned int step = 1; step <= 2 * n_steps; ++step)
+    {
+      const double share = std::min(1., static_cast<double>(step) / n_steps);
+      const Eigen::Vector3d wanted(1, share * demand(1), share * demand(2));
+      const Eigen::Matrix3d stiffness = moments();
+      motion += stiffness.ldlt().solve(wanted - stiffness * motion);
+    }
+  }
+
+  /// Depth (1, x, y) coefficients [m].
+  Eigen::Vector3d motion = { 0.25, 0, 0 };
+
+  double share() const
+  {
+    return integral([](const Eigen::Vector3d &) { return 1.; }) / 4;
+  }
+
+  /// Largest depth, at a corner [m].
+  double peak() const { return motion(0) + std::abs(motion(1)) + std::abs(motion(2)); }
+
+  /// Harmonic a_n / a_0 or b_n / a_0 of the load about the origin, n > 0.
+  double harmonic(unsigned int n, bool of_sine) const
+  {
+    return 2 * integral(
+                 [&](const Eigen::Vector3d &at)
+                 {
+                   const double angle = n * std::atan2(at(2), at(1));
+                   return motion.dot(at) * (of_sine ? std::sin(angle) : std::cos(angle));
+                 });
+  }
+
+private:
+  /// Corners of the part of the square under pressure, counter-clockwise.
+  std::vector<Eigen::Vector3d> loaded() const
+  {
+    const std::vector<Eigen::Vector3d> square = { { 1, -1, -1 }, { 1, 1, -1 }, { 1, 1, 1 }, { 1, -1, 1 } };
+    std::vector<Eigen::Vector3d> corners;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const Eigen::Vector3d &here = square[i], &next = square[(i + 1) % 4];
+      const double depth = motion.dot(here), next_depth = motion.dot(next);
+      if (depth > 0)
+        corners.push_back(here);
+      if ((depth > 0) != (next_depth > 0))
+        corners.push_back(here + depth / (depth - next_depth) * (next - here));
+    }
+    return corners;
+  }
+
+  /// Integral of @p of(1, x, y) over the loaded part: triangles from the origin to its edges, with sign. The
+  /// integrand along a ray is a polynomial of degree 2 times a function of the azimuth.
+  double integral(const std::function<double(const Eigen::Vector3d &)> &of) const
+  {
+    using Gauss = boost::math::quadrature::gauss<double, 30>;
+    using Few = boost::math::quadrature::gauss<double, 7>;
+    const std::vector<Eigen::Vector3d> corners = loaded();
+    constexpr unsigned int n_parts = 60; // for an edge that passes close to the origin
+    double sum = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      const Eigen::Vector3d &begin = corners[i], &end = corners[(i + 1) % corners.size()];
+      const double cross = begin(1) * end(2) - begin(2) * end(1);
+      const auto ray = [&](double t)
+      {
+        const Eigen::Vector3d edge = begin + t * (end - begin);
+        return Few::integrate([&](double s) { return s * of(Eigen::Vector3d(1, s * edge(1), s * edge(2))); },
+                              0., 1.);
+      };
+      for (unsigned int part = 0; part < n_parts; ++part)
+        sum += cross * Gauss::integrate(ray, double(part) / n_parts, (part + 1.) / n_parts);
+    }
+    return sum;
+  }
+
+  Eigen::Matrix3d moments() const
+  {
+    Eigen::Matrix3d matrix;
+    for (Eigen::Index i = 0; i < 3; ++i)
+      for (Eigen::Index j = 0; j <= i; ++j)
+        matrix(i, j) = matrix(j, i) = integral([&](const Eigen::Vector3d &at) { return at(i) * at(j); });
+    return matrix;
+  }
+};
+
+} // namespace stemware::verification
