@@ -15,15 +15,30 @@ namespace stemware::ring
 {
 namespace
 {
-constexpr double farthest = 64.;              ///< end of the search [spin scales]
-constexpr double shortest_way = 1. / 4096.;   ///< to a spin without torque, before one gives up [spin scales]
-constexpr double scan_step = 1. / 16.;        ///< [spin scales]
-constexpr double steepness_ratio = 16.;       ///< of the torque near the zero to the mean that needs no scan
-constexpr unsigned int max_evaluations = 200; ///< of one search
+// Lengths are in units of the spin scale v / R, on which the torque of friction varies.
+constexpr double farthest = 64.;       ///< end of the search
+constexpr double first_step = 1. / 4.; ///< first spin without an initial guess
+/// Width of the interval between a spin in balance and a spin without a balance that is not bisected further:
+/// the accuracy of BalanceLost::last_spin.
+constexpr double shortest_interval = 1. / 4096.;
+constexpr double scan_step = 1. / 16.; ///< of a scan: two zeros closer together may be missed
+/// Distance of two samples below which their difference is rounding.
+constexpr double rounding_distance = 1e-6;
+/// Least distance of two samples whose stability margins tell a slope: before the end of the balance, and on
+/// the way to a zero.
+constexpr double margin_distance = 1. / 1024., margin_distance_on_the_way = 1. / 8192.;
+/// Distance from the zero of a similar torque beyond which the zero is searched from rest.
+constexpr double neighbourhood = 1. / 10.;
+constexpr double least_size = 1e-3; ///< spin below which the tolerance is absolute
+
+/// Ratio of the slope at the zero to the mean slope up to there, or its inverse, beyond which the torque
+/// bends so much that an earlier zero may lie between the samples.
+constexpr double steepness_ratio = 16.;
+constexpr unsigned int max_evaluations = 200; ///< of one search: a guard against a search that cycles
 constexpr double unsteady = 0.9;              ///< stability margin below which the balance may end nearby
 
 /// Push on the glass at a spin, both counted in the direction in which the glass is driven at rest.
-struct Sample
+struct Push
 {
   double spin; ///< > 0 [rad/s]
   double push; ///< tau_z - tau_g [N m], positive before the zero
@@ -36,11 +51,13 @@ struct Estimate
   double error; ///< its difference to the one without the sample farthest away
 };
 
-/// Estimate by the samples with the least |push|; as many as fall with the spin.
-Estimate inverse_interpolation(std::vector<Sample> samples)
+/// Returns the estimate by the at most four @p samples with the least |push| whose push falls with the spin;
+/// of error HUGE_VAL by one sample. More samples add rounding, not accuracy. Precondition: @p samples not
+/// empty.
+Estimate inverse_interpolation(std::vector<Push> samples)
 {
   std::sort(samples.begin(), samples.end(),
-            [](const Sample &a, const Sample &b) { return std::abs(a.push) < std::abs(b.push); });
+            [](const Push &a, const Push &b) { return std::abs(a.push) < std::abs(b.push); });
   const auto falls = [&](std::size_t n)
   {
     for (std::size_t i = 0; i < n; ++i)
@@ -49,7 +66,7 @@ Estimate inverse_interpolation(std::vector<Sample> samples)
           return false;
     return true;
   };
-  std::size_t n = std::min<std::size_t>(samples.size(), 4);
+  std::size_t n = std::min<std::size_t>(samples.size(), 4); // a cubic
   while (!falls(n))
     --n;
   const auto through = [&](std::size_t n_used)
@@ -66,7 +83,7 @@ Estimate inverse_interpolation(std::vector<Sample> samples)
                : Estimate{ through(n), std::abs(through(n) - through(n - 1)) };
 }
 
-/// @p failure, met just beyond the spin @p last, as what it means for the spin-up.
+/// Throws BalanceLost with @p failure, a NoBalance just beyond the spin @p last, nested.
 [[noreturn]] void throw_balance_lost(const std::exception_ptr &failure, double last)
 {
   try
@@ -81,11 +98,14 @@ Estimate inverse_interpolation(std::vector<Sample> samples)
   }
 }
 
-/// The search from rest in the direction in which the glass is driven there.
+/// The search from rest in the direction in which the glass is driven there. Spins are counted in that
+/// direction and positive.
 class OutwardSearch
 {
 public:
-  /// @p push_at_rest > 0 is @p push(0); @p direction is the sign of the spin.
+  /// Preconditions: @p push_at_rest = @p push(0) > 0; @p direction is 1 or -1, the sign of the spin; @p push
+  /// and
+  /// @p search outlive the search.
   OutwardSearch(const std::function<double(double)> &push, double push_at_rest, double direction,
                 const SpinSearch &search)
       : push(push)
@@ -95,7 +115,7 @@ public:
   {
   }
 
-  /// The first zero; the spin @p first > 0 is tried first.
+  /// Returns the first zero; the spin @p first > 0 is tried first. Throws as find_terminal_spin().
   double zero(double first)
   {
     double spin = converge(samples.front(), first, {});
@@ -110,10 +130,11 @@ public:
   }
 
 private:
-  /// The zero beyond @p near, where the push is positive, and before @p far, where it is negative.
-  double converge(Sample near, double proposal, std::optional<Sample> far)
+  /// Returns a zero beyond @p near and, if given, before @p far, beginning at @p proposal. Preconditions: the
+  /// push is positive at @p near and negative at @p far; near.spin < proposal < far->spin.
+  double converge(Push near, double proposal, std::optional<Push> far)
   {
-    std::vector<Sample> used{ near };
+    std::vector<Push> used{ near };
     if (far)
       used.push_back(*far);
     std::exception_ptr failure; // of the torque at `barrier`
@@ -123,47 +144,39 @@ private:
     for (unsigned int i = 0; i < max_evaluations; ++i)
     {
       const double least = std::abs(std::min_element(used.begin(), used.end(),
-                                                     [](const Sample &a, const Sample &b)
+                                                     [](const Push &a, const Push &b)
                                                      { return std::abs(a.push) < std::abs(b.push); })
                                       ->push);
-      Sample sample{ proposal, 0. };
-      bool has_push = true, halved = true;
-      try
+      bool halved = true;
+      if (const std::optional<Push> sample = pushed(proposal, failure))
       {
-        sample.push = push(proposal);
-      }
-      catch (const NoBalance &)
-      {
-        failure = std::current_exception();
-        barrier = proposal;
-        far.reset();
-        has_push = false;
-        used.erase(std::remove_if(used.begin(), used.end(),
-                                  [&](const Sample &other) { return other.spin > proposal; }),
-                   used.end());
-      }
-      if (has_push)
-      {
-        used.push_back(sample);
-        samples.push_back(sample);
-        if (sample.push == 0.)
-          return sample.spin;
-        halved = used.size() <= 2 || std::abs(sample.push) <= 0.5 * least;
-        if (sample.push > 0.)
-          near = sample;
+        used.push_back(*sample);
+        if (sample->push == 0.)
+          return sample->spin;
+        halved = used.size() <= 2 || std::abs(sample->push) <= 0.5 * least;
+        if (sample->push > 0.)
+          near = *sample;
         else
         {
           far = sample;
           failure = nullptr;
         }
       }
+      else
+      {
+        barrier = proposal;
+        far.reset();
+        used.erase(
+          std::remove_if(used.begin(), used.end(), [&](const Push &other) { return other.spin > proposal; }),
+          used.end());
+      }
       const Estimate estimate = inverse_interpolation(used);
-      const double tolerance = search.tolerance * std::max(estimate.spin, 1e-3 * search.spin_scale);
+      const double tolerance = search.tolerance * std::max(estimate.spin, least_size * search.spin_scale);
       if (estimate.error <= tolerance && !(failure && estimate.spin >= barrier))
         return estimate.spin;
       if (far && far->spin - near.spin <= tolerance)
         return (near.spin + far->spin) / 2.;
-      if (failure && barrier - near.spin < shortest_way * search.spin_scale)
+      if (failure && barrier - near.spin < shortest_interval * search.spin_scale)
         throw_balance_lost(failure, direction * near.spin);
       proposal = next(estimate, near.spin, far ? &far->spin : failure ? &barrier : nullptr, halved);
       if (failure && !(near.spin < estimate.spin && estimate.spin < barrier))
@@ -178,10 +191,27 @@ private:
                              " evaluations of the torque, the last one at ", proposal, " rad/s"));
   }
 
-  /// The next proposal between @p near and @p end, or not much farther than @p near without end.
+  /// Returns the push at @p spin; std::nullopt, and the @p failure, without a balance there.
+  std::optional<Push> pushed(double spin, std::exception_ptr &failure)
+  {
+    try
+    {
+      return samples.emplace_back(Push{ spin, push(spin) });
+    }
+    catch (const NoBalance &)
+    {
+      failure = std::current_exception();
+      return std::nullopt;
+    }
+  }
+
+  /// Returns the next proposal between @p near and @p end, or, if @p end is nullptr, not beyond three times
+  /// @p near or a first step of twice the usual one. @p halved: the last sample halved the least push, so
+  /// that
+  /// @p estimate is trusted. Throws NoTerminalSpin at the end of the search.
   double next(const Estimate &estimate, double near, const double *end, bool halved) const
   {
-    const double reach = end ? *end : near + 2. * std::max(near, 0.25 * search.spin_scale);
+    const double reach = end ? *end : near + 2. * std::max(near, first_step * search.spin_scale);
     const bool inside = near < estimate.spin && estimate.spin < reach;
     if (inside && (halved || !end))
       return estimate.spin;
@@ -193,15 +223,15 @@ private:
     return std::min(reach, farthest * search.spin_scale);
   }
 
-  /// A place next to where the balance that there is at @p near should end before @p barrier, as its
-  /// stability margin foretells; nothing where that tells nothing.
+  /// Returns a spin close to the end of the balance between @p near, in balance, and @p barrier, without: the
+  /// square of the stability margin falls to 0 on a line. Returns std::nullopt without a falling margin.
   std::optional<double> next_to_the_end(double near, double barrier) const
   {
     if (!search.stability_margin)
       return std::nullopt;
-    const double narrowest = search.spin_scale / 1024.;
+    const double narrowest = margin_distance * search.spin_scale;
     double before = -1.;
-    for (const Sample &sample : samples)
+    for (const Push &sample : samples)
       if (sample.spin < near - narrowest && sample.spin > before)
         before = sample.spin;
     if (before < 0.)
@@ -211,21 +241,21 @@ private:
     if (!(right < left))
       return std::nullopt;
     const double end = near + right * (near - before) / (left - right);
-    const double width = barrier - near, enough = shortest_way * search.spin_scale;
+    const double width = barrier - near, enough = shortest_interval * search.spin_scale;
     if (end - near < 0.5 * enough)
       return near + std::min(0.9 * enough, 0.5 * width);
     return std::clamp(end - 0.3 * enough, near + 0.05 * width, barrier - 0.05 * width);
   }
 
-  /// Whether the samples up to the zero at @p spin leave doubt that it is the first. Takes one about
-  /// halfway if there is none.
+  /// Returns whether an earlier zero is possible by the samples up to the zero at @p spin; takes a sample
+  /// halfway if none lies in the middle three fifths.
   bool needs_scan(double spin)
   {
-    std::vector<Sample> way;
+    std::vector<Push> way;
     std::copy_if(samples.begin(), samples.end(), std::back_inserter(way),
-                 [&](const Sample &sample) { return sample.spin < spin; });
+                 [&](const Push &sample) { return sample.spin < spin; });
     if (std::none_of(way.begin(), way.end(),
-                     [&](const Sample &sample)
+                     [&](const Push &sample)
                      { return sample.spin > 0.2 * spin && sample.spin < 0.8 * spin; }))
     {
       const std::optional<double> halfway = push_if_balanced(0.5 * spin);
@@ -233,14 +263,14 @@ private:
         return true;
       way.push_back({ 0.5 * spin, *halfway });
     }
-    std::sort(way.begin(), way.end(), [](const Sample &a, const Sample &b) { return a.spin < b.spin; });
+    std::sort(way.begin(), way.end(), [](const Push &a, const Push &b) { return a.spin < b.spin; });
     for (std::size_t i = 1; i < way.size(); ++i)
       if (way[i].push >= way[i - 1].push)
         return true;
     // Next to the zero itself rounding decides about the slope.
-    const double too_close = 1e-6 * search.spin_scale;
-    const Sample *nearest = nullptr;
-    for (const Sample &sample : samples)
+    const double too_close = rounding_distance * search.spin_scale;
+    const Push *nearest = nullptr;
+    for (const Push &sample : samples)
       if (std::abs(sample.spin - spin) > too_close &&
           (!nearest || std::abs(sample.spin - spin) < std::abs(nearest->spin - spin)))
         nearest = &sample;
@@ -253,19 +283,19 @@ private:
 
   std::optional<double> push_if_balanced(double spin)
   {
-    return if_balanced([&] { return samples.emplace_back(Sample{ spin, push(spin) }).push; });
+    return if_balanced([&] { return samples.emplace_back(Push{ spin, push(spin) }).push; });
   }
 
-  /// The first zero before the one at @p spin, or that one. Throws BalanceLost where the way to it ends.
+  /// Returns the first zero up to the zero at @p spin. Throws BalanceLost if the balance ends before.
   double scanned(double spin)
   {
-    Sample near = samples.front();
+    Push near = samples.front();
     for (double here = scan_step * search.spin_scale; here < spin; here += scan_step * search.spin_scale)
     {
       const std::optional<double> found = push_if_balanced(here);
       if (!found)
         return converge(near, here, {});
-      const Sample sample{ here, *found };
+      const Push sample{ here, *found };
       if (sample.push <= 0.)
         return converge(near, (near.spin * sample.push - sample.spin * near.push) / (sample.push - near.push),
                         sample);
@@ -274,10 +304,11 @@ private:
     return spin;
   }
 
-  /// The zero at @p spin, if the balance holds all the way to it, or the first one before it.
+  /// Returns the zero at @p spin if the balance holds from rest to it, else the first zero before. Throws
+  /// BalanceLost. Precondition: the search has a stability margin.
   double reached(double spin)
   {
-    constexpr unsigned int max_probes = 100;
+    constexpr unsigned int max_probes = 100; // an end of the balance narrower than their spacing is missed
     for (unsigned int i = 0; i < max_probes; ++i)
     {
       const std::optional<double> probe = unsteadiest(spin);
@@ -289,29 +320,29 @@ private:
     return spin;
   }
 
-  /// The last sample before @p spin in which the push is positive.
-  Sample nearest_before(double spin) const
+  /// Returns the last sample before @p spin with a positive push; the sample at rest is one.
+  Push nearest_before(double spin) const
   {
-    Sample near = samples.front();
-    for (const Sample &sample : samples)
+    Push near = samples.front();
+    for (const Push &sample : samples)
       if (sample.spin < spin && sample.spin > near.spin && sample.push > 0.)
         near = sample;
     return near;
   }
 
-  /// Where the balance on the way to @p spin may end; nothing where it is steady all the way, or known well
-  /// enough not to. The square of the stability margin falls towards a fold nearly on a line, so that the
-  /// lines through its neighbours bound it between two samples; with a factor, because it is not quite
-  /// convex.
+  /// Returns the spin up to @p spin at which the balance is most likely to end; std::nullopt if the samples
+  /// are steady or exclude an end. The square of the stability margin falls towards a fold nearly on a line,
+  /// so that the lines through its neighbours bound it between two samples; with a factor, because it is not
+  /// quite convex.
   std::optional<double> unsteadiest(double spin) const
   {
     constexpr double safety = 1.5;
-    const double narrowest = search.spin_scale / 8192.;
+    const double narrowest = margin_distance_on_the_way * search.spin_scale;
     std::map<double, double> squares; // by spin; samples that are too close together tell no slope
-    for (const Sample &sample : samples)
+    for (const Push &sample : samples)
     {
       const auto next = squares.lower_bound(sample.spin - narrowest);
-      if (sample.spin <= (1. + 1e-6) * spin &&
+      if (sample.spin <= (1. + rounding_distance) * spin &&
           (next == squares.end() || next->first > sample.spin + narrowest))
         squares[sample.spin] = std::pow(search.stability_margin(direction * sample.spin), 2);
     }
@@ -328,10 +359,10 @@ private:
       const double lower = std::min(left->second, right->second);
       if (lower > unsteady * unsteady || width <= 2. * narrowest)
         continue;
-      if (width > search.spin_scale / 16.)
+      if (width > scan_step * search.spin_scale)
         return (left->first + right->first) / 2.;
       // The less steady, the closer: edges that cross a line make a fold of their own.
-      if (width > search.spin_scale * std::clamp(lower / 8., 1. / 256., 1. / 16.))
+      if (width > search.spin_scale * std::clamp(lower / 8., 1. / 256., scan_step))
         wide.emplace(lower, (left->first + right->first) / 2.);
       // How fast the square falls into the interval from either side.
       const double own = slope(left, right);
@@ -354,7 +385,7 @@ private:
   const std::function<double(double)> &push;
   const double direction;
   const SpinSearch &search;
-  std::vector<Sample> samples; ///< the first one at spin 0
+  std::vector<Push> samples; ///< the first one at spin 0
 };
 } // namespace
 
@@ -381,7 +412,7 @@ SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &sear
   const std::function<double(double)> push = [&](double spin)
   { return direction * counted(direction * spin) - search.grip_torque; };
   const double expected = direction * search.initial_guess.value_or(0.);
-  const double first = expected > 0. ? expected : 0.25 * search.spin_scale;
+  const double first = expected > 0. ? expected : first_step * search.spin_scale;
   OutwardSearch outward(push, std::abs(at_rest) - search.grip_torque, direction, search);
   const double spin = outward.zero(first);
   return { direction * spin, false, n_evaluations, direction * spin };
@@ -394,7 +425,7 @@ std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const To
   constexpr double nearly = 1e-7;    // of the spin: a load there is that at the zero
   constexpr double of_another = 0.1; // error of a slope that is another torque's, of itself
   const double grip = std::copysign(search.grip_torque, known.omega);
-  const double scale = std::max(std::abs(known.omega), 1e-3 * search.spin_scale);
+  const double scale = std::max(std::abs(known.omega), least_size * search.spin_scale);
   double spin = known.omega, slope = known.slope, slope_error = of_another;
   double value = torque(spin) - grip;
   for (unsigned int n = 1; n <= max_steps; ++n)
@@ -404,14 +435,14 @@ std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const To
     {
       if (search.stability_margin && search.stability_margin(spin) < unsteady)
         return std::nullopt;
-      return SpinZero{ next, false, n, spin };
+      return SpinZero{ next, false, n, spin, slope };
     }
-    if (!(std::abs(next - known.omega) <= 0.1 * search.spin_scale))
+    if (!(std::abs(next - known.omega) <= neighbourhood * search.spin_scale))
       return std::nullopt;
     const double next_value = torque(next) - grip;
     const double secant = (next_value - value) / step;
     // Differences that rounding makes say nothing about the slope.
-    if (std::abs(step) > 1e-6 * search.spin_scale)
+    if (std::abs(step) > rounding_distance * search.spin_scale)
     {
       slope = secant;
       slope_error = std::clamp(10 * std::abs(step) / search.spin_scale, 1e-3, of_another);

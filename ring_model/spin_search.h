@@ -37,6 +37,7 @@ struct SpinZero
   bool held;                  ///< |tau_z(0)| <= tau_g, tau_g > 0: the fingers keep the glass at rest
   unsigned int n_evaluations; ///< number of torques evaluated
   double asked;               ///< last evaluated spin, at the zero or within 1e-7 of it [rad/s]
+  double slope = 0.;          ///< d tau_z / d omega of find_terminal_spin_near(), by its last steps [N m s]
 };
 
 /**

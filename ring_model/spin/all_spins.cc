@@ -21,7 +21,7 @@ class ScannedTorque
 {
 public:
   /// Spins are told apart down to @p finest [rad/s].
-  ScannedTorque(const LoadAtSpin &load, const Motion &motion, double grip_torque, double finest)
+  ScannedTorque(const Load &load, const Motion &motion, double grip_torque, double finest)
       : load(load)
       , motion(motion)
       , grip_torque(grip_torque)
@@ -68,7 +68,7 @@ private:
     return least > error || most < -error;
   }
 
-  const LeaningLoad &at(double omega)
+  const Sample &at(double omega)
   {
     const double rounding = 1e-9 * finest;
     const auto known = loads.lower_bound(omega - rounding);
@@ -77,27 +77,27 @@ private:
              : loads.emplace(omega, load.at(omega)).first->second;
   }
 
-  LeaningLoad between(double lower, double upper, double omega)
+  Sample between(double lower, double upper, double omega)
   {
-    const LeaningLoad &below = at(lower), &above = at(upper);
+    const Sample &below = at(lower), &above = at(upper);
     const unsigned int n = std::max(below.n_harmonics(), above.n_harmonics());
     const double share = (omega - lower) / (upper - lower);
     const Eigen::VectorXd row = (1 - share) * below.coefficients(n) + share * above.coefficients(n);
-    return LeaningLoad::from_coefficients(row, below.rings().size());
+    return Sample::from_coefficients(row, below.rings().size());
   }
 
-  double torque_of(const LeaningLoad &at_spin, double omega) const
+  double torque_of(const Sample &at_spin, double omega) const
   {
     const double torque = wrench(motion, at_spin, omega).torque + at_spin.lean_torque();
     return torque_with_grip(torque, omega, grip_torque);
   }
 
-  const LoadAtSpin &load;
+  const Load &load;
   const Motion &motion;
   const double grip_torque;
   const double finest;
   const double unit; ///< mu N R [N m]: what an error of the load of a_0 makes of the torque at most
-  std::map<double, LeaningLoad> loads;
+  std::map<double, Sample> loads;
   std::map<double, std::pair<double, double>> pieces; ///< by their end
 };
 
@@ -123,10 +123,10 @@ struct Reach
 /// Where all of the rim turns faster than it travels, eps = |omega| r / v > 1, friction brakes each place of
 /// it, and its arm is no less than sqrt(1 - 1 / eps^2) r: so it does under any load that nowhere pulls, such
 /// as a contact's.
-bool brakes_beyond(double omega, const LoadAtSpin &load, const Motion &motion)
+bool brakes_beyond(double omega, const Load &load, const Motion &motion)
 {
   constexpr double much = 10;
-  const LeaningLoad at_spin = load.at(omega);
+  const Sample at_spin = load.at(omega);
   double radius = at_spin.radius();
   for (const auto &ring : at_spin.rings())
     radius = std::min(radius, ring.radius);
@@ -139,7 +139,7 @@ bool brakes_beyond(double omega, const LoadAtSpin &load, const Motion &motion)
 }
 
 /// To where friction brakes, or the load has no balance, whatever its distribution; else to 1.5 v / R.
-Reach reach_of(ScannedTorque &torque, const LoadAtSpin &load, const Motion &motion)
+Reach reach_of(ScannedTorque &torque, const Load &load, const Motion &motion)
 {
   const double unit = load.spin_scale(motion);
   const Reach near = { 1.05 * unit / 4, 4, 2 }, far = { unit / 4, 6, 3 };
@@ -152,8 +152,7 @@ Reach reach_of(ScannedTorque &torque, const LoadAtSpin &load, const Motion &moti
 
 } // namespace
 
-std::vector<TerminalSpin> all_terminal_spins(const LoadAtSpin &load, const Question &question,
-                                             const Answer &found)
+std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &question, const Answer &found)
 {
   if (load.phases() || !found.terminal)
     return {};

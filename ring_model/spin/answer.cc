@@ -3,7 +3,6 @@
 #include "ring_model/friction_functionals.h"
 #include "ring_model/if_balanced.h"
 #include "ring_model/load/require.h"
-#include "ring_model/spin/curves.h"
 #include "ring_model/spin/phase_loads.h"
 #include "ring_model/spin/phase_torque.h"
 #include "ring_model/spin/to_precision.h"
@@ -14,6 +13,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace stemware::ring
 {
@@ -34,7 +34,7 @@ double averaging_window(const PhasePeriods &periods, const Motion &motion, const
 }
 
 /// Where the load of rest would take the glass: a first guess. std::nullopt if it takes the glass nowhere.
-std::optional<double> expected_spin(const LoadAtSpin &load, const Motion &motion)
+std::optional<double> expected_spin(const Load &load, const Motion &motion)
 {
   return if_balanced([&] { return terminal_spin(load.at(0), motion).omega; });
 }
@@ -46,7 +46,7 @@ std::optional<double> spin_at_first_phase(const PhaseSampledLoad &phases, const 
 {
   const auto torque = [&](double omega)
   {
-    const LeaningLoad at_spin = phases.at_first_phase(omega);
+    const Sample at_spin = phases.at_first_phase(omega);
     return wrench(motion, at_spin, omega).torque + at_spin.lean_torque();
   };
   const std::optional<double> spin = if_balanced([&] { return find_terminal_spin(torque, search).omega; });
@@ -60,7 +60,7 @@ std::string fall_sentence(const Fall &fall)
 }
 
 /// Replaces the terminal spin of @p found, the zero of the mean torque, by the mean spin in the long run.
-void take_long_run_mean(const LoadAtSpin &load, const Question &question, double spin_scale, Answer &found)
+void take_long_run_mean(const Load &load, const Question &question, double spin_scale, Answer &found)
 {
   const PhaseSampledLoad &phases = *load.phases();
   const Motion &motion = question.motion;
@@ -99,7 +99,7 @@ void take_long_run_mean(const LoadAtSpin &load, const Question &question, double
 
 /// Adds the terminal spin to @p found, or the mean of the spin in the long run if the phase matters. Returns
 /// the spin at which the load was asked for.
-double find_terminal(const LoadAtSpin &load, const Question &question, Answer &found)
+double find_terminal(const Load &load, const Question &question, Answer &found)
 {
   const Motion &motion = question.motion;
   const auto torque = [&](double omega) { return yaw_torque(load, motion, omega); };
@@ -139,7 +139,7 @@ double find_terminal(const LoadAtSpin &load, const Question &question, Answer &f
 }
 
 /// Fills @p found as far as it gets.
-void find_spin(const LoadAtSpin &load, const Question &question, Answer &found)
+void find_spin(const Load &load, const Question &question, Answer &found)
 {
   found.harmonics = load.n_harmonics();
   found.at_rest = ring_state(load.at(0), question, 0);
@@ -172,7 +172,7 @@ std::string to_string(Status status)
   return names[static_cast<std::size_t>(status)];
 }
 
-RingState ring_state(const LeaningLoad &load, const Question &question, double omega)
+RingState ring_state(const Sample &load, const Question &question, double omega)
 {
   RingState state = { {}, load };
   state.friction = wrench(question.motion, load, omega);
@@ -222,26 +222,17 @@ const Answer &Answer::value() const
   return *this;
 }
 
-Answer answer(const LoadAtSpin &load, const Question &question)
+Answer answer(const Load &load, const Question &question)
 {
-  Answer found = question.known ? *question.known : Answer();
-  const auto complete = [&](const auto &find)
+  Answer found;
+  try
   {
-    try
-    {
-      find(load, question, found);
-      return true;
-    }
-    catch (const NoBalance &)
-    {
-      found = failed_answer(std::current_exception(), std::move(found));
-      return false;
-    }
-  };
-  const bool is_found = question.known || complete(find_spin);
-  add_torques(load, question, found);
-  if (is_found)
-    complete(add_curves);
+    find_spin(load, question, found);
+  }
+  catch (const NoBalance &)
+  {
+    return failed_answer(std::current_exception(), std::move(found));
+  }
   return found;
 }
 
@@ -270,7 +261,7 @@ Answer failed_answer(const std::exception_ptr &failure, Answer answer)
   return answer;
 }
 
-Answer compared_with_all(Answer answer, const Answer &all, const LoadAtSpin &load, const Motion &motion)
+Answer compared_with_all(Answer answer, const Answer &all, const Load &load, const Motion &motion)
 {
   if (!all.terminal)
     return answer;
@@ -295,10 +286,10 @@ bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Mot
                    negligible * std::abs(zero->slope * zero->omega);
 }
 
-double yaw_torque(const LoadAtSpin &load, const Motion &motion, double omega,
+double yaw_torque(const Load &load, const Motion &motion, double omega,
                   const std::optional<Orientation> &marks)
 {
-  const LeaningLoad at_spin = load.at(omega, marks);
+  const Sample at_spin = load.at(omega, marks);
   return wrench(motion, at_spin, omega).torque + at_spin.lean_torque();
 }
 

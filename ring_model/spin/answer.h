@@ -3,23 +3,20 @@
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/ring_stack.h"
 #include "ring_model/motion.h"
-#include "ring_model/spin/load_at_spin.h"
+#include "ring_model/spin/load.h"
 #include "ring_model/terminal_spin.h"
 #include "ring_model/yaw_motion.h"
 
 #include <exception>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace stemware::ring
 {
-struct Answer;
-
-/// Question about the spin of a glass under a load.
+/// Question about the terminal spin of a glass under a load.
 ///
 ///     const RingStack rings({ 0.5, 0. }, { 0., 0.2 }, 0.03); // [N/rad], [m]
-///     const LoadFromFunction load([&](double) -> LeaningLoad { return rings; });
+///     const Load load([&](double) -> Sample { return rings; });
 ///     const Answer found = answer(load, { Motion() });
 ///     found.omega_terminal(); // [rad/s]; std::nullopt: see found.reason
 struct Question
@@ -31,21 +28,9 @@ struct Question
   double initial_guess = 0.; ///< initial guess of the terminal spin [rad/s]; 0: from the load at rest
   /// Terminal spin of a similar load, for a local search; std::nullopt: search from rest.
   std::optional<ZeroGuess> near = {};
-  bool with_slope = false; ///< compute slope and time constant: four more loads
-  bool with_minima = true; ///< compute minima and pulling forces of the loads
-
-  /// Earlier answer about the same load, to which the quantities below are added; nullptr: the terminal spin
-  /// is searched first.
-  const Answer *known = nullptr;
-  std::vector<double> spins = {}; ///< spins of Answer::torques [rad/s]
-  /// Shares of the terminal spin, spins of further Answer::torques; without a terminal spin the share 0 only.
-  std::vector<double> terminal_shares = {};
-  bool all_spins = false;         ///< compute Answer::all_spins
-  std::vector<double> times = {}; ///< equally spaced times of Answer::spin_up [s]
-  bool with_instants = false;     ///< compute Answer::instants and Answer::phase_torques
-  double euler_step = 0.;         ///< longest step of Answer::euler [s]; 0: no Euler curve
-
-  TimeObserver observer = {}; ///< observer of the spin in the long run and of the spin-up
+  bool with_slope = false;    ///< compute slope and time constant: four more loads
+  bool with_minima = true;    ///< compute minima and pulling forces of the loads
+  TimeObserver observer = {}; ///< observer of the spin in the long run and of spin-ups
 };
 
 /// Status of an answer: state of the contact, or the kind of failure.
@@ -66,7 +51,7 @@ std::string to_string(Status status);
 struct Torques
 {
   Wrench friction = {};    ///< T and tau_z
-  double lean_torque = 0.; ///< torque of the normal forces, LeaningLoad::lean_torque() [N m]
+  double lean_torque = 0.; ///< torque of the normal forces, Sample::lean_torque() [N m]
   double grip_torque = 0.; ///< torque of the fingers; at rest it cancels the others up to its limit [N m]
 
   /// Friction, lean and grip torque together: I d omega / dt, zero at a terminal spin [N m].
@@ -83,25 +68,13 @@ struct RingState : Torques
 };
 
 /// Returns the state of the ring under @p load, the load at the spin @p omega [rad/s].
-RingState ring_state(const LeaningLoad &load, const Question &question, double omega);
+RingState ring_state(const Sample &load, const Question &question, double omega);
 
 /// Spin at which a glass that stands at rest tips over.
 struct Fall
 {
   double omega;    ///< the last spin in balance, known to v / (4096 R) [rad/s]
   RingState state; ///< state at `omega`
-};
-
-/// One instant of a spin-up.
-struct Instant : YawSample
-{
-  RingState state; ///< without minima
-};
-
-/// tau_z of friction at each of the sampled phases, in the order of PhaseSampledLoad::phases() [N m].
-struct PhaseTorques
-{
-  std::vector<double> at_rest, at_last_spin; ///< torques at rest and at Answer::last_spin()
 };
 
 /// Answer to a Question about a load or its truncation. Quantities that do not exist are std::nullopt or
@@ -129,20 +102,6 @@ struct Answer
   std::optional<double> relative_change = {}; ///< change of the terminal spin; std::nullopt if the full
                                               ///< load's spin is 0
 
-  std::vector<double> torque_spins = {}; ///< Question::spins, then those by terminal_shares [rad/s]
-  std::vector<Torques> torques = {};     ///< torques at torque_spins
-  /// All spins within 1.5 v / R of rest at which the torques balance, in ascending order, each with its
-  /// stability; includes `terminal` and a glass held at rest. Two spins closer together than v / (32 R) may
-  /// be missed. The search ends where the load has no balance, and at 1.05 v / R if friction brakes under
-  /// every load beyond. Empty if the load depends on the phase.
-  std::vector<TerminalSpin> all_spins = {};
-  /// Spin-up from rest at Question::times, with error control (spin_up) and by forward Euler (euler). NaN
-  /// after tipping, empty without a balance.
-  std::vector<YawSample> spin_up = {}, euler = {};
-  /// Instants from rest until the spin has come within 0.5 % of its last one before tipping; at most 25.
-  std::vector<Instant> instants = {};
-  PhaseTorques phase_torques = {}; ///< empty if the load does not depend on the phase
-
   std::optional<double> omega_terminal() const; ///< [rad/s]
   /// Returns the terminal spin, or the spin at which the glass tips [rad/s]; std::nullopt without either.
   std::optional<double> last_spin() const;
@@ -158,16 +117,15 @@ struct Answer
 };
 
 /// Answers @p question about @p load. Does not throw NoBalance: a failed balance is reported in
-/// Answer::reason. A glass that stands at rest and tips on the way has no terminal spin but a `fall`. Torques
-/// at Question::spins do not need a terminal spin.
-Answer answer(const LoadAtSpin &load, const Question &question);
+/// Answer::reason. A glass that stands at rest and tips on the way has no terminal spin but a `fall`.
+Answer answer(const Load &load, const Question &question);
 
 /// Returns the incomplete @p answer with @p failure as the reason for its missing quantities.
 Answer failed_answer(const std::exception_ptr &failure, Answer answer = {});
 
 /// Returns @p answer, the answer of a truncation of @p load, with the change of the terminal spin relative to
 /// the full answer @p all. If the phase matters, the minimum is the least of all phases.
-Answer compared_with_all(Answer answer, const Answer &all, const LoadAtSpin &load, const Motion &motion);
+Answer compared_with_all(Answer answer, const Answer &all, const Load &load, const Motion &motion);
 
 /// Returns whether the harmonics above @p n_harmonics are negligible at the terminal spin of @p all: the
 /// bound on their torque is below a tenth of the search's tolerance.
@@ -175,6 +133,6 @@ bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Mot
 
 /// Returns tau_z of friction plus the lean torque with the marks at @p marks, or the mean over the phases
 /// without @p marks; the grip is not included [N m].
-double yaw_torque(const LoadAtSpin &load, const Motion &motion, double omega,
+double yaw_torque(const Load &load, const Motion &motion, double omega,
                   const std::optional<Orientation> &marks = {});
 } // namespace stemware::ring

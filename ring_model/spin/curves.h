@@ -1,28 +1,54 @@
 #pragma once
 
 #include "ring_model/spin/answer.h"
-#include "ring_model/spin/load_at_spin.h"
+#include "ring_model/spin/load.h"
 
+#include <string>
 #include <vector>
 
 namespace stemware::ring
 {
-/// Adds Answer::torques to @p found. A spin without a balance has NaN, and the reason of @p found says why.
-void add_torques(const LoadAtSpin &load, const Question &question, Answer &found);
+/// Returns the torques under @p load at @p spins [rad/s]: NaN, and the @p reason, without a balance.
+std::vector<Torques> torque_curve(const Load &load, const Question &question,
+                                  const std::vector<double> &spins, std::string *reason = nullptr);
 
-/// Adds all spins, spin-up, instants and torques by phase to @p found, as far as @p question asks for them.
-/// Throws as @p load.
-void add_curves(const LoadAtSpin &load, const Question &question, Answer &found);
+/// Returns all spins within 1.5 v / R of rest at which the torques balance, in ascending order, each with its
+/// stability; includes a glass held at rest and the terminal spin of @p found, the answer about @p load. Two
+/// spins closer together than v / (32 R) may be missed. The search ends where the load has no balance, and at
+/// 1.05 v / R if friction brakes under every load beyond. Empty without a terminal spin, or if the load
+/// depends on the phase. Throws as @p load.
+std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &question, const Answer &found);
 
-/// Computes Answer::all_spins under @p load; contains the terminal spin of @p found.
-std::vector<TerminalSpin> all_terminal_spins(const LoadAtSpin &load, const Question &question,
-                                             const Answer &found);
+/// Returns the spin-up from rest at the equally spaced @p times [s] with error control; NaN after @p fall,
+/// the fall of the glass under @p load. Throws as @p load and Question::observer.
+std::vector<YawSample> spin_up(const Load &load, const Question &question, const std::vector<double> &times,
+                               const std::optional<Fall> &fall = {});
+
+/// Returns the same by forward Euler in equal steps of at most @p longest [s], as in the paper.
+std::vector<YawSample> euler_spin_up(const Load &load, const Question &question,
+                                     const std::vector<double> &times, double longest,
+                                     const std::optional<Fall> &fall = {});
+
+/// One instant of a spin-up.
+struct Instant : YawSample
+{
+  RingState state; ///< without minima
+};
+
+/// Returns at most 25 instants of @p spin_up under @p load, from rest until the spin has come within 0.5 % of
+/// its last one before tipping.
+std::vector<Instant> instants_of(const std::vector<YawSample> &spin_up, const Load &load,
+                                 const Question &question);
+
+/// Returns tau_z of friction at the spin @p omega [rad/s] at each of PhaseSampledLoad::phases(), in their
+/// order [N m].
+std::vector<double> torques_by_phase(const PhaseSampledLoad &phases, const Motion &motion, double omega);
 
 /// Returns @p load, to which @p found is the answer, interpolated in the spin from @p lower to @p upper
 /// [rad/s], or to the fall, for curves of thousands of values. If some spins have no balance: from rest to
-/// the terminal spin; exact if that fails too. @p like as in interpolated().
-SharedLoad interpolated_for_curves(const SharedLoad &load, const Answer &found, double lower, double upper,
-                                   const LoadAtSpin *like = nullptr);
+/// the terminal spin; exact if that fails too. @p like as in Load::interpolated().
+Load interpolated_for_curves(const Load &load, const Answer &found, double lower, double upper,
+                             const Load *like = nullptr);
 
 /// Returns 201 equally spaced times from 0 to @p end [s].
 std::vector<double> output_times(double end);

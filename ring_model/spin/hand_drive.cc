@@ -23,7 +23,7 @@ PhasedTorqueFunction driven_torque(const Motion &motion, OrbitSpeedTable speeds,
   return [motion, speeds = std::move(speeds), load = std::move(load)](double time, double, double omega)
   {
     const Motion now = speeds.motion_at(motion, time);
-    const LeaningLoad at_spin = load(now, time, omega);
+    const Sample at_spin = load(now, time, omega);
     return wrench(now, at_spin, omega).torque + at_spin.lean_torque();
   };
 }

@@ -2,7 +2,7 @@
 
 #include "ring_model/moment_balance.h"
 #include "ring_model/orbit_speed_table.h"
-#include "ring_model/spin/leaning_load.h"
+#include "ring_model/spin/sample.h"
 #include "ring_model/yaw_motion.h"
 
 #include <functional>
@@ -20,7 +20,7 @@ PhasedTorqueFunction driven_torque(Closure closure, const Motion &motion, double
                                    OrbitSpeedTable speeds);
 
 /// Load of a glass whose orbit is @p now at the time @p time [s], at the spin @p omega [rad/s].
-using DrivenLoad = std::function<LeaningLoad(const Motion &now, double time, double omega)>;
+using DrivenLoad = std::function<Sample(const Motion &now, double time, double omega)>;
 
 /// Returns the yaw torque of friction and lean for driven_motion() under @p load.
 PhasedTorqueFunction driven_torque(const Motion &motion, OrbitSpeedTable speeds, DrivenLoad load);

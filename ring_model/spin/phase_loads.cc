@@ -66,7 +66,7 @@ std::vector<PhaseSamples> sample(const LoadAtPhase &load, const std::vector<doub
     // All spins of a phase in a row: each is near the one before.
     for (std::size_t k = 0; k < omegas.size(); ++k)
     {
-      const LeaningLoad exact = load(omegas[k], grids.phase(i));
+      const Sample exact = load(omegas[k], grids.phase(i));
       n_rings = exact.rings().size();
       const Eigen::VectorXd column = exact.coefficients(exact.n_harmonics());
       columns[k].conservativeResize(column.size(), grids.size());
@@ -120,7 +120,7 @@ PhaseSampledLoad::PhaseSampledLoad(LoadAtPhase load_given, const PhasePeriods &p
 {
 }
 
-LeaningLoad PhaseSampledLoad::at(double omega, const Orientation &phase) const
+Sample PhaseSampledLoad::at(double omega, const Orientation &phase) const
 {
   if (!varies_with_spin(omega))
     return at_rest.at(phase);
@@ -130,7 +130,7 @@ LeaningLoad PhaseSampledLoad::at(double omega, const Orientation &phase) const
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples.at_nodes.front().columns().rows());
   for (unsigned int k = 0; k < samples.spins.size(); ++k)
     sum += spins(k) * phases().interpolated(samples.at_nodes[k].columns(), phase);
-  return LeaningLoad::from_coefficients(sum, samples.at_nodes.front().n_rings());
+  return Sample::from_coefficients(sum, samples.at_nodes.front().n_rings());
 }
 
 PhaseSamples PhaseSampledLoad::at_spin(double omega) const

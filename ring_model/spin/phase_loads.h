@@ -13,7 +13,7 @@ namespace stemware::ring
 {
 
 /// Load at a spin [rad/s] with the marks at a phase; each call is one contact solution or several.
-using LoadAtPhase = std::function<LeaningLoad(double omega, const Orientation &phase)>;
+using LoadAtPhase = std::function<Sample(double omega, const Orientation &phase)>;
 
 /// Sampling of the phases at rest.
 struct RestSampling
@@ -51,13 +51,13 @@ public:
 
   /// Returns the load at a spin and phase. Throws NoBalance, as sample_phases(), if the samples around @p
   /// omega are not accurate enough, and if they would exceed SpinSampling::max_intervals.
-  LeaningLoad at(double omega, const Orientation &phase) const;
+  Sample at(double omega, const Orientation &phase) const;
 
   /// Returns the mean over all phases, which has the mean moment.
-  LeaningLoad mean(double omega) const { return at_spin(omega).mean(); }
+  Sample mean(double omega) const { return at_spin(omega).mean(); }
 
   /// Returns the load at the first of phases(), solved and not interpolated.
-  LeaningLoad at_first_phase(double omega) const { return load(omega, phases().phase(0)); }
+  Sample at_first_phase(double omega) const { return load(omega, phases().phase(0)); }
 
   /// Returns the interval of spins [rad/s] around @p omega on which at() is one polynomial; infinite if the
   /// load does not depend on the spin.

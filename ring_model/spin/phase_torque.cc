@@ -8,7 +8,7 @@
 namespace stemware::ring
 {
 
-PhaseTorque::PhaseTorque(const LoadAtSpin &load, const Motion &motion, double middle, double reach,
+PhaseTorque::PhaseTorque(const Load &load, const Motion &motion, double middle, double reach,
                          double tolerance)
     : load(load)
     , motion(motion)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ring_model/motion.h"
-#include "ring_model/spin/load_at_spin.h"
+#include "ring_model/spin/load.h"
 #include "ring_model/spin/phase_loads.h"
 
 #include <Eigen/Core>
@@ -22,7 +22,7 @@ public:
   /// limited to the load's PhaseSampledLoad::polynomial_range(). If the polynomials are less accurate than @p
   /// tolerance [N m], as across the kink of the torque at the spin v / R of a ring, half and then a quarter
   /// of @p reach is tried; if both fail there is no table. Keeps references to @p load and @p motion.
-  PhaseTorque(const LoadAtSpin &load, const Motion &motion, double middle, double reach, double tolerance);
+  PhaseTorque(const Load &load, const Motion &motion, double middle, double reach, double tolerance);
 
   /// Returns the torque [N m] at a time [s], yaw angle [rad] and spin [rad/s]: from the table if it covers
   /// the spin, else from the load itself.
@@ -38,7 +38,7 @@ private:
   /// Torques at all phases. Shape [number of phases, number of spins].
   Eigen::MatrixXd at_phases(const std::vector<double> &omegas) const;
 
-  const LoadAtSpin &load;
+  const Load &load;
   const Motion &motion;
   const PhaseGrids &grids;
   double lower = 0., upper = 0.; ///< spins of the table

@@ -114,13 +114,13 @@ Eigen::VectorXd PhaseGrids::interpolated(const Eigen::MatrixXd &columns, const O
   return columns * weights_there;
 }
 
-double torque_difference(const LeaningLoad &one, const LeaningLoad &other)
+double torque_difference(const Sample &one, const Sample &other)
 {
   const double radius = other.radius();
   double largest = 0;
   for (int quarter = -4; quarter <= 4; ++quarter)
   {
-    const auto torque = [&](const LeaningLoad &load)
+    const auto torque = [&](const Sample &load)
     { return coulomb_wrench(1, load, quarter / 4., radius).torque; };
     largest = std::max(largest, std::abs(torque(one) - torque(other)));
   }
@@ -134,9 +134,9 @@ PhaseSamples::PhaseSamples(const PhaseGrids &grids, const Eigen::MatrixXd &colum
 {
 }
 
-LeaningLoad PhaseSamples::mean() const
+Sample PhaseSamples::mean() const
 {
-  const LeaningLoad mean = load_of(loads.rowwise().mean());
+  const Sample mean = load_of(loads.rowwise().mean());
   if (mean.rings().size() > 1)
     return mean; // its radii are the same at every phase
   // M_N = pi R (b_1, -a_1): the radius that makes it the mean moment.
@@ -165,9 +165,9 @@ SampleError PhaseSamples::error() const
   return { of_glass.mean + of_table.mean, std::max(of_glass.between, of_table.between) };
 }
 
-LeaningLoad PhaseSamples::load_of(const Eigen::VectorXd &column) const
+Sample PhaseSamples::load_of(const Eigen::VectorXd &column) const
 {
-  return LeaningLoad::from_coefficients(column, rings_per_load);
+  return Sample::from_coefficients(column, rings_per_load);
 }
 
 PhaseSamples PhaseSamples::halved(PhaseGrids::Angle angle) const

@@ -3,7 +3,7 @@
 #include "ring_model/load/lagrange.h"
 #include "ring_model/load/slip.h"
 #include "ring_model/motion.h"
-#include "ring_model/spin/leaning_load.h"
+#include "ring_model/spin/sample.h"
 
 #include <Eigen/Core>
 
@@ -101,7 +101,7 @@ struct PhaseGrids
 /// Returns the distance of two loads: the largest difference of tau_z over mu N R among the slip ratios 0,
 /// +-1/4 ... +-1, R the ring radius of @p other. High harmonics of a load concentrated at crests count only
 /// as far as the kernels let them turn the glass.
-double torque_difference(const LeaningLoad &one, const LeaningLoad &other);
+double torque_difference(const Sample &one, const Sample &other);
 
 /// Errors of a sampled load, measured by torque_difference().
 struct SampleError
@@ -114,7 +114,7 @@ struct SampleError
 class PhaseSamples
 {
 public:
-  /// @p columns: LeaningLoad::coefficients() of @p n_rings rings, one column per phase of @p grids.
+  /// @p columns: Sample::coefficients() of @p n_rings rings, one column per phase of @p grids.
   PhaseSamples(const PhaseGrids &grids, const Eigen::MatrixXd &columns, std::size_t n_rings);
 
   const PhaseGrids &phases() const { return grids; }
@@ -122,11 +122,11 @@ public:
   std::size_t n_rings() const { return rings_per_load; }
 
   /// Returns the load at phase @p i, or at any phase by trigonometric interpolation.
-  LeaningLoad sample(unsigned int i) const { return load_of(loads.col(i)); }
-  LeaningLoad at(const Orientation &phase) const { return load_of(grids.interpolated(loads, phase)); }
+  Sample sample(unsigned int i) const { return load_of(loads.col(i)); }
+  Sample at(const Orientation &phase) const { return load_of(grids.interpolated(loads, phase)); }
 
   /// Returns the mean over all phases (trapezoidal rule), which has the mean moment.
-  LeaningLoad mean() const;
+  Sample mean() const;
 
   /// Estimates the error in one angle. Mean: difference to the mean of half of the phases. Between phases:
   /// interpolation error of a half and of a quarter of the phases at the others, extrapolated to all.
@@ -136,7 +136,7 @@ public:
   SampleError error() const;
 
 private:
-  LeaningLoad load_of(const Eigen::VectorXd &column) const;
+  Sample load_of(const Eigen::VectorXd &column) const;
   PhaseSamples halved(PhaseGrids::Angle angle) const;
   /// Returns the largest torque_difference() between the loads at every other phase of an angle and their
   /// interpolation from the remaining phases.

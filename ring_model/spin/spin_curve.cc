@@ -48,12 +48,12 @@ Eigen::VectorXd SpinCurve::Piece::weights(double t) const
   return lagrange_values(places, t);
 }
 
-LeaningLoad SpinCurve::Piece::at(double x) const
+Sample SpinCurve::Piece::at(double x) const
 {
   Eigen::VectorXd row = rows * weights(coordinate(x));
   if (reference)
     row += reference(x).coefficients(n_harmonics);
-  return LeaningLoad::from_coefficients(row, nodes.begin()->second.rings().size());
+  return Sample::from_coefficients(row, nodes.begin()->second.rings().size());
 }
 
 double SpinCurve::Piece::error() const
@@ -64,9 +64,9 @@ double SpinCurve::Piece::error() const
 
 SpinCurve::SpinCurve(const CurveSource &source, double lower, double upper, const CurveTolerance &tolerance)
 {
-  for (const double x : source.known)
+  for (const auto &[x, known] : source.known)
     if (lower < x && x < upper)
-      samples.emplace(x, source.load(x));
+      samples.emplace(x, known);
   for (const double x : { lower, upper })
     sample(source, x);
   find_kinks(source);
@@ -98,7 +98,7 @@ SpinCurve::SpinCurve(const CurveSource &source, double lower, double upper, cons
   }
 }
 
-LeaningLoad SpinCurve::operator()(double x) const
+Sample SpinCurve::operator()(double x) const
 {
   if (const auto known = samples.find(x); known != samples.end())
     return known->second;
@@ -116,7 +116,7 @@ double SpinCurve::error() const
   return largest;
 }
 
-const LeaningLoad &SpinCurve::sample(const CurveSource &source, double x)
+const Sample &SpinCurve::sample(const CurveSource &source, double x)
 {
   const auto known = samples.find(x);
   if (known != samples.end())
@@ -127,11 +127,9 @@ const LeaningLoad &SpinCurve::sample(const CurveSource &source, double x)
 
 void SpinCurve::find_kinks(const CurveSource &source)
 {
-  if (!source.lift_off_margin)
-    return;
   std::vector<std::pair<double, double>> known;
   for (const auto &[x, load] : samples)
-    known.emplace_back(x, source.lift_off_margin(x));
+    known.emplace_back(x, load.lift_off_margin);
   const double range = known.back().first - known.front().first;
   for (std::size_t i = 0; i + 1 < known.size(); ++i)
   {
@@ -139,11 +137,7 @@ void SpinCurve::find_kinks(const CurveSource &source)
     const auto &[right, at_right] = known[i + 1];
     if ((at_left < 0) == (at_right < 0))
       continue;
-    const auto lift_off_margin = [&](double x)
-    {
-      sample(source, x);
-      return source.lift_off_margin(x);
-    };
+    const auto lift_off_margin = [&](double x) { return sample(source, x).lift_off_margin; };
     // An error d of the place is one of about d^(3/2) of the load.
     constexpr double accuracy = 1e-5;
     std::uintmax_t n_most = 7;
@@ -163,7 +157,7 @@ SpinCurve::Piece SpinCurve::through_ends(const CurveSource &source, double begin
   return piece;
 }
 
-void SpinCurve::Piece::add(double x, const LeaningLoad &load)
+void SpinCurve::Piece::add(double x, const Sample &load)
 {
   nodes.emplace(coordinate(x), load);
   n_harmonics = std::max(n_harmonics, load.n_harmonics());
@@ -183,7 +177,7 @@ void SpinCurve::refine(const CurveSource &source, Piece &piece)
   constexpr double safety = 2;      // the error need not be largest there
   constexpr double usual_gain = 10; // of one sample: what falls faster may have been close by chance
   const double x = next_place(piece);
-  const LeaningLoad &load = sample(source, x);
+  const Sample &load = sample(source, x);
   const double miss = safety * piece.at(x).difference(load);
   piece.estimate = std::max(miss, piece.estimate / usual_gain);
   piece.add(x, load);

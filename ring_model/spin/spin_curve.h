@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ring_model/spin/leaning_load.h"
+#include "ring_model/spin/sample.h"
 
 #include <Eigen/Core>
 
@@ -13,16 +13,13 @@ namespace stemware::ring
 {
 
 /// Load as a function of one number, such as the spin or the moment ratio.
-using LoadFunction = std::function<LeaningLoad(double x)>;
+using LoadFunction = std::function<Sample(double x)>;
 
 /// Costly load with the data that an interpolating curve needs.
 struct CurveSource
 {
   LoadFunction load;
-  /// Margin to lift-off: positive if the whole rim is loaded, negative after partial lift-off; evaluated at
-  /// known x only. Empty: the rim never lifts off.
-  std::function<double(double x)> lift_off_margin = {};
-  std::vector<double> known = {}; ///< x at which the load is already known, ascending
+  std::map<double, Sample> known = {}; ///< samples that are already known, by x
   /// Load that is known everywhere, on the same rings, and close to this load: the difference, which varies
   /// less, is interpolated. Empty: the load itself is interpolated.
   LoadFunction reference = {};
@@ -51,9 +48,12 @@ public:
   SpinCurve(const CurveSource &source, double lower, double upper, const CurveTolerance &tolerance = {});
 
   /// Returns the interpolated load; exact at a sample, constant beyond the first and the last.
-  LeaningLoad operator()(double x) const;
+  Sample operator()(double x) const;
 
   std::size_t n_pieces() const { return pieces.size(); }
+  /// Ends of the sampled interval.
+  double lower() const { return pieces.front().begin; }
+  double upper() const { return pieces.back().end; }
   /// Number of samples that were not known beforehand.
   std::size_t n_samples() const { return n_new; }
   /// Bound on the interpolation error, confirmed by the last samples.
@@ -73,20 +73,20 @@ private:
     double place(double coordinate) const;
     /// Weights of the nodes' values in the polynomial.
     Eigen::VectorXd weights(double coordinate) const;
-    LeaningLoad at(double x) const;
+    Sample at(double x) const;
     double error() const;
-    void add(double x, const LeaningLoad &load);
+    void add(double x, const Sample &load);
 
     double begin, end;
     bool kink_at_begin, kink_at_end;
-    LoadFunction reference;                   ///< CurveSource::reference
-    std::map<double, LeaningLoad> nodes = {}; ///< by coordinate()
-    double estimate = 0;                      ///< estimate of the interpolation error, from the nodes
+    LoadFunction reference;              ///< CurveSource::reference
+    std::map<double, Sample> nodes = {}; ///< by coordinate()
+    double estimate = 0;                 ///< estimate of the interpolation error, from the nodes
     unsigned int n_harmonics = 0;
-    Eigen::MatrixXd rows = {}; ///< LeaningLoad::coefficients() of the nodes minus the reference's
+    Eigen::MatrixXd rows = {}; ///< Sample::coefficients() of the nodes minus the reference's
   };
 
-  const LeaningLoad &sample(const CurveSource &source, double x);
+  const Sample &sample(const CurveSource &source, double x);
   /// Finds the points between the known ones at which the rim lifts off or comes back into contact.
   void find_kinks(const CurveSource &source);
   Piece through_ends(const CurveSource &source, double begin, double end, bool kink_at_begin,
@@ -98,8 +98,8 @@ private:
   /// product is not much smaller.
   double next_place(const Piece &piece) const;
 
-  std::map<double, LeaningLoad> samples; ///< by x
-  std::vector<Piece> pieces;             ///< ascending
+  std::map<double, Sample> samples; ///< by x
+  std::vector<Piece> pieces;        ///< ascending
   std::vector<double> kinks;
   std::size_t n_new = 0; ///< number of new samples
 };

@@ -59,11 +59,11 @@ void add_curve(const std::vector<double> &spins, const std::vector<Torque> &torq
 }
 } // namespace
 
-TorqueEffects torque_effects(const LoadAtSpin &load, const Motion &motion, const Answer &all,
-                             const std::vector<unsigned int> &orders, const LoadAtSpin *curve)
+TorqueEffects torque_effects(const Load &load, const Motion &motion, const Answer &all,
+                             const std::vector<unsigned int> &orders, const Load *curve)
 {
   constexpr unsigned int n_intervals = 64;
-  const auto torque_of = [&motion](const LoadAtSpin &of, double omega) -> Torque
+  const auto torque_of = [&motion](const Load &of, double omega) -> Torque
   { return if_balanced([&] { return TorqueByHarmonics(motion, of.at(omega), omega); }); };
   TorqueEffects effects = { std::abs(all.at_rest.value().friction.torque) };
   Torque half, terminal;

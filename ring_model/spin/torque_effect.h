@@ -42,6 +42,6 @@ struct TorqueEffects
 /// Returns the effects of the harmonics up to each of @p orders under @p load, whose answer is @p all with
 /// its state at rest. @p curve is the same load, cheap to evaluate between rest and Answer::last_spin();
 /// nullptr leaves out the curves and their largest values. Throws as @p load, but for NoBalance.
-TorqueEffects torque_effects(const LoadAtSpin &load, const Motion &motion, const Answer &all,
-                             const std::vector<unsigned int> &orders, const LoadAtSpin *curve = nullptr);
+TorqueEffects torque_effects(const Load &load, const Motion &motion, const Answer &all,
+                             const std::vector<unsigned int> &orders, const Load *curve = nullptr);
 } // namespace stemware::ring

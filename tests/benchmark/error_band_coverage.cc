@@ -157,7 +157,7 @@ FineStudy finer_in_everything(const Study &study)
 struct Solved
 {
   std::shared_ptr<ElasticFoot> foot;
-  SharedLoad load;
+  BalancedLoad load;
   double omega = 0;
 };
 
@@ -165,8 +165,8 @@ Solved solve(const FineStudy &fine, fem::ComplianceCache &cache, double expected
 {
   const Study &study = fine.study;
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache, silent_progress(), nullptr, fine.mesh);
-  const SharedLoad load = find_load(study, foot);
-  const double omega = ring::answer(*load, { study.motion.orbit, study.motion.grip_torque, {}, expected })
+  const BalancedLoad load = find_load(study, foot);
+  const double omega = ring::answer(load, { study.motion.orbit, study.motion.grip_torque, {}, expected })
                          .value()
                          .omega_terminal()
                          .value();
@@ -192,14 +192,14 @@ double torque_of_points(const std::vector<fem::PointForce> &points, const ring::
 double change_by_points(const Study &study, const Solved &solved)
 {
   const ring::Motion &motion = study.motion.orbit;
-  const std::optional<fem::ContactState> state = solved.load->contact(solved.omega);
+  const std::optional<fem::ContactState> state = solved.load.contact(solved.omega);
   if (!state)
     return 0;
   const double difference = torque_of_points(solved.foot->body().point_forces(*state), motion, solved.omega) -
                             ring::wrench(motion, state->load, solved.omega).torque;
-  const double step = solved.load->spin_scale(motion) / 512;
-  const double slope = (ring::yaw_torque(*solved.load, motion, solved.omega + step) -
-                        ring::yaw_torque(*solved.load, motion, solved.omega - step)) /
+  const double step = solved.load.spin_scale(motion) / 512;
+  const double slope = (ring::yaw_torque(solved.load, motion, solved.omega + step) -
+                        ring::yaw_torque(solved.load, motion, solved.omega - step)) /
                        (2 * step);
   return -difference / slope;
 }
@@ -254,7 +254,7 @@ void compare(const Study &study, const std::string &truth, Tallies &tallies)
   ring::Question question = { study.motion.orbit };
   question.grip_torque = study.motion.grip_torque;
   question.with_slope = true;
-  const ring::Answer row = ring::answer(*own.load, question).value();
+  const ring::Answer row = ring::answer(own.load, question).value();
   const ErrorBands bands = estimate_bands(study, own.foot, row, std::nullopt, ThreadedExecutor(cache));
   const BandedQuantity &band = spin_of(bands);
 

@@ -1,5 +1,6 @@
 // The table of the torque over phases and spins against plain quadrature over the rim.
 #include "ring_model/spin/answer.h"
+#include "ring_model/spin/phase_loads.h"
 #include "ring_model/spin/phase_torque.h"
 #include "tests/ring_model/quadrature.h"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace
 {
@@ -20,20 +22,12 @@ RingStack wavy_load(const Orientation &phase)
                    { 0., 0.3, 0.1 * std::sin(2. * phase.table), 0.05 * std::sin(3. * phase.glass) }, 0.03);
 }
 
-class WavyLoad : public LoadAtSpin
+Load load_by_phase()
 {
-public:
-  LeaningLoad at(double omega, const std::optional<Orientation> &marks) const override
-  {
-    return marks ? loads.at(omega, *marks) : loads.mean(omega);
-  }
-  const PhaseSampledLoad *phases() const override { return &loads; }
-
-private:
-  const LoadAtPhase exact = [](double, const Orientation &phase) -> LeaningLoad { return wavy_load(phase); };
+  const LoadAtPhase exact = [](double, const Orientation &phase) -> Sample { return wavy_load(phase); };
   const PhasePeriods periods = { 2. * M_PI / 3., M_PI };
-  const PhaseSampledLoad loads = { exact, periods, sample_phases(exact, periods, { 256 }) };
-};
+  return Load(std::make_shared<PhaseSampledLoad>(exact, periods, sample_phases(exact, periods, { 256 })));
+}
 
 /// Torque [N m] at a time, yaw angle and spin by the trapezoidal rule.
 double plain_torque(const Motion &motion, double time, double yaw_angle, double omega)
@@ -48,7 +42,7 @@ double plain_torque(const Motion &motion, double time, double yaw_angle, double 
 
 TEST(PhaseTorque, IsThatOfTheLoadBetweenPhasesAndSpins)
 {
-  const WavyLoad load;
+  const Load load = load_by_phase();
   const Motion motion;
   const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * M_PI * 0.03;
   const PhaseTorque torque(load, motion, 0.4 * scale, 0.05 * scale, 1e-9 * size);
@@ -63,7 +57,7 @@ TEST(PhaseTorque, IsThatOfTheLoadBetweenPhasesAndSpins)
 
 TEST(PhaseTorque, BeyondItsTableIsThatOfTheLoadItself)
 {
-  const WavyLoad load;
+  const Load load = load_by_phase();
   const Motion motion;
   const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * M_PI * 0.03;
   const PhaseTorque torque(load, motion, 0.4 * scale, 0.01 * scale, 1e-9 * size);
@@ -74,7 +68,7 @@ TEST(PhaseTorque, BeyondItsTableIsThatOfTheLoadItself)
 
 TEST(PhaseTorque, TheMotionInTheLongRunIsObserved)
 {
-  const WavyLoad load;
+  const Load load = load_by_phase();
   Question question = { Motion() };
   double latest = 0.;
   question.observer = [&](double time) { latest = std::max(latest, time); };
@@ -86,7 +80,7 @@ TEST(PhaseTorque, TheMotionInTheLongRunIsObserved)
 TEST(PhaseSampledLoad, AnErrorBelongsToTheIntervalOfItsSpins)
 {
   // A kink between 0 and 1 rad/s; linear in the spin between 1 and 2 rad/s.
-  const LoadAtPhase kinked = [](double omega, const Orientation &phase) -> LeaningLoad
+  const LoadAtPhase kinked = [](double omega, const Orientation &phase) -> Sample
   {
     const double wave = 0.05 * std::cos(2. * phase.glass);
     return RingStack({ 1., 0.2, wave }, { 0., 0.3 + 0.1 * std::abs(omega - 0.37), 0. }, 0.03);
@@ -102,8 +96,8 @@ TEST(PhaseSampledLoad, AnErrorBelongsToTheIntervalOfItsSpins)
   EXPECT_EQ(loads.error(0.9, 1.8).mean, loads.error().mean);
   const Motion motion;
   for (const double omega : { 1.3, 1.8 })
-    EXPECT_NEAR(yaw_torque(LoadFromFunction([&](double spin) { return loads.mean(spin); }), motion, omega),
-                yaw_torque(LoadFromFunction(
+    EXPECT_NEAR(yaw_torque(Load([&](double spin) { return loads.mean(spin); }), motion, omega),
+                yaw_torque(Load(
                              [&](double spin) {
                                return kinked(spin, { M_PI / 4., 0. });
                              }),
@@ -113,7 +107,7 @@ TEST(PhaseSampledLoad, AnErrorBelongsToTheIntervalOfItsSpins)
 
 TEST(PhaseTorque, HasNoTableAcrossTheKinkAtTheSpeedOfTheRim)
 {
-  const WavyLoad load;
+  const Load load = load_by_phase();
   const Motion motion;
   const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * M_PI * 0.03;
   const PhaseTorque torque(load, motion, scale, 0.05 * scale, 1e-9 * size);

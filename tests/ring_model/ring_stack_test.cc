@@ -2,7 +2,7 @@
 #include "ring_model/load/constants.h"
 #include "ring_model/load/load_functional.h"
 #include "ring_model/load/ring_stack.h"
-#include "ring_model/spin/leaning_load.h"
+#include "ring_model/spin/sample.h"
 #include "tests/ring_model/quadrature.h"
 #include "tests/ring_model/reference.h"
 #include "tests/taylor_remainder.h"
@@ -155,25 +155,25 @@ TEST(RingStack, OfSeveralRingsRubsLikeEachRingByItself)
               1e-17); // tau_z(0) = mu M_Nx
 }
 
-TEST(LeaningLoad, GoesThroughItsCoefficients)
+TEST(Sample, GoesThroughItsCoefficients)
 {
-  const LeaningLoad load(three_rings(), { 0.01, -0.02 });
+  const Sample load(three_rings(), { 0.01, -0.02 });
   const Eigen::VectorXd row = load.coefficients(2);
   ASSERT_EQ(row.size(), 23);
   EXPECT_EQ(row(1), -0.02);
   EXPECT_EQ(row(9), 0.030);
   EXPECT_EQ(row(14), 0.12); // b_1 of the second ring
-  const LeaningLoad again = LeaningLoad::from_coefficients(row, 3);
+  const Sample again = Sample::from_coefficients(row, 3);
   EXPECT_EQ(again.coefficients(2), row);
   EXPECT_EQ(again.difference(load), 0.);
   Eigen::VectorXd other = row;
   other(14) += 0.02;
-  EXPECT_NEAR(LeaningLoad::from_coefficients(other, 3).b(1) - load.b(1), 0.02, 1e-16);
-  EXPECT_GT(LeaningLoad::from_coefficients(other, 3).difference(load), 0.02 / 0.5 - 1e-15);
-  const LeaningLoad padded = LeaningLoad::from_coefficients(load.coefficients(5), 3);
+  EXPECT_NEAR(Sample::from_coefficients(other, 3).b(1) - load.b(1), 0.02, 1e-16);
+  EXPECT_GT(Sample::from_coefficients(other, 3).difference(load), 0.02 / 0.5 - 1e-15);
+  const Sample padded = Sample::from_coefficients(load.coefficients(5), 3);
   EXPECT_EQ(padded.n_harmonics(), 5u);
   EXPECT_EQ(padded.difference(load), 0.);
-  EXPECT_EQ(load.coefficients(1), LeaningLoad(load.truncated(1)).coefficients(1));
+  EXPECT_EQ(load.coefficients(1), Sample(load.truncated(1)).coefficients(1));
 }
 
 TEST(RingStack, DifferenceSeesEveryPartOfALoad)

@@ -21,7 +21,7 @@ RingStack load_at(double omega)
                      { 0.032, { 0.12, -0.01, 0.03, 0.005, 0.001 }, { 0., 0.07, 0.004, 0.006, -0.002 } } });
 }
 
-const LoadFromFunction the_load([](double omega) -> LeaningLoad { return load_at(omega); });
+const Load the_load([](double omega) -> Sample { return load_at(omega); });
 
 /// tau_z of the load at @p omega cut after @p n by the trapezoidal rule, which has no kernels.
 double torque_by_quadrature(double omega, unsigned int n)
@@ -86,8 +86,8 @@ TEST(TorqueEffect, AtRestNoHarmonicBeyondTheFirstActs)
 TEST(TorqueEffect, AGlassThatTipsHasTheCurveUpToTheFall)
 {
   const Motion motion;
-  const LoadFromFunction load(
-    [](double omega) -> LeaningLoad
+  const Load load(
+    [](double omega) -> Sample
     {
       if (omega < -1.)
         throw Tipping("it tips");

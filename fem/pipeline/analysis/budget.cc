@@ -23,14 +23,15 @@ ChainStep step_of(const Variant &model)
 }
 
 /// Puts the answer to a model under those in @p rows.
-void add_row(const ChainStep &step, const std::string &name, const Study &study, const ring::Answer &row,
+void add_row(const ChainStep &step, const std::string &name, const Study &study, const LoadedRow &solved,
              std::vector<BudgetRow> &rows)
 {
+  const ring::Answer &row = solved.row;
   BudgetRow added = { step, name, row.harmonics, row.omega_terminal() };
   if (!rows.empty() && added.omega_terminal && rows.back().omega_terminal)
     added.difference = *added.omega_terminal - *rows.back().omega_terminal + 0.; // no -0
-  for (std::size_t i = 0; i < row.torques.size(); ++i)
-    added.torques.at(i) = unless_nan(row.torques[i].friction.torque);
+  for (std::size_t i = 0; i < solved.torques.size(); ++i)
+    added.torques.at(i) = unless_nan(solved.torques[i].friction.torque);
   added.status = row.terminal && row.pulls() ? ring::Status::formal : row.status;
   added.reason = row.reason.empty() ? grip_holds_note(study, row) : row.reason;
   rows.push_back(added);
@@ -38,7 +39,8 @@ void add_row(const ChainStep &step, const std::string &name, const Study &study,
 
 WithoutRow judge_without(const LoadedRow &solved, const ring::Answer &complete)
 {
-  const auto &[variant, answer, load] = solved;
+  const ring::Answer &answer = solved.row;
+  const Variant &variant = solved.variant;
   WithoutRow row = { variant.name, answer.omega_terminal() };
   if (row.omega_terminal && complete.terminal)
     row.difference = *row.omega_terminal - complete.terminal->omega;
@@ -83,19 +85,19 @@ std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase)
 std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
 {
   std::vector<BudgetRow> rows;
-  for (const auto &[variant, answer, load] : solved.others)
-    if (variant.is_of_chain)
-      add_row(step_of(variant), variant.name, variant.study, answer, rows);
+  for (const LoadedRow &other : solved.others)
+    if (other.variant.is_of_chain)
+      add_row(step_of(other.variant), other.variant.name, other.variant.study, other, rows);
   if (study.load.source == LoadSource::first_harmonic)
     return rows;
   // Rows 3 or 3a, 4, 5, ... of a study whose load has harmonics to tell apart.
   const std::vector<LoadedRow> &by_harmonics = solved.by_harmonics;
-  const ring::Answer &first = by_harmonics.front().row;
+  const LoadedRow &first = by_harmonics.front();
   add_row({ 3, study.tilts() }, study.tilts() ? "tilt" : "where the foot touches", study, first, rows);
   ChainStep step = { 4 };
   for (std::size_t i = 1; i < by_harmonics.size(); ++i)
   {
-    add_row(step, "harmonics", study, by_harmonics[i].row, rows);
+    add_row(step, "harmonics", study, by_harmonics[i], rows);
     ++step.number;
   }
   if (by_harmonics.size() == 1) // a first harmonic from a file is all its harmonics
@@ -112,7 +114,7 @@ Budget find_budget(const Study &study, const StudyRows &rows)
 {
   const ring::Answer &all = rows.by_harmonics.back().row;
   Budget budget;
-  budget.shown_spins = all.torque_spins;
+  budget.shown_spins = rows.torque_spins;
   for (const LoadedRow &solved : rows.others)
     if (solved.variant.key == "without")
       budget.without.push_back(judge_without(solved, all));

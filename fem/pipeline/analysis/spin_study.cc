@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/variants/model_variants.h"
-#include "ring_model/spin/curves.h"
+#include "ring_model/if_balanced.h"
 #include "ring_model/spin/hand_drive.h"
 #include "ring_model/spin/phase_loads.h"
 
@@ -23,7 +23,7 @@ double half_range(const std::vector<double> &values)
 }
 
 PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const PhaseExtremes &at_rest,
-                        const ring::Answer &row)
+                        const ring::Motion &motion, const ring::Answer &row)
 {
   PhaseStudy study;
   study.spin_ripple = row.ripple;
@@ -40,8 +40,8 @@ PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const PhaseExtremes
   study.interpolation_error = loads.error().between;
   for (unsigned int i = 0; i < loads.phases().size(); ++i)
     study.phases.push_back(loads.phases().phase(i));
-  study.torque_at_rest = row.phase_torques.at_rest;
-  study.torque_at_terminal = row.phase_torques.at_last_spin;
+  study.torque_at_rest = ring::torques_by_phase(loads, motion, 0);
+  study.torque_at_terminal = ring::torques_by_phase(loads, motion, row.last_spin().value());
   study.torque_ripple = half_range(study.torque_at_terminal);
   return study;
 }
@@ -73,45 +73,35 @@ std::vector<double> spins_of(const std::vector<ring::YawSample> &samples)
   return spins;
 }
 
-SpinUpCurves spin_up_curves(const StudyCurves &curves)
-{
-  SpinUpCurves spin_up;
-  for (const ring::YawSample &sample : curves.all.spin_up)
-  {
-    spin_up.time.push_back(sample.time);
-    spin_up.adaptive.push_back(sample.omega);
-    spin_up.yaw_angle.push_back(sample.yaw_angle);
-  }
-  spin_up.euler = spins_of(curves.all.euler);
-  spin_up.first_harmonic = spins_of(curves.first.spin_up);
-  spin_up.paper = spins_of(curves.paper.spin_up);
-  spin_up.instants = curves.all.instants;
-  return spin_up;
-}
-
-/// The torques of @p all at @p spins, with those of @p first, if it has any.
-TorqueCurve torque_curve(const std::vector<double> &spins, double spin_scale, const ring::Answer &all,
-                         const ring::Answer &first)
+/// The torques of @p all at @p spins, with those of @p first, if any, its first @p n_first harmonics.
+TorqueCurve torque_curve(const std::vector<double> &spins, double spin_scale,
+                         const std::vector<ring::Torques> &all, const std::vector<ring::Torques> &first,
+                         unsigned int n_first)
 {
   TorqueCurve curve;
   curve.omega = spins;
   for (std::size_t i = 0; i < spins.size(); ++i)
   {
-    const ring::Torques &torques = all.torques[i];
     curve.slip_ratio.push_back(spins[i] / spin_scale);
-    curve.friction.push_back(torques.friction);
-    curve.lean_torque.push_back(torques.lean_torque);
-    curve.grip_torque.push_back(torques.grip_torque);
-    curve.sum.push_back(torques.torque());
+    curve.friction.push_back(all[i].friction);
+    curve.lean_torque.push_back(all[i].lean_torque);
+    curve.grip_torque.push_back(all[i].grip_torque);
+    curve.sum.push_back(all[i].torque());
   }
-  if (!first.torques.empty())
+  if (!first.empty())
   {
-    curve.harmonics = { first.harmonics };
-    std::vector<double> torques = friction_torques(first);
-    torques.resize(spins.size());
-    curve.truncations = { std::move(torques) };
+    curve.harmonics = { n_first };
+    curve.truncations = { friction_torques(first) };
   }
   return curve;
+}
+
+/// The spins of a spin-up; nothing if the balance is lost on the way.
+std::vector<double> spin_up_of(const ring::Load &load, const ring::Question &question,
+                               const std::vector<double> &times, const std::optional<ring::Fall> &fall)
+{
+  return spins_of(ring::if_balanced([&] { return ring::spin_up(load, question, times, fall); })
+                    .value_or(std::vector<ring::YawSample>()));
 }
 
 } // namespace
@@ -154,46 +144,51 @@ std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow>
 }
 
 StudyCurves find_curves(const Study &study, const RowsOfCurves &rows, const std::vector<double> &spins,
-                        const Executor &executor, double euler_step, bool all_spins,
-                        const ring::TimeObserver &observer)
+                        const Executor &executor, double euler_step, const ring::TimeObserver &observer)
 {
-  const bool together = is_collective(study);
-  ring::Question question = spin_question(study), of_paper = spin_question(rows.paper->variant.study);
-  question.spins = spins;
-  question.times = of_paper.times = ring::output_times(study.motion.end_time);
-  of_paper.spins = spins;
-  of_paper.known = &rows.paper->row;
+  const std::vector<double> times = ring::output_times(study.motion.end_time);
+  const ring::Question question = spin_question(study);
   StudyCurves curves;
-  // The curve of the first harmonic is told by how it differs from that of all.
-  const auto find = [&](std::size_t i)
+  SpinUpCurves &up = curves.spin_up;
+  std::vector<ring::Torques> all, first;
+  const auto find_all = [&]
   {
-    const LoadedRow *row = i == 0 ? rows.all : rows.first;
-    ring::Question asked = question;
-    asked.known = &row->row;
-    if (i == 0)
-    {
-      asked.euler_step = euler_step;
-      asked.all_spins = all_spins;
-      asked.with_instants = true;
-      asked.observer = observer;
-      curves.all = ring::answer(*rows.load, asked);
-    }
-    else if (row->load)
-      curves.first = ring::answer(
-        *ring::interpolated_for_curves(row->load, row->row, spins.front(), spins.back(), rows.load.get()),
-        asked);
-    else
-      curves.first = row->row;
+    const std::optional<ring::Fall> &fall = rows.all->row.fall;
+    ring::Question observed = question;
+    observed.observer = observer;
+    all = ring::torque_curve(rows.load, question, spins);
+    const std::vector<ring::YawSample> adaptive = ring::spin_up(rows.load, observed, times, fall);
+    up.time = times;
+    up.adaptive = spins_of(adaptive);
+    for (const ring::YawSample &sample : adaptive)
+      up.yaw_angle.push_back(sample.yaw_angle);
+    if (euler_step > 0)
+      up.euler = spins_of(ring::euler_spin_up(rows.load, observed, times, euler_step, fall));
+    up.instants = ring::instants_of(adaptive, rows.load, question);
   };
-  executor.for_each(rows.first ? 2 : 1, find, together);
-  if (rows.paper->load)
-    curves.paper = ring::answer(*rows.paper->load, of_paper);
-  const double spin_scale = rows.load->spin_scale(study.motion.orbit);
-  curves.all.value(); // a spin-up that is lost is no answer
-  curves.torque = torque_curve(spins, spin_scale, curves.all, curves.first);
-  curves.spin_up = spin_up_curves(curves);
+  // The curve of the first harmonic is interpolated by its difference to that of all.
+  const auto find_first = [&]
+  {
+    const auto &[variant, row, load, torques] = *rows.first;
+    curves.n_first = row.harmonics;
+    if (!load)
+      return;
+    const ring::Load curve =
+      ring::interpolated_for_curves(*load, row, spins.front(), spins.back(), &rows.load);
+    first = ring::torque_curve(curve, question, spins);
+    up.first_harmonic = spin_up_of(curve, question, times, row.fall);
+  };
+  executor.for_each(
+    rows.first ? 2 : 1, [&](std::size_t i) { i == 0 ? find_all() : find_first(); }, is_collective(study));
   if (!rows.first)
-    curves.spin_up.first_harmonic = curves.spin_up.adaptive;
+    up.first_harmonic = up.adaptive;
+  if (const std::optional<ring::Load> &paper = rows.paper->load)
+  {
+    const ring::Question of_paper = spin_question(rows.paper->variant.study);
+    curves.paper = ring::torque_curve(*paper, of_paper, spins);
+    up.paper = spin_up_of(*paper, of_paper, times, rows.paper->row.fall);
+  }
+  curves.torque = torque_curve(spins, rows.load.spin_scale(study.motion.orbit), all, first, curves.n_first);
   return curves;
 }
 
@@ -240,15 +235,13 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   constexpr unsigned int max_falls = 8;
   StudyRows solved;
   std::vector<double> shown;
-  RowsOfCurves rows;
+  ring::Load curve = load;
   for (unsigned int i = 0; i <= max_falls; ++i)
   {
     solved = rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth, others);
     shown = shown_spins(study, solved.by_harmonics);
     const LoadedRow &all = solved.by_harmonics.back();
-    rows = { &all, solved.by_harmonics.size() > 1 ? &solved.by_harmonics.front() : nullptr,
-             &solved.others.front(),
-             ring::interpolated_for_curves(all.load, all.row, shown.front(), shown.back()) };
+    curve = ring::interpolated_for_curves(load, all.row, shown.front(), shown.back());
     if (!load.nearest_unbalanced_spin(all.row.last_spin().value_or(0)))
       break;
   }
@@ -257,19 +250,23 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   if (depth == Depth::full)
     result.budget = find_budget(study, solved);
   const ring::TimeObserver observer = motion_observer(progress);
-  const StudyCurves curves =
-    find_curves(study, rows, shown, executor, study.motion.euler_step, !is_slow, observer);
+  const RowsOfCurves rows = { &solved.by_harmonics.back(),
+                              solved.by_harmonics.size() > 1 ? &solved.by_harmonics.front() : nullptr,
+                              &solved.others.front(), curve };
+  if (!is_slow)
+    result.terminal_spins = ring::terminal_spins(curve, spin_question(study), rows.all->row);
+  const StudyCurves curves = find_curves(study, rows, shown, executor, study.motion.euler_step, observer);
   for (const LoadedRow &row : solved.by_harmonics)
     result.rows.push_back(row.row);
   if (load.phases())
-    result.phases = study_phases(*load.phases(), load.report().over_phases.value(), curves.all);
+    result.phases =
+      study_phases(*load.phases(), load.report().over_phases.value(), study.motion.orbit, result.all());
   for (const LoadedRow &other : solved.others)
     if (other.variant.key == "one_ring")
       result.one_ring = beside_all(other.row, result.all());
   result.torque_effects = ring::torque_effects(load, study.motion.orbit, result.all(),
-                                               truncation_orders(load.n_harmonics()), rows.load.get());
-  result.curve_error = rows.load->interpolation_error();
-  result.terminal_spins = curves.all.all_spins;
+                                               truncation_orders(load.n_harmonics()), &curve);
+  result.curve_error = curve.interpolation_error();
   result.torque = curves.torque;
   result.spin_up = curves.spin_up;
   result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time, observer);

@@ -3,6 +3,7 @@
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/driven_load.h"
+#include "ring_model/spin/curves.h"
 #include "ring_model/spin/torque_effect.h"
 
 #include <cstddef>
@@ -54,7 +55,7 @@ struct SpinUpCurves
   std::vector<double> first_harmonic; ///< first harmonic only, error control [rad/s]; empty without a balance
   std::vector<double> yaw_angle;      ///< all harmonics, error control [rad]
   std::vector<double> paper; ///< the paper's model of the same glass: its moment balance, its load [rad/s]
-  std::vector<ring::Instant> instants = {}; ///< Answer::instants of all harmonics
+  std::vector<ring::Instant> instants = {}; ///< ring::instants_of() all harmonics
   std::optional<DrivenSpinUp> driven = {};  ///< under Motion/Orbit speed file, if given
 };
 
@@ -88,8 +89,8 @@ struct SpinStudy
   TorqueCurve torque;                   ///< of the first harmonic and of all
   ring::TorqueEffects torque_effects;   ///< for truncation_orders()
   SpinUpCurves spin_up;
-  /// Answer::all_spins of the last row; empty with waviness, or if a torque takes minutes (a solid body in
-  /// balance at every spin).
+  /// ring::terminal_spins() of the last row; empty with waviness, or if a torque takes minutes (a solid body
+  /// in balance at every spin).
   std::vector<ring::TerminalSpin> terminal_spins;
   std::optional<PhaseStudy> phases; ///< std::nullopt without waviness
   /// Interpolation error of the load of the curves over a_0; std::nullopt if the load is exact.
@@ -111,22 +112,21 @@ struct StudyCurves
 {
   TorqueCurve torque;
   SpinUpCurves spin_up;
-  ring::Answer all, first, paper; ///< with their torques; first without an answer if all are its harmonics
+  std::vector<ring::Torques> paper; ///< torques of the paper's model; empty if its load failed
+  unsigned int n_first = 0;         ///< harmonics of the first row
 };
 
 /// Rows of a study's curves.
 struct RowsOfCurves
 {
   const LoadedRow *all, *first, *paper; ///< first: nullptr without harmonics beyond it
-  ring::SharedLoad load;                ///< of all, ring::interpolated_for_curves() between the first and the
-                                        ///< last spin
+  ring::Load load; ///< of all, ring::interpolated_for_curves() between the first and the last spin
 };
 
 /// Returns the curves of @p rows at @p spins, shown_spins() [rad/s], and over the time of the study. @p
-/// euler_step: longest Euler step [s], 0: none. @p all_spins: compute Answer::all_spins. @p observer: of the
-/// spin-up of all. Throws if that is lost.
+/// euler_step: longest Euler step [s], 0: none. @p observer: of the spin-up of all. Throws if that is lost.
 StudyCurves find_curves(const Study &study, const RowsOfCurves &rows, const std::vector<double> &spins,
-                        const Executor &executor, double euler_step = 0, bool all_spins = false,
+                        const Executor &executor, double euler_step = 0,
                         const ring::TimeObserver &observer = {});
 
 /// Returns the spin-up under the speeds of Motion/Orbit speed file, with the contact in balance at every

@@ -3,6 +3,7 @@
 #include "fem/contact/contact_solution.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/numbers.h"
+#include "ring_model/spin/curves.h"
 
 #include <algorithm>
 #include <chrono>
@@ -113,23 +114,26 @@ ring::Question spin_question(const Study &study, ring::Question question)
 std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
                                   const std::shared_ptr<ElasticFoot> &foot, const ring::Question &asked,
                                   const Executor &executor, Progress &progress, const std::string &pieces,
-                                  const ring::SharedLoad &of_study)
+                                  const std::optional<ring::Load> &of_study,
+                                  const std::vector<double> &torque_spins)
 {
   const auto solved_row = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &its_foot)
   {
     if (variant.on_other_rings)
       its_foot->reset_rings();
-    const ring::SharedLoad load =
-      variant.on_same_load
-        ? of_study
-        : find_load(variant.study, its_foot, silent_progress(), variant.n_harmonics, PhaseSampling::coarse);
+    const ring::Load load = variant.on_same_load ? of_study->truncated(variant.n_harmonics)
+                                                 : find_load(variant.study, its_foot, silent_progress(),
+                                                             variant.n_harmonics, PhaseSampling::coarse);
     ring::Question question = spin_question(variant.study, asked);
-    if (!variant.is_of_chain)
-      question.spins.clear();
     if (!variant.on_same_load) // solved in parallel
       question.observer = {};
-    const ring::SharedLoad kept = ring::truncated(load, variant.n_harmonics);
-    return LoadedRow{ variant, ring::answer(*kept, question), kept };
+    LoadedRow row = { variant, ring::answer(load, question), load };
+    std::string reason;
+    if (variant.is_of_chain)
+      row.torques = ring::torque_curve(load, question, torque_spins, &reason);
+    if (row.row.reason.empty())
+      row.row.reason = reason;
+    return row;
   };
   // Rows on the study's load share its contacts: one after another, and first.
   std::vector<LoadedRow> rows(variants.size());
@@ -155,12 +159,12 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
   return rows;
 }
 
-std::vector<double> friction_torques(const ring::Answer &answer)
+std::vector<double> friction_torques(const std::vector<ring::Torques> &torques)
 {
-  std::vector<double> torques;
-  for (const ring::Torques &at_spin : answer.torques)
-    torques.push_back(at_spin.friction.torque);
-  return torques;
+  std::vector<double> of_friction;
+  for (const ring::Torques &at_spin : torques)
+    of_friction.push_back(at_spin.friction.torque);
+  return of_friction;
 }
 
 ring::Answer failed_row(const std::exception_ptr &failure)
@@ -181,18 +185,32 @@ ring::Answer failed_row(const std::exception_ptr &failure)
 }
 
 StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                            const ring::LoadAtSpin &load, ring::Question question, const Executor &executor,
+                            const ring::Load &load, ring::Question question, const Executor &executor,
                             Progress &progress, Depth depth, const std::vector<Variant> &others)
 {
   const std::vector<unsigned int> orders = row_orders(study, load.n_harmonics(), depth);
   question.with_slope = true;
-  if (depth == Depth::full)
-    question.terminal_shares = { 0, 0.5, 1 };
   question.observer = motion_observer(progress);
-  LoadedRow whole = { {}, ring::answer(load, question).value(), load.shared_from_this() };
+  LoadedRow whole = { {}, ring::answer(load, question).value(), load };
+  StudyRows rows;
+  if (depth == Depth::full)
+  {
+    const std::optional<double> omega = whole.row.omega_terminal();
+    rows.torque_spins = { 0 };
+    if (omega)
+      rows.torque_spins.push_back(*omega / 2 + 0.); // no -0
+    std::string reason;
+    whole.torques = ring::torque_curve(load, question, rows.torque_spins, &reason);
+    if (whole.row.reason.empty())
+      whole.row.reason = reason;
+    if (omega)
+    {
+      // With waviness the terminal spin is a mean, at which the torques do not vanish.
+      rows.torque_spins.push_back(*omega + 0.);
+      whole.torques.push_back(*whole.row.at_terminal);
+    }
+  }
   question.with_slope = false;
-  question.terminal_shares.clear();
-  question.spins = whole.row.torque_spins;
   question.near = whole.row.zero_guess();
   if (whole.row.fall) // as far as the models with fewer harmonics, or without an effect, are known to stand
     question.initial_guess = whole.row.fall->omega;
@@ -208,9 +226,8 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
     (has_own_balance ? fewer.on_same_foot : fewer.on_same_load) = true;
   }
   variants.insert(variants.end(), others.begin(), others.end());
-  StudyRows rows;
   std::vector<LoadedRow> solved =
-    solve_rows(variants, foot, question, executor, progress, "models", whole.load);
+    solve_rows(variants, foot, question, executor, progress, "models", whole.load, rows.torque_spins);
   const auto first_other = solved.begin() + static_cast<std::ptrdiff_t>(orders.size()) - 1;
   rows.by_harmonics.assign(std::make_move_iterator(solved.begin()), std::make_move_iterator(first_other));
   rows.others.assign(std::make_move_iterator(first_other), std::make_move_iterator(solved.end()));

@@ -17,7 +17,9 @@ struct LoadedRow
 {
   Variant variant = {};
   ring::Answer row = {};
-  ring::SharedLoad load = {}; ///< nullptr if the load failed, see Answer::reason
+  std::optional<ring::Load> load = {}; ///< std::nullopt if the load failed, see Answer::reason
+  std::vector<ring::Torques>
+    torques = {}; ///< at the spins of StudyRows::torque_spins; empty beside the chain
 };
 
 /// Answers of one study.
@@ -25,6 +27,9 @@ struct StudyRows
 {
   std::vector<LoadedRow> by_harmonics; ///< all harmonics last
   std::vector<LoadedRow> others;       ///< further variants
+  /// Spins of the rows' torques: 0, half and all of the terminal spin; only 0 if the glass tips on the way
+  /// [rad/s].
+  std::vector<double> torque_spins = {};
 };
 
 /// v / R with the contact radius of the study's glass [rad/s].
@@ -61,16 +66,18 @@ ring::TimeObserver motion_observer(Progress &progress);
 ring::Question spin_question(const Study &study, ring::Question asked = {});
 
 /// Returns the rows of @p variants: the answers to @p asked with each variant's motion, grip and contact
-/// radius; @p foot as in solve(), @p of_study the load for variants on the study's load. Torques at the spins
-/// of @p asked have the rows of the chain alone. Failures of meshes, contacts, balances and spins do not
-/// throw: the row has the available quantities and the reason. @p progress receives @p pieces.
+/// radius; @p foot as in solve(), @p of_study the load for variants on the study's load. Rows of the chain
+/// have the torques at @p torque_spins. Failures of meshes, contacts, balances and spins do not throw: the
+/// row has the available quantities and the reason. @p progress receives @p pieces.
 std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
                                   const std::shared_ptr<ElasticFoot> &foot, const ring::Question &asked,
                                   const Executor &executor, Progress &progress = silent_progress(),
-                                  const std::string &pieces = "", const ring::SharedLoad &of_study = nullptr);
+                                  const std::string &pieces = "",
+                                  const std::optional<ring::Load> &of_study = {},
+                                  const std::vector<double> &torque_spins = {});
 
-/// Returns tau_z of friction of @p answer at the spins of its question [N m].
-std::vector<double> friction_torques(const ring::Answer &answer);
+/// Returns tau_z of friction of @p torques [N m].
+std::vector<double> friction_torques(const std::vector<ring::Torques> &torques);
 
 /// Returns the row of a variant whose load failed with @p failure.
 ring::Answer failed_row(const std::exception_ptr &failure);
@@ -87,7 +94,7 @@ std::vector<unsigned int> truncation_orders(unsigned int n_all);
 /// row has a `fall` and nothing is compared with it.
 /// @p others are solved beside the rows, so that no thread waits for the slowest row.
 StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                            const ring::LoadAtSpin &load, ring::Question question, const Executor &executor,
+                            const ring::Load &load, ring::Question question, const Executor &executor,
                             Progress &progress = silent_progress(), Depth depth = Depth::full,
                             const std::vector<Variant> &others = {});
 

@@ -62,11 +62,11 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
   const MeshForGoal mesh = mesh_for_goal(study, executor, progress);
   const std::shared_ptr<ElasticFoot> foot =
     announced_foot(study, executor, progress, mesh.discretisation, start ? start->get() : nullptr);
-  const SharedLoad load = find_load(study, foot, progress);
+  const BalancedLoad load = find_load(study, foot, progress);
   StudyAnswer answer = { mesh.outcome };
-  answer.spin = study_spin(study, foot, *load, executor, progress, depth);
+  answer.spin = study_spin(study, foot, load, executor, progress, depth);
   progress.stage_done("ring");
-  answer.contact = describe(study, foot, *load, answer.spin.all().last_spin().value());
+  answer.contact = describe(study, foot, load, answer.spin.all().last_spin().value());
   progress.stage_done("report_of_contact");
 
   // 2. Fields and, in parallel, error bands.
@@ -102,18 +102,18 @@ TruncatedStudy truncate_study(const Study &study, const Executor &executor, Prog
 {
   const MeshForGoal mesh = mesh_for_goal(study, executor, progress);
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress, mesh.discretisation);
-  const SharedLoad load = find_load(study, foot, progress);
+  const BalancedLoad load = find_load(study, foot, progress);
   const ring::Question question = spin_question(study);
   TruncatedStudy truncated;
   for (const LoadedRow &answer :
-       rows_by_harmonics(study, foot, *load, question, executor, progress, Depth::rows).by_harmonics)
+       rows_by_harmonics(study, foot, load, question, executor, progress, Depth::rows).by_harmonics)
     truncated.rows.push_back(answer.row);
   const double last = truncated.rows.back().last_spin().value_or(0);
-  const ring::SharedLoad curve =
+  const ring::Load curve =
     ring::interpolated_for_curves(load, truncated.rows.back(), std::min(last, 0.), std::max(last, 0.));
-  truncated.torque_effects = ring::torque_effects(*load, study.motion.orbit, truncated.rows.back(),
-                                                  truncation_orders(load->n_harmonics()), curve.get());
-  truncated.load = load->report();
+  truncated.torque_effects = ring::torque_effects(load, study.motion.orbit, truncated.rows.back(),
+                                                  truncation_orders(load.n_harmonics()), &curve);
+  truncated.load = load.report();
   progress.stage_done("truncations");
   return truncated;
 }
@@ -122,12 +122,12 @@ ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes,
                           Progress &progress)
 {
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
-  const SharedLoad load = find_load(study, foot);
+  const BalancedLoad load = find_load(study, foot);
   ring::Question question = { study.motion.orbit };
   question.with_slope = true;
-  const double omega = terminal_spin_of(ring::answer(*load, question));
+  const double omega = terminal_spin_of(ring::answer(load, question));
   const std::vector<double> spins = spins_of_interest(omega);
-  const std::vector<QuantityOfInterest> own = quantities_of_load(study, *load, spins, omega);
+  const std::vector<QuantityOfInterest> own = quantities_of_load(study, load, spins, omega);
   progress.stage_done("study");
   ErrorBands bands = refine(own, spins, axes, executor, progress);
   progress.stage_done("levels");

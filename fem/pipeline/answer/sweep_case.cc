@@ -51,7 +51,7 @@ struct SolvedCase
   /// Terminal spin of a first harmonic on a ring of the contact radius.
   std::optional<double> omega_on_ring(ring::Closure closure) const
   {
-    return ring::answer(*first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();
+    return ring::answer(first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();
   }
 };
 
@@ -194,18 +194,16 @@ std::optional<double> CaseResult::value(const std::string &key) const
 CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor,
                        Progress &progress)
 {
-  const SharedLoad load = find_load(study, foot, progress);
+  const BalancedLoad load = find_load(study, foot, progress);
   ring::Question question = spin_question(study);
   question.with_minima = false;
   const std::vector<LoadedRow> rows =
-    rows_by_harmonics(study, foot, *load, question, executor, progress, Depth::answer).by_harmonics;
-  const SolvedCase found = { study,
-                             load->report(),
-                             load->contact(0),
-                             rows.front().row,
-                             rows.back().row,
-                             ring::torque_effects(*load, study.motion.orbit, rows.back().row,
-                                                  { load->n_harmonics() }) };
+    rows_by_harmonics(study, foot, load, question, executor, progress, Depth::answer).by_harmonics;
+  const SolvedCase found = {
+    study,           load.report(),
+    load.contact(0), rows.front().row,
+    rows.back().row, ring::torque_effects(load, study.motion.orbit, rows.back().row, { load.n_harmonics() })
+  };
   CaseResult result;
   if (found.contact)
     result.outcome = fem::to_string(found.contact->solution.outcome);

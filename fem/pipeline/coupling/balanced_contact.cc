@@ -2,6 +2,8 @@
 
 #include "ring_model/friction_functionals.h"
 
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,10 +20,10 @@ BalancedContact::BalancedContact(std::shared_ptr<ElasticFoot> foot_given, const 
 {
 }
 
-fem::ContactState BalancedContact::solve(const fem::ContactDemand &demand, double omega, Progress &progress)
+fem::ContactState BalancedContact::solve(const fem::ContactDemand &demand, double omega)
 {
   const ring::Slip slip = { omega / balance.motion.orbit_speed, balance.orientation };
-  before = foot->solve(demand, slip, progress, before ? &*before : nullptr);
+  before = foot->solve(demand, slip, silent_progress(), before ? &*before : nullptr);
   ++n_solved;
   return *before;
 }
@@ -46,14 +48,14 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
   return demand;
 }
 
-fem::ContactState BalancedContact::contact_on_one_ring(double omega, Progress &progress)
+fem::ContactState BalancedContact::contact_on_one_ring(double omega)
 {
   constexpr unsigned int max_rounds = 20;
   constexpr double tolerance = 1e-10; // that of a contact; a round leaves a hundredth of the change before
   const ring::Motion &motion = balance.motion;
   for (unsigned int round = 0;; ++round)
   {
-    fem::ContactState state = solve(demand_at(omega, { one_radius }, one_rotation), omega, progress);
+    fem::ContactState state = solve(demand_at(omega, { one_radius }, one_rotation), omega);
     state.load = foot->project_onto_rings(state);
     const double radius = state.load.radius(), rotation = state.load.rotation;
     const bool settled =
@@ -68,19 +70,25 @@ fem::ContactState BalancedContact::contact_on_one_ring(double omega, Progress &p
   }
 }
 
-fem::ContactState BalancedContact::contact(double omega, Progress &progress)
+fem::ContactState BalancedContact::contact(double omega)
 {
   if (foot->ring_radii().empty())
-    return contact_on_one_ring(omega, progress);
-  return solve(demand_at(omega, foot->ring_radii(), 0), omega, progress);
+    return contact_on_one_ring(omega);
+  return solve(demand_at(omega, foot->ring_radii(), 0), omega);
 }
 
-ring::LeaningLoad BalancedContact::load_of(const fem::ContactState &state) const
+ring::Sample BalancedContact::sample_of(const fem::ContactState &state) const
 {
-  const ring::RingStack load = state.load.truncated(balance.n_harmonics);
-  if (!balance.tilts)
-    return load;
-  return { load, state.solution.motion.tail<2>() };
+  const fem::ContactLoad &load = state.load;
+  ring::Sample sample = load.truncated(balance.n_harmonics);
+  if (balance.tilts)
+    sample.tilt = state.solution.motion.tail<2>();
+  // Near lift-off the load falls like 1 + cos.
+  const double share = load.azimuth_fraction.value_or(load.contact_fraction);
+  sample.lift_off_margin =
+    share < 1 ? -std::pow(boost::math::double_constants::pi * (1 - share), 2) / 2 : load.least / load.a(0);
+  sample.stability_margin = state.solution.stability_margin;
+  return sample;
 }
 
 } // namespace stemware::pipeline

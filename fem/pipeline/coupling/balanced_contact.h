@@ -1,16 +1,20 @@
 #pragma once
 
-#include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/motion.h"
+#include "ring_model/spin/sample.h"
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 
 namespace stemware::pipeline
 {
+
+/// No truncation.
+inline constexpr unsigned int all_harmonics = std::numeric_limits<unsigned int>::max();
 
 /// Moment balance required of an elastic foot.
 struct ContactBalance
@@ -34,20 +38,20 @@ public:
                   std::optional<fem::ContactState> start = {});
 
   /// Returns the contact at the spin @p omega [rad/s]. Throws fem::ContactFailure.
-  fem::ContactState contact(double omega, Progress &progress = silent_progress());
+  fem::ContactState contact(double omega);
   /// Returns the first ContactBalance::n_harmonics of the load of a contact(), with its tilt if
-  /// ContactBalance::tilts.
-  ring::LeaningLoad load_of(const fem::ContactState &state) const;
+  /// ContactBalance::tilts, and its margins.
+  ring::Sample sample_of(const fem::ContactState &state) const;
 
   std::size_t n_contact_solutions() const { return n_solved; }
 
 private:
   fem::ContactDemand demand_at(double omega, const std::vector<double> &radii, double rotation) const;
   /// Starts from the previous contact state, even if the foot has been solved again since.
-  fem::ContactState solve(const fem::ContactDemand &demand, double omega, Progress &progress);
+  fem::ContactState solve(const fem::ContactDemand &demand, double omega);
   /// Solves with T of the single ring with the same moment and first harmonic, whose radius is part of the
   /// solution.
-  fem::ContactState contact_on_one_ring(double omega, Progress &progress);
+  fem::ContactState contact_on_one_ring(double omega);
 
   const std::shared_ptr<ElasticFoot> foot;
   const ContactBalance balance;

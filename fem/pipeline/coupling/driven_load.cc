@@ -43,7 +43,7 @@ ring::PhasedTorqueFunction driven_torque(const Study &study, const std::shared_p
     const auto solve = [&]
     {
       BalancedContact contacts(foot, balance);
-      return contacts.load_of(contacts.contact(omega));
+      return contacts.sample_of(contacts.contact(omega));
     };
     const auto sentence = [&]
     {

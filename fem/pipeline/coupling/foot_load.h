@@ -20,12 +20,13 @@ enum class PhaseSampling
 };
 
 /// Returns find_load() of a study whose load comes from a contact.
-SharedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                        unsigned int n_harmonics, Progress &progress, PhaseSampling phases);
+BalancedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                          unsigned int n_harmonics, Progress &progress, PhaseSampling phases);
 
 /// Returns find_load() of a contact with the marks of glass and table at @p orientation, for a study with
 /// waviness.
-SharedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                              const ring::Orientation &orientation, unsigned int n_harmonics = all_harmonics);
+BalancedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                const ring::Orientation &orientation,
+                                unsigned int n_harmonics = all_harmonics);
 
 } // namespace stemware::pipeline

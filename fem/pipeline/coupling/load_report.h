@@ -31,7 +31,7 @@ struct LoadReport
   /// the azimuths with a positive load.
   double contact_fraction = 0;
   std::optional<double> azimuth_fraction = {}; ///< share of the azimuths under pressure; empty unless a ring
-  Eigen::Vector2d tilt = Eigen::Vector2d::Zero(); ///< LeaningLoad::tilt [rad]
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero(); ///< Sample::tilt [rad]
   double inner_radius = 0;                        ///< radii that enclose the load [m]
   double outer_radius = 0;
   double minimum = 0;                       ///< least pointwise load [N/rad]

@@ -16,14 +16,14 @@ namespace
 {
 
 /// A first harmonic that carries the given moment of a static study.
-SharedLoad given_first_harmonic(const Study &study)
+BalancedLoad given_first_harmonic(const Study &study)
 {
   const fem::Resultants demand = study.required_resultants();
-  return std::make_shared<GivenLoad>(report_of(ring::RingStack::first_harmonic(
-    demand.normal_force, { demand.moment_x, demand.moment_y }, study.glass.profile.contact_radius)));
+  return given_load(ring::RingStack::first_harmonic(demand.normal_force, { demand.moment_x, demand.moment_y },
+                                                    study.glass.profile.contact_radius));
 }
 
-SharedLoad load_from_file(const LoadSection &section, unsigned int n_harmonics)
+BalancedLoad load_from_file(const LoadSection &section, unsigned int n_harmonics)
 {
   const ring::RingStack &load = *section.from_file;
   const double ratio = load.moment_ratio(load.radius());
@@ -32,7 +32,7 @@ SharedLoad load_from_file(const LoadSection &section, unsigned int n_harmonics)
                                " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " + given +
                                ", but a ring tips at " + limit + "; give smaller a_1, b_1.";
   ensure(ratio < 2, sentence);
-  return std::make_shared<GivenLoad>(report_of(load), n_harmonics);
+  return given_load(load, n_harmonics);
 }
 
 } // namespace
@@ -58,8 +58,8 @@ void require_no_tipping(const Study &study)
     study.required_resultants();
 }
 
-SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress,
-                     unsigned int n_harmonics, PhaseSampling phases)
+BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress,
+                       unsigned int n_harmonics, PhaseSampling phases)
 {
   switch (study.load.source)
   {
@@ -80,11 +80,10 @@ bool is_balance_failure(const std::exception &failure)
          dynamic_cast<const ring::NoBalance *>(&failure);
 }
 
-SharedLoad first_harmonic_load(const Study &study, ring::Closure closure)
+BalancedLoad first_harmonic_load(const Study &study, ring::Closure closure)
 {
   const ring::SelfConsistentRing ring(closure, study.motion.orbit, study.glass.profile.contact_radius);
-  return std::make_shared<GivenLoad>(report_of(ring.at(0).load), 1,
-                                     [ring](double omega) { return ring.at(omega).load; });
+  return { ring::Load([ring](double omega) { return ring.at(omega).load; }), report_of(ring.at(0).load) };
 }
 
 std::string frozen_note(const Study &study)

@@ -43,13 +43,13 @@ void require_no_tipping(const Study &study);
 ///
 /// @p progress must outlive the load, which keeps @p foot; the rings of a foot without rings are chosen here.
 /// Throws BadInput and fem::ContactFailure; the load throws NoBalance.
-SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                     Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics,
-                     PhaseSampling phases = PhaseSampling::full);
+BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                       Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics,
+                       PhaseSampling phases = PhaseSampling::full);
 
 /// Returns the paper's load: a first harmonic on a ring of the contact radius, in balance by @p closure at
 /// every spin.
-SharedLoad first_harmonic_load(const Study &study, ring::Closure closure);
+BalancedLoad first_harmonic_load(const Study &study, ring::Closure closure);
 
 /// Returns a sentence if the load at rest is used although it depends on the spin, else an empty string.
 std::string frozen_note(const Study &study);

@@ -203,7 +203,7 @@ const char *explore_curves()
       if (const std::optional<StudyCurves> curves = explorer->curves())
       {
         add_torque_columns(curves->torque, friction_torques(curves->paper), pictures);
-        add_spin_up_columns(curves->spin_up, curves->first.harmonics, pictures);
+        add_spin_up_columns(curves->spin_up, curves->n_first, pictures);
         add_motion(explorer->study(), curves->spin_up.instants, pictures);
       }
       return document_of(pictures);

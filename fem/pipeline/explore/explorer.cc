@@ -6,6 +6,7 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "fem/revolution/revolution_foot.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/no_balance.h"
 #include "ring_model/spin/answer.h"
 #include "ring_model/spin/curves.h"
@@ -42,6 +43,45 @@ bool is_live(const std::string &path)
   return path.rfind("Motion/", 0) == 0 || path == "Load/Coupling" || path == "Load/Moment ratio" ||
          path == "Load/Moment direction" ||
          std::find(outside_motion.begin(), outside_motion.end(), path) != outside_motion.end();
+}
+
+/// Terminal spin with its contact and its load.
+struct BalanceNearby
+{
+  ring::ZeroGuess spin;
+  fem::ContactState contact;
+  ring::Sample load;
+};
+
+/// Returns the balance of @p study with friction of the load's first @p n_harmonics, on @p foot, whose rings
+/// are chosen, near the spin @p near: by two or three contacts from @p contact, to 1e-8 rad/s. Returns
+/// std::nullopt if the search leaves the neighbourhood or the study is not in balance at every spin. Throws
+/// fem::ContactFailure.
+std::optional<BalanceNearby> balance_near(const ring::ZeroGuess &near, const fem::ContactState &contact,
+                                          const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                          unsigned int n_harmonics)
+{
+  if (!varies_with_spin(study) || foot->ring_radii().empty() || contact.zone != 0 ||
+      contact.solution.forces.size() != foot->body().description().n_contact_nodes)
+    return std::nullopt;
+  const ring::Motion &motion = study.motion.orbit;
+  BalancedContact contacts(foot, moment_balance(study, n_harmonics), contact);
+  std::optional<BalanceNearby> last;
+  const auto torque = [&](double omega)
+  {
+    fem::ContactState state = contacts.contact(omega);
+    ring::Sample load = contacts.sample_of(state);
+    last = BalanceNearby{ near, std::move(state), std::move(load) };
+    return ring::wrench(motion, last->load, omega).torque + last->load.lean_torque();
+  };
+  ring::SpinSearch search{ motion.orbit_speed / foot->radius() };
+  search.grip_torque = study.motion.grip_torque;
+  search.tolerance = 1e-8 / std::max(std::abs(near.omega), 1e-3 * search.spin_scale);
+  const std::optional<ring::SpinZero> zero = ring::find_terminal_spin_near(near, torque, search);
+  if (!zero || zero->omega * near.omega <= 0)
+    return std::nullopt;
+  last->spin = { zero->omega, zero->slope };
+  return last;
 }
 
 } // namespace
@@ -134,39 +174,38 @@ LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
 
 bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAnswer &answer)
 {
-  if (!balance)
+  if (!zero || !contact_at_zero)
     return false;
   foot = study_foot(present, executor().make_foot, silent_progress(), nullptr, discretisation);
   foot->set_rings(last.ring_radii(), last.n_harmonics());
-  const auto row_of = [&](const LiveBalance &found, const ring::LeaningLoad &load)
+  const auto row_of = [&](const BalanceNearby &found)
   {
     const double omega = found.spin.omega;
     ring::Question question = spin_question(present);
     question.with_minima = false;
     ring::Answer row;
-    row.harmonics = load.n_harmonics();
+    row.harmonics = found.load.n_harmonics();
     row.terminal = ring::TerminalSpin{ omega, found.spin.slope, std::nan(""), true };
-    row.at_terminal = ring::ring_state(load, question, omega);
+    row.at_terminal = ring::ring_state(found.load, question, omega);
     row.status = ring::Status::full_contact;
     return row;
   };
   try
   {
-    const auto all = balance_near(*balance, present, foot, all_harmonics);
+    const auto all = balance_near(*zero, *contact_at_zero, present, foot, all_harmonics);
     if (!all)
       return false;
     if (n_harmonics < foot->n_harmonics())
     {
-      LiveBalance beside = all->first;
-      beside.spin.omega += shift_of_first_n;
-      const auto first_n = balance_near(beside, present, foot, n_harmonics);
+      const ring::ZeroGuess beside = { all->spin.omega + shift_of_first_n, all->spin.slope };
+      const auto first_n = balance_near(beside, all->contact, present, foot, n_harmonics);
       if (!first_n)
         return false;
-      answer.first_n = row_of(first_n->first, first_n->second);
+      answer.first_n = row_of(*first_n);
     }
-    answer.all = row_of(all->first, all->second);
-    answer.contact = all->first.contact;
-    balance = all->first;
+    answer.all = row_of(*all);
+    answer.contact = contact_at_zero = all->contact;
+    zero = all->spin;
     return true;
   }
   catch (const fem::ContactFailure &)
@@ -182,24 +221,23 @@ void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, Liv
     foot->set_rings(last->ring_radii(), last->n_harmonics());
   ring::Question question = spin_question(present);
   question.with_slope = question.with_minima = !last; // a move is to be quick
-  if (balance && last)
-    question.near = balance->spin;
-  const SharedLoad load = find_load(present, foot);
-  answer.all = ring::answer(*load, question);
-  std::optional<ring::ZeroGuess> zero = answer.all.zero_guess();
+  if (last)
+    question.near = zero;
+  const BalancedLoad load = find_load(present, foot);
+  answer.all = ring::answer(load, question);
+  zero = answer.all.zero_guess();
   if (!zero && question.near && answer.all.omega_terminal())
     zero = ring::ZeroGuess{ *answer.all.omega_terminal(), question.near->slope };
   if (n_harmonics < foot->n_harmonics())
   {
     question.near = zero;
-    const SharedLoad cut = find_load(present, foot, silent_progress(), n_harmonics);
-    answer.first_n = ring::answer(*cut, question);
+    const BalancedLoad cut = find_load(present, foot, silent_progress(), n_harmonics);
+    answer.first_n = ring::answer(cut, question);
     answer.first_n->harmonics = n_harmonics;
     rows.push_back({ {}, *answer.first_n, cut });
   }
   rows.push_back({ {}, answer.all, load });
-  answer.contact = load->contact(answer.all.last_spin().value_or(0));
-  balance = zero && answer.contact ? std::optional(LiveBalance{ *zero, *answer.contact }) : std::nullopt;
+  answer.contact = contact_at_zero = load.contact(answer.all.last_spin().value_or(0));
 }
 
 std::optional<StudyCurves> Explorer::curves()
@@ -210,7 +248,7 @@ std::optional<StudyCurves> Explorer::curves()
   const LoadedRow &all = rows.back();
   return find_curves(present,
                      { &all, rows.size() > 1 ? &rows.front() : nullptr, &paper,
-                       ring::interpolated_for_curves(all.load, all.row, shown.front(), shown.back()) },
+                       ring::interpolated_for_curves(*all.load, all.row, shown.front(), shown.back()) },
                      shown, executor());
 }
 

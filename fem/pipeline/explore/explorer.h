@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/explore/live_balance.h"
 #include "fem/revolution/contact_compliance.h"
 
 #include <memory>
@@ -90,10 +89,12 @@ private:
   Discretisation discretisation; ///< of the compliances
   bool is_ready = false;
   std::shared_ptr<const fem::ContactCompliance> compliance, disc_compliance;
-  std::shared_ptr<ElasticFoot> foot;  ///< foot of the last answer
-  LoadedRow paper;                    ///< the paper's row of the last answer
-  std::vector<LoadedRow> rows;        ///< rows of the last answer, all harmonics last; empty after follow()
-  std::optional<LiveBalance> balance; ///< all harmonics of the last answer, the next initial guess
+  std::shared_ptr<ElasticFoot> foot; ///< foot of the last answer
+  LoadedRow paper;                   ///< the paper's row of the last answer
+  std::vector<LoadedRow> rows;       ///< rows of the last answer, all harmonics last; empty after follow()
+  /// Terminal spin and contact of all harmonics of the last answer: the next initial guess.
+  std::optional<ring::ZeroGuess> zero;
+  std::optional<fem::ContactState> contact_at_zero;
   /// Terminal spin of the first n harmonics minus terminal spin of all, in the last answer [rad/s].
   double shift_of_first_n = 0;
 };

@@ -164,7 +164,7 @@ std::vector<std::string> acting_entries(const Study &study)
 ring::Answer answer_of(const Study &study, fem::ComplianceCache &cache)
 {
   const auto foot = study_foot(study, cache);
-  return ring::answer(*find_load(study, foot), spin_question(study)).value();
+  return ring::answer(find_load(study, foot), spin_question(study)).value();
 }
 
 /// The answer by an Explorer on the compliances as the page has them, of a mesh of @p fineness.

@@ -7,6 +7,7 @@
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/sliding_body.h"
 #include "ring_model/spin/answer.h"
+#include "ring_model/spin/curves.h"
 #include "ring_model/yaw_motion.h"
 
 #include <Eigen/Geometry>
@@ -110,8 +111,8 @@ struct LawInPython : FrictionLaw
   }
 };
 
-LeaningLoad stack_of(const Row &radii, const std::vector<Row> &a, const std::vector<Row> &b,
-                     const Eigen::Vector2d &tilt)
+Sample stack_of(const Row &radii, const std::vector<Row> &a, const std::vector<Row> &b,
+                const Eigen::Vector2d &tilt)
 {
   require(radii.size() == a.size() && a.size() == b.size(), "there are ", radii.size(), " radii, ", a.size(),
           " rows of a and ", b.size(), " of b; give equally many");
@@ -123,7 +124,7 @@ LeaningLoad stack_of(const Row &radii, const std::vector<Row> &a, const std::vec
 
 /// Returns a member of all rings, shape (J,) or (J, n_max + 1).
 template <auto member>
-py::array of_rings(const LeaningLoad &load)
+py::array of_rings(const Sample &load)
 {
   py::list all;
   for (const RingStack::Ring &ring : load.rings())
@@ -135,7 +136,7 @@ py::array of_rings(const LeaningLoad &load)
 /// law must outlive it.
 struct Friction
 {
-  Friction(const LeaningLoad &load, const FrictionLaw &law)
+  Friction(const Sample &load, const FrictionLaw &law)
   {
     at = [load, &law](double x, double y, double omega) { return wrench(law, load, { x, y }, omega); };
   }
@@ -172,13 +173,13 @@ SelfConsistentRing balanced_ring(const Motion &motion, const std::string &closur
 }
 
 /// Returns the load function of the spin [rad/s] for a RingStack, a SelfConsistentRing or a function.
-std::function<LeaningLoad(double)> load_function(const py::object &load)
+std::function<Sample(double)> load_function(const py::object &load)
 {
   if (py::isinstance<SelfConsistentRing>(load))
     return [ring = load.cast<SelfConsistentRing>()](double omega) { return ring.at(omega).load; };
-  if (py::isinstance<LeaningLoad>(load))
-    return [stack = load.cast<LeaningLoad>()](double) { return stack; };
-  return load.cast<std::function<LeaningLoad(double)>>();
+  if (py::isinstance<Sample>(load))
+    return [stack = load.cast<Sample>()](double) { return stack; };
+  return load.cast<std::function<Sample(double)>>();
 }
 
 /// Throws Tipping if no pressure within the outermost ring of @p load has its moment.
@@ -200,12 +201,10 @@ py::tuple answer_about(const py::object &given, const Motion &motion, double gri
                        const Row &times)
 {
   motion.validate();
-  const LoadFromFunction load(interruptible(load_function(given)));
+  const Load load(interruptible(load_function(given)));
   Question question{ motion, grip_torque };
   question.with_slope = true;
   question.with_minima = false;
-  question.all_spins = all;
-  question.times = times;
   const Answer found = without_gil([&] { return answer(load, question); });
   if (found.fall && times.empty())
     throw BalanceLost(found.reason, found.fall->omega, true);
@@ -213,10 +212,14 @@ py::tuple answer_about(const py::object &given, const Motion &motion, double gri
   require_a_pressure(found.at_rest->load, 0);
   if (found.terminal)
     require_a_pressure(found.at_terminal->load, found.terminal->omega);
+  const auto spins =
+    without_gil([&] { return all ? terminal_spins(load, question, found) : std::vector<TerminalSpin>(); });
+  const auto motion_from_rest = without_gil(
+    [&] { return times.empty() ? std::vector<YawSample>() : spin_up(load, question, times, found.fall); });
   return py::make_tuple(
     numpy_of(std::vector<TerminalSpin>(found.terminal ? 1 : 0, found.terminal.value_or(TerminalSpin()))),
-    numpy_of(found.all_spins), found.at_rest->friction.torque + found.at_rest->lean_torque,
-    load.spin_scale(motion), numpy_of(found.spin_up));
+    numpy_of(spins), found.at_rest->friction.torque + found.at_rest->lean_torque, load.spin_scale(motion),
+    numpy_of(motion_from_rest));
 }
 
 py::array motion_of(const PhasedTorqueFunction &torque, double yaw_inertia, const Row &times,
@@ -306,7 +309,7 @@ gravity [m/s^2]. Motion().as_dict() has the defaults; replace(mass=0.25) returns
 
 void bind_loads(py::module_ &m)
 {
-  using R = LeaningLoad;
+  using R = Sample;
   py::class_<R>(
     m, "RingStack",
     R"(Normal load on concentric rings, lambda_j(theta) = sum_n a_jn cos n theta + b_jn sin n theta [N/rad].
@@ -344,7 +347,7 @@ of the table about x and y in the frame of the glass, which gives the lean torqu
   py::class_<SelfConsistentRing>(m, "SelfConsistentRing")
     .def(py::init(&balanced_ring), "motion"_a, "closure"_a, "radius"_a)
     .def(
-      "load", [](const SelfConsistentRing &ring, double omega) { return LeaningLoad(ring.at(omega).load); },
+      "load", [](const SelfConsistentRing &ring, double omega) { return Sample(ring.at(omega).load); },
       "omega"_a, "Returns the RingStack in balance at a spin [rad/s].");
 
   using B = SlidingBody;
@@ -396,7 +399,7 @@ u: slip speed [m/s]; decay_speed [m/s], viscous [s/m].)")
          py::kw_only(), "static"_a, "kinetic"_a, "decay_speed"_a, "viscous"_a = 0., "decay_exponent"_a = 2.);
   m.def("kernels", &kernels);
   py::class_<Friction>(m, "Friction")
-    .def(py::init<const LeaningLoad &, const FrictionLaw &>(), py::keep_alive<1, 3>())
+    .def(py::init<const Sample &, const FrictionLaw &>(), py::keep_alive<1, 3>())
     .def(py::init<const SlidingBody &, double>())
     .def(py::init<const SelfConsistentRing &>())
     .def("wrench", &Friction::wrenches);

@@ -209,11 +209,11 @@ public:
                                                 "Motion/Orbit speed file.");
              const Variant variant = { "", "", study, mesh_for_goal(study, executor).discretisation };
              const auto foot = foot_of(variant, start ? start->foot : nullptr, executor);
-             const SharedLoad load = find_load(study, foot);
+             const BalancedLoad load = find_load(study, foot);
              ring::Question question = spin_question(study);
              question.grip_torque = 0;
              question.with_minima = false;
-             free = ring::answer(*load, question).value();
+             free = ring::answer(load, question).value();
              curve = ring::interpolated_for_curves(load, free, 0, 1.001 * free.last_spin().value());
              if (start)
                start->foot = foot;
@@ -230,10 +230,8 @@ public:
     ring::Question question = spin_question(study);
     question.grip_torque = grip;
     question.motion.yaw_inertia = yaw_inertia;
-    question.known = &free;
-    question.times = times;
     std::pair<std::vector<double>, std::vector<double>> found;
-    for (const ring::YawSample &sample : ring::answer(*curve, question).spin_up)
+    for (const ring::YawSample &sample : ring::spin_up(*curve, question, times, free.fall))
     {
       found.first.push_back(sample.omega);
       found.second.push_back(sample.yaw_angle);
@@ -244,7 +242,7 @@ public:
 private:
   Study study;
   ring::Answer free;
-  ring::SharedLoad curve;
+  std::optional<ring::Load> curve;
   std::mutex mutex;
 };
 

@@ -4,42 +4,12 @@
 #include "ring_model/no_balance.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace stemware::pipeline
 {
 
 namespace
 {
-
-class ChangedLoad : public BalancedLoad
-{
-public:
-  ChangedLoad(SharedLoad own, SharedLoad changed, LoadChange change)
-      : own(std::move(own))
-      , changed(std::move(changed))
-      , change(std::move(change))
-  {
-  }
-
-  ring::LeaningLoad at(double omega, const std::optional<ring::Orientation> &marks) const override
-  {
-    const ring::LeaningLoad load = own->at(omega, marks);
-    Eigen::VectorXd row = load.coefficients(change.n_harmonics) + change.at_rest;
-    if (omega != 0 && change.per_spin.size() == 0)
-      throw ring::NoBalance("the changed foot has no balance at the terminal spin");
-    if (omega != 0)
-      row += omega * change.per_spin;
-    return ring::LeaningLoad::from_coefficients(row, load.rings().size()).truncated(n_harmonics());
-  }
-  unsigned int n_harmonics() const override { return own->n_harmonics(); }
-  const LoadReport &report() const override { return changed->report(); }
-  std::optional<fem::ContactState> contact(double omega) const override { return changed->contact(omega); }
-
-private:
-  const SharedLoad own, changed;
-  const LoadChange change;
-};
 
 Eigen::VectorXd difference(const BalancedLoad &own, const BalancedLoad &changed, double omega,
                            unsigned int n_harmonics)
@@ -67,9 +37,20 @@ Eigen::VectorXd change_per_spin(const BalancedLoad &own, const BalancedLoad &cha
   return ring::if_balanced(find).value_or(Eigen::VectorXd());
 }
 
-SharedLoad changed_load(SharedLoad own, SharedLoad changed, LoadChange change)
+BalancedLoad changed_load(const BalancedLoad &own, const BalancedLoad &changed, const LoadChange &change)
 {
-  return std::make_shared<ChangedLoad>(std::move(own), std::move(changed), std::move(change));
+  return changed.with(ring::Load(
+    [own, change, n_harmonics = own.n_harmonics()](double omega)
+    {
+      const ring::Sample before = own.at(omega);
+      if (omega != 0 && change.per_spin.size() == 0)
+        throw ring::NoBalance("the changed foot has no balance at the terminal spin");
+      Eigen::VectorXd row = before.coefficients(change.n_harmonics) + change.at_rest;
+      if (omega != 0)
+        row += omega * change.per_spin;
+      return ring::Sample::from_coefficients(row, before.rings().size()).truncated(n_harmonics);
+    },
+    true));
 }
 
 } // namespace stemware::pipeline

@@ -9,7 +9,7 @@ namespace stemware::pipeline
 struct LoadChange
 {
   unsigned int n_harmonics = 0;  ///< of the rows
-  Eigen::VectorXd at_rest = {};  ///< ring::LeaningLoad::coefficients()
+  Eigen::VectorXd at_rest = {};  ///< ring::Sample::coefficients()
   Eigen::VectorXd per_spin = {}; ///< [s/rad]; empty without a balance at that spin
 };
 
@@ -23,6 +23,6 @@ Eigen::VectorXd change_per_spin(const BalancedLoad &own, const BalancedLoad &cha
 
 /// Returns the load @p own plus @p change at every spin. Report and contacts are those of @p changed, whose
 /// contacts are costly.
-SharedLoad changed_load(SharedLoad own, SharedLoad changed, LoadChange change);
+BalancedLoad changed_load(const BalancedLoad &own, const BalancedLoad &changed, const LoadChange &change);
 
 } // namespace stemware::pipeline

@@ -55,7 +55,7 @@ struct Evaluation
 /// The loads of a study by the phases of EvaluationPoints.
 struct LoadsAtPhases
 {
-  std::vector<SharedLoad> all, first; ///< first harmonic alone, where it is looked at
+  std::vector<BalancedLoad> all, first; ///< first harmonic alone, where it is looked at
 };
 
 LoadsAtPhases loads_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
@@ -78,7 +78,7 @@ Torques torques_of(const BalancedLoad &load, const ElasticFoot &foot, const ring
 {
   const auto find = [&]
   {
-    const ring::LeaningLoad at_spin = load.at(omega);
+    const ring::Sample at_spin = load.at(omega);
     const auto projected = [&]
     {
       const unsigned int n =
@@ -96,23 +96,23 @@ Evaluation evaluate(const LoadsAtPhases &loads, const ElasticFoot &foot, const r
                     const EvaluationPoints &probe, const std::optional<RingProjection> &ring_projection = {})
 {
   Evaluation found = {};
-  found.at_rest = loads.all.front()->report();
+  found.at_rest = loads.all.front().report();
   if (probe.with_width)
-    if (const fem::PressureMap map = foot.body().pressure_map(*loads.all.front()->contact(0));
+    if (const fem::PressureMap map = foot.body().pressure_map(*loads.all.front().contact(0));
         fem::has_cells(map))
       found.at_rest.contact_width = fem::measures_of(map).widest;
-  found.table_motion = loads.all.front()->contact(0).value().solution.motion;
+  found.table_motion = loads.all.front().contact(0).value().solution.motion;
   found.torques.assign(probe.spins.size(), { 0, 0 });
   const double share = 1. / static_cast<double>(probe.phases.size());
-  for (const SharedLoad &load : loads.all)
+  for (const BalancedLoad &load : loads.all)
     for (std::size_t i = 0; i < probe.spins.size(); ++i)
     {
-      const Torques torques = torques_of(*load, foot, motion, probe.spins[i], ring_projection);
+      const Torques torques = torques_of(load, foot, motion, probe.spins[i], ring_projection);
       found.torques[i].friction += share * torques.friction;
       found.torques[i].all += share * torques.all;
     }
-  for (const SharedLoad &load : loads.first)
-    found.torque_of_first += share * torques_of(*load, foot, motion, *probe.first, ring_projection).all;
+  for (const BalancedLoad &load : loads.first)
+    found.torque_of_first += share * torques_of(load, foot, motion, *probe.first, ring_projection).all;
   return found;
 }
 
@@ -124,8 +124,8 @@ double slope_of_first(const LoadsAtPhases &loads, const ElasticFoot &foot, const
   const auto torque = [&](double omega)
   {
     double sum = 0;
-    for (const SharedLoad &load : loads.first)
-      sum += torques_of(*load, foot, motion, omega, {}).all;
+    for (const BalancedLoad &load : loads.first)
+      sum += torques_of(load, foot, motion, omega, {}).all;
     return sum / static_cast<double>(loads.first.size());
   };
   return ring::torque_slope(torque, *probe.first, ring::slope_step(*probe.first, probe.spin_scale));
@@ -234,13 +234,13 @@ LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoo
   Eigen::VectorXd per_spin, per_spin_of_first;
   for (std::size_t i = 0; i < own.all.size(); ++i)
   {
-    const auto add = [&](const SharedLoad &before, unsigned int n_harmonics, double omega,
-                         Eigen::VectorXd &change_by_spin, std::vector<SharedLoad> &to)
+    const auto add = [&](const BalancedLoad &before, unsigned int n_harmonics, double omega,
+                         Eigen::VectorXd &change_by_spin, std::vector<BalancedLoad> &to)
     {
-      const SharedLoad changed = find_load_at_phase(study, foot, probe.phases[i], n_harmonics);
-      LoadChange change = change_at_rest(*before, *changed);
+      const BalancedLoad changed = find_load_at_phase(study, foot, probe.phases[i], n_harmonics);
+      LoadChange change = change_at_rest(before, changed);
       if (i == 0 || !is_collective(study))
-        change_by_spin = change_per_spin(*before, *changed, change, omega);
+        change_by_spin = change_per_spin(before, changed, change, omega);
       change.per_spin = change_by_spin;
       to.push_back(changed_load(before, changed, change));
     };
@@ -319,7 +319,7 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   EvaluationPoints probe = probe_of(study, *foot, all.terminal->omega, first);
   const ring::Motion &motion = study.motion.orbit;
   const LoadsAtPhases own_loads = loads_of(study, foot, probe);
-  const bool is_full = carries_all_round(all, own_loads.all.front()->report());
+  const bool is_full = carries_all_round(all, own_loads.all.front().report());
   add_slope_spins(is_full, probe);
   Evaluation own = evaluate(own_loads, *foot, motion, probe);
   if (first)

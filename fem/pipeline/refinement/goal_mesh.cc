@@ -69,10 +69,10 @@ GoalError error_of(const Study &study, const Discretisation &discretisation, con
     ensure(foot->body().capabilities().glass_period == 0,
            "Contact/Goal needs a foot whose load does not depend on the direction of the moment, but this "
            "Contact/Mesh file is not axisymmetric; set Contact/Goal = none.");
-    const SharedLoad load = find_load(study, foot);
+    const BalancedLoad load = find_load(study, foot);
     const ring::Question question = { study.motion.orbit, study.motion.grip_torque };
-    const double omega = ring::answer(*load, question).value().omega_terminal().value();
-    return goal_error(study, *foot, *load, omega, study.contact.goal, true);
+    const double omega = ring::answer(load, question).value().omega_terminal().value();
+    return goal_error(study, *foot, load, omega, study.contact.goal, true);
   };
   const auto found =
     solve(std::vector<Variant>{ { "", "", study, discretisation } }, nullptr, error, executor)

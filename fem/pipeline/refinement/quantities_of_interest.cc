@@ -3,7 +3,7 @@
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/support/numbers.h"
 #include "ring_model/no_balance.h"
-#include "ring_model/spin/answer.h"
+#include "ring_model/spin/curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,15 +84,14 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
   question.initial_guess = near.value_or(0);
   question.with_slope = true;
   question.with_minima = false;
-  question.spins = spins;
   const ring::Answer row = ring::answer(load, question);
   terminal_spin_of(row);
   constexpr double noise_of_differences = 10; // the slope is one by finite differences
-  return quantities_of_interest(study, load.report(), load.contact(0).value().solution.motion,
-                                { row.at_rest->friction.torque, spins, friction_torques(row),
-                                  row.terminal->omega, row.terminal->time_constant,
-                                  load.report().rings.radius(), load.spin_scale(motion),
-                                  noise_of_differences });
+  return quantities_of_interest(
+    study, load.report(), load.contact(0).value().solution.motion,
+    { row.at_rest->friction.torque, spins, friction_torques(ring::torque_curve(load, question, spins)),
+      row.terminal->omega, row.terminal->time_constant, load.report().rings.radius(), load.spin_scale(motion),
+      noise_of_differences });
 }
 
 double terminal_spin_of(const ring::Answer &answer)

@@ -122,7 +122,7 @@ ErrorBands refine(const std::vector<QuantityOfInterest> &own, const std::vector<
       if (l != axis.own)
         open.push_back(axis.levels[l]);
   const auto quantities_at = [&](const Variant &level, const std::shared_ptr<ElasticFoot> &foot)
-  { return quantities_of_load(level.study, *find_load(level.study, foot), spins, near); };
+  { return quantities_of_load(level.study, find_load(level.study, foot), spins, near); };
   const auto solved =
     solve(open, nullptr, quantities_at, executor, counting_callback(progress, "levels", open.size()));
   for (std::size_t i = 0; i < open.size(); ++i)

@@ -11,7 +11,7 @@ int main()
   Motion motion; // 0.30 kg, led round a circle of 0.15 m at 0.35 m/s, mu = 0.30
   motion.force_offset = -0.05;
   const SelfConsistentRing ring(Closure::paper, motion, 0.03);
-  const LoadFromFunction load([&](double omega) -> LeaningLoad { return ring.at(omega).load; });
+  const Load load([&](double omega) -> Sample { return ring.at(omega).load; });
 
   const double omega = answer(load, { motion }).value().omega_terminal().value();
   std::printf("terminal spin: %.6f rad/s\n", omega);

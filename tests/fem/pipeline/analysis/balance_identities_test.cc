@@ -3,7 +3,7 @@
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/feet/make_foot.h"
 #include "ring_model/friction_functionals.h"
-#include "ring_model/spin/answer.h"
+#include "ring_model/spin/curves.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 
@@ -94,9 +94,9 @@ TEST_P(BalanceOnTables, TorqueAtRestIsThatOfTheMoment)
     Study study = study_on(GetParam());
     study.motion.tilt = tilt;
     fem::ComplianceCache cache;
-    const SharedLoad load = find_load(study, study_foot(study, cache));
+    const BalancedLoad load = find_load(study, study_foot(study, cache));
     const ring::Motion &motion = study.motion.orbit;
-    const ring::LeaningLoad rest = load->at(0);
+    const ring::Sample rest = load.at(0);
     const ring::Wrench friction =
       ring::coulomb_wrench(motion.friction_coefficient, rest, 0, motion.orbit_speed);
     const Eigen::Vector3d T(friction.force_x, friction.force_y, 0), k(0, 0, 1),
@@ -143,13 +143,8 @@ void expect_energy_balance(Study study)
   times.push_back(end);
   weights.push_back(0);
   const double terminal = solved.omega();
-  ring::Question question = { motion };
-  question.known = &solved.row;
-  question.times = times;
   const std::vector<ring::YawSample> spins =
-    ring::answer(*ring::interpolated(solved.shared_load, 1.05 * terminal, -0.05 * terminal), question)
-      .value()
-      .spin_up;
+    ring::spin_up(solved.load.interpolated(1.05 * terminal, -0.05 * terminal), { motion }, times);
   double work = 0, heat = 0;
   for (std::size_t i = 0; i < times.size(); ++i)
     if (weights[i] > 0)

@@ -44,7 +44,7 @@ Texts names_without(const Study &study, const Model &model = {})
 /// Rows of a study without a foot under @p load.
 StudyRows rows_of(const Study &study, const ring::RingStack &load, const Executor &executor)
 {
-  return rows_by_harmonics(study, nullptr, *given_load(load), spin_question(study), executor,
+  return rows_by_harmonics(study, nullptr, given_load(load), spin_question(study), executor,
                            silent_progress(), Depth::full,
                            budget_variants(own_variant(study, nullptr), false));
 }
@@ -53,7 +53,7 @@ StudyRows rows_of(const Study &study, const ring::RingStack &load, const Executo
 Budget budget_of(const Study &study, const ring::RingStack &load)
 {
   fem::ComplianceCache cache;
-  return study_spin(study, nullptr, *given_load(load), ThreadedExecutor(cache)).budget;
+  return study_spin(study, nullptr, given_load(load), ThreadedExecutor(cache)).budget;
 }
 
 Budget budget_of(const Study &study)
@@ -67,7 +67,7 @@ Texts contact_rows(const Study &study, Texts rows)
 {
   fem::ComplianceCache cache;
   const std::vector<unsigned int> orders =
-    truncation_orders(find_load(study, study_foot(study, cache))->n_harmonics());
+    truncation_orders(find_load(study, study_foot(study, cache)).n_harmonics());
   for (std::size_t i = 1; i < orders.size(); ++i)
     rows.push_back(std::to_string(i + 3) + " harmonics " +
                    (i + 1 < orders.size() ? std::to_string(orders[i]) : "all"));

@@ -27,9 +27,9 @@ struct SolvedRun
       : study(study)
       , foot(study_foot(study, cache, silent_progress(), nullptr, {}, model))
   {
-    const SharedLoad load = find_load(study, foot);
-    spin = study_spin(study, foot, *load, ThreadedExecutor(cache));
-    report = describe(study, foot, *load, spin.all().last_spin().value());
+    const BalancedLoad load = find_load(study, foot);
+    spin = study_spin(study, foot, load, ThreadedExecutor(cache));
+    report = describe(study, foot, load, spin.all().last_spin().value());
     bands =
       estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), ThreadedExecutor(cache));
     use_reported_values(report.load, spin.budget, bands);
@@ -121,7 +121,7 @@ ring::Answer row_at_height(double height, bool rigid)
   study.motion.orbit.centre_of_mass_height = height;
   const std::shared_ptr<ElasticFoot> foot =
     study_foot(study, cache, silent_progress(), nullptr, {}, rigid ? rigid_foot() : Model());
-  return ring::answer(*find_load(study, foot), spin_question(study)).value();
+  return ring::answer(find_load(study, foot), spin_question(study)).value();
 }
 
 TEST(Fall, OfARigidFootIsWhereARefereeFindsIt)
@@ -167,9 +167,9 @@ TEST(Fall, ThatIsNearIsNoCauseForThousandsOfContacts)
     study.motion.orbit.centre_of_mass_height = height;
     const std::shared_ptr<ElasticFoot> foot =
       study_foot(study, cache, silent_progress(), nullptr, {}, rigid_foot());
-    const SharedLoad load = find_load(study, foot);
-    study_spin(study, foot, *load, ThreadedExecutor(cache), silent_progress(), Depth::answer);
-    EXPECT_LT(load->statistics()->n_contact_solutions, 600u) << height;
+    const BalancedLoad load = find_load(study, foot);
+    study_spin(study, foot, load, ThreadedExecutor(cache), silent_progress(), Depth::answer);
+    EXPECT_LT(load.statistics()->n_contact_solutions, 600u) << height;
   }
 }
 

@@ -13,11 +13,6 @@ inline ring::RingStack rich_load()
            0.03 };
 }
 
-inline pipeline::SharedLoad given_load(const ring::RingStack &load)
-{
-  return std::make_shared<pipeline::GivenLoad>(pipeline::report_of(load));
-}
-
 /// A study that follows a load which the test gives it, as if from a file.
 inline pipeline::Study study_of_given_load()
 {

@@ -159,9 +159,9 @@ TEST(RigidFoot, NumbersOfOtherCodeAreWithinTheBands)
     ring::Question with_slope;
     with_slope.with_slope = true;
     const ring::Answer all = ring::answer(solved.load, spin_question(study, with_slope)).value();
-    const SharedLoad first = find_load(study, solved.foot, silent_progress(), 1);
+    const BalancedLoad first = find_load(study, solved.foot, silent_progress(), 1);
     const ErrorBands bands = estimate_bands(
-      study, solved.foot, all, ring::answer(*first, spin_question(study)).value().omega_terminal(),
+      study, solved.foot, all, ring::answer(first, spin_question(study)).value().omega_terminal(),
       ThreadedExecutor(solved.cache));
     for (const auto &[key, expected] : state.expected)
     {
@@ -276,7 +276,7 @@ TEST(RigidFoot, WavyInBalanceAtEveryPhase)
       foot.turn(phase);
       std::vector<verification::PlainPoint> points;
       const verification::PlainGlass expected = foot.at(omega, &points);
-      const ring::LeaningLoad found = solved.load.at(omega, ring::Orientation{ phase, 0 });
+      const ring::Sample found = solved.load.at(omega, ring::Orientation{ phase, 0 });
       EXPECT_NEAR((found.moment() - expected.contact_moment.head<2>()).norm(), 0, 1e-6 * scale);
       for (unsigned int n = 2; n <= 5; ++n)
       {

@@ -17,8 +17,7 @@ struct SolvedStudy
   explicit SolvedStudy(const pipeline::Study &given, const pipeline::Model &model = {})
       : study(given)
       , foot(pipeline::study_foot(study, cache, pipeline::silent_progress(), nullptr, {}, model))
-      , shared_load(pipeline::find_load(study, foot))
-      , load(*shared_load)
+      , load(pipeline::find_load(study, foot))
   {
     ring::Question question = pipeline::spin_question(study);
     question.with_minima = false;
@@ -30,8 +29,7 @@ struct SolvedStudy
   pipeline::Study study;
   fem::ComplianceCache cache;
   std::shared_ptr<pipeline::ElasticFoot> foot;
-  pipeline::SharedLoad shared_load;
-  const pipeline::BalancedLoad &load;
+  pipeline::BalancedLoad load;
   ring::Answer row;
 };
 
@@ -47,7 +45,7 @@ inline pipeline::Model rigid_foot()
 inline pipeline::Budget whole_budget(const pipeline::Study &study, const pipeline::Executor &executor)
 {
   const auto foot = pipeline::study_foot(study, executor.make_foot);
-  return pipeline::study_spin(study, foot, *pipeline::find_load(study, foot), executor).budget;
+  return pipeline::study_spin(study, foot, pipeline::find_load(study, foot), executor).budget;
 }
 
 /// The result of a study as a case of a sweep.

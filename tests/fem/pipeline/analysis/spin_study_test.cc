@@ -22,7 +22,7 @@ using namespace stemware::test;
 SpinStudy study_spin_of(const ring::RingStack &load, const Study &study = study_of_given_load())
 {
   fem::ComplianceCache cache;
-  return study_spin(study, nullptr, *given_load(load), ThreadedExecutor(cache));
+  return study_spin(study, nullptr, given_load(load), ThreadedExecutor(cache));
 }
 
 TEST(SpinStudy, EveryCurveIsOfTheLoadThatItIsNamedAfter)
@@ -62,7 +62,7 @@ TEST(SpinStudy, RowsAreInBalanceWithTheirOwnHarmonics)
   Study study = quick_contact_study();
   fem::ComplianceCache cache;
   const auto foot = study_foot(study, cache);
-  const SpinStudy two_way = study_spin(study, foot, *find_load(study, foot), ThreadedExecutor(cache));
+  const SpinStudy two_way = study_spin(study, foot, find_load(study, foot), ThreadedExecutor(cache));
   ASSERT_GE(two_way.rows.size(), 4u);
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -70,14 +70,14 @@ TEST(SpinStudy, RowsAreInBalanceWithTheirOwnHarmonics)
     const ring::Answer &row = two_way.rows[i];
     EXPECT_NEAR(
       *row.omega_terminal(),
-      *ring::answer(*find_load(study, foot, silent_progress(), n), { study.motion.orbit }).omega_terminal(),
+      *ring::answer(find_load(study, foot, silent_progress(), n), { study.motion.orbit }).omega_terminal(),
       1e-9)
       << n;
   }
   EXPECT_EQ(two_way.budget.rows.back().omega_terminal, two_way.all().omega_terminal());
   EXPECT_TRUE(two_way.one_ring);
   study.contact.rings = 1;
-  EXPECT_FALSE(study_spin(study, foot, *find_load(study, foot), ThreadedExecutor(cache)).one_ring);
+  EXPECT_FALSE(study_spin(study, foot, find_load(study, foot), ThreadedExecutor(cache)).one_ring);
 }
 
 TEST(SpinStudy, TellsItsProgressWhileTheSpinIsFollowed)
@@ -98,7 +98,7 @@ TEST(SpinStudy, TellsItsProgressWhileTheSpinIsFollowed)
   fem::ComplianceCache cache;
   const auto followed = [&]
   {
-    study_spin(study_of_given_load(), nullptr, *given_load(rich_load()), ThreadedExecutor(cache), listener,
+    study_spin(study_of_given_load(), nullptr, given_load(rich_load()), ThreadedExecutor(cache), listener,
                Depth::answer);
   };
   followed();
@@ -108,15 +108,15 @@ TEST(SpinStudy, TellsItsProgressWhileTheSpinIsFollowed)
 }
 
 /// rich_load() up to @p last [rad/s], beyond which it tips.
-SharedLoad tipping_beyond(double last)
+BalancedLoad tipping_beyond(double last)
 {
-  return std::make_shared<GivenLoad>(report_of(rich_load()), all_harmonics,
-                                     [last](double omega) -> ring::RingStack
-                                     {
-                                       if (std::abs(omega) > last)
-                                         throw ring::Tipping("it tips");
-                                       return rich_load();
-                                     });
+  const auto load = [last](double omega) -> ring::Sample
+  {
+    if (std::abs(omega) > last)
+      throw ring::Tipping("it tips");
+    return rich_load();
+  };
+  return { ring::Load(load), report_of(rich_load()) };
 }
 
 // Upright, led at the height of its centre of mass, with friction that falls with the slip: rest is a
@@ -132,7 +132,7 @@ TEST(SpinStudy, SaysThatARestIsUnstable)
   fem::ComplianceCache cache;
   const auto solve = [&]
   {
-    return study_spin(study, nullptr, *find_load(study, nullptr), ThreadedExecutor(cache), silent_progress(),
+    return study_spin(study, nullptr, find_load(study, nullptr), ThreadedExecutor(cache), silent_progress(),
                       Depth::answer);
   };
   const SpinStudy upright = solve();
@@ -151,7 +151,7 @@ TEST(SpinStudy, AGlassThatFallsOverOnTheWay)
   const Study study = study_of_given_load();
   const ring::Motion &motion = study.motion.orbit;
   fem::ComplianceCache cache;
-  const SpinStudy fallen = study_spin(study, nullptr, *tipping_beyond(2.5), ThreadedExecutor(cache));
+  const SpinStudy fallen = study_spin(study, nullptr, tipping_beyond(2.5), ThreadedExecutor(cache));
   const ring::Answer &row = fallen.all();
   EXPECT_EQ(row.status, ring::Status::tips);
   EXPECT_FALSE(row.terminal);
@@ -193,36 +193,35 @@ TEST(Answer, SaysWhyThereIsNone)
   // A load model that tips, one without a balance, and a torque that keeps its sign.
   const auto refusing = [](auto failure)
   {
-    return std::make_shared<GivenLoad>(report_of(rich_load()), all_harmonics,
-                                       [failure](double omega) -> ring::RingStack
-                                       {
-                                         if (omega != 0)
-                                           throw failure;
-                                         return rich_load();
-                                       });
+    return ring::Load(
+      [failure](double omega) -> ring::Sample
+      {
+        if (omega != 0)
+          throw failure;
+        return rich_load();
+      });
   };
   const ring::Question question = { ring::Motion() };
-  const ring::Answer tips = ring::answer(*refusing(ring::Tipping("it tips")), question);
+  const ring::Answer tips = ring::answer(refusing(ring::Tipping("it tips")), question);
   EXPECT_EQ(tips.status, ring::Status::tips);
   EXPECT_NE(tips.reason.find("at 0 rad/s and a moment ratio of 0.673"), std::string::npos) << tips.reason;
   EXPECT_TRUE(tips.at_rest);
   EXPECT_FALSE(tips.terminal);
-  const ring::Answer none = ring::answer(*refusing(ring::NoBalance("none")), question);
+  const ring::Answer none = ring::answer(refusing(ring::NoBalance("none")), question);
   EXPECT_EQ(none.status, ring::Status::no_balance);
   EXPECT_THAT(none.reason, testing::HasSubstr("none"));
   // A fault of the program is no property of the load.
-  EXPECT_THROW(ring::answer(*refusing(std::runtime_error("a fault")), question), std::runtime_error);
+  EXPECT_THROW(ring::answer(refusing(std::runtime_error("a fault")), question), std::runtime_error);
   // A first harmonic whose moment grows faster than K_1 falls off, like eps^-3, drives the ring for ever.
   const auto with_ratio = [](double m) {
     return ring::RingStack::first_harmonic(2.943, { m * 2.943 * 0.03 / 2, 0 }, 0.03);
   };
-  const auto growing = [=](double omega)
+  const auto growing = [=](double omega) -> ring::Sample
   { return with_ratio(4 + 10 * std::pow(std::abs(omega) * 0.03 / 0.35, 3)); };
-  const ring::Answer endless =
-    ring::answer(GivenLoad(report_of(with_ratio(4)), all_harmonics, growing), question);
+  const ring::Answer endless = ring::answer(ring::Load(growing), question);
   EXPECT_EQ(endless.status, ring::Status::no_terminal_spin);
-  EXPECT_EQ(ring::answer(*given_load(with_ratio(1.5)), question).status, ring::Status::formal);
-  EXPECT_EQ(ring::answer(*given_load(rich_load()), question).status, ring::Status::full_contact);
+  EXPECT_EQ(ring::answer(given_load(with_ratio(1.5)), question).status, ring::Status::formal);
+  EXPECT_EQ(ring::answer(given_load(rich_load()), question).status, ring::Status::full_contact);
 }
 
 } // namespace

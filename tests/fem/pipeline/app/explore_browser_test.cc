@@ -73,7 +73,7 @@ TEST(ExplorePage, MovesInABrowserGiveTheProgramsSpins)
     pipeline::assign(pipeline::study_entries(study), "", moves[i].first, moves[i].second);
     const auto foot = pipeline::study_foot(study, cache);
     const double omega =
-      ring::answer(*pipeline::find_load(study, foot), pipeline::spin_question(study)).terminal->omega;
+      ring::answer(pipeline::find_load(study, foot), pipeline::spin_question(study)).terminal->omega;
     for (const char *const width : { "1100", "400" })
       EXPECT_NEAR(found[width]["omega"][i].get<double>(), omega, 1e-10) << moves[i].first << ", " << width;
   }

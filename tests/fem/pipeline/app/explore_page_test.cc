@@ -33,7 +33,7 @@ TEST(ExplorePage, TheCommittedAnswersAreTheProgramsAndThePageIsSmall)
     fem::ComplianceCache cache;
     const auto foot = pipeline::study_foot(study, cache);
     const double omega =
-      ring::answer(*pipeline::find_load(study, foot), pipeline::spin_question(study)).terminal->omega;
+      ring::answer(pipeline::find_load(study, foot), pipeline::spin_question(study)).terminal->omega;
     EXPECT_NEAR(pair["omega"].get<double>(), omega, 1e-9) << name;
     EXPECT_NEAR(pair["here"].get<double>(), omega,
                 pair["band"].is_null() ? 1e-10 : pair["band"].get<double>())

@@ -32,8 +32,7 @@ struct Described
 {
   explicit Described(const Study &study)
       : foot(study_foot(study, cache))
-      , shared_load(find_load(study, foot))
-      , load(*shared_load)
+      , load(find_load(study, foot))
       , omega(ring::answer(load, { study.motion.orbit }).omega_terminal().value())
       , report(describe(study, foot, load, omega))
   {
@@ -41,8 +40,7 @@ struct Described
 
   fem::ComplianceCache cache;
   std::shared_ptr<ElasticFoot> foot;
-  SharedLoad shared_load;
-  const BalancedLoad &load;
+  BalancedLoad load;
   double omega;
   ContactReport report;
 };

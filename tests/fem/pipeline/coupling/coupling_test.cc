@@ -1,5 +1,5 @@
 // Loads in balance with friction at every spin: balances from their neighbours, curves between samples.
-#include "fem/pipeline/coupling/balanced_load.h"
+#include "ring_model/spin/load.h"
 #include "ring_model/spin/spin_curve.h"
 #include "tests/ring_model/unilateral_rim.h"
 
@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <vector>
 
 namespace stemware::pipeline
@@ -40,7 +39,13 @@ TEST(SpinCurve, StatesAnErrorThatHolds)
 {
   // The curve that does not know where the rim lifts off takes more pieces; the kink stays between nodes.
   const ring::CurveSource blind = { rim_load };
-  const ring::CurveSource seeing = { rim_load, [](double m) { return lift_off - m; } };
+  const auto with_margin = [](double m)
+  {
+    ring::Sample load = rim_load(m);
+    load.lift_off_margin = lift_off - m;
+    return load;
+  };
+  const ring::CurveSource seeing = { with_margin };
   for (const auto &[source, bounds] : { std::pair(blind, 3.), std::pair(seeing, 1.) })
     for (const double upper : { 1.1, 1.5 })
       for (const double tolerance : { 1e-4, 1e-7 })
@@ -62,8 +67,8 @@ TEST(SpinCurve, TellsALoadByItsDifferenceToALikeOne)
   const ring::LoadFunction like = [](double m) { return rim_load(m); };
   const ring::LoadFunction load = [](double m)
   {
-    const Eigen::VectorXd row = ring::LeaningLoad(rim_load(m)).coefficients(24);
-    return ring::LeaningLoad::from_coefficients((1 + 1e-3 * m * m) * row, 1);
+    const Eigen::VectorXd row = ring::Sample(rim_load(m)).coefficients(24);
+    return ring::Sample::from_coefficients((1 + 1e-3 * m * m) * row, 1);
   };
   ring::CurveSource source = { load };
   const ring::SpinCurve alone(source, 0, 1.1, to(1e-6));
@@ -78,11 +83,18 @@ TEST(SpinCurve, FindsWhereTheRimLiftsOff)
 {
   // As many harmonics as a contact gives to a ring: high ones turn with the edges of the contact.
   const ring::test::UnilateralFoundation rim_of_24(rim, 1.5, 24);
-  const auto load = [&](double m) { return rim_of_24.rings(weight, { 0, -m * weight * rim / 2 }); };
+  const auto load = [&](double m) -> ring::Sample {
+    return rim_of_24.rings(weight, { 0, -m * weight * rim / 2 });
+  };
+  const auto with_margin = [&](double m)
+  {
+    ring::Sample sample = load(m);
+    sample.lift_off_margin = (lift_off - m) * (1 + m);
+    return sample;
+  };
   for (const double upper : { 1.3, 1.5 })
   {
-    const ring::CurveSource source = { load, [](double m) { return (lift_off - m) * (1 + m); } };
-    const ring::SpinCurve curve(source, 0, upper, to(1e-6));
+    const ring::SpinCurve curve({ with_margin }, 0, upper, to(1e-6));
     ASSERT_EQ(curve.lift_offs().size(), 1u);
     EXPECT_NEAR(curve.lift_offs().front(), lift_off, 1e-5 * upper);
     EXPECT_LT(3 * curve.n_samples(), 2 * ring::SpinCurve({ load }, 0, upper, to(1e-6)).n_samples());
@@ -98,38 +110,18 @@ TEST(SpinCurve, SaysWhenSamplesDoNotSuffice)
   EXPECT_LT(curve.n_samples(), 100u);
 }
 
-SharedLoad balanced_rim()
+// The load of a rigid round rim, stated to be costly.
+TEST(Load, InterpolatesWithinTheErrorThatItStates)
 {
   const ring::test::BalancedRim glass{ ring::Closure::full, ring::Motion(),
                                        ring::test::UnilateralFoundation(rim, 1.5) };
-  return std::make_shared<GivenLoad>(report_of(glass.at(0).load), all_harmonics,
-                                     [glass](double omega) { return glass.at(omega).load; });
-}
-
-/// The load of a rigid round rim, stated to be so slow that it is interpolated.
-class SlowLoad : public BalancedLoad
-{
-public:
-  ring::LeaningLoad at(double omega, const std::optional<ring::Orientation> &) const override
-  {
-    return quick->at(omega);
-  }
-  const LoadReport &report() const override { return quick->report(); }
-  bool is_costly() const override { return true; }
-
-private:
-  const SharedLoad quick = balanced_rim();
-};
-
-TEST(BalancedLoad, InterpolatesWithinTheErrorThatItStates)
-{
-  const auto exact = std::make_shared<SlowLoad>();
-  const ring::SharedLoad curve = ring::interpolated(exact, -4, 0.5);
-  const double stated = curve->interpolation_error().value();
+  const auto exact = [&](double omega) -> ring::Sample { return glass.at(omega).load; };
+  const ring::Load curve = ring::Load::solved_once(exact, exact(0)).interpolated(-4, 0.5);
+  const double stated = curve.interpolation_error().value();
   EXPECT_LE(stated, 1e-6);
   for (double omega = -3.97; omega < 0.5; omega += 0.13)
-    EXPECT_LE(curve->at(omega).difference(exact->at(omega, {})), stated) << omega;
-  EXPECT_EQ(curve->at(2.5).difference(exact->at(2.5, {})), 0); // beyond the samples
+    EXPECT_LE(curve.at(omega).difference(exact(omega)), stated) << omega;
+  EXPECT_EQ(curve.at(2.5).difference(exact(2.5)), 0); // beyond the samples
 }
 
 } // namespace

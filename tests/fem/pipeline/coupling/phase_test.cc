@@ -227,7 +227,7 @@ TEST(PhaseSampledLoad, SayThatALargeJumpIsNotResolved)
 TEST(PhaseSampledLoad, FailAgainWithoutSolvingAgain)
 {
   unsigned int n_failed = 0;
-  const LoadAtPhase load = [&](double omega, const ring::Orientation &phase) -> LeaningLoad
+  const LoadAtPhase load = [&](double omega, const ring::Orientation &phase) -> Sample
   {
     if (omega > 4)
     {

@@ -62,7 +62,7 @@ double spin_by_the_program(const Study &study, unsigned int n_harmonics = all_ha
 {
   fem::ComplianceCache cache;
   const auto foot = study_foot(study, cache);
-  return ring::answer(*find_load(study, foot, silent_progress(), n_harmonics), spin_question(study))
+  return ring::answer(find_load(study, foot, silent_progress(), n_harmonics), spin_question(study))
     .terminal->omega;
 }
 

@@ -69,9 +69,9 @@ public:
   {
     const Study study = state.study();
     SolvedStudy solved(study, test::rigid_foot());
-    const SharedLoad first = find_load(study, solved.foot, silent_progress(), 1);
+    const BalancedLoad first = find_load(study, solved.foot, silent_progress(), 1);
     const std::optional<double> omega_first =
-      ring::answer(*first, spin_question(study)).value().omega_terminal();
+      ring::answer(first, spin_question(study)).value().omega_terminal();
     const ErrorBands bands =
       estimate_bands(study, solved.foot, solved.row, omega_first, ThreadedExecutor(solved.cache));
     ASSERT_FALSE(bands.empty());

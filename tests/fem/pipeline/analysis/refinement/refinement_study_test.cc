@@ -53,7 +53,7 @@ Study much_finer(Study study)
   return study;
 }
 
-SharedLoad load_of(const Study &study, fem::ComplianceCache &cache)
+BalancedLoad load_of(const Study &study, fem::ComplianceCache &cache)
 {
   return find_load(study, study_foot(study, cache));
 }
@@ -64,10 +64,10 @@ struct Levels
   Levels(const Study &study, const Study &finer_study)
       : foot(study_foot(study, cache))
       , load(find_load(study, foot))
-      , row(ring::answer(*load, question_of(study)).value())
+      , row(ring::answer(load, question_of(study)).value())
       , omega(row.terminal->omega)
       , quick(estimate_bands(study, foot, row, std::nullopt, ThreadedExecutor(cache)))
-      , finer(quantities_of_load(finer_study, *load_of(finer_study, cache), spins_of_interest(omega), omega))
+      , finer(quantities_of_load(finer_study, load_of(finer_study, cache), spins_of_interest(omega), omega))
   {
   }
 
@@ -83,7 +83,7 @@ struct Levels
 
   fem::ComplianceCache cache;
   std::shared_ptr<ElasticFoot> foot;
-  SharedLoad load;
+  BalancedLoad load;
   ring::Answer row;
   double omega;
   ErrorBands quick;
@@ -107,7 +107,7 @@ TEST(ErrorBands, OfThePaperHoldAFourTimesFinerRun)
   // smooth section.
   std::vector<RefinementAxis> axes = refinement_axes(study, 3);
   const ErrorBands full =
-    refine(quantities_of_load(study, *comparison.load, spins_of_interest(comparison.omega), comparison.omega),
+    refine(quantities_of_load(study, comparison.load, spins_of_interest(comparison.omega), comparison.omega),
            spins_of_interest(comparison.omega), axes, ThreadedExecutor(comparison.cache));
   const double depth = std::abs(quantity_of(comparison.finer, "table_motion_0").value);
   for (const std::string key : { "table_motion_0", "table_motion_1", "table_motion_2" })
@@ -280,13 +280,13 @@ TEST(ErrorBands, SayWhichLevelFailed)
   Study study;
   study.load.moment_ratio = 0.5;
   fem::ComplianceCache cache;
-  const SharedLoad load = load_of(study, cache);
+  const BalancedLoad load = load_of(study, cache);
   const std::vector<double> spins = { -1 };
   std::vector<RefinementAxis> axes = refinement_axes(study, 2);
   axes[1].levels.back().study.load.moment_ratio = 2.3; // tips
   EXPECT_THAT(
     [&]
-    { refine(quantities_of_load(study, *load, spins, std::nullopt), spins, axes, ThreadedExecutor(cache)); },
+    { refine(quantities_of_load(study, load, spins, std::nullopt), spins, axes, ThreadedExecutor(cache)); },
     testing::ThrowsMessage<std::runtime_error>(
       testing::AllOf(testing::HasSubstr("4"), testing::HasSubstr("degree"))));
 }

@@ -25,10 +25,10 @@ ErrorBands bands_of(const Study &study)
 {
   fem::ComplianceCache cache;
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
-  const SharedLoad load = find_load(study, foot);
+  const BalancedLoad load = find_load(study, foot);
   ring::Question question = { study.motion.orbit };
   question.with_slope = true;
-  return estimate_bands(study, foot, ring::answer(*load, question).value(), std::nullopt,
+  return estimate_bands(study, foot, ring::answer(load, question).value(), std::nullopt,
                         ThreadedExecutor(cache));
 }
 
@@ -154,8 +154,8 @@ void expect_bands_of_plate(double eccentricity, double direction)
 double mean_spin(const Study &study)
 {
   fem::ComplianceCache cache;
-  const SharedLoad load = find_load(study, study_foot(study, cache));
-  return ring::answer(*load, { study.motion.orbit }).value().zero_of_mean_torque;
+  const BalancedLoad load = find_load(study, study_foot(study, cache));
+  return ring::answer(load, { study.motion.orbit }).value().zero_of_mean_torque;
 }
 
 } // namespace

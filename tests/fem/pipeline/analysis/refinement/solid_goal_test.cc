@@ -32,19 +32,19 @@ double value_of(Study study, Goal goal, unsigned int refinements)
 {
   study.contact.refinements = refinements;
   fem::ComplianceCache cache;
-  const SharedLoad load = find_load(study, study_foot(study, cache));
+  const BalancedLoad load = find_load(study, study_foot(study, cache));
   if (goal == Goal::a2)
-    return load->report().rings.a(2) / load->report().rings.a(0);
-  return ring::answer(*load, { study.motion.orbit }).value().omega_terminal().value();
+    return load.report().rings.a(2) / load.report().rings.a(0);
+  return ring::answer(load, { study.motion.orbit }).value().omega_terminal().value();
 }
 
 GoalError error_of(const Study &study, const Discretisation &discretisation = {})
 {
   fem::ComplianceCache cache;
   const auto foot = study_foot(study, cache, silent_progress(), nullptr, discretisation);
-  const SharedLoad load = find_load(study, foot);
-  const double omega = ring::answer(*load, { study.motion.orbit }).value().omega_terminal().value();
-  return goal_error(study, *foot, *load, omega, study.contact.goal, true).value();
+  const BalancedLoad load = find_load(study, foot);
+  const double omega = ring::answer(load, { study.motion.orbit }).value().omega_terminal().value();
+  return goal_error(study, *foot, load, omega, study.contact.goal, true).value();
 }
 
 } // namespace

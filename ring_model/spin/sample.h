@@ -11,10 +11,10 @@
 
 namespace stemware::ring
 {
-/// Load on the rings at one spin, and the tilt of the glass under that load.
-struct LeaningLoad : RingStack
+/// Load on the rings at one spin, the tilt of the glass under that load, and the margins of its balance.
+struct Sample : RingStack
 {
-  LeaningLoad(RingStack rings, const Eigen::Vector2d &tilt = Eigen::Vector2d::Zero()) // NOLINT
+  Sample(RingStack rings, const Eigen::Vector2d &tilt = Eigen::Vector2d::Zero()) // NOLINT
       : RingStack(std::move(rings))
       , tilt(tilt)
   {
@@ -23,6 +23,10 @@ struct LeaningLoad : RingStack
   /// (q1, q2): tilts of the table in the frame of the glass, whose axis tilts by (-q1, -q2) [rad]; 0 if the
   /// moment balance neglects the tilt.
   Eigen::Vector2d tilt;
+  /// Margin to lift-off: the minimum of the pointwise load over a_0; negative after lift-off, estimated from
+  /// the free arc by continuing the first harmonic. 1 if unknown.
+  double lift_off_margin = 1.;
+  double stability_margin = 1.; ///< SpinSearch::stability_margin; 1 if unknown
 
   /// Returns the moment of the normal forces about the tilted axis, -q1 M_Nx - q2 M_Ny [N m]; it turns the
   /// glass like tau_z (docs/theory/closures.md).
@@ -46,8 +50,8 @@ struct LeaningLoad : RingStack
     }
     return row;
   }
-  /// Returns the load of @p n_rings rings whose coefficients() are @p row.
-  static LeaningLoad from_coefficients(const Eigen::VectorXd &row, std::size_t n_rings)
+  /// Returns the load of @p n_rings rings whose coefficients() are @p row, with unknown margins.
+  static Sample from_coefficients(const Eigen::VectorXd &row, std::size_t n_rings)
   {
     const Eigen::Index width = (row.size() - 2) / static_cast<Eigen::Index>(n_rings), n_a = width / 2;
     std::vector<Ring> rings;
@@ -56,9 +60,13 @@ struct LeaningLoad : RingStack
     return { RingStack(std::move(rings)), row.head<2>() };
   }
 
-  LeaningLoad truncated(unsigned int n_harmonics) const
+  /// Returns the load without its harmonics above @p n_harmonics, with the same tilt and margins.
+  Sample truncated(unsigned int n_harmonics) const
   {
-    return { RingStack::truncated(n_harmonics), tilt };
+    Sample kept = { RingStack::truncated(n_harmonics), tilt };
+    kept.lift_off_margin = lift_off_margin;
+    kept.stability_margin = stability_margin;
+    return kept;
   }
 };
 } // namespace stemware::ring
