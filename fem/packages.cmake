@@ -61,7 +61,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(same_version "stemware (= ${CPACK_DEBIAN_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})") # for the library of fem/solid/simd
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_version}, python3-numpy")
 if(TARGET stemware_python) # its extensions are built for one release of Python
-  get_target_property(minor stemware_python PYTHON_MINOR)
+  set(minor ${Python_VERSION_MINOR})
   math(EXPR next "${minor} + 1")
   string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ", python3 (>= 3.${minor}), python3 (<< 3.${next})")
 endif()

@@ -1,48 +1,67 @@
-"""Builds stemware.ring, the ring model, from a checkout: pip install ./fem/pipeline/python --no-build-isolation
+"""Builds the extensions of the package with CMake; the metadata stand in pyproject.toml.
 
-Compiles ring_model/ of this checkout with the headers of Eigen, Boost and pybind11. stemware.Study needs deal.II and is built
-by CMake.
+With deal.II and the other packages of packages.txt the package has stemware.Study, without deal.II the ring model alone.
+STEMWARE_CMAKE_ARGUMENTS are added to CMake's, such as "-D STEMWARE_FEM=OFF".
 """
-import atexit
-import glob
 import os
-import re
+import pathlib
+import shlex
 import shutil
 import subprocess
-import tempfile
+import sys
 
-from pybind11.setup_helpers import ParallelCompile, Pybind11Extension
-from setuptools import setup
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+from setuptools.command.sdist import sdist
 
-os.chdir(os.path.dirname(os.path.abspath(__file__)))
-top = os.path.relpath("../../..")
-with open(os.path.join(top, "CMakeLists.txt")) as file:
-    version = re.search(r"set\(STEMWARE_VERSION ([^)]*)\)", file.read()).group(1).replace("~", ".")
-
-
-def eigen():
-    found = subprocess.run(["pkg-config", "--cflags-only-I", "eigen3"], stdout=subprocess.PIPE, text=True).stdout.strip()
-    return found[2:] or "/usr/include/eigen3"
+here = pathlib.Path(__file__).resolve().parent
+sources = here / "sources" if (here / "sources").exists() else here.parents[2]  # in an sdist, in a checkout
+build = sources / "build" / "pip"  # ignored by git
+build.mkdir(parents=True, exist_ok=True)
 
 
-# Objects go where their sources' "../../.." leads from the build: three folders deep, they stay in the temporary one.
-scratch = tempfile.mkdtemp(prefix="stemware-")
-atexit.register(shutil.rmtree, scratch, ignore_errors=True)
-build = os.path.join(scratch, "ring", "python", "build")
-os.makedirs(build)
+def version():
+    """The one of CMake, as Python writes it."""
+    for line in (sources / "CMakeLists.txt").read_text().splitlines():
+        if line.startswith("set(STEMWARE_VERSION "):
+            return line.split()[1].rstrip(")").replace("~dev", ".dev0")
+    raise SystemExit(f"{sources}/CMakeLists.txt does not set STEMWARE_VERSION")
 
-sources = ["ring_bindings.cc", *sorted(glob.glob(top + "/ring_model/*.cc") + glob.glob(top + "/ring_model/*/*.cc"))]
-ParallelCompile("STEMWARE_COMPILERS", default=2).install()
+
+class BuildByCMake(build_ext):
+    """Both extensions, of which the second exists only with deal.II."""
+
+    def run(self):
+        if not shutil.which("cmake"):
+            raise SystemExit("Stemware is built by CMake 3.25 or newer, which is not installed: apt-get install cmake ninja-build")
+        generator = ["-G", "Ninja"] if shutil.which("ninja") else []
+        more = shlex.split(os.environ.get("STEMWARE_CMAKE_ARGUMENTS", ""))
+        binary = build / "cmake"
+        subprocess.run(["cmake", "-S", sources, "-B", binary, *generator, "-D", "CMAKE_BUILD_TYPE=Release", "-D", "STEMWARE_WHEEL=ON",
+                        "-D", f"Python_EXECUTABLE={sys.executable}", *more], check=True)
+        subprocess.run(["cmake", "--build", binary, "--target", "stemware_python", "--parallel", str(self.parallel or os.cpu_count())], check=True)
+        place = here if self.inplace else pathlib.Path(self.build_lib).resolve()
+        subprocess.run(["cmake", "--install", binary, "--component", "python", "--prefix", place], check=True)
+
+    def get_outputs(self):
+        return [str(file) for file in pathlib.Path(self.build_lib, "stemware").glob("*.so")]
+
+
+class WithSources(sdist):
+    """An sdist with everything that CMake reads."""
+
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, files)
+        ignore = shutil.ignore_patterns("build", "*.egg-info", "__pycache__", "*.pyc", "stemware-*")
+        for name in ["ring_model", "fem"]:
+            shutil.copytree(sources / name, pathlib.Path(base_dir, "sources", name), ignore=ignore)
+        for name in ["CMakeLists.txt", "LICENSE"]:
+            shutil.copy(sources / name, pathlib.Path(base_dir, "sources", name))
+
+
 setup(
-    name="stemware",
-    version=version,
-    description="The Coulomb ring that slides and spins: limit surfaces, terminal spins",
-    license="MIT",
-    python_requires=">=3.9",
-    install_requires=["numpy"],
-    packages=["stemware"],
-    package_data={"stemware": ["py.typed", "*.pyi"]},
-    options={"build": {"build_base": build}, "egg_info": {"egg_base": build}},
-    ext_modules=[Pybind11Extension("stemware._ring", sources, include_dirs=[top, eigen()], cxx_std=17,
-                                   define_macros=[("STEMWARE_VERSION", f'"{version}"')])],
+    version=version(),
+    options={"build": {"build_base": str(build)}, "egg_info": {"egg_base": str(build)}},
+    ext_modules=[Extension("stemware._ring", [])],
+    cmdclass={"build_ext": BuildByCMake, "sdist": WithSources},
 )

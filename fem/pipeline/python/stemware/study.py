@@ -17,8 +17,8 @@ from . import ring
 try:
     from . import _study
 except ImportError as failure:
-    raise ImportError("this stemware has the ring alone; build the study with `cmake --build` or install the package "
-                      f"python3-stemware ({failure})") from failure
+    raise ImportError("stemware.Study needs the finite elements, which this build of stemware does not have; install deal.II and the other "
+                      f"packages of packages.txt and build again, or install the package python3-stemware ({failure})") from failure
 from ._study import ContactFailure, OutputFailure, Start  # noqa: F401
 
 if TYPE_CHECKING:
