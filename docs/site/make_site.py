@@ -37,9 +37,9 @@ def linked(text, page, repository):
         if there:
             own = pathlib.PurePosixPath(place(page)).parent
             return f"{label}({os.path.relpath(there, own)}{fragment})"
-        if label.startswith("!") or path.parts[0] == "..":
+        if label.startswith("!"):
             return match.group(0)
-        return f"{label}({repository}/{path.as_posix()}{fragment})" if repository else label[1:-1]
+        return f"{label}({repository}/{path.as_posix()}{fragment})" if repository and path.parts[0] != ".." else label[1:-1]
 
     return re.sub(r"(!?\[(?:[^\[\]]|\[[^\[\]]*\])*\])\(([^()#\s]*)(#[^()\s]*)?\)", link, text)
 
