@@ -30,13 +30,14 @@ public:
 class StribeckLaw : public FrictionLaw
 {
 public:
+  /// Coefficients of the law.
   struct Parameters
   {
     double static_coefficient;  ///< limit for vanishing slip
     double kinetic_coefficient; ///< plateau at high slip speed
     double decay_speed;         ///< [m/s]
     double viscous = 0.;        ///< growth with the slip speed [s/m]
-    double decay_exponent = 2.;
+    double decay_exponent = 2.; ///< 1: Tustin, 2: the usual one
   };
 
   /// @throws std::invalid_argument if a coefficient is negative or the decay speed or exponent is not

@@ -29,9 +29,10 @@ struct FootprintMeasures
   PressurePoint largest; ///< point of largest pressure
   double mean = 0;       ///< mean pressure over the contact [Pa]; NaN without load
   double narrowest = 0;  ///< smallest width of the contact [m]; 0 if a cut has no load
-  double widest = 0;
+  double widest = 0;     ///< largest width of the contact [m]
 };
 
+/// Returns the measures of @p footprint.
 FootprintMeasures measures_of(const PressureMap &footprint);
 
 } // namespace stemware::fem

@@ -38,6 +38,7 @@ public:
   LineNewton(const ElasticResponse &response, const Eigen::SparseMatrix<double> &tangent,
              const Eigen::MatrixXd &unbalanced, Functions &known, double negligible = 0);
 
+  /// Newton step of the forces and the table.
   struct Increment
   {
     Eigen::MatrixXd forces; ///< df [N], shape [n_radii, n_lines]

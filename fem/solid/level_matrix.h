@@ -9,6 +9,7 @@
 namespace stemware::fem
 {
 
+/// Vector of the V-cycle, in single precision.
 using FloatVector = dealii::LinearAlgebra::distributed::Vector<float>;
 
 /// K + B' T B on one level in single precision, with the interface of deal.II's smoothers.
@@ -59,6 +60,7 @@ struct MultigridParameters
   /// Size of the coarsest level above which factors cost more than the axisymmetric coarse space.
   dealii::types::global_dof_index max_factorized_unknowns = 10000;
 };
+/// Values in use.
 inline constexpr MultigridParameters multigrid_parameters = {};
 
 /// Options of the smoother of every level.

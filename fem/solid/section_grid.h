@@ -33,6 +33,7 @@ struct CoarseSpaceParameters
   /// Additional stiffness of squares with and without glass, as a share of the glass's stiffness.
   double stiffness_of_touched_square = 0.1, stiffness_of_empty_square = 1e-6;
 };
+/// Values in use.
 inline constexpr CoarseSpaceParameters coarse_space_parameters = {};
 
 /// Returns radius and height of @p point.

@@ -27,6 +27,7 @@ struct LoadFunctional
   LoadFunctional of_rotated(double angle) const;
 };
 
+/// Returns the functional with @p factor times the value.
 inline LoadFunctional operator*(double factor, const LoadFunctional &functional)
 {
   return { factor * functional.a, factor * functional.b };
