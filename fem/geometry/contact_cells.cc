@@ -143,7 +143,7 @@ ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution
 
 void MeridianResolution::validate() const
 {
-  require(land_cells >= 2 && land_cells % 2 == 0, "Contact/Radial cells = ", land_cells,
+  require(land_cells >= 2 && land_cells % 2 == 0, "Radial cells = ", land_cells,
           " is not allowed for a body of revolution; give an even number of at least 2.");
   require(land_grading >= 1 && land_grading <= 10, "The grading of the land, ", land_grading,
           ", must lie between 1 (equal cells) and 10.");

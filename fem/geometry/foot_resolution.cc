@@ -7,11 +7,11 @@ namespace stemware::fem
 
 void FootResolution::validate() const
 {
-  require(azimuthal_cells >= 8 && azimuthal_cells % 4 == 0, "Contact/Azimuthal cells = ", azimuthal_cells,
+  require(azimuthal_cells >= 8 && azimuthal_cells % 4 == 0, "Azimuthal cells = ", azimuthal_cells,
           " is not allowed; give a multiple of 4, at least 8.");
-  require(radial_cells >= 2 && radial_cells % 2 == 0, "Contact/Radial cells = ", radial_cells,
+  require(radial_cells >= 2 && radial_cells % 2 == 0, "Radial cells = ", radial_cells,
           " is not allowed; give an even number, at least 2.");
-  require(foot_layers >= 1, "Contact/Foot layers = ", foot_layers, " is not allowed; give at least 1.");
+  require(foot_layers >= 1, "Foot layers = ", foot_layers, " is not allowed; give at least 1.");
 }
 
 unsigned int edge_halvings_for(const GlassProfile &profile, bool table_is_hard)

@@ -18,16 +18,16 @@ double square(double x)
   return x * x;
 }
 
-void require_positive(const char *entry, double value)
+void require_positive(const char *name, double value)
 {
-  require(std::isfinite(value) && value > 0, "Glass/", entry, " = ", value,
+  require(std::isfinite(value) && value > 0, name, " = ", value,
           " m is not a length of the glass; give a finite number greater than 0.");
 }
 
 /// @p meaning_of_zero as in "a flat land".
-void require_not_negative(const char *entry, double value, const char *meaning_of_zero)
+void require_not_negative(const char *name, double value, const char *meaning_of_zero)
 {
-  require(std::isfinite(value) && value >= 0, "Glass/", entry, " = ", value,
+  require(std::isfinite(value) && value >= 0, name, " = ", value,
           " m is not a length of the glass; give a finite number greater than 0, or 0 for ", meaning_of_zero,
           '.');
 }
@@ -163,27 +163,26 @@ void GlassProfile::validate() const
   require_positive("Land height", land_height);
   require_positive("Stem radius", stem_radius);
   require_positive("Stem height", stem_height);
-  require_less("Glass/Stem radius", stem_radius, "inner radius of the land", land_inner_radius());
-  require_less("The outer radius of the land, Glass/Contact radius + Glass/Land width / 2",
-               land_outer_radius(), "Glass/Foot radius", foot_radius);
+  require_less("Stem radius", stem_radius, "inner radius of the land", land_inner_radius());
+  require_less("The outer radius of the land, contact radius + land width / 2", land_outer_radius(),
+               "foot radius", foot_radius);
   if (shape == GlassShape::foot)
     validate_foot();
 }
 
 void GlassProfile::validate_section() const
 {
-  require(section != nullptr,
-          "Glass/Shape = profile needs a section; name its points in Glass/Profile file.");
+  require(section != nullptr, "A profile needs a section; name its points in a profile file.");
   require_less("Radius of the stem where it meets the foot", section->middle_radius(),
                "inner radius of the land", land_inner_radius());
-  require_less("The outer radius of the land, Glass/Contact radius + Glass/Land width / 2",
-               land_outer_radius(), "largest radius of the profile", section->outer_radius());
+  require_less("The outer radius of the land, contact radius + land width / 2", land_outer_radius(),
+               "largest radius of the profile", section->outer_radius());
   const double tolerance = 1e-6 * section->outer_radius();
   for (const SectionVertex &vertex : section->points_below(tolerance))
     require(!(std::abs(vertex.radius - contact_radius) > 1.05 * land_width / 2),
             "The profile stands on the table at r = ", vertex.radius, " m (line ", vertex.line,
             "), outside its land from ", land_inner_radius(), " m to ", land_outer_radius(),
-            " m; change Glass/Contact radius or Glass/Land width.");
+            " m; change the contact radius or the land width.");
 }
 
 void GlassProfile::validate_foot() const
@@ -192,12 +191,11 @@ void GlassProfile::validate_foot() const
   require_not_negative("Underside rise", underside_rise, "a plane underside");
   require_not_negative("Fillet radius", fillet_radius, "a sharp corner");
   const Fillet arc = fillet();
-  require(arc.end_radius < land_inner_radius(), "Glass/Fillet radius = ", fillet_radius,
+  require(arc.end_radius < land_inner_radius(), "Fillet radius = ", fillet_radius,
           " m does not fit between stem and land: the rounding would end at a radius of ", arc.end_radius,
           " m, and the land begins at ", land_inner_radius(), " m; give a smaller one.");
-  require(arc.centre_height < height(), "Glass/Fillet radius = ", fillet_radius, " m rounds the stem up to ",
-          arc.centre_height - foot_top(),
-          " m above the foot, beyond its cut at Glass/Stem height = ", stem_height,
+  require(arc.centre_height < height(), "Fillet radius = ", fillet_radius, " m rounds the stem up to ",
+          arc.centre_height - foot_top(), " m above the foot, beyond its cut at stem height = ", stem_height,
           " m; give a smaller fillet or a longer stem.");
   // Below the land and outside it there is always glass; inside it a dome may reach a straight top.
   constexpr unsigned int n_samples = 1000;
@@ -205,9 +203,9 @@ void GlassProfile::validate_foot() const
   {
     const double radius = land_inner_radius() * i / n_samples;
     const double top = radius < arc.middle_radius ? arc.middle_height : topside(radius);
-    require(underside(radius) < top, "Glass/Underside rise = ", underside_rise,
+    require(underside(radius) < top, "Underside rise = ", underside_rise,
             " m leaves no thickness of glass at a radius of ", radius,
-            " m; give a smaller rise or a larger Glass/Foot thickness.");
+            " m; give a smaller rise or a larger foot thickness.");
   }
 }
 

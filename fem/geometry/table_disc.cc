@@ -9,9 +9,9 @@ namespace stemware::fem
 
 void TableDisc::validate(const GlassProfile &profile) const
 {
-  require(std::isfinite(thickness) && thickness > 0, "Table/Disc thickness = ", thickness,
+  require(std::isfinite(thickness) && thickness > 0, "Disc thickness = ", thickness,
           " m is not allowed; give a finite number greater than 0.");
-  require(std::isfinite(radius) && radius > profile.land_outer_radius(), "Table/Disc radius = ", radius,
+  require(std::isfinite(radius) && radius > profile.land_outer_radius(), "Disc radius = ", radius,
           " m is not allowed; it must be larger than the outer radius of the land, ",
           profile.land_outer_radius(), " m.");
 }

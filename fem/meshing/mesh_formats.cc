@@ -291,7 +291,7 @@ MeshFileFacts read_hexahedra(const std::string &file_name, double unit, Triangul
     throw std::invalid_argument(
       subject + "is not a .msh file; convert it: " + gmsh_command +
       ", or for .inp (Abaqus), .vtu and what Gmsh does not read `meshio convert --ascii -o gmsh22 FILE "
-      "x.msh` (Debian: meshio-tools) with Contact/Mesh contact height, which needs no ids.");
+      "x.msh` (Debian: meshio-tools) with a mesh contact height, which needs no ids.");
   try
   {
     MeshContent content = read_gmsh(text_of(file_name));

@@ -161,7 +161,7 @@ void require_boundaries(const std::string &file_name, const MeshFileOptions &mar
                                 "surfaces physical ids, " +
                                 std::to_string(marks.contact_id) + " for the contact zone and " +
                                 std::to_string(marks.stem_id) +
-                                " for the stem cut, or set Contact/Mesh contact height.");
+                                " for the stem cut, or set a mesh contact height.");
 
   // The lowest faces are likely to touch the table, and the highest ones to be the stem cut.
   const auto is_lower = [](const auto &a, const auto &b) { return a.second < b.second; };
@@ -172,15 +172,15 @@ void require_boundaries(const std::string &file_name, const MeshFileOptions &mar
                !has_stem && highest->first != marks.contact_id && (has_contact || lowest != highest);
   text += "its faces have the ids " + listed(known) + "; ";
   if (names_contact)
-    text += "set Contact/Mesh contact id = " + std::to_string(lowest->first) + ", its lowest faces";
+    text += "set mesh contact id = " + std::to_string(lowest->first) + ", its lowest faces";
   if (names_stem)
-    text += (names_contact ? ", and " : "set ") +
-            ("Contact/Mesh stem id = " + std::to_string(highest->first)) + ", its highest ones";
+    text += (names_contact ? ", and " : "set ") + ("mesh stem id = " + std::to_string(highest->first)) +
+            ", its highest ones";
   if (!names_contact && !names_stem)
     text +=
       "give the faces of the " + (has_contact ? "stem cut the id " + std::to_string(marks.stem_id)
                                               : "contact zone the id " + std::to_string(marks.contact_id));
-  throw std::invalid_argument(text + (has_contact ? "." : ", or set Contact/Mesh contact height."));
+  throw std::invalid_argument(text + (has_contact ? "." : ", or set a mesh contact height."));
 }
 
 /// Exterior angle of a polyline at @p here.

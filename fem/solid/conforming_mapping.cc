@@ -45,7 +45,7 @@ void require_right_side_out(const Mapping<3> &mapping, const DoFHandler<3> &dof_
     throw ContactFailure(ContactOutcome::inverted_cells,
                          "Halving some cells turns " + std::to_string(n_inverted) +
                            " others inside out: the mesh follows the round rim too coarsely; give it more "
-                           "cells round the rim (Contact/Azimuthal cells).");
+                           "azimuthal cells.");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "fem/pipeline/feet/failure_sentence.h"
 
 #include "fem/contact/contact_solution.h"
+#include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/system/ranks.h"
 #include "ring_model/no_balance.h"
 
@@ -43,7 +44,7 @@ Failure present_failure()
   {
     const bool tips = failure.outcome == fem::ContactOutcome::tipping;
     return { tips ? "The glass falls: " + failure.message
-                  : std::string("No contact solution: ") + failure.what(),
+                  : "No contact solution: " + with_entries(failure.what()),
              tips ? ExitCode::bad_input : ExitCode::numerical_failure, true };
   }
   catch (const ring::NoBalance &failure)

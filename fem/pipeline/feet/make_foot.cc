@@ -8,6 +8,7 @@
 #include "fem/pipeline/feet/solid_study_foot.h"
 #include "fem/pipeline/feet/usable_mesh.h"
 #include "fem/pipeline/input/study_size.h"
+#include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/system/ranks.h"
 
@@ -53,7 +54,7 @@ std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &c
   }
   catch (const std::invalid_argument &error)
   {
-    throw BadInput(error.what());
+    throw BadInput(with_entries(error.what()));
   }
   throw std::logic_error("a body without a foot");
 }

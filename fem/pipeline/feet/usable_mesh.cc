@@ -1,5 +1,6 @@
 #include "fem/pipeline/feet/usable_mesh.h"
 
+#include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/system/text_file.h"
@@ -49,7 +50,7 @@ try
 }
 catch (const std::invalid_argument &error)
 {
-  throw BadInput(error.what());
+  throw BadInput(with_entries(error.what()));
 }
 
 void require_usable(const std::string &origin, const fem::MeshCheck &check, const fem::MeshFileOptions &marks)

@@ -319,7 +319,7 @@ void check_values(const Study &study)
   }
   catch (const std::invalid_argument &error)
   {
-    throw BadInput(error.what());
+    throw BadInput(with_entries(error.what()));
   }
   require_known_speeds(study);
 }

@@ -8,6 +8,7 @@
 #include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <stdexcept>
 #include <utility>
 
@@ -321,6 +322,31 @@ void assign(const std::vector<StudyEntry> &entries, const std::string &origin, c
 StudyEntry find_entry(const std::string &option, const std::string &path)
 {
   return entry_at(entries_of(Study()), option + ": ", path);
+}
+
+std::string with_entries(const std::string &message)
+{
+  const std::vector<StudyEntry> entries = entries_of(Study());
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  std::string result;
+  for (std::size_t i = 0; i < message.size();)
+  {
+    const StudyEntry *found = nullptr;
+    if (i == 0 || (!is_letter(message[i - 1]) && message[i - 1] != '/'))
+      for (const StudyEntry &entry : entries)
+      {
+        const std::string &name = entry.name;
+        const std::size_t end = i + name.size();
+        if ((entry.section == "Glass" || entry.section == "Table" || entry.section == "Contact") &&
+            name.find(' ') != std::string::npos && (!found || found->name.size() < name.size()) &&
+            boost::iequals(message.substr(i, name.size()), name) &&
+            (end >= message.size() || !is_letter(message[end])))
+          found = &entry;
+      }
+    result += found ? found->path() : std::string(1, message[i]);
+    i += found ? found->name.size() : 1;
+  }
+  return result;
 }
 
 } // namespace stemware::pipeline

@@ -83,4 +83,8 @@ void assign(const std::vector<StudyEntry> &entries, const std::string &origin, c
 /// the origin.
 StudyEntry find_entry(const std::string &option, const std::string &path);
 
+/// Returns @p message of a library of fem/ with the entries that cure: names of several words of entries of
+/// glass, table and contact become paths ("Foot radius" or "foot radius" becomes "Glass/Foot radius").
+std::string with_entries(const std::string &message);
+
 } // namespace stemware::pipeline

@@ -1,5 +1,6 @@
 // Values that do not go together, that no glass has, and choices that one entry makes for another.
 #include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/study/study_entries.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 
@@ -121,6 +122,15 @@ TEST(StudyChoices, TiltActsInTheClosureFullOnAContact)
   EXPECT_FALSE(tilts({ { "Motion/Closure", "paper" } }));
   EXPECT_FALSE(tilts({ { "Motion/Closure", "hand" } }));
   EXPECT_FALSE(tilts({ { "Load/Source", "first harmonic" } }));
+}
+
+TEST(StudyChecks, NamesInAMessageOfALibraryBecomeEntries)
+{
+  EXPECT_EQ(with_entries("Foot radius = -1 m is no length; change the foot radius or the disc radius."),
+            "Glass/Foot radius = -1 m is no length; change the Glass/Foot radius or the Table/Disc radius.");
+  EXPECT_EQ(with_entries("set mesh contact id = 7; the radii stay"),
+            "set Contact/Mesh contact id = 7; the radii stay");
+  EXPECT_EQ(with_entries("Contact/Foot layers = 0"), "Contact/Foot layers = 0");
 }
 
 } // namespace
