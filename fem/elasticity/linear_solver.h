@@ -3,19 +3,14 @@
 namespace stemware::fem
 {
 
-/// Linear solver of a three-dimensional body: condensation to the contact nodes, or conjugate gradients
-/// with a preconditioner.
+/// Linear solver of a three-dimensional body.
 enum class LinearSolver
 {
-  automatic, ///< condensed to the contact nodes where SolidFoot can; else multigrid or, if small, direct
-  direct,    ///< factorisation (MUMPS) of a recent tangent
-  multigrid  ///< over the meshes that the body's was refined from and its mean body of revolution
+  automatic, ///< condensed if SolidFoot can, else multigrid
+  condensed, ///< contacts are solved on the compliance between the contact nodes; one rank
+  multigrid  ///< conjugate gradients, preconditioned over the meshes that the body's was refined from
              ///< (MeshHierarchy)
 };
-
-/// Number of unknowns above which multigrid needs less time and memory than a factorisation
-/// (docs/method/solid_measurements.md, "Small feet").
-constexpr unsigned int max_direct_unknowns = 5000;
 
 /// Number of unknowns above which no body is condensed to its contact nodes: the factorisation takes about 25
 /// kB per unknown.

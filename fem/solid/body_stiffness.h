@@ -32,11 +32,9 @@ public:
   virtual void set_contact(const Eigen::SparseMatrix<double> &tangent) = 0;
   /// Computes an approximate solution @p dst of (K + B' T B) dst = @p src; symmetric and positive definite.
   virtual void precondition(Vector &dst, const Vector &src) const = 0;
-  /// Returns a stiffness that shares the memory of this one, for a second system solved alternately; nullptr
-  /// if the two systems would share T.
+  /// Returns a stiffness that shares the memory of this one, for a second system solved alternately; each
+  /// system sets its T before it is solved. nullptr: not supported.
   virtual std::unique_ptr<BodyStiffness> shared() const { return nullptr; }
-  /// Reports the iterations of the last solve, for set_contact() to decide whether to factorise again.
-  virtual void report_iterations(unsigned int /*n_iterations*/) {}
 
   /// Returns whether the mesh was refined from a coarser mesh.
   virtual bool has_coarser_mesh() const { return false; }

@@ -1,12 +1,7 @@
 #include "fem/solid/coarse_solver.h"
 
-#include "fem/factorisation/sparse_cholesky.h"
-#include "fem/solid/axisymmetric_coarse_space.h"
+#include "fem/solid/coarse_preconditioner.h"
 #include "fem/solid/stiffness_3d.h"
-
-#include <deal.II/base/mpi.h>
-
-#include <memory>
 
 namespace stemware::fem
 {
@@ -16,118 +11,93 @@ using namespace dealii;
 namespace
 {
 
-class FactorizedLevel : public CoarseSolver
+/// Share by which T may change before the preconditioner is set up again. The smoother always has the present
+/// T.
+constexpr double tolerated_change = 0.1;
+
+/// Translations and rotations at the vertices of linear elements, one motion after the other, at the dofs
+/// that this rank owns; 0 at constrained dofs. (deal.II has DoFTools::extract_rigid_body_modes() from 9.6
+/// on.)
+std::vector<double> rigid_motions(const SolidLevel &level)
 {
-public:
-  FactorizedLevel(const SolidLevel &level, const ElasticMaterial &material,
-                  const std::shared_ptr<const ContactNodes> &nodes)
-      : communicator(level.dof_handler.get_communicator())
-      , owned(level.dof_handler.locally_owned_dofs())
-      , nodes(nodes)
+  const IndexSet &owned = level.dof_handler.locally_owned_dofs();
+  const auto n = static_cast<std::size_t>(owned.n_elements());
+  std::vector<double> modes(6 * n, 0.);
+  std::vector<types::global_dof_index> dofs(level.element.n_dofs_per_cell());
+  for (const auto &cell : level.dof_handler.active_cell_iterators())
   {
-    TrilinosWrappers::SparseMatrix matrix;
-    assemble_stiffness(level.mapping, level.dof_handler, material, level.constraints, matrix);
-    std::vector<double> packed;
-    for (const auto row : owned)
-      for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
-        packed.insert(packed.end(), { double(row), double(entry->column()), entry->value() });
-    stiffness = sum_of_all_ranks(std::move(packed));
+    if (cell->is_artificial())
+      continue;
+    cell->get_dof_indices(dofs);
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+    {
+      if (!owned.is_element(dofs[i]) || level.constraints.is_constrained(dofs[i]))
+        continue;
+      const auto [component, vertex] = level.element.system_to_component_index(i);
+      const unsigned int next = (component + 1) % 3, last = (component + 2) % 3;
+      const Point<3> x = cell->vertex(vertex);
+      double *const at_dof = modes.data() + owned.index_within_set(dofs[i]);
+      at_dof[component * n] = 1;
+      at_dof[(3 + next) * n] = x[last]; // of e_next x x
+      at_dof[(3 + last) * n] = -x[next];
+    }
   }
-
-  void set_contact(const Eigen::SparseMatrix<double> &tangent) override
-  {
-    std::vector<double> packed;
-    for (Eigen::Index column = 0; column < tangent.outerSize(); ++column)
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, column); entry; ++entry)
-        packed.insert(packed.end(),
-                      { double(nodes->dofs()[static_cast<std::size_t>(entry.row())]),
-                        double(nodes->dofs()[static_cast<std::size_t>(column)]), entry.value() });
-    const Eigen::SparseMatrix<double> sum = stiffness + sum_of_all_ranks(std::move(packed));
-    const bool fits = sum.nonZeros() == stiffness.nonZeros();
-    if (!factors || !fits || !have_pattern_of_stiffness)
-      factors = std::make_unique<BlockCholesky>(sum);
-    have_pattern_of_stiffness = fits;
-    factors->factorise(sum);
-  }
-
-  void operator()(unsigned int, FloatVector &dst, const FloatVector &src) const override
-  {
-    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(stiffness.rows());
-    for (unsigned int i = 0; i < src.locally_owned_size(); ++i)
-      rhs(static_cast<Eigen::Index>(owned.nth_index_in_set(i))) = src.local_element(i);
-    const ArrayView<double> values(rhs.data(), static_cast<std::size_t>(rhs.size()));
-    Utilities::MPI::sum(ArrayView<const double>(values), communicator, values);
-    const Eigen::VectorXd solution = factors->solve(rhs);
-    for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
-      dst.local_element(i) =
-        static_cast<float>(solution(static_cast<Eigen::Index>(owned.nth_index_in_set(i))));
-  }
-
-private:
-  /// The matrix of all ranks' entries, each @p packed as row, column, value: of a level as small as this, a
-  /// rank can have all.
-  Eigen::SparseMatrix<double> sum_of_all_ranks(std::vector<double> packed) const
-  {
-    packed = nodes->parts().all_gather(std::move(packed));
-    std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t i = 0; i < packed.size(); i += 3)
-      entries.emplace_back(static_cast<int>(packed[i]), static_cast<int>(packed[i + 1]), packed[i + 2]);
-    const auto n = static_cast<Eigen::Index>(owned.size());
-    Eigen::SparseMatrix<double> matrix(n, n);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-  }
-
-  const MPI_Comm communicator;
-  const IndexSet owned;
-  const std::shared_ptr<const ContactNodes> nodes;
-  Eigen::SparseMatrix<double> stiffness;
-  std::unique_ptr<BlockCholesky> factors;
-  bool have_pattern_of_stiffness = false;
-};
-
-class RevolvedCycle : public CoarseSolver
-{
-public:
-  RevolvedCycle(const SolidLevel &level, const LevelMatrix &matrix, const ElasticMaterial &material,
-                const std::shared_ptr<const ContactNodes> &nodes)
-      : matrix(matrix)
-      , body(level, material, nodes)
-  {
-    smoother.initialize(matrix, smoothing_of(matrix));
-    FloatVector vector;
-    matrix.initialize_dof_vector(vector);
-    smoother.estimate_eigenvalues(vector);
-  }
-
-  void set_contact(const Eigen::SparseMatrix<double> &tangent) override { body.set_contact(tangent); }
-
-  void operator()(unsigned int, FloatVector &dst, const FloatVector &src) const override
-  {
-    smoother.vmult(dst, src);
-    FloatVector residual;
-    matrix.initialize_dof_vector(residual);
-    matrix.vmult(residual, dst);
-    residual.sadd(-1, 1, src);
-    body.add_correction(dst, residual);
-    smoother.step(dst, src);
-  }
-
-private:
-  const LevelMatrix &matrix;
-  AxisymmetricCoarseSpace body;
-  LevelSmoother smoother;
-};
+  return modes;
+}
 
 } // namespace
 
-std::unique_ptr<CoarseSolver> make_coarse_solver(const SolidLevel &level, const LevelMatrix &matrix,
-                                                 const ElasticMaterial &material,
-                                                 const std::shared_ptr<const ContactNodes> &nodes)
+CoarseSolver::CoarseSolver(const SolidLevel &level, const LevelMatrix &matrix,
+                           const ElasticMaterial &material, const std::shared_ptr<const ContactNodes> &nodes)
+    : level(level)
+    , matrix(matrix)
+    , material(material)
+    , nodes(nodes)
 {
-  if (level.dof_handler.n_dofs() <= multigrid_parameters.max_factorized_unknowns)
-    return std::make_unique<FactorizedLevel>(level, material, nodes);
-  return std::make_unique<RevolvedCycle>(level, matrix, material, nodes);
+  smoother.initialize(matrix, smoothing_of(matrix));
+  FloatVector vector;
+  matrix.initialize_dof_vector(vector);
+  smoother.estimate_eigenvalues(vector);
+}
+
+void CoarseSolver::set_contact(const Eigen::SparseMatrix<double> &tangent)
+{
+  if (!correction)
+  {
+    assemble_stiffness(level.mapping, level.dof_handler, material, level.constraints, stiffness);
+    modes = rigid_motions(level);
+    for (Vector *vector : { &residual, &solution })
+      vector->reinit(level.dof_handler.locally_owned_dofs(), level.dof_handler.get_communicator());
+  }
+  else
+  {
+    const SurfaceParts &parts = nodes->parts();
+    const Eigen::SparseMatrix<double> change = tangent - aggregated;
+    if (parts.sum(double(change.cwiseAbs().sum())) <=
+        tolerated_change * parts.sum(double(tangent.cwiseAbs().sum())))
+      return;
+  }
+  aggregated = tangent;
+  correction.reset(); // refers to the sum
+  sum.copy_from(stiffness);
+  for (const ContactNodes::Entry &entry : nodes->owned_rows(tangent))
+    sum.add(entry.row, entry.column, entry.value); // nodes of one cell, whose dofs K couples
+  sum.compress(VectorOperation::add);
+  correction = coarse_preconditioner(sum, modes);
+}
+
+void CoarseSolver::operator()(unsigned int, FloatVector &dst, const FloatVector &src) const
+{
+  smoother.vmult(dst, src);
+  FloatVector left;
+  matrix.initialize_dof_vector(left);
+  matrix.vmult(left, dst);
+  left.sadd(-1, 1, src);
+  residual.copy_locally_owned_data_from(left);
+  correction->vmult(solution, residual);
+  left.copy_locally_owned_data_from(solution);
+  dst += left;
+  smoother.step(dst, src);
 }
 
 } // namespace stemware::fem

@@ -57,8 +57,6 @@ struct MultigridParameters
   unsigned int degree = 5;
   double smoothing_range = 40;
   unsigned int n_eigenvalue_iterations = 15; ///< for the largest eigenvalue
-  /// Size of the coarsest level above which factors cost more than the axisymmetric coarse space.
-  dealii::types::global_dof_index max_factorized_unknowns = 10000;
 };
 /// Values in use.
 inline constexpr MultigridParameters multigrid_parameters = {};

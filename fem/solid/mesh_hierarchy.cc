@@ -67,7 +67,7 @@ struct MeshHierarchy::Cycle
       matrices[l].reinit(*levels[l], material, contact_nodes[l]);
     make_transfer(finest);
     make_smoothers(finest);
-    coarse_solver = make_coarse_solver(*levels[0], matrices[0], material, contact_nodes[0]);
+    coarse_solver = std::make_unique<CoarseSolver>(*levels[0], matrices[0], material, contact_nodes[0]);
     matrix.initialize(matrices);
   }
 

@@ -47,7 +47,7 @@ std::vector<LevelElements> levels_of(const dealii::Triangulation<3> &triangulati
 /// Geometric multigrid for an elastic foot: V-cycles in single precision over the refinement history of a
 /// triangulation, each level with the table's stiffness (docs/method/solid_at_scale.md).
 ///
-/// Level 0 has linear elements and is solved by make_coarse_solver(). From one level to the next, cells are
+/// Level 0 has linear elements and is solved by a CoarseSolver. From one level to the next, cells are
 /// kept or halved, or the degree rises. Matrix-free; smoothed by Chebyshev polynomials of the Jacobi-scaled
 /// operator.
 class MeshHierarchy

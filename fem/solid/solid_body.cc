@@ -1,6 +1,5 @@
 #include "fem/solid/solid_body.h"
 
-#include "fem/solid/factorized_stiffness.h"
 #include "fem/solid/multigrid_stiffness.h"
 
 #include <deal.II/dofs/dof_tools.h>
@@ -25,17 +24,6 @@ void require_degree(unsigned int degree)
                                 " is not allowed for a solid body; give 1 or 2.");
 }
 
-/// Whether a body is solved by multigrid, without a matrix.
-bool is_matrix_free(const Triangulation<3> &triangulation, const SolidOptions &options)
-{
-  if (options.linear_solver != LinearSolver::automatic)
-    return options.linear_solver == LinearSolver::multigrid;
-  // A cell of degree p has p^3 nodes of its own in the middle of a mesh, and half as many more with those of
-  // the surface of a foot of few cells.
-  const double n_unknowns = 4.5 * std::pow(options.degree, 3) * double(triangulation.n_global_active_cells());
-  return triangulation.n_global_levels() > 1 || n_unknowns > max_direct_unknowns;
-}
-
 /// The stiffness of a new body, @p shared with a similar one where that is there.
 std::unique_ptr<BodyStiffness> stiffness_of(const Triangulation<3> &triangulation,
                                             const ElasticMaterial &material, const SolidOptions &options,
@@ -46,8 +34,6 @@ std::unique_ptr<BodyStiffness> stiffness_of(const Triangulation<3> &triangulatio
   require_degree(options.degree);
   material.validate();
   const unsigned int mapping_degree = options.straight_edges ? 1 : options.degree;
-  if (!is_matrix_free(triangulation, options))
-    return std::make_unique<FactorizedStiffness>(triangulation, options.degree, mapping_degree, material);
   const auto hierarchy =
     std::make_shared<MeshHierarchy>(levels_of(triangulation, options.degree), mapping_degree, material);
   return std::make_unique<MultigridStiffness>(hierarchy, hierarchy->n_levels() - 1, material);

@@ -70,10 +70,22 @@ constexpr FootNumbers foot_numbers = {};
 /// contacts of the whole body.
 bool is_condensed(const SolidBody &body, const SolidOptions &options)
 {
-  return options.linear_solver == LinearSolver::automatic && !body.has_coarser_mesh() &&
-         dealii::Utilities::MPI::n_mpi_processes(body.dofs().get_communicator()) == 1 &&
-         body.n_unknowns() <= max_condensed_unknowns &&
-         body.contact_surface().n_nodes() <= foot_numbers.max_condensed_nodes;
+  if (options.linear_solver == LinearSolver::multigrid)
+    return false;
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(body.dofs().get_communicator()),
+                     n_nodes = body.contact_surface().n_global_nodes();
+  const bool is_small = n_ranks == 1 && body.n_unknowns() <= max_condensed_unknowns &&
+                        n_nodes <= foot_numbers.max_condensed_nodes;
+  if (options.linear_solver == LinearSolver::automatic)
+    return is_small && !body.has_coarser_mesh();
+  if (!is_small)
+    throw std::invalid_argument("A foot of " + std::to_string(body.n_unknowns()) + " unknowns and " +
+                                std::to_string(n_nodes) + " contact nodes on " + std::to_string(n_ranks) +
+                                " ranks cannot be condensed to its contact nodes; at most " +
+                                std::to_string(max_condensed_unknowns) + ", " +
+                                std::to_string(foot_numbers.max_condensed_nodes) +
+                                " and 1 are allowed. Take the linear solver multigrid.");
+  return true;
 }
 
 bool is_spring(const SolidSetup &setup, const SolidBody &body)

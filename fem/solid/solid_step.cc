@@ -384,7 +384,6 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
                          [&](const Vector &of, double to)
                          { return step.solve(of, Eigen::Vector3d::Zero(), to); });
   }
-  stiffness->report_iterations(solution.n_iterations);
 
   // 3. What Newton's method is told of the increment. The work of friction, which changes with the forces,
   // belongs to the body's.

@@ -1,11 +1,10 @@
-// What a linear solve costs on a mesh that was not refined from a coarser one: the solvers of such meshes
-// against each other, on feet that are bodies of revolution and on such that nearly are.
-//
+// What a linear solve costs on a mesh that was not refined from a coarser one, on feet that are bodies of
+// revolution and on such that nearly are.
 //   imported_mesh_benchmark [name=value]...
 //
 // cells=48,2,2 (round the rim, across the land, through the foot), halvings=1, degree=2, crown=0 (a flat land
 // of 2 mm), shape=foot|step, defect=none|oval|lobes|chip, width=0.95 (of an oval, over its length),
-// solver=multigrid|direct|automatic, modulus=1e11, moment=1.3.
+// modulus=1e11, moment=1.3.
 #include "fem/contact/contact_load.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/meshing/foot_mesh.h"
@@ -90,9 +89,6 @@ void run(const NamedValues &values)
   SolidOptions options;
   options.degree = values.count("degree");
   options.straight_edges = true;
-  options.linear_solver = values.text("solver") == "direct"      ? LinearSolver::direct
-                          : values.text("solver") == "automatic" ? LinearSolver::automatic
-                                                                 : LinearSolver::multigrid;
   dealii::Timer timer;
   SolidBody body(
     mesh, ElasticMaterial(), [&](double x, double y) { return profile.gap(std::hypot(x, y)); }, options);
@@ -136,7 +132,6 @@ int main(int argc, char **argv)
                                  { "crown", "0" },
                                  { "shape", "foot" },
                                  { "defect", "none" },
-                                 { "solver", "multigrid" },
                                  { "modulus", "1e11" },
                                  { "moment", "1.3" },
                                  { "width", "0.95" } } });

@@ -3,11 +3,10 @@
 #include "fem/contact/contact_load.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/meshing/foot_mesh.h"
-#include "fem/solid/solid_body.h"
+#include "tests/fem/factorized_body.h"
 #include "tests/fem/reference_load.h"
 
 #include <deal.II/distributed/tria.h>
-#include <deal.II/grid/grid_tools.h>
 
 #include <cmath>
 #include <memory>
@@ -19,15 +18,13 @@ namespace stemware::fem_tests
 struct FootCase
 {
   FootCase(const GlassProfile &profile, const FootResolution &resolution, const SolidOptions &options = {},
-           const ElasticMaterial &material = {}, double rotation = 0)
+           TestSolver solver = TestSolver::multigrid)
       : triangulation(MPI_COMM_WORLD)
       , radius(profile.contact_radius)
   {
     make_foot_mesh(profile, resolution, triangulation);
-    if (rotation != 0)
-      dealii::GridTools::rotate(dealii::Point<3>::unit_vector(2), rotation, triangulation);
-    body = std::make_unique<SolidBody>(
-      triangulation, material, [profile](double x, double y) { return profile.gap(std::hypot(x, y)); },
+    body = make_body(
+      solver, triangulation, [profile](double x, double y) { return profile.gap(std::hypot(x, y)); },
       options);
   }
 

@@ -63,8 +63,7 @@ fem::LinearSolver linear_solver_of(const Study &study, const Discretisation &dis
   if (contact.linear_solver != fem::LinearSolver::automatic || is_refined || has_phases ||
       varies_with_spin(study))
     return contact.linear_solver;
-  return size_of(study).unknowns > fem::max_direct_unknowns ? fem::LinearSolver::multigrid
-                                                            : fem::LinearSolver::direct;
+  return fem::LinearSolver::multigrid;
 }
 
 fem::SolidSetup solid_setup(const Study &study, const Discretisation &discretisation, const Model &model)

@@ -88,7 +88,7 @@ void add_solid_body(const Study &study, StudySize &size)
   // The meshes under one with a halved edge have many cells too.
   const double iterated = n_edge_halvings > 0 ? 1800 : 500;
   const bool is_factorised =
-    contact.linear_solver == fem::LinearSolver::direct ||
+    contact.linear_solver == fem::LinearSolver::condensed ||
     (contact.linear_solver == fem::LinearSolver::automatic && contact.refinements == 0 &&
      n_edge_halvings == 0 && size.unknowns <= fem::max_condensed_unknowns);
   size.memory += size.unknowns * (is_factorised ? factorised : iterated);
@@ -120,8 +120,7 @@ StudyEntry greediest(Study &study)
 unsigned int edge_halvings(const Study &study)
 {
   const ContactSection &contact = study.contact;
-  if (!contact.mesh_file.empty() ||
-      contact.linear_solver == fem::LinearSolver::direct) // knows no halved cells
+  if (!contact.mesh_file.empty())
     return 0;
   const unsigned int wanted = fem::edge_halvings_for(study.glass.profile, study.table.is_hard());
   return contact.goal != Goal::none ? std::min(wanted, 2u) : wanted;

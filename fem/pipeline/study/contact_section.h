@@ -129,11 +129,13 @@ struct ContactSection
                 "Size of a cell of the land over that of its neighbour nearer to the contact radius, for a "
                 "crowned body of revolution; 1 means equal cells",
                 used_if(is_crowned));
-    list.choice("Linear solver", linear_solver,
-                { { "automatic", LinearSolver::automatic },
-                  { "direct", LinearSolver::direct },
-                  { "multigrid", LinearSolver::multigrid } },
-                "automatic: direct for small systems, multigrid for large ones", used_if(is_solid));
+    list.choice(
+      "Linear solver", linear_solver,
+      { { "automatic", LinearSolver::automatic },
+        { "condensed", LinearSolver::condensed },
+        { "multigrid", LinearSolver::multigrid } },
+      "automatic: condensed to the contact nodes for small systems on one rank, multigrid for others",
+      used_if(is_solid));
     list.count("Harmonics", harmonics, 1, 1000,
                "Elastic harmonics of a body of revolution; without effect on a solid body",
                used_if(is_of_revolution));

@@ -132,10 +132,9 @@ void require_goal_with_estimate(const Study &study)
          "Contact/Refinements, which halves all cells at little cost, or Contact/Body = solid" +
            rest);
   // Without a hierarchy of meshes a hard table is known by its nodes alone.
-  ensure(!study.table.is_hard() ||
-           (study.contact.refinements > 0 && study.contact.linear_solver != fem::LinearSolver::direct),
+  ensure(!study.table.is_hard() || study.contact.refinements > 0,
          "Contact/Goal of a solid foot on a hard table needs a refined mesh; set Contact/Refinements to at "
-         "least 1 and Contact/Linear solver = automatic" +
+         "least 1" +
            rest);
   ensure(study.contact.rings > 1, "Contact/Goal needs more than one ring; give Contact/Rings = 5" + rest);
 }

@@ -96,12 +96,11 @@ TEST(LinearConditions, FrictionArmUnderARigidFoot)
 
 TEST(LinearConditions, FrictionArmUnderASolidFoot)
 {
-  for (const LinearSolver kind : { LinearSolver::direct, LinearSolver::multigrid })
+  for (const TestSolver solver : { TestSolver::factors, TestSolver::multigrid })
   {
     SolidOptions options;
-    options.linear_solver = kind;
     options.degree = 1;
-    FootCase foot(GlassProfile(), { 12, 4, 1 }, options);
+    FootCase foot(GlassProfile(), { 12, 4, 1 }, options, solver);
     const auto law = make_law(WinklerInterface(1e10), foot.body->contact_surface());
     expect_fixed_point(*foot.body, *law);
   }

@@ -155,7 +155,7 @@ const std::vector<Effect> effects = {
   { "Contact/Foot layers", "2", unknowns, solid },
   { "Contact/Refinements", "1", unknowns },
   { "Contact/Land grading", "1", second_harmonic },
-  { "Contact/Linear solver", "direct", "/contact/linear_iterations", quadratic_solid, second_harmonic },
+  { "Contact/Linear solver", "condensed", "/contact/linear_iterations", quadratic_solid, second_harmonic },
   { "Contact/Harmonics", "2", "/load/a/4" },
   { "Contact/Azimuth lines", "96", "/contact/contact_nodes" },
   { "Contact/Rings", "1", "/ring/omega_terminal" },
