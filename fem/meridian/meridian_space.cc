@@ -50,26 +50,23 @@ void MeridianSpace::make_pattern(const AffineConstraints<double> &constraints, S
   pattern.copy_from(dynamic_pattern);
 }
 
-SparseCholesky MeridianSpace::factorise(unsigned int harmonic,
-                                        const AffineConstraints<double> &constraints) const
-{
-  SparsityPattern pattern;
-  make_pattern(constraints, pattern);
-  SparseMatrix<double> matrix(pattern);
-  stiffness->assemble(MeridianStiffness::factors_of(harmonic), constraints, matrix);
-  return SparseCholesky(matrix);
-}
-
 MeridianSpace::Factors::Factors(const MeridianSpace &space, unsigned int harmonic)
     : constraints(space.make_constraints(harmonic))
-    , factors(space.factorise(harmonic, constraints))
 {
+  SparsityPattern pattern;
+  space.make_pattern(constraints, pattern);
+  SparseMatrix<double> matrix(pattern);
+  space.stiffness->assemble(MeridianStiffness::factors_of(harmonic), constraints, matrix);
+  factors.compute(lower_triangle_of(matrix));
+  if (factors.info() != Eigen::Success)
+    throw std::runtime_error("The stiffness of harmonic " + std::to_string(harmonic) +
+                             " is not positive definite: the mesh is distorted or the body is not fixed.");
 }
 
 void MeridianSpace::Factors::solve(Vector<double> &forces) const
 {
   Eigen::Map<Eigen::VectorXd> values(forces.begin(), forces.size());
-  values = factors.solve(values).col(0);
+  values = factors.solve(values).eval();
   constraints.distribute(forces);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/elasticity/elastic_material.h"
-#include "fem/factorisation/sparse_cholesky.h"
+#include "fem/factorisation/block_inverse.h"
 #include "fem/meridian/meridian_stiffness.h"
 #include "fem/revolution/contact_compliance.h"
 
@@ -11,6 +11,8 @@
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/vector.h>
+
+#include <Eigen/SparseCholesky>
 
 #include <array>
 #include <map>
@@ -54,7 +56,7 @@ public:
 
   private:
     const dealii::AffineConstraints<double> constraints;
-    const SparseCholesky factors;
+    Eigen::SimplicialLLT<LowerTriangle> factors;
   };
 
   /// Returns the factors of a harmonic, computed once. Thread-safe.
@@ -91,7 +93,6 @@ private:
   /// Entries of K_n with @p constraints eliminated.
   void make_pattern(const dealii::AffineConstraints<double> &constraints,
                     dealii::SparsityPattern &pattern) const;
-  SparseCholesky factorise(unsigned int harmonic, const dealii::AffineConstraints<double> &constraints) const;
 
   const dealii::MappingQ<2> curves;
   const dealii::FESystem<2> element;

@@ -114,6 +114,21 @@ class SameDigits(unittest.TestCase):
         sets = [word for key, value in self.solid.items() for word in ("--set", f"{key}={value}")]
         self.assertEqual(without_folder(json.loads(done.stdout)), summary_of("run", "--quick", *sets))
 
+    def test_the_thread_counts_of_the_process_stay(self):
+        code = """
+import ctypes, numpy, stemware
+gomp, blas = ctypes.CDLL("libgomp.so.1"), ctypes.CDLL("libblas.so.3")
+def counts():
+    return gomp.omp_get_max_threads(), gomp.omp_get_max_active_levels(), blas.openblas_get_num_threads()
+gomp.omp_set_num_threads(3)
+gomp.omp_set_max_active_levels(2)
+blas.openblas_set_num_threads(2)
+before = counts()
+stemware.Study().answer()
+assert counts() == before, (before, counts())
+"""
+        subprocess.run([sys.executable, "-c", code], check=True)
+
     def test_several_ranks_are_refused(self):
         os.environ["OMPI_COMM_WORLD_SIZE"] = "2"
         try:
