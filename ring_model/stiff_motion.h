@@ -1,0 +1,49 @@
+#pragma once
+
+#include "ring_model/yaw_motion.h"
+
+#include <cstddef>
+#include <optional>
+
+namespace stemware::ring
+{
+/// Motion of a spin that follows its torque so fast that stability would limit an explicit method to steps of
+/// its time constant. Three-stage Radau IIA collocation: order 5, and without inertia each stage is the zero
+/// of the torque (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.5).
+class StiffMotion
+{
+public:
+  /// As yaw_motion().
+  StiffMotion(PhasedTorqueFunction torque, double yaw_inertia, double accuracy, double spin_scale);
+
+  /// Returns whether few steps between the @p n_times outputs until the time @p end [s] after @p start are
+  /// cheaper than explicit steps.
+  bool is_stiff(const YawSample &start, double end, std::size_t n_times) const;
+
+  /// Returns the state after one step from @p state, at the time @p end [s] at the latest. @p step [s]: tried
+  /// first, replaced by the step to try next. Throws NoBalance if no step is small enough.
+  YawSample after_step(const YawSample &state, double end, double &step) const;
+
+  /// Returns the state one step of @p step [s] after @p state, without an estimate of its error. Throws
+  /// NoBalance if the step is not found.
+  YawSample within_step(const YawSample &state, double step) const;
+
+private:
+  /// Derivatives of the torque.
+  struct Slopes
+  {
+    double angle; ///< by the yaw angle [N m]
+    double spin;  ///< by the spin [N m s]
+  };
+
+  Slopes slopes(const YawSample &at) const;
+  /// Difference of the ends of two steps relative to the requested accuracy.
+  double relative_difference(const YawSample &a, const YawSample &b) const;
+  /// Returns the end of one step from @p start; std::nullopt if Newton's method does not converge with @p
+  /// slope.
+  std::optional<YawSample> collocated(const YawSample &start, const Slopes &slope, double step) const;
+
+  const PhasedTorqueFunction torque;
+  const double yaw_inertia, accuracy, spin_scale;
+};
+} // namespace stemware::ring
