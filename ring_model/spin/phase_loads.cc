@@ -27,8 +27,6 @@ constexpr SampleError largest_allowed = { 3e-2, 0.3 };
 /// the smallest numbers with a half and a quarter that tell their error.
 constexpr unsigned int first_phases = 8, first_phases_of_two = 4;
 constexpr unsigned int max_phases = 128; ///< of one angle
-/// Phases of one angle to begin with, of what a spin changes: that depends on the phase much less.
-constexpr unsigned int first_phases_of_change = 4;
 
 PeriodicGrid first_grid(double period, unsigned int n_phases)
 {
@@ -185,60 +183,15 @@ const PhaseSampledLoad::Samples &PhaseSampledLoad::samples_around(double omega) 
   }
 }
 
-PhaseSamples PhaseSampledLoad::changed(const PhaseGrids &grids, const Eigen::MatrixXd &changes) const
-{
-  Eigen::MatrixXd columns = at_rest.columns();
-  for (unsigned int i = 0; i < phases().size(); ++i)
-    columns.col(i) += changes * grids.weights(phases().phase(i));
-  return { phases(), columns, at_rest.n_rings() };
-}
-
-std::pair<PhaseGrids, SampleError> PhaseSampledLoad::sample_phases_of_change(double omega) const
-{
-  const auto first = [](const PeriodicGrid &grid) { return grid.coarsened(first_phases_of_change); };
-  PhaseGrids grids = { first(phases().glass), first(phases().table) };
-  const Eigen::VectorXd mean = at_rest.columns().rowwise().mean();
-  while (true)
-  {
-    const PhaseSamples of_mean = { grids, changes_from_rest({ omega }, grids).front().colwise() + mean,
-                                   at_rest.n_rings() };
-    const double of_glass = of_mean.error(&PhaseGrids::glass).mean,
-                 of_table = of_mean.error(&PhaseGrids::table).mean;
-    const PhaseGrids::Angle worse = of_glass > of_table ? &PhaseGrids::glass : &PhaseGrids::table;
-    if (of_glass + of_table <= std::max(tolerance, at_rest.error().mean) ||
-        (grids.*worse).size() >= (phases().*worse).size())
-      return { grids, of_mean.error() };
-    grids.*worse = (grids.*worse).refined();
-  }
-}
-
-std::vector<Eigen::MatrixXd> PhaseSampledLoad::changes_from_rest(const std::vector<double> &omegas,
-                                                                 const PhaseGrids &grids) const
-{
-  Eigen::MatrixXd rest(at_rest.columns().rows(), grids.size());
-  for (unsigned int i = 0; i < grids.size(); ++i)
-    rest.col(i) = at_rest.columns() * phases().weights(grids.phase(i));
-  std::vector<Eigen::MatrixXd> changes;
-  for (const PhaseSamples &samples : sample(load, omegas, grids))
-    changes.push_back(samples.columns() - rest);
-  return changes;
-}
-
 PhaseSampledLoad::Samples PhaseSampledLoad::samples_of(long interval) const
 {
   const auto [spins, between_spins] = find_spins(interval);
-  const unsigned int farther = interval < 0 ? 0 : spins.size() - 1; // from rest
-  const auto [grids, of_change] = sample_phases_of_change(spins.node(farther));
-  require_resolved(phases().size(),
-                   { at_rest.error().mean + of_change.mean, at_rest.error().between + of_change.between });
-  Samples samples = { spins, {} };
-  for (const Eigen::MatrixXd &changes : changes_from_rest(spins.nodes(), grids))
-    samples.at_nodes.push_back(changed(grids, changes));
+  Samples samples = { spins, sample(load, spins.nodes(), phases()) };
+  const PhaseSamples &farthest = interval < 0 ? samples.at_nodes.front() : samples.at_nodes.back();
+  const SampleError of_phases = larger(at_rest.error(), farthest.error());
   // Between spins the load may be off by as much at every phase, but a kink is not at the same spin.
-  const double between_means = std::min(between_spins, error_of_halved_spins(samples));
-  const SampleError of_rest = at_rest.error();
-  samples.error = { of_rest.mean + of_change.mean + between_means,
-                    std::max(of_rest.between + of_change.between, between_spins) };
+  samples.error = { of_phases.mean + std::min(between_spins, error_of_halved_spins(samples)),
+                    std::max(of_phases.between, between_spins) };
   largest_error = larger(largest_error, samples.error);
   require_resolved(phases().size(), largest_error);
   return samples;

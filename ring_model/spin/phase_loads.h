@@ -38,10 +38,9 @@ struct SpinSampling
   std::size_t max_intervals = std::numeric_limits<std::size_t>::max();
 };
 
-/// Load that depends on the phases of glass and table, and possibly on the spin. At rest it is sampled on a
-/// grid of phases. The change with the spin is sampled at some of these phases, on Chebyshev points of each
-/// interval of spins that is requested. Interpolation is trigonometric in the phases and polynomial in the
-/// spin.
+/// Load that depends on the phases of glass and table, and possibly on the spin: sampled on one grid of
+/// phases, at rest and on Chebyshev points of each interval of spins that is requested. Interpolation is
+/// trigonometric in the phases and polynomial in the spin.
 class PhaseSampledLoad
 {
 public:
@@ -69,9 +68,9 @@ public:
   const PhasePeriods &periods() const { return phase_periods; }
 
   std::size_t n_spins() const; ///< sampled so far; 1 if the load does not depend on the spin
-  /// Largest error so far of mean() and at(): PhaseSamples::error() at rest, plus the error of the change
-  /// with the spin at the far end of each interval, plus the interpolation error in the spin (for the mean,
-  /// at most the difference to half of the spins).
+  /// Largest error so far of mean() and at(): PhaseSamples::error() at rest and at the far end of each
+  /// interval, plus the interpolation error in the spin (for the mean, at most the difference to half of the
+  /// spins).
   const SampleError &error() const { return largest_error; }
   /// Returns the same error of the spins from @p lower to @p upper [rad/s], as far as they are sampled.
   SampleError error(double lower, double upper) const;
@@ -92,15 +91,6 @@ private:
   /// Chooses the nodes of an interval and returns their interpolation error, torque_difference(). For a load
   /// with kinks in the spin, refinement stops below 3e-2 when doubling leaves more than a third of the error.
   std::pair<ChebyshevInterval, double> find_spins(long interval) const;
-  /// Returns the change of the loads between rest and each of @p omegas at the phases of @p grids: one matrix
-  /// per spin, one column per phase.
-  std::vector<Eigen::MatrixXd> changes_from_rest(const std::vector<double> &omegas,
-                                                 const PhaseGrids &grids) const;
-  /// Returns the smallest subset of phases() that resolves the mean change at the spin @p omega, and its
-  /// error.
-  std::pair<PhaseGrids, SampleError> sample_phases_of_change(double omega) const;
-  /// Returns the loads at rest plus @p changes (one column per phase of @p grids), interpolated to phases().
-  PhaseSamples changed(const PhaseGrids &grids, const Eigen::MatrixXd &changes) const;
   const Samples &samples_around(double omega) const;
   Samples samples_of(long interval) const;
   /// Returns the largest torque_difference() between mean() at every other spin of @p samples and its

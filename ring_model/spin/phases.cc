@@ -35,11 +35,6 @@ PeriodicGrid PeriodicGrid::halved() const
   return PeriodicGrid(period, n_nodes > 1 ? n_nodes / 2 : 1);
 }
 
-PeriodicGrid PeriodicGrid::coarsened(unsigned int max_nodes) const
-{
-  return n_nodes > max_nodes ? halved().coarsened(max_nodes) : *this;
-}
-
 Eigen::VectorXd PeriodicGrid::weights(double angle) const
 {
   if (n_nodes == 1)

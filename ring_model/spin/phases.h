@@ -40,8 +40,6 @@ public:
   PeriodicGrid refined() const { return PeriodicGrid(period, 2 * n_nodes); }
   /// Returns the grid with half the nodes, at least one.
   PeriodicGrid halved() const;
-  /// Returns the coarsest power-of-two subset of the nodes with at most @p max_nodes nodes.
-  PeriodicGrid coarsened(unsigned int max_nodes) const;
   /// Weights of the nodes' values in the interpolant at @p angle. Shape [size()].
   Eigen::VectorXd weights(double angle) const;
 
