@@ -43,12 +43,12 @@ BalancedLoad load_at_one_phase(const std::shared_ptr<ElasticFoot> &foot, Contact
 
 /// The contact at rest with the marks at @p phase. If it tips, the failure tells about @p at_start as well,
 /// the contact with the marks at t = 0, which is in balance.
-fem::ContactState contact_at_phase(const Study &study, ElasticFoot &foot, const ring::Orientation &phase,
+fem::ContactState contact_at_phase(ElasticFoot &foot, const ring::Orientation &phase,
                                    const fem::ContactState &at_start)
 {
   try
   {
-    return foot.solve(demand_at_rest(study), { 0, phase });
+    return foot.solve(at_start.demand, { 0, phase });
   }
   catch (const fem::ContactFailure &failure)
   {
@@ -73,9 +73,9 @@ fem::ContactState contact_at_phase(const Study &study, ElasticFoot &foot, const 
 }
 
 /// @p at_rest is the load at the phase of t = 0.
-BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                              const ContactBalance &balance, const ring::PhasePeriods &periods,
-                              const fem::ContactState &at_rest, PhaseSampling phases, Progress &progress)
+BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const ContactBalance &balance,
+                              const ring::PhasePeriods &periods, const fem::ContactState &at_rest,
+                              bool is_hard, bool is_coarse, Progress &progress)
 {
   // Each phase has its own balances, solved as they are asked for.
   const auto by_phase = std::make_shared<std::map<std::pair<double, double>, BalancedLoad>>();
@@ -85,7 +85,7 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
     auto load = by_phase->find(marks);
     if (load == by_phase->end())
     {
-      const fem::ContactState state = contact_at_phase(study, *foot, phase, at_rest);
+      const fem::ContactState state = contact_at_phase(*foot, phase, at_rest);
       progress.pieces_done("phases", by_phase->size() + 1, 0);
       load = by_phase->emplace(marks, load_at_one_phase(foot, balance, state, progress)).first;
     }
@@ -93,8 +93,7 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
   };
   // Where each phase takes a curve over the spins, or ten times as long under a hard contact, fewer have to
   // do: so a study takes seconds.
-  const bool follows = balance.varies_with_spin, is_hard = study.table.is_hard();
-  const bool is_coarse = is_hard && phases == PhaseSampling::coarse;
+  const bool follows = balance.varies_with_spin;
   ring::RestSampling at_rest_sampling;
   at_rest_sampling.max_samples = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;
   // A row has no band that would tell a larger error.
@@ -106,7 +105,7 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
   ring::SpinSampling spins;
   // Friction is not smooth where the rim is as fast as the glass: there intervals meet.
   if (follows)
-    spins.unit = study.motion.orbit.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
+    spins.unit = balance.motion.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
   if (is_hard)
     spins.max_steps = is_coarse ? 4 : 8;
   if (is_coarse)
@@ -128,7 +127,7 @@ fem::ContactState contact_at_rest(const Study &study, const std::shared_ptr<Elas
   fem::ContactState state = foot->solve_at_rest(demand_at_rest(study), marks, progress);
   if (!foot->has_rings())
   {
-    choose_rings(study, *foot, state);
+    choose_rings(study.contact, study.motion.orbit, *foot, state);
     state.load = foot->project_onto_rings(state);
   }
   return state;
@@ -143,7 +142,8 @@ BalancedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot>
   const fem::ContactState state = contact_at_rest(study, foot, balance.orientation, progress);
   progress.stage_done("contact");
   const ring::PhasePeriods periods = phase_periods(study, *foot);
-  return periods.any() ? load_over_phases(study, foot, balance, periods, state, phases, progress)
+  const bool is_hard = study.table.is_hard(), is_coarse = is_hard && phases == PhaseSampling::coarse;
+  return periods.any() ? load_over_phases(foot, balance, periods, state, is_hard, is_coarse, progress)
                        : load_at_one_phase(foot, balance, state, progress);
 }
 

@@ -47,7 +47,8 @@ unsigned int harmonics_for(double eps)
 
 } // namespace
 
-void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState &at_rest)
+void choose_rings(const ContactSection &contact, const ring::Motion &motion, ElasticFoot &foot,
+                  const fem::ContactState &at_rest)
 {
   const fem::ContactWidth band = band_of(at_rest, foot.body().description().contact_cell_size);
   const auto set_rings = [&](unsigned int n_rings, unsigned int n_harmonics)
@@ -59,12 +60,12 @@ void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState
       chebyshev_radii(std::max(band.inner - margin, 0.01 * band.inner), band.outer + margin, n_rings),
       n_harmonics);
   };
-  unsigned int n_rings = study.contact.rings, n_harmonics = foot.body().n_resolved_harmonics();
+  unsigned int n_rings = contact.rings, n_harmonics = foot.body().n_resolved_harmonics();
   set_rings(n_rings, n_harmonics);
   try
   {
-    const double omega = ring::terminal_spin(foot.project_onto_rings(at_rest), study.motion.orbit).omega;
-    const double eps = omega * foot.radius() / study.motion.orbit.orbit_speed;
+    const double omega = ring::terminal_spin(foot.project_onto_rings(at_rest), motion).omega;
+    const double eps = omega * foot.radius() / motion.orbit_speed;
     n_harmonics = harmonics_for(eps);
     if (n_rings > 1)
       n_rings = rings_for(band, eps, n_rings);
@@ -72,7 +73,7 @@ void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState
   catch (const ring::NoBalance &) // without a spin to expect, the rings of rest are as good as any
   {
   }
-  set_rings(n_rings, study.contact.load_harmonics > 0 ? study.contact.load_harmonics : n_harmonics);
+  set_rings(n_rings, contact.load_harmonics > 0 ? contact.load_harmonics : n_harmonics);
 }
 
 } // namespace stemware::pipeline

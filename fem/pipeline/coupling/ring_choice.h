@@ -1,13 +1,15 @@
 #pragma once
 
 #include "fem/pipeline/coupling/elastic_foot.h"
-#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/study/contact_section.h"
+#include "ring_model/motion.h"
 
 namespace stemware::pipeline
 {
 
 /// Chooses the rings of @p foot from the contact @p at_rest: Chebyshev points of its loaded band of radii, as
 /// many as the slip ratio takes at the terminal spin of its load. Without such a spin: Contact/Rings of them.
-void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState &at_rest);
+void choose_rings(const ContactSection &contact, const ring::Motion &motion, ElasticFoot &foot,
+                  const fem::ContactState &at_rest);
 
 } // namespace stemware::pipeline
