@@ -15,8 +15,8 @@
 
 namespace stemware::ring::test
 {
-/// The reference figures (ring_cases.json), computed with 22 to 50 digits by a program that shares nothing
-/// with this one.
+/// Reference numbers (ring_cases.json), computed with 20 digits by ring_cases.py, which shares no code
+/// with this library.
 inline const nlohmann::json &reference()
 {
   static const nlohmann::json cases = []

@@ -1,5 +1,5 @@
-// The elastic foot against another program, calculix_foot.json, and against foot_contact.json: a dense numpy
-// prototype of the same formulation on finer meshes.
+// The elastic foot against other programs: CalculiX, calculix_foot.json, and spectral elements in numpy,
+// foot_contact.json. Their scripts have the same names.
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/calculix_foot.h"
 
@@ -15,9 +15,10 @@ using stemware::verification::CalculixLoad;
 namespace
 {
 
-/// Every mat and moment of @p foot in the reference file; each a_n / a_0 within its band plus 1e-5.
+/// Every mat and moment of @p foot in the reference file; each a_n / a_0 within its band plus @p tolerance,
+/// the error of the quadratic elements at the corners of the land.
 void compare_with_reference(const std::string &foot, const GlassProfile &profile,
-                            const MeridianResolution &resolution)
+                            const MeridianResolution &resolution, double tolerance)
 {
   std::ifstream file(STEMWARE_FOOT_CONTACT);
   const nlohmann::json reference = nlohmann::json::parse(file).at(foot);
@@ -31,9 +32,9 @@ void compare_with_reference(const std::string &foot, const GlassProfile &profile
       const auto ratios = expected.at("a_over_a0").get<std::vector<double>>();
       const auto band = expected.at("band").get<std::vector<double>>();
       for (unsigned int n = 1; n <= 8; ++n)
-        EXPECT_NEAR(load.a(n) / load.a(0), ratios[n], band[n] + 1e-5)
+        EXPECT_NEAR(load.a(n) / load.a(0), ratios[n], band[n] + tolerance)
           << mat << ", " << moment << ", n = " << n;
-      EXPECT_NEAR(load.mean_radius, expected.at("mean_radius").get<double>(), 1e-7) << mat << ", " << moment;
+      EXPECT_NEAR(load.mean_radius, expected.at("mean_radius").get<double>(), 2e-7) << mat << ", " << moment;
     }
 }
 
@@ -89,12 +90,12 @@ TEST(FootReference, CrownedFootOfAnotherProgram)
 
 TEST(FootReference, CrownedFootOnThreeMats)
 {
-  compare_with_reference("crown 0.003, land width 0.004", GlassProfile(), graded_cells(1));
+  compare_with_reference("crown 0.003, land width 0.004", GlassProfile(), graded_cells(1), 4e-5);
 }
 
 TEST(FootReference, FlatFootOnTwoMats)
 {
-  compare_with_reference("flat, land width 0.002", flat_profile(), equal_cells(1));
+  compare_with_reference("flat, land width 0.002", flat_profile(), equal_cells(1), 2e-4);
 }
 
 // Friction makes all of it.
