@@ -1,6 +1,5 @@
 #include "ring_model/spin_search.h"
 
-#include "ring_model/if_balanced.h"
 #include "ring_model/load/lagrange.h"
 #include "ring_model/load/require.h"
 
@@ -18,18 +17,15 @@ namespace
 // Lengths are in units of the spin scale v / R, on which the torque of friction varies.
 constexpr double farthest = 64.;       ///< end of the search
 constexpr double first_step = 1. / 4.; ///< first spin without an initial guess
-/// Width of the interval between a spin in balance and a spin without a balance that is not bisected further:
-/// the accuracy of BalanceLost::last_spin.
+/// Accuracy of BalanceLost::last_spin: width of an interval that is not bisected further.
 constexpr double shortest_interval = 1. / 4096.;
-constexpr double scan_step = 1. / 16.; ///< of a scan: two zeros closer together may be missed
-/// Distance of two samples below which their difference is rounding.
-constexpr double rounding_distance = 1e-6;
+constexpr double scan_step = 1. / 16.;     ///< of a scan: two zeros closer together may be missed
+constexpr double rounding_distance = 1e-6; ///< of two samples: a smaller one leaves a difference of rounding
 /// Least distance of two samples whose stability margins tell a slope: before the end of the balance, and on
 /// the way to a zero.
 constexpr double margin_distance = 1. / 1024., margin_distance_on_the_way = 1. / 8192.;
-/// Distance from the zero of a similar torque beyond which the zero is searched from rest.
-constexpr double neighbourhood = 1. / 10.;
-constexpr double least_size = 1e-3; ///< spin below which the tolerance is absolute
+constexpr double neighbourhood = 1. / 10.; ///< of a similar torque's zero; beyond, the search starts at rest
+constexpr double least_size = 1e-3;        ///< spin below which the tolerance is absolute
 
 /// Ratio of the slope at the zero to the mean slope up to there, or its inverse, beyond which the torque
 /// bends so much that an earlier zero may lie between the samples.
@@ -44,6 +40,11 @@ struct Push
   double push; ///< tau_z - tau_g [N m], positive before the zero
 };
 
+bool has_less_push(const Push &one, const Push &other)
+{
+  return std::abs(one.push) < std::abs(other.push);
+}
+
 /// Estimate of the spin at which the push vanishes.
 struct Estimate
 {
@@ -56,8 +57,7 @@ struct Estimate
 /// empty.
 Estimate inverse_interpolation(std::vector<Push> samples)
 {
-  std::sort(samples.begin(), samples.end(),
-            [](const Push &a, const Push &b) { return std::abs(a.push) < std::abs(b.push); });
+  std::sort(samples.begin(), samples.end(), has_less_push);
   const auto falls = [&](std::size_t n)
   {
     for (std::size_t i = 0; i < n; ++i)
@@ -143,12 +143,9 @@ private:
     bool may_extrapolate = true;
     for (unsigned int i = 0; i < max_evaluations; ++i)
     {
-      const double least = std::abs(std::min_element(used.begin(), used.end(),
-                                                     [](const Push &a, const Push &b)
-                                                     { return std::abs(a.push) < std::abs(b.push); })
-                                      ->push);
+      const double least = std::abs(std::min_element(used.begin(), used.end(), has_less_push)->push);
       bool halved = true;
-      if (const std::optional<Push> sample = pushed(proposal, failure))
+      if (const std::optional<Push> sample = pushed(proposal, &failure))
       {
         used.push_back(*sample);
         if (sample->push == 0.)
@@ -192,7 +189,7 @@ private:
   }
 
   /// Returns the push at @p spin; std::nullopt, and the @p failure, without a balance there.
-  std::optional<Push> pushed(double spin, std::exception_ptr &failure)
+  std::optional<Push> pushed(double spin, std::exception_ptr *failure = nullptr)
   {
     try
     {
@@ -200,7 +197,8 @@ private:
     }
     catch (const NoBalance &)
     {
-      failure = std::current_exception();
+      if (failure)
+        *failure = std::current_exception();
       return std::nullopt;
     }
   }
@@ -258,10 +256,10 @@ private:
                      [&](const Push &sample)
                      { return sample.spin > 0.2 * spin && sample.spin < 0.8 * spin; }))
     {
-      const std::optional<double> halfway = push_if_balanced(0.5 * spin);
+      const std::optional<Push> halfway = pushed(0.5 * spin);
       if (!halfway)
         return true;
-      way.push_back({ 0.5 * spin, *halfway });
+      way.push_back(*halfway);
     }
     std::sort(way.begin(), way.end(), [](const Push &a, const Push &b) { return a.spin < b.spin; });
     for (std::size_t i = 1; i < way.size(); ++i)
@@ -281,25 +279,19 @@ private:
     return !(local * steepness_ratio > mean && local < steepness_ratio * mean);
   }
 
-  std::optional<double> push_if_balanced(double spin)
-  {
-    return if_balanced([&] { return samples.emplace_back(Push{ spin, push(spin) }).push; });
-  }
-
   /// Returns the first zero up to the zero at @p spin. Throws BalanceLost if the balance ends before.
   double scanned(double spin)
   {
     Push near = samples.front();
     for (double here = scan_step * search.spin_scale; here < spin; here += scan_step * search.spin_scale)
     {
-      const std::optional<double> found = push_if_balanced(here);
+      const std::optional<Push> found = pushed(here);
       if (!found)
         return converge(near, here, {});
-      const Push sample{ here, *found };
-      if (sample.push <= 0.)
-        return converge(near, (near.spin * sample.push - sample.spin * near.push) / (sample.push - near.push),
-                        sample);
-      near = sample;
+      if (found->push <= 0.)
+        return converge(near, (near.spin * found->push - here * near.push) / (found->push - near.push),
+                        found);
+      near = *found;
     }
     return spin;
   }
@@ -314,7 +306,7 @@ private:
       const std::optional<double> probe = unsteadiest(spin);
       if (!probe)
         return spin;
-      if (const std::optional<double> found = push_if_balanced(*probe); !found || *found <= 0.)
+      if (const std::optional<Push> found = pushed(*probe); !found || found->push <= 0.)
         return converge(nearest_before(*probe), *probe, {});
     }
     return spin;
