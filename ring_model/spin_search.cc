@@ -300,10 +300,12 @@ private:
   /// BalanceLost. Precondition: the search has a stability margin.
   double reached(double spin)
   {
-    constexpr unsigned int max_probes = 100; // an end of the balance narrower than their spacing is missed
+    constexpr unsigned int max_probes = 200; // an end of the balance narrower than their spacing is missed
     for (unsigned int i = 0; i < max_probes; ++i)
     {
-      const std::optional<double> probe = unsteadiest(spin);
+      std::optional<double> probe = unsteadiest(spin);
+      if (!probe)
+        probe = middle_of_jump(spin);
       if (!probe)
         return spin;
       if (const std::optional<Push> found = pushed(*probe); !found || found->push <= 0.)
@@ -349,7 +351,7 @@ private:
       const double width = right->first - left->first;
       const bool is_first = left == squares.begin(), is_last = std::next(right) == squares.end();
       const double lower = std::min(left->second, right->second);
-      if (lower > unsteady * unsteady || width <= 2. * narrowest)
+      if (lower > unsteady * unsteady || width <= 2.5 * narrowest)
         continue;
       if (width > scan_step * search.spin_scale)
         return (left->first + right->first) / 2.;
@@ -368,10 +370,46 @@ private:
       if (bound < least)
       {
         least = bound;
-        worst = left->first + std::clamp(share, 0.1, 0.9) * width;
+        // Closer to an end it would be no new sample.
+        const double margin = std::max(0.1 * width, 1.1 * narrowest);
+        worst = left->first + std::clamp(share * width, margin, width - margin);
       }
     }
     return !worst && !wide.empty() ? wide.begin()->second : worst;
+  }
+
+  /// Returns the middle of the interval before @p spin in which the push of an unsteady balance changes most;
+  /// std::nullopt if it changes little in every interval. A change that remains in the narrowest interval is
+  /// a jump to another balance, beside the one that is reached from rest and ends there: the glass tips.
+  /// Throws BalanceLost at a jump.
+  std::optional<double> middle_of_jump(double spin) const
+  {
+    constexpr double unsteady_at_jump = 0.3; // stability margin next to the end of a balance
+    const double narrowest = search.spin_scale / 131072.;
+    double largest = 0.005 * samples.front().push;
+    std::map<double, double> pushes; // by spin
+    for (const Push &sample : samples)
+      if (sample.spin <= spin)
+        pushes[sample.spin] = sample.push;
+    const auto is_unsteady = [&](double at)
+    { return search.stability_margin(direction * at) < unsteady_at_jump; };
+    std::optional<std::pair<double, double>> widest;
+    for (auto right = std::next(pushes.begin()); right != pushes.end(); ++right)
+      if (const auto left = std::prev(right); std::abs(right->second - left->second) > largest &&
+                                              (is_unsteady(left->first) || is_unsteady(right->first)))
+      {
+        largest = std::abs(right->second - left->second);
+        widest = { left->first, right->first };
+      }
+    if (!widest)
+      return std::nullopt;
+    const auto [left, right] = *widest;
+    if (right - left <= narrowest)
+      throw BalanceLost(sentence("the balance is lost at ", direction * left,
+                                 " rad/s, before a terminal spin is reached: beyond, another balance has "
+                                 "another tilt"),
+                        direction * left, true);
+    return (left + right) / 2.;
   }
 
   const std::function<double(double)> &push;

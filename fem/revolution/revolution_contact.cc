@@ -190,8 +190,12 @@ ContactSolution RevolutionContact::solve(const RevolutionGuesses &starts)
       body.set_forces(forces_before);
     }
   const LinearConditions even = conditions.with_scaled_moment(body.contact_surface(), 0);
-  return continue_in_moment(body, law, conditions, setup.profile.contact_radius, contact_control(),
-                            solve_cold(even, small_stiffening));
+  ContactSolution solution = continue_in_moment(body, law, conditions, setup.profile.contact_radius,
+                                                contact_control(), solve_cold(even, small_stiffening));
+  if (!is_stable(solution))
+    throw ContactFailure(ContactOutcome::tipping, "the only balance found is unstable: the glass tips. Lower "
+                                                  "the centre of mass or the hand, or reduce the speed.");
+  return solution;
 }
 
 } // namespace stemware::fem

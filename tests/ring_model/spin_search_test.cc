@@ -3,8 +3,10 @@
 #include "ring_model/terminal_spin.h"
 #include "tests/ring_model/reference.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace stemware::ring
 {
@@ -192,6 +194,59 @@ TEST(SpinSearch, FindsANarrowGapByTheSteadiness)
       EXPECT_NEAR(last_spin(torque, search), sense * (middle - half_width), 1. / 4096.) << half_width;
       EXPECT_FALSE(find_terminal_spin_near({ sense, -1. }, torque, search)) << "0.99 is next to a fold";
     }
+}
+
+TEST(SpinSearch, AJumpNextToAnUnsteadyBalanceIsAFall)
+{
+  // Beyond 0.7 rad/s there is another balance, with a smaller torque, and every spin has one. Right of a jump
+  // the margin may be of any size. A change as large within 2e-3 rad/s is no jump.
+  const double end = 0.7, drop = 0.05;
+  for (const double width : { 0., 2e-3 })
+    for (const double beyond : { 0.1, 0.5 })
+    {
+      const auto torque = [=](double omega)
+      {
+        const double share =
+          width > 0. ? std::min(1., std::max(0., (omega - end) / width + 0.5)) : omega > end;
+        return 1. - omega - drop * share;
+      };
+      SpinSearch search{ 1., 0.94 };
+      search.stability_margin = [=](double omega)
+      { return std::min(1., std::sqrt(1e-4 + std::abs(omega - end)) + (omega > end ? beyond : 0.)); };
+      if (width > 0.)
+      {
+        EXPECT_NEAR(find_terminal_spin(torque, search).omega, 0.95, 1e-9) << beyond;
+        continue;
+      }
+      try
+      {
+        find_terminal_spin(torque, search);
+        ADD_FAILURE() << "the jump was not found, margin " << beyond;
+      }
+      catch (const BalanceLost &lost)
+      {
+        EXPECT_TRUE(lost.tips());
+        EXPECT_NEAR(lost.last_spin, end, 1e-4);
+      }
+    }
+}
+
+TEST(SpinSearch, NoSpinIsAskedTwiceOnAnUnsteadyWay)
+{
+  // A margin that falls steeply to a least value from one side only, as where an edge crosses a line.
+  std::vector<double> asked;
+  const auto torque = [&](double omega)
+  {
+    asked.push_back(omega);
+    return 1. - omega;
+  };
+  SpinSearch search{ 1., 0.99 };
+  search.stability_margin = [](double omega)
+  { return std::min(1., omega < 0.7 ? 0.02 + 0.7 - omega : 0.02 + 2. * std::sqrt(omega - 0.7)); };
+  EXPECT_NEAR(find_terminal_spin(torque, search).omega, 1., 1e-9);
+  std::sort(asked.begin(), asked.end());
+  EXPECT_EQ(std::adjacent_find(asked.begin(), asked.end()), asked.end());
+  EXPECT_LE(asked.size(), 150u);
 }
 
 TEST(SpinSearch, EndsWhereTheTorqueIsNoisy)

@@ -147,6 +147,18 @@ fem::ContactGuess ContactPath::guess(const fem::ContactDemand &demand, const rin
   return guess;
 }
 
+std::optional<fem::ContactStart> ContactPath::nearest_towards_rest(const ring::Slip &slip) const
+{
+  const double spin = slip.spin_per_speed;
+  const Found *nearest = nullptr;
+  for (const Found &one : recent)
+    if (const double share = one.slip.spin_per_speed / spin;
+        share >= 0 && share < 1 && one.zone == 0 && same_marks(one.slip, slip) &&
+        (!nearest || share > nearest->slip.spin_per_speed / spin))
+      nearest = &one;
+  return nearest ? std::optional(nearest->start) : std::nullopt;
+}
+
 void ContactPath::predict_from_similar(const ContactPath &similar, const fem::Foot &own,
                                        const fem::Foot &other)
 {

@@ -21,6 +21,10 @@ public:
   fem::ContactGuess guess(const fem::ContactDemand &demand, const ring::Slip &slip,
                           const fem::ContactState *before = nullptr) const;
 
+  /// Returns the contact nearest to @p slip between rest and there, with the same marks, as an initial guess;
+  /// std::nullopt if there is none in the first zone.
+  std::optional<fem::ContactStart> nearest_towards_rest(const ring::Slip &slip) const;
+
   /// Appends @p state.
   void append(const fem::ContactState &state);
 

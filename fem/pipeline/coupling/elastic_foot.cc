@@ -52,9 +52,26 @@ fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip
   if (!demand.has_friction()) // else the demand knows the rings that its friction is of
     demand.ring_radii = radii;
   demand.n_harmonics = highest;
-  fem::ContactState state =
-    foot->solve(demand, slip, path.guess(demand, slip, before),
-                [&progress](const fem::ContactIteration &step) { progress.iteration(step); });
+  const auto solve_from = [&](const fem::ContactGuess &guess)
+  {
+    return foot->solve(demand, slip, guess,
+                       [&progress](const fem::ContactIteration &step) { progress.iteration(step); });
+  };
+  fem::ContactState state;
+  try
+  {
+    state = solve_from(path.guess(demand, slip, before));
+  }
+  catch (const fem::ContactFailure &failure)
+  {
+    // Next to a fall the nearest contact may belong to a balance beyond, which does not lead here.
+    if (failure.outcome != fem::ContactOutcome::tipping || foot->capabilities().is_collective)
+      throw;
+    const std::optional<fem::ContactStart> start = path.nearest_towards_rest(slip);
+    if (!start)
+      throw;
+    state = solve_from({ nullptr, start });
+  }
   path.append(state);
   ++*n_solved;
   return state;
