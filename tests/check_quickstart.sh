@@ -36,14 +36,18 @@ ends() { # exit code, command, patterns
   [[ $status == "$1" ]] || { echo "quickstart $2: $status instead of $1" && cat "$scratch/out" "$CALLS" && troubles=$((troubles + 1)); }
 }
 
-for wrong in "" jump "install a b" "install --prefix=a" "package a"; do ends 2 "$wrong"; done
+for wrong in "" jump "install a b" "install --prefix=a" "install --no-python a b" "package a"; do ends 2 "$wrong"; done
 ends 0 --help 'solid foot only for a study'
 ends 0 run '^apt-get .*install --yes .*cmake' '^cmake --preset release --fresh -D STEMWARE_SOLID=OFF$' '^cmake --build .*--target stemware$' '3/4 .*without the solid foot' '^stemware run docs/cookbooks/wine_glass.prm --output results/wine_glass$'
 (($(wc -l <"$scratch/out") <= 10)) && ! grep chromium "$CALLS" || { echo "run: says too much, or installs the browser" && troubles=$((troubles + 1)); }
 ends 0 "run my_glass.prm --set Contact/Body=solid" '^cmake --preset release --fresh$' '--target stemware$' '^stemware run my_glass.prm --set Contact/Body=solid --output results/my_glass$'
 printf '%s\n' "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" STEMWARE_SOLID:BOOL=OFF >build/release/CMakeCache.txt
 ends 0 "run --set Contact/Body=solid" '^cmake --preset release -D STEMWARE_SOLID=ON$'
-ends 0 "install $scratch/there" '^cmake --preset release -D STEMWARE_SOLID=ON$' '--target stemware$' "^cmake --install .*--prefix $scratch/there"
+ends 0 "install $scratch/there" '^cmake --preset release -D STEMWARE_SOLID=ON$' '--target stemware$' "^cmake --install .*--prefix $scratch/there" 'Python package is left out'
+echo STEMWARE_PYTHON:BOOL=ON >>build/release/CMakeCache.txt
+ends 0 "install $scratch/there" '--target stemware stemware_python$' "^cmake --install .*--prefix $scratch/there --component python" "export PYTHONPATH=\"$scratch/there/lib/python3"
+ends 0 "install --no-python $scratch/there" '--target stemware$' "^cmake --install .*--prefix $scratch/there --component program"
+! grep -q 'component python' "$CALLS" || { echo "--no-python: installs the Python package" && troubles=$((troubles + 1)); }
 ends 0 test '^apt-get .*chromium' '^cmake --build --preset release --parallel [0-9]+$' '^ctest --preset release$'
 mkdir -p build/release && touch build/release/build.ninja && echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/release/CMakeCache.txt
 ends 0 "run --yes" '^cmake --preset release$' # packages were installed
