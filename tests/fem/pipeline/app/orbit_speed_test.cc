@@ -12,6 +12,8 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <string>
+#include <tuple>
 
 namespace stemware::test
 {
@@ -154,6 +156,27 @@ TEST(OrbitSpeed, AGlassThatTheFingersComeToHoldEndsAtRest)
       driven(rows, { source, "Motion/Grip torque=0.0009", "Motion/End time=1" })[3];
     EXPECT_LT(omega[80], -1.) << source; // t = 0.4 s
     EXPECT_EQ(omega.back(), 0.) << source;
+  }
+}
+
+// A rigid flat land in full contact: tests/verification/driven_flat_land.py, plane quadrature and its own
+// integration.
+TEST(OrbitSpeed, TheBandOfADrivenSpinHolds)
+{
+  const ScratchFolder scratch;
+  for (const auto &[rows, end, right] : { std::tuple("0, 0.2\n0.6, 0.35\n", "0.6", -2.222908755),
+                                          std::tuple("0, 0.35\n0.8, 0.15\n", "0.8", -0.690948606) })
+  {
+    const std::string speeds = scratch.write("speeds.csv", std::string("t (s), v (m/s)\n") + rows);
+    const auto summary = solved(scratch, { "run" },
+                                { "Motion/Orbit speed file=" + speeds, std::string("Motion/End time=") + end,
+                                  "Motion/Orbit speed=0.3", "Motion/Tilt=neglected", "Glass/Crown radius=0",
+                                  "Glass/Young modulus=2e20", "Contact/Friction coupling=none" },
+                                std::string("results_") + end);
+    const auto &driven = summary["ring"]["driven"];
+    const double band = driven["band_at_end"].get<double>();
+    EXPECT_NEAR(driven["omega_at_end"].get<double>(), right, band) << rows;
+    EXPECT_LT(band, 2e-5) << rows;
   }
 }
 
