@@ -18,6 +18,8 @@ def rows(schema, path=""):
     for key, value in schema.get("properties", {}).items() if isinstance(schema, dict) else ():
         meaning = value.get("description", "").replace("|", "\\|")
         text += f"| `{path}{key}` | {value.get('unit', '')} | {meaning} |\n"
+        if key.startswith("load_at_"):  # as load
+            continue
         text += rows(value, f"{path}{key}.") + rows(value.get("items", {}), f"{path}{key}[].")
         if isinstance(value.get("additionalProperties"), dict):
             text += rows(value["additionalProperties"], f"{path}{key}.*.")
@@ -31,10 +33,9 @@ page = f"""# The keys of summary.json
 `share/stemware/summary.schema.json`; this page is made from it by `docs/keys.py`. Each verb writes a subset of the keys; \
 `[]` represents each entry of a list, `*` any name.
 
-{HEAD}{rows(schema)}
-`load`, `load_at_terminal` and `load_at_fall` have these keys:
+`load_at_terminal` and `load_at_fall` have the keys of `load`.
 
-{HEAD}{rows(schema["definitions"]["load"], "load.")}"""
+{HEAD}{rows(schema)}"""
 if "--check" not in sys.argv:
     (here / "summary.md").write_text(page)
 elif (here / "summary.md").read_text() != page:

@@ -93,7 +93,6 @@ struct Answer
   double zero_of_mean_torque = 0.; ///< [rad/s]; the terminal spin itself if the phase does not matter
   std::optional<RingState> at_terminal;
   std::optional<Fall> fall; ///< only if the glass stands at rest and tips before it reaches a terminal spin
-  std::optional<double> band = {}; ///< half-width of the error band of the terminal spin [rad/s]
   Status status = Status::no_balance;
   std::string reason = {};              ///< cause of missing quantities; empty if none is missing
   std::exception_ptr failure = nullptr; ///< exception behind the reason; nullptr if the glass tips on the way

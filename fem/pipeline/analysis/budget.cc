@@ -16,12 +16,6 @@ std::optional<double> unless_nan(double value)
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-/// The place of a model of the chain by its key, "2a".
-ChainStep step_of(const Variant &model)
-{
-  return { static_cast<unsigned int>(model.key.front() - '0'), model.key.size() > 1 };
-}
-
 /// Puts the answer to a model under those in @p rows.
 void add_row(const ChainStep &step, const std::string &name, const Study &study, const LoadedRow &solved,
              std::vector<BudgetRow> &rows)
@@ -86,8 +80,8 @@ std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
 {
   std::vector<BudgetRow> rows;
   for (const LoadedRow &other : solved.others)
-    if (other.variant.is_of_chain)
-      add_row(step_of(other.variant), other.variant.name, other.variant.study, other, rows);
+    if (other.variant.is_of_chain())
+      add_row(other.variant.step, other.variant.name, other.variant.study, other, rows);
   if (study.load.source == LoadSource::first_harmonic)
     return rows;
   // Rows 3 or 3a, 4, 5, ... of a study whose load has harmonics to tell apart.
@@ -116,7 +110,7 @@ Budget find_budget(const Study &study, const StudyRows &rows)
   Budget budget;
   budget.shown_spins = rows.torque_spins;
   for (const LoadedRow &solved : rows.others)
-    if (solved.variant.key == "without")
+    if (solved.variant.kind == VariantKind::without)
       budget.without.push_back(judge_without(solved, all));
   budget.rows = assess_chain(study, rows);
   budget.harmonics =

@@ -10,20 +10,6 @@
 namespace stemware::pipeline
 {
 
-/// Position of a model in the chain from the paper's model to the study's.
-struct ChainStep
-{
-  unsigned int number = 1;  ///< 1 the paper, 2 the study's moment, 3 its contact, 4 ... more harmonics
-  bool is_addition = false; ///< addition to the model `number`: 1a, 2a, 3a
-
-  /// True if the terminal spin comes from the study's contact, not from a closed form.
-  bool is_of_contact() const { return number >= 3; }
-  bool operator==(const ChainStep &other) const
-  {
-    return number == other.number && is_addition == other.is_addition;
-  }
-};
-
 /// One model of the chain from the paper's to the study's.
 struct BudgetRow
 {

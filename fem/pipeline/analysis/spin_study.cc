@@ -33,6 +33,7 @@ PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const PhaseExtremes
   if (row.omega_terminal())
     for (const ring::RingStack &rings : loads.samples(*row.omega_terminal()))
       study.least_load = std::min(study.least_load, std::max(0., rings.minimum()));
+  study.least_is_at_rest = study.least_load >= at_rest.least_load;
   study.least_contact_fraction = at_rest.least_contact_fraction;
   study.n_glass_phases = loads.phases().glass.size();
   study.n_table_phases = loads.phases().table.size();
@@ -51,9 +52,9 @@ std::optional<Variant> variant_on_one_ring(const Study &study)
 {
   if (!study.load.is_from_contact() || study.contact.rings == 1)
     return std::nullopt;
-  Variant one_ring = { "one_ring", "one ring", study };
+  Variant one_ring = { VariantKind::one_ring, "one ring", study };
   one_ring.study.contact.rings = 1;
-  one_ring.on_same_foot = one_ring.on_other_rings = true; // the contact of rest does not depend on the rings
+  one_ring.shared = Shared::contact; // the contact of rest does not depend on the rings
   return one_ring;
 }
 
@@ -223,6 +224,16 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
   return driven;
 }
 
+std::optional<double> driven_band(const SpinStudy &spin, const std::optional<double> &band)
+{
+  const std::optional<double> omega = spin.all().omega_terminal();
+  const auto &driven = spin.spin_up.driven;
+  if (!driven || !band || omega.value_or(0) == 0)
+    return std::nullopt;
+  // A load at another speed is known as well as that of the terminal spin, relative to its size.
+  return driven->integration_error + std::abs(driven->omega.back() / *omega) * *band;
+}
+
 SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                      const Executor &executor, Progress &progress, Depth depth)
 {
@@ -262,7 +273,7 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     result.phases =
       study_phases(*load.phases(), load.report().over_phases.value(), study.motion.orbit, result.all());
   for (const LoadedRow &other : solved.others)
-    if (other.variant.key == "one_ring")
+    if (other.variant.kind == VariantKind::one_ring)
       result.one_ring = beside_all(other.row, result.all());
   result.torque_effects = ring::torque_effects(load, study.motion.orbit, result.all(),
                                                truncation_orders(load.n_harmonics()), &curve);

@@ -37,12 +37,9 @@ struct DrivenSpinUp
   std::vector<double> omega;        ///< all harmonics, error control [rad/s]
   /// Change of omega if the file's entries are interpolated linearly instead of by the monotone cubic,
   /// estimated with a first harmonic on a rigid rim in balance [rad/s].
-  double interpolation_change = 0;        ///< largest absolute change over the times
-  double interpolation_change_at_end = 0; ///< change at the last time
-  double integration_error = 0;           ///< largest error that the integration was asked for [rad/s]
-  /// Half-width of the band of the last omega: integration_error and the relative band of the terminal spin
-  /// [rad/s].
-  std::optional<double> band_at_end = {};
+  double interpolation_change = 0;               ///< largest absolute change over the times
+  double interpolation_change_at_end = 0;        ///< change at the last time
+  double integration_error = 0;                  ///< largest error that the integration was asked for [rad/s]
   std::optional<ring::Breakaway> breakaway = {}; ///< breakaway of a hand that starts from rest
 };
 
@@ -78,6 +75,7 @@ struct PhaseStudy
   std::vector<ring::Orientation> phases;
   std::vector<double> torque_at_rest;
   std::vector<double> torque_at_terminal;
+  bool least_is_at_rest = true; ///< least_load is the one at rest
 };
 
 /// Results about the spin under a load.
@@ -102,6 +100,11 @@ struct SpinStudy
   /// Returns false for a glass without a moment, whose terminal spin is zero to rounding.
   bool spins_up() const { return all().relative_change.has_value(); }
 };
+
+/// Returns the half-width of the band of the last spin under the speeds of a file: the error of the
+/// integration and the relative
+/// @p band of the terminal spin [rad/s]; std::nullopt without that band or a spin.
+std::optional<double> driven_band(const SpinStudy &spin, const std::optional<double> &band);
 
 /// Returns the spins of torque_curve(), ascending: from slightly before rest to one and a half times the
 /// fastest terminal spin, or to tipping [rad/s].

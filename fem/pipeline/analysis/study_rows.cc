@@ -28,6 +28,14 @@ std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Dep
   return truncation_orders(n_all);
 }
 
+/// The row of a variant, with its number of harmonics also where the load has fewer or failed.
+LoadedRow loaded_row(const Variant &variant, ring::Answer row, const std::optional<ring::Load> &load = {})
+{
+  if (variant.n_harmonics != all_harmonics)
+    row.harmonics = variant.n_harmonics;
+  return { variant, std::move(row), load, {} };
+}
+
 } // namespace
 
 double spin_unit(const Study &study)
@@ -119,17 +127,18 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
 {
   const auto solved_row = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &its_foot)
   {
-    if (variant.on_other_rings)
+    if (variant.shared == Shared::contact)
       its_foot->reset_rings();
-    const ring::Load load = variant.on_same_load ? of_study->truncated(variant.n_harmonics)
-                                                 : find_load(variant.study, its_foot, silent_progress(),
-                                                             variant.n_harmonics, PhaseSampling::coarse);
+    const ring::Load load =
+      variant.shared == Shared::load
+        ? of_study->truncated(variant.n_harmonics)
+        : find_load(variant.study, its_foot, silent_progress(), variant.n_harmonics, PhaseSampling::coarse);
     ring::Question question = spin_question(variant.study, asked);
-    if (!variant.on_same_load) // solved in parallel
+    if (variant.shared != Shared::load) // solved in parallel
       question.observer = {};
-    LoadedRow row = { variant, ring::answer(load, question), load };
+    LoadedRow row = loaded_row(variant, ring::answer(load, question), load);
     std::string reason;
-    if (variant.is_of_chain)
+    if (variant.is_of_chain())
       row.torques = ring::torque_curve(load, question, torque_spins, &reason);
     if (row.row.reason.empty())
       row.row.reason = reason;
@@ -139,7 +148,7 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
   std::vector<LoadedRow> rows(variants.size());
   std::vector<Variant> others;
   for (std::size_t i = 0; i < variants.size(); ++i)
-    if (variants[i].on_same_load)
+    if (variants[i].shared == Shared::load)
       rows[i] = solved_row(variants[i], foot);
     else
       others.push_back(variants[i]);
@@ -147,14 +156,12 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
     solve(others, foot, solved_row, executor, counting_callback(progress, pieces, others.size()));
   for (std::size_t i = 0, next = 0; i < variants.size(); ++i)
   {
-    if (!variants[i].on_same_load)
+    if (variants[i].shared != Shared::load)
     {
       rows[i] = solved[next].answer ? *solved[next].answer
-                                    : LoadedRow{ variants[i], failed_row(solved[next].failure) };
+                                    : loaded_row(variants[i], failed_row(solved[next].failure));
       ++next;
     }
-    if (variants[i].n_harmonics != all_harmonics)
-      rows[i].row.harmonics = variants[i].n_harmonics;
   }
   return rows;
 }
@@ -217,13 +224,13 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
   std::vector<Variant> variants;
   for (std::size_t i = 0; i + 1 < orders.size(); ++i)
   {
-    Variant &fewer = variants.emplace_back(Variant{ "harmonics", std::to_string(orders[i]), study });
+    Variant &fewer =
+      variants.emplace_back(Variant{ VariantKind::harmonics, std::to_string(orders[i]), study });
     fewer.n_harmonics = orders[i];
-    fewer.is_of_chain = true;
     const bool has_own_balance =
       study.load.is_in_balance() &&
       (load.phases() || !ring::are_negligible_above(orders[i], whole.row, question.motion));
-    (has_own_balance ? fewer.on_same_foot : fewer.on_same_load) = true;
+    fewer.shared = has_own_balance ? Shared::foot : Shared::load;
   }
   variants.insert(variants.end(), others.begin(), others.end());
   std::vector<LoadedRow> solved =

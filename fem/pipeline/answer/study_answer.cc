@@ -76,22 +76,14 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
     if (i == 0 && of_fields && answer.contact.foot)
       add_fields(study, *of_fields, *answer.contact.foot);
     if (i == 1)
-      answer.bands = estimate_bands(study, foot, answer.spin.all(), answer.spin.rows.front().omega_terminal(),
-                                    executor, progress);
+      answer.bands =
+        estimate_bands(study, foot, answer.spin.all(), answer.spin.rows.front().omega_terminal(), executor,
+                       progress, reported_quantities(answer.contact.load, answer.spin.budget));
   };
   executor.for_each(depth == Depth::full ? 2 : 1, find, is_collective(study));
   if (depth == Depth::full)
-  {
-    use_reported_values(answer.contact.load, answer.spin.budget, answer.bands);
     add_bands(band_of(answer.bands, "omega_terminal"), band_of(answer.bands, "omega_first_harmonic"),
               answer.spin.budget.rows);
-    const std::optional<double> band = band_of(answer.bands, "omega_terminal"),
-                                omega = answer.spin.all().omega_terminal();
-    // A load at another speed is known as well as that of the terminal spin, relative to its size.
-    if (std::optional<DrivenSpinUp> &driven = answer.spin.spin_up.driven;
-        driven && band && omega.value_or(0) != 0)
-      driven->band_at_end = driven->integration_error + std::abs(driven->omega.back() / *omega) * *band;
-  }
   progress.stage_done("bands_and_fields");
   if (start)
     *start = foot;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/pipeline/pictures/quantity.h"
 #include "fem/pipeline/variants/solve.h"
 
 #include <functional>
@@ -14,8 +15,8 @@ namespace stemware::pipeline
 
 struct CaseList;
 
-/// Returns the keys of the numbers of each case, in the order of sweep.csv; declared in summary.schema.json.
-const std::vector<std::string> &sweep_keys();
+/// Returns the quantities of each case, the columns of sweep.csv: study_quantities() with a column.
+const std::vector<Quantity> &sweep_columns();
 
 /// Result of one case of a sweep.
 struct CaseResult

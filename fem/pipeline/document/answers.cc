@@ -3,7 +3,7 @@
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/document/sentences.h"
-#include "fem/pipeline/pictures/spin_rows.h"
+#include "fem/pipeline/pictures/ring_quantities.h"
 
 #include <algorithm>
 

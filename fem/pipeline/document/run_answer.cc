@@ -4,7 +4,7 @@
 #include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/document/sentences.h"
 #include "fem/pipeline/document/study_words.h"
-#include "fem/pipeline/pictures/spin_rows.h"
+#include "fem/pipeline/pictures/ring_quantities.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
@@ -229,7 +229,7 @@ std::string several_spins_remark(const SpinStudy &spin)
          std::to_string(n_stable) + " of them stable; the initial spin decides which one the glass reaches.";
 }
 
-std::string driven_remark(const SpinStudy &spin)
+std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
 {
   const auto &driven = spin.spin_up.driven;
   if (!driven)
@@ -238,7 +238,7 @@ std::string driven_remark(const SpinStudy &spin)
   std::string text =
     "With the speeds of Motion/Orbit speed file, " + number(*slowest, ".4g") + " to " +
     number(*fastest, ".4g") + " m/s, the glass spins at " +
-    format::with_band(driven->omega.back(), driven->band_at_end) +
+    format::with_band(driven->omega.back(), driven_band(spin, band_of(bands, "omega_terminal"))) +
     " rad/s at the end; with the constant Motion/Orbit speed, the basis of all other numbers, "
     "at " +
     number(spin.spin_up.adaptive.back(), ".6g") +

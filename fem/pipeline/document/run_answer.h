@@ -38,6 +38,6 @@ std::string out_of_flat_remark(const Study &study, const SpinStudy &spin);
 std::string several_spins_remark(const SpinStudy &spin);
 
 /// Returns a remark on the spins under the speeds of a file and at constant speed.
-std::string driven_remark(const SpinStudy &spin);
+std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands);
 
 } // namespace stemware::pipeline

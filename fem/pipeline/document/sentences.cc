@@ -1,7 +1,7 @@
 #include "fem/pipeline/document/sentences.h"
 
 #include "fem/pipeline/document/number_format.h"
-#include "fem/pipeline/pictures/spin_rows.h"
+#include "fem/pipeline/pictures/ring_quantities.h"
 
 #include <boost/math/constants/constants.hpp>
 

@@ -1,6 +1,5 @@
 #include "fem/pipeline/document/sweep_file.h"
 
-#include "fem/pipeline/document/table.h"
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/study/table_file.h"
 #include "fem/pipeline/support/failures.h"
@@ -36,21 +35,14 @@ std::string csv_row(const std::vector<std::string> &cells)
   return row + '\n';
 }
 
-/// Names of the columns behind the varied entries.
-std::vector<std::string> result_keys()
-{
-  std::vector<std::string> keys = sweep_keys();
-  keys.insert(keys.end(), { "contact_outcome", "status", "message" });
-  return keys;
-}
-
 std::string headings(const CaseList &list)
 {
   std::vector<std::string> cells = { "case" };
   for (const VariedEntry &entry : list.entries)
     cells.push_back(with_unit(entry.path, entry.unit, false));
-  for (const std::string &key : result_keys())
-    cells.push_back(with_unit(key, quantity_named(key, table_name).unit, false));
+  for (const Quantity &quantity : sweep_columns())
+    cells.push_back(with_unit(quantity.key, quantity.unit, false));
+  cells.insert(cells.end(), { "contact_outcome", "status", "message" });
   return csv_row(cells);
 }
 
@@ -138,7 +130,7 @@ void SweepFile::read_rows(const std::string &text)
 {
   const std::string place = shortened_path(file.string());
   const TextTable table = parse_table(place, text);
-  const std::size_t n_entries = list.entries.size(), n_numbers = sweep_keys().size();
+  const std::size_t n_entries = list.entries.size(), n_numbers = sweep_columns().size();
   for (auto row = table.rows.begin() + 1; row != table.rows.end(); ++row)
   {
     const auto refuse = [&](const std::string &trouble)
@@ -165,7 +157,7 @@ void SweepFile::read_rows(const std::string &text)
         const auto value = parse_number(cell);
         if (!value)
           refuse("\"" + shortened(cell) + "\" is not a number");
-        result.values[sweep_keys()[q]] = *value;
+        result.values[sweep_columns()[q].key] = *value;
       }
     cases[index] = result;
   }
@@ -184,9 +176,9 @@ void SweepFile::append(std::size_t index, const CaseResult &result)
 {
   std::vector<std::string> cells = { std::to_string(index + 1) };
   cells.insert(cells.end(), list.cases[index].begin(), list.cases[index].end());
-  for (const std::string &key : sweep_keys())
+  for (const Quantity &quantity : sweep_columns())
   {
-    const auto value = result.value(key);
+    const auto value = result.value(quantity.key);
     cells.push_back(value ? to_text(*value) : "");
   }
   cells.insert(cells.end(), { result.outcome, result.status(), result.message });

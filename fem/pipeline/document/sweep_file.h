@@ -11,9 +11,10 @@ namespace stemware::pipeline
 {
 
 /// sweep.csv in the folder of a sweep: lines that begin with # (version, base study, size and time of the
-/// files that cases read), the headings (case, varied entries, sweep_keys(), contact_outcome, status, message
-/// with their units), and a row for each finished case, in the order in which cases finish. Each row is
-/// flushed: a killed program leaves at most an incomplete last line, which is dropped when the sweep goes on.
+/// files that cases read), the headings (case, varied entries, sweep_columns(), contact_outcome, status,
+/// message with their units), and a row for each finished case, in the order in which cases finish. Each row
+/// is flushed: a killed program leaves at most an incomplete last line, which is dropped when the sweep goes
+/// on.
 class SweepFile
 {
 public:

@@ -4,7 +4,7 @@
 #include "fem/contact/footprint.h"
 #include "fem/pipeline/explore/explorer.h"
 #include "fem/pipeline/pictures/pictures.h"
-#include "fem/pipeline/pictures/spin_rows.h"
+#include "fem/pipeline/pictures/ring_quantities.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
@@ -25,15 +25,18 @@ std::unique_ptr<Explorer> explorer = std::make_unique<Explorer>(); // NOLINT: a 
 std::optional<fem::ContactState> last_contact;                     // NOLINT
 std::string reply;                                                 // NOLINT: what the page reads
 
-using Json = nlohmann::ordered_json;
-
 /// An answer by the keys of summary.json/ring.
 Json ring_summary(const ring::Answer &row)
 {
-  Json ring = spin_rows({ row })[0];
-  ring.update(
-    { { "standing", to_string(row.status) }, { "fall", fall_summary(row) }, { "message", row.reason } });
+  Json ring = answer_fields().json(row);
+  ring["message"] = row.reason;
   return ring;
+}
+
+Json series_summary(const ring::RingStack &load)
+{
+  const auto [a, b] = series_of(load);
+  return { { "a", a }, { "b", b } };
 }
 
 /// A load by the keys of summary.json/load.
@@ -65,7 +68,7 @@ Json answer_document(const LiveAnswer &found)
   Pictures pictures;
   Json summary = { { "ring", ring_summary(found.all) },
                    { "paper", ring_summary(found.paper) },
-                   { "first_n", to_json_or_null(found.first_n, ring_summary) } };
+                   { "first_n", found.first_n ? ring_summary(*found.first_n) : Json(nullptr) } };
   if (found.all.at_rest)
     summary["load"] = load_summary(*found.all.at_rest, found.contact_radius);
   if (const ring::RingState *end = end_of(found.all))
@@ -217,7 +220,8 @@ const char *explore_budget()
     {
       Pictures pictures;
       const Budget budget = explorer->budget();
-      pictures.tables["waterfall"] = chain_rows(explorer->study(), named_steps(budget.rows));
-      return document_of(pictures, { { "harmonic_effect", harmonic_effect_summary(budget.harmonics) } });
+      pictures.tables["waterfall"] = chain_fields().json(named_steps(budget.rows));
+      return document_of(pictures,
+                         { { "harmonic_effect", harmonic_effect_fields().json(budget.harmonics) } });
     });
 }

@@ -13,12 +13,13 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Largest width of the contact across the rim [m]; std::nullopt for a map without several points across.
-std::optional<double> display_width(const fem::PressureMap &footprint)
+/// The report of a load with the largest width of its contact; without it for a map without several points
+/// across.
+LoadReport with_width(LoadReport load, const fem::PressureMap &footprint)
 {
-  if (footprint.cuts.empty() || !fem::has_cells(footprint))
-    return std::nullopt;
-  return fem::measures_of(footprint).widest;
+  if (!footprint.cuts.empty() && fem::has_cells(footprint))
+    load.contact_width = fem::measures_of(footprint).widest;
+  return load;
 }
 
 FootReport describe_foot(const Study &study, const ElasticFoot &foot, const fem::ContactState &at_rest,
@@ -66,17 +67,14 @@ ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &f
                        double last_spin)
 {
   ContactReport report;
-  report.load = load.report();
   const std::optional<fem::ContactState> at_rest = load.contact(0), at_end = load.contact(last_spin);
-  report.load_at_end =
-    at_end ? report_of(*at_end, foot->radius(), study.tilts()) : report_of(load.at(last_spin));
   if (at_rest)
-  {
     report.foot = describe_foot(study, *foot, *at_rest, at_end);
-    report.load.contact_width = display_width(report.foot->footprint);
-  }
-  if (at_end) // all ranks of a solid body make the map together
-    report.load_at_end.contact_width = display_width(foot->body().pressure_map(*at_end));
+  report.load = report.foot ? with_width(load.report(), report.foot->footprint) : load.report();
+  // All ranks of a solid body make the map together.
+  report.load_at_end =
+    at_end ? with_width(report_of(*at_end, foot->radius(), study.tilts()), foot->body().pressure_map(*at_end))
+           : report_of(load.at(last_spin));
   report.coupling = load.statistics();
   return report;
 }

@@ -2,8 +2,7 @@
 
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_entries.h"
-
-#include <nlohmann/json.hpp>
+#include "fem/pipeline/support/json.h"
 
 #include <filesystem>
 #include <string>

@@ -17,7 +17,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <boost/algorithm/string/replace.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>

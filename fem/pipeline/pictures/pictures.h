@@ -4,8 +4,7 @@
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/coupling/load_report.h"
-
-#include <nlohmann/json.hpp>
+#include "fem/pipeline/support/json.h"
 
 #include <optional>
 #include <string>

@@ -6,7 +6,6 @@
 #include "fem/pipeline/answer/study_answer.h"
 #include "fem/pipeline/answer/sweep_case.h"
 #include "fem/pipeline/answer/threaded_executor.h"
-#include "fem/pipeline/document/table.h"
 #include "fem/pipeline/feet/failure_sentence.h"
 #include "fem/pipeline/input/data_files.h"
 #include "fem/pipeline/input/presets.h"
@@ -14,6 +13,7 @@
 #include "fem/pipeline/page/publish.h"
 #include "fem/pipeline/report/convergence_results.h"
 #include "fem/pipeline/report/run_results.h"
+#include "fem/pipeline/report/schema.h"
 #include "fem/pipeline/report/truncation_results.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
@@ -189,8 +189,8 @@ py::dict case_of(const Study &given, Start *start)
            [&](Progress &progress, const Executor &executor)
            { return case_result(checked(given), executor, progress, start ? &start->foot : nullptr); });
   py::dict all;
-  for (const std::string &key : sweep_keys())
-    all[key.c_str()] = found.value(key);
+  for (const Quantity &quantity : sweep_columns())
+    all[quantity.key.c_str()] = found.value(quantity.key);
   return all;
 }
 
@@ -207,7 +207,8 @@ public:
              study = checked(given);
              ensure(!study.motion.orbit_speeds, "A spin-up has a constant Motion/Orbit speed; leave out "
                                                 "Motion/Orbit speed file.");
-             const Variant variant = { "", "", study, mesh_for_goal(study, executor).discretisation };
+             const Variant variant = { VariantKind::study, "", study,
+                                       mesh_for_goal(study, executor).discretisation };
              const auto foot = foot_of(variant, start ? start->foot : nullptr, executor);
              const BalancedLoad load = find_load(study, foot);
              ring::Question question = spin_question(study);
@@ -373,9 +374,22 @@ the contacts of the last one. For one thread.)")
 
   py::class_<MpiSession>(m, "MpiSession").def(py::init<>());
   m.def("unit",
-        [](const std::string &key, const std::string &section) { return quantity_named(key, section).unit; });
+        [](const std::string &key, const std::string &part) -> std::string
+        {
+          for (const Quantity &quantity : sweep_columns())
+            if (part == "sweep.csv" && quantity.key == key)
+              return quantity.unit;
+          return unit_in_summary(part, key);
+        });
   m.def("unit_of_entry", &unit_of);
-  m.def("case_keys", &sweep_keys);
+  m.def("case_keys",
+        []
+        {
+          std::vector<std::string> keys;
+          for (const Quantity &quantity : sweep_columns())
+            keys.push_back(quantity.key);
+          return keys;
+        });
   py::class_<Preset>(m, "Preset")
     .def_readonly("name", &Preset::name)
     .def_readonly("words", &Preset::words)

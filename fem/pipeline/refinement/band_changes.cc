@@ -39,8 +39,8 @@ Variant changed(Variant copy, const Setting &change)
 BandChange change_of(const std::string &part, double factor, Variant variant, const std::string &from = "",
                      bool compares_over_spins = false)
 {
-  variant.key = part;
-  return { std::move(variant), factor, from, compares_over_spins };
+  variant.kind = VariantKind::parameter;
+  return { std::move(variant), part, factor, from, compares_over_spins };
 }
 
 void raise_degree(Variant &variant)
@@ -80,7 +80,7 @@ void add_gathering(const Variant &own_study, const ElasticFoot &foot,
   if (own.size() < 2)
   {
     changes.push_back(change_of("rings", usual_factor, own_study));
-    changes.back().on_same_foot = true;
+    changes.back().shared = Shared::contact;
     changes.back().study.contact.rings = usual_rings;
     return;
   }

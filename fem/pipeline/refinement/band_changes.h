@@ -18,11 +18,11 @@ struct RingProjection
   unsigned int n_harmonics = 0;
 };
 
-/// Change of one numerical parameter; its key is the part of the band (BandedQuantity::parts) to which it
-/// contributes. Several changes may contribute to one part.
+/// Change of one numerical parameter.
 struct BandChange : Variant
 {
-  double factor = 1;     ///< factor on the change; 0: no part, reference of other changes
+  std::string part;  ///< part of the band (BandedQuantity::parts) to which it contributes, maybe with others
+  double factor = 1; ///< factor on the change; 0: no part, reference of other changes
   std::string from = {}; ///< earlier part whose first change is the reference; empty: the study
   /// True if terminal spin and torques are compared by max_change_over_spins().
   bool compares_over_spins = false;

@@ -256,12 +256,12 @@ LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoo
 Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot> &foot,
                     const ElasticFoot &own, const LoadsAtPhases &own_loads, const EvaluationPoints &probe)
 {
-  if (change.on_same_foot)
+  if (change.shared == Shared::contact)
     foot->reset_rings();
   else
     foot->set_rings(own.ring_radii(), own.n_harmonics());
   const bool is_costly = is_collective(change.study) || probe.phases.size() > 1;
-  const LoadsAtPhases loads = is_costly && !change.on_same_foot
+  const LoadsAtPhases loads = is_costly && change.shared != Shared::contact
                                 ? changed_loads(change.study, foot, own_loads, probe)
                                 : loads_of(change.study, foot, probe);
   return evaluate(loads, *foot, change.study.motion.orbit, probe);
@@ -280,7 +280,7 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
     const double move = change.compares_over_spins
                           ? max_change_over_spins(key, before, after, change.study.motion.orbit.yaw_inertia)
                           : std::abs(quantity_of(after, key).value - quantity_of(before, key).value);
-    double &part = banded.parts[change.key];
+    double &part = banded.parts[change.part];
     const double added =
       change.is_alternative ? std::max(change.factor * move - part, 0.) : change.factor * move;
     part += added;
@@ -314,7 +314,8 @@ void widen_parts_of_lines(ErrorBands &bands)
 }
 
 ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const ring::Answer &all,
-                    const std::optional<double> &first, const Executor &executor, Progress &progress)
+                    const std::optional<double> &first, const Executor &executor, Progress &progress,
+                    const std::vector<QuantityOfInterest> &reported)
 {
   EvaluationPoints probe = probe_of(study, *foot, all.terminal->omega, first);
   const ring::Motion &motion = study.motion.orbit;
@@ -329,9 +330,14 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   { return quantities_from(found, probe, own, all, study); };
   const std::vector<QuantityOfInterest> unchanged = quantities(own);
   ErrorBands bands;
-  for (const QuantityOfInterest &quantity : unchanged)
+  for (QuantityOfInterest quantity : unchanged)
     if (std::isfinite(quantity.value))
+    {
+      for (const QuantityOfInterest &known : reported)
+        if (known.key == quantity.key)
+          quantity.value = known.value;
       bands.push_back({ quantity, quantity.rounding, quantity.value, { { "solver", quantity.rounding } } });
+    }
 
   const auto projected = std::stable_partition(
     changes.begin(), changes.end(), [](const BandChange &change) { return !change.ring_projection; });
@@ -355,7 +361,7 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
     const std::string &from = changes[i].from;
     const auto after = quantities(found[i].value());
     add_part(changes[i], from.empty() ? unchanged : by_part.at(from), after, bands);
-    by_part.emplace(changes[i].key, after);
+    by_part.emplace(changes[i].part, after);
   }
   widen_parts_of_lines(bands);
   for (BandedQuantity &banded : bands)
@@ -371,13 +377,14 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
 
 ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                           const ring::Answer &all, const std::optional<double> &first,
-                          const Executor &executor, Progress &progress)
+                          const Executor &executor, Progress &progress,
+                          const std::vector<QuantityOfInterest> &reported)
 {
   if (!foot || !all.terminal)
     return {};
   try
   {
-    return bands_of(study, foot, all, first, executor, progress);
+    return bands_of(study, foot, all, first, executor, progress, reported);
   }
   catch (const std::exception &failure)
   {
@@ -388,18 +395,12 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
   return {};
 }
 
-void use_reported_values(const LoadReport &at_rest, const Budget &budget, ErrorBands &bands)
+std::vector<QuantityOfInterest> reported_quantities(const LoadReport &at_rest, const Budget &budget)
 {
   std::vector<QuantityOfInterest> reported = load_quantities(at_rest);
   if (const std::optional<double> &at_half = budget.rows.back().torques[1])
     reported.push_back({ "tau_at_spin_1", "", "N m", *at_half });
-  for (BandedQuantity &banded : bands)
-    for (const QuantityOfInterest &quantity : reported)
-      if (quantity.key == banded.quantity.key)
-      {
-        banded.richardson += quantity.value - banded.quantity.value;
-        banded.quantity.value = quantity.value;
-      }
+  return reported;
 }
 
 void add_bands(const std::optional<double> &of_all, const std::optional<double> &of_first,

@@ -21,7 +21,8 @@ namespace stemware::pipeline
 ///   degree          elements of one degree more (on hard tables both on cells twice as large); of a solid
 ///                   foot if they are linear
 ///   harmonics       half the elastic harmonics; not of a solid foot
-///   lines           four and three times the azimuth lines, of a solid foot the lines of each face; nothing in full
+///   lines           four and three times the azimuth lines, of a solid foot the lines of each face; nothing
+///   in full
 ///                   contact, unless the mesh is from a file
 ///   interface       ten times the penalty of a hard interface
 ///   load_harmonics  twice the harmonics of the load, half if the lines or cells resolve no more
@@ -39,14 +40,16 @@ namespace stemware::pipeline
 /// list for a load without a contact, if one of the changed contacts fails (as near tipping), or if no other
 /// mesh would be informative (a solid foot whose contact with a hard table is narrower than its cells); @p
 /// progress receives the reason. A quantity without a value after a change gets no band. Collective if the
-/// body is.
+/// body is. @p reported: quantities whose values are known, equal to those of the bands up to the solver's
+/// tolerance.
 ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                           const ring::Answer &all, const std::optional<double> &first,
-                          const Executor &executor, Progress &progress = silent_progress());
+                          const Executor &executor, Progress &progress = silent_progress(),
+                          const std::vector<QuantityOfInterest> &reported = {});
 
-/// Replaces values in @p bands by the reported values, equal up to the solver's tolerance: of the load @p
-/// at_rest, and of the torque at half the terminal spin in the last row of @p budget.
-void use_reported_values(const LoadReport &at_rest, const Budget &budget, ErrorBands &bands);
+/// Returns the quantities that the results of a study state: of the load @p at_rest, and of the torque at
+/// half the terminal spin in the last row of @p budget.
+std::vector<QuantityOfInterest> reported_quantities(const LoadReport &at_rest, const Budget &budget);
 
 /// Sets the band of each budget row that comes from the contact and has a terminal spin, from the bands @p
 /// of_all of the last row and @p of_first of the first harmonic only [rad/s]: the wider of the two, but at

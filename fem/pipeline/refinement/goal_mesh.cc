@@ -75,7 +75,7 @@ GoalError error_of(const Study &study, const Discretisation &discretisation, con
     return goal_error(study, *foot, load, omega, study.contact.goal, true);
   };
   const auto found =
-    solve(std::vector<Variant>{ { "", "", study, discretisation } }, nullptr, error, executor)
+    solve(std::vector<Variant>{ { VariantKind::study, "", study, discretisation } }, nullptr, error, executor)
       .front()
       .value();
   if (!found)

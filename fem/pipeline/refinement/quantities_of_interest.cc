@@ -5,12 +5,19 @@
 #include "ring_model/no_balance.h"
 #include "ring_model/spin/curves.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace stemware::pipeline
 {
+
+std::string QuantityOfInterest::title() const
+{
+  return omega ? boost::replace_all_copy(name, "*", to_short_text(*omega)) : name;
+}
 
 std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double share_noise)
 {
@@ -54,9 +61,8 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
     relative_noise * study.motion.orbit.friction_at_rest() * at_rest.normal_force * spin.radius;
   quantities.push_back({ "tau_at_rest", "torque at rest", "N m", spin.torque_at_rest, torque_noise });
   for (std::size_t i = 0; i < spin.spins.size(); ++i)
-    quantities.push_back({ "tau_at_spin_" + std::to_string(i + 1),
-                           "torque at " + to_short_text(spin.spins[i]) + " rad/s", "N m", spin.torques[i],
-                           torque_noise });
+    quantities.push_back({ "tau_at_spin_" + std::to_string(i + 1), "torque at * rad/s", "N m",
+                           spin.torques[i], torque_noise, spin.spins[i] });
   quantities.push_back(
     { "omega_terminal", "terminal spin", "rad/s", spin.omega_terminal, relative_noise * spin.spin_scale });
   quantities.push_back({ "time_constant", "time constant", "s", spin.time_constant,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/coupling/balanced_load.h"
+#include "fem/pipeline/pictures/ring_quantities.h"
 #include "fem/pipeline/study/study.h"
 #include "ring_model/spin/answer.h"
 
@@ -19,10 +20,14 @@ namespace stemware::pipeline
 struct QuantityOfInterest
 {
   std::string key;  ///< in summary.json: "omega_terminal"
-  std::string name; ///< displayed name: "terminal spin"
+  std::string name; ///< displayed name: "terminal spin"; a * stands for `omega`
   std::string unit; ///< "1" for pure numbers
   double value = 0;
-  double rounding = 0; ///< size of differences due to solver tolerances
+  double rounding = 0;              ///< size of differences due to solver tolerances
+  std::optional<double> omega = {}; ///< spin of a torque [rad/s]
+
+  /// Returns the name with the spin in it.
+  std::string title() const;
 };
 
 /// A quantity of the study with its error band.
@@ -82,9 +87,6 @@ double terminal_spin_of(const ring::Answer &answer);
 /// Default spins at which the torque is evaluated: half and one and a half times
 /// the terminal spin @p omega_terminal.
 std::vector<double> spins_of_interest(double omega_terminal);
-
-/// Highest harmonic among the quantities of interest.
-constexpr unsigned int n_harmonics_of_interest = 8;
 
 /// Returns the quantity @p key. Throws std::out_of_range if there is none.
 const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities,

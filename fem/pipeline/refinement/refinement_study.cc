@@ -66,7 +66,8 @@ std::vector<RefinementAxis> refinement_axes(Study study, unsigned int n_levels)
       value = size;
       check_study(study);
       axis.sizes.push_back(size);
-      axis.levels.push_back({ axis.key, std::to_string(size), study });
+      axis.levels.push_back(
+        { VariantKind::parameter, std::to_string(size) + " of the refinement in " + axis.key, study });
     };
     if (step > 0 ? own % (2 * step) == 0 && own / 2 >= min : own > min)
       add(step > 0 ? own / 2 : own - 1);
@@ -127,8 +128,7 @@ ErrorBands refine(const std::vector<QuantityOfInterest> &own, const std::vector<
     solve(open, nullptr, quantities_at, executor, counting_callback(progress, "levels", open.size()));
   for (std::size_t i = 0; i < open.size(); ++i)
     if (solved[i].failure)
-      throw ring::NoBalance("Level " + open[i].name + " of the refinement in " + open[i].key + ": " +
-                            ring::failed_answer(solved[i].failure).reason);
+      throw ring::NoBalance("Level " + open[i].name + ": " + ring::failed_answer(solved[i].failure).reason);
 
   ErrorBands bands;
   for (std::size_t q = 0; q < own.size(); ++q)

@@ -1,54 +1,49 @@
 #pragma once
 
-#include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/document/document.h"
 #include "fem/pipeline/feet/contact_report.h"
+#include "fem/pipeline/pictures/ring_quantities.h"
 #include "fem/pipeline/refinement/quantities_of_interest.h"
-#include "fem/pipeline/study/study.h"
-
-#include <nlohmann/json.hpp>
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-/// Tables and data files of `run` and other verbs.
+/// Parts of summary.json, tables and data files of several verbs.
 namespace stemware::pipeline
 {
 
+// ---- parts of summary.json
+
+/// Returns "load" and "load_at_terminal" of summary.json.
+const Fields<LoadReport> &load_fields();
+
+/// Returns an entry of "error_bands" of summary.json. @p with_richardson: with the extrapolated value.
+Fields<BandedQuantity> band_fields(bool with_richardson);
+
+/// Returns the key of a quantity with its error band.
+std::string key_of_band(const BandedQuantity &banded);
+
+/// The load at rest, and the effects of its harmonics.
+struct HarmonicsRow
+{
+  const LoadReport &load;
+  HarmonicEffect effect;
+  std::vector<Truncation> rows;
+};
+
+/// Returns "load", "harmonic_effect", "torque_effect" and "truncation" of summary.json.
+const Fields<HarmonicsRow> &harmonics_fields();
+
 // ---- tables of the page
 
-/// Columns of the effect of harmonics on tau_z and on the terminal spin, for people.
-inline constexpr char truncation_keys[] = "harmonics change_half change_half_relative change_terminal "
-                                          "change_terminal_relative rest_terminal bound omega_terminal "
-                                          "spin_change";
-
-/// Returns truncation_rows() that matter: those whose rest of tau_z exceeds 1e-9 of the torque at rest, and
-/// all harmonics; rounding is 0.
-nlohmann::ordered_json shown_truncations(const nlohmann::ordered_json &rows);
-
-/// Adds @p rows, truncation_rows(), as "truncation" of summary.json, as the table "truncations" and, with the
-/// curves of @p effects, as the picture "torque_changes".
-void add_truncations(const nlohmann::ordered_json &rows, const ring::TorqueEffects &effects,
+/// Adds the table "truncations" and, with the curves of @p effects, the picture "torque_changes".
+void add_truncations(const std::vector<Truncation> &rows, const ring::TorqueEffects &effects,
                      Document &document);
 
 /// Adds the tables "bands" and "band_parts".
 void add_bands(const std::vector<BandedQuantity> &bands, Document &document);
-
-// ---- parts of summary.json
-
-/// Returns "load" or "load_at_terminal" of summary.json: a_n and b_n of each ring beside its radius and of
-/// their sum.
-nlohmann::ordered_json load_summary(const LoadReport &load);
-
-/// Returns quantities of interest with error bands and Richardson values, for display.
-nlohmann::ordered_json band_rows(const std::vector<BandedQuantity> &bands);
-
-/// Returns "error_bands" of summary.json: value, half-width, its parts (null if not estimated) and unit of
-/// each quantity.
-nlohmann::ordered_json band_summary(const std::vector<BandedQuantity> &bands);
 
 // ---- data files
 
@@ -81,9 +76,6 @@ Table driven_spin_table(const DrivenSpinUp &driven);
 
 /// Returns the torque over the phase (positions of the marks of glass and table in the slip frame).
 Table phase_table(const PhaseStudy &phases);
-
-/// Returns the answer by number of harmonics, from "truncation" of summary.json.
-Table truncation_table(const nlohmann::ordered_json &truncation);
 
 /// Returns the effects of harmonics on tau_z against the spin.
 Table torque_change_table(const ring::TorqueEffects &effects);

@@ -4,76 +4,171 @@
 #include "fem/pipeline/document/study_words.h"
 #include "fem/pipeline/input/study_size.h"
 #include "fem/pipeline/report/common_sections.h"
+#include "fem/pipeline/support/numbers.h"
 
 namespace stemware::pipeline
 {
 
-using Json = nlohmann::ordered_json;
-
 namespace
 {
 
-/// Values on every level of each axis, as converge.csv has them.
-Json level_rows(const std::vector<RefinementAxis> &axes, const ErrorBands &bands)
+/// Level of an axis, a row of converge.csv.
+struct LevelRow
 {
-  Json rows = Json::array();
-  for (const RefinementAxis &axis : axes)
-    for (std::size_t l = 0; l < axis.levels.size(); ++l)
-    {
-      Json &row = rows.emplace_back();
-      row = { { "axis", axis.key },
-              { "level (1)", static_cast<double>(l) - static_cast<double>(axis.own) },
-              { "size (1)", axis.sizes[l] },
-              { "unknowns (1)", size_of(axis.levels[l].study).unknowns } };
-      for (std::size_t i = 0; i < bands.size(); ++i)
-        row[with_unit(bands[i].quantity.name, bands[i].quantity.unit)] = axis.quantities[i].values[l];
-    }
-  return rows;
+  const RefinementAxis &axis;
+  std::size_t level;
+};
+
+/// Columns of converge.csv for the quantities of @p bands.
+Fields<LevelRow> level_fields(const ErrorBands &bands)
+{
+  Fields<LevelRow> fields = {
+    { "axis", "", "", [](const LevelRow &row) { return row.axis.key; },
+      in_file("axis", "axis of refinement") },
+    { "level", "1", "",
+      [](const LevelRow &row) { return static_cast<double>(row.level) - static_cast<double>(row.axis.own); },
+      in_file("level", "level of the axis; 0 is the study") },
+    { "size", "1", "", [](const LevelRow &row) { return row.axis.sizes[row.level]; },
+      in_file("size", "size of the level: what the axis counts") },
+    { "unknowns", "1", "",
+      [](const LevelRow &row) { return size_of(row.axis.levels[row.level].study).unknowns; },
+      in_file("unknowns", "unknowns of the largest linear system, estimated") }
+  };
+  for (std::size_t i = 0; i < bands.size(); ++i)
+  {
+    const QuantityOfInterest &quantity = bands[i].quantity;
+    fields.add({ quantity.omega ? "tau_at_*" : quantity.key, quantity.unit, "",
+                 [i](const LevelRow &row) { return row.axis.quantities[i].values[row.level]; },
+                 in_file(quantity.name, quantity.name),
+                 with_number(quantity.omega ? to_short_text(*quantity.omega) : "") });
+  }
+  return fields;
 }
 
-Json refinement_summary(const RefinementAxis &axis, const ErrorBands &bands)
+/// A quantity on the levels of an axis.
+struct SequenceRow
 {
-  Json json = STEMWARE_JSON(axis, name, size);
-  json.update({ { "levels", axis.sizes }, { "own_level", axis.own } });
-  for (std::size_t i = 0; i < bands.size(); ++i)
-    json["figures"][bands[i].quantity.key] = STEMWARE_JSON(axis.quantities[i], values, order, limit, bands);
-  return json;
+  std::string key;
+  RefinementSequence sequence;
+};
+
+/// An axis with the quantities of @p bands.
+struct AxisRow
+{
+  const RefinementAxis &axis;
+  const ErrorBands &bands;
+
+  std::vector<SequenceRow> sequences() const
+  {
+    std::vector<SequenceRow> rows;
+    for (std::size_t i = 0; i < bands.size(); ++i)
+      rows.push_back({ bands[i].quantity.key, axis.quantities[i] });
+    return rows;
+  }
+};
+
+/// What the summary of `converge` is read from.
+struct ConvergeRow
+{
+  const std::vector<RefinementAxis> &axes;
+  const ErrorBands &bands;
+
+  std::vector<AxisRow> rows() const
+  {
+    std::vector<AxisRow> rows;
+    for (const RefinementAxis &axis : axes)
+      rows.push_back({ axis, bands });
+    return rows;
+  }
+};
+
+const Fields<ConvergeRow> &converge_fields()
+{
+  const auto of_sequence = [](auto member)
+  { return [=](const SequenceRow &row) { return row.sequence.*member; }; };
+  const auto of_axis = [](auto member) { return [=](const AxisRow &row) { return row.axis.*member; }; };
+  static const auto sequence_fields =
+    Fields<SequenceRow>{ { "values", "", "Its values.", of_sequence(&RefinementSequence::values) },
+                         { "order", "", "Observed order.", of_sequence(&RefinementSequence::order) },
+                         { "limit", "", "Limit of the values.", of_sequence(&RefinementSequence::limit) },
+                         { "bands", "", "Half-widths of the error bands.",
+                           of_sequence(&RefinementSequence::bands) } };
+  static const auto axis_fields = Fields<AxisRow>{
+    { "name", "", "Refined parameter.", of_axis(&RefinementAxis::name) },
+    { "size", "", "Unit of the levels.", of_axis(&RefinementAxis::size) },
+    { "levels", "", "Sizes of the levels.", of_axis(&RefinementAxis::sizes) },
+    { "own_level", "", "Index of the study's own level, from 0.", of_axis(&RefinementAxis::own) },
+    { "figures", "Quantities by key.", sequence_fields, &AxisRow::sequences, ByKey{ &SequenceRow::key } }
+  };
+  static const auto fields =
+    Fields<ConvergeRow>{ { "refinement", "Axes of refinement of `converge`, by key.", axis_fields,
+                           &ConvergeRow::rows, ByKey{ [](const AxisRow &row) { return row.axis.key; } } },
+                         { "error_bands", "Error bands by quantity.", band_fields(true),
+                           [](const ConvergeRow &row) -> const ErrorBands & { return row.bands; },
+                           ByKey{ key_of_band } } };
+  return fields;
+}
+
+/// Row of the table of the terminal spin's bands.
+struct SpinBandRow
+{
+  std::string axis, own;
+  double band;
+  std::optional<double> order;
+};
+
+Table spin_band_table(const std::vector<SpinBandRow> &rows, Face face)
+{
+  static const auto fields =
+    Fields<SpinBandRow>{ { "axis", "", "", &SpinBandRow::axis, shown_as("what is refined") },
+                         { "own", "", "", &SpinBandRow::own, shown_as("the study has") },
+                         { "band", "rad/s", "", &SpinBandRow::band, shown_as("band"), with_digits("band") },
+                         { "order", "1", "", &SpinBandRow::order, on_page("observed order"),
+                           on_console("order"), with_digits(".2f") } };
+  return fields.table(rows, face,
+                      face == Face::console ? "Error band of the terminal spin, axis by axis" : "");
 }
 
 } // namespace
+
+Json converge_schema()
+{
+  return converge_fields().schema();
+}
+
+Table level_table(const std::vector<RefinementAxis> &axes, const ErrorBands &bands)
+{
+  std::vector<LevelRow> rows;
+  for (const RefinementAxis &axis : axes)
+    for (std::size_t l = 0; l < axis.levels.size(); ++l)
+      rows.push_back({ axis, l });
+  return level_fields(bands).table(rows, Face::file);
+}
 
 Results make_document(const Study &study, const std::vector<RefinementAxis> &axes, const ErrorBands &bands)
 {
   const std::size_t index = index_of(bands, "omega_terminal");
   const BandedQuantity &spin = bands[index];
   Results results = { document_of(study, "discretisation error") };
-  Json &summary = results.findings.summary, rows = Json::array();
+  std::vector<SpinBandRow> rows;
   for (const RefinementAxis &axis : axes)
   {
-    summary["refinement"][axis.key] = refinement_summary(axis, bands);
     const RefinementSequence &judged = axis.quantities[index];
-    rows.push_back({ { "axis", axis.name },
-                     { "own", axis.size + ": " + std::to_string(axis.sizes[axis.own]) },
-                     { "band", judged.bands[axis.own] },
-                     { "order", judged.order } });
+    rows.push_back({ axis.name, axis.size + ": " + std::to_string(axis.sizes[axis.own]),
+                     judged.bands[axis.own], judged.order });
   }
-  rows.push_back({ { "axis", "all together" }, { "own", "" }, { "band", spin.band } });
-  summary["error_bands"] = band_summary(bands);
-  for (const BandedQuantity &each : bands)
-    summary["error_bands"][each.quantity.key]["richardson"] = each.richardson;
+  rows.push_back({ "all together", "", spin.band, std::nullopt });
+  results.findings.summary = converge_fields().json({ axes, bands });
   results.findings.key_figures = { { "omega_terminal", spin.quantity.value },
                                    { "omega_terminal_band", spin.band } };
   results.words["answer"] = convergence_answer(spin, axes.front().name, axes.front().quantities[index].order);
   results.words["rounding"] = spin.quantity.rounding;
-  results.add_rows("spin_bands", rows);
+  results.add_table("spin_bands", spin_band_table(rows, Face::page));
   add_bands(bands, results);
   results.files = { { "summary.json", "everything, for programs" },
-                    { "converge.csv", "the values on every level of each axis",
-                      table_of(level_rows(axes, bands), "", "levels") },
+                    { "converge.csv", "the values on every level of each axis", level_table(axes, bands) },
                     { "parameters.prm", "the refined study" } };
-  results.console = { { results.words["answer"] },
-                      { "",
-                        table_of(rows, "", "spin_bands", "Error band of the terminal spin, axis by axis") } };
+  results.console = { { results.words["answer"] }, { "", spin_band_table(rows, Face::console) } };
   return results;
 }
 

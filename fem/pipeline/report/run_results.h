@@ -18,6 +18,9 @@ namespace stemware::pipeline
 Results make_document(const Study &study, const ContactReport &report, const SpinStudy &spin,
                       const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal = {});
 
+/// Returns the JSON Schema of the summary of `run`.
+Json run_schema();
+
 /// Returns the mesh's part of the band of the study's goal; std::nullopt without a goal or band.
 std::optional<double> band_of_mesh(const Study &study, const ErrorBands &bands);
 

@@ -1,6 +1,7 @@
 #include "fem/pipeline/report/sweep_results.h"
 
 #include "fem/pipeline/document/answers.h"
+#include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/document/sentences.h"
 #include "fem/pipeline/document/study_words.h"
 #include "fem/pipeline/support/numbers.h"
@@ -15,30 +16,46 @@ namespace stemware::pipeline
 namespace
 {
 
-using Json = nlohmann::ordered_json;
-
-/// Ranges of the quantities of the table in the report and on the console.
-Json range_rows(const CaseList &list, const FinishedCases &finished)
+/// Quantities that the table of ranges and the pictures of a grid show: those with a heading.
+std::vector<Quantity> shown_quantities()
 {
-  Json rows = Json::array();
-  for (const char *key : { "omega_terminal", "omega_first_harmonic", "omega_on_ring", "harmonic_effect",
-                           "tau_at_rest", "moment_ratio", "contact_fraction" })
-    if (const auto range = range_of(list, finished, key))
-      rows.push_back({ { "quantity", heading_with_unit(quantity_named(key, "sweep.csv")) },
-                       { "least", range->min },
-                       { "at_least", range->min_case },
-                       { "most", range->max },
-                       { "at_most", range->max_case } });
-  return rows;
+  std::vector<Quantity> quantities;
+  for (const auto &[quantity, value] : study_quantities().all())
+    if (!quantity.heading.empty())
+      quantities.push_back(quantity);
+  return quantities;
+}
+
+/// Range of a quantity over the cases.
+struct RangeRow
+{
+  Quantity quantity;
+  CaseRange range;
+};
+
+Table range_table(const CaseList &list, const FinishedCases &finished, Face face)
+{
+  static const auto fields = Fields<RangeRow>{
+    { "quantity", "", "",
+      [](const RangeRow &row) { return with_unit(row.quantity.heading, row.quantity.unit, false); },
+      shown_as("quantity") },
+    { "least", "1", "", [](const RangeRow &row) { return row.range.min; }, shown_as("smallest") },
+    { "at_least", "", "", [](const RangeRow &row) { return row.range.min_case; }, on_page("at") },
+    { "most", "1", "", [](const RangeRow &row) { return row.range.max; }, shown_as("largest") },
+    { "at_most", "", "", [](const RangeRow &row) { return row.range.max_case; }, on_page("at") }
+  };
+  std::vector<RangeRow> rows;
+  for (const Quantity &quantity : shown_quantities())
+    if (const auto range = range_of(list, finished, quantity.key))
+      rows.push_back({ quantity, *range });
+  return fields.table(rows, face);
 }
 
 /// Varied entries with their units and values.
-Json varied_rows(const CaseList &list)
+Table varied_table(const CaseList &list)
 {
-  Json rows = Json::array();
-  for (std::size_t e = 0; e < list.entries.size(); ++e)
+  const auto values_of = [&](const VariedEntry &entry)
   {
-    const VariedEntry &entry = list.entries[e];
     const auto shown = [](const std::string &value)
     {
       const auto number = parse_number(value);
@@ -53,28 +70,41 @@ Json varied_rows(const CaseList &list)
     else
       for (const std::string &value : entry.values)
         values += (values.empty() ? "" : ", ") + shown(value);
-    rows.push_back({ { "entry", entry.path },
-                     { "unit", entry.unit == "1" ? format::missing : entry.unit },
-                     { "values", values } });
-  }
-  return rows;
+    return values;
+  };
+  return Fields<VariedEntry>{
+    { "entry", "", "", &VariedEntry::path, on_page("entry") },
+    { "unit", "", "",
+      [](const VariedEntry &entry) { return entry.unit == "1" ? format::missing : entry.unit; },
+      on_page("unit") },
+    { "values", "", "", values_of, on_page("values") }
+  }.table(list.entries, Face::page);
 }
 
+/// Reason why cases failed.
+struct FailureRow
+{
+  std::size_t n_cases;
+  std::string first, message;
+};
+
 /// Reasons why cases failed, each with the first case that has it.
-Json failure_rows(const CaseList &list, const FinishedCases &finished)
+Table failure_table(const CaseList &list, const FinishedCases &finished)
 {
   constexpr std::size_t max_rows = 20;
   std::map<std::string, std::pair<std::size_t, std::size_t>> reasons; // message: first case, number
   for (const auto &[index, result] : finished)
     if (result.has_failed())
       ++reasons.emplace(result.message, std::pair(index, std::size_t(0))).first->second.second;
-  Json rows = Json::array();
+  static const auto fields =
+    Fields<FailureRow>{ { "cases", "1", "", &FailureRow::n_cases, on_page("cases") },
+                        { "first of them", "", "", &FailureRow::first, on_page("first of them") },
+                        { "message", "", "", &FailureRow::message, on_page("message") } };
+  std::vector<FailureRow> rows;
   for (const auto &[message, place] : reasons)
     if (rows.size() < max_rows)
-      rows.push_back({ { "cases", place.second },
-                       { "first of them", list.values_of(place.first) },
-                       { "message", message } });
-  return rows;
+      rows.push_back({ place.second, list.values_of(place.first), message });
+  return fields.table(rows, Face::page);
 }
 
 /// A grid for its pictures: the entries, and quantities with their values case by case; null if missing.
@@ -86,20 +116,18 @@ Json grid_of(const CaseList &list, const FinishedCases &finished)
                                 { "unit", entry.unit },
                                 { "log", entry.by_factors },
                                 { "values", entry.values } });
-  for (const char *key : { "omega_terminal", "omega_first_harmonic", "omega_on_ring", "omega_fall",
-                           "harmonic_effect", "contact_fraction", "tau_at_rest" })
+  for (const Quantity &quantity : shown_quantities())
   {
     Json values = Json::array();
     for (std::size_t i = 0; i < list.cases.size(); ++i)
     {
       const auto found = finished.find(i);
-      const auto value = found == finished.end() ? std::nullopt : found->second.value(key);
+      const auto value = found == finished.end() ? std::nullopt : found->second.value(quantity.key);
       values.push_back(shortened(value.value_or(std::nan("")), 9));
     }
-    const Quantity quantity = quantity_named(key, "sweep.csv");
-    grid["quantities"][key] = { { "label", quantity.heading },
-                                { "unit", quantity.unit },
-                                { "values", values } };
+    grid["quantities"][quantity.key] = { { "label", quantity.heading },
+                                         { "unit", quantity.unit },
+                                         { "values", values } };
   }
   return grid;
 }
@@ -110,21 +138,44 @@ Json ends_of(const std::optional<CaseRange> &range)
   return range ? Json{ range->min, range->max } : Json(nullptr);
 }
 
+/// What the summary of `sweep` is read from.
+struct SweepRow
+{
+  const CaseList &list;
+  std::size_t n_finished, n_failed;
+};
+
+const Fields<SweepRow> &sweep_fields()
+{
+  static const auto entry_fields =
+    Fields<VariedEntry>{ { "entry", "", "Section/Entry.", &VariedEntry::path },
+                         { "unit", "", "Unit of the values; empty for words.", &VariedEntry::unit } };
+  static const auto case_fields = Fields<SweepRow>{
+    { "cases", "", "Number of cases.", [](const SweepRow &row) { return row.list.cases.size(); } },
+    { "finished", "", "Cases that are finished: rows of sweep.csv.", &SweepRow::n_finished },
+    { "failed", "", "Finished cases without an answer.", &SweepRow::n_failed },
+    { "entries", "Entries that differ from case to case.", entry_fields,
+      [](const SweepRow &row) { return row.list.entries; } }
+  };
+  static const auto fields =
+    Fields<SweepRow>{ { "sweep", "Cases of `sweep`; sweep.csv has their numbers.", case_fields,
+                        [](const SweepRow &row) -> const SweepRow & { return row; } } };
+  return fields;
+}
+
 } // namespace
+
+Json sweep_schema()
+{
+  return sweep_fields().schema();
+}
 
 Results sweep_results(const CaseList &list, const FinishedCases &finished)
 {
-  const auto n_failed =
-    std::count_if(finished.begin(), finished.end(), [](const auto &one) { return one.second.has_failed(); });
-  const Json ranges = range_rows(list, finished);
-  Json entries = Json::array();
-  for (const VariedEntry &entry : list.entries)
-    entries.push_back({ { "entry", entry.path }, { "unit", entry.unit } });
+  const auto n_failed = static_cast<std::size_t>(
+    std::count_if(finished.begin(), finished.end(), [](const auto &one) { return one.second.has_failed(); }));
   Results results = { document_of(list.base, "its spin in " + std::to_string(list.cases.size()) + " cases") };
-  results.findings.summary["sweep"] = { { "cases", list.cases.size() },
-                                        { "finished", finished.size() },
-                                        { "failed", n_failed },
-                                        { "entries", entries } };
+  results.findings.summary = sweep_fields().json({ list, finished.size(), n_failed });
   results.findings.key_figures = { { "cases", list.cases.size() },
                                    { "finished", finished.size() },
                                    { "failed", n_failed },
@@ -132,17 +183,17 @@ Results sweep_results(const CaseList &list, const FinishedCases &finished)
                                    { "harmonic_effect",
                                      ends_of(range_of(list, finished, "harmonic_effect")) } };
   results.words["answer"] = sweep_answer(list, finished);
-  results.add_rows("varied", varied_rows(list));
-  results.add_rows("ranges", ranges, "quantity least at_least most at_most");
+  results.add_table("varied", varied_table(list));
+  results.add_table("ranges", range_table(list, finished, Face::page));
   if (n_failed > 0)
-    results.add_rows("failures", failure_rows(list, finished));
+    results.add_table("failures", failure_table(list, finished));
   if (list.is_grid())
     results.tables["grid"] = grid_of(list, finished);
   results.files = { { "sweep.csv", "a row for each case: entries, numbers, status, message" },
                     { "summary.json", "numbers of cases" },
                     { "parameters.prm", "the study that the cases modify" },
                     { "timings.json", "how long it took" } };
-  results.console = { { results.words["answer"], table_of(ranges, "quantity least most", "ranges") } };
+  results.console = { { results.words["answer"], range_table(list, finished, Face::console) } };
   return results;
 }
 

@@ -11,4 +11,7 @@ namespace stemware::pipeline
 /// grid its curves or maps. Cases that are not @p finished are left out.
 Results sweep_results(const CaseList &list, const FinishedCases &finished);
 
+/// Returns the JSON Schema of the summary of `sweep`.
+Json sweep_schema();
+
 } // namespace stemware::pipeline

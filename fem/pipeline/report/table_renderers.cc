@@ -1,8 +1,12 @@
 #include "fem/pipeline/report/table_renderers.h"
 
+#include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/report/results.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
+
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +20,17 @@ namespace
 
 constexpr std::size_t margin = 2; ///< blanks before each column
 
+/// Heading of a column of a data file.
+std::string name_of(const Quantity &quantity)
+{
+  return boost::replace_all_copy(quantity.name, "*", quantity.number);
+}
+
 /// The label of a column and its unit, in lines.
 std::vector<std::string> header_of(const Quantity &quantity)
 {
   const bool has_unit = !quantity.unit.empty() && quantity.unit != "1";
-  std::istringstream stream(quantity.label + (has_unit ? "\n(" + quantity.unit + ")" : ""));
+  std::istringstream stream(boost::trim_copy(quantity.label) + (has_unit ? "\n(" + quantity.unit + ")" : ""));
   std::vector<std::string> lines;
   for (std::string line; std::getline(stream, line);)
     lines.push_back(line);
@@ -36,7 +46,7 @@ struct LaidOutColumn
     lines.assign(n_header_lines - header.size(), "");
     lines.insert(lines.end(), header.begin(), header.end());
     for (std::size_t row = 0; row < column.cells.size(); ++row)
-      lines.push_back(shown(column, row, "-", true));
+      lines.push_back(shown(column.quantity, column.cells[row], "-"));
     for (const std::string &line : lines)
       width = std::max(width, display_width(line) + margin);
     const bool is_text =
@@ -54,7 +64,7 @@ struct LaidOutColumn
 };
 
 /// The lines of some columns side by side, without blanks at their ends.
-std::string run_in_parallel(const std::vector<const LaidOutColumn *> &columns)
+std::string side_by_side(const std::vector<const LaidOutColumn *> &columns)
 {
   std::string text;
   for (std::size_t i = 0; i < columns.front()->lines.size(); ++i)
@@ -78,7 +88,7 @@ std::string wrapped_lines(const std::string &text)
 }
 
 /// A cell with all its digits; @p missing where there is none.
-std::string exact(const nlohmann::ordered_json &cell, const std::string &missing)
+std::string exact(const Json &cell, const std::string &missing)
 {
   if (cell.is_number_float())
     return std::isnan(cell.get<double>()) ? missing : to_text(cell.get<double>());
@@ -90,6 +100,32 @@ std::string exact(const nlohmann::ordered_json &cell, const std::string &missing
 }
 
 } // namespace
+
+std::string shown(const Quantity &quantity, const Json &cell, const std::string &missing)
+{
+  if (cell.is_number_float() && std::isfinite(cell.get<double>()))
+    return format::number(cell, quantity.digits);
+  if (cell.is_number_integer())
+    return cell.dump();
+  if (cell.is_string())
+    return cell;
+  if (cell.is_boolean())
+    return cell.get<bool>() ? "yes" : "no";
+  return missing;
+}
+
+Table as_list(const Table &row)
+{
+  static const auto fields = Fields<Column>{
+    { "what", "", "",
+      [](const Column &column) { return with_unit(column.quantity.heading, column.quantity.unit, false); },
+      on_page(" ") },
+    { "is", "", "",
+      [](const Column &column) { return shown(column.quantity, column.cells.at(0), format::missing); },
+      on_page(" ") }
+  };
+  return fields.table(row.columns, Face::page);
+}
 
 std::string console_table(const Table &table)
 {
@@ -107,14 +143,14 @@ std::string console_table(const Table &table)
   {
     if (block.size() > 1 && width + columns[c].width > console_width)
     {
-      text += run_in_parallel(block) + '\n';
+      text += side_by_side(block) + '\n';
       block = { &columns.front() };
       width = columns.front().width;
     }
     block.push_back(&columns[c]);
     width += columns[c].width;
   }
-  return text + run_in_parallel(block);
+  return text + side_by_side(block);
 }
 
 std::string console_text(const Results &results)
@@ -136,7 +172,7 @@ std::string data_table(const Table &table)
   for (std::size_t c = 0; c < table.columns.size(); ++c)
   {
     const Quantity &quantity = table.columns[c].quantity;
-    text += fmt::format(FMT_STRING("# {}: {} ({})\n"), c + 1, quantity.name, quantity.unit);
+    text += fmt::format(FMT_STRING("# {}: {} ({})\n"), c + 1, name_of(quantity), quantity.unit);
   }
   for (std::size_t row = 0; row < table.n_rows(); ++row)
     for (std::size_t c = 0; c < table.columns.size(); ++c)
@@ -151,7 +187,7 @@ std::string csv_table(const Table &table)
   const auto add = [&](std::size_t c, const std::string &field)
   { text += csv_field(field) + (c + 1 < table.columns.size() ? "," : "\r\n"); };
   for (std::size_t c = 0; c < table.columns.size(); ++c)
-    add(c, with_unit(table.columns[c].quantity.name, table.columns[c].quantity.unit));
+    add(c, with_unit(name_of(table.columns[c].quantity), table.columns[c].quantity.unit));
   for (std::size_t row = 0; row < table.n_rows(); ++row)
     for (std::size_t c = 0; c < table.columns.size(); ++c)
       add(c, exact(table.columns[c].cells.at(row), ""));

@@ -1,12 +1,19 @@
 #pragma once
 
-#include "fem/pipeline/document/table.h"
+#include "fem/pipeline/pictures/quantity.h"
 
 #include <string>
 
 /// The forms of a table.
 namespace stemware::pipeline
 {
+
+/// Returns a cell as text for console or page; @p missing for a missing value.
+std::string shown(const Quantity &quantity, const Json &cell, const std::string &missing);
+
+/// Returns a table of one row as a list: a row for each column, with its heading and unit, and its value as
+/// text.
+Table as_list(const Table &row);
 
 /// Returns the table as text for numpy: "# title", one line "# 1: name (unit)" per column, then aligned rows
 /// of full-precision numbers; flags are 1 and 0, missing values nan.

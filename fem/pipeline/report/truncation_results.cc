@@ -4,7 +4,6 @@
 #include "fem/pipeline/document/answers.h"
 #include "fem/pipeline/document/sentences.h"
 #include "fem/pipeline/document/study_words.h"
-#include "fem/pipeline/pictures/spin_rows.h"
 #include "fem/pipeline/report/common_sections.h"
 
 #include <cmath>
@@ -14,8 +13,6 @@ namespace stemware::pipeline
 
 namespace
 {
-
-using Json = nlohmann::ordered_json;
 
 /// The least number of harmonics from which on the terminal spin stays within @p share of that of all, which
 /// is the last of @p rows; the last row's number without a terminal spin.
@@ -31,31 +28,49 @@ unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double shar
   return enough;
 }
 
+/// What the summary of `truncate` is read from.
+struct TruncateRow
+{
+  const ring::Answer &all;
+  HarmonicsRow harmonics;
+};
+
+const Fields<TruncateRow> &truncate_fields()
+{
+  static const auto fields = Fields<TruncateRow>{
+    { "fall", "Of `truncate`: as ring.fall of `run`.", fall_fields(),
+      [](const TruncateRow &row) { return row.all.fall; } }
+  }.include(harmonics_fields(), &TruncateRow::harmonics);
+  return fields;
+}
+
 } // namespace
+
+Json truncate_schema()
+{
+  return truncate_fields().schema();
+}
 
 Results make_truncation_document(const Study &study, const LoadReport &load,
                                  const std::vector<ring::Answer> &rows, const ring::TorqueEffects &effects)
 {
-  const Json truncation = truncation_rows(rows, effects, spin_scale(study));
+  const std::vector<Truncation> truncations = truncations_of(rows, effects, spin_scale(study));
   const std::optional<double> omega = rows.back().omega_terminal();
   const HarmonicEffect effect = harmonic_effect(rows.front().omega_terminal(), omega, spin_scale(study));
   const unsigned int n_enough = harmonics_enough(rows, 1e-4);
   Results results = { document_of(study, "how many harmonics of the load matter") };
-  results.findings.summary = { { "load", load_summary(load) },
-                               { "fall", fall_summary(rows.back()) },
-                               { "harmonic_effect", harmonic_effect_summary(effect) },
-                               { "torque_effect", torque_effect_summary(effects) } };
+  results.findings.summary = truncate_fields().json({ rows.back(), { load, effect, truncations } });
   results.findings.key_figures = { { "omega_terminal", omega },
                                    { "harmonic_effect", effect.absolute },
                                    { "harmonic_effect_relative", effect.relative },
                                    { "harmonics_for_1e-4", omega ? Json(n_enough) : Json(nullptr) } };
   results.words["answer"] = truncation_answer(study, rows, effects, effect, n_enough);
   add_load_lines(load, results);
-  add_truncations(truncation, effects, results);
+  add_truncations(truncations, effects, results);
   results.files = { { "summary.json", "all numbers, for programs" },
                     { "parameters.prm", "the study as input file" },
                     { "truncation.csv", "the answer with 1, 2, 3, 4, 6, 8 ... harmonics",
-                      truncation_table(truncation) },
+                      truncation_fields().table(truncations, Face::file) },
                     { "torque_changes.csv", "effect of the harmonics 2 ... n on τ_z against the spin",
                       torque_change_table(effects) },
                     { "timings.json", "how long it took" } };
@@ -66,7 +81,7 @@ Results make_truncation_document(const Study &study, const LoadReport &load,
                           std::string(is_one_way(study)
                                         ? "The spins are those of the load at rest, cut after n."
                                         : "Each terminal spin is a balance of its own."),
-                        table_of(shown_truncations(truncation), truncation_keys, "truncations") } };
+                        truncation_fields().table(shown_truncations(truncations), Face::console) } };
   return results;
 }
 

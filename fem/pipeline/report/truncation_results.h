@@ -16,4 +16,7 @@ namespace stemware::pipeline
 Results make_truncation_document(const Study &study, const LoadReport &load,
                                  const std::vector<ring::Answer> &rows, const ring::TorqueEffects &effects);
 
+/// Returns the JSON Schema of the summary of `truncate`.
+Json truncate_schema();
+
 } // namespace stemware::pipeline

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include "fem/pipeline/support/json.h"
 
 #include <optional>
 #include <string>

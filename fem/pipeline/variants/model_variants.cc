@@ -41,36 +41,37 @@ bool has_compliance(const Study &study, const Model &model)
 std::vector<Variant> model_chain(const Study &study)
 {
   std::vector<Variant> chain;
-  const auto add = [&](const char *key, const char *name, const Study &model)
+  const auto add = [&](const ChainStep &step, const char *name, const Study &model)
   {
-    Variant &variant = chain.emplace_back(Variant{ key, name, model });
+    Variant &variant = chain.emplace_back(Variant{ VariantKind::chain, name, model });
     variant.n_harmonics = 1;
-    variant.on_same_foot = variant.is_of_chain = true;
+    variant.shared = Shared::foot;
+    variant.step = step;
   };
   Study model = paper_study(study);
-  add("1", "paper", model);
+  add({ 1 }, "paper", model);
   if (!study.motion.orbit.has_constant_friction())
   {
     model.motion.orbit = study.motion.orbit;
     model.motion.orbit.liquid.surface_leans = false;
-    add("1a", "friction law", model);
+    add({ 1, true }, "friction law", model);
   }
   if (study.load.source != LoadSource::file)
   {
     model = first_harmonic_study(study);
     model.motion.grip_torque = 0;
-    add("2", study.load.is_static() ? "given moment" : "moment balance", model);
+    add({ 2 }, study.load.is_static() ? "given moment" : "moment balance", model);
   }
   if (study.motion.grip_torque > 0)
   {
     model.motion.grip_torque = study.motion.grip_torque;
-    add("2a", "grip", model);
+    add({ 2, true }, "grip", model);
   }
   if (study.tilts())
   {
     model = study;
     model.motion.tilt = false;
-    add("3", "where the foot touches", model);
+    add({ 3 }, "where the foot touches", model);
   }
   return chain;
 }
@@ -87,7 +88,7 @@ std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
     if (!applies)
       return;
     Variant &variant = variants.emplace_back(own);
-    variant.key = "without";
+    variant.kind = VariantKind::without;
     variant.name = name;
     leave_out(variant);
     const bool is_solid = !abilities(study.contact.body).is_of_revolution;
@@ -122,7 +123,7 @@ std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
          [](Variant &other) { other.study.motion.orbit.liquid.surface_leans = false; });
   add_if(study.motion.grip_torque > 0, "grip", [](Variant &other) { other.study.motion.grip_torque = 0; });
   if (study.motion.grip_torque > 0)
-    variants.back().on_same_load = true;
+    variants.back().shared = Shared::load;
   add_if(study.has_waviness(), "waviness",
          [](Variant &other) { other.study.glass.waviness = other.study.table.waviness = {}; });
   return variants;

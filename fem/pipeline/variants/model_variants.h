@@ -18,7 +18,7 @@ Study paper_study(Study study);
 /// moment.
 Study first_harmonic_study(Study study);
 
-/// Returns the models before the rows by harmonics: "1", "1a", "2", "2a" and "3", each named after its
+/// Returns the models before the rows by harmonics: steps 1, 1a, 2, 2a and 3, each named after its
 /// difference from the one before, all with a first harmonic. Models with a contact use the study's foot.
 std::vector<Variant> model_chain(const Study &study);
 

@@ -23,7 +23,7 @@ std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_p
 {
   ensure(variant.reason.empty(), variant.reason);
   require_no_tipping(variant.study);
-  if (variant.on_same_foot)
+  if (variant.shared != Shared::nothing)
     return foot ? foot->clone() : nullptr;
   try
   {

@@ -71,7 +71,7 @@ template <typename AnyVariant>
 std::pair<int, unsigned int> cost_of(const std::vector<AnyVariant> &variants, std::size_t i)
 {
   const Variant &variant = variants[i];
-  return { (variant.on_same_foot ? 0 : 1) + (variant.study.table.is_hard() ? 2 : 0),
+  return { (variant.shared != Shared::nothing ? 0 : 1) + (variant.study.table.is_hard() ? 2 : 0),
            variant.study.contact.degree + variant.discretisation.halvings_beyond_zone };
 }
 

@@ -8,7 +8,10 @@ const rounded = (value, rounding) => (Math.abs(value) < rounding ? 0 : value);
 
 /** The steps of the budget with their titles, the study itself last. */
 function steps_of({ tables }) {
-  const steps = tables.waterfall.map(row => ({ ...row, title: row.name + (row.formal ? ' (formal)' : '') }));
+  const steps = tables.waterfall.map(row => {
+    const formal = row.state === 'formal';
+    return { ...row, formal, title: row.name + (formal ? ' (formal)' : '') };
+  });
   const end = { ...steps[steps.length - 1], title: 'this study', difference: null, formal: false };
   const [first, ...more] = steps;
   const title = "the paper's model" + (first.formal ? ' (formal)' : '');

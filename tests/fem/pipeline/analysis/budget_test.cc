@@ -3,7 +3,7 @@
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/feet/make_foot.h"
-#include "fem/pipeline/pictures/spin_rows.h"
+#include "fem/pipeline/pictures/ring_quantities.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/self_consistent_ring.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
@@ -36,7 +36,7 @@ Texts rows_of(const Budget &budget)
 Texts names_without(const Study &study, const Model &model = {})
 {
   Texts names;
-  for (const Variant &variant : variants_without({ "", "", study, {}, model }))
+  for (const Variant &variant : variants_without({ VariantKind::study, "", study, {}, model }))
     names.push_back(variant.name);
   return names;
 }
@@ -382,10 +382,10 @@ TEST(Budget, LeavesOutTheInterfaceUnderAWavyRimToo)
   ASSERT_TRUE(row->omega_terminal) << row->reason;
   study.table.interface = TableInterface::hard;
   fem::ComplianceCache cache;
-  const ring::Answer hard =
-    solve_rows({ { "", "", study, {}, {}, all_harmonics } }, nullptr, {}, ThreadedExecutor(cache))
-      .front()
-      .row;
+  const ring::Answer hard = solve_rows({ { VariantKind::study, "", study, {}, {}, all_harmonics } }, nullptr,
+                                       {}, ThreadedExecutor(cache))
+                              .front()
+                              .row;
   EXPECT_GT(hard.ripple, 0);
   EXPECT_NEAR(*row->omega_terminal, *hard.omega_terminal(), 1e-3 * std::abs(*hard.omega_terminal()));
 }

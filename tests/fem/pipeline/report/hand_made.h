@@ -71,9 +71,8 @@ inline ring::Answer hand_made_row(Numbers &next, unsigned int harmonics)
   row.terminal = ring::TerminalSpin{ omega, slope, next(), true };
   row.at_terminal = hand_made_state(next);
   next();
-  row.band = next() / 1000;
-  next();
-  next();
+  for (int i = 0; i < 3; ++i) // numbers that no row has
+    next();
   row.status = ring::Status::lift_off;
   row.relative_change = next() / 100;
   for (int i = 0; i < 5; ++i) // numbers that no row has

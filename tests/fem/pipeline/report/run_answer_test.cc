@@ -1,8 +1,9 @@
 // The sentences of `run`: its answer and its remarks.
 #include "fem/pipeline/answer/sweep_case.h"
+#include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/document/run_answer.h"
 #include "fem/pipeline/document/sentences.h"
-#include "fem/pipeline/pictures/spin_rows.h"
+#include "fem/pipeline/pictures/ring_quantities.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/report/hand_made_studies.h"

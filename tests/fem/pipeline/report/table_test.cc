@@ -1,9 +1,14 @@
 // One table in its forms: every kind of cell, what does not exist, and who sees which digits.
+#include "fem/pipeline/document/number_format.h"
+#include "fem/pipeline/report/schema.h"
 #include "fem/pipeline/report/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
+#include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 namespace stemware::pipeline
@@ -11,57 +16,47 @@ namespace stemware::pipeline
 namespace
 {
 
-using Json = nlohmann::ordered_json;
-
 const double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Quantities of a document.
-const Json own = { { "all",
-                     { { "spin",
-                         { { "name", "terminal omega" },
-                           { "unit", "rad/s" },
-                           { "heading", "ω_∞" },
-                           { "label", "terminal\nspin" },
-                           { "digits", ".3g" },
-                           { "console_digits", ".5g" } } },
-                       { "pulls", { { "name", "pulls" } } },
-                       { "at[]",
-                         { { { "name", "at 1" }, { "unit", "s" }, { "label", "at 1" } },
-                           { { "name", "at 2" }, { "unit", "s" }, { "label", "at 2" } } } } } } };
-
-Json rows_of_everything()
+/// A row with every kind of cell.
+struct Everything
 {
-  Json rows = { { { "who", "a, \"b\"" },
-                  { "cells (1)", 100000 },
-                  { "spin", -1.23456789 },
-                  { "half (rad/s)", std::optional(0.25) },
-                  { "pulls", true },
-                  { "at", { 1.5, 3.5 } } },
-                { { "who", "c < d" },
-                  { "cells (1)", 7 },
-                  { "spin", 1e-15 },
-                  { "half (rad/s)", std::optional<double>() },
-                  { "pulls", false },
-                  { "at", { 2.5, 4.5 } } } };
-  return rows;
-}
+  std::string who;
+  unsigned int cells;
+  double spin;
+  std::optional<double> half;
+  bool pulls;
+  std::array<double, 2> at;
+};
 
-/// All of them, in the order of the rows.
-Table table_of_everything(Json rows = rows_of_everything())
+const std::vector<Everything> rows = { { "a, \"b\"", 100000, -1.23456789, 0.25, true, { 1.5, 3.5 } },
+                                       { "c < d", 7, 1e-15, std::nullopt, false, { 2.5, 4.5 } } };
+
+/// All of them, for each face.
+Fields<Everything> all_fields()
 {
-  return table_of(rows, "", "all", "All kinds of cells", own);
+  return Fields<Everything>{
+    { "who", "", "Who.", &Everything::who, in_file("who", "who it is"), shown_as("who") },
+    { "cells", "1", "", &Everything::cells, in_file("cells", "how many"), on_console("cells") },
+    { "spin", "rad/s", "Spin.", &Everything::spin, in_file("terminal omega", "spin"), on_page("ω_∞"),
+      on_console("terminal\nspin"), with_digits(".5g") },
+    { "half", "rad/s", "Half.", &Everything::half, in_file("half", "half"), on_console("half") },
+    { "pulls", "", "", &Everything::pulls, in_file("pulls", "whether it pulls") },
+    { "at", "s", "Places.", &Everything::at,
+      with_places({ { "at1", "s", "", "at 1", "first", "first", "at 1" },
+                    { "at2", "s", "", "at 2", "second", "", "at 2" } }) }
+  };
 }
 
 TEST(Table, AsDataTable)
 {
-  Table table = table_of_everything();
-  table.title = "Numbers";
+  Table table = all_fields().table(rows, Face::file, "Numbers");
   table.columns.erase(table.columns.begin());
   EXPECT_EQ(data_table(table), R"(# Numbers
 # 1: cells (1)
 # 2: terminal omega (rad/s)
 # 3: half (rad/s)
-# 4: pulls (1)
+# 4: pulls ()
 # 5: at 1 (s)
 # 6: at 2 (s)
                   100000              -1.23456789                     0.25                        1                      1.5                      3.5
@@ -71,19 +66,16 @@ TEST(Table, AsDataTable)
 
 TEST(Table, AsCsv)
 {
-  EXPECT_EQ(csv_table(table_of_everything()),
-            "who,cells (1),terminal omega (rad/s),half (rad/s),pulls (1),at 1 (s),at 2 (s)\r\n"
+  EXPECT_EQ(csv_table(all_fields().table(rows, Face::file)),
+            "who,cells (1),terminal omega (rad/s),half (rad/s),pulls,at 1 (s),at 2 (s)\r\n"
             "\"a, \"\"b\"\"\",100000,-1.23456789,0.25,1,1.5,3.5\r\nc < d,7,1e-15,,0,2.5,4.5\r\n");
 }
 
 TEST(Table, OnTheConsole)
 {
-  Json rows = rows_of_everything();
-  zero_rounding_errors(rows, "spin at", 1e-12);
-  Table table = table_of_everything(rows);
-  table.title = "";
-  table.columns.erase(table.columns.begin() + 4);
-  EXPECT_EQ(console_table(table),
+  std::vector<Everything> shown = rows;
+  shown[1].spin = 0;
+  EXPECT_EQ(console_table(all_fields().table(shown, Face::console)),
             R"(                  terminal
                       spin     half  at 1  at 2
   who      cells   (rad/s)  (rad/s)   (s)   (s)
@@ -92,102 +84,81 @@ TEST(Table, OnTheConsole)
 )");
 }
 
+/// A table of one row of texts, with these labels.
+Table texts(const std::vector<std::pair<std::string, Json>> &cells)
+{
+  Table table;
+  for (const auto &[label, cell] : cells)
+  {
+    table.columns.push_back({ { label, "", "", label, label, label, label }, { cell } });
+  }
+  return table;
+}
+
 TEST(Table, ConsoleCountsLettersNotBytes)
 {
-  EXPECT_EQ(console_table(table_of({ { { "τ", 1 }, { "ω", 10 } } })), "  τ   ω\n  1  10\n");
+  EXPECT_EQ(console_table(texts({ { "τ", 1 }, { "ω", 10 } })), "  τ   ω\n  1  10\n");
 }
 
 TEST(Table, CsvQuotesLineEnds)
 {
-  EXPECT_EQ(csv_table(table_of({ { { "a", "two\nlines" }, { "b", "" } } }, "a b")),
-            "a,b\r\n\"two\nlines\",\r\n");
+  EXPECT_EQ(csv_table(texts({ { "a", "two\nlines" }, { "b", "" } })), "a,b\r\n\"two\nlines\",\r\n");
 }
 
 TEST(Table, TooWideForTheConsoleGoesOnBelow)
 {
-  Json row = { { "n (1)", 1 } };
-  for (const char letter : { 'a', 'b', 'c' })
-    row[std::string(1, letter) + " (1)"] = std::string(40, letter);
+  const auto wide = [](char letter) { return Json(std::string(40, letter)); };
   const std::string blanks(39, ' ');
-  EXPECT_EQ(console_table(table_of(Json::array({ row }))),
-            "  n  " + blanks + "a  " + blanks + "b\n  1  " + std::string(40, 'a') + "  " +
-              std::string(40, 'b') + "\n\n  n  " + blanks + "c\n  1  " + std::string(40, 'c') + "\n");
+  EXPECT_EQ(console_table(texts({ { "n", 1 }, { "a", wide('a') }, { "b", wide('b') }, { "c", wide('c') } })),
+            "  n  a" + blanks + "  b\n  1  " + std::string(40, 'a') + "  " + std::string(40, 'b') +
+              "\n\n  n  c\n  1  " + std::string(40, 'c') + "\n");
 }
 
-TEST(Table, PartsOfItsRowsInJson)
+TEST(Table, OneRowAsAList)
 {
-  EXPECT_EQ(selected_keys(rows_of_everything(), "spin who").dump(),
-            R"([{"spin":-1.23456789,"who":"a, \"b\""},{"spin":1e-15,"who":"c < d"}])");
-  EXPECT_EQ(selected_keys(rows_of_everything()[1], "at").dump(), R"({"at":[2.5,4.5]})");
+  const Table list = as_list(all_fields().table({ rows[0] }, Face::page));
+  EXPECT_EQ(Json(list.columns[0].cells).dump(), R"=(["who","ω_∞ (rad/s)","first (s)"])=");
+  EXPECT_EQ(Json(list.columns[1].cells).dump(), R"(["a, \"b\"","-1.2346","1.5"])");
 }
 
-TEST(Table, OneObjectAsAList)
+TEST(Table, ANumberThatIsNotFiniteIsNoneForPeople)
 {
-  EXPECT_EQ(
-    name_value_list(table_of({ { "spin", 1.23456 }, { "at", { 1.5, 2 } } }, "spin at[]", "all", "", own))
-      .dump(),
-    R"=([{"what":"ω_∞ (rad/s)","is":"1.23"},{"what":"at 1 (s)","is":"1.5"},{"what":"at 2 (s)","is":"2"}])=");
+  EXPECT_EQ(console_table(texts({ { "x", nothing } })), "  x\n  -\n");
 }
 
-TEST(Table, ANumberThatIsNotFiniteIsNoneForPeopleAndIsLeftToPublishInJson)
+TEST(Quantities, WithADescriptionAreInTheSummaryWithTheirTypes)
 {
-  const Table table = table_of({ { { "x (1)", nothing } } });
-  EXPECT_EQ(console_table(table), "  x\n  -\n");
-  EXPECT_EQ(Json(std::optional<double>()), nullptr);
-  EXPECT_EQ(Json(std::optional(1.5)), 1.5);
+  EXPECT_EQ(all_fields().json(rows[1]).dump(), R"({"who":"c < d","spin":1e-15,"half":null,"at":[2.5,4.5]})");
+  const Json schema = all_fields().schema();
+  EXPECT_EQ(schema["properties"]["half"].dump(),
+            R"({"description":"Half.","unit":"rad/s","type":["number","null"]})");
+  EXPECT_EQ(schema["properties"]["at"]["maxItems"], 2);
+  EXPECT_EQ(schema["required"].dump(), R"(["who","spin","half","at"])");
 }
 
-TEST(Table, AMissingColumnIsNamed)
+TEST(Quantities, OfAPartAreItsMembersOrNull)
 {
-  EXPECT_THROW(table_of(rows_of_everything(), "who omega"), std::out_of_range);
-  EXPECT_THROW(selected_keys(rows_of_everything(), "who omega"), Json::out_of_range);
+  using Row = std::optional<Everything>;
+  const auto all_rows = [](const Row &row) { return row ? &rows : nullptr; };
+  const auto self = [](const Row &row) { return row; };
+  const Fields<Row> fields = { { "part", "Part.", all_fields(), self },
+                               { "all", "List.", all_fields(), all_rows },
+                               { "maybe", "Not always there.", all_fields(), self, or_absent() } };
+  EXPECT_EQ(fields.json(std::nullopt).dump(), R"({"part":null,"all":null})");
+  EXPECT_EQ(fields.json(rows[0])["all"][1]["who"], "c < d");
+  EXPECT_EQ(fields.json(rows[0])["maybe"]["spin"], -1.23456789);
+  EXPECT_EQ(fields.schema()["properties"]["part"]["type"].dump(), R"(["object","null"])");
+  EXPECT_EQ(fields.schema()["required"].dump(), R"(["part","all"])");
 }
 
-TEST(Quantities, OfASectionStandBeforeThoseOfAll)
+TEST(Quantities, TheSchemaOfTheSummaryIsTheCommittedOne)
 {
-  EXPECT_EQ(heading_with_unit(quantity_named("band", "chain")), "band (rad/s)");
-  EXPECT_EQ(heading_with_unit(quantity_named("band", "bands")), "band");
-  EXPECT_EQ(quantity_named("band", "bands").digits, "band");
-  EXPECT_EQ(quantity_named("force[]", "", 1).heading, "T_y");
-  EXPECT_EQ(quantity_named("load harmonics", "band_parts").digits, "band");
-  EXPECT_EQ(quantity_named("harmonic effect (%)").unit, "%");
-  EXPECT_EQ(quantity_named("harmonic effect (%)").name, "harmonic effect");
-}
-
-TEST(Quantities, AreDeclaredByTheSchemaOfTheSummary)
-{
-  EXPECT_EQ(heading_with_unit(quantity_named("omega_terminal")), "terminal spin (rad/s)");
-  EXPECT_EQ(quantity_named("omega_terminal", "budget").name, "terminal omega");
-  EXPECT_EQ(quantity_named("step").unit, "") << "a word";
-  EXPECT_EQ(quantity_named("torques[]", "chain", 1).unit, "N m") << "that of the list";
-  EXPECT_EQ(quantity_named("table_motion[]", "contact", 2).unit, "rad") << "that of its place";
-  EXPECT_EQ(quantity_named("omega", "terminal_spins").heading, "spin ω");
-  EXPECT_EQ(quantity_named("tau_closed_form").heading, "tau_closed_form") << "no table shows it";
-}
-
-TEST(Quantities, APartOfTheSummaryHasTheKeysOfTheSchemaInItsOrder)
-{
-  const Json row = {
-    { "reason", nullptr }, { "remark", "" }, { "omega_terminal", -3.5 }, { "name", "tilt" }
-  };
-  EXPECT_EQ(declared(Json::array({ row, row }), "without")[1].dump(),
-            R"({"name":"tilt","omega_terminal":-3.5,"reason":null})");
-  EXPECT_EQ(declared({ { "unknowns", 7 }, { "body", "solid" }, { "x", 1 } }, "contact").dump(),
-            R"({"body":"solid","unknowns":7})");
-  EXPECT_THROW(declared(row, "no part"), Json::out_of_range);
-}
-
-TEST(Quantities, ListedOnesOfAPartStandInTheOrderOfTheSchema)
-{
-  const Json contact = { { "unknowns", 7 },
-                         { "mesh", { { "rim_radius", 0.03 }, { "cells", 9 } } },
-                         { "linear_iterations", 5 },
-                         { "table_motion", { 1e-6, 0., 2e-6 } },
-                         { "body", "solid" } };
-  const Json list = listed(contact, "contact");
-  EXPECT_EQ(list.dump(), R"=({"body":"solid","cells":9,"unknowns":7,"table_motion":[1e-06,0.0,2e-06]})=");
-  EXPECT_EQ(name_value_list(table_of(list, "", "contact")).back()["what"], "table tilted by q_2 (rad)");
-  EXPECT_TRUE(listed(contact, "no part").empty());
+  const std::string written = "summary.schema.json", schema = summary_schema();
+  if (schema == test::read_text(STEMWARE_SCHEMA))
+    return;
+  std::ofstream(written) << schema;
+  ADD_FAILURE() << "The declarations give another schema: copy " << std::filesystem::absolute(written)
+                << " to fem/pipeline/document and run docs/keys.py.";
 }
 
 TEST(NumberFormat, BandsAreRoundedUp)

@@ -64,7 +64,7 @@ TEST(Solve, StartsDoNotDependOnTheOtherVariants)
 TEST(Solve, AVariantThatFailsSaysWhyAndTheOthersGoOn)
 {
   const Study study = quick_contact_study();
-  std::vector<Variant> variants(3, { "", "", study });
+  std::vector<Variant> variants(3, { VariantKind::study, "", study });
   variants[0].reason = "not defined";
   variants[1].study.load.moment_ratio = 2.3;
   std::vector<std::size_t> done;
@@ -81,7 +81,7 @@ TEST(Solve, AVariantThatFailsSaysWhyAndTheOthersGoOn)
 
 TEST(Solve, AnyFailureIsOfItsVariantUnlessRanksWouldWait)
 {
-  const std::vector<Variant> variants(2, { "", "", quick_contact_study() });
+  const std::vector<Variant> variants(2, { VariantKind::study, "", quick_contact_study() });
   const auto question = [](const Variant &, const std::shared_ptr<ElasticFoot> &) -> int
   { throw std::logic_error("a bug"); };
   fem::ComplianceCache cache;
