@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 
 import stemware
 
-result = stemware.Study().converge(levels=3)
+result = stemware.Study(table="mat").converge(levels=3)
 band = result.bands().loc["omega_terminal"]
 print(f"terminal spin {band['value']:.6f} ± {band['band']:.1e} rad/s")
 figure, ax = plt.subplots(figsize=(6, 3.4), layout="constrained")

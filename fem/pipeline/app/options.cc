@@ -51,11 +51,12 @@ std::string why_no_folder(const std::string &text)
 /// wait for memory for ever, or end the program.
 void require_memory_left(const Study &study, unsigned int n_threads)
 {
-  constexpr double buffer_of_blas = 1.4e8, stack_and_heap_of_thread = 8e7; // in the address space
+  constexpr double buffers = 2e8, // of BLAS and of written fields, in the address space
+    stack_and_heap_of_thread = 8e7;
   const MemoryLeft left = memory_left();
   double needed = size_of(study).memory - memory_of_the_program;
   if (left.is_address_space)
-    needed = needed / n_ranks() + buffer_of_blas + (n_threads - 1) * stack_and_heap_of_thread;
+    needed = needed / n_ranks() + buffers + (n_threads - 1) * stack_and_heap_of_thread;
   if (study.load.is_from_contact() && left.bytes < needed)
     throw std::runtime_error(fmt::format(
       FMT_STRING("The study needs about {:.2g} GB more memory, but {} leaves {:.2g} GB; raise the "

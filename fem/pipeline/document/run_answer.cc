@@ -171,10 +171,11 @@ std::string lift_off_remark(const Study &study, const ContactReport &report, con
   return lift_off_sentences({ { "At rest", &report.load } });
 }
 
-std::string contact_remark(const ContactReport &report, const SpinStudy &spin, const ErrorBands &bands)
+std::string contact_remark(const Study &study, const ContactReport &report, const SpinStudy &spin,
+                           const ErrorBands &bands)
 {
   std::string text = pressed_sentence("At rest", report.load, bands);
-  if (spin.all().terminal)
+  if (spin.all().terminal && is_spin(study, spin.all().terminal->omega))
     append(text, pressed_sentence("At the terminal spin", report.load_at_end, bands));
   return text;
 }

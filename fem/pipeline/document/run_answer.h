@@ -22,8 +22,9 @@ std::string profile_remark(const Study &study);
 std::string lift_off_remark(const Study &study, const ContactReport &report, const SpinStudy &spin);
 
 /// Returns a remark on the largest pressure and the contact width at rest and at the terminal spin, with
-/// bands that exceed a tenth of the value.
-std::string contact_remark(const ContactReport &report, const SpinStudy &spin, const ErrorBands &bands);
+/// bands that exceed a tenth of the value; at rest only if the glass does not spin.
+std::string contact_remark(const Study &study, const ContactReport &report, const SpinStudy &spin,
+                           const ErrorBands &bands);
 
 /// Returns a remark on a contact that is at most a few nodes wide.
 std::string narrow_contact_remark(const Study &study, const ContactReport &report);

@@ -135,6 +135,10 @@ Json sketch_labels(const Study &study)
 {
   const ring::Motion &motion = study.motion.orbit;
   const auto given = values_in_words(study);
+  // The hand moves the glass that does not spin yet against friction: F = m a - T(0).
+  const double along = motion.total_mass() * motion.acceleration().x() +
+                       motion.friction_at_rest() * motion.normal_force(),
+               inwards = motion.total_mass() * std::abs(motion.acceleration().y());
   return { { "mass", given.at("Motion/Mass") },
            { "speed", given.at("Motion/Orbit speed") },
            { "orbit_radius", given.at("Motion/Orbit radius") },
@@ -147,7 +151,7 @@ Json sketch_labels(const Study &study)
            { "hand", motion.force_offset < 0   ? -1
                      : motion.force_offset > 0 ? 1
                                                : 0 },
-           { "force", motion.total_mass() * motion.acceleration().norm() } };
+           { "force", { { "along", along }, { "inwards", inwards } } } };
 }
 
 } // namespace

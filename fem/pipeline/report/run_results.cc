@@ -128,7 +128,7 @@ Json words_of(const Study &study, const ContactReport &report, const SpinStudy &
   append(answer, profile_remark(study));
   return { { "answer", answer },
            { "lift_off", lift_off_remark(study, report, spin) },
-           { "pressed", contact_remark(report, spin, bands) },
+           { "pressed", contact_remark(study, report, spin, bands) },
            { "narrow_contact", narrow_contact_remark(study, report) },
            { "thin_layer", thin_layer_remark(study, report.load.half_width()) },
            { "out_of_flat", out_of_flat_remark(study, spin) },

@@ -100,7 +100,8 @@ void require_able_body(const Study &study)
          "Contact/Degree = " + std::to_string(contact.degree) +
            " is not allowed for Contact/Body = solid; give 1 or 2, or set Contact/Body = revolution.");
   ensure(can.stands_on_elastic_disc || !study.table.make().substrate,
-         "Table/Substrate = elastic needs a body of revolution; set Contact/Body = revolution.");
+         "Table/Substrate = elastic needs a body of revolution; set Contact/Body = revolution, or "
+         "Table/Substrate = rigid.");
   ensure(!can.is_of_revolution || 2 * contact.load_harmonics < contact.azimuth_lines,
          filled("Contact/Load harmonics = {} needs more than {} Contact/Azimuth lines, not {}; give more "
                 "lines, or fewer load harmonics.",

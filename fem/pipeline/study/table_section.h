@@ -27,8 +27,8 @@ enum class TableSubstrate
 /// Subsection Table: an interface on a substrate.
 struct TableSection
 {
-  TableInterface interface = TableInterface::winkler;
-  TableSubstrate substrate = TableSubstrate::rigid;
+  TableInterface interface = TableInterface::rough;
+  TableSubstrate substrate = TableSubstrate::elastic;
   double foundation_modulus = 1e10; ///< of the Winkler interface [Pa/m]
   double layer_thickness = 0;       ///< of the layer represented by a Winkler interface [m]; 0: not given
   fem::Roughness roughness;

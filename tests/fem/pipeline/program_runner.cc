@@ -267,6 +267,7 @@ std::vector<std::string> all_between(const std::string &text, const std::string 
 std::string plain_study(const std::string &further)
 {
   return "subsection Motion\n  set Tilt = neglected\nend\n"
+         "subsection Table\n  set Interface = Winkler\n  set Substrate = rigid\nend\n"
          "subsection Glass\n  set Shape = step\nend\n"
          "subsection Contact\n  set Friction coupling = none\nend\n"
          "subsection Load\n  set Coupling = one-way\nend\n" +

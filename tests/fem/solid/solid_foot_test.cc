@@ -164,7 +164,8 @@ TEST(SolidFoot, TakesTheFirstOfTwoBalances)
   demand.tilt_moment = weight * height;
   const double expected = -oracle.solve(demand).load.moment().y() / scale;
   ASSERT_LT(expected, 1.2);
-  for (const LinearSolver solver : { LinearSolver::condensed, LinearSolver::multigrid })
+  // On one rank the automatic solver condenses so small a foot.
+  for (const LinearSolver solver : { LinearSolver::automatic, LinearSolver::multigrid })
   {
     SolidSetup setup;
     setup.table.interface = mat;

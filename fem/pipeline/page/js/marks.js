@@ -65,7 +65,7 @@ const shape_at = (shape, cx, cy, size, paint) =>
 export const dots = ({ x, y, name, colour = 'c1', size = 4, hollow, band, across, words, shape }) => ({
   name,
   colour,
-  swatch: hollow ? 'ring' : shape || 'dot',
+  swatch: hollow ? 'ring' : size ? shape || 'dot' : 'line',
   extent: () => {
     const ends = (list, other) =>
       band && other ? list.flatMap((v, i) => [v, v + (band[i] || 0), v - (band[i] || 0)]) : list;

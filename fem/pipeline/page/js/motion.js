@@ -104,7 +104,11 @@ export function orbits(glasses, parameters) {
   const nodes = () => glasses.map((glass, i) => glass_nodes(glass, ((i + 0.5) * width) / glasses.length, size));
   const seconds = shown(turn / size.rate, '#.3g');
   const title = glasses.map(({ title, omega }) => `${title}: ${turns_of(omega, omega)}`).join('. ');
-  const caption = say(size.larger ? t.larger : t.caption, seconds, shown(size.larger, '.2g'));
+  const caption = [
+    say(t.caption, seconds),
+    ...(glasses.some(({ load }) => load) ? [t.band] : []),
+    size.larger ? say(t.larger, shown(size.larger, '.2g')) : t.to_scale
+  ].join(' ');
   const node = h(
     'figure',
     { id: 'orbits', class: 'drawing' },

@@ -24,6 +24,9 @@ const soft = { class: 'soft' };
 const thin = (d, more = {}) => s('path', { d, fill: 'none', stroke: 'var(--soft)', 'stroke-width': 0.9, ...more });
 const filled = (d, colour) => s('path', { d, fill: `var(--${colour})` });
 
+/** Size of the hand's force before the glass spins: towards the centre, and along the path against friction. */
+const hand_force = given => `${shown(Math.hypot(given.force.inwards, given.force.along), '.3g')} N`;
+
 function hand_nodes(given, hand) {
   return [
     thin(`M${axis - 14},${hand}H76`, { stroke: 'var(--c3)', 'stroke-width': 2.6 }),
@@ -40,9 +43,10 @@ function hand_nodes(given, hand) {
         'stroke-width': 1.2
       })
     ),
-    text(`hand pulls ${shown(given.force, '.3g')} N`, { x: 12, y: hand - 14 }, { fill: 'var(--c3)' }),
-    text('to the centre,', { x: 12, y: hand + 20 }, soft),
-    text(`${given.orbit_radius} away`, { x: 12, y: hand + 36 }, soft)
+    text(`hand's force ${hand_force(given)}:`, { x: 12, y: hand - 62 }, { fill: 'var(--c3)' }),
+    text(`${shown(given.force.along, '.3g')} N along v,`, { x: 12, y: hand - 46 }, soft),
+    text(`${shown(given.force.inwards, '.3g')} N to the centre,`, { x: 12, y: hand - 30 }, soft),
+    text(`${given.orbit_radius} away`, { x: 12, y: hand - 14 }, soft)
   ];
 }
 
@@ -107,7 +111,7 @@ export function sketch(doc) {
   const where = { '-1': ` ${given.offset} below the centre of mass`, 1: ` ${given.offset} above the centre of mass` };
   const title =
     `The glass seen from ${side}: ${given.mass}, centre of mass ${given.height} above the table, rim R ${given.radius}, ` +
-    `μ ${given.friction}; the hand pulls with ${shown(given.force, '.3g')} N${where[given.hand] || ''}.`;
+    `μ ${given.friction}; the hand's force is ${hand_force(given)}${where[given.hand] || ''}.`;
   const caption =
     'Seen along the path of the glass; a sketch, not to scale.' +
     (presses ? ' The blue arrows are how hard the rim presses at rest.' : '');

@@ -93,9 +93,9 @@ export const texts = {
     turns: 'one turn in {0} s',
     none: 'no terminal spin',
     still: 'does not spin',
-    caption:
-      'Seen from above, in real time, once round in {0} s. The dot is a mark on the glass; the shaded band shows how hard the rim presses. To scale.',
-    larger:
-      'Seen from above, in real time, once round in {0} s. The dot is a mark on the glass; the shaded band shows how hard the rim presses. To scale, but for the glass, which is drawn {1} times larger.'
+    caption: 'Seen from above, in real time, once round in {0} s. The dot is a mark on the glass.',
+    band: 'The shaded band shows how hard the rim presses.',
+    to_scale: 'To scale.',
+    larger: 'To scale, but for the glass, which is drawn {0} times larger.'
   }
 };

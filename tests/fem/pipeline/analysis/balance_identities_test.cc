@@ -6,6 +6,7 @@
 #include "ring_model/spin/curves.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
+#include "tests/fem/pipeline/mat_study.h"
 
 #include <Eigen/Geometry>
 #include <boost/math/quadrature/gauss.hpp>
@@ -78,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(Tables, BalanceOnTables, testing::ValuesIn(surfaces),
 /// The default glass, friction deforming foot and substrate, on a table.
 Study study_on(const Surface &surface)
 {
-  Study study;
+  Study study = test::mat_study();
   study.table.interface = surface.interface;
   study.table.substrate = surface.substrate;
   study.contact.azimuth_lines = 64;

@@ -8,6 +8,7 @@
 #include "ring_model/self_consistent_ring.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
+#include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/matchers.h"
 
 #include <gtest/gtest.h>
@@ -98,7 +99,7 @@ TEST(Budget, AnEffectIsRelativeToASpinOnly)
 TEST(Budget, RoundingIsMeasuredByTheSpinThatTheMomentLeadsTo)
 {
   // 2 |M_Nx| / (N R) v/R with M_Nx = -dz m v^2/rho of a hand dz above the centre of mass.
-  Study study;
+  Study study = test::mat_study();
   const ring::Motion &motion = study.motion.orbit;
   const auto expected = [&]
   {
@@ -162,7 +163,7 @@ TEST(Budget, RowsOfALoadFile)
 
 TEST(Budget, RowsOfAFirstHarmonic)
 {
-  Study study;
+  Study study = test::mat_study();
   study.load.source = LoadSource::first_harmonic;
   Budget budget = budget_of(study);
   EXPECT_EQ(rows_of(budget), (Texts{ "1 paper 1", "2 moment balance 1" }));
@@ -218,7 +219,7 @@ TEST(Truncation, FirstHarmonicOfAThinStiffRingIsTheClosedForm)
 
 TEST(Budget, LeavesOutWhatAStudyHas)
 {
-  Study study; // a Winkler interface on a rigid substrate
+  Study study = test::mat_study(); // a Winkler interface on a rigid substrate
   EXPECT_EQ(names_without(study), (Texts{ "friction in the foot", "elasticity of the foot",
                                           "compliance of the interface", "tilt" }));
   study.motion.grip_torque = 1e-4;
@@ -232,7 +233,7 @@ TEST(Budget, LeavesOutWhatAStudyHas)
               7u -
                 (variant.name == "elasticity of the foot" || variant.name == "elasticity of the substrate"))
       << variant.name; // each of them is gone, with the friction in a body that has gone rigid
-  study = Study();
+  study = test::mat_study();
   study.table.interface = TableInterface::hard;
   study.contact.friction_coupling = FrictionCoupling::none;
   study.motion.closure = ring::Closure::paper;
@@ -245,7 +246,7 @@ TEST(Budget, LeavesOutWhatAStudyHas)
 
 TEST(Budget, WithoutAnyComplianceThereIsNoPressure)
 {
-  Study study;
+  Study study = test::mat_study();
   study.table.interface = TableInterface::hard;
   EXPECT_TRUE(has_compliance(study, {}));
   EXPECT_FALSE(has_compliance(study, test::rigid_foot()));
@@ -311,7 +312,7 @@ TEST(Budget, HarmonicEffectIsThatOfRowAllAgainstTheFirstHarmonic)
 
 TEST(Budget, SaysWhereTheFingersHoldTheGlass)
 {
-  Study study;
+  Study study = test::mat_study();
   study.load.source = LoadSource::first_harmonic;
   study.motion.grip_torque = 0.01; // the torque at rest is 0.0037 N m
   const Budget budget = budget_of(study);

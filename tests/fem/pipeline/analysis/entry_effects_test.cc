@@ -9,6 +9,7 @@
 #include "fem/pipeline/report/table_renderers.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/numbers.h"
+#include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/scratch_folder.h"
 
 #include <gtest/gtest.h>
@@ -200,7 +201,7 @@ Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder 
   for (auto &[entry, value] : values)
     if (entry == "Load/File" || entry == "Glass/Profile file" || entry == "Motion/Orbit speed file")
       value = scratch / value;
-  return with_values(Study(), "the list of effects", values);
+  return with_values(test::mat_study(), "the list of effects", values);
 }
 
 /// The files that studies name, and the results of all bases: most effects have one of a few.
@@ -314,7 +315,7 @@ TEST(EntryEffectsList, EveryEntryIsTried)
   std::set<std::string> tried, existing;
   for (const Effect &effect : all_effects())
     tried.insert(effect.entry);
-  Study study;
+  Study study = test::mat_study();
   for (const StudyEntry &entry : study_entries(study))
     existing.insert(entry.path());
   EXPECT_EQ(tried, existing);

@@ -9,6 +9,7 @@
 #include "fem/pipeline/report/run_results.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
+#include "tests/fem/pipeline/mat_study.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +40,7 @@ struct SolvedRun
     summary = make_document(study, report, spin, bands, std::nullopt).findings.summary;
   }
 
-  Study study;
+  Study study = test::mat_study();
   fem::ComplianceCache cache;
   std::shared_ptr<ElasticFoot> foot;
   SpinStudy spin;
@@ -119,7 +120,7 @@ TEST(OneNumber, MomentRatiosAreOverTheContactRadius)
 ring::Answer row_at_height(double height, bool rigid)
 {
   static fem::ComplianceCache cache;
-  Study study;
+  Study study = test::mat_study();
   study.motion.orbit.centre_of_mass_height = height;
   const std::shared_ptr<ElasticFoot> foot =
     study_foot(study, cache, silent_progress(), nullptr, {}, rigid ? rigid_foot() : Model());
@@ -144,7 +145,7 @@ TEST(Fall, OfARigidFootIsWhereARefereeFindsIt)
 // contact finds depends on its start. No verb may step from the one to the other.
 TEST(Fall, IsTheSameInEveryVerb)
 {
-  Study study;
+  Study study = mat_study();
   study.glass.material.young_modulus = 2e20;
   study.contact.friction_coupling = FrictionCoupling::none;
   fem::ComplianceCache cache;
@@ -189,7 +190,7 @@ TEST(Fall, ComesAfterAllSpinsAsTheGlassGrows)
 
 TEST(Fall, ThatIsNearIsNoCauseForThousandsOfContacts)
 {
-  Study study;
+  Study study = test::mat_study();
   fem::ComplianceCache cache;
   for (const double height : { 0.134, 0.13457, 0.1346 })
   {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/analysis/study_rows.h"
+#include "tests/fem/pipeline/mat_study.h"
 
 namespace stemware::test
 {
@@ -16,7 +17,7 @@ inline ring::RingStack rich_load()
 /// A study that follows a load which the test gives it, as if from a file.
 inline pipeline::Study study_of_given_load()
 {
-  pipeline::Study study;
+  pipeline::Study study = mat_study();
   study.motion.end_time = 0.5;
   study.load.source = pipeline::LoadSource::file;
   study.load.coupling = pipeline::LoadCoupling::one_way;
@@ -26,7 +27,7 @@ inline pipeline::Study study_of_given_load()
 /// The default glass on few lines and harmonics: a contact takes milliseconds.
 inline pipeline::Study quick_contact_study()
 {
-  pipeline::Study study;
+  pipeline::Study study = mat_study();
   study.motion.end_time = 0.2;
   study.contact.harmonics = 4;
   study.contact.azimuth_lines = 32;

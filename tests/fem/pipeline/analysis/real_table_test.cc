@@ -1,6 +1,7 @@
 // Terminal spins on wood and cork. Reference: an independent prototype of contact, friction and moments in
 // one system (stated to 1e-3).
 #include "tests/fem/pipeline/analysis/solved_study.h"
+#include "tests/fem/pipeline/mat_study.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ using test::SolvedStudy;
 /// The step profile in the closure full without tilt, on a hard disc.
 Study hard_disc(double thickness, double young_modulus, double poisson_ratio)
 {
-  Study study;
+  Study study = test::mat_study();
   study.glass.profile.shape = fem::GlassShape::step;
   study.motion.tilt = false;
   study.table.interface = TableInterface::hard;

@@ -4,6 +4,7 @@
 #include "ring_model/friction_functionals.h"
 #include "ring_model/spin/answer.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
+#include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/verification/plain_rigid_foot.h"
 
@@ -30,7 +31,7 @@ const nlohmann::json &reference()
 /// A rigid foot on a mat of that modulus [Pa/m].
 Study rigid_foot_study(double foundation_modulus)
 {
-  Study study;
+  Study study = test::mat_study();
   study.table.foundation_modulus = foundation_modulus;
   return study;
 }
@@ -150,7 +151,7 @@ TEST(RigidFoot, NumbersOfOtherCodeAreWithinTheBands)
   };
   for (const ReferenceState &state : states)
   {
-    Study study;
+    Study study = test::mat_study();
     if (state.moment_ratio > 0)
       study = with_moment(study, state.moment_ratio);
     else
@@ -197,7 +198,7 @@ TEST(RigidFoot, WithoutTiltAndAtTheTerminalSpin)
          Row{ 0.13, -8.8394957769, 1.669659281, 0.479444994 },
          Row{ 0.134, -9.5046231178, 1.750582376, 0.408863683 } })
   {
-    Study study;
+    Study study = test::mat_study();
     study.motion.orbit.centre_of_mass_height = row.height;
     const SolvedStudy solved(study, test::rigid_foot());
     EXPECT_NEAR(solved.row.at_terminal->moment_ratio, row.moment_ratio, 1e-5) << row.height;
@@ -257,7 +258,7 @@ struct WavyFoot
     return { forces, lie, omega, motion };
   }
 
-  Study study;
+  Study study = test::mat_study();
   verification::PlainRigidFoot plain;
   verification::PlainMotion motion;
   Eigen::Vector3d lie = { depth, 0, 0 };

@@ -4,6 +4,7 @@
 #include "fem/pipeline/feet/make_foot.h"
 #include "ring_model/spin/answer.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
+#include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/matchers.h"
 
 #include <gtest/gtest.h>
@@ -124,7 +125,7 @@ BalancedLoad tipping_beyond(double last)
 // starts.
 TEST(SpinStudy, SaysThatARestIsUnstable)
 {
-  Study study;
+  Study study = test::mat_study();
   study.load.source = LoadSource::first_harmonic;
   study.motion.orbit.force_offset = 0;
   study.motion.orbit.orbit_speed = 0.1;

@@ -84,7 +84,8 @@ TEST(BadInput, SettingsAreRefusedInOneSentence)
   const std::string solid = "Contact/Body=solid", foot = "Glass/Shape=foot",
                     flat_foot = "Contact/Mesh file=" STEMWARE_MESHES "/flat_foot.msh";
   const ScratchFolder scratch;
-  const std::string study = scratch.write("study.prm", "# defaults\n");
+  const std::string study =
+    scratch.write("study.prm", "subsection Table\n  set Interface = Winkler\n  set Substrate = rigid\nend\n");
   scratch.write("cube.msh",
                 "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
                 "5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n$EndNodes\n$Elements\n1\n1 5 2 0 1 1 2 3 4 5 6 7 8\n"
@@ -191,7 +192,8 @@ TEST(BadInput, CommandsAreRefusedInOneSentence)
          { { "mesh", "--write", "foot.stl" }, "ends in neither .msh nor .vtu" },
          { { "mesh", "--write", "no/such/folder/foot.msh" }, "cannot be written", 3 },
          { { "mesh", "--check", "mine.msh" }, "not a Gmsh .msh mesh" },
-         { { "run", "--set", "Contact/Body=solid", "--set", "Contact/Mesh file=mine.msh" },
+         { { "run", "--set", "Table/Substrate=rigid", "--set", "Contact/Body=solid", "--set",
+             "Contact/Mesh file=mine.msh" },
            "not a Gmsh .msh mesh" },
          { { "new" }, "FILE is required" },
          { { "new", "" }, "The name of the study file is empty" },
@@ -200,7 +202,7 @@ TEST(BadInput, CommandsAreRefusedInOneSentence)
          { { "new", "x\nset Foo = 1.prm", "--cookbook", "paper" }, "line end" },
          { { "new", "my.prm", "--glass", "flute" }, "champagne" },
          { { "new", "my.prm", "--glass", "bordaux" }, "Bordeaux" },
-         { { "new", "my.prm", "--table", "wood" }, "oak" },
+         { { "new", "my.prm", "--table", "oack" }, "oak" },
          { { "new", "my.prm", "--table", "glass" }, "window glass" },
          { { "new", "--cookbook", "own_profile" }, "own_profile.csv exists", 3 },
          { { "new", "--cookbook", "liftoff" }, "did you mean lift_off? There are bare_wood, " },
@@ -252,7 +254,7 @@ TEST(BadInput, LittleMemoryIsNamedWithinSeconds)
 {
   const ScratchFolder scratch;
   std::size_t n_refused = 0;
-  for (const char *study : { "", " --set Contact/Body=solid" })
+  for (const char *study : { "", " --set Table/Substrate=rigid --set Contact/Body=solid" })
     for (const char *limit : { "600000", "700000", "1000000", "1200000" }) // kB
     {
       SCOPED_TRACE(limit + std::string(study));
@@ -292,7 +294,8 @@ TEST(BadInput, OutputThatIsLostEndsInAFailure)
 TEST(BadInput, BytesThatAreNoUtf8AreRefusedBeforeTheWork)
 {
   const ScratchFolder scratch;
-  scratch.write("latin\xe9.prm", "# defaults\n");
+  scratch.write("latin\xe9.prm",
+                "subsection Table\n  set Interface = Winkler\n  set Substrate = rigid\nend\n");
   scratch.write("study.prm", "# Verr\xe9\n"); // a comment becomes no result
   scratch.write("entry.prm", "subsection Glass\n  set Profile file = verr\xe9.csv\nend\n");
   const auto before = names_in(scratch.path());
@@ -318,7 +321,10 @@ TEST(BadInput, BytesThatAreNoUtf8AreRefusedBeforeTheWork)
 TEST(BadInput, MessagesRepeatLittleOfALongInput)
 {
   const ScratchFolder scratch;
-  const std::string file = scratch.write("study.prm", "# defaults\n"), much(100000, '7');
+  const std::string file = scratch.write(
+                      "study.prm",
+                      "subsection Table\n  set Interface = Winkler\n  set Substrate = rigid\nend\n"),
+                    much(100000, '7');
   for (const std::string &setting :
        std::vector<std::string>{ "Motion/Mass=x" + much, "Motion/Mess" + much + "=1", much })
   {

@@ -226,7 +226,7 @@ std::string states_script(const std::string &page, const std::vector<Taught> &st
     }
     $("lesson-button").click();
     for (const [path] of changes)
-      if (path == "table") root.querySelector(`#tables [data-name="mat"]`).click();
+      if (path == "table") root.querySelector(`#tables [data-name="hardwood"]`).click();
       else await shown.move(path);
   }
   return found;)";
@@ -254,7 +254,7 @@ TEST(ExplorePage, TheLessonIsTrueInEveryState)
     { "tips", { { hand, "0.3" } }, {}, "This glass tips over" },
     { "oak", { { "table", "oak" } }, below, "one turn in" },
     { "window glass", { { "table", "window glass" } }, below, "one turn in" },
-    { "rigid", { { "table", "rigid" } }, below, "one turn in" }
+    { "mat", { { "table", "mat" } }, below, "one turn in" }
   };
   const ScratchFolder scratch;
   const nlohmann::json found =

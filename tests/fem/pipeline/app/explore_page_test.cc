@@ -51,7 +51,9 @@ TEST(ExplorePage, OfAStudyOfOnesOwn)
   ASSERT_EQ(pairs.size(), 1u);
   EXPECT_EQ(pairs.begin().value()["values"][0][1], "0.25");
 
-  scratch.write("solid.prm", "subsection Contact\n  set Body = solid\nend\n");
+  scratch.write(
+    "solid.prm",
+    "subsection Table\n  set Substrate = rigid\nend\nsubsection Contact\n  set Body = solid\nend\n");
   const Ended refused = stemware(scratch, { "explore", "solid.prm" });
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_NE(refused.err.find("bodies of revolution"), std::string::npos) << refused.err;

@@ -56,6 +56,7 @@ TEST(SolidRun, OnOneCircleOfNodesTheBalanceIsThatOfARing)
                                                 "Glass/Edge thickness=0.00151386",
                                                 "Glass/Fillet radius=0",
                                                 "Table/Interface=hard",
+                                                "Table/Substrate=rigid",
                                                 "Contact/Friction coupling=none",
                                                 "Contact/Body=solid",
                                                 "Contact/Azimuthal cells=24",

@@ -21,7 +21,8 @@ std::string wide_land(const std::string &moment_ratio)
   return "subsection Motion\n  set Mass = 1\n  set Gravity = 10\nend\n"
          "subsection Glass\n  set Shape = step\n  set Foot radius = 41 mm\n  set Land width = 20 mm\n"
          "  set Crown radius = 0\n  set Young modulus = 7e16\nend\n"
-         "subsection Table\n  set Foundation modulus = 1e9\nend\n"
+         "subsection Table\n  set Interface = Winkler\n  set Substrate = rigid\n  set Foundation modulus = "
+         "1e9\nend\n"
          "subsection Contact\n  set Friction coupling = none\nend\n"
          "subsection Load\n  set Moment direction = 0\n  set Moment ratio = " +
          moment_ratio + "\nend\n";

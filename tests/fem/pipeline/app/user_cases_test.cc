@@ -33,7 +33,8 @@ struct UserCase
 /// A study of the mesh @p file, of a solid foot.
 std::vector<std::string> with_mesh(const std::string &file)
 {
-  return { "Contact/Body=solid", "Contact/Mesh file=" + folder_of_cases + file };
+  return { "Table/Interface=Winkler", "Table/Substrate=rigid", "Contact/Body=solid",
+           "Contact/Mesh file=" + folder_of_cases + file };
 }
 
 } // namespace

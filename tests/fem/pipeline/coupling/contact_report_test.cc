@@ -5,6 +5,7 @@
 #include "fem/pipeline/feet/contact_report.h"
 #include "fem/pipeline/feet/make_foot.h"
 #include "ring_model/spin/answer.h"
+#include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/resolved_friction.h"
 #include "tests/verification/plain_rigid_foot.h"
 
@@ -21,7 +22,7 @@ namespace
 /// The default glass with few harmonics and lines, in balance at every spin.
 Study coarse_study_in_balance()
 {
-  Study study;
+  Study study = test::mat_study();
   study.contact.harmonics = 6;
   study.contact.azimuth_lines = 64;
   study.load.coupling = LoadCoupling::two_way;

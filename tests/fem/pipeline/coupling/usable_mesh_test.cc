@@ -2,6 +2,7 @@
 #include "fem/meshing/foot_mesh.h"
 #include "fem/pipeline/feet/usable_mesh.h"
 #include "tests/fem/geometry/mesh_writers.h"
+#include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 #include "tests/fem/temporary_file.h"
@@ -40,7 +41,7 @@ protected:
   static std::string sentence(const std::string &text, const fem::MeshFileOptions &marks = {})
   {
     const TemporaryFile file(text);
-    Study study;
+    Study study = test::mat_study();
     study.contact.mesh_file = file.name;
     study.contact.mesh_file_options = marks;
     const std::string message = test::sentence_of([&] { require_usable_mesh(study); });

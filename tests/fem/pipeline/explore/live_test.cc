@@ -87,12 +87,13 @@ void expect_the_programs_spins(const Values &base, const Values &moves, const st
   }
 }
 
-const Values hard = { { "Table/Interface", "hard" } };
+const Values hard = { { "Table/Interface", "hard" }, { "Table/Substrate", "rigid" } },
+             mat = { { "Table/Interface", "Winkler" }, { "Table/Substrate", "rigid" } };
 const Values bare_wood = { { "Table/Interface", "hard" }, { "Table/Substrate", "elastic" } };
 
 TEST(Live, TwentyChangedEntriesHaveTheProgramsSpins)
 {
-  expect_the_programs_spins({},
+  expect_the_programs_spins(mat,
                             { { "Motion/Friction coefficient", "0.2" },
                               { "Motion/Orbit speed", "25 cm/s" },
                               { "Motion/Force offset", "-30 mm" },
@@ -215,8 +216,8 @@ TEST(Live, AMoveTakesContactsNextToTheSpinAlone)
 TEST(Live, WhatThePageDoesNotResolveIsRefused)
 {
   fem::ComplianceCache cache;
-  const LiveBodies bodies = live_bodies(Study(), cache);
-  open_page({}, bodies);
+  const LiveBodies bodies = live_bodies(study_of(mat), cache);
+  open_page(mat, bodies);
   const auto refusal = [](const char *path, const char *value)
   {
     const auto reply = nlohmann::json::parse(explore_set(path, value));
@@ -230,7 +231,7 @@ TEST(Live, WhatThePageDoesNotResolveIsRefused)
   // A part of the land so narrow that the contact comes to its border.
   LiveBodies narrow = bodies;
   narrow.foot = bodies.foot.part(6, 5);
-  open_page({}, narrow);
+  open_page(mat, narrow);
   EXPECT_NE(solved().value("error", "").find("leaves the part of the land"), std::string::npos);
 }
 

@@ -15,6 +15,8 @@ int main(int n_arguments, char **arguments)
   const pipeline::LiveBodies bodies = pipeline::live_bodies(pipeline::Study(), cache);
   explore_begin();
   explore_take(pipeline::serialized(bodies.foot).data(), 0);
+  if (bodies.disc)
+    explore_take(pipeline::serialized(*bodies.disc).data(), 1);
   explore_ready(1);
   for (int i = 1; i < n_arguments; ++i)
   {

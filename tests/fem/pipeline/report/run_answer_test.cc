@@ -146,6 +146,8 @@ TEST(RunAnswer, PrintedBandsContainTheWholeBand)
 TEST(Remarks, ALayerThickerThanTheContactIsNoWinklerInterface)
 {
   RunByHand run;
+  run.study.table.interface = TableInterface::winkler;
+  run.study.table.substrate = TableSubstrate::rigid;
   const auto remark = [&](double half_width)
   {
     run.report.load.inner_radius = 0.03 - half_width;

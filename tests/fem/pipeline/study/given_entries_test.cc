@@ -2,6 +2,7 @@
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/support/failures.h"
+#include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ using Names = std::vector<std::string>;
 
 Names idle_with(const Settings &settings)
 {
-  return unused_entries(with_values(Study(), "the test", settings));
+  return unused_entries(with_values(test::mat_study(), "the test", settings));
 }
 
 TEST(IdleEntries, FollowTheChoicesOfTheStudy)
@@ -90,13 +91,15 @@ TEST(IdleEntries, AFileOfAllEntriesGivesThoseThatDifferFromTheirDefaults)
   const test::ScratchFolder scratch;
   const std::string all = scratch.write("all.prm", commented_defaults());
   EXPECT_EQ(unused_entries(read_study(all)), Names());
-  EXPECT_EQ(unused_entries(read_study(all, { "Table/Disc radius=0.15" })), Names({ "Table/Disc radius" }));
+  EXPECT_EQ(unused_entries(read_study(all, { "Table/Foundation modulus=1e10" })),
+            Names({ "Table/Foundation modulus" }));
   Study study;
-  study.table.disc.thickness = 0.01;
+  study.table.foundation_modulus = 2e10;
   EXPECT_EQ(unused_entries(read_study(scratch.write("changed.prm", study_as_prm(study)))),
-            Names({ "Table/Disc thickness" }));
-  EXPECT_EQ(unused_entries(read_study(scratch.write("one.json", R"({"Table": {"Disc thickness": 0.05}})"))),
-            Names({ "Table/Disc thickness" }));
+            Names({ "Table/Foundation modulus" }));
+  EXPECT_EQ(
+    unused_entries(read_study(scratch.write("one.json", R"({"Table": {"Foundation modulus": 1e10}})"))),
+    Names({ "Table/Foundation modulus" }));
 }
 
 TEST(IdleEntries, ThereAreNoneInTheCookbooks)

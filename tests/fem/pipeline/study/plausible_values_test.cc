@@ -5,6 +5,7 @@
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/numbers.h"
+#include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/fem/pipeline/refusal.h"
@@ -21,12 +22,12 @@ using Texts = std::vector<std::string>;
 
 Texts notes_with(const Settings &settings)
 {
-  return implausible_notes(with_values(Study(), "the test", settings));
+  return implausible_notes(with_values(test::mat_study(), "the test", settings));
 }
 
 std::string why_refused(const Settings &settings)
 {
-  return test::sentence_of([&] { with_values(Study(), "the test", settings); });
+  return test::sentence_of([&] { with_values(test::mat_study(), "the test", settings); });
 }
 
 TEST(PlausibleValues, GramsTakenForKilogramsAreNamed)
@@ -130,7 +131,7 @@ TEST(StudySize, AMeshFileIsCountedBeforeItIsRead)
   const test::ScratchFolder scratch;
   const auto size_with = [&](const std::string &mesh, const std::string &refinements = "0")
   {
-    return size_of(with_values(Study(), "the test",
+    return size_of(with_values(test::mat_study(), "the test",
                                { { "Contact/Body", "solid" },
                                  { "Contact/Degree", "1" },
                                  { "Contact/Refinements", refinements },
@@ -156,7 +157,7 @@ TEST(StudySize, MemoryIsThatOfMeasuredRuns)
   // lines = 4000 411 MB; of `stemware run --quick` of version 0.4, a condensed solid of 38 139 unknowns 858
   // MB. An estimate that only protects may be off by a factor of two.
   const auto megabytes = [](const Settings &settings)
-  { return size_of(with_values(Study(), "the test", settings)).memory / 1e6; };
+  { return size_of(with_values(test::mat_study(), "the test", settings)).memory / 1e6; };
   for (const auto &[found, measured] :
        { std::pair(megabytes({}), 189.), std::pair(megabytes({ { "Contact/Refinements", "2" } }), 454.),
          std::pair(megabytes({ { "Contact/Azimuth lines", "4000" } }), 411.),

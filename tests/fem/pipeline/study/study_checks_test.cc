@@ -1,6 +1,7 @@
 // Values that do not go together, that no glass has, and choices that one entry makes for another.
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/study/study_entries.h"
+#include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 
@@ -15,7 +16,7 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 
 std::string refusal_of(const Settings &settings)
 {
-  return test::sentence_of([&] { with_values(Study(), "the test", settings); });
+  return test::sentence_of([&] { with_values(test::mat_study(), "the test", settings); });
 }
 
 TEST(StudyChecks, WithoutAContactThereIsNoFootToCheck)
@@ -116,7 +117,7 @@ TEST(StudyChoices, AGivenMomentIsOneWayAndDoesNotTilt)
 TEST(StudyChoices, TiltActsInTheClosureFullOnAContact)
 {
   const auto tilts = [](const Settings &settings)
-  { return with_values(Study(), "the test", settings).tilts(); };
+  { return with_values(test::mat_study(), "the test", settings).tilts(); };
   EXPECT_TRUE(tilts({ { "Load/Coupling", "one-way" } }));
   EXPECT_FALSE(tilts({ { "Motion/Tilt", "neglected" } }));
   EXPECT_FALSE(tilts({ { "Motion/Closure", "paper" } }));

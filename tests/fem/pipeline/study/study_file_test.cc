@@ -74,6 +74,7 @@ TEST(StudyFile, PathsStartAtTheStudyFile)
     std::filesystem::create_directory(scratch / folder);
   const std::string mesh = scratch.write("meshes/foot.msh", "a mesh");
   const std::string text =
+    "subsection Table\n  set Substrate = rigid\nend\n"
     "subsection Contact\n  set Body = solid\n  set Mesh file = ../meshes/foot.msh\nend\n";
   const std::string file = scratch.write("studies/a.prm", text);
   const Study study = read_study(file);

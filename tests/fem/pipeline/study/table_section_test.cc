@@ -1,5 +1,6 @@
 // The table of a study as the finite elements get it has the study's numbers, each in its place.
 #include "fem/pipeline/input/study_file.h"
+#include "tests/fem/pipeline/mat_study.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ namespace
 
 fem::Table table_of(const std::vector<std::pair<std::string, std::string>> &values)
 {
-  return with_values(Study(), "the test", values).table.make();
+  return with_values(test::mat_study(), "the test", values).table.make();
 }
 
 TEST(TableSection, MatYieldsByItsModulus)

@@ -3,6 +3,7 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/refinement/error_bands.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
+#include "tests/fem/pipeline/mat_study.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,7 @@ double log_uniform(std::mt19937 &random, double from, double to)
 /// off.
 Study random_hard_study(std::mt19937 &random)
 {
-  Study study;
+  Study study = test::mat_study();
   study.motion.orbit.mass = log_uniform(random, 0.1, 0.8);
   study.glass.material = { log_uniform(random, 5e10, 2e11), value_between(random, 0.15, 0.35) };
   study.glass.profile.crown_radius = log_uniform(random, 1e-3, 1e-2);

@@ -5,6 +5,7 @@
 #include "fem/pipeline/refinement/error_bands.h"
 #include "ring_model/spin/answer.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
+#include "tests/fem/pipeline/mat_study.h"
 #include "tests/verification/lifted_annulus.h"
 #include "tests/verification/plain_lifted_foot.h"
 
@@ -36,7 +37,7 @@ struct LiftedState
 
   Study study() const
   {
-    Study study;
+    Study study = test::mat_study();
     if (moment_ratio > 0)
     {
       study.load.moment_ratio = moment_ratio;
@@ -248,7 +249,7 @@ TEST(LiftedBands, WithVanishingSlipInOneContactHold)
 /// A flat land under a given moment in the direction @p direction [rad].
 Study flat_study(double width, double moment_ratio, double direction)
 {
-  Study study;
+  Study study = test::mat_study();
   study.glass.profile.crown_radius = 0;
   study.glass.profile.land_width = width;
   study.glass.profile.foot_radius = study.glass.profile.contact_radius + width;

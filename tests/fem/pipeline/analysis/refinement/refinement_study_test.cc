@@ -10,6 +10,7 @@
 #include "tests/benchmark/random_study.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
+#include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/matchers.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ using Sizes = std::vector<unsigned int>;
 
 TEST(RefinementAxes, KeepToWhatIsAllowed)
 {
-  Study study;
+  Study study = test::mat_study();
   study.contact.degree = 4;
   study.contact.refinements = 6;
   study.contact.harmonics = 20;
@@ -154,7 +155,7 @@ TEST(ErrorBands, OfARandomStudyOnFewLinesHolds)
 /// from the contact's cells alone misses it.
 void expect_band_holds_corners(unsigned int n_harmonics, unsigned int n_lines)
 {
-  Study study;
+  Study study = test::mat_study();
   study.glass.profile.shape = fem::GlassShape::step;
   study.glass.profile.crown_radius = 0.005;
   study.table.interface = TableInterface::hard;
@@ -172,7 +173,7 @@ void expect_band_holds_corners(unsigned int n_harmonics, unsigned int n_lines)
 
 TEST(ErrorBands, HoldWhatCornersFarFromTheContactAddLong)
 {
-  expect_band_holds_corners(Study().contact.harmonics, Study().contact.azimuth_lines);
+  expect_band_holds_corners(test::mat_study().contact.harmonics, test::mat_study().contact.azimuth_lines);
 }
 
 TEST(ErrorBands, HoldWhatCornersAddOnFewLines)
@@ -182,7 +183,7 @@ TEST(ErrorBands, HoldWhatCornersAddOnFewLines)
 
 TEST(ErrorBands, OfOneRingHoldManyRings)
 {
-  Study study;
+  Study study = test::mat_study();
   study.contact.rings = 1;
   study.table.foundation_modulus = 1e9; // a wide contact
   Study finer = study;
@@ -277,7 +278,7 @@ TEST(ErrorBands, OfARowIsNoWiderThanWhatItDiffersBy)
 
 TEST(ErrorBands, SayWhichLevelFailed)
 {
-  Study study;
+  Study study = test::mat_study();
   study.load.moment_ratio = 0.5;
   fem::ComplianceCache cache;
   const BalancedLoad load = load_of(study, cache);

@@ -5,6 +5,7 @@
 #include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/refinement/error_bands.h"
 #include "ring_model/spin/answer.h"
+#include "tests/fem/pipeline/mat_study.h"
 #include "tests/verification/lifted_square.h"
 
 #include <gtest/gtest.h>
@@ -60,7 +61,7 @@ void expect_within_both(const ErrorBands &solid, const ErrorBands &revolution, c
 
 Study solid_study(fem::GlassShape shape, const fem::FootResolution &resolution)
 {
-  Study study;
+  Study study = test::mat_study();
   study.contact.body = BodyKind::solid;
   study.glass.profile.shape = shape;
   study.contact.resolution = resolution;
@@ -105,7 +106,7 @@ void expect_band_of_flat_land(double moment_ratio)
 /// direction @p direction [rad]: as good as rigid.
 Study plate_on_mat(double eccentricity, double direction)
 {
-  Study study;
+  Study study = test::mat_study();
   study.contact.body = BodyKind::solid;
   study.contact.mesh_file = STEMWARE_MESHES "/square_plate.msh";
   study.contact.degree = 1;
@@ -164,7 +165,7 @@ double mean_spin(const Study &study)
 // at every spin.
 TEST(SolidBands, OfAnOvalMeshAreTheChangeOfTheTerminalSpin)
 {
-  Study study;
+  Study study = test::mat_study();
   study.contact.body = BodyKind::solid;
   study.contact.mesh_file = STEMWARE_MESHES "/oval_foot.msh";
   study.contact.degree = 1;

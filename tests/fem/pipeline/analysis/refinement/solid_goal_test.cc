@@ -4,6 +4,7 @@
 #include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/refinement/goal_mesh.h"
 #include "ring_model/spin/answer.h"
+#include "tests/fem/pipeline/mat_study.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ namespace
 /// A foot that lifts off; few lines and load harmonics, which are not the mesh's.
 Study lifting_foot()
 {
-  Study study;
+  Study study = test::mat_study();
   study.glass.profile.shape = fem::GlassShape::foot;
   study.table.foundation_modulus = 1e12;
   study.motion.orbit.force_offset *= 1.6;

@@ -1,0 +1,79 @@
+// The a-priori bound on the torque of the harmonics beyond n, on loads of random studies.
+#include "ring_model/friction_functionals.h"
+#include "ring_model/no_balance.h"
+#include "tests/benchmark/random_study.h"
+#include "tests/fem/pipeline/analysis/solved_study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+/// Bounds over rests at 33 spins up to the terminal one; of rests above the rounding of the torque.
+void compare_bounds(const test::SolvedStudy &solved, std::vector<double> &ratios)
+{
+  const ring::Motion &motion = solved.study.motion.orbit;
+  const double scale = motion.friction_coefficient * motion.normal_force() * solved.load.radius();
+  for (int i = 1; i <= 33; ++i)
+  {
+    const double omega = solved.omega() * i / 33;
+    const ring::TorqueByHarmonics torque(motion, solved.load.at(omega), omega);
+    for (const unsigned int n : { 1u, 2u, 3u, 4u, 6u, 8u })
+    {
+      const double rest = std::abs(torque.rest(n)), rounding = 1e-14 * scale;
+      EXPECT_GE(torque.bound(n) + rounding, rest) << "omega " << omega << ", n " << n;
+      if (rest > 1e-9 * scale)
+        ratios.push_back(torque.bound(n) / rest);
+    }
+  }
+}
+
+void expect_bounds_hold(unsigned int n_studies, unsigned int seed)
+{
+  RandomStudies random(seed);
+  std::vector<double> ratios;
+  unsigned int n_compared = 0, n_tipping = 0;
+  while (n_compared < n_studies)
+  {
+    ASSERT_LE(n_tipping, n_studies);
+    SCOPED_TRACE("study " + std::to_string(n_compared + n_tipping + 1) + " of seed " + std::to_string(seed));
+    try
+    {
+      const test::SolvedStudy solved(random.next());
+      if (solved.row.terminal)
+      {
+        compare_bounds(solved, ratios);
+        ++n_compared;
+        continue;
+      }
+    }
+    catch (const ring::NoBalance &)
+    {
+    }
+    ++n_tipping;
+  }
+  ASSERT_GT(ratios.size(), 30u * n_studies);
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  std::printf("median of bound over rest: %.2f; %u glasses tip\n", *middle, n_tipping);
+}
+
+TEST(TorqueBound, HoldsUnderFourRandomLoads)
+{
+  expect_bounds_hold(4, 62);
+}
+
+TEST(TorqueBoundLong, HoldsUnderSixtyRandomLoads)
+{
+  expect_bounds_hold(60, 1);
+}
+
+} // namespace
+} // namespace stemware::pipeline

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "fem/pipeline/study/study.h"
+
+namespace stemware::test
+{
+
+/// The default glass on a stiff Winkler mat over a rigid table: the quickest contact, with few harmonics.
+inline pipeline::Study mat_study()
+{
+  pipeline::Study study;
+  study.table.interface = pipeline::TableInterface::winkler;
+  study.table.substrate = pipeline::TableSubstrate::rigid;
+  study.table.foundation_modulus = 1e10;
+  return study;
+}
+
+} // namespace stemware::test
