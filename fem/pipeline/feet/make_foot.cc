@@ -33,8 +33,8 @@ void prepare_foot_of(const Study &study)
 }
 
 std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache,
-                                     const fem::Foot *similar, const Discretisation &discretisation,
-                                     const Model &model)
+                                     [[maybe_unused]] const fem::Foot *similar,
+                                     const Discretisation &discretisation, const Model &model)
 {
   prepare_foot_of(study);
   try
