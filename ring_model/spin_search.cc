@@ -1,6 +1,6 @@
 #include "ring_model/spin_search.h"
 
-#include "ring_model/load/lagrange.h"
+#include "ring_model/inverse_interpolation.h"
 #include "ring_model/load/require.h"
 
 #include <algorithm>
@@ -33,56 +33,6 @@ constexpr double steepness_ratio = 16.;
 constexpr unsigned int max_evaluations = 200; ///< of one search: a guard against a search that cycles
 constexpr double unsteady = 0.9;              ///< stability margin below which the balance may end nearby
 
-/// Push on the glass at a spin, both counted in the direction in which the glass is driven at rest.
-struct Push
-{
-  double spin; ///< > 0 [rad/s]
-  double push; ///< tau_z - tau_g [N m], positive before the zero
-};
-
-bool has_less_push(const Push &one, const Push &other)
-{
-  return std::abs(one.push) < std::abs(other.push);
-}
-
-/// Estimate of the spin at which the push vanishes.
-struct Estimate
-{
-  double spin;  ///< by the polynomial spin(push) through at most four samples
-  double error; ///< its difference to the one without the sample farthest away
-};
-
-/// Returns the estimate by the at most four @p samples with the least |push| whose push falls with the spin;
-/// of error HUGE_VAL by one sample. More samples add rounding, not accuracy. Precondition: @p samples not
-/// empty.
-Estimate inverse_interpolation(std::vector<Push> samples)
-{
-  std::sort(samples.begin(), samples.end(), has_less_push);
-  const auto falls = [&](std::size_t n)
-  {
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (!((samples[i].push - samples[j].push) * (samples[i].spin - samples[j].spin) < 0.))
-          return false;
-    return true;
-  };
-  std::size_t n = std::min<std::size_t>(samples.size(), 4); // a cubic
-  while (!falls(n))
-    --n;
-  const auto through = [&](std::size_t n_used)
-  {
-    Eigen::VectorXd pushes(n_used), ways(n_used); // from the spin of the least push, for the digits
-    for (std::size_t i = 0; i < n_used; ++i)
-    {
-      pushes(i) = samples[i].push;
-      ways(i) = samples[i].spin - samples.front().spin;
-    }
-    return samples.front().spin + lagrange_values(pushes, 0.).dot(ways);
-  };
-  return n < 2 ? Estimate{ through(1), HUGE_VAL }
-               : Estimate{ through(n), std::abs(through(n) - through(n - 1)) };
-}
-
 /// Throws BalanceLost with @p failure, a NoBalance just beyond the spin @p last, nested.
 [[noreturn]] void throw_balance_lost(const std::exception_ptr &failure, double last)
 {
@@ -103,9 +53,8 @@ Estimate inverse_interpolation(std::vector<Push> samples)
 class OutwardSearch
 {
 public:
-  /// Preconditions: @p push_at_rest = @p push(0) > 0; @p direction is 1 or -1, the sign of the spin; @p push
-  /// and
-  /// @p search outlive the search.
+  /// Preconditions: @p push_at_rest = @p push(0) > 0; @p direction is 1 or -1, the sign of the spin;
+  /// @p push and @p search outlive the search.
   OutwardSearch(const std::function<double(double)> &push, double push_at_rest, double direction,
                 const SpinSearch &search)
       : push(push)

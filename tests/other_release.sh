@@ -30,9 +30,9 @@ HELP
 }
 
 source=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
-# What is compared: the default study, and two solid feet.
+# Compared are the glass on a mat and two solid feet.
 studies=(
-  "docs/cookbooks/wine_glass.prm"
+  "docs/cookbooks/mat.prm"
   "docs/cookbooks/oval_foot.prm"
   "docs/cookbooks/paper.prm --set Contact/Body=solid --set Contact/Linear\ solver=multigrid"
 )

@@ -67,7 +67,7 @@ struct AxisRow
   }
 };
 
-/// What the summary of `converge` is read from.
+/// Source of the members of `converge`'s summary.
 struct ConvergeRow
 {
   const std::vector<RefinementAxis> &axes;

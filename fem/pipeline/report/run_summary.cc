@@ -11,14 +11,14 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Whether the load pushes everywhere, at rest and at the end of the spin-up.
+/// Returns whether the load pushes everywhere, at rest and at the end of the spin-up.
 bool has_no_lift_off(const ContactReport &report)
 {
   const auto pushes = [](const LoadReport &load) { return load.minimum >= 0 && load.contact_fraction >= 1; };
   return pushes(report.load) && pushes(report.load_at_end);
 }
 
-/// How the glass stands at the end of the spin-up.
+/// State of the contact at the end of the spin-up.
 ring::Status status_of(const ContactReport &report, const SpinStudy &spin)
 {
   const ring::Status status = spin.all().status;

@@ -138,7 +138,7 @@ Json ends_of(const std::optional<CaseRange> &range)
   return range ? Json{ range->min, range->max } : Json(nullptr);
 }
 
-/// What the summary of `sweep` is read from.
+/// Source of the members of `sweep`'s summary.
 struct SweepRow
 {
   const CaseList &list;

@@ -28,7 +28,7 @@ unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double shar
   return enough;
 }
 
-/// What the summary of `truncate` is read from.
+/// Source of the members of `truncate`'s summary.
 struct TruncateRow
 {
   const ring::Answer &all;

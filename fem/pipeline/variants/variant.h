@@ -10,7 +10,7 @@
 namespace stemware::pipeline
 {
 
-/// What a variant is among those of a study.
+/// Kind of a variant of a study.
 enum class VariantKind
 {
   study,     ///< the study itself, or a case of a sweep
@@ -21,7 +21,7 @@ enum class VariantKind
   parameter  ///< numerical parameter changed: level of refinement, or part of a band
 };
 
-/// What a variant shares with the study.
+/// Part of the study's solution that a variant uses again.
 enum class Shared
 {
   nothing, ///< has a foot of its own

@@ -5,7 +5,7 @@
 namespace stemware::test
 {
 
-/// The default glass on a stiff Winkler mat over a rigid table: the quickest contact, with few harmonics.
+/// Returns the default glass on a stiff Winkler mat over a rigid table, whose contact is solved the fastest.
 inline pipeline::Study mat_study()
 {
   pipeline::Study study;

@@ -102,16 +102,23 @@ void expect_band_of_flat_land(double moment_ratio)
   EXPECT_LT(solid[index_of(solid, "a4")].band, 1e-2); // of a_0
 }
 
+/// The foot of a mesh file with linear elements on a mat, without friction that deforms it.
+Study study_of_mesh(const std::string &file)
+{
+  Study study = test::mat_study();
+  study.contact.body = BodyKind::solid;
+  study.contact.mesh_file = STEMWARE_MESHES "/" + file;
+  study.contact.degree = 1;
+  study.contact.load_harmonics = 8;
+  study.contact.friction_coupling = FrictionCoupling::none;
+  return study;
+}
+
 /// The square plate of docs/verification on a mat, with the centre of its load at @p eccentricity [m] in the
 /// direction @p direction [rad]: as good as rigid.
 Study plate_on_mat(double eccentricity, double direction)
 {
-  Study study = test::mat_study();
-  study.contact.body = BodyKind::solid;
-  study.contact.mesh_file = STEMWARE_MESHES "/square_plate.msh";
-  study.contact.degree = 1;
-  study.contact.load_harmonics = 8;
-  study.contact.friction_coupling = FrictionCoupling::none;
+  Study study = study_of_mesh("square_plate.msh");
   study.glass.profile.contact_radius = 1.2071067811865476;
   study.glass.material.young_modulus = 1e14;
   study.table.foundation_modulus = 8000;
@@ -165,12 +172,7 @@ double mean_spin(const Study &study)
 // at every spin.
 TEST(SolidBands, OfAnOvalMeshAreTheChangeOfTheTerminalSpin)
 {
-  Study study = test::mat_study();
-  study.contact.body = BodyKind::solid;
-  study.contact.mesh_file = STEMWARE_MESHES "/oval_foot.msh";
-  study.contact.degree = 1;
-  study.contact.load_harmonics = 8;
-  study.contact.friction_coupling = FrictionCoupling::none;
+  Study study = study_of_mesh("oval_foot.msh");
   study.table.foundation_modulus = 2e9;
   const ErrorBands bands = bands_of(study);
   const double part = bands[index_of(bands, "omega_terminal")].parts.at("degree");
