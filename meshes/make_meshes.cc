@@ -1,7 +1,7 @@
 // Writes the three feet of this folder (README.md says what they are): build the target `meshes` to write
 // them anew.
-#include "fem/meshing/foot_mesh.h"
-#include "fem/meshing/mesh_io.h"
+#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/mesh_io.h"
 
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>

@@ -1,21 +1,18 @@
 # The house has one order: a folder may include the folders above it in this list and nothing below. The ring model does
-# not know the finite elements, and these know its words for a load, ring_model/load, alone. A portable folder includes
-# portable folders, Eigen, Boost, the JSON header and the standard library alone, and knows no files. Fails with
-# every include that says otherwise, or file that lies loose.
+# not know the finite elements, and these know its words for a load, ring_model/load, alone. A portable file
+# (fem/portable.cmake) includes portable files, Eigen, Boost, the JSON header and the standard library alone, and knows no
+# files. Fails with every include that says otherwise, or file that lies loose.
 # Given: SOURCE_DIR.
 cmake_policy(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/../fem/portable.cmake)
 set(order
     ring_model/load
     ring_model
     ring_model/spin
     fem/geometry
-    fem/elasticity
-    fem/factorisation
-    fem/meshing
-    fem/solid/simd
     fem/contact
     fem/revolution
-    fem/meridian
+    fem/solid/simd
     fem/solid
     fem/pipeline/support
     fem/pipeline/system
@@ -53,27 +50,7 @@ function(place_of path result)
   set(${result} ${place} PARENT_SCOPE)
 endfunction()
 
-set(portable "")
-foreach(folder IN LISTS order)
-  set(makes ${SOURCE_DIR}/${folder}/CMakeLists.txt)
-  if(NOT EXISTS ${makes}) # a part of the library of the folder round it, or of one beside it
-    set(makes ${SOURCE_DIR}/${folder}/../CMakeLists.txt)
-    cmake_path(GET folder FILENAME name)
-    file(GLOB others ${SOURCE_DIR}/${folder}/../*/CMakeLists.txt)
-    foreach(other IN LISTS others)
-      file(READ ${other} text)
-      if(text MATCHES "FOLDERS[ a-z_]* ${name}[ \n]")
-        set(makes ${other})
-      endif()
-    endforeach()
-  endif()
-  file(READ ${makes} text)
-  if(text MATCHES "stemware_library\\([a-z_]+ PORTABLE")
-    list(APPEND portable ${folder})
-  endif()
-endforeach()
-list(LENGTH portable n_portable)
-
+set(n_portable 0)
 set(troubles "")
 file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/ring_model/*.h ${SOURCE_DIR}/ring_model/*.cc
      ${SOURCE_DIR}/fem/*.h ${SOURCE_DIR}/fem/*.cc)
@@ -83,10 +60,10 @@ foreach(file IN LISTS files)
     string(APPEND troubles "${file} lies in none of the folders\n")
     continue()
   endif()
-  list(GET order ${mine} folder)
   set(is_portable FALSE)
-  if(folder IN_LIST portable)
+  if(file MATCHES "^${STEMWARE_PORTABLE}")
     set(is_portable TRUE)
+    math(EXPR n_portable "${n_portable} + 1")
   endif()
   file(STRINGS ${SOURCE_DIR}/${file} lines REGEX "^[ \t]*#[ \t]*include")
   foreach(line IN LISTS lines)
@@ -96,14 +73,11 @@ foreach(file IN LISTS files)
     set(included ${CMAKE_MATCH_1})
     place_of(${included} other)
     if(is_portable)
-      if(other GREATER -1)
-        list(GET order ${other} folder)
-      endif()
-      if(other GREATER -1 AND NOT folder IN_LIST portable)
+      if(other GREATER -1 AND NOT included MATCHES "^${STEMWARE_PORTABLE}")
         string(APPEND troubles "${file} includes ${included}, which is not portable\n")
       elseif(other EQUAL -1 AND NOT included MATCHES "^(Eigen|unsupported/Eigen|boost|nlohmann)/|^[a-z_]+$|^math.h$"
              OR included MATCHES "^(filesystem|fstream|thread)$")
-        string(APPEND troubles "${file} includes ${included}: a portable folder needs Eigen, Boost and no files\n")
+        string(APPEND troubles "${file} includes ${included}: a portable file needs Eigen, Boost and no files\n")
       endif()
     endif()
     if(other GREATER mine)
@@ -118,8 +92,6 @@ foreach(file IN LISTS files)
     elseif(file MATCHES "^fem/pipeline/" AND included MATCHES "^fem/solid/" AND NOT file STREQUAL
                                                                               fem/pipeline/feet/solid_study_foot.cc)
       string(APPEND troubles "${file} includes ${included}: a build without solid feet lacks it\n")
-    elseif(file MATCHES "^fem/solid/" AND included MATCHES "^fem/(revolution|meridian)/")
-      string(APPEND troubles "${file} includes ${included}: the bodies do not know each other\n")
     endif()
   endforeach()
 endforeach()
@@ -128,4 +100,4 @@ if(troubles)
   message(FATAL_ERROR "Includes that break the order of the folders:\n${troubles}")
 endif()
 list(LENGTH files n)
-message("${n} files include only what lies above them; ${n_portable} folders are portable.")
+message("${n} files include only what lies above them; ${n_portable} are portable.")

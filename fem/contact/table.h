@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/contact/interface_law.h"
-#include "fem/elasticity/elastic_material.h"
+#include "fem/geometry/elastic_material.h"
 #include "fem/geometry/table_disc.h"
 
 #include <memory>

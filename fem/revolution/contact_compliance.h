@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/elasticity/elastic_material.h"
+#include "fem/geometry/elastic_material.h"
 
 #include <Eigen/Core>
 

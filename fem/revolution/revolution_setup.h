@@ -2,8 +2,8 @@
 
 #include "fem/contact/table.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/elasticity/elastic_material.h"
 #include "fem/geometry/contact_cells.h"
+#include "fem/geometry/elastic_material.h"
 #include "fem/geometry/glass_profile.h"
 #include "fem/geometry/waviness.h"
 #include "fem/revolution/contact_compliance.h"

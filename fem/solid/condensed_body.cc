@@ -1,7 +1,7 @@
 #include "fem/solid/condensed_body.h"
 
 #include "fem/contact/contact_solution.h"
-#include "fem/factorisation/block_inverse.h"
+#include "fem/revolution/block_inverse.h"
 #include "fem/solid/solid_contact_zone.h"
 #include "fem/solid/stiffness_3d.h"
 

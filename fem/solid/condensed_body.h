@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/contact/elastic_body.h"
-#include "fem/elasticity/elastic_material.h"
+#include "fem/geometry/elastic_material.h"
 #include "fem/solid/contact_nodes.h"
 #include "fem/solid/mesh_hierarchy.h"
 

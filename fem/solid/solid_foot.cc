@@ -1,7 +1,7 @@
 #include "fem/solid/solid_foot.h"
 
 #include "fem/contact/winkler_interface.h"
-#include "fem/meshing/mesh_io.h"
+#include "fem/geometry/mesh_io.h"
 #include "fem/solid/cell_numbers.h"
 #include "fem/solid/condensed_body.h"
 #include "fem/solid/mesh_estimate.h"

@@ -3,9 +3,9 @@
 #include "fem/contact/foot.h"
 #include "fem/contact/sliding_traction.h"
 #include "fem/contact/table.h"
-#include "fem/elasticity/elastic_material.h"
+#include "fem/geometry/elastic_material.h"
+#include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/glass_profile.h"
-#include "fem/meshing/foot_mesh.h"
 #include "fem/solid/solid_options.h"
 
 #include <functional>

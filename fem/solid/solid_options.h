@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/elasticity/linear_solver.h"
+#include "fem/geometry/linear_solver.h"
 
 namespace stemware::fem
 {

@@ -15,10 +15,10 @@
 // deforms the foot, mu stays. The first mesh is the study's own (uniform= is not read).
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/meridian/meshed_revolution_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/refinement/goal_mesh.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "ring_model/spin/answer.h"
 #include "tests/benchmark/solid_benchmark.h"

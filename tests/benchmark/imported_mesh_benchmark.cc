@@ -7,7 +7,7 @@
 // modulus=1e11, moment=1.3.
 #include "fem/contact/contact_load.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/meshing/foot_mesh.h"
+#include "fem/geometry/foot_mesh.h"
 #include "fem/solid/solid_body.h"
 #include "tests/benchmark/solid_benchmark.h"
 

@@ -2,7 +2,7 @@
 
 #include "fem/contact/contact_load.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/meshing/foot_mesh.h"
+#include "fem/geometry/foot_mesh.h"
 #include "tests/fem/factorized_body.h"
 #include "tests/fem/reference_load.h"
 

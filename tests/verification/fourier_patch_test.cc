@@ -1,7 +1,7 @@
 // One meridional problem per harmonic against displacements that its elements contain. Kind of the reference:
 // closed form (harmonic potentials) and published (Code_Aster SSLV109: bending of a cylinder, exact).
-#include "fem/factorisation/block_inverse.h"
-#include "fem/meridian/meridian_stiffness.h"
+#include "fem/revolution/block_inverse.h"
+#include "fem/revolution/meridian_stiffness.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>

@@ -2,7 +2,7 @@
 
 // Elastic half-spaces and layers under rings of load: published kernels and plain quadrature, nothing of the
 // program but the moduli of a material.
-#include "fem/elasticity/elastic_material.h"
+#include "fem/geometry/elastic_material.h"
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/bessel.hpp>

@@ -2,8 +2,8 @@
 // under quadrature (Boussinesq, Cerruti, the layer's transfer function), and the flat annular punch by other
 // code (its harmonics: docs/verification/annular_punch.md).
 #include "fem/contact/hard_interface.h"
-#include "fem/meridian/compute_compliance.h"
-#include "fem/meridian/meshed_revolution_foot.h"
+#include "fem/revolution/compute_compliance.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/half_space_formulas.h"
 

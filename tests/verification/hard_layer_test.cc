@@ -3,7 +3,7 @@
 // reference: other code (tests/verification/strip_on_a_layer.py). The land is a fiftieth of the radius wide:
 // the ring's curvature changes 1e-4.
 #include "fem/contact/hard_interface.h"
-#include "fem/meridian/meshed_revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/reference_load.h"
 
 #include <gtest/gtest.h>

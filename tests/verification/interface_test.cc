@@ -2,8 +2,8 @@
 // friction does not couple.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
-#include "fem/meridian/compute_compliance.h"
-#include "fem/meridian/meshed_revolution_foot.h"
+#include "fem/revolution/compute_compliance.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/calculix_foot.h"
 #include "tests/verification/plain_rigid_foot.h"

@@ -2,8 +2,8 @@
 // half-space whose width follows the load: the leading order in width / radius, with and without lift-off.
 // Kind of the reference: closed form, solved with all harmonics of its own lines (line_contact.h).
 #include "fem/contact/hard_interface.h"
-#include "fem/meridian/compliance_cache.h"
-#include "fem/meridian/meshed_revolution_foot.h"
+#include "fem/revolution/compliance_cache.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/reference_load.h"
 #include "tests/verification/line_contact.h"
 

@@ -1,7 +1,7 @@
 // The solid body by geometric multigrid against the body of revolution: other elements, another linear
 // solver, the same interface law.
 #include "fem/contact/hard_interface.h"
-#include "fem/meridian/meshed_revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/nested_contact.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/fem/foot_case.h"

@@ -13,7 +13,7 @@
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/boundary_ids.h"
-#include "fem/meridian/meridian_field.h"
+#include "fem/revolution/meridian_field.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>

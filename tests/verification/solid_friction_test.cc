@@ -2,7 +2,7 @@
 // traction of the one is a column of the matrix of the other; and against another program.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
-#include "fem/meridian/meshed_revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/fem/reference_load.h"
 #include "tests/verification/calculix_foot.h"

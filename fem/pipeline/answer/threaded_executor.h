@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/meridian/compliance_cache.h"
 #include "fem/pipeline/variants/executor.h"
+#include "fem/revolution/compliance_cache.h"
 
 namespace stemware::pipeline
 {

@@ -1,5 +1,5 @@
-#include "fem/meshing/foot_mesh.h"
-#include "fem/meshing/mesh_io.h"
+#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/mesh_io.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/feet/usable_mesh.h"

@@ -1,8 +1,6 @@
 #include "fem/pipeline/feet/make_foot.h"
 
-#include "fem/meridian/meridian_meshes.h"
-#include "fem/meridian/meshed_revolution_foot.h"
-#include "fem/meshing/foot_mesh.h"
+#include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/feet/solid_study_foot.h"
@@ -11,6 +9,8 @@
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/system/ranks.h"
+#include "fem/revolution/meridian_meshes.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 
 #include <deal.II/grid/tria.h>
 

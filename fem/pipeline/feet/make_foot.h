@@ -1,9 +1,9 @@
 #pragma once
 
 #include "fem/contact/foot.h"
-#include "fem/meridian/compliance_cache.h"
-#include "fem/meshing/section_view.h"
+#include "fem/geometry/section_view.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/revolution/compliance_cache.h"
 
 #include <memory>
 

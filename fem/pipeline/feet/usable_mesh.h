@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/meshing/mesh_io.h"
-#include "fem/meshing/mesh_quality.h"
+#include "fem/geometry/mesh_io.h"
+#include "fem/geometry/mesh_quality.h"
 #include "fem/pipeline/study/study.h"
 
 #include <string>

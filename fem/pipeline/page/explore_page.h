@@ -1,9 +1,9 @@
 #pragma once
 
-#include "fem/meridian/compliance_cache.h"
 #include "fem/pipeline/input/presets.h"
 #include "fem/pipeline/page/page.h"
 #include "fem/pipeline/study/study.h"
+#include "fem/revolution/compliance_cache.h"
 
 #include <functional>
 #include <optional>

@@ -1,9 +1,9 @@
 #include "fem/pipeline/page/live_bodies.h"
 
-#include "fem/meridian/meridian_meshes.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/revolution/meridian_meshes.h"
 
 namespace stemware::pipeline
 {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "fem/meridian/compliance_cache.h"
 #include "fem/pipeline/coupling/discretisation.h"
 #include "fem/pipeline/study/study.h"
+#include "fem/revolution/compliance_cache.h"
 
 #include <optional>
 

@@ -2,7 +2,6 @@
 // printed, no signal handler is set; MPI starts for a solid foot only.
 
 #include "fem/contact/contact_solution.h"
-#include "fem/meridian/compliance_cache.h"
 #include "fem/pipeline/answer/study_answer.h"
 #include "fem/pipeline/answer/sweep_case.h"
 #include "fem/pipeline/answer/threaded_executor.h"
@@ -22,6 +21,7 @@
 #include "fem/pipeline/system/program.h"
 #include "fem/pipeline/system/ranks.h"
 #include "fem/pipeline/variants/solve.h"
+#include "fem/revolution/compliance_cache.h"
 #include "ring_model/no_balance.h"
 #include "ring_model/spin/curves.h"
 

@@ -1,7 +1,7 @@
 #include "fem/pipeline/report/foot_pictures.h"
 
 #include "fem/contact/footprint.h"
-#include "fem/meshing/section_view.h"
+#include "fem/geometry/section_view.h"
 
 #include <boost/math/constants/constants.hpp>
 

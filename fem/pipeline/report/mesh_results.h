@@ -1,8 +1,8 @@
 #pragma once
 
 #include "fem/geometry/boundary_ids.h"
-#include "fem/meshing/mesh_io.h"
-#include "fem/meshing/mesh_quality.h"
+#include "fem/geometry/mesh_io.h"
+#include "fem/geometry/mesh_quality.h"
 #include "fem/pipeline/support/json.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/elasticity/linear_solver.h"
 #include "fem/geometry/foot_resolution.h"
+#include "fem/geometry/linear_solver.h"
 #include "fem/geometry/mesh_report.h"
 #include "fem/pipeline/study/entry_facts.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/elasticity/elastic_material.h"
+#include "fem/geometry/elastic_material.h"
 #include "fem/geometry/glass_profile.h"
 #include "fem/geometry/rim_circle.h"
 #include "fem/pipeline/study/entry_facts.h"

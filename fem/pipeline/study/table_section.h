@@ -2,7 +2,7 @@
 
 #include "fem/contact/roughness.h"
 #include "fem/contact/table.h"
-#include "fem/elasticity/elastic_material.h"
+#include "fem/geometry/elastic_material.h"
 #include "fem/pipeline/study/entry_facts.h"
 #include "fem/pipeline/study/quantity_text.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/elasticity/elastic_material.h"
+#include "fem/geometry/elastic_material.h"
 
 #include <deal.II/lac/la_parallel_vector.h>
 

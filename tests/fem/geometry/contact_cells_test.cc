@@ -1,6 +1,6 @@
 // Contact cells that foot and disc share, whatever the land and its neighbours are like.
 #include "fem/geometry/boundary_ids.h"
-#include "fem/meshing/meridian_mesh.h"
+#include "fem/geometry/meridian_mesh.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>

@@ -1,4 +1,4 @@
-#include "fem/elasticity/elastic_material.h"
+#include "fem/geometry/elastic_material.h"
 #include "tests/fem/geometry/profile_oracle.h"
 
 #include <boost/algorithm/string/predicate.hpp>

@@ -1,4 +1,4 @@
-#include "fem/meshing/foot_mesh.h"
+#include "fem/geometry/foot_mesh.h"
 #include "tests/fem/geometry/profile_oracle.h"
 #include "tests/fem/revolution/revolution_case.h"
 

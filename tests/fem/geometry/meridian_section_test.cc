@@ -1,6 +1,6 @@
+#include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/meridian_section.h"
-#include "fem/meshing/foot_mesh.h"
-#include "fem/meshing/section_view.h"
+#include "fem/geometry/section_view.h"
 #include "tests/fem/geometry/profile_oracle.h"
 #include "tests/fem/revolution/revolution_case.h"
 

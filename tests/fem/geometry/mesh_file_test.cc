@@ -1,5 +1,5 @@
-#include "fem/meshing/foot_mesh.h"
-#include "fem/meshing/mesh_io.h"
+#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/mesh_io.h"
 #include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/reference_load.h"
 #include "tests/fem/temporary_file.h"

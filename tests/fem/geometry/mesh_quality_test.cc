@@ -1,7 +1,7 @@
 // Looking at meshes, and writing them.
-#include "fem/meshing/foot_mesh.h"
-#include "fem/meshing/mesh_io.h"
-#include "fem/meshing/mesh_quality.h"
+#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/mesh_io.h"
+#include "fem/geometry/mesh_quality.h"
 #include "tests/fem/vtu_file.h"
 
 #include <deal.II/grid/grid_generator.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/meshing/mesh_io.h"
+#include "fem/geometry/mesh_io.h"
 
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>

@@ -1,5 +1,5 @@
 // The elastic foot of a wine glass on a mat, its weight off the axis: the harmonics of the load on its rim.
-#include <fem/meridian/meshed_revolution_foot.h>
+#include <fem/revolution/meshed_revolution_foot.h>
 
 #include <cmath>
 #include <cstdio>

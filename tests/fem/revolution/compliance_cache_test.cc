@@ -1,6 +1,6 @@
 // Feet that share their compliances: computed once, for all threads, and with the same digits.
-#include "fem/meridian/compliance_cache.h"
-#include "fem/meridian/compute_compliance.h"
+#include "fem/revolution/compliance_cache.h"
+#include "fem/revolution/compute_compliance.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <deal.II/grid/tria.h>

@@ -1,6 +1,6 @@
 // Elements of every degree, 1 to 4: the same statements with the same oracles.
 #include "fem/contact/rigid_foot.h"
-#include "fem/meridian/meshed_revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <gtest/gtest.h>

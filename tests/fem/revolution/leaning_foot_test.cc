@@ -1,5 +1,5 @@
 // A glass that leans under its own weight.
-#include "fem/meridian/meshed_revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Random studies whose contact is hard to solve: each converges under every moment.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
-#include "fem/meridian/meshed_revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 
 #include "fem/contact/contact_load.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/meridian/compute_compliance.h"
-#include "fem/meshing/meridian_mesh.h"
+#include "fem/geometry/meridian_mesh.h"
 #include "fem/revolution/body_of_revolution.h"
+#include "fem/revolution/compute_compliance.h"
 #include "tests/fem/reference_load.h"
 
 #include <deal.II/grid/tria.h>

@@ -1,6 +1,6 @@
 // The foot as an answer to loads: hard tables, imperfections and warm starts.
 #include "fem/contact/hard_interface.h"
-#include "fem/meridian/meshed_revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The picture of a foot of revolution: its fields against the contact solution, the balance of forces, and
 // the solid body's picture.
 #include "fem/contact/hard_interface.h"
-#include "fem/meridian/meshed_revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/foot_case.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/fem/vtu_file.h"

@@ -2,7 +2,7 @@
 // neither these elements nor an estimate, and the meshes that are made of them.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/meridian/meshed_revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/cell_numbers.h"
 #include "fem/solid/conforming_mapping.h"
 #include "fem/solid/solid_foot.h"

@@ -3,7 +3,7 @@
 #include "fem/contact/foot.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/boundary_ids.h"
-#include "fem/meshing/foot_mesh.h"
+#include "fem/geometry/foot_mesh.h"
 #include "fem/solid/nested_contact.h"
 #include "tests/fem/reference_load.h"
 #include "tests/fem/vtu_file.h"

@@ -1,8 +1,8 @@
 // The solid foot as everybody sees it: states that stay valid, and what they say about a foot pressed again.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/meridian/meshed_revolution_foot.h"
-#include "fem/meshing/mesh_io.h"
+#include "fem/geometry/mesh_io.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/fem/reference_load.h"
 #include "tests/fem/temporary_file.h"

@@ -1,6 +1,6 @@
 // A foot that is not of revolution, from a mesh file: its load depends on where the moment points. Oracle:
 // the same gap imposed on the body of revolution.
-#include "fem/meridian/meshed_revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/reference_load.h"

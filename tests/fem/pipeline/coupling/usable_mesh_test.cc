@@ -1,5 +1,5 @@
 // Meshes of other programs, good and bad: what they are, or the one sentence that says what is wrong.
-#include "fem/meshing/foot_mesh.h"
+#include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/feet/usable_mesh.h"
 #include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/pipeline/mat_study.h"

@@ -1,9 +1,9 @@
 // The solver of the page on the command line, for tests: on the feet of the default study each argument, such
 // as "Motion/Mass=0.25", is set as the page sets it. Prints the answer of the page, or its error.
-#include "fem/meridian/compliance_cache.h"
 #include "fem/pipeline/explore/explore_api.h"
 #include "fem/pipeline/explore/explorer.h"
 #include "fem/pipeline/page/live_bodies.h"
+#include "fem/revolution/compliance_cache.h"
 
 #include <cstdio>
 #include <string>

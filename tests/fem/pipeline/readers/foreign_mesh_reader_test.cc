@@ -1,5 +1,5 @@
 // Mesh files as other programs write them and as they break: the mesh, or at once the one sentence.
-#include "fem/meshing/foot_mesh.h"
+#include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/feet/usable_mesh.h"
 #include "fem/pipeline/input/study_size.h"
 #include "fem/pipeline/support/failures.h"

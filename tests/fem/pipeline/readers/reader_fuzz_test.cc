@@ -1,7 +1,7 @@
 // Mutated files through every reader of the program: what comes out is what was read, or one of its own
 // sentences; no crash, no foreign exception, no hang. The mutations come from a fixed seed, so that a finding
 // can be had again; under the preset `sanitize` the readers run with the address sanitizer.
-#include "fem/meshing/foot_mesh.h"
+#include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/answer/case_list.h"
 #include "fem/pipeline/feet/usable_mesh.h"
 #include "fem/pipeline/input/data_files.h"

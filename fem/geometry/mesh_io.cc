@@ -1,0 +1,349 @@
+#include "fem/geometry/mesh_io.h"
+
+#include "fem/geometry/boundary_ids.h"
+#include "fem/geometry/mesh_content.h"
+#include "fem/geometry/mesh_quality.h"
+
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/grid/manifold_lib.h>
+#include <deal.II/grid/tria.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <map>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+namespace
+{
+
+constexpr types::manifold_id cylinder_id = 1;
+constexpr auto contact_id = static_cast<types::boundary_id>(FootBoundary::contact_zone);
+constexpr auto stem_cut_id = static_cast<types::boundary_id>(FootBoundary::stem_cut);
+
+unsigned int count_faces(const Triangulation<3> &triangulation, types::boundary_id id)
+{
+  unsigned int n_faces = 0;
+  for (const auto &face : triangulation.active_face_iterators())
+    n_faces += face->at_boundary() && face->boundary_id() == id;
+  return n_faces;
+}
+
+/// The faces of the surface with the cells that they belong to.
+template <typename Visit>
+void for_each_boundary_face(const Triangulation<3> &triangulation, const Visit &visit)
+{
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary())
+        visit(cell, cell->face(f));
+}
+
+using Face = Triangulation<3>::face_iterator;
+
+/// Whether all corners of @p face are at most @p distance from the height @p z.
+bool lies_at(const Face &face, double z, double distance)
+{
+  for (const unsigned int v : face->vertex_indices())
+    if (std::abs(face->vertex(v)[2] - z) > distance)
+      return false;
+  return true;
+}
+
+/// The stem cut is the top of the mesh where no face has its id; the contact zone what lies low.
+void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulation)
+{
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for_each_boundary_face(triangulation,
+                         [&](const auto &, const Face &face)
+                         {
+                           for (const unsigned int v : face->vertex_indices())
+                           {
+                             lowest = std::min(lowest, face->vertex(v)[2]);
+                             highest = std::max(highest, face->vertex(v)[2]);
+                           }
+                         });
+  const bool has_stem_cut = count_faces(triangulation, stem_cut_id) > 0;
+  for_each_boundary_face(triangulation,
+                         [&](const auto &cell, const Face &face)
+                         {
+                           const auto outward = face->center() - cell->center();
+                           const double upward = outward[2] + 1e-6 * outward.norm(); // walls look sideways
+                           if (upward < 0 && lies_at(face, lowest, marks.contact_height))
+                             face->set_boundary_id(contact_id);
+                           else if (face->boundary_id() == contact_id)
+                             face->set_boundary_id(0);
+                           if (!has_stem_cut && upward > 0 &&
+                               lies_at(face, highest, 1e-6 * (highest - lowest)))
+                             face->set_boundary_id(stem_cut_id);
+                         });
+}
+
+/// Gives the faces of @p marks the ids of FootBoundary, which others lose.
+void mark(const MeshFileOptions &marks, Triangulation<3> &triangulation)
+{
+  for_each_boundary_face(triangulation,
+                         [&](const auto &, const Face &face)
+                         {
+                           types::boundary_id id = face->boundary_id();
+                           if (id == marks.contact_id)
+                             id = contact_id;
+                           else if (id == marks.stem_id)
+                             id = stem_cut_id;
+                           else if (id == contact_id || id == stem_cut_id)
+                             id = 0;
+                           face->set_boundary_id(id);
+                         });
+  if (marks.contact_height > 0)
+    mark_by_height(marks, triangulation);
+}
+
+/// Mean height of the faces of each id of the file [m], for ids that an entry takes.
+std::map<types::boundary_id, double> heights_by_id(const Triangulation<3> &triangulation)
+{
+  constexpr types::boundary_id max_entry = 65000;
+  std::map<types::boundary_id, std::pair<double, unsigned int>> sums;
+  for_each_boundary_face(triangulation,
+                         [&](const auto &, const Face &face)
+                         {
+                           auto &[sum, n_faces] = sums[face->boundary_id()];
+                           sum += face->center()[2];
+                           ++n_faces;
+                         });
+  std::map<types::boundary_id, double> heights;
+  for (const auto &[id, sum] : sums)
+    if (id != 0 && id <= max_entry)
+      heights[id] = sum.first / sum.second;
+  return heights;
+}
+
+/// At most six texts, with commas between them.
+std::string listed(const std::vector<std::string> &texts)
+{
+  constexpr std::size_t max_texts = 6;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(texts.size(), max_texts); ++i)
+    list += (i > 0 ? ", " : "") + texts[i];
+  return list + (texts.size() > max_texts ? ", ..." : "");
+}
+
+/// Throws std::invalid_argument unless there are faces of both marks; @p heights are those of the ids of the
+/// file.
+void require_boundaries(const std::string &file_name, const MeshFileOptions &marks,
+                        const std::map<types::boundary_id, double> &heights, const FaceNames &names,
+                        const Triangulation<3> &triangulation)
+{
+  const bool has_contact = count_faces(triangulation, contact_id) > 0,
+             has_stem = count_faces(triangulation, stem_cut_id) > 0;
+  if (has_contact && has_stem)
+    return;
+  std::vector<std::string> known;
+  for (const auto &[id, height] : heights)
+  {
+    const auto name = names.find(id);
+    known.push_back(std::to_string(id) + (name == names.end() ? "" : " (" + printable(name->second) + ")"));
+  }
+  std::string text =
+    "Mesh file = " + file_name + (has_contact ? " has no stem cut: " : " has no contact zone: ");
+  if (heights.empty())
+    throw std::invalid_argument(text +
+                                "none of its faces has an id; save it without Mesh.SaveAll and give its "
+                                "surfaces physical ids, " +
+                                std::to_string(marks.contact_id) + " for the contact zone and " +
+                                std::to_string(marks.stem_id) +
+                                " for the stem cut, or set a mesh contact height.");
+
+  // The lowest faces are likely to touch the table, and the highest ones to be the stem cut.
+  const auto is_lower = [](const auto &a, const auto &b) { return a.second < b.second; };
+  const auto lowest = std::min_element(heights.begin(), heights.end(), is_lower),
+             highest = std::max_element(heights.begin(), heights.end(), is_lower);
+  const bool names_contact = !has_contact && lowest->first != marks.stem_id,
+             names_stem =
+               !has_stem && highest->first != marks.contact_id && (has_contact || lowest != highest);
+  text += "its faces have the ids " + listed(known) + "; ";
+  if (names_contact)
+    text += "set mesh contact id = " + std::to_string(lowest->first) + ", its lowest faces";
+  if (names_stem)
+    text += (names_contact ? ", and " : "set ") + ("mesh stem id = " + std::to_string(highest->first)) +
+            ", its highest ones";
+  if (!names_contact && !names_stem)
+    text +=
+      "give the faces of the " + (has_contact ? "stem cut the id " + std::to_string(marks.stem_id)
+                                              : "contact zone the id " + std::to_string(marks.contact_id));
+  throw std::invalid_argument(text + (has_contact ? "." : ", or set a mesh contact height."));
+}
+
+/// Exterior angle of a polyline at @p here.
+double exterior_angle(const std::array<double, 2> &before, const std::array<double, 2> &here,
+                      const std::array<double, 2> &after)
+{
+  const double x[] = { here[0] - before[0], after[0] - here[0] },
+               y[] = { here[1] - before[1], after[1] - here[1] };
+  return std::abs(std::atan2(x[0] * y[1] - x[1] * y[0], x[0] * x[1] + y[0] * y[1]));
+}
+
+/// The borders of the contact zone.
+struct RimBorder
+{
+  explicit RimBorder(const Triangulation<3> &triangulation)
+  {
+    constexpr double corner = 1; // a larger angle is a corner of the foot, and not of a curve's chords
+    double sum_of_deficits = 0;
+    for (const Outline &outline : contact_outlines(triangulation))
+    {
+      std::vector<double> angles;
+      const std::size_t n = outline.size();
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        radii.push_back(std::hypot(outline[i][0], outline[i][1]));
+        const double angle = exterior_angle(outline[(i + n - 1) % n], outline[i], outline[(i + 1) % n]);
+        angles.push_back(angle < corner ? angle : 0);
+      }
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        const double turn = (angles[i] + angles[(i + 1) % n]) / 2;
+        sum_of_deficits += turn > 1e-9 ? 1 - std::sin(turn) / turn : 0;
+      }
+    }
+    area_deficit = sum_of_deficits / static_cast<double>(radii.size());
+    std::sort(radii.begin(), radii.end());
+  }
+
+  /// Whether the radii are those of two circles, to 1e-6 of their mean.
+  bool is_round() const
+  {
+    const double tolerance = 1e-6 * middle();
+    return std::all_of(radii.begin(), radii.end(),
+                       [&](double radius)
+                       { return radius - radii.front() < tolerance || radii.back() - radius < tolerance; });
+  }
+
+  double middle() const { return radii.empty() ? 0 : (radii.front() + radii.back()) / 2; }
+
+  std::vector<double> radii; ///< ascending
+  double area_deficit = 0;   ///< share that chords cut off from a land whose borders turn as these edges do
+};
+
+void attach_cylinder(Triangulation<3> &triangulation)
+{
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == contact_id)
+        cell->set_all_manifold_ids(cylinder_id);
+}
+
+} // namespace
+
+MeshReport read_foot_mesh(const std::string &file_name, Triangulation<3> &triangulation,
+                          const MeshFileOptions &marks)
+{
+  Triangulation<3> serial;
+  const MeshFileFacts file = read_hexahedra(file_name, marks.unit, serial);
+  const std::map<types::boundary_id, double> heights = heights_by_id(serial);
+  mark(marks, serial);
+  require_boundaries(file_name, marks, heights, file.names, serial);
+  const RimBorder border(serial);
+  if (file.is_second_order && !border.is_round())
+    throw std::invalid_argument("Mesh file = " + file_name +
+                                " has hexahedra of second order on a rim that is not round, and their inner "
+                                "nodes cannot be kept; export smaller hexahedra of first order.");
+
+  MeshReport report;
+  report.n_cells = serial.n_active_cells();
+  report.n_contact_faces = count_faces(serial, contact_id);
+  report.round_rim = border.is_round();
+  report.rim_radius = border.middle();
+  report.n_symmetry_sectors = n_symmetry_sectors(serial);
+  report.land_area_deficit = report.round_rim ? 0 : border.area_deficit;
+  if (report.round_rim)
+    attach_cylinder(serial);
+  triangulation.copy_triangulation(serial);
+  if (report.round_rim)
+    triangulation.set_manifold(cylinder_id, CylindricalManifold<3>(2));
+  return report;
+}
+
+void move_to_crown(const GlassProfile &profile, Triangulation<3> &triangulation)
+{
+  std::vector<bool> moved(triangulation.n_vertices(), false);
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary() && face->boundary_id() == contact_id)
+      for (const unsigned int v : face->vertex_indices())
+        if (!moved[face->vertex_index(v)])
+        {
+          moved[face->vertex_index(v)] = true;
+          Point<3> &x = face->vertex(v);
+          x[2] += profile.gap(std::hypot(x[0], x[1]));
+        }
+}
+
+void write_msh(const Triangulation<3> &triangulation, std::ostream &stream)
+{
+  stream << std::setprecision(17) << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\n"
+         << "Foot mesh written by Stemware\n$EndComments\n$Nodes\n"
+         << triangulation.n_vertices() << '\n';
+  for (unsigned int v = 0; v < triangulation.n_vertices(); ++v)
+    stream << v + 1 << ' ' << triangulation.get_vertices()[v] << '\n';
+  stream << "$EndNodes\n$Elements\n";
+
+  std::ostringstream elements;
+  unsigned int n_elements = 0;
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary() && face->boundary_id() != 0)
+    {
+      elements << ++n_elements << " 3 2 " << face->boundary_id() << ' ' << face->boundary_id();
+      for (const unsigned int v : { 0u, 1u, 3u, 2u })
+        elements << ' ' << face->vertex_index(v) + 1;
+      elements << '\n';
+    }
+  for (const auto &cell : triangulation.active_cell_iterators())
+  {
+    elements << ++n_elements << " 5 2 0 0";
+    for (const unsigned int v : { 0u, 1u, 3u, 2u, 4u, 5u, 7u, 6u })
+      elements << ' ' << cell->vertex_index(v) + 1;
+    elements << '\n';
+  }
+  stream << n_elements << '\n' << elements.str() << "$EndElements\n";
+}
+
+void write_mesh_vtu(const Triangulation<3> &triangulation, std::ostream &stream)
+{
+  const std::vector<double> jacobians = scaled_jacobians(triangulation);
+  std::vector<DataOutBase::Patch<3>> patches;
+  for (const auto &cell : triangulation.active_cell_iterators())
+  {
+    types::boundary_id id = 0;
+    for (const auto &face : cell->face_iterators())
+      if (face->at_boundary())
+        id = std::max(id, face->boundary_id());
+    DataOutBase::Patch<3> &patch = patches.emplace_back();
+    patch.patch_index = cell->active_cell_index();
+    patch.reference_cell = ReferenceCells::Hexahedron;
+    patch.data.reinit(2, 8);
+    for (const unsigned int v : cell->vertex_indices())
+    {
+      patch.vertices[v] = cell->vertex(v);
+      patch.data(0, v) = static_cast<float>(jacobians[cell->active_cell_index()]);
+      patch.data(1, v) = static_cast<float>(id);
+    }
+  }
+  DataOutBase::VtkFlags flags;
+  flags.print_date_and_time = false; // equal meshes give equal files
+  std::ostringstream text;
+  DataOutBase::write_vtu(patches, { "scaled_jacobian", "boundary_id" }, {}, flags, text);
+  const std::string file = text.str();
+  const std::size_t root = file.find("<VTKFile");
+  stream << file.substr(0, root) << "<!-- Foot mesh written by Stemware -->\n" << file.substr(root);
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,113 @@
+#include "fem/revolution/block_inverse.h"
+
+#include "fem/revolution/cholmod_factors.h"
+#include "fem/revolution/single_thread.h"
+
+#include <deal.II/lac/sparse_matrix.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <mutex>
+#include <numeric>
+
+namespace stemware::fem
+{
+
+namespace
+{
+
+/// Lock of a BLAS that several threads must not use together.
+std::mutex entering_blas;
+
+} // namespace
+
+LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
+{
+  // Rows of the symmetric matrix, begun at the diagonal, are the columns of its lower triangle.
+  const auto n = static_cast<Eigen::Index>(matrix.m());
+  LowerTriangle lower(n, n);
+  lower.reserve(static_cast<Eigen::Index>(matrix.n_nonzero_elements() / 2 + matrix.m()));
+  for (unsigned int column = 0; column < matrix.m(); ++column)
+  {
+    lower.startVec(column);
+    // deal.II keeps the diagonal first, then the others in ascending order.
+    for (auto entry = matrix.begin(column); entry != matrix.end(column); ++entry)
+      if (entry->column() >= column)
+        lower.insertBack(static_cast<Eigen::Index>(entry->column()), column) = entry->value();
+  }
+  lower.finalize();
+  return lower;
+}
+
+struct BlockInverse::Plan
+{
+  LowerTriangle reordered;           ///< pattern in the order of elimination
+  std::vector<Eigen::Index> sources; ///< of its values in the matrix as given
+  std::vector<Eigen::Index> of_kept; ///< places of the kept rows among the last ones
+  std::unique_ptr<const CholmodFactors> symbolic;
+};
+
+BlockInverse::BlockInverse(const LowerTriangle &pattern, const std::vector<unsigned int> &kept)
+    : plan(std::make_unique<Plan>())
+{
+  const std::vector<int> order = CholmodFactors::order_with_last(pattern, kept);
+  std::vector<int> place(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+  for (const unsigned int row : kept)
+    plan->of_kept.push_back(place[row] - static_cast<Eigen::Index>(order.size() - kept.size()));
+
+  // Numbers of the entries, sorted by their places in the reordered matrix.
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index column = 0; column < pattern.cols(); ++column)
+    for (LowerTriangle::InnerIterator entry(pattern, column); entry; ++entry)
+    {
+      const int a = place[static_cast<std::size_t>(entry.row())], b = place[static_cast<std::size_t>(column)];
+      entries.emplace_back(std::max(a, b), std::min(a, b), 0.);
+    }
+  plan->sources.resize(entries.size());
+  std::iota(plan->sources.begin(), plan->sources.end(), Eigen::Index(0));
+  std::sort(plan->sources.begin(), plan->sources.end(),
+            [&](Eigen::Index i, Eigen::Index j)
+            {
+              const auto &a = entries[static_cast<std::size_t>(i)], &b = entries[static_cast<std::size_t>(j)];
+              return std::pair(a.col(), a.row()) < std::pair(b.col(), b.row());
+            });
+  plan->reordered.resize(pattern.rows(), pattern.cols());
+  plan->reordered.setFromTriplets(entries.begin(), entries.end());
+  const SingleThread hold;
+  plan->symbolic = std::make_unique<CholmodFactors>(plan->reordered);
+}
+
+BlockInverse::~BlockInverse() = default;
+
+Eigen::MatrixXd BlockInverse::operator()(const Eigen::VectorXd &entries, unsigned int n_columns) const
+{
+  LowerTriangle matrix = plan->reordered;
+  for (Eigen::Index k = 0; k < matrix.nonZeros(); ++k)
+    matrix.valuePtr()[k] = entries(plan->sources[static_cast<std::size_t>(k)]);
+  CholmodFactors numeric(*plan->symbolic);
+  {
+    const SingleThread hold;
+    std::unique_lock<std::mutex> alone(entering_blas, std::defer_lock);
+    if (numeric.use_blas() && !blas_takes_threads())
+      alone.lock();
+    numeric.factorise(matrix);
+  }
+
+  // With the kept rows last, (L L')^-1 has (L_e L_e')^-1 in their rows and columns, L_e the end of L.
+  const auto n_kept = static_cast<Eigen::Index>(plan->of_kept.size());
+  const Eigen::MatrixXd end = numeric.end(static_cast<int>(n_kept));
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n_kept, n_columns);
+  for (unsigned int j = 0; j < n_columns; ++j)
+    columns(plan->of_kept[j], j) = 1;
+  end.triangularView<Eigen::Lower>().solveInPlace(columns);
+  end.triangularView<Eigen::Lower>().transpose().solveInPlace(columns);
+  Eigen::MatrixXd result(n_kept, n_columns);
+  for (Eigen::Index i = 0; i < n_kept; ++i)
+    result.row(i) = columns.row(plan->of_kept[static_cast<std::size_t>(i)]);
+  return result;
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "fem/revolution/compute_compliance.h"
+
+#include <cstddef>
+#include <functional>
+#include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// Cache of the compliances of bodies of revolution by mesh, material and options.
+///
+/// Thread-safe; a thread waits for a compliance that another thread computes. Compliances in use stay alive
+/// when the cache is emptied.
+class ComplianceCache
+{
+public:
+  /// Creates a cache of at most @p max_entries compliances, about a megabyte each; a full cache is emptied.
+  /// @p interruption goes to compute_compliance().
+  explicit ComplianceCache(std::size_t max_entries = 128, std::function<void()> interruption = {})
+      : max_entries(max_entries)
+      , interruption(std::move(interruption))
+  {
+  }
+
+  /// Returns the compliance by compute_compliance(), cached for equal arguments. Throws like that function.
+  std::shared_ptr<const ContactCompliance> get(const dealii::Triangulation<2, 2> &triangulation,
+                                               const ElasticMaterial &material,
+                                               const MeridianOptions &options);
+
+  /// Returns the number of calls of compute_compliance().
+  unsigned int n_computed() const;
+
+private:
+  /// Returns a compliance truncated from a cached one with @p factor times as many harmonics; nullptr if
+  /// there is none.
+  std::shared_ptr<const ContactCompliance>
+  with_more_harmonics(std::vector<double> key, const MeridianOptions &options, unsigned int factor);
+
+  using Entry = std::shared_future<std::shared_ptr<const ContactCompliance>>;
+
+  const std::size_t max_entries;
+  const std::function<void()> interruption;
+  mutable std::mutex mutex;
+  std::map<std::vector<double>, Entry> entries;
+  unsigned int computed = 0;
+};
+
+} // namespace stemware::fem

@@ -1,0 +1,81 @@
+#include "fem/revolution/compute_compliance.h"
+
+#include "fem/revolution/meridian_space.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace stemware::fem
+{
+
+ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulation,
+                                     const ElasticMaterial &material, const MeridianOptions &options,
+                                     const std::function<void()> &interruption)
+{
+  material.validate();
+  if (options.degree < 1 || options.degree > 4)
+    throw std::invalid_argument("Degree = " + std::to_string(options.degree) +
+                                " is not allowed for a body of revolution; give 1, 2, 3 or 4.");
+  const MeridianSpace space(triangulation, material, options.degree);
+  Eigen::VectorXd radii(space.n_contact_nodes());
+  for (unsigned int i = 0; i < space.n_contact_nodes(); ++i)
+    radii(i) = space.contact_radius(i);
+  const auto [first, size] = nodes_between(radii, options.degree, options.inner_radius, options.outer_radius);
+  ContactCompliance result;
+  result.degree = options.degree;
+  result.n_meridian_unknowns = space.n_dofs();
+  result.radii = radii.segment(first, size);
+  result.n_inside = first;
+  result.n_outside = radii.size() - first - size;
+  result.harmonics.resize(options.n_harmonics + 1);
+  // An exception that left the loop would cancel what deal.II does in parallel for all that comes later.
+  std::exception_ptr interrupted;
+  std::atomic<bool> is_interrupted = false;
+  const auto goes_on = [&]
+  {
+    try
+    {
+      if (interruption && !is_interrupted)
+        interruption();
+    }
+    catch (...)
+    {
+      if (!is_interrupted.exchange(true))
+        interrupted = std::current_exception();
+    }
+    return !is_interrupted;
+  };
+  // Isolated: a thread that waits here for its last harmonic must not begin another study, which may wait for
+  // this very compliance.
+  tbb::this_task_arena::isolate(
+    [&]
+    {
+      std::array<std::unique_ptr<const MeridianSpace::Compliances>, 3> of; // harmonics 0, 1, and from 2 on
+      tbb::parallel_for(0u, 3u,
+                        [&, first = first, size = size](unsigned int n) {
+                          of[n] = std::make_unique<const MeridianSpace::Compliances>(space, n, first, size);
+                        });
+      tbb::parallel_for(0u, options.n_harmonics + 2,
+                        [&](unsigned int n)
+                        {
+                          if (!goes_on())
+                            return;
+                          const bool is_beyond = n > options.n_harmonics;
+                          const unsigned int harmonic = is_beyond ? options.tail_harmonic() : n;
+                          (is_beyond ? result.tail : result.harmonics[n]) =
+                            (*of[std::min(harmonic, 2u)])(harmonic);
+                        });
+    });
+  if (interrupted)
+    std::rethrow_exception(interrupted);
+  return result;
+}
+
+} // namespace stemware::fem

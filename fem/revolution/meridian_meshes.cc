@@ -1,0 +1,160 @@
+#include "fem/revolution/meridian_meshes.h"
+
+#include "fem/geometry/boundary_ids.h"
+#include "fem/geometry/contact_cells.h"
+#include "fem/geometry/meridian_mesh.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+namespace
+{
+
+/// Radii between which @p cell lies on the contact zone; equal where it does not.
+std::pair<double, double> contact_of(const Triangulation<2>::active_cell_iterator &cell)
+{
+  for (const auto &face : cell->face_iterators())
+    if (face->at_boundary() &&
+        face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone))
+      return std::minmax({ face->vertex(0)[0], face->vertex(1)[0] });
+  return { 0, 0 };
+}
+
+/// Flags the contact cells of @p one in whose inside @p other has a border; whether there are any.
+bool flag_cut_cells(Triangulation<2> &one, const Triangulation<2> &other)
+{
+  std::vector<double> borders;
+  for (const auto &cell : other.active_cell_iterators())
+    if (const auto [begin, end] = contact_of(cell); begin < end)
+      borders.push_back(begin);
+  std::sort(borders.begin(), borders.end());
+  bool some = false;
+  for (const auto &cell : one.active_cell_iterators())
+  {
+    const auto [begin, end] = contact_of(cell);
+    const double margin = 1e-3 * (end - begin);
+    const auto border = std::upper_bound(borders.begin(), borders.end(), begin + margin);
+    if (begin == end || border == borders.end() || *border >= end - margin)
+      continue;
+    cell->set_refine_flag();
+    some = true;
+  }
+  return some;
+}
+
+/// Vertices of the boundary at which the section fills more than a half-plane.
+std::set<unsigned int> reentrant_corners(const Triangulation<2> &triangulation)
+{
+  std::map<unsigned int, double> angles;
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+    {
+      // Vertices 0, 1, 3, 2 go round the cell.
+      constexpr unsigned int next[] = { 1, 3, 0, 2 }, previous[] = { 2, 0, 3, 1 };
+      const Tensor<1, 2> one = cell->vertex(next[v]) - cell->vertex(v),
+                         other = cell->vertex(previous[v]) - cell->vertex(v);
+      angles[cell->vertex_index(v)] +=
+        std::acos(std::clamp(one * other / (one.norm() * other.norm()), -1., 1.));
+    }
+  std::set<unsigned int> corners;
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const auto &face : cell->face_iterators())
+      if (face->at_boundary())
+        for (unsigned int v = 0; v < 2; ++v)
+          // Round corners have neighbours nearly in line.
+          if (angles[face->vertex_index(v)] > 1.2 * boost::math::double_constants::pi)
+            corners.insert(face->vertex_index(v));
+  return corners;
+}
+
+void flag_corner_cells(Triangulation<2> &triangulation, const std::set<unsigned int> &corners)
+{
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      if (corners.count(cell->vertex_index(v)) > 0)
+        cell->set_refine_flag();
+}
+
+void flag(Triangulation<2> &triangulation, const std::vector<unsigned int> &active_cells)
+{
+  const std::set<unsigned int> marked(active_cells.begin(), active_cells.end());
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (marked.count(cell->active_cell_index()) > 0)
+      cell->set_refine_flag();
+}
+
+} // namespace
+
+MeridianMeshes::MeridianMeshes(const RevolutionSetup &setup)
+{
+  make_meridian_mesh(setup.profile, setup.resolution, foot);
+  if (setup.table.substrate)
+    make_meridian_mesh(setup.table.substrate->disc, setup.profile, setup.resolution, disc);
+  for (unsigned int i = 0; i < setup.corner_halvings; ++i)
+  {
+    flag_corner_cells(foot, reentrant_corners(foot));
+    refine();
+  }
+  for (const std::vector<unsigned int> &cells : setup.halved)
+  {
+    flag(foot, cells);
+    refine();
+  }
+  for (unsigned int i = 0; i < setup.halvings_beyond_zone; ++i)
+    refine_beyond_zone(setup);
+}
+
+void MeridianMeshes::refine()
+{
+  foot.execute_coarsening_and_refinement();
+  if (disc.n_levels() == 0)
+    return;
+  disc.execute_coarsening_and_refinement();
+  while (flag_cut_cells(foot, disc) | flag_cut_cells(disc, foot))
+  {
+    foot.execute_coarsening_and_refinement();
+    disc.execute_coarsening_and_refinement();
+  }
+}
+
+void MeridianMeshes::refine_beyond_zone(const RevolutionSetup &setup)
+{
+  const ContactCells contact = contact_cells(setup.profile, setup.resolution);
+  for (Triangulation<2> *body : { &foot, &disc })
+    if (body->n_levels() > 0)
+      for (const auto &cell : body->active_cell_iterators())
+      {
+        const auto [begin, end] = contact_of(cell);
+        const bool is_focused = contact.has_focus && begin < end &&
+                                (end - begin < 2.01 * setup.resolution.focus_size ||
+                                 (begin < contact.focus_end && end > contact.focus_begin));
+        const Tensor<1, 2> from_contact = cell->center() - Point<2>(setup.profile.contact_radius, 0);
+        if (!is_focused && from_contact.norm() > setup.zone_half_width())
+          cell->set_refine_flag();
+      }
+  refine();
+}
+
+std::shared_ptr<const ContactCompliance> compliance_of(const RevolutionSetup &setup,
+                                                       const MeridianMeshes &meshes,
+                                                       const MeridianOptions &options, ComplianceCache &cache)
+{
+  const auto whole = cache.get(meshes.foot, setup.material, options);
+  if (!setup.table.substrate && !setup.foot_is_rigid && setup.friction_in_foot)
+    return whole;
+  const auto below =
+    setup.table.substrate ? cache.get(meshes.disc, setup.table.substrate->material, options) : nullptr;
+  return std::make_shared<const ContactCompliance>(setup.total_compliance(*whole, below.get()));
+}
+
+} // namespace stemware::fem

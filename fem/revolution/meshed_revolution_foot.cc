@@ -1,0 +1,89 @@
+#include "fem/revolution/meshed_revolution_foot.h"
+
+#include "fem/revolution/meridian_field.h"
+#include "fem/revolution/meridian_meshes.h"
+#include "fem/revolution/pressure_field.h"
+#include "fem/revolution/revolution_output.h"
+
+namespace stemware::fem
+{
+
+MeshedRevolutionFoot::MeshedRevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache)
+    : RevolutionFoot(setup, compliance_of(setup, MeridianMeshes(setup), setup.meridian_of_zone(), cache))
+{
+}
+
+MeshedRevolutionFoot::MeshedRevolutionFoot(const RevolutionSetup &setup)
+    : MeshedRevolutionFoot(setup, *std::make_unique<ComplianceCache>())
+{
+}
+
+MeshedRevolutionFoot::MeshedRevolutionFoot(const MeshedRevolutionFoot &other)
+    : RevolutionFoot(other)
+    , whole_land(other.whole_land)
+{
+}
+
+std::shared_ptr<const Foot> MeshedRevolutionFoot::clone() const
+{
+  return std::make_shared<MeshedRevolutionFoot>(*this);
+}
+
+std::shared_ptr<const ContactCompliance> MeshedRevolutionFoot::whole_land_compliance() const
+{
+  if (compliance->n_inside == 0 && compliance->n_outside == 0)
+    return compliance;
+  std::call_once(whole_land->once,
+                 [&]
+                 {
+                   ComplianceCache cache;
+                   whole_land->compliance =
+                     compliance_of(setup, MeridianMeshes(setup), setup.meridian, cache);
+                 });
+  return whole_land->compliance;
+}
+
+struct MeshedRevolutionFoot::Meridian
+{
+  explicit Meridian(const RevolutionSetup &setup)
+      : meshes(setup)
+      , space(meshes.foot, setup.material, setup.meridian.degree)
+  {
+  }
+
+  const MeridianMeshes meshes;
+  const MeridianSpace space;
+};
+
+const MeshedRevolutionFoot::Meridian &MeshedRevolutionFoot::meridian() const
+{
+  if (!made_meridian)
+    made_meridian = std::make_shared<const Meridian>(setup);
+  return *made_meridian;
+}
+
+MeridianField MeshedRevolutionFoot::field(const ContactState &state) const
+{
+  const Zone &zone = zone_of(state);
+  const ContactCompliance &part = zone.body.contact_compliance();
+  const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
+  return { meridian().space,
+           setup.material,
+           { part.extended_to_land(modes.normal), part.extended_to_land(modes.radial),
+             part.extended_to_land(modes.azimuthal) } };
+}
+
+std::vector<FieldFile> MeshedRevolutionFoot::fields(const ContactState &state) const
+{
+  const Zone &zone = zone_of(state);
+  const PressureField pressure(zone.body, *zone.law, state.solution, gap_at(state.slip.orientation));
+  return { { "contact.vtu", revolution_fields(field(state), pressure, state.solution.motion,
+                                              axis(state.slip.orientation)) } };
+}
+
+std::vector<StressedPatch> MeshedRevolutionFoot::section(const ContactState &state, double theta) const
+{
+  return revolution_section(field(state), theta - axis(state.slip.orientation));
+}
+
+} // namespace stemware::fem

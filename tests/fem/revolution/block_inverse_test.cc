@@ -1,0 +1,114 @@
+// Parts of inverses against Eigen's sparse factorisation, also in several threads at once; counts of threads.
+#include "fem/revolution/block_inverse.h"
+#include "fem/revolution/single_thread.h"
+
+#include <Eigen/SparseCholesky>
+#include <gtest/gtest.h>
+
+#include <omp.h>
+#include <thread>
+#include <vector>
+
+using stemware::fem::BlockInverse;
+using stemware::fem::LowerTriangle;
+using stemware::fem::SingleThread;
+
+namespace
+{
+
+/// Five-point Laplacian on n x n points inside a square, @p shift added to its diagonal: dense factors.
+LowerTriangle membrane(int n, double shift)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < n * n; ++i)
+  {
+    entries.emplace_back(i, i, 4 + shift);
+    if ((i + 1) % n != 0)
+      entries.emplace_back(i + 1, i, -1);
+    if (i + n < n * n)
+      entries.emplace_back(i + n, i, -1);
+  }
+  LowerTriangle result(n * n, n * n);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+Eigen::VectorXd entries_of(const LowerTriangle &lower)
+{
+  return Eigen::Map<const Eigen::VectorXd>(lower.valuePtr(), lower.nonZeros());
+}
+
+/// Returns columns of the inverse of the membrane by Eigen.
+Eigen::MatrixXd columns_of_inverse(const LowerTriangle &lower, const std::vector<unsigned int> &columns)
+{
+  Eigen::MatrixXd units = Eigen::MatrixXd::Zero(lower.rows(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    units(columns[j], static_cast<Eigen::Index>(j)) = 1;
+  return Eigen::SimplicialLLT<LowerTriangle>(lower).solve(units);
+}
+
+} // namespace
+
+TEST(BlockInverse, HasTheKeptPartOfTheInverse)
+{
+  const unsigned int n = 30;
+  const LowerTriangle lower = membrane(n, 0.5);
+  const std::vector<unsigned int> kept = { 3, 899, 411, 0, 412, 77 };
+  const unsigned int n_columns = 4;
+  const Eigen::MatrixXd whole = columns_of_inverse(lower, kept);
+  const Eigen::MatrixXd part = BlockInverse(lower, kept)(entries_of(lower), n_columns);
+  ASSERT_EQ(part.rows(), static_cast<Eigen::Index>(kept.size()));
+  for (unsigned int j = 0; j < n_columns; ++j)
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      EXPECT_NEAR(part(static_cast<Eigen::Index>(i), j), whole(kept[i], j), 1e-14);
+}
+
+// Large enough to be factorised by blocks, with a BLAS that threads must not enter together: without its lock
+// one in some ten runs of this test fails.
+TEST(BlockInverse, ServesThreadsTogether)
+{
+  const unsigned int n = 110, n_threads = 8, n_rounds = 4, n_kept = 60;
+  const LowerTriangle lower = membrane(n, 0.5);
+  std::vector<unsigned int> kept;
+  for (unsigned int i = 0; i < n_kept; ++i)
+    kept.push_back(200 * i + 7);
+  const BlockInverse inverse(lower, kept);
+  const Eigen::VectorXd entries = entries_of(lower);
+  const Eigen::MatrixXd whole = columns_of_inverse(lower, kept);
+  std::vector<double> errors(n_threads, 0.);
+  std::vector<std::thread> threads;
+  for (unsigned int t = 0; t < n_threads; ++t)
+    threads.emplace_back(
+      [&, t]
+      {
+        for (unsigned int round = 0; round < n_rounds; ++round)
+        {
+          const Eigen::MatrixXd part = inverse(entries, n_kept);
+          for (unsigned int i = 0; i < n_kept; ++i)
+            errors[t] = std::max(errors[t], (part.row(i) - whole.row(kept[i])).cwiseAbs().maxCoeff());
+        }
+      });
+  for (std::thread &thread : threads)
+    thread.join();
+  for (const double error : errors)
+    EXPECT_LT(error, 1e-13);
+}
+
+TEST(BlockInverse, RefusesMatricesThatAreNotPositiveDefinite)
+{
+  const LowerTriangle lower = membrane(10, -1);
+  EXPECT_THROW(BlockInverse(lower, { 3, 50 })(entries_of(lower), 1), std::runtime_error);
+}
+
+TEST(SingleThread, RestoresTheCountsWhenTheLastOfSeveralEnds)
+{
+  const int before = omp_get_max_threads(), levels = omp_get_max_active_levels();
+  {
+    const SingleThread outer;
+    std::thread([] { const SingleThread inner; }).join();
+    EXPECT_EQ(omp_get_max_threads(), 1);
+    EXPECT_EQ(omp_get_max_active_levels(), 0);
+  }
+  EXPECT_EQ(omp_get_max_threads(), before);
+  EXPECT_EQ(omp_get_max_active_levels(), levels);
+}
