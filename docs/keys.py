@@ -26,10 +26,10 @@ def rows(schema, path=""):
     return text
 
 
-schema = json.loads((here / "../fem/pipeline/document/summary.schema.json").read_text())
+schema = json.loads((here / "../fem/pipeline/result/summary.schema.json").read_text())
 page = f"""# The keys of summary.json
 
-{schema["description"]} The schema is `fem/pipeline/document/summary.schema.json`, installed as \
+{schema["description"]} The schema is `fem/pipeline/result/summary.schema.json`, installed as \
 `share/stemware/summary.schema.json`; this page is made from it by `docs/keys.py`. Each verb writes a subset of the keys; \
 `[]` represents each entry of a list, `*` any name.
 

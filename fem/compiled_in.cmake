@@ -10,7 +10,7 @@ file(
   OUTPUT ${FUNCTION}.cc
   CONTENT
     [[// Written by CMake from files of the sources.
-#include "fem/pipeline/system/shared_files.h"
+#include "fem/pipeline/base/shared_files.h"
 
 namespace stemware::pipeline
 {

@@ -33,12 +33,48 @@ set(STEMWARE_PORTABLE
     fem/revolution/revolution_foot.
     fem/revolution/revolution_setup.
     fem/revolution/target_clones.
-    fem/pipeline/support/
-    fem/pipeline/study/
-    fem/pipeline/coupling/
-    fem/pipeline/variants/
-    fem/pipeline/analysis/
-    fem/pipeline/pictures/
-    fem/pipeline/explore/)
+    fem/pipeline/base/failures.
+    fem/pipeline/base/html.
+    fem/pipeline/base/json.
+    fem/pipeline/base/numbers.
+    fem/pipeline/base/progress.
+    fem/pipeline/base/text.
+    fem/pipeline/study/column_table.
+    fem/pipeline/study/contact_section.
+    fem/pipeline/study/entry_facts.
+    fem/pipeline/study/glass_section.
+    fem/pipeline/study/load_section.
+    fem/pipeline/study/motion_section.
+    fem/pipeline/study/quantity_text.
+    fem/pipeline/study/study.
+    fem/pipeline/study/study_checks.
+    fem/pipeline/study/study_entries.
+    fem/pipeline/study/table_file.
+    fem/pipeline/study/table_section.
+    fem/pipeline/coupling/balanced_contact.
+    fem/pipeline/coupling/balanced_load.
+    fem/pipeline/coupling/contact_path.
+    fem/pipeline/coupling/discretisation.
+    fem/pipeline/coupling/driven_load.
+    fem/pipeline/coupling/elastic_foot.
+    fem/pipeline/coupling/foot_load.
+    fem/pipeline/coupling/load_report.
+    fem/pipeline/coupling/revolution_setup.
+    fem/pipeline/coupling/ring_choice.
+    fem/pipeline/coupling/study_balance.
+    fem/pipeline/coupling/study_load.
+    fem/pipeline/analysis/budget.
+    fem/pipeline/analysis/budget_quantities.
+    fem/pipeline/analysis/executor.
+    fem/pipeline/analysis/model_variants.
+    fem/pipeline/analysis/quantity.
+    fem/pipeline/analysis/ring_quantities.
+    fem/pipeline/analysis/solve.
+    fem/pipeline/analysis/spin_study.
+    fem/pipeline/analysis/study_rows.
+    fem/pipeline/analysis/variant.
+    fem/pipeline/result/pictures.
+    fem/pipeline/page/explore_api.
+    fem/pipeline/page/explorer.)
 list(JOIN STEMWARE_PORTABLE "|" STEMWARE_PORTABLE)
 string(REPLACE "." "\\." STEMWARE_PORTABLE "(${STEMWARE_PORTABLE})") # a regular expression

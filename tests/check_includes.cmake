@@ -14,20 +14,11 @@ set(order
     fem/revolution
     fem/solid/simd
     fem/solid
-    fem/pipeline/support
-    fem/pipeline/system
+    fem/pipeline/base
     fem/pipeline/study
-    fem/pipeline/input
     fem/pipeline/coupling
-    fem/pipeline/feet
-    fem/pipeline/variants
     fem/pipeline/analysis
-    fem/pipeline/pictures
-    fem/pipeline/refinement
-    fem/pipeline/answer
-    fem/pipeline/explore
-    fem/pipeline/document
-    fem/pipeline/report
+    fem/pipeline/result
     fem/pipeline/page
     fem/pipeline/python
     fem/pipeline/app)
@@ -90,7 +81,7 @@ foreach(file IN LISTS files)
            AND NOT (included MATCHES "^ring_model/load/"))
       string(APPEND troubles "${file} includes ${included}: the finite elements know ring_model/load, and no more\n")
     elseif(file MATCHES "^fem/pipeline/" AND included MATCHES "^fem/solid/" AND NOT file STREQUAL
-                                                                              fem/pipeline/feet/solid_study_foot.cc)
+                                                                              fem/pipeline/coupling/solid_study_foot.cc)
       string(APPEND troubles "${file} includes ${included}: a build without solid feet lacks it\n")
     endif()
   endforeach()

@@ -11,12 +11,12 @@
 //   build/bench/error_band_coverage [axes|together|converge [N [SEED [FIRST]]]]      studies FIRST ... N
 // Rims and tables that are out of flat are left out.
 
-#include "fem/pipeline/answer/threaded_executor.h"
+#include "fem/pipeline/analysis/error_bands.h"
+#include "fem/pipeline/analysis/refinement_study.h"
+#include "fem/pipeline/analysis/threaded_executor.h"
+#include "fem/pipeline/base/ranks.h"
+#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/feet/make_foot.h"
-#include "fem/pipeline/refinement/error_bands.h"
-#include "fem/pipeline/refinement/refinement_study.h"
-#include "fem/pipeline/system/ranks.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/spin/answer.h"
 #include "tests/benchmark/random_study.h"

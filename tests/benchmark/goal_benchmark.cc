@@ -15,9 +15,9 @@
 // deforms the foot, mu stays. The first mesh is the study's own (uniform= is not read).
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
+#include "fem/pipeline/analysis/goal_mesh.h"
+#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/feet/make_foot.h"
-#include "fem/pipeline/refinement/goal_mesh.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "ring_model/spin/answer.h"

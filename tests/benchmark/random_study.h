@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/input/study_file.h"
-#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/study/study_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "fem/pipeline/analysis/budget.h"
 
-#include "fem/pipeline/variants/model_variants.h"
+#include "fem/pipeline/analysis/model_variants.h"
 
 #include <cmath>
 #include <cstddef>

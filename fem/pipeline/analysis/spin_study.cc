@@ -1,7 +1,7 @@
 #include "fem/pipeline/analysis/spin_study.h"
 
+#include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/if_balanced.h"
 #include "ring_model/spin/hand_drive.h"
 #include "ring_model/spin/phase_loads.h"

@@ -1,8 +1,8 @@
 #include "fem/pipeline/analysis/study_rows.h"
 
 #include "fem/contact/contact_solution.h"
+#include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/support/numbers.h"
 #include "ring_model/spin/curves.h"
 
 #include <algorithm>

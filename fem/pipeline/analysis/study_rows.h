@@ -1,7 +1,7 @@
 #pragma once
 
+#include "fem/pipeline/analysis/solve.h"
 #include "fem/pipeline/coupling/balanced_load.h"
-#include "fem/pipeline/variants/solve.h"
 #include "ring_model/spin/answer.h"
 
 #include <memory>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "fem/pipeline/support/progress.h"
-#include "fem/pipeline/system/console.h"
-#include "fem/pipeline/system/stopwatch.h"
-#include "fem/pipeline/variants/solve.h"
+#include "fem/pipeline/analysis/solve.h"
+#include "fem/pipeline/base/console.h"
+#include "fem/pipeline/base/progress.h"
+#include "fem/pipeline/base/stopwatch.h"
 
 #include <chrono>
 #include <memory>

@@ -1,8 +1,8 @@
-#include "fem/pipeline/answer/study_answer.h"
+#include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
 #include "fem/pipeline/page/publish.h"
-#include "fem/pipeline/report/convergence_results.h"
+#include "fem/pipeline/result/convergence_results.h"
 
 #include <CLI/CLI.hpp>
 

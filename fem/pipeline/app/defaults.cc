@@ -1,6 +1,6 @@
 #include "fem/pipeline/app/verbs.h"
-#include "fem/pipeline/input/study_file.h"
-#include "fem/pipeline/system/console.h"
+#include "fem/pipeline/base/console.h"
+#include "fem/pipeline/study/study_file.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,9 +1,9 @@
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
+#include "fem/pipeline/base/console.h"
+#include "fem/pipeline/base/output.h"
+#include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/page/explore_page.h"
-#include "fem/pipeline/system/console.h"
-#include "fem/pipeline/system/output.h"
-#include "fem/pipeline/system/ranks.h"
 
 #include <CLI/CLI.hpp>
 

@@ -2,14 +2,14 @@
 #include "fem/geometry/mesh_io.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
-#include "fem/pipeline/feet/usable_mesh.h"
-#include "fem/pipeline/input/profile_file.h"
-#include "fem/pipeline/input/study_file.h"
-#include "fem/pipeline/report/mesh_results.h"
-#include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/system/console.h"
-#include "fem/pipeline/system/output.h"
-#include "fem/pipeline/system/ranks.h"
+#include "fem/pipeline/base/console.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/base/output.h"
+#include "fem/pipeline/base/ranks.h"
+#include "fem/pipeline/coupling/usable_mesh.h"
+#include "fem/pipeline/result/mesh_results.h"
+#include "fem/pipeline/study/profile_file.h"
+#include "fem/pipeline/study/study_file.h"
 
 #include <deal.II/grid/tria.h>
 

@@ -1,10 +1,10 @@
 #include "fem/pipeline/app/verbs.h"
-#include "fem/pipeline/input/presets.h"
-#include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/text.h"
-#include "fem/pipeline/system/console.h"
-#include "fem/pipeline/system/output.h"
-#include "fem/pipeline/system/ranks.h"
+#include "fem/pipeline/base/console.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/base/output.h"
+#include "fem/pipeline/base/ranks.h"
+#include "fem/pipeline/base/text.h"
+#include "fem/pipeline/study/presets.h"
 
 #include <CLI/CLI.hpp>
 #include <boost/algorithm/string/join.hpp>

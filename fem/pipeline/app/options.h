@@ -1,8 +1,8 @@
 #pragma once
 
 #include "fem/pipeline/app/verbs.h"
-#include "fem/pipeline/input/study_options.h"
 #include "fem/pipeline/study/study.h"
+#include "fem/pipeline/study/study_options.h"
 
 #include <memory>
 #include <string>

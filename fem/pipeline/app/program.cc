@@ -1,14 +1,14 @@
 #include "fem/pipeline/app/program.h"
 
 #include "fem/pipeline/app/verbs.h"
-#include "fem/pipeline/feet/failure_sentence.h"
-#include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/text.h"
-#include "fem/pipeline/system/console.h"
-#include "fem/pipeline/system/json_text.h"
-#include "fem/pipeline/system/program.h"
-#include "fem/pipeline/system/ranks.h"
-#include "fem/pipeline/system/shared_files.h"
+#include "fem/pipeline/base/console.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/base/json_text.h"
+#include "fem/pipeline/base/program.h"
+#include "fem/pipeline/base/ranks.h"
+#include "fem/pipeline/base/shared_files.h"
+#include "fem/pipeline/base/text.h"
+#include "fem/pipeline/coupling/failure_sentence.h"
 
 #include <deal.II/base/multithread_info.h>
 

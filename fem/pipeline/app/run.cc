@@ -1,9 +1,9 @@
-#include "fem/pipeline/answer/study_answer.h"
+#include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
+#include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/page/publish.h"
-#include "fem/pipeline/report/run_results.h"
-#include "fem/pipeline/system/ranks.h"
+#include "fem/pipeline/result/run_results.h"
 
 #include <CLI/CLI.hpp>
 

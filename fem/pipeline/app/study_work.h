@@ -1,10 +1,10 @@
 #pragma once
 
-#include "fem/pipeline/answer/threaded_executor.h"
+#include "fem/pipeline/analysis/solve.h"
+#include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/app/console_progress.h"
-#include "fem/pipeline/input/study_options.h"
-#include "fem/pipeline/system/output.h"
-#include "fem/pipeline/variants/solve.h"
+#include "fem/pipeline/base/output.h"
+#include "fem/pipeline/study/study_options.h"
 
 #include <functional>
 

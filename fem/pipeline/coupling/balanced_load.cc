@@ -1,7 +1,7 @@
 #include "fem/pipeline/coupling/balanced_load.h"
 
 #include "fem/contact/contact_newton.h"
-#include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/base/numbers.h"
 #include "ring_model/no_balance.h"
 
 #include <boost/math/constants/constants.hpp>

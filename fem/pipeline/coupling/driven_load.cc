@@ -1,11 +1,11 @@
 #include "fem/pipeline/coupling/driven_load.h"
 
 #include "fem/contact/contact_newton.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/base/numbers.h"
+#include "fem/pipeline/base/text.h"
 #include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/support/text.h"
 
 namespace stemware::pipeline
 {

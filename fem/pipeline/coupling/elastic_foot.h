@@ -1,9 +1,9 @@
 #pragma once
 
 #include "fem/contact/foot.h"
+#include "fem/pipeline/base/progress.h"
 #include "fem/pipeline/coupling/contact_path.h"
 #include "fem/pipeline/coupling/discretisation.h"
-#include "fem/pipeline/support/progress.h"
 
 #include <atomic>
 #include <cstddef>

@@ -1,9 +1,9 @@
 #include "fem/pipeline/coupling/foot_load.h"
 
+#include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/ring_choice.h"
 #include "fem/pipeline/coupling/study_balance.h"
-#include "fem/pipeline/support/numbers.h"
 #include "ring_model/no_balance.h"
 #include "ring_model/spin/phase_loads.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "fem/pipeline/base/progress.h"
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/study/study.h"
-#include "fem/pipeline/support/progress.h"
 #include "ring_model/spin/phases.h"
 
 #include <memory>

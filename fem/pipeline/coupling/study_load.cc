@@ -1,8 +1,8 @@
 #include "fem/pipeline/coupling/study_load.h"
 
 #include "fem/contact/contact_solution.h"
-#include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/base/numbers.h"
 #include "ring_model/no_balance.h"
 #include "ring_model/self_consistent_ring.h"
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "fem/pipeline/base/progress.h"
 #include "fem/pipeline/coupling/discretisation.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/coupling/foot_load.h"
 #include "fem/pipeline/coupling/study_balance.h"
 #include "fem/pipeline/study/study.h"
-#include "fem/pipeline/support/progress.h"
 
 #include <exception>
 #include <functional>

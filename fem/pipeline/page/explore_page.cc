@@ -1,18 +1,18 @@
 #include "fem/pipeline/page/explore_page.h"
 
 #include "fem/pipeline/analysis/study_rows.h"
-#include "fem/pipeline/answer/threaded_executor.h"
+#include "fem/pipeline/analysis/threaded_executor.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/base/json.h"
+#include "fem/pipeline/base/program.h"
+#include "fem/pipeline/base/shared_files.h"
+#include "fem/pipeline/base/text_file.h"
+#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/explore/explorer.h"
-#include "fem/pipeline/feet/make_foot.h"
-#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/page/explorer.h"
 #include "fem/pipeline/page/live_bodies.h"
-#include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/json.h"
-#include "fem/pipeline/system/program.h"
-#include "fem/pipeline/system/shared_files.h"
-#include "fem/pipeline/system/text_file.h"
+#include "fem/pipeline/study/study_file.h"
 
 #include <deal.II/base/utilities.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/input/presets.h"
 #include "fem/pipeline/page/page.h"
+#include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/revolution/compliance_cache.h"
 

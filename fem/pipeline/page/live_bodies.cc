@@ -1,8 +1,8 @@
 #include "fem/pipeline/page/live_bodies.h"
 
+#include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
-#include "fem/pipeline/input/study_file.h"
-#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/study/study_file.h"
 #include "fem/revolution/meridian_meshes.h"
 
 namespace stemware::pipeline

@@ -1,9 +1,9 @@
 #include "fem/pipeline/page/page.h"
 
-#include "fem/pipeline/support/html.h"
-#include "fem/pipeline/system/json_text.h"
-#include "fem/pipeline/system/output.h"
-#include "fem/pipeline/system/shared_files.h"
+#include "fem/pipeline/base/html.h"
+#include "fem/pipeline/base/json_text.h"
+#include "fem/pipeline/base/output.h"
+#include "fem/pipeline/base/shared_files.h"
 
 namespace stemware::pipeline
 {

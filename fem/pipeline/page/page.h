@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/support/json.h"
+#include "fem/pipeline/base/json.h"
 
 #include <string>
 

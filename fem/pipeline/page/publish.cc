@@ -1,13 +1,13 @@
 #include "fem/pipeline/page/publish.h"
 
-#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/base/console.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/base/program.h"
+#include "fem/pipeline/base/ranks.h"
+#include "fem/pipeline/base/text_file.h"
 #include "fem/pipeline/page/page.h"
-#include "fem/pipeline/report/table_renderers.h"
-#include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/system/console.h"
-#include "fem/pipeline/system/program.h"
-#include "fem/pipeline/system/ranks.h"
-#include "fem/pipeline/system/text_file.h"
+#include "fem/pipeline/result/table_renderers.h"
+#include "fem/pipeline/study/study_file.h"
 
 #include <algorithm>
 #include <cmath>

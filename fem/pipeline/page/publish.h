@@ -1,10 +1,10 @@
 #pragma once
 
-#include "fem/pipeline/input/study_options.h"
-#include "fem/pipeline/report/results.h"
+#include "fem/pipeline/base/output.h"
+#include "fem/pipeline/base/stopwatch.h"
+#include "fem/pipeline/result/results.h"
 #include "fem/pipeline/study/study.h"
-#include "fem/pipeline/system/output.h"
-#include "fem/pipeline/system/stopwatch.h"
+#include "fem/pipeline/study/study_options.h"
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 #include "fem/pipeline/study/quantity_text.h"
 
-#include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/support/text.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/base/numbers.h"
+#include "fem/pipeline/base/text.h"
 
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/replace.hpp>

@@ -3,8 +3,8 @@
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/base/numbers.h"
 #include "ring_model/no_balance.h"
 
 #include <cmath>

@@ -1,10 +1,10 @@
 #include "fem/pipeline/study/study_checks.h"
 
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/base/numbers.h"
+#include "fem/pipeline/base/text.h"
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/support/text.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/no_balance.h"
 

@@ -1,9 +1,9 @@
 #include "fem/pipeline/study/study_entries.h"
 
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/base/numbers.h"
+#include "fem/pipeline/base/text.h"
 #include "fem/pipeline/study/quantity_text.h"
-#include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/support/text.h"
 
 #include <boost/algorithm/string/predicate.hpp>
 

@@ -1,6 +1,6 @@
 #include "fem/pipeline/study/table_file.h"
 
-#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/base/failures.h"
 
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/predicate.hpp>

@@ -1,6 +1,6 @@
 #include "tests/fem/pipeline/browser.h"
 
-#include "fem/pipeline/system/json_text.h"
+#include "fem/pipeline/base/json_text.h"
 
 #include <gtest/gtest.h>
 

@@ -65,7 +65,7 @@ std::vector<std::string> all_between(const std::string &text, const std::string 
 /// Lines that are too wide for the console, or hold escape codes.
 std::string bad_lines(const std::string &text);
 
-/// What is not as fem/pipeline/document/summary.schema.json says in a summary, one sentence each.
+/// What is not as fem/pipeline/result/summary.schema.json says in a summary, one sentence each.
 std::vector<std::string> departures_from_schema(const nlohmann::json &summary);
 
 /// The summary of a folder of results; a departure from the schema fails the test that reads it.

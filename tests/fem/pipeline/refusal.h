@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/base/failures.h"
 
 #include <string>
 

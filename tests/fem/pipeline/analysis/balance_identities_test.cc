@@ -1,7 +1,7 @@
 // Identities of contact, friction and moments in balance that hold whatever the pressure. Kinds of reference:
 // symmetry, the moment balance written out, point quadrature.
 #include "fem/pipeline/analysis/budget.h"
-#include "fem/pipeline/feet/make_foot.h"
+#include "fem/pipeline/coupling/make_foot.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/spin/curves.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"

@@ -1,10 +1,10 @@
 // The budget of effects: which rows a study has, what their differences are, and what a row that fails
 // leaves.
 #include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/model_variants.h"
+#include "fem/pipeline/analysis/ring_quantities.h"
+#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/feet/make_foot.h"
-#include "fem/pipeline/pictures/ring_quantities.h"
-#include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/self_consistent_ring.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"

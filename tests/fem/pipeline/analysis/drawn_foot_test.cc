@@ -1,6 +1,6 @@
 // Points of the section of a glass whose shape is foot, read as a drawing, against that shape: another
 // description of the same glass.
-#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/program_runner.h"
 

@@ -2,13 +2,13 @@
 // studies in which it says that it has an effect. The list below names what is not so: another base study, a
 // value, and the number of summary.json that must change. An entry that is read, checked and echoed, but not
 // passed on, fails here.
-#include "fem/pipeline/answer/study_answer.h"
-#include "fem/pipeline/answer/threaded_executor.h"
-#include "fem/pipeline/input/study_file.h"
-#include "fem/pipeline/report/run_results.h"
-#include "fem/pipeline/report/table_renderers.h"
+#include "fem/pipeline/analysis/study_answer.h"
+#include "fem/pipeline/analysis/threaded_executor.h"
+#include "fem/pipeline/base/numbers.h"
+#include "fem/pipeline/result/run_results.h"
+#include "fem/pipeline/result/table_renderers.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/scratch_folder.h"
 

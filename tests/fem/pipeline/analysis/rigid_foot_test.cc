@@ -1,6 +1,6 @@
 // A rigid foot on a Winkler mat, from the study to its terminal spin. Reference: other code, quadrature in
 // two dimensions without rings, harmonics or kernels (tests/verification/rigid_foot.py, plain_rigid_foot.h).
-#include "fem/pipeline/refinement/error_bands.h"
+#include "fem/pipeline/analysis/error_bands.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/spin/answer.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/answer/sweep_case.h"
-#include "fem/pipeline/answer/threaded_executor.h"
+#include "fem/pipeline/analysis/sweep_case.h"
+#include "fem/pipeline/analysis/threaded_executor.h"
+#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/feet/make_foot.h"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 // Whatever is wrong with the input ends in one clear sentence, a meaningful exit code, and nothing on the
 // disk.
-#include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/study/study_checks.h"
+#include "fem/pipeline/study/study_file.h"
 #include "ring_model/no_balance.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"

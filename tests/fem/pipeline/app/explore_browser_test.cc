@@ -1,7 +1,7 @@
 // The committed page in a real browser, on a desk and on a phone: five moves of sliders beside the program.
 #include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "tests/fem/pipeline/browser.h"
 #include "tests/fem/pipeline/matchers.h"

@@ -1,7 +1,7 @@
 // The page of `stemware explore`: the committed one says what the program says, and a new one is made of it.
 #include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/feet/make_foot.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "tests/fem/pipeline/program_runner.h"
 

@@ -1,9 +1,9 @@
 // `stemware new`: twelve entries with a comment each, ready to run; nothing is overwritten; every preset
 // gives a result.
-#include "fem/pipeline/input/presets.h"
-#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/study/study_checks.h"
-#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 

@@ -1,5 +1,5 @@
 // A hand whose speed changes: the spin-up with Motion/Orbit speed file.
-#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/page_document.h"
 #include "tests/fem/pipeline/program_runner.h"

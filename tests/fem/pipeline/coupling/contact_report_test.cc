@@ -1,9 +1,9 @@
 // What a study says about its contact: the friction of the pressure where it lies, at the state that it is
 // named after.
 #include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/feet/contact_report.h"
-#include "fem/pipeline/feet/make_foot.h"
 #include "ring_model/spin/answer.h"
 #include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/resolved_friction.h"

@@ -1,6 +1,6 @@
 // Meshes of other programs, good and bad: what they are, or the one sentence that says what is wrong.
 #include "fem/geometry/foot_mesh.h"
-#include "fem/pipeline/feet/usable_mesh.h"
+#include "fem/pipeline/coupling/usable_mesh.h"
 #include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/matchers.h"

@@ -1,5 +1,5 @@
 // Files of numbers in columns: what may be written, and the files that are refused with one sentence.
-#include "fem/pipeline/input/data_files.h"
+#include "fem/pipeline/study/data_files.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/fem/pipeline/refusal.h"

@@ -1,7 +1,7 @@
 // Entries without effect are named.
-#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/study_checks.h"
-#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/program_runner.h"
 

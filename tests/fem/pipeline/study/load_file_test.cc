@@ -1,5 +1,5 @@
-#include "fem/pipeline/input/data_files.h"
-#include "fem/pipeline/report/common_sections.h"
+#include "fem/pipeline/result/common_sections.h"
+#include "fem/pipeline/study/data_files.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/fem/pipeline/refusal.h"

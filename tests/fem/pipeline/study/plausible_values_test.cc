@@ -1,10 +1,10 @@
 // Values that no glass has are computed after a warning; sizes that no machine has are refused before the
 // work.
-#include "fem/pipeline/input/study_file.h"
-#include "fem/pipeline/input/study_size.h"
+#include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/study/study_size.h"
 #include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"

@@ -1,8 +1,8 @@
 // Sections of a glass that are read from a file of points, and the files that are refused: one sentence each.
-#include "fem/pipeline/input/profile_file.h"
-#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_checks.h"
-#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/fem/pipeline/refusal.h"

@@ -1,6 +1,6 @@
 // Values as people write them. The oracle is the definition of each unit, written out in powers of ten.
-#include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/study/quantity_text.h"
+#include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 

@@ -1,5 +1,5 @@
+#include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/study.h"
-#include "fem/pipeline/support/failures.h"
 #include "ring_model/no_balance.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"

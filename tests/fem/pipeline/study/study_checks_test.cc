@@ -1,6 +1,6 @@
 // Values that do not go together, that no glass has, and choices that one entry makes for another.
-#include "fem/pipeline/input/study_file.h"
 #include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"

@@ -1,6 +1,6 @@
-#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/fem/pipeline/refusal.h"

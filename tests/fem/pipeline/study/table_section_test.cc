@@ -1,5 +1,5 @@
 // The table of a study as the finite elements get it has the study's numbers, each in its place.
-#include "fem/pipeline/input/study_file.h"
+#include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/mat_study.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,170 @@
+#include "fem/pipeline/analysis/goal_mesh.h"
+
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/friction_functionals.h"
+#include "ring_model/spin/answer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Friction's tau_z at @p omega, @p with_lean the lean torque besides, linearised at @p state.
+fem::ContactGoal torque_goal(const Study &study, const fem::ContactState &state, double omega, bool with_lean)
+{
+  fem::ContactGoal goal;
+  goal.ring_radii = state.load.radii();
+  goal.of_load =
+    ring::friction_functionals(study.motion.orbit, goal.ring_radii, state.load.n_harmonics(), omega).torque;
+  if (with_lean && study.tilts())
+  {
+    // The lean torque is -q1 M_Nx - q2 M_Ny.
+    goal.of_moment = -state.solution.motion.tail<2>();
+    goal.of_motion << 0, -state.load.moment();
+  }
+  return goal;
+}
+
+/// a_2 / a_0, a_0 being given by the weight.
+fem::ContactGoal second_harmonic_goal(const fem::ContactState &state)
+{
+  fem::ContactGoal goal;
+  goal.ring_radii = state.load.radii();
+  const auto n_rings = static_cast<Eigen::Index>(goal.ring_radii.size());
+  goal.of_load = { Eigen::ArrayXXd::Zero(3, n_rings), Eigen::ArrayXXd::Zero(3, n_rings) };
+  goal.of_load.a.row(2) = 1 / state.load.a(0);
+  return goal;
+}
+
+/// d tau_z / d omega in balance [N m s].
+double slope_at(const BalancedLoad &load, const ring::Motion &motion, double omega)
+{
+  const double step = load.spin_scale(motion) / 512;
+  return (yaw_torque(load, motion, omega + step) - yaw_torque(load, motion, omega - step)) / (2 * step);
+}
+
+void scale(fem::MeshError &error, double factor)
+{
+  error.correction *= factor;
+  for (double &share : error.cells)
+    share *= std::abs(factor);
+}
+
+/// Share of the error whose cells are halved at once.
+constexpr double marked_share = 0.8;
+
+GoalError error_of(const Study &study, const Discretisation &discretisation, const Executor &executor)
+{
+  const auto error = [&](const Variant &, const std::shared_ptr<ElasticFoot> &foot)
+  {
+    ensure(foot->body().capabilities().glass_period == 0,
+           "Contact/Goal needs a foot whose load does not depend on the direction of the moment, but this "
+           "Contact/Mesh file is not axisymmetric; set Contact/Goal = none.");
+    const BalancedLoad load = find_load(study, foot);
+    const ring::Question question = { study.motion.orbit, study.motion.grip_torque };
+    const double omega = ring::answer(load, question).value().omega_terminal().value();
+    return goal_error(study, *foot, load, omega, study.contact.goal, true);
+  };
+  const auto found =
+    solve(std::vector<Variant>{ { VariantKind::study, "", study, discretisation } }, nullptr, error, executor)
+      .front()
+      .value();
+  if (!found)
+    throw std::runtime_error(
+      "The error of Contact/Goal cannot be estimated in this study: the contact with the hard table is "
+      "narrower than two of its cells; set Contact/Goal = none or Contact/Body = revolution.");
+  return *found;
+}
+
+double sum_of_shares(const fem::MeshError &error)
+{
+  return std::accumulate(error.cells.begin(), error.cells.end(), 0.);
+}
+
+/// A mesh for a goal has cells that no size of a study foresees. @p before: of the mesh without the last
+/// cells that @p meshed halves.
+void require_memory(const Study &study, const Discretisation &meshed, const GoalError &before)
+{
+  constexpr double per_unknown = 10e3; // bytes, most of them in the estimate; measured
+  const double n_cells = static_cast<double>(before.error.cells.size() + 7 * meshed.halved.back().size());
+  const double memory = per_unknown * 4.5 * n_cells * std::pow(study.contact.degree, 3);
+  if (memory > study.contact.memory_limit)
+    throw std::runtime_error(
+      fmt::format(FMT_STRING("The error of the goal is {:.1e} of its value, but the next mesh would have "
+                             "{:.2g} cells and need about {:.2g} GB of memory; increase Contact/Goal "
+                             "tolerance, or set Contact/Memory limit = {:.0f} GB."),
+                  std::abs(before.error.correction / before.value), n_cells, memory / 1e9,
+                  std::ceil(1.1 * memory / 1e9)));
+}
+
+} // namespace
+
+std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot, const BalancedLoad &load,
+                                    double omega_terminal, Goal goal, bool with_cells)
+{
+  if (abilities(study.contact.body).is_of_revolution || !load.contact(0) || foot.ring_radii().empty() ||
+      foot.body().capabilities().glass_period > 0 || goal == Goal::none)
+    return std::nullopt;
+  const ring::Motion &motion = study.motion.orbit;
+  const double omega = goal == Goal::terminal_spin ? omega_terminal
+                       : goal == Goal::torque      ? omega_terminal / 2
+                                                   : 0;
+  const fem::ContactState state = *load.contact(omega);
+  const fem::ContactGoal functional = goal == Goal::a2
+                                        ? second_harmonic_goal(state)
+                                        : torque_goal(study, state, omega, goal == Goal::terminal_spin);
+  std::optional<fem::MeshError> error = foot.body().mesh_error(state, functional, with_cells);
+  if (!error)
+    return std::nullopt;
+  GoalError result = { functional.of_load(state.load), std::move(*error) };
+  if (goal == Goal::torque)
+    result.value = ring::wrench(motion, load.at(omega), omega).torque;
+  if (goal == Goal::terminal_spin)
+  {
+    result.value = omega_terminal;
+    scale(result.error, -1 / slope_at(load, motion, omega));
+  }
+  return result;
+}
+
+MeshForGoal mesh_for_goal(const Study &study, const Executor &executor, Progress &progress)
+{
+  if (study.contact.goal == Goal::none || !study.load.is_from_contact())
+    return { {}, std::nullopt };
+  constexpr unsigned int max_meshes = 20;
+  constexpr double allowed_cancelling = 5;
+  Discretisation meshed;
+  for (unsigned int n_meshes = 1;; ++n_meshes)
+  {
+    const GoalError found = error_of(study, meshed, executor);
+    const double allowed = study.contact.goal_tolerance * std::abs(found.value);
+    progress.pieces_done("meshes for the goal", n_meshes, 0);
+    if (std::abs(found.error.correction) <= allowed &&
+        sum_of_shares(found.error) <= allowed_cancelling * allowed)
+    {
+      const std::size_t n_cells = found.error.cells.size();
+      progress.note("Mesh", fmt::format(FMT_STRING("{} cells, mesh {} for the goal; estimated error of the "
+                                                   "goal {:.1e} of its value"),
+                                        n_cells, n_meshes, std::abs(found.error.correction / found.value)));
+      return { std::move(meshed), GoalOutcome{ found.value, found.error.correction, n_meshes, n_cells } };
+    }
+    if (n_meshes == max_meshes)
+      throw std::runtime_error(fmt::format(
+        FMT_STRING("The goal's error is still {:.1e} of its value after {} meshes, more than "
+                   "Contact/Goal tolerance = {:g}; give a larger tolerance."),
+        std::abs(found.error.correction / found.value), max_meshes, study.contact.goal_tolerance));
+    meshed.halved.push_back(found.error.mark(marked_share));
+    require_memory(study, meshed, found);
+  }
+}
+
+} // namespace stemware::pipeline

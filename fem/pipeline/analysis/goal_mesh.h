@@ -1,0 +1,60 @@
+#pragma once
+
+#include "fem/contact/contact_goal.h"
+#include "fem/pipeline/analysis/solve.h"
+#include "fem/pipeline/coupling/balanced_load.h"
+#include "fem/pipeline/coupling/elastic_foot.h"
+
+#include <optional>
+
+namespace stemware::pipeline
+{
+
+/// Discretisation error of one number of a study, due to the mesh of a solid foot.
+struct GoalError
+{
+  double value = 0;     ///< value of the number in the study
+  fem::MeshError error; ///< its correction in the unit of the value: rad/s, 1 or N m
+};
+
+/// Estimates the discretisation error of @p goal on the mesh of the solid foot @p foot by finer elements
+/// (docs/method/error_bands.md, "The error of one number"):
+///
+///   terminal spin   the torque's at that spin over its slope, the balance of moments included [rad/s]
+///   a2              a_2 / a_0 of the load at rest
+///   torque          tau_z at half the terminal spin [N m]
+///
+/// @p load: find_load() of the study; @p omega_terminal: its terminal spin [rad/s]. Returns std::nullopt for
+/// a body of revolution, without a contact, for a foot whose load depends on the direction of the moment, for
+/// one ring, and for a load without a balance. @p with_cells: also the cells' shares. May solve a contact.
+std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot, const BalancedLoad &load,
+                                    double omega_terminal, Goal goal, bool with_cells = false);
+
+/// Value of the goal of a mesh, with its remaining error.
+struct GoalOutcome
+{
+  double value = 0;           ///< value of the number [rad/s, 1 or N m]
+  double estimated_error = 0; ///< estimate of exact minus computed value
+  std::size_t n_meshes = 0;
+  std::size_t n_cells = 0; ///< cells of the last mesh
+};
+
+/// Mesh for the goal of a study.
+struct MeshForGoal
+{
+  Discretisation discretisation;
+  std::optional<GoalOutcome> outcome; ///< std::nullopt if the study has no goal
+};
+
+/// Returns the discretisation of @p study with cells halved until the estimated error of its goal
+/// (Contact/Goal) is within its tolerance: on each mesh the cells with most of the error by goal_error(). The
+/// sum of the cells' shares, which may cancel, must not exceed five tolerances. Returns the default if it has
+/// no goal.
+///
+/// @p progress receives the meshes. Throws BadInput for a mesh file whose load depends on the direction of
+/// the moment; std::runtime_error if twenty meshes or Contact/Memory limit are not enough, or the estimate
+/// fails; and as find_load() and terminal_spin(). Collective if the body is.
+MeshForGoal mesh_for_goal(const Study &study, const Executor &executor,
+                          Progress &progress = silent_progress());
+
+} // namespace stemware::pipeline

@@ -1,0 +1,132 @@
+#include "fem/pipeline/analysis/model_variants.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace stemware::pipeline
+{
+
+Study with_constant_friction(Study study)
+{
+  ring::Motion &motion = study.motion.orbit;
+  motion.friction_coefficient = motion.friction_at_rest();
+  motion.friction_law = ring::FrictionLawKind::coulomb;
+  return study;
+}
+
+Study paper_study(Study study)
+{
+  study = with_constant_friction(std::move(study));
+  study.motion.closure = ring::Closure::paper;
+  study.motion.grip_torque = 0;
+  study.motion.orbit.liquid.surface_leans = false;
+  study.load = {};
+  study.load.source = LoadSource::first_harmonic;
+  return study;
+}
+
+Study first_harmonic_study(Study study)
+{
+  study.load.source = LoadSource::first_harmonic;
+  return study;
+}
+
+bool has_compliance(const Study &study, const Model &model)
+{
+  return study.table.interface != TableInterface::hard || study.table.substrate == TableSubstrate::elastic ||
+         !model.foot_is_rigid;
+}
+
+std::vector<Variant> model_chain(const Study &study)
+{
+  std::vector<Variant> chain;
+  const auto add = [&](const ChainStep &step, const char *name, const Study &model)
+  {
+    Variant &variant = chain.emplace_back(Variant{ VariantKind::chain, name, model });
+    variant.n_harmonics = 1;
+    variant.shared = Shared::foot;
+    variant.step = step;
+  };
+  Study model = paper_study(study);
+  add({ 1 }, "paper", model);
+  if (!study.motion.orbit.has_constant_friction())
+  {
+    model.motion.orbit = study.motion.orbit;
+    model.motion.orbit.liquid.surface_leans = false;
+    add({ 1, true }, "friction law", model);
+  }
+  if (study.load.source != LoadSource::file)
+  {
+    model = first_harmonic_study(study);
+    model.motion.grip_torque = 0;
+    add({ 2 }, study.load.is_static() ? "given moment" : "moment balance", model);
+  }
+  if (study.motion.grip_torque > 0)
+  {
+    model.motion.grip_torque = study.motion.grip_torque;
+    add({ 2, true }, "grip", model);
+  }
+  if (study.tilts())
+  {
+    model = study;
+    model.motion.tilt = false;
+    add({ 3 }, "where the foot touches", model);
+  }
+  return chain;
+}
+
+std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
+{
+  const Study &study = own.study;
+  const Model &model = own.model;
+  std::vector<Variant> variants;
+  if (!study.load.is_from_contact())
+    return variants;
+  const auto add_if = [&](bool applies, const char *name, const std::function<void(Variant &)> &leave_out)
+  {
+    if (!applies)
+      return;
+    Variant &variant = variants.emplace_back(own);
+    variant.kind = VariantKind::without;
+    variant.name = name;
+    leave_out(variant);
+    const bool is_solid = !abilities(study.contact.body).is_of_revolution;
+    if (!has_compliance(variant.study, variant.model))
+      variant.reason = "not defined";
+    else if ((depends_on_phase || variant.study.has_waviness()) && is_solid &&
+             variant.study.table.is_hard() && !study.table.is_hard())
+      variant.reason = "not computed: a solid foot on a hard table takes too long at every phase";
+  };
+  const bool is_elastic_substrate = study.table.substrate == TableSubstrate::elastic;
+  const bool is_elastic_foot = !model.foot_is_rigid;
+  add_if(study.friction_deforms() && is_elastic_foot && model.friction_in_foot, "friction in the foot",
+         [](Variant &other) { other.model.friction_in_foot = false; });
+  add_if(study.friction_deforms() && is_elastic_substrate && model.friction_in_substrate,
+         "friction in the substrate", [](Variant &other) { other.model.friction_in_substrate = false; });
+  add_if(abilities(study.contact.body).is_of_revolution && is_elastic_foot, "elasticity of the foot",
+         [](Variant &other) { other.model.foot_is_rigid = true; });
+  add_if(is_elastic_substrate, "elasticity of the substrate",
+         [](Variant &other) { other.study.table.substrate = TableSubstrate::rigid; });
+  add_if(!study.table.is_hard(), "compliance of the interface",
+         [](Variant &other)
+         {
+           constexpr unsigned int max_degree = 2; // on small cells matters less than the phases left out
+           other.study.table.interface = TableInterface::hard;
+           if (other.study.has_waviness())
+             other.study.contact.degree = std::min(other.study.contact.degree, max_degree);
+         });
+  add_if(!study.motion.orbit.has_constant_friction(), "dependence of friction on slip",
+         [](Variant &other) { other.study = with_constant_friction(std::move(other.study)); });
+  add_if(study.tilts(), "tilt", [](Variant &other) { other.study.motion.tilt = false; });
+  add_if(study.motion.orbit.liquid.mass > 0 && study.load.has_closure(), "lean of the liquid",
+         [](Variant &other) { other.study.motion.orbit.liquid.surface_leans = false; });
+  add_if(study.motion.grip_torque > 0, "grip", [](Variant &other) { other.study.motion.grip_torque = 0; });
+  if (study.motion.grip_torque > 0)
+    variants.back().shared = Shared::load;
+  add_if(study.has_waviness(), "waviness",
+         [](Variant &other) { other.study.glass.waviness = other.study.table.waviness = {}; });
+  return variants;
+}
+
+} // namespace stemware::pipeline

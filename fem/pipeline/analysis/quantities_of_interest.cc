@@ -1,0 +1,172 @@
+#include "fem/pipeline/analysis/quantities_of_interest.h"
+
+#include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/base/numbers.h"
+#include "ring_model/no_balance.h"
+#include "ring_model/spin/curves.h"
+
+#include <boost/algorithm/string/replace.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace stemware::pipeline
+{
+
+std::string QuantityOfInterest::title() const
+{
+  return omega ? boost::replace_all_copy(name, "*", to_short_text(*omega)) : name;
+}
+
+std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double share_noise)
+{
+  std::vector<QuantityOfInterest> quantities;
+  const ring::RingStack &at_rest = load.rings;
+  const double mean = at_rest.a(0);
+  for (unsigned int n = 1; n <= n_harmonics_of_interest; ++n)
+  {
+    const std::string order = std::to_string(n);
+    quantities.push_back({ "a" + order, "a_" + order + "/a_0", "1", at_rest.a(n) / mean, relative_noise });
+    quantities.push_back({ "b" + order, "b_" + order + "/a_0", "1", at_rest.b(n) / mean, relative_noise });
+  }
+  quantities.push_back(
+    { "ring_radius", "ring radius", "m", at_rest.radius(), relative_noise * at_rest.radius() });
+  const bool ends_somewhere = load.contact_fraction > 0 && load.contact_fraction < 1;
+  quantities.push_back({ "contact_fraction", "share of the land in contact", "1", load.contact_fraction,
+                         ends_somewhere ? share_noise : 0. });
+  if (load.azimuth_fraction)
+    quantities.push_back({ "azimuth_fraction", "share of the azimuths in contact", "1",
+                           *load.azimuth_fraction, *load.azimuth_fraction < 1 ? share_noise : 0. });
+  quantities.push_back({ "minimum", "least load at rest", "N/rad", load.minimum, relative_noise * mean });
+  if (load.peak_pressure)
+    quantities.push_back({ "peak_pressure", "largest pressure at rest", "Pa", *load.peak_pressure,
+                           relative_noise * *load.peak_pressure });
+  if (load.contact_width)
+    quantities.push_back({ "contact_width", "largest width of the contact at rest", "m", *load.contact_width,
+                           relative_noise * *load.contact_width });
+  return quantities;
+}
+
+std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
+                                                       const Eigen::Vector3d &table_motion,
+                                                       const SpinNumbers &spin)
+{
+  const ContactSection &contact = study.contact;
+  // A solid foot counts sectors; a body of revolution finds the edges between its lines.
+  std::vector<QuantityOfInterest> quantities = load_quantities(
+    at_rest,
+    abilities(contact.body).is_of_revolution ? relative_noise : 1. / contact.resolution.azimuthal_cells);
+  const double torque_noise =
+    relative_noise * study.motion.orbit.friction_at_rest() * at_rest.normal_force * spin.radius;
+  quantities.push_back({ "tau_at_rest", "torque at rest", "N m", spin.torque_at_rest, torque_noise });
+  for (std::size_t i = 0; i < spin.spins.size(); ++i)
+    quantities.push_back({ "tau_at_spin_" + std::to_string(i + 1), "torque at * rad/s", "N m",
+                           spin.torques[i], torque_noise, spin.spins[i] });
+  quantities.push_back(
+    { "omega_terminal", "terminal spin", "rad/s", spin.omega_terminal, relative_noise * spin.spin_scale });
+  quantities.push_back({ "time_constant", "time constant", "s", spin.time_constant,
+                         spin.slope_noise * relative_noise * spin.time_constant });
+  const double radius = at_rest.mean_radius,
+               move_noise =
+                 relative_noise * (std::abs(table_motion(0)) + radius * table_motion.tail<2>().norm());
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const std::string order = std::to_string(i);
+    quantities.push_back(
+      { "table_motion_" + order,
+        std::string("table ") + (i == 0 ? "moved" : "tilted") + " by q_" + order + " at rest",
+        i == 0 ? "m" : "rad", table_motion(i), i == 0 ? move_noise : move_noise / radius });
+  }
+  return quantities;
+}
+
+std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
+                                                   const std::vector<double> &spins,
+                                                   const std::optional<double> &near)
+{
+  const ring::Motion &motion = study.motion.orbit;
+  ring::Question question = { motion };
+  question.initial_guess = near.value_or(0);
+  question.with_slope = true;
+  question.with_minima = false;
+  const ring::Answer row = ring::answer(load, question);
+  terminal_spin_of(row);
+  constexpr double noise_of_differences = 10; // the slope is one by finite differences
+  return quantities_of_interest(
+    study, load.report(), load.contact(0).value().solution.motion,
+    { row.at_rest->friction.torque, spins, friction_torques(ring::torque_curve(load, question, spins)),
+      row.terminal->omega, row.terminal->time_constant, load.report().rings.radius(), load.spin_scale(motion),
+      noise_of_differences });
+}
+
+double terminal_spin_of(const ring::Answer &answer)
+{
+  if (!answer.value().terminal)
+    throw ring::NoBalance(answer.reason + "; a study of refinement needs a terminal spin");
+  return answer.terminal->omega;
+}
+
+bool BandedQuantity::is_zero() const
+{
+  return std::abs(quantity.value) <= quantity.rounding && std::abs(richardson) <= quantity.rounding;
+}
+
+std::vector<double> spins_of_interest(double omega_terminal)
+{
+  return { 0.5 * omega_terminal, 1.5 * omega_terminal };
+}
+
+const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities,
+                                      const std::string &key)
+{
+  const auto found = std::find_if(quantities.begin(), quantities.end(),
+                                  [&](const QuantityOfInterest &quantity) { return quantity.key == key; });
+  if (found == quantities.end())
+    throw std::out_of_range("no quantity of a refinement study is called " + key);
+  return *found;
+}
+
+std::string key_of(Goal goal)
+{
+  static constexpr const char *keys[] = { "", "omega_terminal", "a2", "tau_at_spin_1" };
+  return keys[static_cast<std::size_t>(goal)];
+}
+
+double max_change_over_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
+                             const std::vector<QuantityOfInterest> &after, double yaw_inertia)
+{
+  const auto move_of = [&](const std::string &name)
+  { return std::abs(quantity_of(after, name).value - quantity_of(before, name).value); };
+  const double slope = yaw_inertia / quantity_of(before, "time_constant").value;
+  const auto moves = { slope * move_of("omega_terminal"), move_of("tau_at_spin_1"),
+                       move_of("tau_at_spin_2") };
+  const bool all_known =
+    std::all_of(moves.begin(), moves.end(), [](double move) { return std::isfinite(move); });
+  const double torque = all_known ? std::max(moves) : std::nan("");
+  if (key == "omega_terminal")
+    return torque / slope;
+  return key == "tau_at_spin_1" || key == "tau_at_spin_2" ? torque : move_of(key);
+}
+
+ErrorBands::const_iterator find_quantity(const ErrorBands &quantities, const std::string &key)
+{
+  return std::find_if(quantities.begin(), quantities.end(),
+                      [&](const BandedQuantity &banded) { return banded.quantity.key == key; });
+}
+
+std::size_t index_of(const ErrorBands &quantities, const std::string &key)
+{
+  const auto found = find_quantity(quantities, key);
+  if (found == quantities.end())
+    throw std::out_of_range("no quantity of interest is called " + key);
+  return static_cast<std::size_t>(found - quantities.begin());
+}
+
+std::optional<double> band_of(const ErrorBands &quantities, const std::string &key)
+{
+  const auto found = find_quantity(quantities, key);
+  return found == quantities.end() ? std::nullopt : std::optional(found->band);
+}
+
+} // namespace stemware::pipeline

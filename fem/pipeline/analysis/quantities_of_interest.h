@@ -1,0 +1,114 @@
+#pragma once
+
+#include "fem/pipeline/analysis/ring_quantities.h"
+#include "fem/pipeline/coupling/balanced_load.h"
+#include "fem/pipeline/study/study.h"
+#include "ring_model/spin/answer.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// Quantity whose discretisation error is estimated.
+struct QuantityOfInterest
+{
+  std::string key;  ///< in summary.json: "omega_terminal"
+  std::string name; ///< displayed name: "terminal spin"; a * stands for `omega`
+  std::string unit; ///< "1" for pure numbers
+  double value = 0;
+  double rounding = 0;              ///< size of differences due to solver tolerances
+  std::optional<double> omega = {}; ///< spin of a torque [rad/s]
+
+  /// Returns the name with the spin in it.
+  std::string title() const;
+};
+
+/// A quantity of the study with its error band.
+struct BandedQuantity
+{
+  QuantityOfInterest quantity;
+  double band = 0;       ///< half-width: the exact value of the model lies within quantity.value -/+ band
+  double richardson = 0; ///< the value minus the estimated errors of all axes
+  std::map<std::string, double> parts = {}; ///< parts of the band by cause: "mesh", "degree", ...
+
+  /// True if the value is zero to rounding (a harmonic that vanishes by symmetry).
+  bool is_zero() const;
+};
+
+/// Error bands of a study's quantities; empty if not estimated.
+using ErrorBands = std::vector<BandedQuantity>;
+
+/// Size of differences due to the tolerances of contacts and balances, relative to the mean load.
+constexpr double relative_noise = 1e-9;
+
+/// Quantities of interest that depend on the spin.
+struct SpinNumbers
+{
+  double torque_at_rest = 0;   ///< tau_z [N m]
+  std::vector<double> spins;   ///< spins at which the torque is a quantity too [rad/s]
+  std::vector<double> torques; ///< tau_z there [N m]
+  double omega_terminal = 0;   ///< [rad/s]
+  double time_constant = 0;    ///< [s]
+  // Scales of rounding:
+  double radius = 0;      ///< radius of friction [m]
+  double spin_scale = 0;  ///< [rad/s]
+  double slope_noise = 1; ///< relative noise of the time constant over the noise of the torque
+};
+
+/// Returns the quantities of a load: a_n/a_0 and b_n/a_0 (n = 1 ... 8), ring radius, contact fraction,
+/// minimum load. With lift-off the contact fraction is accurate to @p share_noise.
+std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double share_noise = relative_noise);
+
+/// Returns the quantities of interest: load_quantities() @p at_rest, torque at rest and at
+/// SpinNumbers::spins, terminal spin, time constant, and the motion of the table at rest, @p table_motion
+/// (q_0 [m], q_1 and q_2 [rad]). Always the same quantities in the same order for equally
+/// many spins.
+std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
+                                                       const Eigen::Vector3d &table_motion,
+                                                       const SpinNumbers &spin);
+
+/// Returns the quantities of interest of a study from its @p load, with the torque at @p spins [rad/s]. @p
+/// near: initial guess of the terminal spin. The load is one of a contact. Throws as @p load and
+/// ring::terminal_spin().
+std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
+                                                   const std::vector<double> &spins,
+                                                   const std::optional<double> &near);
+
+/// Returns the terminal spin of @p answer [rad/s]. Throws its failure, and ring::NoBalance if the glass tips.
+double terminal_spin_of(const ring::Answer &answer);
+
+/// Default spins at which the torque is evaluated: half and one and a half times
+/// the terminal spin @p omega_terminal.
+std::vector<double> spins_of_interest(double omega_terminal);
+
+/// Returns the quantity @p key. Throws std::out_of_range if there is none.
+const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities,
+                                      const std::string &key);
+
+/// Returns the change of the quantity @p key from @p before to @p after. Terminal spin and torques are judged
+/// together, by the largest change of torque at half, one and one and a half times the terminal spin, because
+/// the errors of different harmonics may cancel at one spin; NaN if one of the three has no value. @p
+/// yaw_inertia [kg m^2]. Throws as quantity_of().
+double max_change_over_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
+                             const std::vector<QuantityOfInterest> &after, double yaw_inertia);
+
+/// Returns the key of the goal of a mesh; empty for none.
+std::string key_of(Goal goal);
+
+/// Returns the quantity @p key; end() if there is none.
+ErrorBands::const_iterator find_quantity(const ErrorBands &quantities, const std::string &key);
+
+/// Returns the position of the quantity @p key. Throws std::out_of_range if there is none.
+std::size_t index_of(const ErrorBands &quantities, const std::string &key);
+
+/// Returns the half-width of the error band of the quantity @p key; std::nullopt if there is none.
+std::optional<double> band_of(const ErrorBands &quantities, const std::string &key);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,111 @@
+#include "fem/pipeline/analysis/quantity.h"
+
+namespace stemware::pipeline
+{
+
+std::string with_unit(const std::string &name, const std::string &unit, bool ones)
+{
+  return unit.empty() || (unit == "1" && !ones) ? name : name + " (" + unit + ")";
+}
+
+Column column_of(const std::string &key, const std::string &name, const std::string &unit,
+                 const std::string &column, const std::vector<double> &values, const std::string &number)
+{
+  Column made = { { key, unit, "", name, column }, { values.begin(), values.end() } };
+  made.quantity.number = number;
+  return made;
+}
+
+Word in_file(const std::string &name, const std::string &column)
+{
+  return [=](Quantity &quantity) { quantity.name = name, quantity.column = column; };
+}
+
+Word in_column(const std::string &column)
+{
+  return [=](Quantity &quantity) { quantity.column = column; };
+}
+
+Word on_page(const std::string &heading)
+{
+  return [=](Quantity &quantity) { quantity.heading = heading; };
+}
+
+Word on_console(const std::string &label)
+{
+  return [=](Quantity &quantity) { quantity.label = label; };
+}
+
+Word shown_as(const std::string &word)
+{
+  return [=](Quantity &quantity) { quantity.heading = quantity.label = word; };
+}
+
+Word with_digits(const std::string &digits)
+{
+  return [=](Quantity &quantity) { quantity.digits = digits; };
+}
+
+Word with_places(const std::vector<Quantity> &places)
+{
+  return [=](Quantity &quantity) { quantity.places = places; };
+}
+
+Word of_type(const Json &type)
+{
+  return [=](Quantity &quantity) { quantity.type.update(type); };
+}
+
+Word with_number(const std::string &number)
+{
+  return [=](Quantity &quantity) { quantity.number = number; };
+}
+
+Word or_absent()
+{
+  return [](Quantity &quantity) { quantity.may_be_absent = true; };
+}
+
+Json or_null(Json type)
+{
+  if (type.contains("type"))
+    type["type"] = { type["type"], "null" };
+  return type;
+}
+
+Json schema_of_object(const std::vector<Quantity> &quantities)
+{
+  Json properties = Json::object(), required = Json::array();
+  for (const Quantity &quantity : quantities)
+  {
+    if (quantity.description.empty())
+      continue;
+    Json property = { { "description", quantity.description } };
+    if (!quantity.unit.empty() && quantity.unit != "1")
+      property["unit"] = quantity.unit;
+    property.update(quantity.type);
+    properties[quantity.key] = property;
+    if (!quantity.may_be_absent)
+      required.push_back(quantity.key);
+  }
+  return { { "type", "object" },
+           { "properties", properties },
+           { "required", required },
+           { "additionalProperties", false } };
+}
+
+void add_columns(const Quantity &quantity, const std::vector<Json> &cells, Face face,
+                 std::vector<Column> &columns)
+{
+  if (quantity.places.empty())
+    columns.push_back({ quantity, cells });
+  for (std::size_t place = 0; place < quantity.places.size(); ++place)
+    if (!quantity.places[place].word(face).empty())
+    {
+      Column &column = columns.emplace_back(Column{ quantity.places[place] });
+      for (const Json &cell : cells)
+        column.cells.push_back(cell.is_null() ? cell : cell.at(place));
+    }
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,341 @@
+#pragma once
+
+#include "fem/pipeline/base/json.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// Quantities of the results. Each is declared once, in a list of Fields: its key, unit and words, and how it
+/// is read from a row. The list makes the members of summary.json with their schema, the columns of data
+/// files, and tables for the page and the console.
+namespace stemware::pipeline
+{
+
+/// Faces of a table.
+enum class Face
+{
+  file,   ///< CSV and data files
+  page,   ///< tables of the page
+  console ///< tables of the console
+};
+
+/// Key, unit and words of a quantity. A face for which the quantity has no word does not show it.
+struct Quantity
+{
+  std::string key = "";              ///< in summary.json, tables and the list of columns
+  std::string unit = "1";            ///< SI; "1" for pure numbers, empty for words
+  std::string description = "";      ///< one sentence; empty: not in summary.json
+  std::string name = "";             ///< heading in data files, without its unit
+  std::string column = "";           ///< description of that column
+  std::string heading = "";          ///< on the page, without its unit
+  std::string label = "";            ///< on the console, without its unit; maybe in lines: "change\nof spin"
+  std::string digits = ".6g";        ///< displayed digits, argument of format::number()
+  Json type = {};                    ///< JSON Schema of the values
+  bool may_be_absent = false;        ///< no key in summary.json instead of null
+  std::vector<Quantity> places = {}; ///< columns of a list of fixed length, instead of the list
+  std::string number = "";           ///< replaces a * in key and name, which stands for any number
+
+  /// Returns the word of a face; empty if it does not show the quantity.
+  const std::string &word(Face face) const
+  {
+    return face == Face::file ? name : face == Face::page ? heading : label;
+  }
+};
+
+/// Returns "name (unit)", or the name only if the unit is empty, or 1 and @p ones is false.
+std::string with_unit(const std::string &name, const std::string &unit, bool ones = true);
+
+/// Quantity with its values; missing values are null: nan in data files, empty in CSV, a dash in reports.
+struct Column
+{
+  Quantity quantity;
+  std::vector<Json> cells = {};
+};
+
+/// Columns of equal length under a title. Renderers (table_renderers.h) show all columns in this order.
+struct Table
+{
+  std::string title = {};
+  std::vector<Column> columns = {};
+
+  std::size_t n_rows() const { return columns.empty() ? 0 : columns.front().cells.size(); }
+};
+
+/// Returns a column of a data file: @p key, heading @p name, @p unit, and the description @p column; one cell
+/// from each of @p rows: @p value is a member, or is called with the row. @p number: Quantity::number.
+template <typename Rows, typename Value>
+Column column_of(const std::string &key, const std::string &name, const std::string &unit,
+                 const std::string &column, const Rows &rows, Value value)
+{
+  Column made = { { key, unit, "", name, column } };
+  for (const auto &row : rows)
+    made.cells.emplace_back(std::invoke(value, row));
+  return made;
+}
+Column column_of(const std::string &key, const std::string &name, const std::string &unit,
+                 const std::string &column, const std::vector<double> &values,
+                 const std::string &number = "");
+
+// ---- words of a quantity, arguments of Field
+
+using Word = std::function<void(Quantity &)>;
+
+/// Heading in data files and description of the column.
+Word in_file(const std::string &name, const std::string &column);
+/// Description of a column whose heading is the key.
+Word in_column(const std::string &column);
+/// Heading on the page.
+Word on_page(const std::string &heading);
+/// Label on the console.
+Word on_console(const std::string &label);
+/// Heading on the page and label on the console.
+Word shown_as(const std::string &word);
+/// Digits on page and console.
+Word with_digits(const std::string &digits);
+/// Columns of a list of fixed length.
+Word with_places(const std::vector<Quantity> &places);
+/// JSON Schema of the values, in addition to that of their type.
+Word of_type(const Json &type);
+/// Number in the place of a * in key and name.
+Word with_number(const std::string &number);
+/// No key in summary.json instead of null.
+Word or_absent();
+
+/// Function that returns the key of a row, for members by key.
+template <typename Key>
+struct ByKey
+{
+  Key key;
+};
+template <typename Key>
+ByKey(Key) -> ByKey<Key>;
+
+// ---- C++ types
+
+/// Type of the value of an optional or a pointer, else the type itself.
+template <typename Value>
+struct WithoutOptional
+{
+  using Type = Value;
+};
+template <typename Value>
+struct WithoutOptional<std::optional<Value>>
+{
+  using Type = Value;
+};
+template <typename Value>
+struct WithoutOptional<const Value *>
+{
+  using Type = Value;
+};
+template <typename Value>
+constexpr bool is_optional_type = !std::is_same_v<typename WithoutOptional<Value>::Type, Value>;
+template <typename>
+struct IsVector : std::false_type
+{
+};
+template <typename Value>
+struct IsVector<std::vector<Value>> : std::true_type
+{
+};
+template <typename>
+struct ArraySize : std::integral_constant<std::size_t, 0>
+{
+};
+template <typename Value, std::size_t n>
+struct ArraySize<std::array<Value, n>> : std::integral_constant<std::size_t, n>
+{
+};
+
+/// Returns the JSON Schema @p type with null as a further value.
+Json or_null(Json type);
+
+/// Returns the JSON Schema of a type: numbers, texts, optional values, lists.
+template <typename Value>
+Json schema_of_type()
+{
+  if constexpr (std::is_same_v<Value, Json>)
+    return Json::object();
+  else if constexpr (std::is_convertible_v<Value, std::string>) // also a pointer to characters
+    return { { "type", "string" } };
+  else if constexpr (is_optional_type<Value>)
+    return or_null(schema_of_type<typename WithoutOptional<Value>::Type>());
+  else if constexpr (std::is_arithmetic_v<Value>)
+    return { { "type", std::is_same_v<Value, bool>       ? "boolean"
+                       : std::is_floating_point_v<Value> ? "number"
+                                                         : "integer" } };
+  else
+  {
+    Json type = { { "type", "array" }, { "items", schema_of_type<typename Value::value_type>() } };
+    if (ArraySize<Value>::value > 0)
+      type.update({ { "minItems", ArraySize<Value>::value }, { "maxItems", ArraySize<Value>::value } });
+    return type;
+  }
+}
+
+/// Returns the JSON Schema of an object with the members @p quantities.
+Json schema_of_object(const std::vector<Quantity> &quantities);
+
+/// Adds the columns of @p quantity to @p columns, one for each of its places.
+void add_columns(const Quantity &quantity, const std::vector<Json> &cells, Face face,
+                 std::vector<Column> &columns);
+
+template <typename Row>
+class Fields;
+
+/// A quantity and how it is read from a Row.
+template <typename Row>
+struct Field
+{
+  Quantity quantity;
+  std::function<Json(const Row &)> value;
+
+  /// Quantity with its words; @p read is a member of Row, or is called with a row. An empty @p description:
+  /// only in tables.
+  template <typename Read, typename... Words,
+            typename = std::enable_if_t<std::is_invocable_v<Read, const Row &>>>
+  Field(const std::string &key, const std::string &unit, const std::string &description, Read read,
+        Words... words)
+      : value([read](const Row &row) { return Json(std::invoke(read, row)); })
+  {
+    using Value = std::decay_t<std::invoke_result_t<Read, const Row &>>;
+    const bool is_text = std::is_convertible_v<Value, std::string> && !std::is_same_v<Value, Json>;
+    quantity = { key, is_text ? "" : unit, description };
+    quantity.type = schema_of_type<Value>();
+    (words(quantity), ...);
+  }
+
+  /// Object with the members @p fields of what @p read returns: a row, or a list if it returns a vector; null
+  /// if it returns an optional or a pointer without value.
+  template <typename Part, typename Read, typename... Words>
+  Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,
+        Words... words)
+      : Field(key, description, fields, read, ByKey{ nullptr }, words...)
+  {
+  }
+  /// The same; the rows of a vector are members by their key.
+  template <typename Part, typename Read, typename Key, typename... Words>
+  Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,
+        ByKey<Key> by_key, Words... words);
+};
+
+/// List of quantities that are read from a Row.
+template <typename Row>
+class Fields
+{
+public:
+  Fields() = default;
+  Fields(std::initializer_list<Field<Row>> fields)
+      : members(fields)
+  {
+  }
+
+  /// Returns this list behind all of @p fields, read from what @p read returns, a row of theirs.
+  template <typename Part, typename Read>
+  Fields include(const Fields<Part> &fields, Read read) const
+  {
+    Fields all;
+    for (const Field<Part> &field : fields.all())
+    {
+      Field<Row> &added = all.members.emplace_back(
+        "", "", "", [read, value = field.value](const Row &row) { return value(std::invoke(read, row)); });
+      added.quantity = field.quantity;
+    }
+    all.members.insert(all.members.end(), members.begin(), members.end());
+    return all;
+  }
+
+  void add(const Field<Row> &field) { members.push_back(field); }
+  const std::vector<Field<Row>> &all() const { return members; }
+
+  /// Returns the JSON Schema of the object json().
+  Json schema() const
+  {
+    std::vector<Quantity> quantities;
+    for (const Field<Row> &field : members)
+      quantities.push_back(field.quantity);
+    return schema_of_object(quantities);
+  }
+
+  /// Returns the quantities that have a description, by key; of a vector of rows the list of these objects.
+  Json json(const Row &row) const
+  {
+    Json object = Json::object();
+    for (const auto &[quantity, value] : members)
+      if (!quantity.description.empty())
+        if (Json found = value(row); !found.is_null() || !quantity.may_be_absent)
+          object[quantity.key] = std::move(found);
+    return object;
+  }
+  Json json(const std::vector<Row> &rows) const
+  {
+    Json list = Json::array();
+    for (const Row &row : rows)
+      list.push_back(json(row));
+    return list;
+  }
+
+  /// Returns the table of @p rows for a face.
+  Table table(const std::vector<Row> &rows, Face face, const std::string &title = "") const
+  {
+    Table table = { title };
+    for (const auto &[quantity, value] : members)
+      if (!quantity.word(face).empty() || !quantity.places.empty())
+      {
+        std::vector<Json> cells;
+        for (const Row &row : rows)
+          cells.push_back(value(row));
+        add_columns(quantity, cells, face, table.columns);
+      }
+    return table;
+  }
+
+private:
+  std::vector<Field<Row>> members;
+};
+
+template <typename Row>
+template <typename Part, typename Read, typename Key, typename... Words>
+Field<Row>::Field(const std::string &key, const std::string &description, const Fields<Part> &fields,
+                  Read read, ByKey<Key> by_key, Words... words)
+{
+  using Found = std::decay_t<std::invoke_result_t<Read, const Row &>>;
+  constexpr bool has_key = !std::is_same_v<Key, std::nullptr_t>, is_optional = is_optional_type<Found>;
+  const auto json_of = [fields, by_key](const auto &found) -> Json
+  {
+    if constexpr (!has_key)
+      return fields.json(found);
+    else
+    {
+      Json members = Json::object();
+      for (const auto &row : found)
+        members[std::invoke(by_key.key, row)] = fields.json(row);
+      return members;
+    }
+  };
+  value = [read, json_of](const Row &row) -> Json
+  {
+    const auto &found = std::invoke(read, row);
+    if constexpr (is_optional_type<Found>)
+      return found ? json_of(*found) : Json(nullptr);
+    else
+      return json_of(found);
+  };
+  using Plain = typename WithoutOptional<Found>::Type;
+  const Json part = fields.schema();
+  Json type = has_key                  ? Json{ { "type", "object" }, { "additionalProperties", part } }
+              : IsVector<Plain>::value ? Json{ { "type", "array" }, { "items", part } }
+                                       : part;
+  quantity = { key, "", description };
+  quantity.type = is_optional ? or_null(type) : type;
+  (words(quantity), ...);
+}
+
+} // namespace stemware::pipeline

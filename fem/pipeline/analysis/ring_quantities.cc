@@ -1,0 +1,375 @@
+#include "fem/pipeline/analysis/ring_quantities.h"
+
+#include "fem/pipeline/coupling/study_load.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+using Number = std::optional<double>;
+using Effect = ring::TorqueEffect;
+
+/// Reads a number of a state of an answer; null without that state.
+template <typename Read>
+auto in_state(std::optional<ring::RingState> ring::Answer::*state, Read read)
+{
+  return [=](const ring::Answer &answer)
+  {
+    using Value = std::decay_t<std::invoke_result_t<Read, const ring::RingState &>>;
+    const auto &found = answer.*state;
+    return found ? std::optional<Value>(std::invoke(read, *found)) : std::nullopt;
+  };
+}
+
+double friction_torque(const ring::RingState &state)
+{
+  return state.friction.torque;
+}
+
+std::array<double, 2> force_of(const ring::RingState &state)
+{
+  return { state.friction.force_x, state.friction.force_y };
+}
+
+/// Reads change, rest or bound of the effect at one of its spins; null without a terminal spin.
+auto of_effect(std::optional<Effect::AtSpin> Effect::*spin, double Effect::AtSpin::*value)
+{
+  return [=](const Truncation &row)
+  {
+    const auto &at_spin = row.effect.*spin;
+    return at_spin ? Number(*at_spin.*value) : std::nullopt;
+  };
+}
+
+/// Reads a torque over the torque at rest.
+template <typename Read>
+auto over_rest(Read read)
+{
+  return [=](const Truncation &row)
+  {
+    const Number torque = read(row);
+    return torque && row.torque_at_rest != 0 ? Number(*torque / row.torque_at_rest) : std::nullopt;
+  };
+}
+
+const auto change_half = of_effect(&Effect::half, &Effect::AtSpin::change);
+const auto change_terminal = of_effect(&Effect::terminal, &Effect::AtSpin::change);
+
+Number largest_change(const Truncation &row)
+{
+  return row.effect.largest;
+}
+
+Number largest_at(const Truncation &row)
+{
+  return row.effect.largest_at;
+}
+
+/// Reads @p read of the row of all harmonics.
+template <typename Read>
+auto of_all(Read read)
+{
+  return [=](const AnsweredStudy &found) {
+    return read(Truncation{ {}, found.effects.rows.back(), found.effects.torque_at_rest, {} });
+  };
+}
+
+HarmonicEffect effect_of(const AnsweredStudy &found)
+{
+  return harmonic_effect(found.first.omega_terminal(), found.all.omega_terminal(), spin_scale(found.study));
+}
+
+/// Terminal spin of a first harmonic on a ring of the contact radius.
+Number omega_on_ring(const AnsweredStudy &found, ring::Closure closure)
+{
+  return ring::answer(first_harmonic_load(found.study, closure), { found.study.motion.orbit })
+    .omega_terminal();
+}
+
+} // namespace
+
+double without_rounding(double value, double rounding)
+{
+  return std::abs(value) < rounding ? 0. : value;
+}
+
+void drop_rounding(std::optional<double> &value, double rounding)
+{
+  if (value)
+    value = without_rounding(*value, rounding);
+}
+
+const Fields<ring::Fall> &fall_fields()
+{
+  static const auto fields =
+    Fields<ring::Fall>{ { "omega", "rad/s", "The last spin in balance.", &ring::Fall::omega },
+                        { "moment_ratio", "1", "Moment ratio at this spin.",
+                          [](const ring::Fall &fall) { return fall.state.moment_ratio; } } };
+  return fields;
+}
+
+const Fields<ring::Answer> &answer_fields()
+{
+  using ring::Answer;
+  using ring::RingState;
+  static const auto fields = Fields<Answer>{
+    { "omega_terminal", "rad/s", "Terminal spin: zero of the sum of friction, lean and grip torque.",
+      &Answer::omega_terminal, in_column("terminal spin"), on_page("terminal spin") },
+    { "tau_at_rest", "N m",
+      "Torque of friction on the glass at rest; the mean over the phases with waviness.",
+      in_state(&Answer::at_rest, friction_torque), in_column("torque of friction at rest"),
+      on_page("torque of friction at rest") },
+    { "lean_torque_at_rest", "N m", "Torque of the normal forces about the tilted axis at rest.",
+      in_state(&Answer::at_rest, &RingState::lean_torque) },
+    { "fall", "Spin at which a glass that stands at rest tips over; null if it does not tip.", fall_fields(),
+      &Answer::fall },
+    { "tau_at_terminal", "N m",
+      "Torque of friction at the terminal spin. With waviness, all keys that end in _at_terminal belong "
+      "to the mean load at waviness/zero_of_mean_torque.",
+      in_state(&Answer::at_terminal, friction_torque) },
+    { "lean_torque_at_terminal", "N m", "Lean torque at the terminal spin.",
+      in_state(&Answer::at_terminal, &RingState::lean_torque) },
+    { "grip_torque_at_terminal", "N m", "Grip torque at the terminal spin.",
+      in_state(&Answer::at_terminal, &RingState::grip_torque) },
+    { "time_constant", "s", "Time constant of the approach to the terminal spin.", &Answer::time_constant,
+      in_column("time constant") },
+    { "force_at_terminal", "N", "Friction force (T_x, T_y) at the terminal spin.",
+      in_state(&Answer::at_terminal, force_of) },
+    { "moment_ratio_at_terminal", "1", "Moment ratio at the terminal spin.",
+      in_state(&Answer::at_terminal, &RingState::moment_ratio) }
+  };
+  return fields;
+}
+
+const Fields<AnsweredStudy> &study_quantities()
+{
+  using Study = AnsweredStudy;
+  const auto if_falls = [](auto read) {
+    return [=](const Study &found) { return found.all.fall ? Number(read(*found.all.fall)) : std::nullopt; };
+  };
+  static const auto fields = Fields<Study>{
+    { "omega_first_harmonic", "rad/s", "", [](const Study &found) { return found.first.omega_terminal(); },
+      in_column("terminal spin, first harmonic only"), on_page("terminal spin, first harmonic only") },
+    { "omega_on_ring", "rad/s", "",
+      [](const Study &found) { return omega_on_ring(found, found.study.motion.closure); },
+      in_column("terminal spin, first harmonic on a ring of the contact radius"),
+      on_page("terminal spin, first harmonic on a ring of the contact radius") },
+    { "omega_paper", "rad/s", "",
+      [](const Study &found) { return omega_on_ring(found, ring::Closure::paper); },
+      in_column("terminal spin, the paper's model") },
+    { "harmonic_effect", "rad/s", "", [](const Study &found) { return effect_of(found).absolute; },
+      in_column("effect of the higher harmonics"), on_page("effect of the higher harmonics") },
+    { "harmonic_effect_relative", "1", "", [](const Study &found) { return effect_of(found).relative; },
+      in_column("relative effect of the higher harmonics") },
+    { "torque_change_half", "N m", "", of_all(change_half),
+      in_column("effect of the higher harmonics on the torque of friction at half the terminal spin") },
+    { "torque_change_half_relative", "1", "", of_all(over_rest(change_half)),
+      in_column("the same over the torque at rest") },
+    { "torque_change_terminal", "N m", "", of_all(change_terminal),
+      in_column("effect of the higher harmonics on the torque of friction at the terminal spin") },
+    { "torque_change_terminal_relative", "1", "", of_all(over_rest(change_terminal)),
+      in_column("the same over the torque at rest") },
+    { "held", "1", "",
+      [](const Study &found)
+      {
+        return found.study.motion.grip_torque > 0 && found.all.terminal
+                 ? Number(found.all.terminal->held ? 1 : 0)
+                 : std::nullopt;
+      },
+      in_column("1: the fingers hold the glass at rest") },
+    { "omega_fall", "rad/s", "", if_falls([](const ring::Fall &fall) { return fall.omega; }),
+      in_column("spin at which the glass falls over"), on_page("spin at which the glass falls over") },
+    { "moment_ratio_at_fall", "1", "",
+      if_falls([](const ring::Fall &fall) { return fall.state.moment_ratio; }),
+      in_column("moment ratio at which the glass falls over") },
+    { "normal_force", "N", "", [](const Study &found) { return found.load.normal_force; },
+      in_column("normal force") },
+    { "moment_ratio", "1", "", [](const Study &found) { return found.load.moment_ratio; },
+      in_column("moment ratio at rest"), on_page("moment ratio at rest") },
+    { "contact_fraction", "1", "", [](const Study &found) { return found.load.contact_fraction; },
+      in_column("share of the land's area under pressure at rest"),
+      on_page("share of the land's area under pressure at rest") },
+    { "load_minimum", "N/rad", "", [](const Study &found) { return found.load.minimum; },
+      in_column("smallest load at rest") },
+    { "ring_radius", "m", "", [](const Study &found) { return found.load.rings.radius(); },
+      in_column("radius of the equivalent ring at rest") },
+    { "mean_radius", "m", "", [](const Study &found) { return found.load.mean_radius; },
+      in_column("mean radius of the load at rest") },
+    { "contact_iterations", "1", "", &Study::n_contact_iterations,
+      in_column("Newton steps of the contact at rest") },
+    { "mean_load", "N/rad", "", [](const Study &found) { return found.load.rings.a(0); },
+      in_column("a_0 at rest") }
+  }.include(answer_fields(), [](const Study &found) -> const ring::Answer & { return found.all; });
+  static const Fields<Study> all = []
+  {
+    Fields<Study> list = fields;
+    for (unsigned int n = 1; n <= n_harmonics_of_interest; ++n)
+      for (const char letter : { 'a', 'b' })
+      {
+        const std::string order = std::to_string(n),
+                          name = std::string(1, letter) + '_' + order + " / a_0 at rest";
+        const auto coefficient = [=](const Study &found)
+        {
+          const ring::RingStack &rings = found.load.rings;
+          return (letter == 'a' ? rings.a(n) : rings.b(n)) / rings.a(0);
+        };
+        list.add({ letter + order, "1", "", coefficient, in_column(name) });
+      }
+    return list;
+  }();
+  return all;
+}
+
+std::array<std::vector<double>, 2> series_of(const ring::RingStack &load)
+{
+  std::array<std::vector<double>, 2> series;
+  for (unsigned int n = 0; n <= load.n_harmonics(); ++n)
+  {
+    series[0].push_back(load.a(n));
+    series[1].push_back(load.b(n));
+  }
+  return series;
+}
+
+std::vector<Truncation> truncations_of(const std::vector<ring::Answer> &rows,
+                                       const ring::TorqueEffects &effects, double scale)
+{
+  std::vector<Truncation> list;
+  for (const ring::TorqueEffect &effect : effects.rows)
+  {
+    Truncation &row = list.emplace_back(Truncation{ {}, effect, effects.torque_at_rest, {} });
+    row.answer.harmonics = effect.harmonics;
+    for (const ring::Answer &answer : rows)
+      if (answer.harmonics == effect.harmonics)
+      {
+        row.answer = answer;
+        break;
+      }
+    row.spin_change =
+      harmonic_effect(rows.front().omega_terminal(), row.answer.omega_terminal(), scale).relative;
+  }
+  return list;
+}
+
+std::vector<Truncation> shown_truncations(std::vector<Truncation> rows)
+{
+  const auto &at_rest = rows.back().answer.at_rest;
+  const double torque = at_rest ? std::abs(at_rest->friction.torque) : 0;
+  std::vector<Truncation> shown;
+  for (Truncation &row : rows)
+  {
+    const auto &terminal = row.effect.terminal;
+    if (&row != &rows.back() && terminal && !(std::abs(terminal->rest) > 1e-9 * torque))
+      continue;
+    for (auto *at_spin : { &row.effect.half, &row.effect.terminal })
+      if (*at_spin)
+        for (double *value : { &(*at_spin)->change, &(*at_spin)->rest })
+          *value = without_rounding(*value, 1e-12 * torque);
+    drop_rounding(row.effect.largest, 1e-12 * torque);
+    drop_rounding(row.spin_change, 1e-11);
+    shown.push_back(row);
+  }
+  return shown;
+}
+
+const Fields<Truncation> &torque_change_fields()
+{
+  static const auto fields = Fields<Truncation>{
+    { "half", "N m", "At half the terminal spin.", change_half },
+    { "half_relative", "1", "The same over |τ_z| at rest.", over_rest(change_half) },
+    { "terminal", "N m", "At the terminal spin.", change_terminal },
+    { "terminal_relative", "1", "The same over |τ_z| at rest.", over_rest(change_terminal) },
+    { "largest", "N m", "Of largest absolute value between rest and the terminal spin, or the fall.",
+      largest_change },
+    { "largest_relative", "1", "The same over |τ_z| at rest.", over_rest(largest_change) },
+    { "largest_at", "rad/s", "Spin of the largest value.", largest_at }
+  };
+  return fields;
+}
+
+const Fields<Truncation> &truncation_fields()
+{
+  using ring::Answer;
+  const auto self = [](const Truncation &row) -> const Truncation & { return row; };
+  const auto answer = [](auto read)
+  { return [=](const Truncation &row) { return std::invoke(read, row.answer); }; };
+  static const auto rest_fields = Fields<Truncation>{
+    { "half", "N m", "At half the terminal spin.", of_effect(&Effect::half, &Effect::AtSpin::rest) },
+    { "terminal", "N m", "At the terminal spin.", of_effect(&Effect::terminal, &Effect::AtSpin::rest) }
+  };
+  static const auto fields = Fields<Truncation>{
+    { "harmonics", "1", "Harmonics kept.", answer(&Answer::harmonics), in_file("harmonics", "harmonics kept"),
+      shown_as("harmonics") },
+    { "tau_at_rest", "N m", "Torque of friction at rest.",
+      answer(in_state(&Answer::at_rest, friction_torque)),
+      in_file("tau_z at rest", "torque of friction at rest") },
+    { "torque_change",
+      "Δτ_z(n) = τ_z(n) − τ_z(1) of the torque of friction: the complete study's load at each spin, "
+      "cut after n harmonics, without a new balance; means over the phases with waviness. Relative "
+      "values are over |τ_z| at rest.",
+      torque_change_fields(), self },
+    { "torque_rest", "τ_z(all) − τ_z(n), the effect of the harmonics that are left out.", rest_fields, self },
+    { "change_half", "N m", "", change_half,
+      in_file("change of tau_z at half the terminal spin", "tau_z(n) - tau_z(1) at half the terminal spin"),
+      on_page("Δτ_z(n) at half spin"), on_console("torque change\nat half spin"), with_digits("+.3g") },
+    { "change_half_relative", "1", "", over_rest(change_half),
+      in_file("change of tau_z at half the terminal spin over |tau_z| at rest",
+              "the same over the torque at rest"),
+      on_page("over |τ_z(0)|"), on_console("over that\nat rest"), with_digits("+.3g%") },
+    { "change_terminal", "N m", "", change_terminal,
+      in_file("change of tau_z at the terminal spin", "tau_z(n) - tau_z(1) at the terminal spin"),
+      on_page("Δτ_z(n) at the terminal spin"), on_console("at the\nterminal spin"), with_digits("+.3g") },
+    { "change_terminal_relative", "1", "", over_rest(change_terminal),
+      in_file("change of tau_z at the terminal spin over |tau_z| at rest",
+              "the same over the torque at rest"),
+      on_page("over |τ_z(0)|"), on_console("over that\nat rest"), with_digits("+.3g%") },
+    { "change_largest", "N m", "", largest_change,
+      in_file("largest change of tau_z from rest to the terminal spin",
+              "largest tau_z(n) - tau_z(1) between rest and the terminal spin") },
+    { "change_largest_at", "rad/s", "", largest_at,
+      in_file("omega of the largest change", "spin of the largest change") },
+    { "rest_half", "N m", "", of_effect(&Effect::half, &Effect::AtSpin::rest),
+      in_file("tau_z of all harmonics minus tau_z(n) at half the terminal spin",
+              "tau_z(all) - tau_z(n) at half the terminal spin") },
+    { "bound_half", "N m", "A-priori bound on the absolute value of the rest at half the terminal spin.",
+      of_effect(&Effect::half, &Effect::AtSpin::bound),
+      in_file("a-priori bound on that rest at half the terminal spin",
+              "a-priori bound on its absolute value") },
+    { "rest_terminal", "N m", "", of_effect(&Effect::terminal, &Effect::AtSpin::rest),
+      in_file("tau_z of all harmonics minus tau_z(n) at the terminal spin",
+              "tau_z(all) - tau_z(n) at the terminal spin"),
+      on_page("rest τ_z(all) − τ_z(n)"), on_console("rest there,\nall minus n"), with_digits("+.2e") },
+    { "bound", "N m", "A-priori bound on the absolute value of the rest at the terminal spin.",
+      of_effect(&Effect::terminal, &Effect::AtSpin::bound),
+      in_file("a-priori bound on the rest of tau_z at the terminal spin",
+              "a-priori bound on its absolute value"),
+      on_page("bound on the rest"), on_console("bound on\nthe rest"), with_digits(".2e") },
+    { "omega_terminal", "rad/s", "Terminal spin.", answer(&Answer::omega_terminal),
+      in_file("terminal omega", "terminal spin"), shown_as("terminal spin"), with_digits(".8g") },
+    { "relative_change", "1", "Relative change from all harmonics.", answer(&Answer::relative_change),
+      in_file("relative change of terminal omega to all harmonics, nan where that is 0",
+              "relative change of the terminal spin to all harmonics") },
+    { "spin_change", "1", "", &Truncation::spin_change, on_page("change of spin"),
+      on_console("change\nof spin"), with_digits("+.3g%") },
+    { "load_minimum", "N/rad", "Minimum load at rest.",
+      answer(in_state(&Answer::at_rest, &ring::RingState::minimum)),
+      in_file("minimum of the load at rest", "smallest load at rest") },
+    { "pulling_share", "1", "Tensile (not physical) part of the load at rest, over N.",
+      answer(in_state(&Answer::at_rest, &ring::RingState::pulling_share)) },
+    { "message", "", "Reason for missing values.",
+      [](const Truncation &row) { return text_or_null(row.answer.reason); } }
+  };
+  return fields;
+}
+
+bool is_spin(const Study &study, double omega)
+{
+  return std::abs(omega) >= rounding_of_spins(study);
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/quantity.h"
+#include "fem/pipeline/study/study.h"
+#include "ring_model/spin/answer.h"
+#include "ring_model/spin/torque_effect.h"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Quantities of the spin: of an answer, of the rows by harmonics, and of the budget.
+namespace stemware::pipeline
+{
+
+/// Contact radius, load at rest, and the answers with the first harmonic only and with all harmonics: what
+/// every study has.
+struct AnsweredStudy
+{
+  const Study &study;
+  const LoadReport &load;                           ///< at rest
+  std::optional<unsigned int> n_contact_iterations; ///< at rest; std::nullopt without a contact
+  const ring::Answer &first, &all;
+  const ring::TorqueEffects &effects; ///< the last row is the one of all harmonics
+};
+
+/// Highest harmonic of the load among the quantities of a study.
+constexpr unsigned int n_harmonics_of_interest = 8;
+
+/// Returns the quantities of a study: each with a description is in "ring" of summary.json, each with a
+/// description of its column is a column of sweep.csv, in this order. The cases' table of ranges has those
+/// with a heading.
+const Fields<AnsweredStudy> &study_quantities();
+
+/// Returns "fall" of summary.json.
+const Fields<ring::Fall> &fall_fields();
+
+/// Returns the quantities of ring::Answer that are in "ring" of summary.json.
+const Fields<ring::Answer> &answer_fields();
+
+/// Returns a_n and b_n [N/rad] of a load as two lists.
+std::array<std::vector<double>, 2> series_of(const ring::RingStack &load);
+
+// ---- rows by harmonics
+
+/// Row of "truncation": the answer with a number of harmonics, and the effect on tau_z of friction.
+struct Truncation
+{
+  ring::Answer answer; ///< without a spin if not solved
+  ring::TorqueEffect effect;
+  double torque_at_rest = 0;         ///< TorqueEffects::torque_at_rest
+  std::optional<double> spin_change; ///< relative change of the terminal spin to the first harmonic only
+};
+
+/// Returns the rows of @p effects with the answers @p rows. @p scale: spin_scale().
+std::vector<Truncation> truncations_of(const std::vector<ring::Answer> &rows,
+                                       const ring::TorqueEffects &effects, double scale);
+
+/// Returns those whose rest of tau_z exceeds 1e-9 of the torque at rest, and all harmonics; rounding is 0.
+std::vector<Truncation> shown_truncations(std::vector<Truncation> rows);
+
+/// Returns "truncation" of summary.json and its tables.
+const Fields<Truncation> &truncation_fields();
+
+/// Returns "torque_effect" of summary.json, members of Truncation.
+const Fields<Truncation> &torque_change_fields();
+
+// ---- the budget
+
+/// Returns the label of a step of the chain: "1", "1a", "2", "2a", "3", "3a", "4", ...
+std::string label_of(const ChainStep &step);
+
+/// Returns the title of a row of the budget: "the paper's model", "moment balance", "harmonics, n ≤ 2",
+/// "harmonics, all"; @p at_most replaces the sign "≤".
+std::string title_of(const BudgetRow &row, const std::string &at_most = "≤");
+
+/// Returns the quantities of a row of the budget. @p scale: spin_scale(), whose rounding
+/// is 0. @p shown_spin: terminal spin for people.
+Fields<BudgetRow> chain_fields(double scale = 1, const std::function<Json(double)> &shown_spin = {});
+
+/// Returns step, title and torques of a row of the budget, a table of the page.
+const Fields<BudgetRow> &chain_torque_fields();
+
+/// Returns the chain with its rows of harmonics merged into one, from the first harmonic to all.
+std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows);
+
+/// Returns the chain for display: rows without effect are omitted, @p rounding of spins and differences is 0.
+std::vector<BudgetRow> shown_chain(const std::vector<BudgetRow> &rows, double rounding);
+
+/// Returns the quantities of a model without one effect; @p complete: terminal spin of the complete model
+/// [rad/s].
+Fields<WithoutRow> without_fields(const std::optional<double> &complete = {}, double scale = 1);
+
+/// Returns "harmonic_effect" of summary.json.
+const Fields<HarmonicEffect> &harmonic_effect_fields();
+
+/// Returns whether a spin exceeds rounding_of_spins().
+bool is_spin(const Study &study, double omega);
+
+/// Returns @p value, or 0 if it is smaller than @p rounding.
+double without_rounding(double value, double rounding);
+void drop_rounding(std::optional<double> &value, double rounding);
+
+} // namespace stemware::pipeline

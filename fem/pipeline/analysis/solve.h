@@ -1,0 +1,126 @@
+#pragma once
+
+#include "fem/pipeline/analysis/executor.h"
+#include "fem/pipeline/analysis/variant.h"
+#include "fem/pipeline/coupling/elastic_foot.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// Answer to a variant, or its failure.
+template <typename Answer>
+struct Solved
+{
+  std::optional<Answer> answer = {};
+  std::exception_ptr failure = nullptr;
+
+  /// Returns the answer, or throws the failure.
+  const Answer &value() const
+  {
+    if (failure)
+      std::rethrow_exception(failure);
+    return *answer;
+  }
+};
+
+/// Returns true if @p failure leaves the variant without a value: bad input, or a contact or a balance that
+/// does not exist.
+bool is_variant_failure(const std::exception &failure);
+
+/// Returns the foot of @p variant: a clone of @p foot, the study's foot, if the variant uses it; else a new
+/// foot, whose initial guesses are predicted from @p foot, if given. Throws ring::Tipping for a variant that
+/// tips at rest, BadInput for a variant that is not to be solved, and if its mesh cannot be made or its
+/// stiffness factorised.
+std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
+                                     const Executor &executor);
+
+/// Returns true if all ranks have to solve the foot of @p study together.
+bool is_collective(const Study &study);
+
+/// Returns true if all ranks have to solve the foot of one of the variants together.
+template <typename Variants>
+bool any_is_collective(const Variants & /*variants*/)
+{
+  return false;
+}
+template <typename AnyVariant>
+bool any_is_collective(const std::vector<AnyVariant> &variants)
+{
+  return std::any_of(variants.begin(), variants.end(),
+                     [](const AnyVariant &variant) { return is_collective(variant.study); });
+}
+
+/// Relative cost estimate of a variant, used to start expensive ones first. Zero for lazily created variants.
+template <typename Variants>
+std::pair<int, unsigned int> cost_of(const Variants & /*variants*/, std::size_t /*i*/)
+{
+  return {};
+}
+template <typename AnyVariant>
+std::pair<int, unsigned int> cost_of(const std::vector<AnyVariant> &variants, std::size_t i)
+{
+  const Variant &variant = variants[i];
+  return { (variant.shared != Shared::nothing ? 0 : 1) + (variant.study.table.is_hard() ? 2 : 0),
+           variant.study.contact.degree + variant.discretisation.halvings_beyond_zone };
+}
+
+/// No progress callback.
+inline constexpr auto no_callback = [](std::size_t, const auto &) {};
+
+/// Returns a callback that reports to @p progress how many of @p n_all @p pieces are done.
+inline auto counting_callback(Progress &progress, const std::string &pieces, std::size_t n_all)
+{
+  return [&progress, pieces, n_all, n_done = std::size_t(0)](std::size_t, const auto &) mutable
+  { progress.pieces_done(pieces, ++n_done, n_all); };
+}
+
+/// Calls @p question(variant, its foot) for each of @p variants, a vector of Variant or of a derived type, or
+/// anything with size() and operator[]; in any order or in parallel, collective feet one after another.
+/// Initial guesses come from @p foot in its present state, never from another variant: the answers depend on
+/// the list only. @p done(i, solved) is called after each, one at a time; its exceptions end the work.
+template <typename Variants, typename Question, typename Done = decltype(no_callback)>
+auto solve(const Variants &variants, const std::shared_ptr<ElasticFoot> &foot, const Question &question,
+           const Executor &executor, Done done = no_callback)
+{
+  using Answer = decltype(question(variants[0], foot));
+  std::vector<Solved<Answer>> solved(variants.size());
+  std::mutex mutex;
+  const auto solve_one = [&](std::size_t i)
+  {
+    try
+    {
+      const auto &variant = variants[i];
+      solved[i].answer = question(variant, foot_of(variant, foot, executor));
+    }
+    catch (const std::exception &failure)
+    {
+      if (!executor.keeps_all_failures && !is_variant_failure(failure))
+        throw;
+      solved[i].failure = std::current_exception();
+    }
+    const std::lock_guard<std::mutex> lock(mutex);
+    done(i, solved[i]);
+  };
+  std::vector<std::size_t> order(variants.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  // What takes long is begun first, for others to be solved beside it.
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t one, std::size_t other)
+                   { return cost_of(variants, one) > cost_of(variants, other); });
+  executor.for_each(
+    order.size(), [&](std::size_t i) { solve_one(order[i]); }, any_is_collective(variants));
+  return solved;
+}
+
+} // namespace stemware::pipeline

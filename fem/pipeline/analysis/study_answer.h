@@ -1,0 +1,48 @@
+#pragma once
+
+#include "fem/pipeline/analysis/error_bands.h"
+#include "fem/pipeline/analysis/goal_mesh.h"
+#include "fem/pipeline/analysis/refinement_study.h"
+#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/coupling/contact_report.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+/// One function for each question about a study, shared by the program's verbs and Python.
+namespace stemware::pipeline
+{
+
+/// Answer of `run`, whose document make_document() makes.
+struct StudyAnswer
+{
+  std::optional<GoalOutcome> goal = {};
+  ContactReport contact = {};
+  SpinStudy spin = {};
+  ErrorBands bands = {}; ///< empty with Depth::answer
+};
+
+/// Answers @p study, a checked study. @p with_fields: also fields and stressed section of the foot. @p start
+/// as of case_result(). Collective if the body is. Throws BadInput, fem::ContactFailure, and ring::NoBalance
+/// without a balance or a terminal spin.
+StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, Progress &progress,
+                         bool with_fields, std::shared_ptr<ElasticFoot> *start = nullptr);
+
+/// Answer of `truncate`.
+struct TruncatedStudy
+{
+  LoadReport load = {};
+  std::vector<ring::Answer> rows = {};     ///< rows_by_harmonics()
+  ring::TorqueEffects torque_effects = {}; ///< for truncation_orders()
+};
+
+/// Solves @p study with decreasing numbers of harmonics; if the glass tips on the way, the last row has a
+/// fall. Throws as answer_study().
+TruncatedStudy truncate_study(const Study &study, const Executor &executor, Progress &progress);
+
+/// Solves @p study on the levels of @p axes, its refinement_axes(). Throws as answer_study() and refine().
+ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor,
+                          Progress &progress);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,166 @@
+#include "fem/pipeline/analysis/sweep_case.h"
+
+#include "fem/contact/contact_newton.h"
+#include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/case_list.h"
+#include "fem/pipeline/analysis/goal_mesh.h"
+#include "fem/pipeline/analysis/ring_quantities.h"
+#include "fem/pipeline/analysis/threaded_executor.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/coupling/failure_sentence.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/no_balance.h"
+#include "ring_model/spin/torque_effect.h"
+
+#include <cmath>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Some cases of a list as variants, each made when it is asked for.
+struct CaseVariants
+{
+  std::size_t size() const { return indices.size(); }
+  Variant operator[](std::size_t i) const
+  {
+    const Study study = list.study_of(indices[i]);
+    return { VariantKind::study, "", study, mesh_for_goal(study, executor).discretisation };
+  }
+
+  const CaseList &list;
+  const std::vector<std::size_t> &indices;
+  const Executor &executor;
+};
+
+CaseResult failed_case(const std::exception_ptr &failure)
+try
+{
+  std::rethrow_exception(failure);
+}
+catch (const fem::ContactFailure &contact)
+{
+  return {
+    fem::to_string(contact.outcome), failure_sentence(), {}, contact.outcome == fem::ContactOutcome::tipping
+  };
+}
+catch (const ring::Tipping &)
+{
+  return { "", failure_sentence(), {}, true };
+}
+catch (const std::bad_alloc &)
+{
+  throw;
+}
+catch (const OutputFailure &)
+{
+  throw;
+}
+catch (...)
+{
+  return { "", failure_sentence() };
+}
+
+/// True if a case takes all threads. False for one that cannot even be read.
+bool is_collective_case(const CaseList &list, std::size_t index)
+try
+{
+  return is_collective(list.study_of(index));
+}
+catch (const BadInput &)
+{
+  return false;
+}
+
+} // namespace
+
+const std::vector<Quantity> &sweep_columns()
+{
+  static const std::vector<Quantity> columns = []
+  {
+    std::vector<Quantity> list;
+    for (const auto &[quantity, value] : study_quantities().all())
+      if (!quantity.column.empty())
+        list.push_back(quantity);
+    return list;
+  }();
+  return columns;
+}
+
+std::optional<double> CaseResult::value(const std::string &key) const
+{
+  const auto found = values.find(key);
+  return found == values.end() ? std::nullopt : std::optional(found->second);
+}
+
+CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor,
+                       Progress &progress)
+{
+  const BalancedLoad load = find_load(study, foot, progress);
+  ring::Question question = spin_question(study);
+  question.with_minima = false;
+  const std::vector<LoadedRow> rows =
+    rows_by_harmonics(study, foot, load, question, executor, progress, Depth::answer).by_harmonics;
+  const LoadReport &report = load.report();
+  const std::optional<fem::ContactState> contact = load.contact(0);
+  const ring::TorqueEffects effects =
+    ring::torque_effects(load, study.motion.orbit, rows.back().row, { load.n_harmonics() });
+  CaseResult result;
+  if (contact)
+    result.outcome = fem::to_string(contact->solution.outcome);
+  const AnsweredStudy found = { study,
+                                report,
+                                contact ? std::optional(contact->solution.n_iterations) : std::nullopt,
+                                rows.front().row,
+                                rows.back().row,
+                                effects };
+  for (const auto &[quantity, value_of] : study_quantities().all())
+    if (!quantity.column.empty())
+      if (const Json value = value_of(found); !value.is_null())
+      {
+        if (!std::isfinite(value.get<double>()))
+          throw std::runtime_error("The result " + quantity.key +
+                                   " is not a finite number; please report this study.");
+        result.values[quantity.key] = value.get<double>() + 0.; // no -0
+      }
+  return result;
+}
+
+CaseResult case_result(const Study &study, const Executor &executor, Progress &progress,
+                       std::shared_ptr<ElasticFoot> *start)
+{
+  const Variant variant = { VariantKind::study, "", study, mesh_for_goal(study, executor).discretisation };
+  const auto foot = foot_of(variant, start ? *start : nullptr, executor);
+  CaseResult result = case_result(study, foot, executor, progress);
+  if (start)
+    *start = foot;
+  return result;
+}
+
+void solve_cases(const CaseList &list, const std::vector<std::size_t> &wanted, unsigned int n_threads,
+                 const std::function<void(std::size_t, const CaseResult &)> &finish)
+{
+  std::vector<std::size_t> single, collective;
+  for (const std::size_t index : wanted)
+    (is_collective_case(list, index) ? collective : single).push_back(index);
+  fem::ComplianceCache cache;
+  const ThreadedExecutor within_case(cache);
+  for (const auto &[indices, threads] : { std::pair(single, n_threads), std::pair(collective, 1u) })
+  {
+    ThreadedExecutor executor(cache, threads);
+    executor.keeps_all_failures = true;
+    const auto result_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &foot)
+    { return case_result(variant.study, foot, within_case); };
+    const auto done = [&, &indices = indices](std::size_t i, const Solved<CaseResult> &solved)
+    { finish(indices[i], solved.answer ? *solved.answer : failed_case(solved.failure)); };
+    solve(CaseVariants{ list, indices, within_case }, nullptr, result_of, executor, done);
+  }
+}
+
+} // namespace stemware::pipeline

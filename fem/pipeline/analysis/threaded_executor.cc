@@ -1,0 +1,80 @@
+#include "fem/pipeline/analysis/threaded_executor.h"
+
+#include "fem/pipeline/base/ranks.h"
+#include "fem/pipeline/coupling/make_foot.h"
+
+#include <deal.II/base/multithread_info.h>
+
+#include <atomic>
+#include <exception>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Limits deal.II, and with it TBB in the whole process, to a number of threads while the object lives.
+class ThreadLimit
+{
+public:
+  explicit ThreadLimit(unsigned int n_threads)
+      : before(dealii::MultithreadInfo::n_threads())
+  {
+    dealii::MultithreadInfo::set_thread_limit(n_threads);
+  }
+  ~ThreadLimit() { dealii::MultithreadInfo::set_thread_limit(before); }
+  ThreadLimit(const ThreadLimit &) = delete;
+  ThreadLimit &operator=(const ThreadLimit &) = delete;
+
+private:
+  const unsigned int before;
+};
+
+/// Executor::for_each() on @p n_threads.
+void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &work)
+{
+  const ThreadLimit limit(n_threads);
+  tbb::task_arena arena(static_cast<int>(n_threads));
+  std::vector<std::exception_ptr> failures(n);
+  std::atomic<bool> has_failed = false;
+  // An exception that left the loop would cancel what other calls run in parallel inside themselves, such as
+  // the tables that deal.II fills: they would go on with half of them.
+  const auto guarded = [&](std::size_t i)
+  {
+    if (has_failed)
+      return;
+    try
+    {
+      work(i);
+    }
+    catch (...)
+    {
+      failures[i] = std::current_exception();
+      has_failed = true;
+    }
+  };
+  // Without the isolation a thread that waits for a loop within one call could begin another call, and then
+  // wait for what it has itself not finished.
+  std::atomic<std::size_t> next = 0; // in their order, whatever the parts that the loop is cut into
+  const auto isolated = [&](std::size_t) { tbb::this_task_arena::isolate([&] { guarded(next++); }); };
+  arena.execute([&] { tbb::parallel_for(std::size_t(0), n, isolated, tbb::simple_partitioner()); });
+  for (const std::exception_ptr &failure : failures)
+    if (failure)
+      std::rethrow_exception(failure);
+}
+
+} // namespace
+
+ThreadedExecutor::ThreadedExecutor(fem::ComplianceCache &cache, unsigned int n_threads)
+    : Executor(foot_maker(cache))
+{
+  keeps_all_failures = n_ranks() == 1;
+  if (n_threads > 1)
+    run_in_parallel = [n_threads](std::size_t n, const Work &work) { on_threads(n_threads, n, work); };
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "fem/pipeline/analysis/executor.h"
+#include "fem/revolution/compliance_cache.h"
+
+namespace stemware::pipeline
+{
+
+/// Executor with feet by make_foot(), which share a cache, and with threads.
+class ThreadedExecutor : public Executor
+{
+public:
+  /// @p cache must outlive the executor.
+  ThreadedExecutor(fem::ComplianceCache &cache, unsigned int n_threads = 1); // a cache alone will do
+};
+
+} // namespace stemware::pipeline

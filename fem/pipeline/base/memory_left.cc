@@ -1,0 +1,83 @@
+#include "fem/pipeline/base/memory_left.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <limits>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace stemware::pipeline
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// First number of a file of the system [byte]; @p otherwise for a word ("max") or a missing file.
+double number_in(const fs::path &file, double otherwise)
+{
+  double number = 0;
+  std::ifstream stream(file);
+  return stream >> number ? number : otherwise;
+}
+
+/// Bytes of file caches in a control group, which the system takes back.
+double cached(const fs::path &group)
+{
+  std::ifstream stream(group / "memory.stat");
+  std::string key;
+  for (double value = 0; stream >> key >> value;)
+    if (key == "inactive_file" || key == "total_inactive_file")
+      return value;
+  return 0;
+}
+
+void take_smaller(MemoryLeft &least, double limit, double used, const std::string &name,
+                  bool is_address_space)
+{
+  if (limit - used < least.bytes)
+    least = { limit - used, fmt::format(FMT_STRING("{} ({:.2g} GB)"), name, limit / 1e9), is_address_space };
+}
+
+/// The groups of a line "0::/a/b" of /proc/self/cgroup, from the innermost one: in a container only the root
+/// may be there.
+void take_groups(MemoryLeft &least, const fs::path &root, const fs::path &path, const std::string &limit,
+                 const std::string &usage)
+{
+  for (fs::path group = path.relative_path();; group = group.parent_path())
+  {
+    const fs::path folder = root / group;
+    take_smaller(least, number_in(folder / limit, infinity), number_in(folder / usage, 0) - cached(folder),
+                 "the memory limit of the container or job", false);
+    if (group.empty())
+      return;
+  }
+}
+
+} // namespace
+
+MemoryLeft memory_left()
+{
+  MemoryLeft least = { infinity, "" };
+  rlimit space = {};
+  if (::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY)
+  {
+    const double pages = number_in("/proc/self/statm", 0);
+    take_smaller(least, static_cast<double>(space.rlim_cur),
+                 pages * static_cast<double>(::sysconf(_SC_PAGESIZE)), "ulimit -v", true);
+  }
+  std::ifstream groups("/proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);)
+    if (line.rfind("0::", 0) == 0)
+      take_groups(least, "/sys/fs/cgroup", line.substr(3), "memory.max", "memory.current");
+    else if (const auto name = line.find(":memory:"); name != line.npos)
+      take_groups(least, "/sys/fs/cgroup/memory", line.substr(name + 8), "memory.limit_in_bytes",
+                  "memory.usage_in_bytes");
+  return least;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace stemware::fem
+{
+struct ContactIteration; // a step of Newton's method, of which base/ knows only the name
+}
+
+namespace stemware::pipeline
+{
+
+/// Observer of the progress of long work; by default no output. ConsoleProgress prints it. Not called from
+/// several threads simultaneously.
+class Progress
+{
+public:
+  virtual ~Progress() = default;
+
+  /// Called at the end of a stage: "mesh_and_stiffness", "contact", "ring".
+  virtual void stage_done(const std::string & /*stage*/) {}
+  /// Called when @p n_done of @p n_all pieces of @p what are done; @p n_all is 0 if unknown.
+  virtual void pieces_done(const std::string & /*what*/, std::size_t /*n_done*/, std::size_t /*n_all*/) {}
+  virtual void iteration(const fem::ContactIteration & /*step*/) {}
+  /// Called with a note for the console, under a heading of one or two words.
+  virtual void note(const std::string & /*subject*/, const std::string & /*text*/) {}
+};
+
+/// Progress without output.
+inline Progress &silent_progress()
+{
+  static Progress silent;
+  return silent;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,126 @@
+#include "fem/pipeline/base/text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Number of letters to insert, delete or change to get from one word to the other, upper and lower case
+/// being equal.
+std::size_t edit_distance(const std::string &from, const std::string &to)
+{
+  const auto lower = [](char letter) { return std::tolower(static_cast<unsigned char>(letter)); };
+  std::vector<std::size_t> row(to.size() + 1);
+  for (std::size_t j = 0; j <= to.size(); ++j)
+    row[j] = j;
+  for (std::size_t i = 1; i <= from.size(); ++i)
+  {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= to.size(); ++j)
+    {
+      const bool equal = lower(from[i - 1]) == lower(to[j - 1]);
+      const std::size_t replaced = diagonal + (equal ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({ row[j] + 1, row[j - 1] + 1, replaced });
+    }
+  }
+  return row.back();
+}
+
+} // namespace
+
+std::size_t display_width(const std::string &text)
+{
+  return static_cast<std::size_t>(
+    std::count_if(text.begin(), text.end(), [](char letter) { return (letter & 0xC0) != 0x80; }));
+}
+
+std::string wrapped(const std::string &text, const std::string &label, std::size_t width)
+{
+  const std::size_t indent = display_width(label);
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;)
+    if (!words.empty() && (word.rfind('%', 0) == 0 || word.rfind("rad/s", 0) == 0))
+      words.back() += ' ' + word; // a number stays with its unit
+    else
+      words.push_back(word);
+  std::string lines = label;
+  std::size_t column = indent;
+  for (const std::string &word : words)
+  {
+    if (column > indent && column + 1 + display_width(word) > width)
+    {
+      lines += '\n' + std::string(indent, ' ');
+      column = indent;
+    }
+    else if (column > indent)
+    {
+      lines += ' ';
+      ++column;
+    }
+    lines += word;
+    column += display_width(word);
+  }
+  return lines;
+}
+
+std::string listed(const std::vector<std::string> &words, const std::string &last)
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? ' ' + last + ' ' : ", ") + words[i];
+  return text;
+}
+
+std::string filled(const std::string &pattern, const std::vector<std::string> &words)
+{
+  std::string text;
+  std::size_t begin = 0;
+  for (const std::string &word : words)
+  {
+    const std::size_t place = pattern.find("{}", begin);
+    text += pattern.substr(begin, place - begin) + word;
+    begin = place + 2;
+  }
+  return text + pattern.substr(begin);
+}
+
+std::string csv_field(const std::string &text)
+{
+  if (text.find_first_of(",\"#\r\n") == std::string::npos)
+    return text;
+  std::string quoted = "\"";
+  for (const char letter : text)
+    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + '"';
+}
+
+std::optional<std::string> closest_match(const std::string &word, const std::vector<std::string> &words)
+{
+  constexpr std::size_t max_slips = 3;
+  std::optional<std::string> best;
+  std::size_t least = max_slips + 1;
+  for (const std::string &candidate : words)
+  {
+    const std::size_t shorter = std::min(word.size(), candidate.size());
+    if (std::max(word.size(), candidate.size()) - shorter > max_slips)
+      continue; // and a megabyte need not be compared
+    const std::size_t distance = edit_distance(word, candidate);
+    // A word of which no letter is left is another word.
+    if (distance < least && distance < candidate.size())
+    {
+      best = candidate;
+      least = distance;
+    }
+  }
+  return best;
+}
+
+} // namespace stemware::pipeline

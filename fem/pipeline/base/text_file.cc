@@ -1,0 +1,83 @@
+#include "fem/pipeline/base/text_file.h"
+
+#include "fem/pipeline/base/failures.h"
+
+#include <boost/algorithm/string/trim.hpp>
+
+#include <cerrno>
+#include <cstdio>
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+namespace stemware::pipeline
+{
+
+namespace fs = std::filesystem;
+
+void write_text_file(const fs::path &file, const std::string &text)
+{
+  std::FILE *const stream = std::fopen(file.c_str(), "we");
+  int trouble =
+    stream == nullptr || std::fwrite(text.data(), 1, text.size(), stream) < text.size() ? errno : 0;
+  if (stream != nullptr && std::fclose(stream) != 0 && trouble == 0)
+    trouble = errno;
+  if (trouble != 0)
+    throw OutputFailure(fmt::format(
+      FMT_STRING(
+        "The file {} cannot be written ({}); free some space, or choose another place with --output."),
+      file.filename().string(), std::generic_category().message(trouble)));
+}
+
+std::string read_text_file(const fs::path &file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+void require_regular_file(const std::string &setting, const fs::path &file)
+{
+  std::error_code error;
+  const auto status = fs::status(file, error);
+  ensure(fs::exists(status), setting + " does not exist; give a path that starts at the study file (on the "
+                                       "command line: where the program is started).");
+  ensure(fs::is_regular_file(status), setting + " is not a file; give the path of a file.");
+}
+
+std::string without_byte_order_mark(const std::string &origin, std::string text)
+{
+  ensure(text.compare(0, 2, "\xFF\xFE") != 0 && text.compare(0, 2, "\xFE\xFF") != 0,
+         origin + " is in UTF-16, two bytes a letter; save it as UTF-8.");
+  if (text.compare(0, 3, "\xEF\xBB\xBF") == 0)
+    text.erase(0, 3);
+  return text;
+}
+
+std::string read_input_text(const std::string &setting, const fs::path &file)
+{
+  constexpr std::uintmax_t max_bytes = 16000000;
+  require_regular_file(setting, file);
+  ensure(static_cast<bool>(std::ifstream(file)), setting + " cannot be read; check its permissions.");
+  ensure(fs::file_size(file) <= max_bytes,
+         setting + " is larger than 16 MB; leave out rows, or name the right file.");
+  return without_byte_order_mark(setting, read_text_file(file));
+}
+
+std::vector<TextLine> read_lines(const std::string &setting, const fs::path &file)
+{
+  std::istringstream stream(read_input_text(setting, file));
+  std::vector<TextLine> lines;
+  std::string text;
+  for (unsigned int number = 1; std::getline(stream, text); ++number)
+  {
+    boost::trim(text);
+    if (!text.empty())
+      lines.push_back({ text, number });
+  }
+  return lines;
+}
+
+} // namespace stemware::pipeline

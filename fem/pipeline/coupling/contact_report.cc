@@ -1,0 +1,82 @@
+#include "fem/pipeline/coupling/contact_report.h"
+
+#include "fem/contact/footprint.h"
+#include "fem/pipeline/base/ranks.h"
+#include "fem/pipeline/coupling/balanced_load.h"
+#include "fem/pipeline/coupling/elastic_foot.h"
+#include "fem/pipeline/coupling/make_foot.h"
+#include "fem/pipeline/coupling/study_load.h"
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// The report of a load with the largest width of its contact; without it for a map without several points
+/// across.
+LoadReport with_width(LoadReport load, const fem::PressureMap &footprint)
+{
+  if (!footprint.cuts.empty() && fem::has_cells(footprint))
+    load.contact_width = fem::measures_of(footprint).widest;
+  return load;
+}
+
+FootReport describe_foot(const Study &study, const ElasticFoot &foot, const fem::ContactState &at_rest,
+                         const std::optional<fem::ContactState> &at_end)
+{
+  FootReport report;
+  report.foot = foot.body().description();
+  report.friction_coupling = study.friction_deforms() ? "elastic" : "none";
+  report.at_rest = at_rest;
+  report.footprint = foot.body().pressure_map(at_rest);
+  if (is_first_rank())
+    report.section = foot_section(study, foot.discretisation());
+  if (at_end && at_end->slip.spin_per_speed != at_rest.slip.spin_per_speed && is_first_rank() &&
+      !foot.body().capabilities().is_collective)
+  {
+    report.at_end = at_end;
+    report.footprint_at_end = foot.body().pressure_map(*at_end);
+  }
+  return report;
+}
+
+} // namespace
+
+void add_fields(const Study &study, const ElasticFoot &foot, FootReport &report)
+{
+  const bool is_collective = foot.body().capabilities().is_collective;
+  // A foot that every rank has is written by the first.
+  if (is_first_rank() || is_collective)
+    report.fields = foot.body().fields(report.at_rest);
+  if (is_collective || !is_first_rank())
+    return;
+  // Outside is away from the orbit's centre, which lies on the left of a counter-clockwise orbit.
+  constexpr double right_angle = 1.5707963267948966;
+  report.stressed_section =
+    foot.body().section(report.at_rest, -study.motion.orbit.sense_sign() * right_angle);
+  if (report.at_end)
+    for (fem::FieldFile file : foot.body().fields(*report.at_end))
+    {
+      file.name.insert(file.name.find('.'), "_at_terminal_spin");
+      report.fields.push_back(std::move(file));
+    }
+}
+
+ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
+                       double last_spin)
+{
+  ContactReport report;
+  const std::optional<fem::ContactState> at_rest = load.contact(0), at_end = load.contact(last_spin);
+  if (at_rest)
+    report.foot = describe_foot(study, *foot, *at_rest, at_end);
+  report.load = report.foot ? with_width(load.report(), report.foot->footprint) : load.report();
+  // All ranks of a solid body make the map together.
+  report.load_at_end =
+    at_end ? with_width(report_of(*at_end, foot->radius(), study.tilts()), foot->body().pressure_map(*at_end))
+           : report_of(load.at(last_spin));
+  report.coupling = load.statistics();
+  return report;
+}
+
+} // namespace stemware::pipeline

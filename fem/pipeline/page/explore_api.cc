@@ -1,0 +1,227 @@
+#include "fem/pipeline/page/explore_api.h"
+
+#include "fem/contact/contact_solution.h"
+#include "fem/contact/footprint.h"
+#include "fem/pipeline/analysis/ring_quantities.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/page/explorer.h"
+#include "fem/pipeline/result/pictures.h"
+#include "fem/pipeline/study/study_checks.h"
+#include "fem/pipeline/study/study_entries.h"
+#include "ring_model/no_balance.h"
+
+#include <exception>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+std::unique_ptr<Explorer> explorer = std::make_unique<Explorer>(); // NOLINT: a page has one
+std::optional<fem::ContactState> last_contact;                     // NOLINT
+std::string reply;                                                 // NOLINT: what the page reads
+
+/// An answer by the keys of summary.json/ring.
+Json ring_summary(const ring::Answer &row)
+{
+  Json ring = answer_fields().json(row);
+  ring["message"] = row.reason;
+  return ring;
+}
+
+Json series_summary(const ring::RingStack &load)
+{
+  const auto [a, b] = series_of(load);
+  return { { "a", a }, { "b", b } };
+}
+
+/// A load by the keys of summary.json/load.
+Json load_summary(const ring::RingState &state, double contact_radius)
+{
+  const Eigen::Vector2d moment = state.load.moment();
+  Json load = series_summary(state.load);
+  load.update({ { "ring_radius", state.load.radius() },
+                { "normal_force", state.load.normal_force() },
+                { "moment", { moment.x(), moment.y() } },
+                { "moment_ratio", state.load.moment_ratio(contact_radius) },
+                { "minimum", finite_or_null(state.minimum) } });
+  return load;
+}
+
+/// The state at the end of the spin-up, or at rest without one.
+const ring::RingState *end_of(const ring::Answer &row)
+{
+  return row.at_terminal ? &*row.at_terminal
+         : row.fall      ? &row.fall->state
+         : row.at_rest   ? &*row.at_rest
+                         : nullptr;
+}
+
+/// Document of an answer: what the page of `run` has of the same names, as far as it is known.
+Json answer_document(const LiveAnswer &found)
+{
+  const Study &study = explorer->study();
+  Pictures pictures;
+  Json summary = { { "ring", ring_summary(found.all) },
+                   { "paper", ring_summary(found.paper) },
+                   { "first_n", found.first_n ? ring_summary(*found.first_n) : Json(nullptr) } };
+  if (found.all.at_rest)
+    summary["load"] = load_summary(*found.all.at_rest, found.contact_radius);
+  if (const ring::RingState *end = end_of(found.all))
+  {
+    Json &load = summary["load_at_terminal"] = load_summary(*end, found.contact_radius);
+    LoadReport report;
+    report.rings = end->load;
+    if (found.contact)
+    {
+      report.contact_fraction = found.contact->load.contact_fraction;
+      report.pointwise = found.contact->load.pointwise;
+      load["contact_fraction"] = report.contact_fraction;
+      load["tilt"] = { found.contact->solution.motion(1), found.contact->solution.motion(2) };
+    }
+    if (const ring::RingState *first_n = found.first_n ? end_of(*found.first_n) : nullptr)
+      summary["first_n"]["load"] = series_summary(first_n->load);
+    add_load_lines(report, pictures);
+    add_motion(study, { { 0, found.all.last_spin().value_or(0), 0, *end } }, pictures);
+    pictures.words["sketch"] = { { "clockwise", study.motion.orbit.sense_sign() < 0 } };
+    pictures.words["spin_unit"] = spin_unit(study);
+    pictures.words["rounding"] = rounding_of_spins(study);
+  }
+  return { { "summary", summary }, { "words", pictures.words }, { "tables", pictures.tables } };
+}
+
+Json document_of(const Pictures &pictures, const Json &summary = Json::object())
+{
+  return { { "document",
+             { { "summary", summary }, { "words", pictures.words }, { "tables", pictures.tables } } } };
+}
+
+/// A failure, and unusual values, its likelier cause.
+Json failure_of(const std::string &message, bool tips)
+{
+  return { { "error", message }, { "tips", tips }, { "notes", implausible_notes(explorer->study()) } };
+}
+
+/// Answers with what @p make returns, or with why it throws.
+template <typename Make>
+const char *answer(const Make &make)
+{
+  try
+  {
+    reply = dump_utf8(make());
+  }
+  catch (const ring::Tipping &failure)
+  {
+    reply = dump_utf8(failure_of(failure.what(), true));
+  }
+  catch (const fem::ContactFailure &failure)
+  {
+    reply = dump_utf8(failure_of(failure.what(), failure.outcome == fem::ContactOutcome::tipping));
+  }
+  catch (const std::exception &failure)
+  {
+    reply = dump_utf8(failure_of(failure.what(), false));
+  }
+  return reply.c_str();
+}
+
+const char *name_of(MeshMatch match)
+{
+  return match == MeshMatch::same ? "same" : match == MeshMatch::close ? "near" : "foreign";
+}
+
+} // namespace
+
+} // namespace stemware::pipeline
+
+using namespace stemware;
+using namespace stemware::pipeline;
+
+void explore_begin()
+{
+  explorer = std::make_unique<Explorer>();
+}
+
+void explore_take(const double *numbers, int is_disc)
+{
+  explorer->take(std::make_shared<const fem::ContactCompliance>(deserialized(numbers)), is_disc != 0);
+}
+
+const char *explore_set(const char *path, const char *value)
+{
+  return answer(
+    [&]
+    {
+      explorer->set(path, value);
+      return Json(Json::object());
+    });
+}
+
+void explore_ready(double fineness)
+{
+  explorer->ready(fineness);
+}
+
+const char *explore_solve(unsigned int n_harmonics, int cold)
+{
+  return answer(
+    [&]
+    {
+      const LiveAnswer found = explorer->solve(n_harmonics == 0 ? all_harmonics : n_harmonics, cold != 0);
+      last_contact = found.contact;
+      return Json{ { "fit", name_of(found.match) },
+                   { "notes", implausible_notes(explorer->study()) },
+                   { "document", answer_document(found) } };
+    });
+}
+
+const char *explore_pressure()
+{
+  return answer(
+    [&]
+    {
+      Pictures pictures;
+      if (last_contact)
+      {
+        const fem::PressureMap map = explorer->pressure(*last_contact);
+        pictures.tables["foot"] = {
+          { "footprint", pressure_map(map, explorer->study().glass.profile.contact_radius,
+                                      fem::largest_pressure(map), last_contact->load.peak_pressure) }
+        };
+      }
+      return document_of(pictures);
+    });
+}
+
+const char *explore_curves()
+{
+  return answer(
+    [&]
+    {
+      Pictures pictures;
+      if (const std::optional<StudyCurves> curves = explorer->curves())
+      {
+        add_torque_columns(curves->torque, friction_torques(curves->paper), pictures);
+        add_spin_up_columns(curves->spin_up, curves->n_first, pictures);
+        add_motion(explorer->study(), curves->spin_up.instants, pictures);
+      }
+      return document_of(pictures);
+    });
+}
+
+const char *explore_budget()
+{
+  return answer(
+    [&]
+    {
+      Pictures pictures;
+      const Budget budget = explorer->budget();
+      pictures.tables["waterfall"] = chain_fields().json(named_steps(budget.rows));
+      return document_of(pictures,
+                         { { "harmonic_effect", harmonic_effect_fields().json(budget.harmonics) } });
+    });
+}

@@ -1,0 +1,317 @@
+#include "fem/pipeline/page/explorer.h"
+
+#include "fem/pipeline/analysis/model_variants.h"
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/coupling/revolution_setup.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/study/study_entries.h"
+#include "fem/revolution/revolution_foot.h"
+#include "ring_model/friction_functionals.h"
+#include "ring_model/no_balance.h"
+#include "ring_model/spin/answer.h"
+#include "ring_model/spin/curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// How far the half-width of a focused contact may go from the one that its mesh was made for: as many cells
+/// again, or half as many (docs/explore.md has the band).
+constexpr double farthest = 1.5;
+
+/// Entries whose change the compliances survive: they scale with the moduli, and know nothing of what moves.
+bool is_live(const std::string &path)
+{
+  static const std::vector<std::string> outside_motion = { "Glass/Crown radius",
+                                                           "Glass/Young modulus",
+                                                           "Table/Foundation modulus",
+                                                           "Table/Disc Young modulus",
+                                                           "Table/Reference pressure",
+                                                           "Table/Decay length",
+                                                           "Contact/Rings",
+                                                           "Contact/Azimuth lines",
+                                                           "Contact/Load harmonics",
+                                                           "Contact/Friction coupling" };
+  if (path == "Motion/Orbit speed file")
+    return false;
+  return path.rfind("Motion/", 0) == 0 || path == "Load/Coupling" || path == "Load/Moment ratio" ||
+         path == "Load/Moment direction" ||
+         std::find(outside_motion.begin(), outside_motion.end(), path) != outside_motion.end();
+}
+
+/// Terminal spin with its contact and its load.
+struct BalanceNearby
+{
+  ring::ZeroGuess spin;
+  fem::ContactState contact;
+  ring::Sample load;
+};
+
+/// Returns the balance of @p study with friction of the load's first @p n_harmonics, on @p foot, whose rings
+/// are chosen, near the spin @p near: by two or three contacts from @p contact, to 1e-8 rad/s. Returns
+/// std::nullopt if the search leaves the neighbourhood or the study is not in balance at every spin. Throws
+/// fem::ContactFailure.
+std::optional<BalanceNearby> balance_near(const ring::ZeroGuess &near, const fem::ContactState &contact,
+                                          const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                          unsigned int n_harmonics)
+{
+  if (!varies_with_spin(study) || foot->ring_radii().empty() || contact.zone != 0 ||
+      contact.solution.forces.size() != foot->body().description().n_contact_nodes)
+    return std::nullopt;
+  const ring::Motion &motion = study.motion.orbit;
+  BalancedContact contacts(foot, moment_balance(study, n_harmonics), contact);
+  std::optional<BalanceNearby> last;
+  const auto torque = [&](double omega)
+  {
+    fem::ContactState state = contacts.contact(omega);
+    ring::Sample load = contacts.sample_of(state);
+    last = BalanceNearby{ near, std::move(state), std::move(load) };
+    return ring::wrench(motion, last->load, omega).torque + last->load.lean_torque();
+  };
+  ring::SpinSearch search{ motion.orbit_speed / foot->radius() };
+  search.grip_torque = study.motion.grip_torque;
+  search.tolerance = 1e-8 / std::max(std::abs(near.omega), 1e-3 * search.spin_scale);
+  const std::optional<ring::SpinZero> zero = ring::find_terminal_spin_near(near, torque, search);
+  if (!zero || zero->omega * near.omega <= 0)
+    return std::nullopt;
+  last->spin = { zero->omega, zero->slope };
+  return last;
+}
+
+} // namespace
+
+void Explorer::take(std::shared_ptr<const fem::ContactCompliance> given, bool is_disc)
+{
+  (is_disc ? disc_compliance : compliance) = std::move(given);
+}
+
+void Explorer::set(const std::string &entry_path, const std::string &value)
+{
+  const std::vector<StudyEntry> entries = study_entries(present);
+  const StudyEntry &entry = entry_at(entries, "", entry_path);
+  ensure(!is_ready || is_live(entry_path) || entry.text() == value,
+         entry_path + " needs another mesh than this page has; use `stemware run`.");
+  assign(entry, "", value);
+}
+
+void Explorer::ready(double fineness)
+{
+  discretisation.fineness = fineness;
+  base = present;
+  is_ready = true;
+}
+
+MeshMatch Explorer::mesh_match() const
+{
+  const fem::MeridianResolution now = revolution_setup(present, discretisation).resolution;
+  const fem::MeridianResolution then = revolution_setup(base, discretisation).resolution;
+  const auto differ = [](double one, double other) { return std::abs(one - other) > 1e-9 * std::abs(other); };
+  if (now.refinements != then.refinements || differ(now.land_grading, then.land_grading) ||
+      differ(now.focus_radius, then.focus_radius) || now.has_focus() != then.has_focus())
+    return MeshMatch::none;
+  if (!now.has_focus() || !differ(now.focus_size, then.focus_size))
+    return MeshMatch::same;
+  const double ratio = now.focus_size / then.focus_size;
+  return std::max(ratio, 1 / ratio) > farthest ? MeshMatch::none : MeshMatch::close;
+}
+
+std::shared_ptr<fem::Foot> Explorer::make_foot(const Study &study, const Discretisation &mesh,
+                                               const Model &model) const
+{
+  const auto of =
+    [](const std::shared_ptr<const fem::ContactCompliance> &given, double modulus, double modulus_now)
+  { return modulus == modulus_now ? *given : given->scaled(modulus / modulus_now); };
+  const fem::RevolutionSetup setup = revolution_setup(study, mesh, model);
+  const fem::ContactCompliance own =
+    of(compliance, base.glass.material.young_modulus, study.glass.material.young_modulus);
+  std::optional<fem::ContactCompliance> below;
+  if (setup.table.substrate)
+    below =
+      of(disc_compliance, base.table.disc_material.young_modulus, study.table.disc_material.young_modulus);
+  return std::make_shared<fem::RevolutionFoot>(
+    setup,
+    std::make_shared<const fem::ContactCompliance>(setup.total_compliance(own, below ? &*below : nullptr)));
+}
+
+Executor Explorer::executor() const
+{
+  return Executor([this](const Study &asked, const Discretisation &mesh, const Model &model,
+                         const fem::Foot *) { return make_foot(asked, mesh, model); });
+}
+
+void Explorer::require_mesh() const
+{
+  ensure(mesh_match() != MeshMatch::none,
+         "The mesh of this page does not resolve the width of this contact; use `stemware run`.");
+}
+
+LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
+{
+  const std::shared_ptr<ElasticFoot> last = std::exchange(foot, nullptr);
+  rows.clear();
+  check_values(present);
+  require_no_tipping(present);
+  LiveAnswer answer;
+  require_mesh();
+  answer.match = mesh_match();
+  const bool from_last = !cold && last && last->has_rings();
+  if (!from_last || !follow(*last, n_harmonics, answer))
+    solve_cold(from_last ? last.get() : nullptr, n_harmonics, answer);
+  answer.contact_radius = foot->radius();
+  paper.variant.study = paper_study(present);
+  paper.load = find_load(paper.variant.study, nullptr);
+  paper.row = answer.paper = ring::answer(*paper.load, spin_question(paper.variant.study));
+  if (answer.first_n)
+    shift_of_first_n = answer.first_n->last_spin().value_or(0) - answer.all.last_spin().value_or(0);
+  return answer;
+}
+
+bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAnswer &answer)
+{
+  if (!zero || !contact_at_zero)
+    return false;
+  foot = study_foot(present, executor().make_foot, silent_progress(), nullptr, discretisation);
+  foot->set_rings(last.ring_radii(), last.n_harmonics());
+  const auto row_of = [&](const BalanceNearby &found)
+  {
+    const double omega = found.spin.omega;
+    ring::Question question = spin_question(present);
+    question.with_minima = false;
+    ring::Answer row;
+    row.harmonics = found.load.n_harmonics();
+    row.terminal = ring::TerminalSpin{ omega, found.spin.slope, std::nan(""), true };
+    row.at_terminal = ring::ring_state(found.load, question, omega);
+    row.status = ring::Status::full_contact;
+    return row;
+  };
+  try
+  {
+    const auto all = balance_near(*zero, *contact_at_zero, present, foot, all_harmonics);
+    if (!all)
+      return false;
+    if (n_harmonics < foot->n_harmonics())
+    {
+      const ring::ZeroGuess beside = { all->spin.omega + shift_of_first_n, all->spin.slope };
+      const auto first_n = balance_near(beside, all->contact, present, foot, n_harmonics);
+      if (!first_n)
+        return false;
+      answer.first_n = row_of(*first_n);
+    }
+    answer.all = row_of(*all);
+    answer.contact = contact_at_zero = all->contact;
+    zero = all->spin;
+    return true;
+  }
+  catch (const fem::ContactFailure &)
+  {
+    return false;
+  }
+}
+
+void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, LiveAnswer &answer)
+{
+  foot = study_foot(present, executor().make_foot, silent_progress(), last, discretisation);
+  if (last)
+    foot->set_rings(last->ring_radii(), last->n_harmonics());
+  ring::Question question = spin_question(present);
+  question.with_slope = question.with_minima = !last; // a move is to be quick
+  if (last)
+    question.near = zero;
+  const BalancedLoad load = find_load(present, foot);
+  answer.all = ring::answer(load, question);
+  zero = answer.all.zero_guess();
+  if (!zero && question.near && answer.all.omega_terminal())
+    zero = ring::ZeroGuess{ *answer.all.omega_terminal(), question.near->slope };
+  if (n_harmonics < foot->n_harmonics())
+  {
+    question.near = zero;
+    const BalancedLoad cut = find_load(present, foot, silent_progress(), n_harmonics);
+    answer.first_n = ring::answer(cut, question);
+    answer.first_n->harmonics = n_harmonics;
+    rows.push_back({ {}, *answer.first_n, cut });
+  }
+  rows.push_back({ {}, answer.all, load });
+  answer.contact = contact_at_zero = load.contact(answer.all.last_spin().value_or(0));
+}
+
+std::optional<StudyCurves> Explorer::curves()
+{
+  if (rows.empty() || !rows.back().row.last_spin())
+    return std::nullopt;
+  const std::vector<double> shown = shown_spins(present, rows);
+  const LoadedRow &all = rows.back();
+  return find_curves(present,
+                     { &all, rows.size() > 1 ? &rows.front() : nullptr, &paper,
+                       ring::interpolated_for_curves(*all.load, all.row, shown.front(), shown.back()) },
+                     shown, executor());
+}
+
+Budget Explorer::budget()
+{
+  if (rows.empty())
+    return {};
+  const StudyRows solved =
+    rows_by_harmonics(present, foot, *rows.back().load, spin_question(present), executor(), silent_progress(),
+                      Depth::rows, model_chain(present));
+  return find_budget(present, solved);
+}
+
+std::vector<double> serialized(const fem::ContactCompliance &compliance)
+{
+  std::vector<double> numbers = {
+    static_cast<double>(compliance.n_nodes()),     static_cast<double>(compliance.degree),
+    static_cast<double>(compliance.n_harmonics()), static_cast<double>(compliance.n_meridian_unknowns),
+    static_cast<double>(compliance.n_inside),      static_cast<double>(compliance.n_outside)
+  };
+  const auto add = [&](const auto &values) { numbers.insert(numbers.end(), values.begin(), values.end()); };
+  add(compliance.radii);
+  const auto add_harmonic = [&](const fem::HarmonicCompliance &harmonic)
+  {
+    for (Eigen::Index j = 0; j < harmonic.normal.cols(); ++j)
+      add(harmonic.normal.col(j).tail(harmonic.normal.rows() - j));
+    add(harmonic.radial.reshaped());
+    add(harmonic.azimuthal.reshaped());
+  };
+  for (const fem::HarmonicCompliance &harmonic : compliance.harmonics)
+    add_harmonic(harmonic);
+  add_harmonic(compliance.tail);
+  return numbers;
+}
+
+fem::ContactCompliance deserialized(const double *numbers)
+{
+  fem::ContactCompliance compliance;
+  const auto n = static_cast<Eigen::Index>(numbers[0]);
+  compliance.degree = static_cast<unsigned int>(numbers[1]);
+  compliance.harmonics.resize(static_cast<std::size_t>(numbers[2]) + 1);
+  compliance.n_meridian_unknowns = static_cast<unsigned int>(numbers[3]);
+  compliance.n_inside = static_cast<Eigen::Index>(numbers[4]);
+  compliance.n_outside = static_cast<Eigen::Index>(numbers[5]);
+  numbers += 6;
+  compliance.radii = Eigen::Map<const Eigen::VectorXd>(numbers, n);
+  numbers += n;
+  const auto read_harmonic = [&](fem::HarmonicCompliance &harmonic)
+  {
+    harmonic.normal.resize(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+      for (Eigen::Index i = j; i < n; ++i)
+        harmonic.normal(i, j) = harmonic.normal(j, i) = *numbers++;
+    for (Eigen::MatrixXd *matrix : { &harmonic.radial, &harmonic.azimuthal })
+    {
+      *matrix = Eigen::Map<const Eigen::MatrixXd>(numbers, n, n);
+      numbers += n * n;
+    }
+  };
+  for (fem::HarmonicCompliance &harmonic : compliance.harmonics)
+    read_harmonic(harmonic);
+  read_harmonic(compliance.tail);
+  return compliance;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "fem/pipeline/analysis/quantities_of_interest.h"
+#include "fem/pipeline/analysis/ring_quantities.h"
+#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/result/document.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Parts of summary.json, tables and data files of several verbs.
+namespace stemware::pipeline
+{
+
+// ---- parts of summary.json
+
+/// Returns "load" and "load_at_terminal" of summary.json.
+const Fields<LoadReport> &load_fields();
+
+/// Returns an entry of "error_bands" of summary.json. @p with_richardson: with the extrapolated value.
+Fields<BandedQuantity> band_fields(bool with_richardson);
+
+/// Returns the key of a quantity with its error band.
+std::string key_of_band(const BandedQuantity &banded);
+
+/// The load at rest, and the effects of its harmonics.
+struct HarmonicsRow
+{
+  const LoadReport &load;
+  HarmonicEffect effect;
+  std::vector<Truncation> rows;
+};
+
+/// Returns "load", "harmonic_effect", "torque_effect" and "truncation" of summary.json.
+const Fields<HarmonicsRow> &harmonics_fields();
+
+// ---- tables of the page
+
+/// Adds the table "truncations" and, with the curves of @p effects, the picture "torque_changes".
+void add_truncations(const std::vector<Truncation> &rows, const ring::TorqueEffects &effects,
+                     Document &document);
+
+/// Adds the tables "bands" and "band_parts".
+void add_bands(const std::vector<BandedQuantity> &bands, Document &document);
+
+// ---- data files
+
+/// Returns lambda(theta) round the rim: sum of the rings, its first harmonic, and each ring if there are
+/// several.
+Table load_table(const ring::RingStack &load);
+
+/// Returns the table of Fourier coefficients ring by ring: lambda_j(theta) = a_0 + sum a_n cos(n theta) + b_n
+/// sin(n theta); the load is the sum of the rings.
+Table ring_table(const ring::RingStack &load);
+
+/// Returns the Fourier coefficients of a load, summed over its rings, in the format of read_load_file(): ring
+/// radius, then rows n a_n b_n; further columns: amplitude over a_0, direction of the crest.
+std::string load_file_text(const ring::RingStack &load);
+
+/// Returns the table of lambda(theta) at rest at the azimuths of the contact's lines, 0 on unloaded lines.
+Table pointwise_table(const std::vector<fem::AzimuthLoad> &pointwise);
+
+/// Returns p(r, theta): one row per point, cut by cut.
+Table footprint_table(const fem::PressureMap &footprint);
+
+/// Returns the table of tau_z, T_x and T_y over the spin.
+Table torque_table(const TorqueCurve &curve);
+
+/// Returns the table of omega(t) from rest.
+Table spin_up_table(const SpinUpCurves &curves);
+
+/// Returns the table of omega(t) from rest with the speeds of Motion/Orbit speed file.
+Table driven_spin_table(const DrivenSpinUp &driven);
+
+/// Returns the torque over the phase (positions of the marks of glass and table in the slip frame).
+Table phase_table(const PhaseStudy &phases);
+
+/// Returns the effects of harmonics on tau_z against the spin.
+Table torque_change_table(const ring::TorqueEffects &effects);
+
+/// Returns the table of the Newton steps of the contact at rest.
+Table history_table(const std::vector<fem::ContactIteration> &history);
+
+} // namespace stemware::pipeline

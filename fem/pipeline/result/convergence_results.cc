@@ -1,0 +1,175 @@
+#include "fem/pipeline/result/convergence_results.h"
+
+#include "fem/pipeline/base/numbers.h"
+#include "fem/pipeline/result/answers.h"
+#include "fem/pipeline/result/common_sections.h"
+#include "fem/pipeline/result/study_words.h"
+#include "fem/pipeline/study/study_size.h"
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Level of an axis, a row of converge.csv.
+struct LevelRow
+{
+  const RefinementAxis &axis;
+  std::size_t level;
+};
+
+/// Columns of converge.csv for the quantities of @p bands.
+Fields<LevelRow> level_fields(const ErrorBands &bands)
+{
+  Fields<LevelRow> fields = {
+    { "axis", "", "", [](const LevelRow &row) { return row.axis.key; },
+      in_file("axis", "axis of refinement") },
+    { "level", "1", "",
+      [](const LevelRow &row) { return static_cast<double>(row.level) - static_cast<double>(row.axis.own); },
+      in_file("level", "level of the axis; 0 is the study") },
+    { "size", "1", "", [](const LevelRow &row) { return row.axis.sizes[row.level]; },
+      in_file("size", "size of the level: what the axis counts") },
+    { "unknowns", "1", "",
+      [](const LevelRow &row) { return size_of(row.axis.levels[row.level].study).unknowns; },
+      in_file("unknowns", "unknowns of the largest linear system, estimated") }
+  };
+  for (std::size_t i = 0; i < bands.size(); ++i)
+  {
+    const QuantityOfInterest &quantity = bands[i].quantity;
+    fields.add({ quantity.omega ? "tau_at_*" : quantity.key, quantity.unit, "",
+                 [i](const LevelRow &row) { return row.axis.quantities[i].values[row.level]; },
+                 in_file(quantity.name, quantity.name),
+                 with_number(quantity.omega ? to_short_text(*quantity.omega) : "") });
+  }
+  return fields;
+}
+
+/// A quantity on the levels of an axis.
+struct SequenceRow
+{
+  std::string key;
+  RefinementSequence sequence;
+};
+
+/// An axis with the quantities of @p bands.
+struct AxisRow
+{
+  const RefinementAxis &axis;
+  const ErrorBands &bands;
+
+  std::vector<SequenceRow> sequences() const
+  {
+    std::vector<SequenceRow> rows;
+    for (std::size_t i = 0; i < bands.size(); ++i)
+      rows.push_back({ bands[i].quantity.key, axis.quantities[i] });
+    return rows;
+  }
+};
+
+/// Source of the members of `converge`'s summary.
+struct ConvergeRow
+{
+  const std::vector<RefinementAxis> &axes;
+  const ErrorBands &bands;
+
+  std::vector<AxisRow> rows() const
+  {
+    std::vector<AxisRow> rows;
+    for (const RefinementAxis &axis : axes)
+      rows.push_back({ axis, bands });
+    return rows;
+  }
+};
+
+const Fields<ConvergeRow> &converge_fields()
+{
+  const auto of_sequence = [](auto member)
+  { return [=](const SequenceRow &row) { return row.sequence.*member; }; };
+  const auto of_axis = [](auto member) { return [=](const AxisRow &row) { return row.axis.*member; }; };
+  static const auto sequence_fields =
+    Fields<SequenceRow>{ { "values", "", "Its values.", of_sequence(&RefinementSequence::values) },
+                         { "order", "", "Observed order.", of_sequence(&RefinementSequence::order) },
+                         { "limit", "", "Limit of the values.", of_sequence(&RefinementSequence::limit) },
+                         { "bands", "", "Half-widths of the error bands.",
+                           of_sequence(&RefinementSequence::bands) } };
+  static const auto axis_fields = Fields<AxisRow>{
+    { "name", "", "Refined parameter.", of_axis(&RefinementAxis::name) },
+    { "size", "", "Unit of the levels.", of_axis(&RefinementAxis::size) },
+    { "levels", "", "Sizes of the levels.", of_axis(&RefinementAxis::sizes) },
+    { "own_level", "", "Index of the study's own level, from 0.", of_axis(&RefinementAxis::own) },
+    { "figures", "Quantities by key.", sequence_fields, &AxisRow::sequences, ByKey{ &SequenceRow::key } }
+  };
+  static const auto fields =
+    Fields<ConvergeRow>{ { "refinement", "Axes of refinement of `converge`, by key.", axis_fields,
+                           &ConvergeRow::rows, ByKey{ [](const AxisRow &row) { return row.axis.key; } } },
+                         { "error_bands", "Error bands by quantity.", band_fields(true),
+                           [](const ConvergeRow &row) -> const ErrorBands & { return row.bands; },
+                           ByKey{ key_of_band } } };
+  return fields;
+}
+
+/// Row of the table of the terminal spin's bands.
+struct SpinBandRow
+{
+  std::string axis, own;
+  double band;
+  std::optional<double> order;
+};
+
+Table spin_band_table(const std::vector<SpinBandRow> &rows, Face face)
+{
+  static const auto fields =
+    Fields<SpinBandRow>{ { "axis", "", "", &SpinBandRow::axis, shown_as("what is refined") },
+                         { "own", "", "", &SpinBandRow::own, shown_as("the study has") },
+                         { "band", "rad/s", "", &SpinBandRow::band, shown_as("band"), with_digits("band") },
+                         { "order", "1", "", &SpinBandRow::order, on_page("observed order"),
+                           on_console("order"), with_digits(".2f") } };
+  return fields.table(rows, face,
+                      face == Face::console ? "Error band of the terminal spin, axis by axis" : "");
+}
+
+} // namespace
+
+Json converge_schema()
+{
+  return converge_fields().schema();
+}
+
+Table level_table(const std::vector<RefinementAxis> &axes, const ErrorBands &bands)
+{
+  std::vector<LevelRow> rows;
+  for (const RefinementAxis &axis : axes)
+    for (std::size_t l = 0; l < axis.levels.size(); ++l)
+      rows.push_back({ axis, l });
+  return level_fields(bands).table(rows, Face::file);
+}
+
+Results make_document(const Study &study, const std::vector<RefinementAxis> &axes, const ErrorBands &bands)
+{
+  const std::size_t index = index_of(bands, "omega_terminal");
+  const BandedQuantity &spin = bands[index];
+  Results results = { document_of(study, "discretisation error") };
+  std::vector<SpinBandRow> rows;
+  for (const RefinementAxis &axis : axes)
+  {
+    const RefinementSequence &judged = axis.quantities[index];
+    rows.push_back({ axis.name, axis.size + ": " + std::to_string(axis.sizes[axis.own]),
+                     judged.bands[axis.own], judged.order });
+  }
+  rows.push_back({ "all together", "", spin.band, std::nullopt });
+  results.findings.summary = converge_fields().json({ axes, bands });
+  results.findings.key_figures = { { "omega_terminal", spin.quantity.value },
+                                   { "omega_terminal_band", spin.band } };
+  results.words["answer"] = convergence_answer(spin, axes.front().name, axes.front().quantities[index].order);
+  results.words["rounding"] = spin.quantity.rounding;
+  results.add_table("spin_bands", spin_band_table(rows, Face::page));
+  add_bands(bands, results);
+  results.files = { { "summary.json", "everything, for programs" },
+                    { "converge.csv", "the values on every level of each axis", level_table(axes, bands) },
+                    { "parameters.prm", "the refined study" } };
+  results.console = { { results.words["answer"] }, { "", spin_band_table(rows, Face::console) } };
+  return results;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,262 @@
+#include "fem/pipeline/result/run_answer.h"
+
+#include "fem/pipeline/analysis/ring_quantities.h"
+#include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/base/numbers.h"
+#include "fem/pipeline/result/number_format.h"
+#include "fem/pipeline/result/sentences.h"
+#include "fem/pipeline/result/study_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+using format::number;
+
+namespace
+{
+
+/// The row of the budget whose step is the largest, harmonics left out; null if no step is a spin.
+const BudgetRow *largest_other_step(const Study &study, const Budget &budget)
+{
+  const BudgetRow *largest = nullptr;
+  for (const BudgetRow &row : budget.rows)
+    if (row.name != "harmonics" && row.difference && is_spin(study, *row.difference) &&
+        (!largest || std::abs(*row.difference) > std::abs(*largest->difference)))
+      largest = &row;
+  return largest;
+}
+
+/// Terminal spin of the paper's model, unless the study is that model.
+std::optional<double> paper_spin(const Budget &budget)
+{
+  return budget.rows.size() < 2 ? std::nullopt : budget.rows.front().omega_terminal;
+}
+
+std::string paper_sentence(const Study &study, const SpinStudy &spin)
+{
+  const std::optional<double> omega = paper_spin(spin.budget);
+  if (!omega)
+    return "";
+  if (!is_spin(study, *omega))
+    return "In the paper's model it does not spin up.";
+  return std::string("The paper's rigid ring would ") + (spin.all().fall ? "turn once in " : "take ") +
+         number(seconds_a_turn(*omega), "#.3g") + " s.";
+}
+
+/// Answer for a glass without a spin that is more than rounding.
+std::string resting_answer(const Study &study, const ring::Answer &all)
+{
+  if (const std::string held = grip_holds_note(study, all); !held.empty())
+    return held;
+  std::string text = "The glass does not spin up.";
+  if (all.terminal && !all.terminal->stable)
+    append(text, "Rest is an unstable balance: any disturbance takes the glass to another terminal spin.");
+  return text;
+}
+
+std::string largest_step_sentence(const Study &study, const Budget &budget)
+{
+  const BudgetRow *row = largest_other_step(study, budget);
+  if (!row)
+    return "";
+  const std::optional<double> relative =
+    relative_to(*row->omega_terminal - *row->difference, row->difference, spin_scale(study));
+  return "The largest correction to the paper's model is \"" + row->name + "\"" +
+         (is_one_way(study) ? " (one-way): " : ": ") + number(*row->difference, "+.3g") + " rad/s" +
+         (relative ? " (" + faster_or_slower(*relative) + ")" : "") +
+         (row->status == ring::Status::formal
+            ? "; the load of this step is negative somewhere (tensile, not physical)."
+            : ".");
+}
+
+std::string missing_band_sentence(const Study &study)
+{
+  const bool may_be_narrow = study.table.is_hard() && !abilities(study.contact.body).is_of_revolution;
+  return std::string(
+           "No error band: the contact failed on one of the coarser, finer or stiffer models that the "
+           "band compares") +
+         (may_be_narrow ? ", or the contact is narrower than the mesh's cells." : ".");
+}
+
+std::string spinning_answer(const Study &study, const SpinStudy &spin, const ErrorBands &bands, double omega)
+{
+  const std::optional<double> band = band_of(bands, "omega_terminal"), paper = paper_spin(spin.budget);
+  std::string text =
+    under_its_load(study, "The glass turns once in " + number(seconds_a_turn(omega), "#.3g") + " s, " +
+                            sense_of(study, omega) + ".");
+  append(text, paper_sentence(study, spin));
+  append(text,
+         "The terminal spin is " + format::with_band(omega, band) + " rad/s" +
+           (paper && is_spin(study, *paper) ? ", the paper's " + number(*paper, "#.6g") + " rad/s." : "."));
+  if (!band && !spin.is_quick() && study.load.is_from_contact())
+    append(text, missing_band_sentence(study));
+  if (spin.rows.size() > 1)
+  {
+    append(text, torque_effect_sentence(spin.torque_effects));
+    append(text, harmonic_effect_sentence(study, spin.budget.harmonics, band_of(bands, "harmonic_effect")));
+  }
+  append(text, largest_step_sentence(study, spin.budget));
+  if (band)
+    append(text, "The band is the discretisation error. It contains neither uncertain inputs (friction, "
+                 "heights, grip) nor effects missing in the " +
+                   one_way_word(study) + "model; docs/limits.md lists both, with the sizes that are known.");
+  return text;
+}
+
+/// Largest pressure and contact width of a load, with bands that exceed a tenth of them; at any spin the
+/// bands of the rest. Empty without a contact.
+std::string pressed_sentence(const std::string &state, const LoadReport &load, const ErrorBands &bands)
+{
+  if (!load.peak_pressure)
+    return "";
+  const auto text = [&](const std::string &key, double value, const char *unit)
+  {
+    const std::optional<double> band = band_of(bands, key);
+    return in_usual_unit(rounded(value, 3), unit) +
+           (band && *band > 0.1 * value ? " ± " + in_usual_unit(rounded(*band, 2), unit) : "");
+  };
+  return state + " the largest pressure is " + text("peak_pressure", *load.peak_pressure, "Pa") +
+         (load.contact_width
+            ? ", the contact at most " + text("contact_width", *load.contact_width, "m") + " wide."
+            : ".");
+}
+
+} // namespace
+
+std::string run_answer(const Study &study, const SpinStudy &spin, const ErrorBands &bands)
+{
+  const ring::Answer &all = spin.all();
+  std::string text;
+  if (spin.is_quick())
+    text = "Quick run: no budget of effects, no error bands.";
+  if (all.fall)
+  {
+    append(text, fall_sentences(study, all));
+    append(text, paper_sentence(study, spin));
+  }
+  else if (const double omega = all.omega_terminal().value(); is_spin(study, omega))
+    append(text, spinning_answer(study, spin, bands, omega));
+  else
+    append(text, resting_answer(study, all));
+  return text;
+}
+
+std::string profile_remark(const Study &study)
+{
+  constexpr double rounding = 1e-9; // m, of numbers in a file
+  const auto &circle = study.glass.rim_circle;
+  if (!circle || circle->rms_distance <= rounding)
+    return "";
+  return "The points of the profile are " + number(circle->rms_distance, "1e6*.2g") +
+         " µm rms from the circle of its rim. No band contains this scatter; docs/cookbooks/own_profile.md "
+         "shows how to compute its effect on the spin.";
+}
+
+std::string lift_off_remark(const Study &study, const ContactReport &report, const SpinStudy &spin)
+{
+  if (spin.all().fall)
+    return lift_off_sentences({ { "At rest", &report.load }, { "Where it tips over", &report.load_at_end } });
+  if (is_spin(study, *spin.all().omega_terminal()))
+  {
+    if (is_one_way(study))
+      return lift_off_sentences({ { "At every spin", &report.load } });
+    const char *at_end =
+      spin.phases ? "At the terminal spin, at the phase of t = 0," : "At the terminal spin";
+    if (const std::string text = lift_off_sentences({ { at_end, &report.load_at_end } }); !text.empty())
+      return text;
+  }
+  return lift_off_sentences({ { "At rest", &report.load } });
+}
+
+std::string contact_remark(const Study &study, const ContactReport &report, const SpinStudy &spin,
+                           const ErrorBands &bands)
+{
+  std::string text = pressed_sentence("At rest", report.load, bands);
+  if (spin.all().terminal && is_spin(study, spin.all().terminal->omega))
+    append(text, pressed_sentence("At the terminal spin", report.load_at_end, bands));
+  return text;
+}
+
+std::string narrow_contact_remark(const Study &study, const ContactReport &report)
+{
+  if (!report.foot || report.foot->at_rest.solution.outcome != fem::ContactOutcome::narrow_contact)
+    return "";
+  return "Note: the contact is at most " + std::to_string(report.foot->at_rest.solution.n_nodes_across) +
+         " nodes wide: " +
+         (study.table.is_hard()
+            ? "on a hard table the load then depends on the mesh; increase Contact/Radial cells "
+              "or reduce Glass/Land width."
+            : "the pressure is integrated exactly, but the mesh does not resolve the "
+              "deformation of the foot next to the contact.");
+}
+
+std::string thin_layer_remark(const Study &study, double half_width)
+{
+  const double layer = study.table.layer_thickness;
+  if (study.table.interface != TableInterface::winkler || !(layer > 0) || !(half_width > 0) ||
+      half_width >= layer)
+    return "";
+  return "Note: the contact is " + number(2 * half_width, "1e3*.2g") +
+         " mm wide; its half-width is less than the " + number(layer, "1e3*.3g") +
+         " mm of the layer (Table/Layer thickness). A Winkler interface represents a layer only if the "
+         "contact is much wider than the layer is thick; use an elastic disc (Table/Substrate = elastic).";
+}
+
+std::string out_of_flat_remark(const Study &study, const SpinStudy &spin)
+{
+  if (!spin.phases)
+    return "";
+  const bool rim = !study.glass.waviness.empty(), table = !study.table.waviness.empty();
+  return std::string(rim && table ? "Rim and table are out of flat"
+                     : table      ? "The table is out of flat"
+                     : rim        ? "The rim is out of flat"
+                                  : "The foot is not round") +
+         ": the terminal spin is a mean over time. The spin oscillates by ±" +
+         number(spin.phases->spin_ripple, ".3g") + " rad/s about it, the torque by ±" +
+         number(spin.phases->torque_ripple, ".3g") + " N m.";
+}
+
+std::string several_spins_remark(const SpinStudy &spin)
+{
+  const auto &spins = spin.terminal_spins;
+  if (spins.size() < 2)
+    return "";
+  const auto n_stable =
+    std::count_if(spins.begin(), spins.end(), [](const ring::TerminalSpin &one) { return one.stable; });
+  return "The torques add up to zero at " + std::to_string(spins.size()) + " spins, " +
+         std::to_string(n_stable) + " of them stable; the initial spin decides which one the glass reaches.";
+}
+
+std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
+{
+  const auto &driven = spin.spin_up.driven;
+  if (!driven)
+    return "";
+  const auto [slowest, fastest] = std::minmax_element(driven->speed.begin(), driven->speed.end());
+  std::string text =
+    "With the speeds of Motion/Orbit speed file, " + number(*slowest, ".4g") + " to " +
+    number(*fastest, ".4g") + " m/s, the glass spins at " +
+    format::with_band(driven->omega.back(), driven_band(spin, band_of(bands, "omega_terminal"))) +
+    " rad/s at the end; with the constant Motion/Orbit speed, the basis of all other numbers, "
+    "at " +
+    number(spin.spin_up.adaptive.back(), ".6g") +
+    " rad/s. Contact, friction and moments are in balance at every instant, including the force "
+    "that accelerates the glass along its orbit. Linear interpolation of the file instead of the "
+    "monotone cubic changes the spin by " +
+    (driven->interpolation_change < 1e-9 // rounding
+       ? "less than 1e-9 rad/s"
+       : "up to " + number(driven->interpolation_change, ".1e") + " rad/s in between and " +
+           number(driven->interpolation_change_at_end, ".1e") + " rad/s at the end");
+  text += ".";
+  if (const auto &start = driven->breakaway)
+    text += " The glass rests until t = " + number(start->time, ".4g") +
+            " s and begins to slide when the hand's force reaches " + number(start->force, ".4g") +
+            " N, with a friction coefficient of " + number(start->motion.friction_coefficient, ".4g") +
+            " and a moment ratio of " + number(start->moment_ratio, ".4g") + ".";
+  return text;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,258 @@
+#include "fem/pipeline/result/run_results.h"
+
+#include "fem/pipeline/result/common_sections.h"
+#include "fem/pipeline/result/foot_pictures.h"
+#include "fem/pipeline/result/number_format.h"
+#include "fem/pipeline/result/run_answer.h"
+#include "fem/pipeline/result/run_summary.h"
+#include "fem/pipeline/result/sentences.h"
+#include "fem/pipeline/result/study_words.h"
+#include "fem/pipeline/result/table_renderers.h"
+#include "fem/pipeline/study/data_files.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Torques on the glass and friction of the table in one state.
+struct FrictionRow
+{
+  std::string name;
+  ring::Torques torques;
+  double sum = 0;
+};
+
+/// At rest, then at the terminal spin or where the glass falls over, for people.
+Table friction_table(const Study &study, const ring::Answer &all)
+{
+  static const auto fields = Fields<FrictionRow>{
+    { "name", "", "", &FrictionRow::name, on_page(" ") },
+    { "torque", "N m", "", [](const FrictionRow &row) { return row.torques.friction.torque; },
+      on_page("τ_z") },
+    { "lean_torque", "N m", "", [](const FrictionRow &row) { return row.torques.lean_torque; },
+      on_page("lean torque") },
+    { "grip_torque", "N m", "", [](const FrictionRow &row) { return row.torques.grip_torque; },
+      on_page("torque of the fingers") },
+    { "torque_sum", "N m", "", [](const FrictionRow &row) { return row.sum; },
+      on_page("sum of the torques") },
+    { "force[0]", "N", "", [](const FrictionRow &row) { return row.torques.friction.force_x; },
+      on_page("T_x") },
+    { "force[1]", "N", "", [](const FrictionRow &row) { return row.torques.friction.force_y; },
+      on_page("T_y") }
+  };
+  const ring::RingStack &load = all.at_rest.value().load;
+  const double force = study.motion.orbit.friction_at_rest() * load.normal_force();
+  const double torque = force * load.radius();
+  std::vector<FrictionRow> rows = { { "at rest", *all.at_rest, all.at_rest->torque() } };
+  if (all.fall)
+    rows.push_back({ "where it falls over", all.fall->state, all.fall->state.torque() });
+  else if (all.at_terminal)
+    rows.push_back({ "at the terminal spin", *all.at_terminal, all.at_terminal->torque() });
+  for (auto &[name, at, sum] : rows)
+  {
+    for (double *value : { &at.friction.torque, &at.lean_torque, &at.grip_torque })
+      *value = without_rounding(*value, 1e-12 * torque);
+    for (double *value : { &at.friction.force_x, &at.friction.force_y })
+      *value = without_rounding(*value, 1e-12 * force);
+    sum = without_rounding(sum, 1e-9 * torque);
+  }
+  return fields.table(rows, Face::page);
+}
+
+Json key_figures_of(const SpinStudy &spin, const ErrorBands &bands)
+{
+  return { { "tau_at_rest", spin.all().at_rest.value().friction.torque },
+           { "omega_terminal", spin.all().omega_terminal() },
+           { "omega_terminal_band", band_of(bands, "omega_terminal") },
+           { "omega_terminal_first_harmonic", spin.rows.front().omega_terminal() },
+           { "harmonic_effect", spin.budget.harmonics.absolute },
+           { "harmonic_effect_relative", spin.budget.harmonics.relative } };
+}
+
+/// Rows of the chain for page and console, without rounding errors, with the digits that the band of the last
+/// row leaves.
+Table shown_chain_table(const Study &study, const std::vector<BudgetRow> &rows, Face face)
+{
+  const double band = rows.empty() ? 0 : rows.back().band.value_or(0);
+  const auto shown_spin = [band](double omega) -> Json
+  { return band > 0 && omega != 0 ? Json(format::rounded_to_error(omega, band)) : Json(omega); };
+  return chain_fields(spin_scale(study), shown_spin).table(shown_chain(rows, rounding_of_spins(study)), face);
+}
+
+Table without_table(const Study &study, const Budget &budget, Face face)
+{
+  std::vector<WithoutRow> rows = budget.without;
+  if (face != Face::file)
+    for (WithoutRow &row : rows)
+      drop_rounding(row.difference, rounding_of_spins(study));
+  return without_fields(budget.rows.back().omega_terminal, spin_scale(study)).table(rows, face);
+}
+
+void add_spin(const Study &study, const ContactReport &report, const SpinStudy &spin, Document &document)
+{
+  const ring::Motion &motion = study.motion.orbit;
+  const double radius = study.glass.profile.contact_radius;
+  add_slip_columns("slip_at_rest", motion, radius, report.load.rings, 0, document);
+  if (const auto omega = spin.all().omega_terminal(); omega && is_spin(study, *omega))
+    add_slip_columns("slip_at_end", motion, radius, report.load_at_end.rings, *omega, document);
+  add_torque_columns(spin.torque, {}, document);
+  add_spin_up_columns(spin.spin_up, 1, document);
+  if (!spin.spin_up.instants.empty())
+    add_motion(study, spin.spin_up.instants, document);
+  if (spin.phases)
+    add_phase_columns(*spin.phases, document);
+  document.add_table("friction", friction_table(study, spin.all()));
+  add_truncations(truncations_of(spin.rows, spin.torque_effects, spin_scale(study)), spin.torque_effects,
+                  document);
+}
+
+void add_budget(const Study &study, const SpinStudy &spin, Document &document)
+{
+  const std::vector<BudgetRow> &rows = spin.budget.rows;
+  document.add_table("chain", shown_chain_table(study, rows, Face::page));
+  document.add_table("chain_torques",
+                     chain_torque_fields().table(shown_chain(rows, rounding_of_spins(study)), Face::page));
+  document.tables["waterfall"] = chain_fields().json(named_steps(rows));
+  if (!spin.budget.without.empty())
+    document.add_table("without", without_table(study, spin.budget, Face::page));
+}
+
+Json words_of(const Study &study, const ContactReport &report, const SpinStudy &spin, const ErrorBands &bands)
+{
+  std::string answer = run_answer(study, spin, bands);
+  append(answer, profile_remark(study));
+  return { { "answer", answer },
+           { "lift_off", lift_off_remark(study, report, spin) },
+           { "pressed", contact_remark(study, report, spin, bands) },
+           { "narrow_contact", narrow_contact_remark(study, report) },
+           { "thin_layer", thin_layer_remark(study, report.load.half_width()) },
+           { "out_of_flat", out_of_flat_remark(study, spin) },
+           { "several_spins", several_spins_remark(spin) },
+           { "driven", driven_remark(spin, bands) },
+           { "spin_unit", spin_unit(study) },
+           { "rounding", rounding_of_spins(study) } };
+}
+
+void add_foot_files(const FootReport &foot, bool has_terminal_spin, std::vector<ResultFile> &files)
+{
+  files.push_back({ "footprint.csv", "pressure p(r, θ) of the foot on the table at rest",
+                    footprint_table(foot.footprint) });
+  if (foot.footprint_at_end && has_terminal_spin)
+    files.push_back(
+      { "footprint_at_end.csv", "the same at the terminal spin", footprint_table(*foot.footprint_at_end) });
+  files.push_back(
+    { "contact_history.csv", "Newton steps of the contact", history_table(foot.at_rest.history) });
+  const auto add = [&](const std::string &name, const char *state)
+  {
+    files.push_back({ "fields/" + name, "displacement, strain, stress and contact pressure " +
+                                          std::string(state) + ", for ParaView" });
+  };
+  for (const fem::FieldFile &file : foot.fields)
+  {
+    if (file.name == "contact.vtu" || file.name == "contact.pvtu") // and not a piece of the latter
+      add(file.name, "at rest");
+    if (file.name.find("_at_terminal_spin") != std::string::npos)
+      add(file.name, "at the terminal spin");
+  }
+}
+
+std::vector<ResultFile> files_of(const Study &study, const ContactReport &report, const SpinStudy &spin)
+{
+  const ring::RingStack &rings = report.load.rings;
+  std::vector<ResultFile> files = { { "summary.json", "all numbers, for programs" },
+                                    { "parameters.prm", "the study as input file" },
+                                    { "load.csv", "λ(θ) at rest", load_table(rings) },
+                                    { "harmonics.dat", "its Fourier coefficients, readable by Load/File",
+                                      load_file_text(rings) },
+                                    { "rings.csv", "the same ring by ring", ring_table(rings) } };
+  const auto add = [&](const char *name, const char *words, const Table &table) {
+    files.push_back({ name, words, table });
+  };
+  if (!spin.is_quick())
+  {
+    add("budget.csv", "the terminal spin from the paper's model to this study's",
+        chain_fields().table(spin.budget.rows, Face::file));
+    add("without.csv", "the complete model without one effect at a time",
+        without_table(study, spin.budget, Face::file));
+  }
+  add("torque.csv", "τ_z, T_x, T_y against the spin", torque_table(spin.torque));
+  add("spin_up.csv", "the spin against time", spin_up_table(spin.spin_up));
+  add(
+    "truncation.csv", "the answer with 1, 2, 3, 4, 6, 8 ... harmonics",
+    truncation_fields().table(truncations_of(spin.rows, spin.torque_effects, spin_scale(study)), Face::file));
+  if (spin.spin_up.driven)
+    add("driven_spin_up.csv", "the spin against time under the speeds of the file",
+        driven_spin_table(*spin.spin_up.driven));
+  if (spin.phases)
+    add("phases.csv", "τ_z by the orientation of glass and table", phase_table(*spin.phases));
+  if (study.load.is_from_contact())
+  {
+    add("load_lines.csv", "λ(θ) at rest on the azimuth lines of the contact",
+        pointwise_table(report.load.pointwise));
+    if (report.foot)
+      add_foot_files(*report.foot, spin.all().terminal.has_value(), files);
+  }
+  files.push_back({ "timings.json", "how long it took" });
+  return files;
+}
+
+std::vector<ConsoleBlock> console_of(const Study &study, const SpinStudy &spin, const Document &document)
+{
+  std::string text;
+  for (const char *part :
+       { "answer", "lift_off", "pressed", "narrow_contact", "thin_layer", "out_of_flat", "several_spins" })
+    append(text, document.words[part]);
+  std::vector<ConsoleBlock> blocks = { { text } };
+  if (!spin.is_quick())
+  {
+    blocks.push_back({ "From the paper's model to this study's:",
+                       shown_chain_table(study, named_steps(spin.budget.rows), Face::console) });
+    if (!spin.budget.without.empty())
+      blocks.push_back({ "The complete model without one effect at a time:",
+                         without_table(study, spin.budget, Face::console) });
+  }
+  return blocks;
+}
+
+} // namespace
+
+Json run_schema()
+{
+  return run_fields().schema();
+}
+
+Results make_document(const Study &study, const ContactReport &report, const SpinStudy &spin,
+                      const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)
+{
+  Results results = { document_of(study, "how fast it spins") };
+  results.findings = { run_fields().json({ study, report, spin, bands, goal }), key_figures_of(spin, bands) };
+  results.words.update(words_of(study, report, spin, bands));
+  add_spin(study, report, spin, results);
+  if (!spin.is_quick())
+    add_budget(study, spin, results);
+  add_load_lines(report.load, results);
+  if (report.foot)
+    add_foot_pictures(study, *report.foot, bands, results);
+  if (report.foot)
+    results.add_table("contact", as_list(contact_list(*report.foot)));
+  if (!bands.empty())
+    add_bands(bands, results);
+  results.files = files_of(study, report, spin);
+  results.console = console_of(study, spin, results);
+  return results;
+}
+
+std::optional<double> band_of_mesh(const Study &study, const ErrorBands &bands)
+{
+  const auto banded = find_quantity(bands, key_of(study.contact.goal));
+  if (banded == bands.end() || banded->parts.count("mesh") == 0)
+    return std::nullopt;
+  return banded->parts.at("mesh");
+}
+
+} // namespace stemware::pipeline

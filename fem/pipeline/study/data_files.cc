@@ -1,0 +1,130 @@
+#include "fem/pipeline/study/data_files.h"
+
+#include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/base/numbers.h"
+#include "fem/pipeline/base/text_file.h"
+#include "fem/pipeline/study/quantity_text.h"
+
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/trim.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <optional>
+#include <stdexcept>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// The torque of all of them takes seconds; its kernels have fallen to nothing long before.
+constexpr std::size_t max_harmonics = 1000;
+
+/// Larger loads and rings are slips of units, and overflow.
+constexpr double largest_number = 1e12;
+
+/// How much larger than a_0 a coefficient may be: a load that pulls nowhere has none above 2.
+constexpr double largest_share = 1000;
+
+/// The radius that a comment of a load file states; nothing for other comments.
+std::optional<double> ring_radius_in(const std::string &where, const std::string &comment)
+{
+  const std::string key = "# ring radius:";
+  const auto end = comment.rfind("(m)");
+  if (comment.rfind(key, 0) != 0 || end == std::string::npos)
+    return std::nullopt;
+  const auto radius = parse_number(comment.substr(key.size(), end - key.size()));
+  ensure(radius && *radius > 0 && *radius < largest_number,
+         where + "\"" + shortened(comment) + "\" gives no radius; write \"# ring radius: 0.03 (m)\".");
+  return radius;
+}
+
+} // namespace
+
+TextTable read_table(const std::string &setting, const std::string &file)
+{
+  return parse_table(setting, read_input_text(setting, file));
+}
+
+std::vector<FileRow> read_column_file(const std::string &setting, const std::string &file,
+                                      const std::vector<FileColumn> &columns)
+{
+  return parse_columns(setting, read_input_text(setting, file), columns);
+}
+
+ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file)
+{
+  const std::string setting = "Motion/Orbit speed file = " + shortened_path(file);
+  std::vector<double> times, speeds;
+  for (const FileRow &row :
+       read_column_file(setting, file, { { { "t", "time" }, "s" }, { { "v", "speed", "velocity" }, "m/s" } }))
+  {
+    const std::string place = fmt::format(FMT_STRING("{}, line {}: "), setting, row.line);
+    ensure(row.values[1] > 0 || (row.values[1] == 0 && (speeds.empty() || speeds.back() == 0)),
+           place + "the speed is not greater than 0, which it may be at the beginning only; end the table "
+                   "before the hand stops.");
+    ensure(times.empty() || row.values[0] > times.back(),
+           place + "the time is not later than in the row before; sort the rows by time.");
+    times.push_back(row.values[0]);
+    speeds.push_back(row.values[1]);
+  }
+  ensure(times.size() >= 2, setting + " has one row; give at least two.");
+  try
+  {
+    return { times, speeds };
+  }
+  catch (const std::invalid_argument &error)
+  {
+    throw BadInput(setting + ": " + error.what() + ".");
+  }
+}
+
+ring::RingStack read_load_file(const std::string &file)
+{
+  const std::string setting = "Load/File = " + shortened_path(file);
+  std::vector<double> all_a, all_b;
+  std::optional<double> radius;
+  for (const TextLine &line : read_lines(setting, file))
+  {
+    const std::string where = fmt::format(FMT_STRING("{}, line {}: "), setting, line.number);
+    if (line.text.front() == '#')
+    {
+      const auto stated = ring_radius_in(where, line.text);
+      ensure(!radius || !stated, where + "the ring radius is given a second time; leave one of them.");
+      radius = radius ? radius : stated;
+      continue;
+    }
+    ensure(all_a.size() <= max_harmonics,
+           fmt::format(FMT_STRING("{} has more than {} harmonics, the most that a torque is computed from; "
+                                  "remove the higher harmonics."),
+                       setting, max_harmonics));
+    const TextTable table = parse_table(where, line.text, true);
+    std::vector<std::string> cells =
+      table.rows.empty() ? std::vector<std::string>() : table.rows.front().cells;
+    cells.resize(std::max<std::size_t>(cells.size(), 3));
+    const auto n = parse_count(cells[0]);
+    const auto a = parse_number(table.with_point(cells[1])), b = parse_number(table.with_point(cells[2]));
+    ensure(n && a && b && *n == all_a.size() && (*n > 0 || (*a > 0 && *b == 0)),
+           fmt::format(FMT_STRING("{}expected \"{} a b\" with finite numbers in N/rad{}."), where,
+                       all_a.size(), all_a.empty() ? ", a greater than 0 and b = 0" : ""));
+    all_a.push_back(*a);
+    all_b.push_back(*b);
+    const double size = std::max(std::abs(*a), std::abs(*b));
+    ensure(size <= std::min(largest_number, largest_share * all_a.front()),
+           fmt::format(FMT_STRING("{}a coefficient of {} N/rad beside a_0 = {} N/rad is no load of a table; "
+                                  "give all in N/rad, none larger than 1000 a_0 and 1e12."),
+                       where, to_short_text(size), to_short_text(all_a.front())));
+  }
+  ensure(radius.has_value(),
+         setting + " does not say how large the ring is; add a line \"# ring radius: 0.03 (m)\".");
+  ensure(all_a.size() >= 2,
+         setting + " holds no first harmonic; give at least the rows \"0 a b\" and \"1 a b\".");
+  return { all_a, all_b, *radius };
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "fem/pipeline/base/json.h"
+#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/study/study_entries.h"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// Throws BadInput as check_values(), and for missing files or a study that exceeds its limits.
+void check_study(const Study &study);
+
+/// Reads a study file, applies @p overrides ("Section/Entry=value", each for another entry) and checks the
+/// result; values of the file that overrides replace are not judged. @p file: .prm or .json; empty: default
+/// study; "-": standard input of the first rank, JSON if it begins with a brace. Missing entries have their
+/// defaults. Relative paths in the file start at its folder, those of overrides at the working directory.
+/// Throws BadInput with one sentence about the first error.
+Study read_study(const std::string &file, const std::vector<std::string> &overrides = {});
+
+/// Reads a study from @p text in .prm format, or .json format if it begins with a brace; @p origin names it
+/// in messages. Relative paths start at the working directory. Throws as read_study().
+Study read_study_text(const std::string &origin, const std::string &text);
+
+/// Sets @p entries from @p text, the content of the study file @p file in the format of deal.II's parameter
+/// files:
+///
+///   subsection Glass          # a comment
+///     set Contact radius = 0.03
+///   end
+///
+/// Sections may come in any order and repeatedly, an entry once; a backslash at the end of a line continues
+/// it. Throws BadInput, with the line, about the first error.
+void read_prm(const std::string &file, const std::string &text, const std::vector<StudyEntry> &entries);
+
+/// Returns @p study with other @p values, each "Section/Entry" with its text, after all checks. Throws
+/// BadInput that names @p option as the origin.
+Study with_values(Study study, const std::string &option,
+                  const std::vector<std::pair<std::string, std::string>> &values);
+
+/// Returns the unit of the entry of @p path: "1" for pure numbers; empty for words, paths, and unknown
+/// entries.
+std::string unit_of(const std::string &path);
+
+/// Returns the files that the study reads.
+std::vector<std::string> files_of(const Study &study);
+
+/// Returns @p study with its paths relative to a study file in @p folder.
+Study with_paths_from(const std::filesystem::path &folder, Study study);
+
+/// Returns the values as nested JSON objects: section, entry, value.
+nlohmann::ordered_json study_as_json(const Study &study);
+
+/// Returns the study as a .prm file.
+std::string study_as_prm(const Study &study);
+
+/// Returns a text that is equal for equal studies, independent of the working directory and of stored states.
+std::string study_identity(Study study);
+
+/// Returns a .prm file of all defaults, or of one @p section (ignoring case), with help, unit and allowed
+/// values of each entry as comments. Throws BadInput for an unknown section.
+std::string commented_defaults(const std::string &section = "");
+
+} // namespace stemware::pipeline

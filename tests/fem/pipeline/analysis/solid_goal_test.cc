@@ -1,0 +1,127 @@
+// Contact/Goal of a solid foot, whose estimates and meshes are judged by the body of revolution. With MPI.
+#include "fem/pipeline/analysis/goal_mesh.h"
+#include "fem/pipeline/analysis/threaded_executor.h"
+#include "fem/pipeline/coupling/make_foot.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/spin/answer.h"
+#include "tests/fem/pipeline/mat_study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// A foot that lifts off; few lines and load harmonics, which are not the mesh's.
+Study lifting_foot()
+{
+  Study study = test::mat_study();
+  study.glass.profile.shape = fem::GlassShape::foot;
+  study.table.foundation_modulus = 1e12;
+  study.motion.orbit.force_offset *= 1.6;
+  study.contact.harmonics = 24;
+  study.contact.azimuth_lines = 256;
+  study.contact.load_harmonics = 12;
+  return study;
+}
+
+double value_of(Study study, Goal goal, unsigned int refinements)
+{
+  study.contact.refinements = refinements;
+  fem::ComplianceCache cache;
+  const BalancedLoad load = find_load(study, study_foot(study, cache));
+  if (goal == Goal::a2)
+    return load.report().rings.a(2) / load.report().rings.a(0);
+  return ring::answer(load, { study.motion.orbit }).value().omega_terminal().value();
+}
+
+GoalError error_of(const Study &study, const Discretisation &discretisation = {})
+{
+  fem::ComplianceCache cache;
+  const auto foot = study_foot(study, cache, silent_progress(), nullptr, discretisation);
+  const BalancedLoad load = find_load(study, foot);
+  const double omega = ring::answer(load, { study.motion.orbit }).value().omega_terminal().value();
+  return goal_error(study, *foot, load, omega, study.contact.goal, true).value();
+}
+
+} // namespace
+
+// On one mesh, under a given moment, in seconds.
+TEST(SolidGoal, EstimatesAreTheErrorsOnACoarseMesh)
+{
+  for (const Goal goal : { Goal::a2, Goal::terminal_spin })
+  {
+    SCOPED_TRACE(static_cast<int>(goal));
+    Study study = lifting_foot();
+    study.load.moment_ratio = 1.1;
+    study.contact.friction_coupling = FrictionCoupling::none;
+    study.contact.goal = goal;
+    const double exact = value_of(study, goal, 1);
+    study.contact.body = BodyKind::solid;
+    study.contact.resolution = { 24, 2, 1 };
+    study.contact.degree = 1;
+    const GoalError found = error_of(study);
+    const double ratio = found.error.correction / (exact - found.value);
+    EXPECT_GT(ratio, 0.8);
+    EXPECT_LT(ratio, 1.25);
+    study.contact.goal_tolerance = 1.1 * std::abs(found.error.correction / found.value);
+    fem::ComplianceCache cache;
+    EXPECT_TRUE(mesh_for_goal(study, ThreadedExecutor(cache)).discretisation.halved.empty());
+  }
+}
+
+TEST(SolidGoal, LeavesAStudyWithoutAGoalAlone)
+{
+  Study study = lifting_foot();
+  study.contact.body = BodyKind::solid;
+  fem::ComplianceCache cache;
+  const MeshForGoal meshed = mesh_for_goal(study, ThreadedExecutor(cache));
+  EXPECT_TRUE(meshed.discretisation.halved.empty());
+  EXPECT_FALSE(meshed.outcome);
+}
+
+// Oracle: the body of revolution on a mesh that leaves a tenth of the smallest error judged, by the next
+// coarser one.
+TEST(SolidGoal, EstimatesAreTheErrorsAgainstTheBodyOfRevolutionLong)
+{
+  Study study = lifting_foot();
+  const Study of_revolution = study;
+  study.contact.body = BodyKind::solid;
+  study.contact.resolution = { 24, 2, 1 };
+  for (const Goal goal : { Goal::terminal_spin, Goal::a2 })
+  {
+    SCOPED_TRACE(static_cast<int>(goal));
+    study.contact.goal = goal;
+    Discretisation mesh;
+    const double exact = value_of(of_revolution, goal, 2);
+    EXPECT_NEAR(value_of(of_revolution, goal, 1), exact, 1e-7 * (goal == Goal::a2 ? 1 : std::abs(exact)));
+    double first = 0, value = 0;
+    for (unsigned int n = 0; n < 3; ++n)
+    {
+      const GoalError found = error_of(study, mesh);
+      const double error = exact - found.value;
+      RecordProperty("ratio_" + std::to_string(static_cast<int>(goal)) + "_" + std::to_string(n),
+                     std::to_string(found.error.correction / error));
+      EXPECT_GT(found.error.correction / error, 0.8) << "mesh " << n << ", error " << error;
+      EXPECT_LT(found.error.correction / error, 1.25) << "mesh " << n << ", error " << error;
+      mesh.halved.push_back(found.error.mark(0.8));
+      if (n == 0)
+      {
+        first = error;
+        value = found.value;
+      }
+      EXPECT_LT(std::abs(error), std::pow(0.5, n) * std::abs(first) * (1 + 1e-12));
+    }
+    if (goal != Goal::terminal_spin)
+      continue;
+    study.contact.goal_tolerance = std::abs(0.4 * first / value);
+    fem::ComplianceCache cache;
+    EXPECT_EQ(mesh_for_goal(study, ThreadedExecutor(cache)).discretisation.halved.size(), 1u);
+  }
+}
+
+} // namespace stemware::pipeline

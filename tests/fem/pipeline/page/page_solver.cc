@@ -1,0 +1,33 @@
+// The solver of the page on the command line, for tests: on the feet of the default study each argument, such
+// as "Motion/Mass=0.25", is set as the page sets it. Prints the answer of the page, or its error.
+#include "fem/pipeline/page/explore_api.h"
+#include "fem/pipeline/page/explorer.h"
+#include "fem/pipeline/page/live_bodies.h"
+#include "fem/revolution/compliance_cache.h"
+
+#include <cstdio>
+#include <string>
+
+int main(int n_arguments, char **arguments)
+{
+  using namespace stemware;
+  fem::ComplianceCache cache;
+  const pipeline::LiveBodies bodies = pipeline::live_bodies(pipeline::Study(), cache);
+  explore_begin();
+  explore_take(pipeline::serialized(bodies.foot).data(), 0);
+  if (bodies.disc)
+    explore_take(pipeline::serialized(*bodies.disc).data(), 1);
+  explore_ready(1);
+  for (int i = 1; i < n_arguments; ++i)
+  {
+    const std::string entry = arguments[i];
+    const std::size_t end = entry.find('=');
+    const std::string reply = explore_set(entry.substr(0, end).c_str(), entry.substr(end + 1).c_str());
+    if (reply != "{}")
+    {
+      std::puts(reply.c_str());
+      return 1;
+    }
+  }
+  std::puts(explore_solve(0, 1));
+}

@@ -1,0 +1,31 @@
+// The answer of a sweep from results made by hand.
+#include "fem/pipeline/analysis/case_list.h"
+#include "fem/pipeline/analysis/sweep_case.h"
+#include "fem/pipeline/result/answers.h"
+
+#include <gmock/gmock.h>
+
+namespace stemware::test
+{
+namespace
+{
+
+TEST(SweepAnswer, NamesNoCaseWhereAllCasesHaveTheSameValue)
+{
+  const pipeline::CaseList list = pipeline::cases_of_grid({ "Motion/Mass=0.2,0.3" });
+  const auto solved = [](double spin, double torque)
+  {
+    pipeline::CaseResult result;
+    result.values = { { "omega_terminal", spin }, { "harmonic_effect", 0 }, { "tau_at_rest", torque } };
+    return result;
+  };
+  const pipeline::FinishedCases finished = { { 0, solved(-3, -0.2) }, { 1, solved(-3 * (1 + 4e-16), -0.3) } };
+  const std::string answer = pipeline::sweep_answer(list, finished);
+  EXPECT_THAT(answer, testing::Not(testing::HasSubstr("Motion/Mass")));
+  EXPECT_THAT(answer, testing::Not(testing::HasSubstr("harmonics"))) << "the load has one";
+  EXPECT_EQ(pipeline::range_of(list, finished, "omega_terminal")->max_case, "all 2 cases");
+  EXPECT_EQ(pipeline::range_of(list, finished, "tau_at_rest")->max_case, "Motion/Mass = 0.2 kg");
+}
+
+} // namespace
+} // namespace stemware::test
