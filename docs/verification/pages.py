@@ -15,13 +15,13 @@ import figures  # noqa: E402
 
 here = pathlib.Path(__file__).resolve().parent
 kinds = {
-    "closed form": "a formula that the test evaluates, or an identity, as of a derivative and differences; no code of Stemware",
+    "closed form": "a formula evaluated by the test, or an identity (a derivative against differences); no code of Stemware",
     "published": "numbers of a publication; no code of Stemware",
-    "other code": "another program, CalculiX or numpy and scipy; no code of Stemware. A program that is named with its path prints its numbers again; "
+    "other code": "another program, CalculiX or numpy and scipy; no code of Stemware. A program named with its path prints its numbers again; "
                   "of the others only the numbers are kept",
     "plain quadrature": "the definition, integrated numerically; no code of Stemware",
     "other body": "Stemware's other body: the elasticity shares no code; contact driver, interface laws and extraction of the load are the same code, "
-                  "so an error there would not be seen",
+                  "so an error in these would not be found",
 }
 
 
@@ -80,7 +80,7 @@ def index(claims):
     run, tested = [c for c in claims if c.get("cases")], [c for c in claims if not c.get("cases")]
     n_checks = sum(len(case["checks"]) for c in run for case in c["cases"])
     lines = ["# What are Stemware's numbers checked against?", "",
-             f"Each of the {len(claims)} claims below has a reference of one of [five kinds](#kinds-of-references), which say what it shares with Stemware. "
+             f"Each of the {len(claims)} claims below has a reference of one of [five kinds](#kinds-of-references), by the code that it shares with Stemware. "
              f"{len(run)} claims are studies with {n_checks} numbers that you can run yourself:", "",
              "    python3 /usr/share/stemware/verification/verify.py --quick", "",
              "The script prints each number, its reference, the accepted difference and `pass` or `FAIL`. "
@@ -91,13 +91,13 @@ def index(claims):
         lines.append(f"| [{c['title']}]({c['name']}.md) | {', '.join(kinds_of(c))} | {sum(len(case['checks']) for case in c['cases'])} "
                      f"| {'yes' if c.get('quick') else ''} |")
     lines += ["", "[CB-glass](benchmark.md) is a benchmark for other codes.", "",
-              "Not compared is Filon's receding contact, an elastic layer that lies on a base without bond: "
-              "the layers of Stemware are bonded to their base.", "", "The claims below are checked by the tests of the source, not by a study:", "", "| claim | kind of reference | test |", "|---|---|---|"]
+              "Filon's receding contact (an elastic layer on a base without bond) is not compared, "
+              "because the layers of Stemware are bonded to their base.", "", "The claims below are checked by the tests of the source, not by a study:", "", "| claim | kind of reference | test |", "|---|---|---|"]
     lines += [f"| {c['title']}{': ' + c['agreement'] if 'agreement' in c else ''} | {c['kind']} | {', '.join(f'`{test}`' for test in c['tests'])} |"
               for c in tested]
-    lines += ["", "## Kinds of references", "", "A claim with several kinds counts in each:", "", "| kind | the reference | claims |", "|---|---|---|"]
+    lines += ["", "## Kinds of references", "", "A claim with several kinds counts in each:", "", "| kind | reference | claims |", "|---|---|---|"]
     lines += [f"| {kind} | {meaning} | {sum(kind in kinds_of(c) for c in claims)} |" for kind, meaning in kinds.items()]
-    lines += ["", "Numbers of Stemware that only guard against changes are not listed.", ""]
+    lines += ["", "Numbers of Stemware that only protect against unintended changes are not listed.", ""]
     return "\n".join(lines)
 
 
