@@ -20,7 +20,7 @@ std::vector<FileRow> read(const std::string &text)
   return parse_columns("run.csv", text, time_and_spin);
 }
 
-std::string refusal(const std::string &text)
+std::string column_text_refusal(const std::string &text)
 {
   return test::sentence_of([&] { read(text); });
 }
@@ -46,7 +46,7 @@ TEST(ColumnTable, DoubtIsToldWithItsLine)
          { "t omega theta\n1 2\n", "line 2" }, // which one is missing?
          { "t,omega\n1,2\n3,\n", "line 3, column 2" } })
   {
-    const std::string sentence = refusal(text);
+    const std::string sentence = column_text_refusal(text);
     EXPECT_THAT(sentence, testing::HasSubstr(words)) << text;
     EXPECT_EQ(sentence.rfind("run.csv", 0), 0u);
     EXPECT_EQ(sentence.back(), '.');

@@ -15,7 +15,7 @@ namespace
 using test::ScratchFolder;
 
 /// Sentence with which a study is refused; empty when it is not.
-std::string refusal(const std::string &file, const std::vector<std::string> &overrides = {})
+std::string study_refusal(const std::string &file, const std::vector<std::string> &overrides = {})
 {
   return test::sentence_of([&] { read_study(file, overrides); });
 }
@@ -83,7 +83,7 @@ TEST(StudyFile, PathsStartAtTheStudyFile)
   EXPECT_EQ(with_paths_from(scratch / "results", study).contact.mesh_file, "../meshes/foot.msh");
   // On the command line a path is what the shell's completion makes of it.
   EXPECT_EQ(read_study(file, { "Contact/Mesh file=" + mesh }).contact.mesh_file, mesh);
-  EXPECT_NE(refusal(file, { "Contact/Mesh file=../meshes/foot.msh" }), "");
+  EXPECT_NE(study_refusal(file, { "Contact/Mesh file=../meshes/foot.msh" }), "");
   // Each entry of a file is a path.
   Study any;
   for (const StudyEntry &entry : study_entries(any))
@@ -102,7 +102,7 @@ TEST(StudyFile, GuessesTheSymbolsOfTheField)
          std::pair("motion/I", "Motion/Yaw inertia"),
          std::pair("Table/Roughness", "Table/Decay length"),
        })
-    EXPECT_THAT(refusal("", { std::string(word) + "=1" }),
+    EXPECT_THAT(study_refusal("", { std::string(word) + "=1" }),
                 testing::HasSubstr("did you mean " + std::string(meant) + "?"))
       << word;
 }
@@ -115,7 +115,7 @@ TEST(StudyFile, FieldWordsAreGuessesAtEntries)
          "rho_c", "z",  "h",  "hand", "dz",   "I",   "k", "p_0", "p0", "l", "Thickness" })
     for (const char *section : { "", "Motion/", "Glass/", "Table/" })
     {
-      const std::string sentence = refusal("", { section + std::string(word) + "=1" }),
+      const std::string sentence = study_refusal("", { section + std::string(word) + "=1" }),
                         question = "did you mean ";
       const std::size_t begin = sentence.find(question) + question.size();
       EXPECT_NO_THROW(find_entry("", sentence.substr(begin, sentence.find('?') - begin))) << sentence;
@@ -127,18 +127,20 @@ TEST(StudyFile, TakesAnEntryByItsNameAlone)
   const ScratchFolder scratch;
   EXPECT_EQ(read_study("", { "Mass=250 g" }).motion.orbit.mass, 0.25);
   EXPECT_EQ(read_study(scratch.write("a.prm", "set Mass = 250 g\n")).motion.orbit.mass, 0.25);
-  EXPECT_THAT(refusal("", { "Mass=250 g", "Motion/Mass=0.3" }), testing::HasSubstr("twice"));
+  EXPECT_THAT(study_refusal("", { "Mass=250 g", "Motion/Mass=0.3" }), testing::HasSubstr("twice"));
   const std::string twice = "set Mass = 250 g\nsubsection Motion\n  set Mass = 0.3\nend\n";
-  EXPECT_THAT(refusal(scratch.write("b.prm", twice)), testing::HasSubstr("a second time, after line 1"));
-  EXPECT_THAT(refusal("", { "Coupling=frozen" }), testing::HasSubstr("give two-way or one-way"));
-  EXPECT_THAT(refusal("", { "Mas=1" }), testing::HasSubstr("did you mean Motion/Mass?"));
+  EXPECT_THAT(study_refusal(scratch.write("b.prm", twice)),
+              testing::HasSubstr("a second time, after line 1"));
+  EXPECT_THAT(study_refusal("", { "Coupling=frozen" }), testing::HasSubstr("give two-way or one-way"));
+  EXPECT_THAT(study_refusal("", { "Mas=1" }), testing::HasSubstr("did you mean Motion/Mass?"));
 }
 
 TEST(StudyFile, LeavesQuotesOut)
 {
   for (const char *value : { "\"300 g\"", "'300 g'", "\u201c300 g\u201d" })
-    EXPECT_THAT(refusal("", { "Motion/Mass=" + std::string(value) }), testing::HasSubstr("quotes")) << value;
-  EXPECT_THAT(refusal("", { "Glass/Young modulus=70\u2009000\u2009000\u2009000" }),
+    EXPECT_THAT(study_refusal("", { "Motion/Mass=" + std::string(value) }), testing::HasSubstr("quotes"))
+      << value;
+  EXPECT_THAT(study_refusal("", { "Glass/Young modulus=70\u2009000\u2009000\u2009000" }),
               testing::HasSubstr("blanks between its digits"));
 }
 
@@ -174,7 +176,7 @@ TEST(StudyFile, NamesTheLineOfWhatIsWrong)
          std::tuple("include other.prm\n", 1, "include other.prm"),
          std::tuple("subsection Table\n  set Contact radius = 0.03\nend\n", 2, "Glass/Contact radius?") })
   {
-    const std::string file = scratch.write("a.prm", text), sentence = refusal(file);
+    const std::string file = scratch.write("a.prm", text), sentence = study_refusal(file);
     EXPECT_EQ(sentence.find(file + ", line " + std::to_string(line) + ": "), 0u) << sentence;
     EXPECT_THAT(sentence, testing::HasSubstr(entry));
   }
