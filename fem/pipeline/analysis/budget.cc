@@ -42,6 +42,25 @@ WithoutRow judge_without(const LoadedRow &solved, const ring::Answer &complete)
   return row;
 }
 
+/// Changes of the terminal spin by changed inputs; those that are rounding, or without a spin, are left out.
+std::vector<InputRow> judge_inputs(const Study &study, const std::vector<LoadedRow> &others)
+{
+  std::optional<double> unchanged;
+  std::vector<InputRow> rows;
+  for (const LoadedRow &solved : others)
+    if (solved.variant.kind == VariantKind::input)
+    {
+      const std::optional<double> omega = solved.row.omega_terminal();
+      if (!unchanged)
+        unchanged = omega;
+      if (!unchanged)
+        return {};
+      if (omega && std::abs(*omega - *unchanged) > rounding_of_spins(study))
+        rows.push_back({ solved.variant.name, *omega - *unchanged });
+    }
+  return rows;
+}
+
 } // namespace
 
 std::optional<double> relative_to(const std::optional<double> &reference,
@@ -72,6 +91,8 @@ std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase)
 {
   std::vector<Variant> variants = model_chain(own.study);
   for (const Variant &variant : variants_without(own, depends_on_phase))
+    variants.push_back(variant);
+  for (const Variant &variant : input_variants(own.study))
     variants.push_back(variant);
   return variants;
 }
@@ -112,6 +133,7 @@ Budget find_budget(const Study &study, const StudyRows &rows)
   for (const LoadedRow &solved : rows.others)
     if (solved.variant.kind == VariantKind::without)
       budget.without.push_back(judge_without(solved, all));
+  budget.inputs = judge_inputs(study, rows.others);
   budget.rows = assess_chain(study, rows);
   budget.harmonics =
     harmonic_effect(rows.by_harmonics.front().row.omega_terminal(), all.omega_terminal(), spin_scale(study));

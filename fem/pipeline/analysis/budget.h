@@ -36,6 +36,13 @@ struct WithoutRow
   std::string reason = {}; ///< cause of a missing value: "not defined" without any compliance, ...
 };
 
+/// One input changed, on a rigid ring with a first-harmonic load.
+struct InputRow
+{
+  std::string name;      ///< "0.05 more friction", ...: Variant::name
+  double difference = 0; ///< change of the terminal spin [rad/s]
+};
+
 /// Effect of the harmonics beyond the first on the terminal spin: spin with all harmonics minus spin with the
 /// first harmonic only, each with its own balance of contact, friction and moments. All verbs use this
 /// definition.
@@ -55,6 +62,7 @@ struct Budget
 {
   std::vector<BudgetRow> rows; ///< the last one is the study itself
   std::vector<WithoutRow> without;
+  std::vector<InputRow> inputs; ///< that have an effect, input_variants()
   HarmonicEffect harmonics;
 
   /// Spins of BudgetRow::torques: 0, half and all of the study's terminal spin [rad/s]; only 0 if the glass
@@ -72,9 +80,9 @@ std::optional<double> relative_to(const std::optional<double> &reference,
 HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::optional<double> &all,
                                double spin_scale);
 
-/// Returns the variants that find_budget() needs: the models of the chain before the study's own rows, and
-/// the study without one effect at a time; @p own: the study itself. @p depends_on_phase: whether the study's
-/// load does.
+/// Returns the variants that find_budget() needs: the models of the chain before the study's own rows,
+/// the study without one effect at a time, and changed inputs; @p own: the study itself. @p depends_on_phase:
+/// whether the study's load does.
 std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase);
 
 /// Returns the chain of models: the rows of model_chain() among @p rows.others, then the rows by harmonics,

@@ -62,7 +62,7 @@ Fields<BudgetRow> chain_fields(double scale, const std::function<Json(double)> &
       [shown_spin](const BudgetRow &row) {
         return shown_spin && row.omega_terminal ? shown_spin(*row.omega_terminal) : Json(row.omega_terminal);
       },
-      in_file("terminal omega", "terminal spin"), shown_as("terminal spin"), with_digits(".8g"),
+      in_file("terminal omega", "terminal spin"), shown_as("terminal spin"), with_digits("#.4g"),
       of_type({ { "type", { "number", "null" } } }) },
     { "difference", "rad/s", "Change from the row above.", &BudgetRow::difference,
       in_file("difference of terminal omega", "difference of the terminal spin to the row above"),
@@ -162,7 +162,7 @@ Fields<WithoutRow> without_fields(const std::optional<double> &complete, double 
     { "name", "", "Omitted effect.", &WithoutRow::name, in_file("without", "effect that is left out"),
       shown_as("without") },
     { "omega_terminal", "rad/s", "Terminal spin without the effect.", &WithoutRow::omega_terminal,
-      in_file("terminal omega", "terminal spin"), shown_as("terminal spin"), with_digits(".8g") },
+      in_file("terminal omega", "terminal spin"), shown_as("terminal spin"), with_digits("#.4g") },
     { "difference", "rad/s", "Change from the complete model.", &WithoutRow::difference,
       in_file("difference of terminal omega", "difference of the terminal spin to the complete model"),
       shown_as("difference"), with_digits("+.4g") },
@@ -179,6 +179,16 @@ Fields<WithoutRow> without_fields(const std::optional<double> &complete, double 
       [](const WithoutRow &row) { return text_or_null(row.reason); },
       in_file("why there is none", "why the value is missing") }
   };
+}
+
+const Fields<InputRow> &input_fields()
+{
+  static const auto fields =
+    Fields<InputRow>{ { "name", "", "Changed input.", &InputRow::name },
+                      { "difference", "rad/s",
+                        "Change of the terminal spin, rigid ring with a first harmonic.",
+                        &InputRow::difference } };
+  return fields;
 }
 
 const Fields<HarmonicEffect> &harmonic_effect_fields()

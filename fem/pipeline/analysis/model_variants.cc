@@ -76,6 +76,28 @@ std::vector<Variant> model_chain(const Study &study)
   return chain;
 }
 
+std::vector<Variant> input_variants(const Study &study)
+{
+  constexpr double higher = 0.01, rougher = 0.05, grip = 1.4e-3; // m, 1, N m
+  std::vector<Variant> variants;
+  if (!study.load.has_closure())
+    return variants;
+  const auto add = [&](const char *name, const std::function<void(MotionSection &)> &change)
+  {
+    Variant &variant =
+      variants.emplace_back(Variant{ VariantKind::input, name, first_harmonic_study(study) });
+    variant.n_harmonics = 1;
+    variant.shared = Shared::foot;
+    change(variant.study.motion);
+  };
+  add("unchanged", [](MotionSection &) {});
+  add("1 cm more height of the centre of mass",
+      [](MotionSection &motion) { motion.orbit.centre_of_mass_height += higher; });
+  add("0.05 more friction", [](MotionSection &motion) { motion.orbit.friction_coefficient += rougher; });
+  add("1.4 mN m more grip", [](MotionSection &motion) { motion.grip_torque += grip; });
+  return variants;
+}
+
 std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
 {
   const Study &study = own.study;

@@ -29,6 +29,11 @@ std::vector<Variant> model_chain(const Study &study);
 /// too long if the load @p depends_on_phase. These are not to be solved. @p own: the study itself.
 std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase = false);
 
+/// Returns the first-harmonic model of a study with a moment balance, "unchanged" and with one input changed
+/// at a time: "1 cm more height of the centre of mass", "0.05 more friction", "1.4 mN m more grip". Without
+/// contacts. Empty for a load without a moment balance.
+std::vector<Variant> input_variants(const Study &study);
+
 /// Returns whether foot, substrate or interface is compliant; otherwise the pressure is not defined.
 bool has_compliance(const Study &study, const Model &model);
 

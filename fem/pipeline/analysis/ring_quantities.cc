@@ -350,7 +350,7 @@ const Fields<Truncation> &truncation_fields()
               "a-priori bound on its absolute value"),
       on_page("bound on the rest"), on_console("bound on\nthe rest"), with_digits(".2e") },
     { "omega_terminal", "rad/s", "Terminal spin.", answer(&Answer::omega_terminal),
-      in_file("terminal omega", "terminal spin"), shown_as("terminal spin"), with_digits(".8g") },
+      in_file("terminal omega", "terminal spin"), shown_as("terminal spin"), with_digits("#.4g") },
     { "relative_change", "1", "Relative change from all harmonics.", answer(&Answer::relative_change),
       in_file("relative change of terminal omega to all harmonics, nan where that is 0",
               "relative change of the terminal spin to all harmonics") },

@@ -92,6 +92,9 @@ std::vector<BudgetRow> shown_chain(const std::vector<BudgetRow> &rows, double ro
 
 /// Returns the quantities of a model without one effect; @p complete: terminal spin of the complete model
 /// [rad/s].
+/// Members of a changed input.
+const Fields<InputRow> &input_fields();
+
 Fields<WithoutRow> without_fields(const std::optional<double> &complete = {}, double scale = 1);
 
 /// Returns "harmonic_effect" of summary.json.

@@ -114,6 +114,7 @@ CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &f
   CaseResult result;
   if (contact)
     result.outcome = fem::to_string(contact->solution.outcome);
+  result.is_formal = !contact && rows.back().row.status == ring::Status::formal;
   const AnsweredStudy found = { study,
                                 report,
                                 contact ? std::optional(contact->solution.n_iterations) : std::nullopt,

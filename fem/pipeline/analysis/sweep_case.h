@@ -24,16 +24,18 @@ struct CaseResult
   std::string outcome; ///< of the contact; empty if there was none
   std::string message; ///< cause of a case without numbers, one sentence; empty if the case is solved
   std::map<std::string, double> values = {}; ///< values by key; missing values are left out
-  bool tips_at_rest = false;                 ///< the glass falls before it spins: no numbers, no failure
+  bool tips_at_rest = false;                 ///< the glass tips before it spins: no numbers, no failure
+  bool is_formal =
+    false; ///< the load, which no contact gives, is negative somewhere: numbers without physics
 
   bool has_failed() const { return !message.empty() && !tips_at_rest; }
   std::optional<double> value(const std::string &key) const;
   /// True if the glass stands at rest and tips on the way: an answer without a terminal spin.
   bool falls_over() const { return values.count("omega_fall") > 0; }
-  /// "ok", "tips" or "failed".
+  /// "ok", "formal", "tips" or "failed".
   std::string status() const
   {
-    return has_failed() ? "failed" : falls_over() || tips_at_rest ? "tips" : "ok";
+    return has_failed() ? "failed" : falls_over() || tips_at_rest ? "tips" : is_formal ? "formal" : "ok";
   }
 };
 

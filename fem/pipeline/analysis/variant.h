@@ -17,6 +17,7 @@ enum class VariantKind
   chain,     ///< model of the budget's chain before the study's own rows
   harmonics, ///< the study with fewer harmonics, a row of the budget's chain too
   without,   ///< the study without one of its effects
+  input,     ///< the first-harmonic model of the study, or the same with one input changed
   one_ring,  ///< the study on one ring
   parameter  ///< numerical parameter changed: level of refinement, or part of a band
 };

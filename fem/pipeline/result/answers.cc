@@ -23,7 +23,7 @@ std::string truncation_answer(const Study &study, const std::vector<ring::Answer
     std::string text = fall_sentences(study, all);
     if (rows.size() > 1)
       append(text, first
-                     ? "The first harmonic only has a terminal spin of " + number(*first, ".6g") + " rad/s."
+                     ? "The first harmonic only has a terminal spin of " + format::spin(*first) + " rad/s."
                      : "The first harmonic only has no terminal spin either.");
     return text;
   }
@@ -35,11 +35,11 @@ std::string truncation_answer(const Study &study, const std::vector<ring::Answer
   }
   if (all.harmonics == 1)
     return "The " + one_way_word(study) + "load has one harmonic; the terminal spin is " +
-           number(omega, ".6g") + " rad/s.";
+           format::spin(omega) + " rad/s.";
   std::string text =
-    under_its_load(study, "The glass spins up to " + number(omega, ".6g") + " rad/s with all " +
+    under_its_load(study, "The glass spins up to " + format::spin(omega) + " rad/s with all " +
                             std::to_string(all.harmonics) + " harmonics of its load, " +
-                            (first ? "to " + number(*first, ".6g") + " rad/s with the first harmonic only."
+                            (first ? "to " + format::spin(*first) + " rad/s with the first harmonic only."
                                    : "and has no terminal spin with the first harmonic only."));
   append(text, torque_effect_sentence(effects));
   append(text, harmonic_effect_sentence(study, effect));
@@ -63,7 +63,7 @@ std::optional<CaseRange> range_of(const CaseList &list, const FinishedCases &fin
   const std::pair<const std::size_t, CaseResult> *min = nullptr, *max = nullptr;
   CaseRange range;
   for (const auto &one : finished)
-    if (const auto value = one.second.value(key))
+    if (const auto value = one.second.value(key); value && !one.second.is_formal)
     {
       ++range.n;
       min = min == nullptr || *value < *min->second.value(key) ? &one : min;
@@ -96,13 +96,18 @@ std::string sweep_answer(const CaseList &list, const FinishedCases &finished)
   if (const auto n_at_rest = std::count_if(finished.begin(), finished.end(),
                                            [](const auto &one) { return one.second.tips_at_rest; }))
     append(text, "In " + std::to_string(n_at_rest) + of_cases + "the glass falls before it spins.");
+  if (const auto n_formal =
+        std::count_if(finished.begin(), finished.end(), [](const auto &one) { return one.second.is_formal; }))
+    append(text, "In " + std::to_string(n_formal) + of_cases +
+                   "the load is negative somewhere (tensile, not physical): their status is formal, and the "
+                   "ranges leave them out.");
   if (const auto spin = range_of(list, finished, "omega_terminal"))
     append(text, under_its_load(list.base, "In " + std::to_string(spin->n) +
                                              (spin->n == 1 ? " case" : " cases") + " the terminal spin is ") +
                    (spin->min_case == spin->max_case
-                      ? number(spin->min, ".6g") + " rad/s (" + spin->min_case + ")."
-                      : "between " + number(spin->min, ".6g") + " rad/s (" + spin->min_case + ") and " +
-                          number(spin->max, ".6g") + " rad/s (" + spin->max_case + ")."));
+                      ? format::spin(spin->min) + " rad/s (" + spin->min_case + ")."
+                      : "between " + format::spin(spin->min) + " rad/s (" + spin->min_case + ") and " +
+                          format::spin(spin->max) + " rad/s (" + spin->max_case + ")."));
   if (const auto effect = range_of(list, finished, "harmonic_effect"))
   {
     const double largest = std::max(effect->max, -effect->min);

@@ -36,7 +36,7 @@ struct CaseRange
   std::string min_case = {}, max_case = {}; ///< both "all n cases" if the value is the same to 1e-9
 };
 
-/// Returns the range of the quantity @p key; std::nullopt if no case has a value.
+/// Returns the range of the quantity @p key without formal cases; std::nullopt if no case has a value.
 std::optional<CaseRange> range_of(const CaseList &list, const FinishedCases &finished,
                                   const std::string &key);
 

@@ -56,6 +56,16 @@ std::string rounded_to_error(double value, double spread)
   return number(value, "." + std::to_string(decimals_of(spread)) + "f");
 }
 
+std::string spin(double omega, const std::optional<double> &band)
+{
+  constexpr int n_digits = 4;
+  if (omega == 0 || !std::isfinite(omega))
+    return number(omega, ".4g");
+  const int decimals = n_digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(omega))));
+  return band && *band > 0 && decimals_of(*band) < decimals ? rounded_to_error(omega, *band)
+                                                            : number(omega, "#.4g");
+}
+
 std::string with_band(double value, const std::optional<double> &band)
 {
   if (!band || !(*band > 0))

@@ -31,6 +31,10 @@ int decimals_of(double spread);
 /// 0.0002.
 std::string rounded_to_error(double value, double spread);
 
+/// Returns a spin [rad/s] for sentences and tables: to the digits that its @p band allows, at most four
+/// significant ones.
+std::string spin(double omega, const std::optional<double> &band = {});
+
 /// Returns @p value with its @p band, rounded up so that the printed interval contains the exact one; six
 /// digits without a band.
 std::string with_band(double value, const std::optional<double> &band);

@@ -72,6 +72,15 @@ std::string largest_step_sentence(const Study &study, const Budget &budget)
             : ".");
 }
 
+std::string inputs_sentence(const Budget &budget)
+{
+  std::string changes;
+  for (const InputRow &input : budget.inputs)
+    changes += (changes.empty() ? "Inputs move the terminal spin (first harmonic, rigid ring): " : ", ") +
+               input.name + " by " + number(input.difference, "+.2g") + " rad/s";
+  return changes.empty() ? "" : changes + ".";
+}
+
 std::string missing_band_sentence(const Study &study)
 {
   const bool may_be_narrow = study.table.is_hard() && !abilities(study.contact.body).is_of_revolution;
@@ -89,8 +98,9 @@ std::string spinning_answer(const Study &study, const SpinStudy &spin, const Err
                             sense_of(study, omega) + ".");
   append(text, paper_sentence(study, spin));
   append(text,
-         "The terminal spin is " + format::with_band(omega, band) + " rad/s" +
-           (paper && is_spin(study, *paper) ? ", the paper's " + number(*paper, "#.6g") + " rad/s." : "."));
+         "The terminal spin is " + format::spin(omega, band) + " rad/s" +
+           (band ? " (± " + number(*band, "band") + " rad/s by discretisation)" : "") +
+           (paper && is_spin(study, *paper) ? ", the paper's " + format::spin(*paper) + " rad/s." : "."));
   if (!band && !spin.is_quick() && study.load.is_from_contact())
     append(text, missing_band_sentence(study));
   if (spin.rows.size() > 1)
@@ -99,10 +109,9 @@ std::string spinning_answer(const Study &study, const SpinStudy &spin, const Err
     append(text, harmonic_effect_sentence(study, spin.budget.harmonics, band_of(bands, "harmonic_effect")));
   }
   append(text, largest_step_sentence(study, spin.budget));
-  if (band)
-    append(text, "The band is the discretisation error. It contains neither uncertain inputs (friction, "
-                 "heights, grip) nor effects missing in the " +
-                   one_way_word(study) + "model; docs/limits.md lists both, with the sizes that are known.");
+  append(text, inputs_sentence(spin.budget));
+  append(text, "docs/limits.md lists the effects missing in the " + one_way_word(study) +
+                 "model, with the sizes that are known.");
   return text;
 }
 
@@ -239,10 +248,10 @@ std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
   std::string text =
     "With the speeds of Motion/Orbit speed file, " + number(*slowest, ".4g") + " to " +
     number(*fastest, ".4g") + " m/s, the glass spins at " +
-    format::with_band(driven->omega.back(), driven_band(spin, band_of(bands, "omega_terminal"))) +
+    format::spin(driven->omega.back(), driven_band(spin, band_of(bands, "omega_terminal"))) +
     " rad/s at the end; with the constant Motion/Orbit speed, the basis of all other numbers, "
     "at " +
-    number(spin.spin_up.adaptive.back(), ".6g") +
+    format::spin(spin.spin_up.adaptive.back()) +
     " rad/s. Contact, friction and moments are in balance at every instant, including the force "
     "that accelerates the glass along its orbit. Linear interpolation of the file instead of the "
     "monotone cubic changes the spin by " +

@@ -78,9 +78,8 @@ Json key_figures_of(const SpinStudy &spin, const ErrorBands &bands)
 /// row leaves.
 Table shown_chain_table(const Study &study, const std::vector<BudgetRow> &rows, Face face)
 {
-  const double band = rows.empty() ? 0 : rows.back().band.value_or(0);
-  const auto shown_spin = [band](double omega) -> Json
-  { return band > 0 && omega != 0 ? Json(format::rounded_to_error(omega, band)) : Json(omega); };
+  const std::optional<double> band = rows.empty() ? std::nullopt : rows.back().band;
+  const auto shown_spin = [band](double omega) -> Json { return format::spin(omega, band); };
   return chain_fields(spin_scale(study), shown_spin).table(shown_chain(rows, rounding_of_spins(study)), face);
 }
 

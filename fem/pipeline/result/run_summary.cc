@@ -325,6 +325,8 @@ const Fields<RunRow> &run_fields()
     { "budget", "The terminal spin from the paper's model to the study's, row by row; null in a quick run.",
       chain_fields(),
       [](const RunRow &run) { return if_applies(!run.spin.is_quick(), run.spin.budget.rows); } },
+    { "inputs", "Changes of the terminal spin by changed inputs; null in a quick run.", input_fields(),
+      [](const RunRow &run) { return if_applies(!run.spin.is_quick(), run.spin.budget.inputs); } },
     { "without", "The complete model without one effect at a time; null in a quick run.", without_fields(),
       [](const RunRow &run) { return if_applies(!run.spin.is_quick(), run.spin.budget.without); } },
     { "one_ring", "The answer with all harmonics on one ring; null in a quick run.", one_ring_fields,

@@ -150,7 +150,9 @@ void SweepFile::read_rows(const std::string &text)
         refuse(fmt::format(FMT_STRING("case {} has {} = {} there, {} now"), *number, list.entries[e].path,
                            shortened(row->cells[1 + e]), shortened(list.cases[index][e])));
     CaseResult result = { row->cells[n_entries + n_numbers + 1], row->cells.back() };
-    result.tips_at_rest = !result.message.empty() && row->cells[n_entries + n_numbers + 2] == "tips";
+    const std::string &status = row->cells[n_entries + n_numbers + 2];
+    result.tips_at_rest = !result.message.empty() && status == "tips";
+    result.is_formal = status == "formal";
     for (std::size_t q = 0; q < n_numbers; ++q)
       if (const std::string &cell = row->cells[1 + n_entries + q]; !cell.empty())
       {

@@ -2,7 +2,7 @@
 import { bars, dots, rule } from '../js/marks.js';
 import { missing, shown } from '../js/words.js';
 
-const spin = value => `${shown(value, '.6g')} rad/s`;
+const spin = value => `${shown(value, '#.4g')} rad/s`;
 const one_way = ({ words }) => (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
 const rounded = (value, rounding) => (Math.abs(value) < rounding ? 0 : value);
 
@@ -51,7 +51,7 @@ export function waterfall(doc) {
     words: `${spin(rows[0].omega)} to ${spin(rows[last].omega)}`,
     caption:
       'Each step adds one effect to the model of the row above; the numbers are the changes in rad/s.' + one_way(doc),
-    x: { label: 'terminal spin', symbol: 'ω =', unit: 'rad/s', digits: '.6g', room: 0.08 },
+    x: { label: 'terminal spin', symbol: 'ω =', unit: 'rad/s', digits: '#.4g', room: 0.08 },
     y: { rows: titles },
     marks: [
       part('faster', 'c1', false, row => !row.formal && faster(row)),
@@ -77,7 +77,7 @@ export function waterfall(doc) {
     ],
     edge: rows.map(({ i, omega, difference }) =>
       i === 0 || i === last
-        ? shown(omega, '.6g')
+        ? shown(omega, '#.4g')
         : difference === null
           ? missing
           : shown(rounded(difference, rounding), '+.3g')

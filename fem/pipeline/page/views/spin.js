@@ -49,7 +49,7 @@ export function torque(doc) {
       }),
       ...terminal_points(doc.summary).map(([key, omega]) => {
         const [name, colour] = look(key);
-        const words = [[name || 'all harmonics', `ω = ${shown(omega, '.6g')} rad/s`]];
+        const words = [[name || 'all harmonics', `ω = ${shown(omega, '#.4g')} rad/s`]];
         return dots({ x: [omega], y: [0], colour, name, words });
       }),
       ...[-1, 1].map(side => inside_rule(side * spin_unit, t, side > 0 ? 'v/R' : '−v/R'))

@@ -27,5 +27,25 @@ TEST(SweepAnswer, NamesNoCaseWhereAllCasesHaveTheSameValue)
   EXPECT_EQ(pipeline::range_of(list, finished, "tau_at_rest")->max_case, "Motion/Mass = 0.2 kg");
 }
 
+TEST(SweepAnswer, LeavesFormalCasesOutOfTheRanges)
+{
+  const pipeline::CaseList list = pipeline::cases_of_grid({ "Motion/Mass=0.2,0.3,0.4" });
+  const auto solved = [](double spin, bool is_formal)
+  {
+    pipeline::CaseResult result;
+    result.values = { { "omega_terminal", spin } };
+    result.is_formal = is_formal;
+    return result;
+  };
+  const pipeline::FinishedCases finished = { { 0, solved(-3, false) },
+                                             { 1, solved(-2, false) },
+                                             { 2, solved(-9, true) } };
+  const auto range = pipeline::range_of(list, finished, "omega_terminal");
+  EXPECT_EQ(range->n, 2u);
+  EXPECT_EQ(range->min, -3);
+  EXPECT_EQ(finished.at(2).status(), "formal");
+  EXPECT_EQ(finished.at(1).status(), "ok");
+}
+
 } // namespace
 } // namespace stemware::test
