@@ -2,7 +2,8 @@
 
 The foot "crown" of calculix_foot.py on a mat of 1e10 Pa/m, the moment at -90 degrees. Harmonics and the largest pressure are
 those at its Gauss points; share: the azimuths of the Gauss points that carry a force. The terminal spin is the zero of
-tau_z = sum f (x t_y - y t_x), t = -mu (v - omega y, omega x) / |v_rel|, over the same points.
+tau_z = sum f (x t_y - y t_x), t = -mu (v - omega y, omega x) / |v_rel|, over the same points. torque_change: tau_z at half
+the terminal spin of the harmonics up to 6, on a ring of radius R, minus that of the first only, over |tau_z| at rest.
 
 /usr/bin/python3 cb_glass.py > cb_glass.json (CalculiX and numpy as in calculix_foot.py; ten minutes)
 """
@@ -33,6 +34,20 @@ def terminal_spin(foot, force):
     return slow
 
 
+def torque_of_harmonics(a, b, omega):
+    """tau_z [N m] of a load (harmonics over a_0) on a ring of radius R, by the midpoint rule."""
+    theta = (np.arange(20000) + 0.5) * 2 * np.pi / 20000
+    density = N * sum(a[n] * np.cos(n * theta) + b[n] * np.sin(n * theta) for n in range(len(a)))
+    slip_x, slip_y = v - omega * R * np.sin(theta), omega * R * np.cos(theta)
+    lever = np.cos(theta) * slip_y - np.sin(theta) * slip_x
+    return float(-mu * R * np.mean(density * lever / np.hypot(slip_x, slip_y)))
+
+
+def torque_change(a, b, terminal_spin):
+    first, all_of_them = (torque_of_harmonics(a[:n], b[:n], terminal_spin / 2) for n in (2, None))
+    return (all_of_them - first) / abs(torque_of_harmonics(a, b, 0.0))
+
+
 def main():
     started = time.time()
     foot = Foot("crown", 48, (80, 3))
@@ -43,9 +58,11 @@ def main():
         # The mesh is even round the axis: every azimuth of Gauss points stands for the same angle.
         azimuths = np.round(foot.theta % (2 * np.pi), 9)
         loaded = np.unique(azimuths[force > 0]).size / np.unique(azimuths).size
+        spin = terminal_spin(foot, force)
         states.append({"moment_ratio": m, "a_over_a0": load["a_over_a0"], "b_over_a0": load["b_over_a0"],
                        "share_of_azimuths": loaded, "peak_pressure": float((force / foot.weights).max()),
-                       "tau_at_rest": torque(foot, force, 0.0), "terminal_spin": terminal_spin(foot, force)})
+                       "tau_at_rest": torque(foot, force, 0.0), "terminal_spin": spin,
+                       "torque_change": torque_change(load["a_over_a0"], load["b_over_a0"], spin)})
         print(m, f"{time.time() - started:.0f} s", file=sys.stderr, flush=True)
     print(json.dumps({"about": __doc__.strip(), "states": states}, indent=1))
 
