@@ -1,6 +1,6 @@
-# What the pages name exists: the files and headings that they link, the files and folders in `code`, the tests in a
-# --gtest_filter or behind "Tests:", and the papers that pages and comments cite as [Key]. CITATION.cff has the version of
-# CMakeLists.txt. Given: SOURCE_DIR.
+# The pages name what exists: the files and headings that they link, the files and folders in `code`, C++ functions in
+# `code` of the pages on the sources, the tests in a --gtest_filter or behind "Tests:", and the papers that pages and
+# comments cite as [Key]. CITATION.cff has the version of CMakeLists.txt. Given: SOURCE_DIR.
 cmake_policy(VERSION 3.25)
 
 # Brackets and semicolons mean something in a list of CMake.
@@ -43,10 +43,28 @@ foreach(page IN LISTS pages)
   endforeach()
 endforeach()
 
+# All headers and tests; a function that a page names stands in one of them.
+set(declarations "")
+file(GLOB_RECURSE files ${SOURCE_DIR}/ring_model/*.h ${SOURCE_DIR}/fem/*.h ${SOURCE_DIR}/tests/*.cc)
+foreach(file IN LISTS files)
+  read_text(${file} text)
+  string(APPEND declarations "${text}")
+endforeach()
+
 set(troubles "")
 foreach(page IN LISTS pages)
   read_text(${SOURCE_DIR}/${page} text)
   cmake_path(GET page PARENT_PATH folder)
+
+  if(page MATCHES "^docs/(life_of_a_study|method|extend/.*|method/.*)[.]md$")
+    string(REGEX MATCHALL "`([a-z]+::)*[a-z_]+\\(\\)`" names "${text}")
+    foreach(name IN LISTS names)
+      string(REGEX REPLACE "^.*::|[`()]" "" name "${name}")
+      if(NOT declarations MATCHES "[ *&:\n]${name}[(]")
+        string(APPEND troubles "${page} names ${name}, which neither headers nor tests have\n")
+      endif()
+    endforeach()
+  endif()
 
   string(REGEX MATCHALL ">\\)\\([^)#: ]+" links "${text}")
   foreach(link IN LISTS links)

@@ -3,8 +3,9 @@
 //   imported_mesh_benchmark [name=value]...
 //
 // cells=48,2,2 (round the rim, across the land, through the foot), halvings=1, degree=2, crown=0 (a flat land
-// of 2 mm), shape=foot|step, defect=none|oval|lobes|chip, width=0.95 (of an oval, over its length),
-// modulus=1e11, moment=1.3.
+// of 2 mm), shape=foot|step, defect=none|oval|lobes|chip|off_axis|pads|wavy, width=0.95 (of an oval, over its
+// length), modulus=1e11, moment=1.3. off_axis: the foot stands 10 mm beside the z axis; pads: three sectors
+// of 40 degrees reach the table; wavy: the land has three waves of 1 µm.
 #include "fem/contact/contact_load.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/foot_mesh.h"
@@ -24,6 +25,20 @@ using namespace stemware::fem;
 namespace
 {
 
+constexpr double off_axis = 0.01; // m
+
+/// Gap [m] of the foot with @p defect at a point of the table.
+double gap_of(const GlassProfile &profile, const std::string &defect, double x, double y)
+{
+  if (defect == "off_axis")
+    return profile.gap(std::hypot(x - off_axis, y));
+  constexpr double height_of_pads = 1e-3, amplitude = 1e-6; // m
+  const double waves = std::cos(3 * std::atan2(y, x)), gap = profile.gap(std::hypot(x, y));
+  if (defect == "pads")
+    return gap + (waves < 0.5 ? height_of_pads : 0);
+  return defect == "wavy" ? gap + amplitude * (1 + waves) : gap;
+}
+
 /// The cells of @p drawn as a mesh file would give them: without the meshes they come from.
 void import(const dealii::Triangulation<3> &drawn, const std::string &defect, double width, double radius,
             dealii::Triangulation<3> &mesh)
@@ -32,7 +47,9 @@ void import(const dealii::Triangulation<3> &drawn, const std::string &defect, do
   dealii::GridGenerator::flatten_triangulation(drawn, flat);
   flat.reset_all_manifolds();
   flat.set_all_manifold_ids(dealii::numbers::flat_manifold_id);
-  if (defect == "oval")
+  if (defect == "off_axis")
+    dealii::GridTools::shift(dealii::Point<3>(off_axis, 0, 0), flat);
+  else if (defect == "oval")
     dealii::GridTools::transform(
       [&](const dealii::Point<3> &x) { return dealii::Point<3>(x[0], width * x[1], x[2]); }, flat);
   else if (defect == "lobes")
@@ -91,12 +108,14 @@ void run(const NamedValues &values)
   options.straight_edges = true;
   dealii::Timer timer;
   SolidBody body(
-    mesh, ElasticMaterial(), [&](double x, double y) { return profile.gap(std::hypot(x, y)); }, options);
+    mesh, ElasticMaterial(), [&](double x, double y) { return gap_of(profile, values.text("defect"), x, y); },
+    options);
   const double setup_seconds = timer.wall_time();
   const WinklerInterface mat(values.number("modulus"));
   const auto law = mat.make(body.contact_surface(), 0);
   const double weight = 0.3 * 9.81;
-  const Resultants load = { weight, 0, -values.number("moment") * weight * radius / 2 };
+  const double x_of_axis = values.text("defect") == "off_axis" ? off_axis : 0;
+  const Resultants load = { weight, 0, -weight * (values.number("moment") * radius / 2 + x_of_axis) };
   timer.restart();
   const ContactSolution solution = solve_contact(body, *law, load, radius);
   const double contact_seconds = timer.wall_time();
