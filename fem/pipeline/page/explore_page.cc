@@ -138,14 +138,14 @@ Study study_of(const PageOptions &options, const Preset *glass, const Preset *ta
   return study;
 }
 
-/// The values of @p study that are not the defaults.
+/// The values of @p study that are not the defaults. The height of the hand says its offset.
 std::vector<std::pair<std::string, std::string>> values_of(const Study &study)
 {
   Study defaults, copy = study;
   const std::vector<StudyEntry> standard = study_entries(defaults), own = study_entries(copy);
   std::vector<std::pair<std::string, std::string>> values;
   for (std::size_t i = 0; i < own.size(); ++i)
-    if (own[i].text() != standard[i].text())
+    if (own[i].text() != standard[i].text() && own[i].path() != "Motion/Force offset")
       values.emplace_back(own[i].path(), own[i].text());
   return values;
 }

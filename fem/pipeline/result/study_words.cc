@@ -116,13 +116,15 @@ std::string inputs_of(const Study &study)
   const auto given = values_in_words(study);
   const std::string &offset = given.at("Motion/Force offset");
   const double height = study.motion.orbit.force_offset;
+  const bool by_offset = study.given_entries.count("Motion/Force offset") > 0;
   const bool is_filled = study.motion.orbit.liquid.mass > 0;
   return given.at("Motion/Mass") + " glass" +
          (is_filled ? " with " + given.at("Motion/Liquid mass") + " of liquid" : "") + ", R " +
          given.at("Glass/Contact radius") + ", led at " + given.at("Motion/Orbit speed") +
          " round a circle of " + given.at("Motion/Orbit radius") +
          (study.motion.orbit.sense_sign() < 0 ? ", clockwise" : "") + ", the hand " +
-         (height < 0   ? size_of(offset) + " below the centre of mass"
+         (!by_offset   ? given.at("Motion/Hand height") + " above the table"
+          : height < 0 ? size_of(offset) + " below the centre of mass"
           : height > 0 ? offset + " above the centre of mass"
                        : "at the height of the centre of mass") +
          ", μ " + given.at("Motion/Friction coefficient") + ", " + on_table(study, given) +

@@ -5,7 +5,9 @@
 #include "ring_model/motion.h"
 #include "ring_model/orbit_speed_table.h"
 
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace stemware::pipeline
@@ -15,6 +17,7 @@ namespace stemware::pipeline
 struct MotionSection
 {
   ring::Motion orbit;
+  double hand_height = 0.03; ///< of the hand's force above the table: its offset plus the centre of mass [m]
   ring::Closure closure = ring::Closure::full;
   bool tilt = true;             ///< include the tilt of the glass; see Study::tilts()
   double grip_torque = 0;       ///< of the fingers, against the spin [N m]
@@ -24,6 +27,24 @@ struct MotionSection
   double end_time = 2;           ///< of the spin-up [s]
   double euler_step = 1e-3;      ///< largest step of the forward Euler method [s]
   double step_limit = 1e6;       ///< estimated steps of the spin-up above which a study is refused
+
+  /// Places the hand after the entry @p path was assigned: from Hand height or Force offset, whichever is in
+  /// @p given. An entry replaces the other one of an earlier source; @p here are the entries of this source.
+  void place_hand(const std::string &path, std::map<std::string, std::string> &given,
+                  std::set<std::string> &here)
+  {
+    const std::string hand = "Motion/Hand height", offset = "Motion/Force offset";
+    if (here.empty() && path != offset && given.count(hand) > 0)
+      given.erase(offset);
+    here.insert(path);
+    if (const std::string &other = path == hand ? offset : hand;
+        (path == hand || path == offset) && here.count(other) == 0)
+      given.erase(other);
+    if (given.count(offset) == 0)
+      orbit.force_offset = hand_height - orbit.centre_of_mass_height;
+    else if (given.count(hand) == 0)
+      hand_height = orbit.centre_of_mass_height + orbit.force_offset;
+  }
 
   /// Declares the entries with their facts. A template, to be compiled in one file only.
   template <typename List>
@@ -35,6 +56,18 @@ struct MotionSection
     const bool is_full = load.has_closure() && closure == ring::Closure::full;
     const bool leans = orbit.liquid.mass > 0 && load.has_closure();
     const bool is_stribeck = orbit.friction_law == ring::FrictionLawKind::stribeck;
+    const bool hand_stays = list.study.given_entries.count("Motion/Force offset") == 0;
+    const auto moves_hand =
+      [this, all = &list.study.given_entries, here = std::make_shared<std::set<std::string>>()](auto &entry)
+    {
+      entry.assign = [=, assign = entry.assign, path = entry.path()](const std::string &text)
+      {
+        const bool is_assigned = assign(text);
+        if (is_assigned)
+          place_hand(path, *all, *here);
+        return is_assigned;
+      };
+    };
     list.enter("Motion", true);
     list.number("Mass", orbit.mass, positive, "kg", "Mass of the glass without Liquid mass",
                 plausible(0.02, 2, "a liqueur glass to a full beer mug"));
@@ -44,11 +77,17 @@ struct MotionSection
       plausible(1e-6, 1e-2, "20 g at 7 mm from the axis to 2 kg at 7 cm"));
     list.number("Centre of mass height", orbit.centre_of_mass_height, not_negative, "m",
                 "Height of the centre of mass of the glass without Liquid mass above the table; used by the "
-                "closure full, and where there is liquid",
-                used_if(is_full || leans), plausible(0.01, 0.3, "a liqueur glass to a tall flute"));
+                "closure full, where there is liquid, and to find Force offset from Hand height",
+                used_if(is_full || leans || (hand_stays && load.has_closure())),
+                plausible(0.01, 0.3, "a liqueur glass to a tall flute"), moves_hand);
+    list.number(
+      "Hand height", hand_height, any_number, "m",
+      "Height of the hand's force above the table. Give this or Force offset; the other follows from "
+      "Centre of mass height. Unless Force offset is given, the hand stays at its height",
+      plausible(0, 0.5, "the table to above a tall flute"), moves_hand);
     list.number("Force offset", orbit.force_offset, any_number, "m",
                 "Height of the hand's force minus Centre of mass height, negative when the hand is below it",
-                plausible(-0.3, 0.3, "the hand on the glass"));
+                plausible(-0.3, 0.3, "the hand on the glass"), moves_hand);
     list.number("Liquid mass", orbit.liquid.mass, not_negative, "kg",
                 "Mass of a liquid in the bowl, whose surface leans outwards on the orbit and which does not "
                 "turn with the glass; 0: none",

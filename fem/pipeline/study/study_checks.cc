@@ -184,18 +184,28 @@ void require_known_waviness(const Study &study)
   }
 }
 
-/// The hand is at least as high as the table. The heights are known if the balance of moments has them.
+/// The hand is at least as high as the table, and its two heights agree. The height of the centre of mass is
+/// known if it acts or is given.
 void require_hand_above_table(const Study &study)
 {
   const ring::Motion &motion = study.motion.orbit;
+  const double hand = study.motion.hand_height, centre = motion.centre_of_mass_height;
+  const auto is_given = [&](const char *entry) { return study.given_entries.count(entry) > 0; };
+  const bool by_offset = is_given("Motion/Force offset"), by_height = is_given("Motion/Hand height");
+  ensure(!by_height || hand >= 0,
+         filled("Motion/Hand height = {} m is below the table; give at least 0 m.", { to_text(hand) }));
+  ensure(!by_height || !by_offset ||
+           std::abs(hand - centre - motion.force_offset) <= 1e-9 * (std::abs(hand) + centre),
+         filled("Motion/Hand height = {} m and Motion/Force offset = {} m contradict each other for "
+                "Motion/Centre of mass height = {} m; give one of the two.",
+                { to_text(hand), to_text(motion.force_offset), to_text(centre) }));
   const bool is_known = entry_at(entries_of(study), "", "Motion/Centre of mass height").has_effect ||
-                        study.given_entries.count("Motion/Centre of mass height") > 0;
-  const double height = motion.centre_of_mass_height + motion.force_offset;
-  ensure(!is_known || height >= -1e-12,
+                        is_given("Motion/Centre of mass height");
+  ensure(!by_offset || !is_known || centre + motion.force_offset >= -1e-12,
          filled("Motion/Force offset = {} m puts the hand {} m below the table, for Motion/Centre of mass "
                 "height = {} m; give at least {} m.",
-                { to_text(motion.force_offset), to_short_text(-height), to_text(motion.centre_of_mass_height),
-                  to_text(-motion.centre_of_mass_height) }));
+                { to_text(motion.force_offset), to_short_text(-centre - motion.force_offset), to_text(centre),
+                  to_text(-centre) }));
 }
 
 /// The moment of @p now that no friction can take away, over the largest moment of a pressure on the land.

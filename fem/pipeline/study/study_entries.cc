@@ -176,7 +176,7 @@ const std::vector<FieldWord> field_words = {
   { "z", { "Motion/Centre of mass height" } },
   { "h", { "Motion/Centre of mass height", "Table/Disc thickness", "Glass/Foot thickness" } },
   { "thickness", { "Table/Disc thickness", "Glass/Foot thickness" } },
-  { "hand", { "Motion/Force offset" } },
+  { "hand", { "Motion/Hand height" } },
   { "dz", { "Motion/Force offset" } },
   { "I", { "Motion/Yaw inertia" } },
   { "inertia", { "Motion/Yaw inertia" } },

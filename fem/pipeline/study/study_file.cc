@@ -194,15 +194,15 @@ std::string prm_text(const std::vector<StudyEntry> &entries, bool comments)
 }
 
 /// A file that states every entry, as `stemware defaults` and folders of results do, is taken to give those
-/// that differ from their defaults. What a drawn section would be asked for stays given: a study is run again
-/// with the values that it was run with.
+/// that differ from their defaults. What a drawn section would be asked for stays given, and so does the
+/// height of the hand: a study is run again with the values that it was run with.
 void forget_stated_defaults(Study &study)
 {
   const std::vector<StudyEntry> standard = entries_of(Study()), own = entries_of(study);
   if (study.given_entries.size() < own.size())
     return;
   for (std::size_t i = 0; i < own.size(); ++i)
-    if (own[i].text() == standard[i].text() &&
+    if (own[i].text() == standard[i].text() && own[i].path() != "Motion/Hand height" &&
         !(study.glass.profile.shape == fem::GlassShape::profile && own[i].follows_from_profile))
       study.given_entries.erase(own[i].path());
 }

@@ -1,5 +1,5 @@
-// Draws one instant of the scene: a row of the document.
-import { Camera, circle, Glass, height_of_glass } from './space.js';
+// Draws one instant of the scene: a row of the document. Arrows are proportional to forces, on one scale for all studies.
+import { Camera, circle, Glass } from './space.js';
 import { h, s } from './dom.js';
 import { say, shown } from './words.js';
 import { texts } from '../live/texts.js';
@@ -7,10 +7,14 @@ import { texts } from '../live/texts.js';
 const t = texts.scene_words;
 const turn = 2 * Math.PI;
 export const width = 480;
-export const height = 420;
-const wall_height = 30; // mm, of the mean pressure
-const long = 32; // mm, of the friction of the mean load
-const pull = 70; // mm, of the larger part of the hand's pull
+export const height = 340;
+const margin = 14; // of the page
+const finger = 32; // radius of the hand's handle on the page
+const pull = 50; // mm per N of the hand's force
+const rub = 5 * pull; // mm per N of friction
+const wall = 1.5; // mm per N/m of pressure
+const twist = 1000; // rad per N m, round the stem
+const rise = 5; // mm per turn of a long arrow round the stem
 
 function make_parts() {
   const path = (colour, more) =>
@@ -21,29 +25,34 @@ function make_parts() {
     orbit: path('soft', { 'stroke-dasharray': '5 5' }),
     back: area('c1', 0.16, { stroke: 'none' }),
     back_edge: path('c1', { 'stroke-width': 2 }),
+    mark: area('c5', 0.8, { 'stroke-width': 1 }),
     body: area('glass', 0.28, { stroke: 'var(--soft)' }),
-    label: area('c5', 0.9, { 'stroke-width': 1 }),
-    label_line: path('ink', { 'stroke-width': 2 }),
     rims: path('soft', { 'stroke-width': 1.2 }),
-    front: area('c1', 0.22, { stroke: 'none' }),
-    front_edge: path('c1', { 'stroke-width': 2 }),
     minus: path('c1', { 'stroke-width': 2.4 }),
     plus: path('c2', { 'stroke-width': 2.4 }),
+    front: area('c1', 0.22, { stroke: 'none' }),
+    front_edge: path('c1', { 'stroke-width': 2 }),
+    centre: area('ink', 0.15, { stroke: 'var(--ink)', 'stroke-width': 1.5 }),
     hand: path('c3', { 'stroke-width': 6 }),
-    force: path('c3', { 'stroke-width': 2.5 }),
+    inwards: path('c3', { 'stroke-width': 2, 'stroke-dasharray': '5 4' }),
+    force: path('c3', { 'stroke-width': 3 }),
     torque: path('c2', { 'stroke-width': 4 })
   };
 }
+const label = (fill, anchor) => s('text', { fill: `var(--${fill})`, 'text-anchor': anchor });
 
-/** The drawing of rows { rows, radius, height, hand, orbit_radius, sense, falls }, lengths in metres. */
+/**
+ * The drawing of rows { rows, radius, height, hand, orbit_radius, sense, falls, normal_force, tumbler }, lengths in metres.
+ */
 export class Drawing {
   constructor() {
-    this.camera = new Camera(0, 0.5, 420);
+    this.camera = new Camera(0, 0.45);
     this.looked = 0; // turned by hand
     this.parts = make_parts();
-    this.hand_word = s('text', { fill: 'var(--c3)', 'text-anchor': 'end' });
+    this.words = { hand: label('c3', 'start'), inwards: label('c3', 'end'), centre: label('ink', 'start'), pressure: label('c1', 'start'), friction: label('soft', 'start'), torque: label('ink', 'end'), ...Object.fromEntries(['front', 'outside', 'inside'].map(place => [place, label('soft', 'middle')])) }; // prettier-ignore
+    this.grip = s('circle', { r: finger, fill: 'transparent' });
     this.number = h('p', { class: 'instant' });
-    this.svg = s('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img' }, Object.values(this.parts), this.hand_word);
+    this.svg = s('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img' }, Object.values(this.parts), Object.values(this.words), this.grip); // prettier-ignore
     this.shows = () => true; // whether a part is shown
   }
 
@@ -51,113 +60,146 @@ export class Drawing {
   set(given, still) {
     this.heading = still.orbit + (given.sense * turn) / 4;
     const { rows } = (this.given = given);
+    const [first] = rows;
     this.most = Math.max(...rows.map(row => Math.abs(row.torque)), given.most || 0);
     this.end = rows[rows.length - 1].time;
-    this.glass = new Glass(1e3 * given.radius, height_of_glass * 1e3 * given.height);
-    this.camera.distance = Math.max(420, 2.15 * this.glass.height);
+    const R = 1e3 * given.radius;
+    this.glass = new Glass(R, 1e3 * given.height, given.tumbler);
+    this.wall = (wall * given.normal_force) / (turn * given.radius) || 0; // mm of the mean pressure
+    // Places of the rim share the friction, whose sum the hand overcomes.
+    const sum = first.friction[0].reduce((a, b) => a + b, 0);
+    this.rub = sum ? (-2 * rub * first.hand[0]) / sum : 0; // an arrow stands for two places
+    const tops = rows.map(row => this.wall * Math.max(0, ...row.load));
+    const pulls = rows.map(({ hand }) => pull * Math.hypot(...hand));
+    const rubs = rows.map(({ friction: [u, v] }) => this.rub * Math.max(0, ...u.map((x, k) => Math.hypot(x, v[k]))));
+    const z = 1e3 * given.hand;
+    if (!given.falls) this.glass.cut = Math.min(this.glass.height, 1.12 * Math.max(1e3 * given.height, z));
+    this.reach = given.falls ? 1.1 * this.glass.height : Math.max(1.9 * R, R + 0.8 * Math.max(...rubs));
+    this.circles = [[this.reach, 0], [0.4 * R, this.glass.cut], ...(given.falls ? [] : [[1.3 * R, Math.max(...tops)], [0.4 * R + Math.max(...pulls), z]])]; // prettier-ignore
   }
 
   draw(row, time) {
     const { camera, glass, given, parts, shows } = this;
     const travel = row.orbit + (given.sense * turn) / 4; // of the direction of motion in the room
     camera.azimuth = this.heading + turn / 2 + 0.5 * given.sense + this.looked;
-    camera.aim([0, 0, 0.43 * glass.height], width, height);
+    camera.aim(this.circles, width - 2 * margin, height - 2 * margin);
+    camera.middle = camera.middle.map(x => x + margin);
     const fallen = given.falls ? Math.max(0, (time - this.end) / 0.12) : 0;
     // Towards where it presses hardest; a glass that has no load falls forwards.
     const hardest = row.load.length ? row.load.indexOf(Math.max(...row.load)) / row.load.length : 0;
     glass.lean_by(Math.min(1.45, 1.45 * fallen ** 2), travel + turn * hardest);
     const set = (name, d) => parts[name].setAttribute('d', d);
+    const write = (name, place, text, dy = 0) => {
+      const [x, y] = place ? camera.see(place) : [0, 0];
+      this.words[name].setAttribute('x', Math.max(4, Math.min(width - 4, x)).toFixed(1));
+      this.words[name].setAttribute('y', Math.max(14, Math.min(height - 4, y + dy)).toFixed(1));
+      this.words[name].textContent = place ? text : '';
+    };
     this.draw_table(row, set);
-    this.draw_wall(row, travel, set);
-    const paths = glass.paths(camera, row.yaw);
-    for (const name of ['body', 'rims', 'label', 'label_line']) set(name, paths[name]);
-    parts.label.setAttribute('fill-opacity', paths.label_faces ? 0.9 : 0.15);
-    parts.label.setAttribute('stroke-opacity', paths.label_faces ? 1 : 0.3);
-    parts.label_line.setAttribute('stroke-opacity', paths.label_faces ? 0.7 : 0.1);
-    this.draw_hand(row, travel, set);
-    this.draw_torque(row, set);
+    for (const [place, angle] of [['front', 0], ['inside', (given.sense * turn) / 4], ['outside', (-given.sense * turn) / 4]]) // prettier-ignore
+      write(place, glass.lean ? null : circle(1.9 * glass.radius, 0, 1, travel + angle)[0], t.places[place], 5);
+    this.draw_wall(row, travel, set, write);
+    for (const [name, d] of Object.entries(glass.paths(camera, row.yaw))) set(name, d);
+    const centre = glass.at(0, 0, 1e3 * given.height);
+    const [x, y] = camera.see(centre);
+    set('centre', `M${x - 6},${y}a6,6 0 1 1 12,0a6,6 0 1 1 -12,0ZM${x - 6},${y}h12M${x},${y - 6}v12`);
+    write('centre', centre, `\u2002\u2002${t.centre}`, -6);
+    this.draw_hand(row, travel, set, write);
+    this.draw_torque(row, set, write);
     const share = Math.round((100 * Math.abs(row.torque)) / this.most);
     const instant = say(t.instant, shown(row.time, '.2f'), shown(row.omega, '.2f'));
-    this.number.textContent = shows('torque') ? `${instant}, ${this.most > 0 ? say(t.share, share) : t.no_torque}` : '';
+    this.number.textContent = shows('torque') && row.load.length ? `${instant}, ${this.most > 0 ? say(t.share, share) : t.no_torque}` : ''; // prettier-ignore
   }
 
   draw_table({ orbit }, set) {
     const { camera, given } = this;
     const rho = 1e3 * given.orbit_radius;
     const [x, y] = [rho * Math.cos(orbit), rho * Math.sin(orbit)]; // of the glass
-    const step = 40;
+    const [step, far] = [40, Math.min(600, 1.6 * this.reach)];
     const near = [];
-    for (let i = Math.ceil((x - 150) / step); i <= (x + 150) / step; ++i)
-      for (let k = Math.ceil((y - 150) / step); k <= (y + 150) / step; ++k)
-        if (Math.hypot(i * step - x, k * step - y) < 150) near.push([i * step - x, k * step - y, 0]);
+    for (let i = Math.ceil((x - far) / step); i <= (x + far) / step; ++i)
+      for (let k = Math.ceil((y - far) / step); k <= (y + far) / step; ++k)
+        if (Math.hypot(i * step - x, k * step - y) < far) near.push([i * step - x, k * step - y, 0]);
     set('dots', near.map(p => camera.path([p, p])).join(''));
-    const reach = Math.min(turn / 2, 170 / rho);
+    const reach = Math.min(turn / 2, far / rho);
     set('orbit', camera.path(circle(rho, 0, 40, orbit - reach, orbit + reach).map(p => [p[0] - x, p[1] - y, 0])));
   }
 
-  /** The pressure as a wall outside the rim, and friction in front of it. */
-  draw_wall({ load, friction, turns }, travel, set) {
+  /** The pressure as a wall outside the rim, and friction inside it. */
+  draw_wall({ load, friction, turns }, travel, set, write) {
     const { camera, glass, shows } = this;
     const n = load.length;
-    const r = 1.45 * glass.radius;
+    const r = 1.3 * glass.radius;
     const at = (k, high) => {
       const angle = travel + (turn * k) / n;
-      return [r * Math.cos(angle), r * Math.sin(angle), high ? wall_height * Math.max(0, load[k % n]) : 0];
+      return [r * Math.cos(angle), r * Math.sin(angle), high ? this.wall * Math.max(0, load[k % n]) : 0];
     };
     const walls = { front: '', back: '', front_edge: '', back_edge: '' };
-    if (shows('pressure') && !glass.lean)
-      for (let k = 0; k < n; ++k) {
-        const faces = camera.faces(travel + (turn * (k + 0.5)) / n) > 0;
-        if (!(load[k] > 0 || load[(k + 1) % n] > 0)) continue;
-        walls[faces ? 'front' : 'back'] += camera.path([at(k), at(k, true), at(k + 1, true), at(k + 1)], true);
-        walls[faces ? 'front_edge' : 'back_edge'] += camera.path([at(k, true), at(k + 1, true)]);
-      }
+    const stands = shows('pressure') && n > 0 && !glass.lean;
+    for (let k = 0; stands && k < n; ++k) {
+      const faces = camera.faces(travel + (turn * (k + 0.5)) / n) > 0;
+      if (!(load[k] > 0 || load[(k + 1) % n] > 0)) continue;
+      walls[faces ? 'front' : 'back'] += camera.path([at(k), at(k, true), at(k + 1, true), at(k + 1)], true);
+      walls[faces ? 'front_edge' : 'back_edge'] += camera.path([at(k, true), at(k + 1, true)]);
+    }
     Object.entries(walls).forEach(([name, d]) => set(name, d));
+    const right = k => camera.see(at(k, true))[0];
+    const places = stands ? [...load.keys()].sort((j, k) => right(k) - right(j)) : [];
+    write('pressure', stands ? at(places[0], true) : null, `\u2002${t.pressure}`);
     const arrows = { plus: '', minus: '' };
+    let longest = { size: 0, to: null };
     if (shows('friction') && !glass.lean)
       turns.forEach((sense, k) => {
         if (k % 2) return; // a dozen arrows
         const angle = travel + (turn * k) / turns.length;
         const [c, d] = [Math.cos(travel), Math.sin(travel)];
-        const [u, v] = [long * friction[0][k], long * friction[1][k]];
+        const [u, v] = [this.rub * friction[0][k], this.rub * friction[1][k]];
         const from = [glass.radius * Math.cos(angle), glass.radius * Math.sin(angle), 0.5];
         const to = [from[0] + u * c - v * d, from[1] + u * d + v * c, 0.5];
         arrows[sense > 0 ? 'plus' : 'minus'] += camera.arrow(from, to, 7);
+        const low = camera.see(to)[1]; // towards the eye there is room for its name
+        if (Math.hypot(u, v) > 1 && low > longest.size) longest = { size: low, to };
       });
     set('plus', arrows.plus);
     set('minus', arrows.minus);
+    write('friction', longest.to, t.friction, 16);
   }
 
-  draw_hand({ hand }, travel, set) {
+  /** The hand's force, and its part towards the centre of the orbit. */
+  draw_hand({ hand }, travel, set, write) {
     const { camera, glass, given, shows } = this;
     const z = 1e3 * given.hand;
     const there = shows('hand') && !glass.lean;
-    const r = glass.width_at(z) + 4;
-    set('hand', there ? camera.path(glass.ring(r, z), true) : '');
-    const scale = pull / Math.max(...hand.map(Math.abs), 1e-9);
-    const part = (size, angle) => {
-      const direction = angle + (size < 0 ? turn / 2 : 0);
-      const at = reach => [reach * Math.cos(direction), reach * Math.sin(direction), z];
-      return camera.arrow(at(r), at(r + scale * Math.abs(size)), 10);
+    const r = glass.width_at(Math.min(z, glass.cut)) + 4;
+    set('hand', glass.lean ? '' : camera.path(glass.ring(r, z), true));
+    const arrow = (along, across) => {
+      const angle = travel + Math.atan2(across, along);
+      const size = pull * Math.hypot(along, across);
+      const at = reach => [reach * Math.cos(angle), reach * Math.sin(angle), z];
+      return { d: camera.arrow(at(r), at(r + size), 10), tip: at(r + size) };
     };
-    set('force', there ? part(hand[0], travel) + part(hand[1], travel + turn / 4) : '');
-    const word = camera.see(circle(r + 10, z, 1, camera.azimuth - turn / 4)[0]);
-    this.hand_word.setAttribute('x', word[0].toFixed(1));
-    this.hand_word.setAttribute('y', (word[1] - 8).toFixed(1));
-    this.hand_word.textContent = there ? t.hand : '';
+    const [force, inwards] = [arrow(...hand), arrow(0, hand[1])];
+    set('force', there ? force.d : '');
+    set('inwards', there ? inwards.d : '');
+    write('hand', there ? force.tip : null, say(t.hand, shown(Math.hypot(...hand), '.2g')), -6);
+    write('inwards', there ? inwards.tip : null, say(t.inwards, shown(Math.abs(hand[1]), '.2g')), 16);
+    const [x, y] = camera.see(glass.at(0, 0, z));
+    this.grip.setAttribute('cx', x.toFixed(1));
+    this.grip.setAttribute('cy', y.toFixed(1));
   }
 
-  /** What is left of the torque: an arrow round the stem. */
-  draw_torque({ torque }, set) {
+  /** What is left of the torque: an arrow round the stem, several times round if it is large. */
+  draw_torque({ torque }, set, write) {
     const { camera, glass, parts, shows } = this;
-    const share = this.most > 0 ? torque / this.most : 0;
-    const z = 0.37 * glass.height;
-    const [r, reach] = [0.85 * glass.radius, 0.8 * turn * share];
-    if (!shows('torque') || glass.lean || Math.abs(share) < 0.02) return set('torque', '');
-    const from = camera.azimuth - reach / 2;
-    const arc = circle(r, z, 32, from, from + reach);
-    const before = circle(r, z, 1, from + reach - 0.25 * Math.sign(reach))[0];
-    set('torque', camera.path(arc) + camera.arrow(before, arc[32], 12));
-    return parts.torque.setAttribute('stroke', share > 0 ? 'var(--c2)' : 'var(--c1)');
+    const reach = twist * torque;
+    const z = 0.28 * glass.height;
+    const r = 0.85 * glass.radius;
+    if (!shows('torque') || glass.lean || Math.abs(reach) < 0.05) return (set('torque', ''), write('torque', null));
+    const from = camera.azimuth - Math.sign(reach) * Math.min(Math.abs(reach) / 2, 0.4 * turn);
+    const n = Math.ceil(Math.abs(reach) * 6) + 2;
+    const arc = circle(r, z, n, from, from + reach).map(([x, y], k) => [x, y, z + (rise * reach * k) / n / turn]);
+    set('torque', camera.path(arc) + camera.arrow(arc[n - 1], arc[n], 12, 12));
+    write('torque', circle(r, arc[n][2], 1, camera.azimuth - turn / 4)[0], `${say(t.torque, shown(1e3 * Math.abs(torque), '.2g'))}\u2002`, 5); // prettier-ignore
+    return parts.torque.setAttribute('stroke', reach > 0 ? 'var(--c2)' : 'var(--c1)');
   }
 }

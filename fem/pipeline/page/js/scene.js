@@ -41,25 +41,38 @@ export class Scene {
     this.tabs = h('div', { class: 'controls', role: 'group' });
     this.node = h('figure', { id: this.id, class: 'drawing' }, this.why, this.tabs, this.beside);
     this.svg.addEventListener('pointerdown', e => this.drag(e));
-    if (dragged)
-      for (const node of [this.drawing.parts.hand, this.drawing.parts.force, this.drawing.hand_word])
-        node.classList.add('handle');
+    const { grip } = this.drawing;
+    if (dragged) grip.classList.add('handle');
+    else grip.remove();
+    grip.addEventListener('touchstart', e => e.preventDefault(), { passive: false }); // a page scrolls otherwise
     this.play(false);
   }
 
-  /** Shows other rows: { rows, radius, height, hand, orbit_radius, sense, falls, why }; lengths in metres. */
+  /** Shows other rows: those of a drawing, and `why`. */
   set(given) {
-    const same = this.given && this.given.rows.length === given.rows.length && given.rows.length > 1;
+    const [same, fell] = [this.given && this.given.rows.length > 1, this.given?.falls];
     this.given = given;
+    this.node.classList.remove('waits');
     const { rows } = given;
     const still = still_of(rows);
     this.drawing.set(given, still);
     this.end = rows[rows.length - 1].time;
     this.slider.max = this.end + (given.falls ? 0.15 : 0);
-    this.button.hidden = this.slider.hidden = rows.length < 2;
+    this.button.hidden = this.slider.hidden = rows.length < 2 && !given.falls;
     this.why.textContent = given.why;
     this.svg.setAttribute('aria-label', `${t.title}. ${given.why}`);
-    if (!same && !this.plays) this.time = given.falls ? this.end + 0.06 : still.time;
+    if (given.falls ? !fell : !same || fell) {
+      const shows_fall = given.falls && !matchMedia('(prefers-reduced-motion: reduce)').matches;
+      this.time = shows_fall ? Math.max(0, this.end - 0.03) : given.falls ? this.end + 0.15 : still.time;
+      this.play(shows_fall);
+    }
+    this.go_to(Math.min(this.time, Number(this.slider.max)));
+  }
+
+  /** Keeps the picture, greyed, until there is a new one; the hand is where it is. */
+  wait(hand) {
+    this.node.classList.add('waits');
+    Object.assign(this.given, { hand });
     this.go_to(this.time);
   }
 
@@ -77,11 +90,12 @@ export class Scene {
     if (!plays || this.runs) return;
     let before = performance.now();
     const frame = now => {
-      this.runs = this.plays && this.given.rows.length > 1;
+      this.runs = this.plays && (this.given.rows.length > 1 || this.given.falls);
       if (!this.runs) return;
       const next = this.time + Math.min(0.05, (now - before) / 1e3) / slower;
       before = now;
-      this.go_to(next > Number(this.slider.max) + 0.1 ? 0 : next);
+      if (this.given.falls && next > Number(this.slider.max)) this.play(false);
+      this.go_to(this.plays && next > Number(this.slider.max) + 0.1 ? 0 : next);
       requestAnimationFrame(frame);
     };
     this.runs = true;
@@ -90,13 +104,11 @@ export class Scene {
 
   /** Drags the hand up and down, or looks from elsewhere. */
   drag(event) {
-    const by_hand =
-      this.dragged &&
-      [this.drawing.parts.hand, this.drawing.parts.force, this.drawing.hand_word].includes(event.target);
+    const by_hand = event.target === this.drawing.grip;
     const { clientX, clientY } = event;
     const { drawing, given } = this;
     const { camera, looked } = drawing;
-    const per_mm = (this.svg.clientWidth / width) * (camera.focus / camera.distance);
+    const per_mm = (this.svg.clientWidth / width) * (camera.focus / camera.distance) * Math.cos(camera.elevation);
     const move = e => {
       if (by_hand) {
         const at = given.hand - 1e-3 * ((e.clientY - clientY) / per_mm);

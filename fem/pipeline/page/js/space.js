@@ -26,42 +26,52 @@ const profile = [
   [1.19, 0.9],
   [1.1, 1]
 ];
-const label = [0.62, 0.8]; // its heights on the bowl
-export const height_of_glass = 2.46; // over the height of the centre of mass
+const tumbler = [
+  [1, 0],
+  [1.12, 0.03],
+  [1.16, 0.3],
+  [1.26, 1]
+];
+const height_of_glass = 2.46; // over the height of the centre of mass
+const height_of_tumbler = 1.9;
 
-const radius_at = share => {
+/** The radius of an outline at a height. */
+const radius_at = (outline, share) => {
   const i = Math.max(
     1,
-    profile.findIndex(([, z]) => z >= share)
+    outline.findIndex(([, z]) => z >= share)
   );
-  const [[r0, z0], [r1, z1]] = [profile[i - 1], profile[i]];
+  const [[r0, z0], [r1, z1]] = [outline[i - 1], outline[i]];
   return r0 + (r1 - r0) * Math.min(1, Math.max(0, (share - z0) / (z1 - z0 || 1)));
 };
 
 /** A look at a place from an azimuth and an elevation, with perspective. */
 export class Camera {
-  constructor(azimuth, elevation, distance) {
-    Object.assign(this, { azimuth, elevation, distance });
+  constructor(azimuth, elevation) {
+    Object.assign(this, { azimuth, elevation });
   }
 
-  /** Puts `target` into the middle of a page of that size. */
-  aim(target, width, height) {
+  /** Fits circles { radius, height } round the axis into a page of that size. */
+  aim(circles, width, height) {
     const [ca, sa] = [Math.cos(this.azimuth), Math.sin(this.azimuth)];
     const [ce, se] = [Math.cos(this.elevation), Math.sin(this.elevation)];
-    Object.assign(this, { target, width, height, focus: 1.75 * Math.min(0.85 * width, height) });
     this.axes = [
       [-sa, ca, 0],
       [-se * ca, -se * sa, ce],
       [-ce * ca, -ce * sa, -se]
     ];
+    Object.assign(this, { middle: [0, 0], focus: 1, distance: 4 * Math.max(...circles.flat()) });
+    const places = circles.flatMap(([r, z]) => circle(r, z, 24)).map(p => this.see(p));
+    const ends = [0, 1].map(i => [Math.min, Math.max].map(f => f(...places.map(p => p[i]))));
+    this.focus = Math.min(...ends.map(([least, most], i) => [width, height][i] / (most - least)));
+    this.middle = ends.map(([least, most], i) => [width, height][i] / 2 - (this.focus * (least + most)) / 2);
   }
 
   /** The place on the page. */
   see(p) {
-    const d = p.map((x, i) => x - this.target[i]);
-    const [right, up, depth] = this.axes.map(axis => axis.reduce((sum, x, i) => sum + x * d[i], 0));
+    const [right, up, depth] = this.axes.map(axis => axis.reduce((sum, x, i) => sum + x * p[i], 0));
     const scale = this.focus / (this.distance + depth);
-    return [this.width / 2 + scale * right, this.height / 2 - scale * up];
+    return [this.middle[0] + scale * right, this.middle[1] - scale * up];
   }
 
   path(places, close) {
@@ -69,12 +79,12 @@ export class Camera {
   }
 
   /** An arrow of two strokes at its head. */
-  arrow(from, to, head) {
+  arrow(from, to, head, least = 0) {
     const d = to.map((x, i) => x - from[i]);
     const n = Math.hypot(...d);
-    if (n < 1) return '';
+    if (n < 0.5) return '';
     const [u, v] = [d[0] / n, d[1] / n];
-    const size = Math.min(head, 0.6 * n);
+    const size = Math.max(least, Math.min(head, 0.6 * n));
     const wing = side => [to[0] - size * (u - side * 0.5 * v), to[1] - size * (v + side * 0.5 * u), to[2]];
     return this.path([from, to]) + this.path([wing(1), to, wing(-1)]);
   }
@@ -91,10 +101,11 @@ export const circle = (r, z, n = 60, from = 0, to = turn) =>
     return [r * Math.cos(angle), r * Math.sin(angle), z];
   });
 
-/** The glass of a contact radius and a height, whose label stands at an azimuth; it may lean over its rim. */
+/** The glass over a contact radius and a centre of mass, drawn up to the height `cut`; it may lean over its rim. */
 export class Glass {
-  constructor(radius, height) {
-    Object.assign(this, { radius, height, lean: 0, towards: 0 });
+  constructor(radius, centre, is_tumbler) {
+    Object.assign(this, { radius, lean: 0, towards: 0, outline: is_tumbler ? tumbler : profile });
+    this.height = this.cut = centre * (is_tumbler ? height_of_tumbler : height_of_glass);
   }
 
   /** Leans by an angle over the place of the rim at an azimuth. */
@@ -113,35 +124,24 @@ export class Glass {
   }
 
   width_at(z) {
-    return this.radius * radius_at(z / this.height);
+    return this.radius * radius_at(this.outline, z / this.height);
   }
 
   ring(r, z, n = 48) {
     return Array.from({ length: n }, (_, k) => this.at(r, (turn * k) / n, z));
   }
 
-  /** Paths of its body, its rims and, at `yaw`, its label. */
+  /** Paths of its body, its rims and, at `yaw`, its mark. */
   paths(camera, yaw) {
-    const side = (sign, [r, z]) => this.at(r * this.radius, camera.azimuth + (sign * turn) / 4, z * this.height);
-    const edge = sign => profile.map(point => side(sign, point));
-    const [top_r, top_z] = profile[profile.length - 1];
-    const heights = Array.from({ length: 7 }, (_, i) => label[0] + ((label[1] - label[0]) * i) / 6);
-    const on_bowl = (angle, share) => this.at(this.radius * radius_at(share), yaw + angle, share * this.height);
-    const across = Array.from({ length: 9 }, (_, i) => -0.5 + i / 8);
+    const { cut, height, radius, outline } = this;
+    const heights = [...outline.map(([, z]) => z * height).filter(z => z < cut), cut];
+    const edge = sign => heights.map(z => this.at(this.width_at(z), camera.azimuth + (sign * turn) / 4, z));
+    const foot = Math.max(...outline.slice(0, 3).map(([r]) => r)) * radius;
+    const sector = [-0.22, -0.11, 0, 0.11, 0.22].map(angle => this.at(foot, yaw + angle, 0.03 * height));
     return {
       body: camera.path([...edge(1), ...edge(-1).reverse()], true),
-      rims: camera.path(this.ring(top_r * this.radius, top_z * this.height), true) + camera.path(this.ring(1.18 * this.radius, 0.019 * this.height), true), // prettier-ignore
-      label: camera.path(
-        [
-          ...across.map(angle => on_bowl(angle, label[0])),
-          ...heights.map(share => on_bowl(0.5, share)),
-          ...across.map(angle => on_bowl(-angle, label[1])),
-          ...heights.map(share => on_bowl(-0.5, label[0] + label[1] - share))
-        ],
-        true
-      ),
-      label_line: camera.path(heights.map(share => on_bowl(0, share))),
-      label_faces: camera.faces(yaw) > 0.1
+      rims: camera.path(this.ring(this.width_at(cut), cut), true) + camera.path(this.ring(foot, 0.019 * height), true),
+      mark: camera.path([this.at(0, 0, 0.05 * height), ...sector], true)
     };
   }
 }

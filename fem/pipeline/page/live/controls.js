@@ -16,11 +16,9 @@ import { h } from '../js/dom.js';
 import { say, shown } from '../js/words.js';
 import { texts } from './texts.js';
 
-const [offset, centre] = ['Motion/Force offset', 'Motion/Centre of mass height'];
-// Entry, from, to, step, unit shown, factor of the SI value, by powers of ten. The hand's height above the table is no entry:
-// its offset from the centre of mass is.
+// Entry, from, to, step, unit shown, factor of the SI value, by powers of ten.
 const first = [
-  ['hand', 5, 150, 1, 'mm', 1000],
+  ['Motion/Hand height', 5, 150, 1, 'mm', 1000],
   ['Motion/Orbit speed', 0.05, 0.6, 0.01, 'm/s', 1],
   ['Motion/Friction coefficient', 0.05, 0.6, 0.01, '', 1]
 ];
@@ -35,19 +33,16 @@ const further = [
   ['Table/Decay length', -7, -5, 0.05, 'm', 1, true]
 ];
 
-function slider([name, from, to, step, unit, factor, log], solve) {
-  const is_hand = name === 'hand';
-  const path = is_hand ? offset : name;
-  const above = () => (is_hand ? value_of(centre) : 0);
-  const id = name.replace(/\W/g, '-');
-  const place_of = value => (log ? Math.log10(value) : (value + above()) * factor);
+function slider([path, from, to, step, unit, factor, log], solve) {
+  const id = path.replace(/\W/g, '-');
+  const place_of = value => (log ? Math.log10(value) : value * factor);
   const base = place_of(base_value(path));
   const output = h('output', { for: id });
   const range = { type: 'range', id, step, min: Math.min(from, base), max: Math.max(to, base) };
   const input = h('input', { ...range, value: place_of(value_of(path)) });
   const node = h('div', { class: 'slider' });
   const write = () => {
-    const value = value_of(path) + above();
+    const value = value_of(path);
     output.textContent =
       (log ? shown(value, '.2e') : shown(Number((value * factor).toFixed(3)), '.9g')) + (unit && ` ${unit}`);
     input.setAttribute('aria-valuetext', output.textContent);
@@ -62,7 +57,7 @@ function slider([name, from, to, step, unit, factor, log], solve) {
     const raw = Number(input.value);
     const near = log ? 1e-9 : step / 2;
     if (Math.abs(raw - base) < near) delete state.changes[path];
-    else state.changes[path] = String(Number((log ? 10 ** raw : raw / factor - above()).toPrecision(6)));
+    else state.changes[path] = String(Number((log ? 10 ** raw : raw / factor).toPrecision(6)));
     moved();
   });
   const back = () => {
@@ -70,7 +65,7 @@ function slider([name, from, to, step, unit, factor, log], solve) {
     input.value = base;
     moved();
   };
-  const label = h('label', { for: id, ondblclick: back }, texts.labels[name] || name.split('/')[1]);
+  const label = h('label', { for: id, ondblclick: back }, texts.labels[path] || path.split('/')[1]);
   node.append(label, output, input);
   write();
   return node;
@@ -82,7 +77,7 @@ export function make_sliders(solve) {
     ['more-sliders', further]
   ])
     $(box).replaceChildren(
-      ...list.filter(([name]) => acts(name === 'hand' ? offset : name)).map(entry => slider(entry, solve))
+      ...list.filter(([path]) => acts(path)).map(entry => slider(entry, solve))
     );
 }
 

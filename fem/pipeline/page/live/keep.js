@@ -1,5 +1,5 @@
 // What can be taken along.
-import { data, doc, pair, state } from './state.js';
+import { data, doc, pair, parts_of_state, state } from './state.js';
 import { csv } from '../js/words.js';
 import { download } from '../js/dom.js';
 import { extra_of } from '../js/files.js';
@@ -19,6 +19,11 @@ export function save_curves(drawn) {
     'text/csv'
   );
 }
+
+/** The text of this page, opened with the present state; `page`: its text as it was opened. */
+export const page_with_state = page =>
+  '<!doctype html>\n' +
+  page.replace(/id="live"( data-state="[^"]*")?/, () => `id="live" data-state="${String(parts_of_state()).replace(/&/g, '&amp;')}"`); // prettier-ignore
 
 /** The study as a file of parameters. */
 export function study_text() {

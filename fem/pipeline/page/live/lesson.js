@@ -1,5 +1,5 @@
 // The lesson: five steps from the hand to the terminal spin. Each asks for a prediction before it shows the answer.
-import { $, doc, found, remember, sense, state, value_of } from './state.js';
+import { $, doc, found, hand_offset, remember, sense, state } from './state.js';
 import { h } from '../js/dom.js';
 import { pressing } from '../js/series.js';
 import { say, shown } from '../js/words.js';
@@ -33,7 +33,7 @@ const right = [side, () => (doc.summary.load?.moment_ratio > 1 ? 2 : 1), () => 1
 /** The answer of each step with its numbers. */
 const answers = [
   ({ answer }) => {
-    const millimetres = 1e3 * Math.abs(value_of('Motion/Force offset'));
+    const millimetres = 1e3 * Math.abs(hand_offset());
     const moment = 1e3 * Math.abs(doc.summary.load?.moment?.[0]);
     return say(answer[side()], shown(millimetres, '.3g'), shown(moment, '.3g'));
   },

@@ -6,14 +6,17 @@ import { chosen, make_choices, make_sliders, write_harmonics } from './controls.
 import { download, h } from '../js/dom.js';
 import { draw_scene, make_scene } from './turning.js';
 import { make_measured } from './measured.js';
-import { save_curves, study_text } from './keep.js';
-import { facts, tell } from './says.js';
+import { page_with_state, save_curves, study_text } from './keep.js';
+import { print_sheet } from './sheet.js';
+import { facts, tell, tell_late } from './says.js';
 import { figure_of, show_anew } from '../js/sections.js';
 import { say } from '../js/words.js';
 import { texts } from './texts.js';
 import { write_lesson } from './lesson.js';
 
 const opened = performance.now();
+const page = document.documentElement.outerHTML; // before anything is changed
+let stands = {}; // changes with which the glass last stood
 addEventListener('error', e => errors.push(e.message));
 addEventListener('unhandledrejection', e => errors.push(String(e.reason)));
 
@@ -34,11 +37,17 @@ function draw_picture(place) {
 }
 const draw = wanted => places.filter(place => wanted.includes(place.dataset.picture)).forEach(draw_picture);
 
+let late = 0; // timer of a wish without an answer
+const first_words = 350; // ms, after which the page says what it knows
+
 function show(reply, ms, is_last) {
+  clearTimeout(late);
+  late = 0;
   document.body.classList.toggle('busy', !is_last);
-  Object.assign(found, { answer: reply, is_last });
+  Object.assign(found, { answer: reply, is_last, has_curves: false });
   if (reply.document) learn(reply.document);
   else forget();
+  if (is_last && Number.isFinite(doc.summary.ring?.omega_terminal)) stands = { ...state.changes };
   tell(ms);
   draw(['load']);
   draw_scene();
@@ -49,14 +58,12 @@ function show(reply, ms, is_last) {
 
 const queue = new Queue({
   show,
-  slow: () => {
-    $('notice').textContent = texts.solving;
-    document.body.classList.add('busy');
-  },
+  late: ms => show({ error: texts.too_close }, ms, true),
   use: (name, reply) => {
     learn(reply.document);
     draw(name === 'curves' ? ['torque', 'spin'] : [name]);
     if (name === 'curves') {
+      found.has_curves = true;
       draw_scene();
       write_lesson(draw_scene);
     }
@@ -64,7 +71,8 @@ const queue = new Queue({
   }
 });
 function solve(cold) {
-  if (queue.busy) document.body.classList.add('busy');
+  document.body.classList.add('busy');
+  late ||= setTimeout(tell_late, first_words);
   queue.solve(cold);
 }
 
@@ -103,11 +111,15 @@ document.querySelector('main').remove(); // text for browsers without scripts
 recall();
 make_choices(choose);
 $('live').hidden = false;
-make_scene(solve_hand);
+make_scene(solve_hand, () => {
+  state.changes = { ...stands };
+  choose();
+});
 write_lesson(draw_scene);
 chosen(solve);
 write_harmonics();
 $('answer').textContent = texts.start;
+tell_late();
 $('harmonics').oninput = () => {
   state.harmonics = Number($('harmonics').value);
   write_harmonics();
@@ -120,6 +132,9 @@ $('reset').onclick = () => {
 };
 $('as-prm').onclick = () => download('explored.prm', study_text(), 'text/plain');
 $('as-csv').onclick = () => save_curves(drawn.values());
+$('as-page').onclick = () => download('explored.html', page_with_state(page), 'text/html');
+$('as-sheet').onclick = print_sheet;
+addEventListener('beforeprint', () => ($('more').open = true));
 $('as-link').onclick = copy_address;
 $('as-print').onclick = () => print();
 make_measured(() => draw(['spin']));

@@ -9,7 +9,7 @@ const degree = Math.PI / 180;
 const units = { 'rad/s': [1, false], '°/s': [degree, false], rad: [1, true], '°': [degree, true] }; // factor, is an angle
 const separators = ['\t', ';', /\s+/, /,(?=(?:[^"]*"[^"]*")*[^"]*$)/];
 const max_bytes = 2e7;
-const max_points = 2000; // drawn
+const max_points = 200; // drawn: more hide the curve
 let run = { time: null, columns: [] }; // columns: { heading, values }
 
 const bare = cell => cell.trim().replace(/^"(.*)"$/, '$1');
@@ -48,9 +48,12 @@ function convert() {
   const { values } = run.columns[$('measured-column').value];
   const [factor, is_angle] = units[$('measured-unit').value];
   const rate = i => (values[i + 1] - values[i - 1]) / (run.time[i + 1] - run.time[i - 1]);
-  const points = run.time.map((t, i) => [t - run.time[0], factor * (is_angle ? rate(i) : values[i])]);
-  const step = Math.ceil(points.length / max_points);
-  const drawn = points.filter((point, i) => i % step === 0 && point.every(Number.isFinite));
+  const [from, to] = ['from', 'to'].map(end => Number($(`measured-${end}`).value));
+  const points = run.time.map((t, i) => [t - from, factor * (is_angle ? rate(i) : values[i])]);
+  const kept = points.filter(point => point[0] >= 0 && point[0] <= to - from && point.every(Number.isFinite));
+  const step = Math.ceil(kept.length / max_points);
+  const drawn = kept.filter((_, i) => i % step === 0);
+  for (const end of ['from', 'to']) $(`measured-${end}-out`).textContent = `${shown(Number($(`measured-${end}`).value), '.2f')} s`;
   doc.tables.measured = table_of(['time', 'omega'], drawn);
 }
 
@@ -63,6 +66,11 @@ export function make_measured(draw) {
     $('measured-column').replaceChildren(...run.columns.map(({ heading }, i) => h('option', { value: i }, heading)));
     $('measured-choice').hidden = !run.columns.length;
     delete doc.tables.measured;
+    const known = (run.time || []).filter(Number.isFinite);
+    for (const end of ['from', 'to']) {
+      Object.assign($(`measured-${end}`), { min: known[0], max: known[known.length - 1] });
+      $(`measured-${end}`).value = known[end === 'from' ? 0 : known.length - 1];
+    }
     if (run.columns.length) convert();
     const text = run.columns.length ? texts.measured : texts.unreadable;
     const seconds = range({ values: run.time || [0] });
@@ -70,7 +78,7 @@ export function make_measured(draw) {
     draw();
   };
   $('measured').onchange = e => take(e.target.files[0]);
-  for (const id of ['measured-column', 'measured-unit']) $(id).onchange = () => (convert(), draw());
+  for (const id of ['column', 'unit', 'from', 'to']) $(`measured-${id}`).oninput = () => (convert(), draw());
   addEventListener('dragover', e => e.preventDefault());
   addEventListener('drop', e => (e.preventDefault(), take(e.dataTransfer.files[0])));
 }

@@ -1,5 +1,5 @@
 // What the live page says of an answer, and its numbers.
-import { $, band, data, digits, doc, found, pair, sense, state } from './state.js';
+import { $, band, data, digits, doc, fall, found, pair, sense, state } from './state.js';
 import { band_text, harmonic_effect } from './pictures.js';
 import { h } from '../js/dom.js';
 import { say, shown } from '../js/words.js';
@@ -18,6 +18,7 @@ function effect_text(all, omega) {
 function answer_text({ ring, first_n, paper, load_at_terminal: load }) {
   const t = texts;
   const { omega_terminal: omega } = first_n || ring;
+  state.standing = omega;
   const way = still(omega) ? t.still : omega * sense() < 0 ? t.against : t.along;
   const turns = still(omega)
     ? `${way}.`
@@ -34,7 +35,23 @@ function answer_text({ ring, first_n, paper, load_at_terminal: load }) {
   return turns + compared + lies;
 }
 
-const failure_text = ({ tips, refused, error }) => (tips ? texts.tips : refused ? say(texts.refused, error) : error);
+const near_fall = 0.8; // share of the moment of a fall
+const close_to_fall = ({ share, highest }) =>
+  say(texts.close, shown(Math.min(100 * share, 99), '.2g'), shown(1e3 * highest, '.2g'));
+function failure_text({ tips, refused, error }) {
+  if (tips) return texts.tips;
+  if (refused) return say(texts.refused, error);
+  return fall().share > near_fall ? `${close_to_fall(fall())} ${texts.too_close}` : error;
+}
+
+/** Says what is known before there is an answer: the distance to the fall, and the last balance. */
+export function tell_late() {
+  const { share } = fall();
+  const known = state.standing ?? (Object.keys(state.changes).length ? null : pair().omega);
+  const last = Number.isFinite(known) ? [say(texts.last, digits(known))] : [];
+  const near = share > near_fall ? [close_to_fall(fall())] : [];
+  $('answer').textContent = [...near, ...last, texts.solving].join(' ');
+}
 
 function notes_of({ fit, notes = [] }) {
   const t = texts;

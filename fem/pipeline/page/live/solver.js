@@ -4,6 +4,7 @@ import { $, all_harmonics, errors, pair_name, state } from './state.js';
 import { begin, reply_to } from './compute.js';
 
 const longest = 500; // ms that a newer wish waits for an older one
+const patience = 15000; // ms for one answer, then the page gives up
 const pause = 180; // ms without a move, after which curves are drawn
 let parts = null; // of the worker, unpacked
 let worker = null;
@@ -73,7 +74,7 @@ function cancel() {
   waiting.clear();
 }
 
-/** Solves wishes; `show(reply, ms)`, `slow()` and `use(name, reply)` are told what comes. */
+/** Solves wishes; `show(reply, ms)`, `late(ms)` and `use(name, reply)` are told what comes. */
 export class Queue {
   constructor(told) {
     this.told = told;
@@ -91,7 +92,9 @@ export class Queue {
     this.since = Infinity; // until the worker has started
     const started = () => (this.since = performance.now());
     ready.then(started, started);
+    const end = setTimeout(cancel, patience);
     const reply = await post(message);
+    clearTimeout(end);
     clearTimeout(this.patience);
     this.busy = this.patience = false;
     return reply.cancelled ? null : reply;
@@ -119,10 +122,9 @@ export class Queue {
       return;
     }
     clearTimeout(this.resting);
-    const slow = setTimeout(this.told.slow, 400);
     const harmonics = state.harmonics >= all_harmonics ? 0 : state.harmonics;
     const asked = await this.ask({ do: 'solve', pair: pair_name(), changes: { ...state.changes }, harmonics, cold });
-    clearTimeout(slow);
+    if (!asked && !this.wish) this.told.late(patience);
     if (asked) {
       const { reply, ms } = asked;
       this.times.push(ms);

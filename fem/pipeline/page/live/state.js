@@ -31,6 +31,9 @@ export function at_end() {
   const { summary } = doc;
   return { ...doc, summary: { ...summary, load: { ...summary.load_at_terminal, cut: summary.first_n?.load } } };
 }
+export const [hand, centre] = ['Motion/Hand height', 'Motion/Centre of mass height'];
+const offset = 'Motion/Force offset'; // follows from the two
+const rounded = metres => Number(metres.toFixed(9));
 export const errors = [];
 let entries = {};
 
@@ -45,12 +48,28 @@ export function load_entries() {
   entries = {};
   for (const path in data.entries) entries[path] = { value: data.entries[path], acts: pair().acts.includes(path) };
   for (const [path, value] of pair().values) entries[path].value = value;
+  if (!is_changed(offset)) return; // by the address
+  state.changes[hand] = String(rounded(value_of(centre) + value_of(offset)));
+  delete state.changes[offset];
 }
 export const acts = path => entries[path]?.acts;
 export const is_changed = path => Object.hasOwn(state.changes, path);
 export const base_value = path => Number(entries[path]?.value ?? 0);
 const text_of = path => (is_changed(path) ? state.changes[path] : (entries[path]?.value ?? ''));
 export const value_of = path => Number(text_of(path));
+/**
+ * The moment at rest over the largest that a rigid ring of this radius can give: the glass falls at 1. And the height of the hand
+ * at which that is so.
+ */
+export function fall() {
+  const [h, c, R, mu] = [hand, centre, 'Glass/Contact radius', 'Motion/Friction coefficient'].map(value_of);
+  const k = value_of('Motion/Orbit speed') ** 2 / value_of('Motion/Orbit radius') / value_of('Motion/Gravity');
+  const sum = k * k + mu * mu;
+  const highest = (c * k * k + Math.sqrt(Math.max(0, sum * R * R - (c * k * mu) ** 2))) / sum;
+  return { share: Math.hypot((h - c) * k, h * mu) / R, highest };
+}
+/** The height of the hand above the centre of mass. */
+export const hand_offset = () => rounded(value_of(hand) - value_of(centre));
 export const sense = () => (text_of('Motion/Orbit sense') === 'clockwise' ? -1 : 1);
 
 /** What a glass or table brings along replaces what was changed of it. */
@@ -58,11 +77,15 @@ export function drop_changes(list, ...names) {
   for (const { name, sets } of list) if (names.includes(name)) for (const path of sets) delete state.changes[path];
 }
 
-export function remember() {
+/** The state as it stands in the address. */
+export function parts_of_state() {
   const parts = { glass: state.glass, table: state.table, ...state.changes };
   if (state.harmonics < all_harmonics) parts.harmonics = state.harmonics;
   if (state.lesson) parts.lesson = state.lesson;
-  const address = '#' + new URLSearchParams(parts);
+  return new URLSearchParams(parts);
+}
+export function remember() {
+  const address = '#' + parts_of_state();
   try {
     history.replaceState(null, '', address);
   } catch {
@@ -73,7 +96,7 @@ export function remember() {
 /** Takes the state from the address; what the page does not know is kept to be told. */
 export function recall() {
   state.unknown = [];
-  for (const [key, value] of new URLSearchParams(location.hash.slice(1))) {
+  for (const [key, value] of new URLSearchParams(location.hash.slice(1) || $('live').dataset.state)) {
     const harmonics = Number(value);
     if (key === 'glass' && data.glasses.some(g => g.name === value)) state.glass = value;
     else if (key === 'table' && data.tables.some(g => g.name === value)) state.table = value;

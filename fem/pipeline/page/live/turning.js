@@ -1,14 +1,13 @@
 // The scene of the live page: the hand is dragged up and down, and the sense of the orbit switched.
-import { $, at_end, doc, found, remember, sense, state, value_of } from './state.js';
+import { $, at_end, centre, doc, found, hand, hand_offset, remember, sense, state, value_of } from './state.js';
 import { Scene } from '../js/scene.js';
 import { h } from '../js/dom.js';
 import { shows } from './lesson.js';
 import { orbits } from '../js/motion.js';
 import { pressing } from '../js/series.js';
 import { texts } from './texts.js';
-import { why } from '../views/common.js';
+import { is_tumbler, why } from '../views/common.js';
 
-const offset = 'Motion/Force offset';
 let scene = null;
 let above = null;
 
@@ -25,10 +24,10 @@ const fallen = {
   turns: []
 };
 
-/** Makes the scene in its place; `solve` is asked for a study whose hand has moved. */
-export function make_scene(solve) {
+/** Makes the scene in its place; `solve` is asked for a study whose hand has moved, `stand` for the last that stood. */
+export function make_scene(solve, stand) {
   scene = new Scene(height => {
-    state.changes[offset] = String(Number((height - value_of('Motion/Centre of mass height')).toPrecision(3)));
+    state.changes[hand] = String(Number(height.toFixed(3)));
     remember();
     solve(false);
   });
@@ -40,7 +39,7 @@ export function make_scene(solve) {
   scene.drawing.shows = shows;
   above = h('div');
   scene.add_tab(above);
-  scene.tabs.append(h('button', { id: 'sense', onclick: turned }, texts.other_sense));
+  scene.tabs.append(h('button', { id: 'sense', onclick: turned }, texts.other_sense), h('button', { id: 'stand', onclick: stand, hidden: true }, texts.back)); // prettier-ignore
   $('scene').replaceChildren(scene.node);
 }
 
@@ -66,19 +65,22 @@ export function draw_scene() {
   const rows = doc.tables.motion;
   const tips = !rows && found.answer.tips;
   if (!rows && !tips) return;
-  const height = value_of('Motion/Centre of mass height');
+  if (!found.has_curves && !tips && scene.given) return scene.wait(value_of(hand));
   const falls = tips || Boolean(doc.summary.ring.fall);
+  $('stand').hidden = !falls;
   const held = value_of('Motion/Grip torque') > 0 && doc.summary.ring?.omega_terminal === 0;
   scene.set({
     rows: rows || [fallen],
     radius: value_of('Glass/Contact radius'),
-    height,
-    hand: height + value_of(offset),
+    height: value_of(centre),
+    hand: value_of(hand),
     orbit_radius: value_of('Motion/Orbit radius'),
     sense: sense(),
+    normal_force: doc.summary.load_at_terminal?.normal_force,
+    tumbler: is_tumbler(value_of('Glass/Stem radius'), value_of('Glass/Contact radius')),
     falls,
     most: Math.abs(doc.summary.ring?.tau_at_rest || 0),
-    why: why({ falls, held }, pressing(at_end()), found.is_last ? value_of(offset) : undefined)
+    why: why({ falls, held }, pressing(at_end()), found.is_last ? hand_offset() : undefined)
   });
   if (rows) draw_above();
 }

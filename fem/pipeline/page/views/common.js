@@ -21,6 +21,9 @@ export function why({ falls, held }, { harder }, offset) {
   return `${hand} ${t[harder] || ''}`.trim();
 }
 
+/** A glass without a stem stands on what would be one. */
+export const is_tumbler = (stem, contact) => stem > 0.5 * contact;
+
 /** How a run ends: its last spin, whether it moves at all, spins for ever, falls, or is held by the fingers. */
 export function ending({ summary: { ring, parameters }, words }) {
   const omega = ring.omega_terminal ?? ring.fall?.omega ?? 0;
@@ -43,7 +46,9 @@ function turning(doc, glasses) {
     rows: motion,
     radius: glass['Contact radius'],
     height: given['Centre of mass height'],
-    hand: given['Centre of mass height'] + given['Force offset'],
+    hand: given['Hand height'],
+    normal_force: doc.summary.load.normal_force,
+    tumbler: is_tumbler(glass['Stem radius'], glass['Contact radius']),
     orbit_radius: given['Orbit radius'],
     sense: given['Orbit sense'] === 'clockwise' ? -1 : 1,
     falls: end.falls,

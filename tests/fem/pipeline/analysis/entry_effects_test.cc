@@ -91,6 +91,7 @@ const std::vector<Effect> effects = {
   { "Motion/Mass", "0.4", "/load/normal_force" },
   { "Motion/Yaw inertia", "6e-4", "/ring/time_constant", {}, "/ring/omega_terminal" },
   { "Motion/Centre of mass height", "0.09", "/load/moment_ratio" },
+  { "Motion/Hand height", "0.04", "/load/moment_ratio" },
   { "Motion/Force offset", "-0.04", "/load/moment_ratio" },
   { "Motion/Liquid mass", "0.1", "/load/normal_force" },
   { "Motion/Bowl depth", "0.1", nothing, filled, "/ring/omega_terminal" },

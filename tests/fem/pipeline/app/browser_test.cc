@@ -81,7 +81,7 @@ const std::vector<State> &states()
     of_verb(3, "5 cases", { "omega_terminal", "harmonic_effect" }),
     of_verb(4, "25 cases", { "omega_terminal", "tau_at_rest" }),
     { { "balanced", quick({}) }, "Quick run", { "spin_up", "slip_at_end" }, { "waterfall" } },
-    { { "falling", quick({ "Motion/Centre of mass height=0.138" }) },
+    { { "falling", quick({ "Motion/Centre of mass height=0.138", "Motion/Force offset=-0.05" }) },
       "tips over",
       { "footprint_at_end" },
       { "slip_at_end", "truncation" } },

@@ -173,8 +173,9 @@ TEST(ContactRun, AFallOnASoftMatIsRefusedLikeAFallOfARigidGlass)
   // On so soft a mat the glass leans until it falls.
   const Ended ended =
     stemware(scratch, { "run", "--quick", "--set", "Motion/Tilt=included", "--set",
-                        "Motion/Centre of mass height=0.14", "--set", "Table/Interface=Winkler", "--set",
-                        "Table/Substrate=rigid", "--set", "Table/Foundation modulus=1e8" });
+                        "Motion/Centre of mass height=0.14", "--set", "Motion/Force offset=-0.05", "--set",
+                        "Table/Interface=Winkler", "--set", "Table/Substrate=rigid", "--set",
+                        "Table/Foundation modulus=1e8" });
   EXPECT_EQ(ended.exit_code, 1) << ended.out;
   EXPECT_EQ(ended.err.rfind("stemware: The glass falls: ", 0), 0u) << ended.err;
   EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 const std::vector<std::pair<std::string, std::string>> moves = { { "Motion/Friction coefficient", "0.2" },
                                                                  { "Motion/Orbit speed", "0.25" },
-                                                                 { "Motion/Force offset", "-0.03" },
+                                                                 { "Motion/Hand height", "0.05" },
                                                                  { "Motion/Centre of mass height", "0.1" },
                                                                  { "Table/Foundation modulus", "1e11" } };
 
@@ -110,7 +110,7 @@ std::string lesson_script(const std::string &page)
   while (!root.body.dataset.rested)
     await new Promise(r => setTimeout(r, 20));
   found.told = [];
-  for (const [path, value] of [["Motion/Force offset", 0.3], ["Motion/Mass", 3], ["Motion/Orbit speed", -1]]) {
+  for (const [path, value] of [["Motion/Hand height", 0.38], ["Motion/Mass", 3], ["Motion/Orbit speed", -1]]) {
     await shown.move(path, value);
     found.told.push(root.querySelector("#answer").textContent + " " + root.querySelector("#notice").textContent);
     await shown.move(path);
@@ -174,8 +174,8 @@ TEST(ExplorePage, ThePageOfAStudySolvesItAgainAndTeaches)
     for (const nlohmann::json &step : found["lesson"])
       EXPECT_THAT(step.get<std::string>(), testing::Not(testing::ContainsRegex("NaN|undefined|\u2013")));
   }
-  const Ended falls =
-    with({ "explore", "--output", "falls.html", "--set", "Motion/Centre of mass height=0.138" });
+  const Ended falls = with({ "explore", "--output", "falls.html", "--set",
+                             "Motion/Centre of mass height=0.138", "--set", "Motion/Force offset=-0.05" });
   EXPECT_EQ(falls.exit_code, 0) << falls.err;
 }
 
@@ -234,24 +234,24 @@ std::string states_script(const std::string &page, const std::vector<Taught> &st
 
 TEST(ExplorePage, TheLessonIsTrueInEveryState)
 {
-  const std::string hand = "Motion/Force offset", centre = "Motion/Centre of mass height";
+  const std::string hand = "Motion/Hand height", centre = "Motion/Centre of mass height";
   // By hand: a hand below the centre of mass presses the outside, whose friction turns the glass against its
   // orbit.
   const std::vector<int> below = { 0, 1, 1, 0, 1 };
   const std::vector<Taught> states = {
     { "default", {}, below, "The rigid ring of the paper" },
     { "clockwise", { { "Motion/Orbit sense", "clockwise" } }, below, "The rigid ring of the paper" },
-    { "far below", { { hand, "-0.07" } }, below, "one turn in" },
-    { "lift-off", { { hand, "-0.02" } }, { 0, 2, 1, 0, 1 }, "one turn in" },
-    { "level", { { hand, "0" } }, { 2, 2, 1, 2, 1 }, "Here nothing starts one" },
-    { "above", { { hand, "0.01" } }, { 1, 2, 1, 1, 1 }, "one turn in" },
+    { "far below", { { hand, "0.01" } }, below, "one turn in" },
+    { "lift-off", { { hand, "0.06" } }, { 0, 2, 1, 0, 1 }, "one turn in" },
+    { "level", { { hand, "0.08" } }, { 2, 2, 1, 2, 1 }, "Here nothing starts one" },
+    { "above", { { hand, "0.09" } }, { 1, 2, 1, 1, 1 }, "one turn in" },
     { "above, clockwise",
-      { { hand, "0.01" }, { "Motion/Orbit sense", "clockwise" } },
+      { { hand, "0.09" }, { "Motion/Orbit sense", "clockwise" } },
       { 1, 2, 1, 1, 1 },
       "one turn in" },
     { "held", { { "Motion/Grip torque", "0.005" } }, below, "the fingers hold the glass" },
-    { "falls", { { centre, "0.138" } }, { 0, 2, 1, 0, 1 }, "This glass tips over before" },
-    { "tips", { { hand, "0.3" } }, {}, "This glass tips over" },
+    { "falls", { { centre, "0.138" }, { hand, "0.088" } }, { 0, 2, 1, 0, 1 }, "This glass tips over before" },
+    { "tips", { { hand, "0.38" } }, {}, "This glass tips over" },
     { "oak", { { "table", "oak" } }, below, "one turn in" },
     { "window glass", { { "table", "window glass" } }, below, "one turn in" },
     { "mat", { { "table", "mat" } }, below, "one turn in" }

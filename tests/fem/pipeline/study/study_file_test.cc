@@ -48,6 +48,32 @@ TEST(StudyFile, CommentedDefaultsAreAStudyOfDefaults)
   EXPECT_EQ(study_as_json(study), study_as_json(Study()));
 }
 
+TEST(StudyFile, TheHandStaysUnlessItsOffsetIsGiven)
+{
+  const ScratchFolder scratch;
+  const auto hand_of = [](const std::string &file, const std::vector<std::string> &overrides)
+  {
+    const Study study = read_study(file, overrides);
+    return std::pair(study.motion.hand_height, study.motion.orbit.force_offset);
+  };
+  const std::string centre = "Motion/Centre of mass height=0.25";
+  const std::string offset = scratch.write("offset.prm", "set Force offset = -0.0625\n");
+  for (const std::vector<std::string> &order :
+       { std::vector<std::string>{ centre, "Motion/Hand height=0.125" },
+         { "Motion/Hand height=0.125", centre } })
+    EXPECT_EQ(hand_of(offset, order), std::pair(0.125, -0.125));
+  EXPECT_EQ(hand_of("", { centre }), std::pair(0.03, 0.03 - 0.25));
+  EXPECT_EQ(hand_of(offset, { centre }), std::pair(0.1875, -0.0625));
+  EXPECT_EQ(hand_of("", { "Motion/Force offset=-0.0625", centre }), std::pair(0.1875, -0.0625));
+  // A file of all entries states both, and the hand stays.
+  const std::string all = scratch.write("all.prm", study_as_prm(read_study(offset, { centre })));
+  EXPECT_EQ(hand_of(all, {}), std::pair(0.1875, -0.0625));
+  EXPECT_EQ(hand_of(all, { "Motion/Centre of mass height=0.5" }), std::pair(0.1875, -0.3125));
+  EXPECT_EQ(hand_of(all, { "Motion/Force offset=-0.125" }), std::pair(0.125, -0.125));
+  const Study lower = with_values(read_study(all), "the test", { { "Motion/Hand height", "0.0625" } });
+  EXPECT_EQ(lower.motion.orbit.force_offset, -0.1875);
+}
+
 TEST(StudyFile, JsonSaysTheSameAsPrm)
 {
   const ScratchFolder scratch;
