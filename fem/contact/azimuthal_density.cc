@@ -1,6 +1,6 @@
 #include "fem/contact/azimuthal_density.h"
 
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ std::vector<CutValue> combined(std::vector<CutValue> places, double (*combine)(d
 
 unsigned int sector_of(double azimuth, double begin, unsigned int n_sectors)
 {
-  const double turns = (azimuth - begin) / boost::math::double_constants::two_pi;
+  const double turns = (azimuth - begin) / (2 * ring::pi);
   const auto index = static_cast<unsigned int>((turns - std::floor(turns)) * n_sectors);
   return std::min(index, n_sectors - 1);
 }
@@ -72,18 +72,17 @@ std::vector<AzimuthLoad> density_of_lines(const ContactSurface &surface,
   std::vector<double> densities(surface.n_sectors, 0);
   for (unsigned int i = 0; i < line_forces.size(); ++i)
     densities[sector_of(surface.lines[i].azimuth, 0, surface.n_sectors)] +=
-      line_forces[i] * surface.n_sectors / boost::math::double_constants::two_pi;
+      line_forces[i] * surface.n_sectors / (2 * ring::pi);
   surface.parts.sum_in_place(densities);
   std::vector<AzimuthLoad> density;
   for (unsigned int s = 0; s < surface.n_sectors; ++s)
-    density.push_back(
-      { boost::math::double_constants::two_pi * (s + 0.5) / surface.n_sectors, densities[s] });
+    density.push_back({ 2 * ring::pi * (s + 0.5) / surface.n_sectors, densities[s] });
   return density;
 }
 
 std::vector<AzimuthLoad> density_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &node_forces)
 {
-  using boost::math::double_constants::two_pi;
+  constexpr double two_pi = 2 * ring::pi;
   const unsigned int n_sectors = surface.n_sectors, n_nodes = surface.n_owned_nodes();
   std::vector<double> azimuths;
   for (unsigned int i = 0; i < n_nodes; ++i)

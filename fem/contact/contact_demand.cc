@@ -1,8 +1,7 @@
 #include "fem/contact/contact_demand.h"
 
 #include "fem/contact/contact_load.h"
-
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <cmath>
 #include <utility>
@@ -26,7 +25,7 @@ Eigen::VectorXd ring_values(const ring::LoadFunctional &function, double cosine,
     even = next;
     sum += (function.a.row(n) * even + function.b.row(n) * odd).transpose();
   }
-  return sum / boost::math::double_constants::pi;
+  return sum / ring::pi;
 }
 
 } // namespace

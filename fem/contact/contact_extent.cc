@@ -3,9 +3,9 @@
 #include "fem/contact/azimuthal_density.h"
 #include "fem/contact/largest_between.h"
 #include "fem/contact/line_integral.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/load/lagrange.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace stemware::fem
 namespace
 {
 
-using boost::math::double_constants::two_pi;
+constexpr double two_pi = 2 * ring::pi;
 
 /// Pressures below this share of the largest are rounding.
 constexpr double rounding_share = 1e-11;

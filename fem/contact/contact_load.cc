@@ -1,6 +1,7 @@
 #include "fem/contact/contact_load.h"
 
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
+
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace stemware::fem
 namespace
 {
 
-using boost::math::double_constants::pi;
+using ring::pi;
 
 /// Fourier sums of point forces on rings, and their moments. Points that follow each other on one azimuth
 /// line are taken together, and cos and sin of n theta come from turning the line's direction: a law has

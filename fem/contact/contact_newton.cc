@@ -4,9 +4,9 @@
 #include "fem/contact/rigid_foot.h"
 #include "fem/contact/visited_sets.h"
 #include "fem/geometry/require.h"
+#include "ring_model/load/constants.h"
 
 #include <Eigen/Eigenvalues>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2
   // Convex in the tangent of the angle, so it has one minimum.
   const auto to_tangent = [&](double angle)
   { return conditions.reach(direction + std::tan(angle) * across); };
-  constexpr double limit = boost::math::double_constants::half_pi - 1e-6;
+  constexpr double limit = ring::pi / 2 - 1e-6;
   constexpr int bits = std::numeric_limits<double>::digits;
   return boost::math::tools::brent_find_minima(to_tangent, -limit, limit, bits).second;
 }

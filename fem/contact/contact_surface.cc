@@ -1,6 +1,6 @@
 #include "fem/contact/contact_surface.h"
 
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ unsigned int ContactSurface::n_nodes_across(const Eigen::VectorXd &pressure) con
       const double along = node.dot(before), across = node(1) * before(0) - node(0) * before(1);
       if (!(std::abs(across) < 1e-14 * along))
       {
-        const double turns = std::atan2(node(1), node(0)) / boost::math::double_constants::two_pi;
+        const double turns = std::atan2(node(1), node(0)) / (2 * ring::pi);
         bin = static_cast<std::size_t>((turns - std::floor(turns)) * double(n_bins)) % n_bins;
         before = node;
       }

@@ -1,6 +1,6 @@
 #include "fem/contact/footprint.h"
 
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace stemware::fem
 namespace
 {
 
-constexpr double whole_turn = boost::math::double_constants::two_pi;
+constexpr double whole_turn = 2 * ring::pi;
 
 double pressure_at(const std::vector<PressurePoint> &cut, double radius)
 {

@@ -1,8 +1,7 @@
 #include "fem/contact/pressure_map.h"
 
 #include "fem/contact/line_integral.h"
-
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +22,8 @@ constexpr unsigned int n_points_across = 33;
 /// theta in [0, 2 pi).
 double wrapped(double azimuth)
 {
-  const double turns = azimuth / boost::math::double_constants::two_pi;
-  return std::max(0., (turns - std::floor(turns)) * boost::math::double_constants::two_pi);
+  const double turns = azimuth / (2 * ring::pi);
+  return std::max(0., (turns - std::floor(turns)) * 2 * ring::pi);
 }
 
 void sort_by_azimuth(PressureMap &pressure_map)

@@ -11,13 +11,13 @@ namespace stemware::fem
 namespace
 {
 
-/// Share of a length that counts as rounding.
+/// Relative rounding error of lengths.
 constexpr double rounding = 1e-9;
 
-/// Compliances of more cells than that fill the memory.
+/// Maximum number of contact cells: the compliances of more cells do not fit into memory.
 constexpr std::size_t max_cells = 2000;
 
-/// Contact cells that are finest at the contact radius, mirror images on both sides of it.
+/// Returns contact cells that are symmetric about the contact radius and smallest there.
 ContactCells graded_cells(const GlassProfile &profile, const MeridianResolution &resolution)
 {
   const unsigned int half = resolution.land_cells / 2;
@@ -35,12 +35,12 @@ ContactCells graded_cells(const GlassProfile &profile, const MeridianResolution 
   return cells;
 }
 
-/// Adds coarse cells of about equal size: halvings of one of them give the size in the focus, and a border
-/// lies on the focus's radius.
+/// Adds coarse cells of nearly equal size. Repeated halving of a coarse cell gives the cell size of the
+/// focus, and a cell border lies at the radius of the focus.
 void add_coarse_cells(const GlassProfile &profile, const MeridianResolution &resolution, double focus_radius,
                       ContactCells &cells)
 {
-  // Two cells on each side of the middle: the one at the border of the land takes the rest.
+  // At least two cells on each side of the contact radius.
   const double largest = std::min(profile.land_width / 4, 2 * lowest_cell_height(profile));
   const double n_halvings =
     std::max(0., std::floor(std::log2(largest / resolution.focus_size * (1 + rounding))));
@@ -49,7 +49,7 @@ void add_coarse_cells(const GlassProfile &profile, const MeridianResolution &res
   const double inner = profile.land_inner_radius();
   const double outer = profile.land_outer_radius();
   const double size = cells.coarse_size;
-  // Cells from half to one and a half of the size lie next to the borders of the land.
+  // The cells next to the borders of the land absorb the remainder: their size is 0.5 to 1.5 times `size`.
   const auto n_towards = [&](double border)
   { return static_cast<int>(std::floor(std::abs(border - focus_radius) / size + 0.5)); };
   double middle = focus_radius;
@@ -65,7 +65,7 @@ void add_coarse_cells(const GlassProfile &profile, const MeridianResolution &res
   cells.coarse.push_back(outer);
 }
 
-/// A contact cell and how often a coarse one was halved for it.
+/// Contact cell and its number of halvings from a coarse cell.
 struct HalvedCell
 {
   double begin = 0;
@@ -75,7 +75,7 @@ struct HalvedCell
 
 using HalvedCells = std::vector<HalvedCell>;
 
-/// Halves every cell of which @p is_too_large(index) is true; false where there was none.
+/// Halves every cell for which @p is_too_large(index) is true. Returns true if a cell was halved.
 template <typename Predicate>
 bool halve(HalvedCells &cells, const Predicate &is_too_large)
 {
@@ -92,9 +92,9 @@ bool halve(HalvedCells &cells, const Predicate &is_too_large)
     result.push_back({ cell.begin, middle, cell.n_halvings + 1 });
     result.push_back({ middle, cell.end, cell.n_halvings + 1 });
   }
-  const bool some = result.size() > cells.size();
+  const bool is_any_halved = result.size() > cells.size();
   cells = std::move(result);
-  return some;
+  return is_any_halved;
 }
 
 ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution &resolution)

@@ -12,9 +12,9 @@ namespace stemware::fem
 /// of equal resolution share them.
 struct MeridianResolution
 {
-  unsigned int land_cells = 4; ///< across the land, even; before any refinement
-  double land_grading = 3; ///< size ratio of neighbours on the land, finest at the contact radius; 1: equal
-                           ///< cells. Ignored with a focus
+  unsigned int land_cells = 4;  ///< across the land, even; before any refinement
+  double land_grading = 3;      ///< size ratio of neighbouring cells on the land, which are smallest at the
+                                ///< contact radius; 1: equal cells. Ignored with a focus
   unsigned int refinements = 0; ///< halvings of every cell
 
   /// Size of the contact cells in the focus, the band focus_radius -/+ focus_width [m]; 0: no focus. Outside
@@ -39,19 +39,20 @@ struct ContactCells
   std::vector<double> borders;          ///< after the halvings towards the focus; contains `coarse`
   std::vector<unsigned int> n_halvings; ///< number of halvings from coarse cell to contact cell, for each
                                         ///< contact cell
-  double coarse_size = 0; ///< size of the smallest coarse cell, with a focus of most coarse cells [m]
+  double coarse_size = 0; ///< size of the smallest coarse cell; with a focus, of most coarse cells [m]
   bool has_focus = false;
   double focus_begin = 0; ///< band of the size MeridianResolution::focus_size [m]
   double focus_end = 0;
 };
 
-/// Returns the contact cells of a land before MeridianResolution::refinements: land_cells graded towards the
-/// contact radius, or, with a focus, nearly equal cells that are halved until there are at least land_cells,
-/// the cells in the focus have its size, and neighbours differ by at most one halving. Throws
-/// std::invalid_argument as both validate(), and for a focus outside the land.
+/// Returns the contact cells of a land before MeridianResolution::refinements. Without a focus: land_cells
+/// cells, graded towards the contact radius. With a focus: nearly equal cells, halved until there are at
+/// least land_cells, the cells in the focus have its size, and neighbours differ by at most one halving.
+/// Throws std::invalid_argument as both validate() do, and for a focus outside the land.
 ContactCells contact_cells(const GlassProfile &profile, const MeridianResolution &resolution);
 
-/// Height of the lowest row of cells over the thickness of the foot, without a focus (GlassShape::foot).
+/// Height of the lowest row of cells relative to the thickness of the foot, without a focus
+/// (GlassShape::foot).
 constexpr double lowest_level = 0.3;
 
 /// Returns the height of the lowest row of cells at the contact radius [m]; for a step the height of the

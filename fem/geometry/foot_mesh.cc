@@ -1,6 +1,7 @@
 #include "fem/geometry/foot_mesh.h"
 
 #include "fem/geometry/profile_manifold.h"
+#include "ring_model/load/constants.h"
 
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
@@ -20,17 +21,16 @@ using namespace dealii;
 namespace
 {
 
-/// Manifolds of cells and faces round the axis, and of the core (attached in a GlassShape::foot only).
+/// Manifold of the cells and faces around the axis, and of the core (only for GlassShape::foot).
 constexpr types::manifold_id ring_id = 1;
 constexpr types::manifold_id core_id = 2;
 
-/// Largest radial extent of a cell, as a share of the contact radius, and how fast cells grow away from the
-/// land.
+/// Maximum radial cell size divided by the contact radius, and growth factor of the cells away from the land.
 constexpr double largest_cell_ratio = 0.2;
 constexpr double growth = 1.6;
 
-/// Radii from @p begin to @p end (either may be the larger), cells starting at @p first_cell and growing up
-/// to @p limit, stretched to fit.
+/// Returns radii from @p begin to @p end, ascending or descending. Cells start at @p first_cell, grow up to
+/// @p limit, and are scaled to fit the interval.
 std::vector<double> graded_radii(double begin, double end, double first_cell, double limit)
 {
   const double length = std::abs(end - begin);
@@ -44,17 +44,17 @@ std::vector<double> graded_radii(double begin, double end, double first_cell, do
   return radii;
 }
 
-/// A cell of the plan view: quadrilateral in deal.II's lexicographic order, with the band of radii that it
-/// lies in.
+/// Quadrilateral of the plan view in deal.II's lexicographic order, and the radii between which the cell
+/// lies.
 struct PlanCell
 {
   std::array<unsigned int, 4> vertices;
-  double inner_radius = 0; ///< 0 for cells of the core and of the ring round it
+  double inner_radius = 0; ///< 0 for the core and for the ring around the core
   double outer_radius = 0;
 };
 
-/// The foot seen from above: square core, a ring of cells that ends at the stem's surface, more rings out to
-/// the edge of the foot.
+/// Plan view of the foot: square core, a ring of cells out to the stem's surface, more rings out to the edge
+/// of the foot.
 class Plan
 {
 public:
@@ -77,7 +77,7 @@ public:
     loop = next;
   }
 
-  /// A ring whose outer side has three cells for each one of its inner side: four quadrilaterals a sector.
+  /// Adds a ring with three outer cells per inner cell: four quadrilaterals per sector.
   void add_tripling_ring(double inner_radius, double outer_radius)
   {
     const std::vector<unsigned int> next = add_circle(outer_radius, 3 * n_sectors);
@@ -86,7 +86,7 @@ public:
     {
       const unsigned int a = loop[i];
       const unsigned int b = loop[(i + 1) % n_sectors];
-      // Drawn a little apart, so that the inner trapezium keeps good angles.
+      // The shift of 0.08 sectors outwards gives the inner trapezium better angles.
       const unsigned int p = add_vertex(middle, angle(3 * i + 0.92, 3 * n_sectors));
       const unsigned int q = add_vertex(middle, angle(3 * i + 2.08, 3 * n_sectors));
       const unsigned int e = (3 * i + 3) % (3 * n_sectors);
@@ -106,7 +106,7 @@ public:
   std::vector<PlanCell> cells;
 
 private:
-  static double angle(double sector, unsigned int n) { return -numbers::PI_4 + 2 * numbers::PI * sector / n; }
+  static double angle(double sector, unsigned int n) { return -ring::pi / 4 + 2 * ring::pi * sector / n; }
 
   unsigned int add_vertex(double radius, double azimuth)
   {
@@ -122,8 +122,8 @@ private:
     return circle;
   }
 
-  /// A square of (n_sectors / 4)^2 cells with bulging sides, corners at @p corner_radius; returns its border,
-  /// counter-clockwise.
+  /// Adds a square of (n_sectors / 4)^2 cells with convex sides and corners at @p corner_radius. Returns the
+  /// square's border, counter-clockwise.
   std::vector<unsigned int> add_core(double corner_radius)
   {
     const unsigned int n = n_sectors / 4;
@@ -146,7 +146,8 @@ private:
     return border;
   }
 
-  /// Half-way between the square [-1, 1]^2 and the disc that equal angles make of it, towards the border.
+  /// Maps the square [-1, 1]^2 to the core. The map is the plain square at the centre and, towards the
+  /// border, the mean of this square and a disc with equally spaced azimuths.
   static Point<2> core_point(double x, double y, double corner_radius)
   {
     const double size = std::max(std::abs(x), std::abs(y));
@@ -154,7 +155,7 @@ private:
       return {};
     const Point<2> square(x * corner_radius / std::sqrt(2.), y * corner_radius / std::sqrt(2.));
     const bool sideways = std::abs(x) >= std::abs(y);
-    const double tilt = numbers::PI_4 * (sideways ? y / std::abs(x) : x / std::abs(y));
+    const double tilt = ring::pi / 4 * (sideways ? y / std::abs(x) : x / std::abs(y));
     const double radius = size * corner_radius;
     const Point<2> disc = sideways
                             ? Point<2>(std::copysign(radius * std::cos(tilt), x), radius * std::sin(tilt))
@@ -166,7 +167,7 @@ private:
   std::vector<unsigned int> loop; ///< outer border so far, counter-clockwise from -45 degrees
 };
 
-/// Radius of the plan's core with the ring round it: the stem's, where it meets the foot.
+/// Returns the outer radius of the ring around the core: the stem's radius at the foot.
 double core_radius(const GlassProfile &profile)
 {
   return profile.fillet().middle_radius;
@@ -197,8 +198,8 @@ Plan make_plan(const GlassProfile &profile, const FootResolution &resolution)
   return plan;
 }
 
-/// A slab of the foot: cells of the plan between two heights that lie within two radii. The heights of a
-/// GlassShape::foot are levels of its ProfileChart.
+/// Layer of the foot: the plan's cells between two radii, extruded between two heights. For GlassShape::foot
+/// the heights are levels of the ProfileChart.
 struct Slab
 {
   double bottom = 0;
@@ -207,14 +208,15 @@ struct Slab
   double outer_radius = 0;
 };
 
-/// Appends @p n slabs that end @p height above @p bottom.
+/// Appends @p n layers of equal height that together span @p height from @p bottom.
 void stack(double bottom, double height, unsigned int n, double inner, double outer, std::vector<Slab> &slabs)
 {
   for (unsigned int i = 0; i < n; ++i)
     slabs.push_back({ bottom + height * i / n, bottom + height * (i + 1) / n, inner, outer });
 }
 
-/// Cells of a stem are two and a half times as high as those of the foot.
+/// Returns the number of cell layers of a stem of @p height. Each is about 2.5 times as high as @p
+/// foot_layer.
 unsigned int n_stem_layers(double height, double foot_layer)
 {
   return static_cast<unsigned int>(std::max(1., std::ceil(height / (2.5 * foot_layer) - 0.25)));
@@ -240,7 +242,7 @@ std::vector<Slab> foot_slabs(const GlassProfile &profile, const FootResolution &
   const double layer = profile.thickness() / resolution.foot_layers;
   const Fillet fillet = profile.fillet();
   const double fillet_top = ProfileChart(profile).pull_back({ 0, fillet.centre_height }).level;
-  if (fillet_top > 1 + 1e-9) // else it is a sharp corner, but for rounding
+  if (fillet_top > 1 + 1e-9) // otherwise a sharp corner, up to rounding
     stack(1, fillet_top - 1, n_stem_layers(fillet.centre_height - fillet.middle_height, layer), 0,
           fillet.middle_radius, slabs);
   stack(fillet_top, 2 - fillet_top, n_stem_layers(profile.height() - fillet.centre_height, layer), 0,
@@ -248,7 +250,7 @@ std::vector<Slab> foot_slabs(const GlassProfile &profile, const FootResolution &
   return slabs;
 }
 
-/// Stacks the plan's cells into hexahedra, their vertices at @p place.
+/// Extrudes the plan into hexahedra. @p place maps each vertex (x, y, height) to its position.
 void extrude(const Plan &plan, const std::vector<Slab> &slabs,
              const std::function<Point<3>(const Point<3> &)> &place, Triangulation<3> &triangulation)
 {
@@ -280,13 +282,13 @@ void extrude(const Plan &plan, const std::vector<Slab> &slabs,
       cells.push_back(cell);
     }
   }
-  // p4est wants edges that all their cells see in one direction; an O-grid does not come with such.
+  // p4est requires edges whose direction all their cells agree on. An O-grid needs renumbering for that.
   GridTools::consistently_order_cells(cells);
   triangulation.create_triangulation(vertices, cells, SubCellData());
 }
 
-/// Everything at or outside the core's border runs round the axis; the core and the ring round it stay
-/// straight inside. @p radius of a vertex, in the plan.
+/// Attaches the ring manifold to all cells and faces at or outside the core's border. The core and the inner
+/// side of the surrounding ring stay straight. @p radius returns the radius of a vertex in the plan.
 void mark_rings(double core_radius, const std::function<double(const Point<3> &)> &radius,
                 Triangulation<3> &triangulation)
 {
@@ -318,7 +320,7 @@ void make_step(const GlassProfile &profile, const FootResolution &resolution, Tr
   triangulation.set_manifold(ring_id, CylindricalManifold<3>(2));
 }
 
-/// The plan in the coordinates of the ProfileChart, bent.
+/// Makes the mesh of GlassShape::foot: the plan in ProfileChart coordinates, mapped to the section.
 void make_foot(const GlassProfile &profile, const FootResolution &resolution, Triangulation<3> &triangulation)
 {
   const auto core = make_core_manifold(profile), rings = make_ring_manifold(profile);
@@ -332,7 +334,8 @@ void make_foot(const GlassProfile &profile, const FootResolution &resolution, Tr
   triangulation.set_manifold(ring_id, *rings);
 }
 
-/// The contact zone are the faces at z = 0 whose vertices lie on the land, the stem cut those at its height.
+/// Marks the faces at z = 0 whose vertices all lie on the land as contact zone, and the faces at the height
+/// of the cut as stem cut.
 void mark_boundaries(const GlassProfile &profile, Triangulation<3> &triangulation)
 {
   const double tolerance = 1e-9 * profile.height();
@@ -355,7 +358,7 @@ void mark_boundaries(const GlassProfile &profile, Triangulation<3> &triangulatio
     }
 }
 
-/// Halves the cells with a vertex at a radius and height [m] of which @p is_near is true.
+/// Halves the cells with at least one vertex for which @p is_near(radius, height) is true [m].
 void halve_where(const std::function<bool(double radius, double height)> &is_near,
                  Triangulation<3> &triangulation)
 {
@@ -367,7 +370,7 @@ void halve_where(const std::function<bool(double radius, double height)> &is_nea
   triangulation.execute_coarsening_and_refinement();
 }
 
-/// Halves the cells with a vertex in the land, up to its height, between two radii.
+/// Halves the cells with a vertex on the land's height range, between the radii @p inner and @p outer.
 void refine_land(const GlassProfile &profile, double inner, double outer, Triangulation<3> &triangulation)
 {
   const double tolerance = 1e-6 * profile.land_width;
@@ -380,9 +383,9 @@ void refine_land(const GlassProfile &profile, double inner, double outer, Triang
     triangulation);
 }
 
-/// FootResolution::edge_halvings of a land whose cells are @p cell wide [m]. In a step those of the land's
-/// side, with the corners at both its ends; where the underside goes on smoothly, each of the cells that lie
-/// no further from the edge than they are wide.
+/// Performs FootResolution::edge_halvings on a land with cells of width @p cell [m]. For a step the cells
+/// along the land's inner side are halved, including both of its corners. Otherwise (smooth underside) each
+/// halving applies to the cells within one cell width of the edge.
 void refine_edge(const GlassProfile &profile, unsigned int n_halvings, double cell,
                  Triangulation<3> &triangulation)
 {

@@ -18,8 +18,8 @@ unsigned int edge_halvings_for(const GlassProfile &profile, bool table_is_hard)
 {
   if (!table_is_hard || profile.crown_radius != 0)
     return 0;
-  // At a right angle the pressure stays finite. Under a surface that goes on it does not, and contact is a
-  // few hundredths of a millimetre wide.
+  // The pressure is finite at a right-angled edge (2 halvings). Under a smooth continuation it is singular,
+  // and contact is a few 0.01 mm wide (5 halvings).
   return profile.shape == GlassShape::step ? 2 : 5;
 }
 

@@ -2,8 +2,7 @@
 
 #include "fem/geometry/meridian_section.h"
 #include "fem/geometry/require.h"
-
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,8 @@ void require_positive(const char *name, double value)
           " m is not a length of the glass; give a finite number greater than 0.");
 }
 
-/// @p meaning_of_zero as in "a flat land".
+/// Throws unless @p value is finite and not negative. @p meaning_of_zero completes the message, e.g. "a flat
+/// land".
 void require_not_negative(const char *name, double value, const char *meaning_of_zero)
 {
   require(std::isfinite(value) && value >= 0, name, " = ", value,
@@ -95,7 +95,7 @@ Fillet GlassProfile::fillet() const
     fillet.centre_radius = fillet.middle_radius = section->middle_radius();
     fillet.middle_height = section->middle_height();
     fillet.centre_height = section->stem_begin();
-    // Cells of the land begin at its border.
+    // The cells of the land start at the land's border, so the fillet must end inside it.
     const double end = section->fillet_end_radius();
     fillet.end_radius = end < 0.9 * land_inner_radius() ? end : fillet.middle_radius;
     return fillet;
@@ -106,11 +106,11 @@ Fillet GlassProfile::fillet() const
     fillet.centre_height = fillet.middle_height = foot_top();
     return fillet;
   }
-  // The centre has the distance of one radius from the stem's surface and from the cone; the arc runs from
-  // straight left of it to the foot of the perpendicular on the cone, which stands tilted by the cone's
-  // angle.
+  // The arc touches the stem's surface and the cone, so its centre is one radius away from both. In polar
+  // angle about the centre the arc runs from -pi (stem) to tilt - pi/2 (cone); its middle is (tilt - 3 pi/2)
+  // / 2.
   const double tilt = std::atan(cone_slope());
-  const double middle = tilt / 2 - boost::math::double_constants::pi * 3 / 4;
+  const double middle = tilt / 2 - ring::pi * 3 / 4;
   fillet.radius = fillet_radius;
   fillet.centre_radius = stem_radius + fillet_radius;
   fillet.centre_height = cone(fillet.centre_radius) + fillet_radius / std::cos(tilt);
@@ -197,7 +197,8 @@ void GlassProfile::validate_foot() const
   require(arc.centre_height < height(), "Fillet radius = ", fillet_radius, " m rounds the stem up to ",
           arc.centre_height - foot_top(), " m above the foot, beyond its cut at stem height = ", stem_height,
           " m; give a smaller fillet or a longer stem.");
-  // Below the land and outside it there is always glass; inside it a dome may reach a straight top.
+  // On the land and outside it the thickness is positive. Inside it the underside may rise above the flat
+  // top.
   constexpr unsigned int n_samples = 1000;
   for (unsigned int i = 0; i < n_samples; ++i)
   {

@@ -18,7 +18,7 @@ std::string in_format_2()
   return std::string("; convert it: ") + gmsh_command + ".";
 }
 
-/// Number of nodes and corners of an element type, corners first; zero for types without faces.
+/// Element type: number of nodes and of corners. Corners come first in the node list.
 struct ElementType
 {
   unsigned int n_nodes = 0;
@@ -41,7 +41,7 @@ ElementType type_of(long number)
   return type->second;
 }
 
-/// Texts between "$Name" and "$EndName", by name.
+/// Returns the sections of the file, the text between "$Name" and "$EndName", by name.
 std::map<std::string, std::string_view> sections_of_gmsh(std::string_view text)
 {
   std::map<std::string, std::string_view> sections;
@@ -63,7 +63,7 @@ std::map<std::string, std::string_view> sections_of_gmsh(std::string_view text)
   }
 }
 
-/// Reads one file.
+/// Parser of one file.
 class GmshReader
 {
 public:
@@ -108,7 +108,7 @@ private:
       throw UnreadableMesh("is partitioned, and a mesh in one part is read" + in_format_2());
   }
 
-  /// Names of the physical groups of surfaces: lines such as 2 7 "contact".
+  /// Reads the names of the physical surface groups from lines such as 2 7 "contact".
   void read_names()
   {
     const auto found = sections.find("PhysicalNames");
@@ -125,7 +125,7 @@ private:
     }
   }
 
-  /// The physical ids of the surfaces.
+  /// Reads the physical id of each surface.
   void read_surfaces()
   {
     Tokenizer words = section("Entities");
@@ -160,11 +160,11 @@ private:
     return x;
   }
 
-  /// The head of a block of nodes or elements: of one entity in format 4, in format 2 of all of them.
+  /// Header of a block of nodes or elements. Format 4 has one block per entity, format 2 a single block.
   struct Block
   {
     long dimension = 0, entity = 0;
-    long kind = 0; ///< type of the elements; not 0 for nodes that have parameters
+    long kind = 0; ///< element type; for nodes: 0 unless they have parametric coordinates
     long size = 0;
   };
 
@@ -173,7 +173,8 @@ private:
     if (!is_format_4)
       return 1;
     const long n = words.whole_number();
-    for (int k = 0; k < (is_format_4_0 ? 1 : 3); ++k) // how many there are, the least and the largest number
+    for (int k = 0; k < (is_format_4_0 ? 1 : 3); ++k) // number of nodes or elements, smallest and largest
+                                                      // number
       words.whole_number();
     return n;
   }
@@ -195,12 +196,12 @@ private:
 
   void read_nodes()
   {
-    const bool have_parameters = sections.count("ParametricNodes") > 0; // in format 2
+    const bool have_parameters = sections.count("ParametricNodes") > 0; // format 2 only
     Tokenizer words = section(have_parameters ? "ParametricNodes" : "Nodes");
     for (long n = n_blocks(words); n > 0; --n)
     {
       const Block block = next_block(words);
-      std::vector<long> numbers; // format 4.1 has them before the coordinates
+      std::vector<long> numbers; // format 4.1 lists all numbers before the coordinates
       for (long i = 0; i < block.size && is_format_4 && !is_format_4_0; ++i)
         numbers.push_back(words.whole_number());
       for (long i = 0; i < block.size; ++i)
@@ -225,7 +226,7 @@ private:
       long id = known == physical_id.end() ? 0 : known->second;
       for (long i = 0; i < block.size; ++i)
       {
-        words.whole_number(); // of the element
+        words.whole_number(); // number of the element
         const ElementType type = type_of(is_format_4 ? block.kind : words.whole_number());
         if (!is_format_4)
           id = id_in_tags(words);
@@ -234,7 +235,7 @@ private:
     }
   }
 
-  /// The physical id is the first tag of an element.
+  /// Returns the physical id of an element, its first tag in format 2; 0 if it has no tags.
   static long id_in_tags(Tokenizer &words)
   {
     long id = 0;
@@ -273,10 +274,10 @@ private:
 
   std::map<std::string, std::string_view> sections;
   bool is_format_4 = false, is_format_4_0 = false;
-  std::map<long, long> physical_id; ///< by the number of the surface
+  std::map<long, long> physical_id; ///< by surface number
   NumberedPoints points;
   MeshContent content;
-  std::vector<long> nodes; ///< of one element
+  std::vector<long> nodes; ///< nodes of the current element
 };
 
 } // namespace

@@ -23,10 +23,9 @@ using namespace dealii;
 namespace
 {
 
-/// Grid lines of a coordinate, ascending.
+/// Ascending grid lines along one coordinate.
 using GridLines = std::vector<double>;
 
-/// Appends @p n_cells equal cells up to @p end.
 void append_equal(GridLines &lines, double end, unsigned int n_cells)
 {
   const double begin = lines.back();
@@ -34,7 +33,7 @@ void append_equal(GridLines &lines, double end, unsigned int n_cells)
     lines.push_back(begin + (end - begin) * i / n_cells);
 }
 
-/// Appends equal cells of about @p size up to @p end, none if the lines end there but for rounding.
+/// Appends equal cells of approximately @p size up to @p end; no cell if the lines already end there.
 void append_sized(GridLines &lines, double end, double size)
 {
   if (std::abs(end - lines.back()) < 1e-6 * size)
@@ -43,15 +42,15 @@ void append_sized(GridLines &lines, double end, double size)
                static_cast<unsigned int>(std::max(1., std::ceil((end - lines.back()) / size - 1e-9))));
 }
 
-/// How cells grow with their distance from the land, in one direction.
+/// Growth of the cell size with the distance from the land, in one direction.
 struct Growth
 {
-  double first = 0; ///< size of the first cell, about [m]
+  double first = 0; ///< approximate size of the first cell [m]
   double factor = 2;
   double largest = std::numeric_limits<double>::infinity(); ///< [m]
 };
 
-/// Appends cells up to @p end.
+/// Appends cells of increasing size up to @p end.
 void append_growing(GridLines &lines, double end, const Growth &growth)
 {
   const double begin = lines.back();
@@ -70,7 +69,7 @@ void append_growing(GridLines &lines, double end, const Growth &growth)
   }
 }
 
-/// Appends cells that shrink up to @p end: those of append_growing() from there, backwards.
+/// Appends cells of decreasing size up to @p end: the mirror image of append_growing().
 void append_shrinking(GridLines &lines, double end, const Growth &growth)
 {
   GridLines distances = { 0 };
@@ -79,7 +78,7 @@ void append_shrinking(GridLines &lines, double end, const Growth &growth)
     lines.push_back(end - *distance);
 }
 
-/// Tensor grid of the lines without the cells whose centre is not inside.
+/// Makes a tensor-product grid of the lines without the cells whose centre lies outside the section.
 void make_grid(const GridLines &radii, const GridLines &heights,
                const std::function<bool(double radius, double height)> &is_inside,
                Triangulation<2> &triangulation)
@@ -99,7 +98,8 @@ void make_grid(const GridLines &radii, const GridLines &heights,
                                             kept);
 }
 
-/// Marks the boundary faces at the height of the clamp, and those at z = 0 under the land.
+/// Marks the boundary faces at @p clamped_height as stem cut and the faces at z = 0 under the land as contact
+/// zone.
 void mark_boundary(double clamped_height, const GlassProfile &profile, Triangulation<2> &triangulation)
 {
   const double tolerance = 1e-9 * profile.contact_radius;
@@ -119,7 +119,7 @@ void mark_boundary(double clamped_height, const GlassProfile &profile, Triangula
     }
 }
 
-/// Whether a face of @p cell lies on the contact zone.
+/// Returns true if a face of @p cell lies on the contact zone.
 bool touches_table(const Triangulation<2>::active_cell_iterator &cell)
 {
   for (const auto &face : cell->face_iterators())
@@ -128,10 +128,10 @@ bool touches_table(const Triangulation<2>::active_cell_iterator &cell)
   return false;
 }
 
-/// Whether one of the @p borders, ascending, lies inside @p cell.
+/// Returns true if one of the ascending @p borders lies strictly inside @p cell.
 bool is_cut(const Triangulation<2>::active_cell_iterator &cell, const std::vector<double> &borders)
 {
-  // Vertices 0 and 1 are those of the lower face.
+  // Vertices 0 and 1 belong to the lower face.
   const double begin = cell->vertex(0)[0];
   const double end = cell->vertex(1)[0];
   const double margin = 1e-3 * (end - begin);
@@ -139,7 +139,7 @@ bool is_cut(const Triangulation<2>::active_cell_iterator &cell, const std::vecto
   return border != borders.end() && *border < end - margin;
 }
 
-/// Distance of @p cell from the focus, a band of the plane z = 0 [m].
+/// Returns the distance of @p cell from the focus, a band in the plane z = 0 [m].
 double distance_from_focus(const Triangulation<2>::active_cell_iterator &cell, const ContactCells &contact)
 {
   const auto [low, high] = cell->bounding_box().get_boundary_points();
@@ -148,8 +148,9 @@ double distance_from_focus(const Triangulation<2>::active_cell_iterator &cell, c
   return std::hypot(across, away);
 }
 
-/// Most halvings that @p cell may have without closing hanging nodes splitting a contact cell: as many as the
-/// contact cells below or above it, beside the land one more than the nearest.
+/// Returns the maximum number of halvings of @p cell. With more, the hanging-node rule would split a contact
+/// cell. Above or below the land it is the number of halvings of the contact cells there, beside the land one
+/// more than of the nearest contact cell.
 unsigned int max_halvings(const Triangulation<2>::active_cell_iterator &cell, const ContactCells &contact)
 {
   const auto [low, high] = cell->bounding_box().get_boundary_points();
@@ -163,8 +164,8 @@ unsigned int max_halvings(const Triangulation<2>::active_cell_iterator &cell, co
   return most;
 }
 
-/// Halves cells until the contact cells are those of @p contact and the others no larger than their distance
-/// from the focus allows.
+/// Halves cells until the contact cells match @p contact and every other cell is within the size bound for
+/// its distance from the focus.
 void divide(const ContactCells &contact, const MeridianResolution &resolution,
             Triangulation<2> &triangulation)
 {
@@ -189,8 +190,8 @@ void divide(const ContactCells &contact, const MeridianResolution &resolution,
   }
 }
 
-/// Marks the boundary and halves cells: first around the focus, then all, so that meshes with more
-/// refinements are nested in those with fewer.
+/// Marks the boundary and refines: first around the focus, then globally. Meshes with different numbers of
+/// global refinements are therefore nested.
 void refine(double clamped_height, const GlassProfile &profile, const ContactCells &contact,
             const MeridianResolution &resolution, Triangulation<2> &triangulation)
 {
@@ -200,15 +201,15 @@ void refine(double clamped_height, const GlassProfile &profile, const ContactCel
   triangulation.refine_global(resolution.refinements);
 }
 
-/// Largest cell of the foot: a little longer than the foot is thick. Bending is smooth, two quadratic cells
-/// through the thickness carry it.
+/// Returns the maximum cell size of the foot, slightly more than the thickness of the foot. Bending is
+/// smooth, so that two quadratic cells through the thickness resolve it.
 double largest_cell(const GlassProfile &profile)
 {
   return 1.25 * profile.thickness();
 }
 
-/// Appends the cells between the land and what lies within it, those of the land, and those outside it.
-/// Beside a focus cells begin with twice the size of its coarse cells.
+/// Appends radial grid lines: the cells inside the land, on the land, and outside the land. With a focus the
+/// cells beside the land start at twice the size of the coarse contact cells.
 void append_foot(const GlassProfile &profile, const ContactCells &contact, GridLines &radii)
 {
   const double size = largest_cell(profile);
@@ -219,8 +220,8 @@ void append_foot(const GlassProfile &profile, const ContactCells &contact, GridL
   append_growing(radii, profile.outer_radius(), growth);
 }
 
-/// Puts grid lines on the corners of a drawn section outside the rounding at the stem and the land: the line
-/// nearby moves there, else a new one comes in, unless the cells would be too narrow.
+/// Aligns radial grid lines with the corners of a user-defined section, outside the fillet and the land. For
+/// each corner the nearest line is moved or a new line is inserted, unless a cell would become too narrow.
 void meet_corners(const GlassProfile &profile, double size, GridLines &radii)
 {
   if (!profile.section)
@@ -249,8 +250,8 @@ void meet_corners(const GlassProfile &profile, double size, GridLines &radii)
   }
 }
 
-/// Rows of cells between the land and @p end, the height of the lowest row where there is no focus, in the
-/// section's own coordinate: they begin as high as the focus's coarse cells are wide.
+/// Returns the growth of the cell rows above the land. Without a focus the lowest row ends at @p end (in the
+/// section's own coordinate). With a focus the first row is as high as the coarse contact cells are wide.
 Growth rows_of(const ContactCells &contact, const GlassProfile &profile, double end)
 {
   return { contact.has_focus ? end * std::min(1., contact.coarse_size / lowest_cell_height(profile)) : end };
@@ -277,7 +278,7 @@ void make_step(const GlassProfile &profile, const ContactCells &contact, Triangu
   make_grid(radii, heights, is_inside, triangulation);
 }
 
-/// The grid of the straightened section (ProfileChart), bent.
+/// Makes the grid of the straightened section (ProfileChart) and maps it to the section.
 void make_foot(const GlassProfile &profile, const ContactCells &contact, Triangulation<2> &triangulation)
 {
   const double size = largest_cell(profile);
@@ -325,7 +326,7 @@ void make_meridian_mesh(const TableDisc &disc, const GlassProfile &profile,
 {
   const ContactCells contact = contact_cells(profile, resolution);
   disc.validate(profile);
-  // Cells grow from the land inwards to the axis, outwards to the edge and downwards.
+  // Cells grow from the land towards the axis, the edge and the bottom.
   const double beside = contact.has_focus ? 2 * contact.coarse_size : profile.land_width;
   GridLines radii = { 0 };
   append_shrinking(radii, profile.land_inner_radius(), { beside, contact.has_focus ? 2 : 1.5 });

@@ -1,6 +1,7 @@
 #include "fem/geometry/meridian_section.h"
 
 #include "fem/geometry/require.h"
+#include "ring_model/load/constants.h"
 
 #include <boost/geometry/algorithms/simplify.hpp>
 #include <boost/geometry/geometries/register/linestring.hpp>
@@ -22,10 +23,10 @@ namespace
 
 using Polyline = std::vector<SectionVertex>;
 
-/// Share of the largest radius that counts as rounding of the numbers in a file.
+/// Rounding error of the numbers in a file, relative to the largest radius.
 constexpr double file_rounding = 1e-6;
 
-/// "line 14 (r = 0.03 m, z = 0 m)".
+/// Returns the position of a point as text, e.g. "line 14 (r = 0.03 m, z = 0 m)".
 std::string place(const SectionVertex &vertex)
 {
   return sentence("line ", vertex.line, " (r = ", vertex.radius, " m, z = ", vertex.height, " m)");
@@ -44,15 +45,15 @@ bool is_lower(const SectionVertex &one, const SectionVertex &other)
   return one.height < other.height;
 }
 
-/// Profile with both ends on the axis, the lower one first, no point twice in a row, heights from the lowest
-/// point, and the last two points at one height.
+/// Checks and normalises a profile: both ends on the axis, the lower end first, no repeated points, heights
+/// from the lowest point, the last two points at the same height.
 Polyline ordered(Polyline polyline)
 {
   require(
     polyline.size() >= 6, "a profile of ", polyline.size(),
     " points is no foot; give at least 6 points (r, z) from the axis under the foot round its edge to the "
     "axis in the stem's cut.");
-  // The time to leave out what lies on straight lines grows with the square of a zigzag's points.
+  // The cost of the simplification below is quadratic in the number of points for a zigzag.
   constexpr std::size_t max_points = 10000;
   require(polyline.size() <= max_points, "a profile of ", polyline.size(),
           " points is finer than any mesh; give at most 10000, one every few micrometres.");
@@ -63,7 +64,7 @@ Polyline ordered(Polyline polyline)
     require(vertex.radius >= -tolerance, place(vertex),
             " lies beyond the axis; give one half of the section, r from 0 outwards.");
   if (coincide(polyline.front(), polyline.back()))
-    polyline.pop_back(); // the axis drawn along
+    polyline.pop_back(); // the polyline includes the axis
   polyline.erase(std::unique(polyline.begin(), polyline.end(), coincide), polyline.end());
   for (SectionVertex *end : { &polyline.front(), &polyline.back() })
   {
@@ -94,7 +95,8 @@ Polyline ordered(Polyline polyline)
   return simple;
 }
 
-/// Angle between the curve and its x axis [rad], in [0, pi/2], of the segment that begins at point @p i.
+/// Returns the angle between the segment that begins at point @p i of the curve and the x axis [rad], in [0,
+/// pi/2].
 double steepness(const PiecewiseLinear &curve, std::size_t i)
 {
   return std::atan2(std::abs(curve.y[i + 1] - curve.y[i]), curve.x[i + 1] - curve.x[i]);
@@ -146,8 +148,8 @@ void MeridianSection::split(const std::vector<SectionVertex> &polyline)
       "little).");
     lower.add(vertex->radius, vertex->height, vertex->line);
   }
-  // From the edge inwards as far as r falls; from the cut downwards as far as z falls; where both do, the
-  // meeting point lies below what is steeper than 45 degrees.
+  // The top runs from the edge inwards while r decreases, the stem from the cut downwards while z decreases.
+  // Where both hold, the stem ends below the last segment that is steeper than 45 degrees.
   auto inner = last;
   while (inner != cut && (inner + 1)->radius < inner->radius)
     ++inner;
@@ -200,7 +202,7 @@ void MeridianSection::cut_edge()
   edge = upper.x.back();
   if (thickness_at(edge) >= least)
     return;
-  // The thickness is straight between the points of both curves.
+  // The thickness is linear between the points of both curves.
   std::vector<double> radii = upper.x;
   for (const double radius : lower.x)
     if (radius > middle_radius())
@@ -217,9 +219,9 @@ void MeridianSection::cut_edge()
 
 void MeridianSection::find_rounding()
 {
-  // The rounding ends where a segment is nearer to the mean slope of the foot, or to the direction of the
-  // stem, than to 45 degrees by far.
-  constexpr double half_right = 0.78539816339744831;
+  // The fillet ends at the first segment whose direction differs from the mean slope of the foot (or from the
+  // direction of the stem) by less than 15 % of the difference to 45 degrees.
+  constexpr double half_right = ring::pi / 4;
   const double mean =
     std::atan2(std::abs(upper.y.back() - upper.y.front()), upper.x.back() - upper.x.front());
   const double foot_limit = mean + 0.15 * (half_right - mean);

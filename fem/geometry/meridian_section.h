@@ -21,7 +21,7 @@ struct PiecewiseLinear
 
   void add(double at, double value, unsigned int line);
 
-  /// Constant before the first and after the last point.
+  /// Returns y(@p at): linear between the points, constant outside them.
   double operator()(double at) const;
 };
 

@@ -1,5 +1,6 @@
 #include "fem/geometry/mesh_content.h"
 #include "fem/geometry/require.h"
+#include "ring_model/load/constants.h"
 
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
@@ -30,8 +31,8 @@ std::array<unsigned int, 4> sorted(std::array<unsigned int, 4> corners)
   return corners;
 }
 
-/// Throws UnreadableMesh if corners of hexahedra coincide and are not shared: such cells only seem to be
-/// joined.
+/// Throws UnreadableMesh if two corners of hexahedra coincide without being one shared node. Such cells look
+/// connected but are not.
 void require_shared_nodes(const MeshContent &content)
 {
   std::vector<unsigned int> corners;
@@ -43,9 +44,10 @@ void require_shared_nodes(const MeshContent &content)
   for (const unsigned int i : corners)
     for (const double coordinate : content.points[i])
       size = std::max(size, std::abs(coordinate));
-  // Far more than rounding and far less than a cell; the offset keeps round numbers off the borders.
+  // The tolerance is well above rounding and well below a cell. The offset keeps round coordinates away from
+  // the borders of the bins.
   const double tolerance = 1e-7 * size, offset = 0.2137;
-  std::vector<std::array<double, 4>> places; // three coordinates in tolerances, and the index
+  std::vector<std::array<double, 4>> places; // coordinates in units of the tolerance, and the index
   for (const unsigned int i : corners)
   {
     places.push_back({ 0, 0, 0, static_cast<double>(i) });
@@ -69,16 +71,16 @@ void require_shared_nodes(const MeshContent &content)
              "foot is one body."));
 }
 
-using FaceCorners = std::array<unsigned int, 4>; // indices of points, one after the other round the face
+using FaceCorners = std::array<unsigned int, 4>; // indices of points, in cyclic order
 
-/// Returns whether @p x lies on the bilinear face, to 1e-6 of its size.
+/// Returns true if @p x lies on the bilinear face, to 1e-6 of the face's size.
 bool lies_on(const std::array<Point<3>, 4> &face, const Point<3> &x)
 {
   const double size = face[0].distance(face[2]) + face[1].distance(face[3]);
   const Tensor<1, 3> twist = (face[0] - face[1]) + (face[2] - face[3]);
   double s = 0.5, t = 0.5;
   Tensor<1, 3> distance;
-  for (int step = 0; step < 8; ++step) // Newton's method for the closest point
+  for (int step = 0; step < 8; ++step) // Newton iteration for the closest point
   {
     const Tensor<1, 3> along_s = (face[1] - face[0]) + t * twist, along_t = (face[3] - face[0]) + s * twist;
     distance = face[0] + s * (face[1] - face[0]) + t * (face[3] - face[0]) + s * t * twist - x;
@@ -93,9 +95,10 @@ bool lies_on(const std::array<Point<3>, 4> &face, const Point<3> &x)
   return distance.norm() < 1e-6 * size && is_inside(s) && is_inside(t);
 }
 
-/// Throws UnreadableMesh if nodes hang: they lie on edges or faces of @p surface, the faces of one cell each,
-/// that do not have them. On a curved surface, a node beside an edge counts if two edges connect it with the
-/// ends at an angle of over 150 degrees. Cells at such nodes only seem to be joined.
+/// Throws UnreadableMesh if the mesh has hanging nodes: nodes in the middle of an edge or face of @p surface
+/// (the faces with only one cell). On a curved surface a node counts as the middle of an edge if edges
+/// connect it with both ends at an angle of more than 150 degrees. Cells at hanging nodes look connected but
+/// are not.
 void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
                               const std::vector<FaceCorners> &surface)
 {
@@ -110,7 +113,8 @@ void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
       neighbors[face[(k + 1) % 4]].insert(face[k]);
     }
   std::set<unsigned int> hanging;
-  std::map<std::pair<unsigned int, unsigned int>, unsigned int> middles; // of edges
+  std::map<std::pair<unsigned int, unsigned int>, unsigned int> middles; // hanging node of an edge, by the
+                                                                         // edge's ends
   std::vector<std::pair<Place, unsigned int>> places;
   for (const auto &[a, of_a] : neighbors)
   {
@@ -120,7 +124,7 @@ void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
         if (of_a.count(middle) > 0)
         {
           const Tensor<1, 3> to_a = point(a) - point(middle), to_b = point(b) - point(middle);
-          if (to_a * to_b < std::cos(150 * numbers::PI / 180) * to_a.norm() * to_b.norm())
+          if (to_a * to_b < std::cos(150 * ring::pi / 180) * to_a.norm() * to_b.norm())
           {
             hanging.insert(middle);
             middles[std::minmax(a, b)] = middle;
@@ -130,7 +134,7 @@ void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
   const bg::index::rtree<std::pair<Place, unsigned int>, bg::index::quadratic<16>> tree(places);
   for (const FaceCorners &face : surface)
   {
-    // On a curved surface, the middle of a face is connected with the middles of its four edges.
+    // On a curved surface, the hanging node of a face is connected with the hanging nodes of its four edges.
     std::map<unsigned int, unsigned int> n_connections;
     for (unsigned int k = 0; k < 4; ++k)
       if (const auto middle = middles.find(std::minmax(face[k], face[(k + 1) % 4])); middle != middles.end())
@@ -167,8 +171,8 @@ void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
                                 "alike."));
 }
 
-/// Throws UnreadableMesh where points are no numbers, cells no hexahedra, or faces not those of one or two
-/// cells: deal.II takes the latter for granted. Drops marked faces inside the body.
+/// Throws UnreadableMesh if a coordinate is not finite, a cell is not a hexahedron, or a face is shared by
+/// more than two cells (deal.II does not check this). Removes marked faces inside the body.
 void require_mesh(MeshContent &content)
 {
   if (content.hexahedra.empty())
@@ -215,7 +219,7 @@ void require_mesh(MeshContent &content)
   require_no_hanging_nodes(content.points, surface);
 }
 
-/// The marked faces by their corners. Throws UnreadableMesh where one is marked with two ids.
+/// Returns the marked faces by their corners. Throws UnreadableMesh if a face is marked with two ids.
 std::map<std::array<unsigned int, 4>, MarkedFace> once(const std::vector<MarkedFace> &faces)
 {
   std::map<std::array<unsigned int, 4>, MarkedFace> marked;
@@ -228,7 +232,7 @@ std::map<std::array<unsigned int, 4>, MarkedFace> once(const std::vector<MarkedF
 
 void build(MeshContent &content, Triangulation<3> &triangulation)
 {
-  // The files go round a face, deal.II along it.
+  // The files number the corners of a face cyclically, deal.II lexicographically.
   constexpr unsigned int order[] = { 0, 1, 3, 2, 4, 5, 7, 6 };
   require_mesh(content);
   std::vector<Point<3>> points;
@@ -264,7 +268,7 @@ void build(MeshContent &content, Triangulation<3> &triangulation)
   }
 }
 
-/// Returns the whole file, as text without a byte order mark.
+/// Returns the content of the file without a byte order mark.
 std::string text_of(const std::string &file_name)
 {
   std::ifstream file(file_name, std::ios::binary);

@@ -39,7 +39,7 @@ unsigned int count_faces(const Triangulation<3> &triangulation, types::boundary_
   return n_faces;
 }
 
-/// The faces of the surface with the cells that they belong to.
+/// Calls @p visit(cell, face) for each boundary face.
 template <typename Visit>
 void for_each_boundary_face(const Triangulation<3> &triangulation, const Visit &visit)
 {
@@ -51,7 +51,7 @@ void for_each_boundary_face(const Triangulation<3> &triangulation, const Visit &
 
 using Face = Triangulation<3>::face_iterator;
 
-/// Whether all corners of @p face are at most @p distance from the height @p z.
+/// Returns true if all corners of @p face are within @p distance of the height @p z.
 bool lies_at(const Face &face, double z, double distance)
 {
   for (const unsigned int v : face->vertex_indices())
@@ -60,7 +60,8 @@ bool lies_at(const Face &face, double z, double distance)
   return true;
 }
 
-/// The stem cut is the top of the mesh where no face has its id; the contact zone what lies low.
+/// Marks the downward faces within MeshFileOptions::contact_height of the lowest point as contact zone and,
+/// if no face has the id of the stem cut, the top of the mesh as stem cut.
 void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulation)
 {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -78,7 +79,8 @@ void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulatio
                          [&](const auto &cell, const Face &face)
                          {
                            const auto outward = face->center() - cell->center();
-                           const double upward = outward[2] + 1e-6 * outward.norm(); // walls look sideways
+                           const double upward = outward[2] + 1e-6 * outward.norm(); // the margin excludes
+                                                                                     // vertical walls
                            if (upward < 0 && lies_at(face, lowest, marks.contact_height))
                              face->set_boundary_id(contact_id);
                            else if (face->boundary_id() == contact_id)
@@ -89,7 +91,7 @@ void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulatio
                          });
 }
 
-/// Gives the faces of @p marks the ids of FootBoundary, which others lose.
+/// Assigns the FootBoundary ids to the faces of @p marks; other faces become free.
 void mark(const MeshFileOptions &marks, Triangulation<3> &triangulation)
 {
   for_each_boundary_face(triangulation,
@@ -108,7 +110,7 @@ void mark(const MeshFileOptions &marks, Triangulation<3> &triangulation)
     mark_by_height(marks, triangulation);
 }
 
-/// Mean height of the faces of each id of the file [m], for ids that an entry takes.
+/// Returns the mean height of the faces of each id of the file [m], for ids within the range of the entries.
 std::map<types::boundary_id, double> heights_by_id(const Triangulation<3> &triangulation)
 {
   constexpr types::boundary_id max_entry = 65000;
@@ -127,7 +129,7 @@ std::map<types::boundary_id, double> heights_by_id(const Triangulation<3> &trian
   return heights;
 }
 
-/// At most six texts, with commas between them.
+/// Returns at most six texts, separated by commas.
 std::string listed(const std::vector<std::string> &texts)
 {
   constexpr std::size_t max_texts = 6;
@@ -137,8 +139,8 @@ std::string listed(const std::vector<std::string> &texts)
   return list + (texts.size() > max_texts ? ", ..." : "");
 }
 
-/// Throws std::invalid_argument unless there are faces of both marks; @p heights are those of the ids of the
-/// file.
+/// Throws std::invalid_argument unless both the contact zone and the stem cut have faces. @p heights are the
+/// mean heights by id of the file.
 void require_boundaries(const std::string &file_name, const MeshFileOptions &marks,
                         const std::map<types::boundary_id, double> &heights, const FaceNames &names,
                         const Triangulation<3> &triangulation)
@@ -163,7 +165,7 @@ void require_boundaries(const std::string &file_name, const MeshFileOptions &mar
                                 std::to_string(marks.stem_id) +
                                 " for the stem cut, or set a mesh contact height.");
 
-  // The lowest faces are likely to touch the table, and the highest ones to be the stem cut.
+  // The message suggests the lowest faces as contact zone and the highest as stem cut.
   const auto is_lower = [](const auto &a, const auto &b) { return a.second < b.second; };
   const auto lowest = std::min_element(heights.begin(), heights.end(), is_lower),
              highest = std::max_element(heights.begin(), heights.end(), is_lower);
@@ -183,7 +185,7 @@ void require_boundaries(const std::string &file_name, const MeshFileOptions &mar
   throw std::invalid_argument(text + (has_contact ? "." : ", or set a mesh contact height."));
 }
 
-/// Exterior angle of a polyline at @p here.
+/// Returns the exterior angle of a polyline at @p here [rad].
 double exterior_angle(const std::array<double, 2> &before, const std::array<double, 2> &here,
                       const std::array<double, 2> &after)
 {
@@ -192,12 +194,12 @@ double exterior_angle(const std::array<double, 2> &before, const std::array<doub
   return std::abs(std::atan2(x[0] * y[1] - x[1] * y[0], x[0] * x[1] + y[0] * y[1]));
 }
 
-/// The borders of the contact zone.
+/// Borders of the contact zone.
 struct RimBorder
 {
   explicit RimBorder(const Triangulation<3> &triangulation)
   {
-    constexpr double corner = 1; // a larger angle is a corner of the foot, and not of a curve's chords
+    constexpr double corner = 1; // a larger angle [rad] is a corner of the foot, not a chord of a curve
     double sum_of_deficits = 0;
     for (const Outline &outline : contact_outlines(triangulation))
     {
@@ -219,7 +221,7 @@ struct RimBorder
     std::sort(radii.begin(), radii.end());
   }
 
-  /// Whether the radii are those of two circles, to 1e-6 of their mean.
+  /// Returns true if the radii lie on two circles, to 1e-6 of the mean radius.
   bool is_round() const
   {
     const double tolerance = 1e-6 * middle();
@@ -231,7 +233,8 @@ struct RimBorder
   double middle() const { return radii.empty() ? 0 : (radii.front() + radii.back()) / 2; }
 
   std::vector<double> radii; ///< ascending
-  double area_deficit = 0;   ///< share that chords cut off from a land whose borders turn as these edges do
+  double area_deficit = 0;   ///< relative area loss of a land bounded by chords with the turning angles of
+                             ///< these edges
 };
 
 void attach_cylinder(Triangulation<3> &triangulation)
@@ -338,7 +341,7 @@ void write_mesh_vtu(const Triangulation<3> &triangulation, std::ostream &stream)
     }
   }
   DataOutBase::VtkFlags flags;
-  flags.print_date_and_time = false; // equal meshes give equal files
+  flags.print_date_and_time = false; // for reproducible files
   std::ostringstream text;
   DataOutBase::write_vtu(patches, { "scaled_jacobian", "boundary_id" }, {}, flags, text);
   const std::string file = text.str();

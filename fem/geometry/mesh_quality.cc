@@ -1,6 +1,7 @@
 #include "fem/geometry/mesh_quality.h"
 
 #include "fem/geometry/boundary_ids.h"
+#include "ring_model/load/constants.h"
 
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
@@ -23,13 +24,13 @@ using namespace dealii;
 namespace
 {
 
-/// Least scaled Jacobian at the corners of one cell.
+/// Returns the minimum scaled Jacobian over the corners of one cell.
 double scaled_jacobian(const Triangulation<3>::active_cell_iterator &cell)
 {
   double least = 1;
   for (const unsigned int v : cell->vertex_indices())
   {
-    // In deal.II's order the bits of a vertex number are its coordinates on the reference cell.
+    // In deal.II's numbering, bit d of a vertex number is the d-th reference coordinate.
     std::array<Tensor<1, 3>, 3> edges;
     for (unsigned int d = 0; d < 3; ++d)
     {
@@ -62,7 +63,8 @@ void check_cells(const Triangulation<3> &triangulation, MeshCheck &check)
   check.mean_jacobian = sum / check.n_cells;
 }
 
-/// Area times unit normal of a quadrilateral with straight edges: half the cross product of its diagonals.
+/// Returns the area vector of a quadrilateral with straight edges, outward: half the cross product of the
+/// diagonals.
 Tensor<1, 3> area_of(const Triangulation<3>::cell_iterator &cell, unsigned int face_number)
 {
   const auto face = cell->face(face_number);
@@ -108,11 +110,12 @@ void check_contact_zone(const Triangulation<3> &triangulation, MeshCheck &check)
     coordinate /= check.contact_area;
 }
 
-/// Finds the circle of least squares of x^2 + y^2 - 2 a x - 2 b y - c through the outer border.
+/// Fits a circle to the outer border: least squares of x^2 + y^2 - 2 a x - 2 b y - c.
 void check_rim(const Triangulation<3> &triangulation, MeshCheck &check)
 {
   const std::vector<Outline> outlines = contact_outlines(triangulation);
-  const Outline outline = outlines.empty() ? Outline(1) : outlines.front(); // none of a closed surface
+  const Outline outline = outlines.empty() ? Outline(1) : outlines.front(); // a closed contact surface has no
+                                                                            // outline
   Eigen::MatrixX3d matrix(outline.size(), 3);
   Eigen::VectorXd right(outline.size());
   for (std::size_t i = 0; i < outline.size(); ++i)
@@ -130,7 +133,7 @@ void check_rim(const Triangulation<3> &triangulation, MeshCheck &check)
       std::max(check.rim_deviation, std::abs(std::hypot(x - fit(0), y - fit(1)) / radius - 1));
 }
 
-/// Finds the height of the stem cut, and the cells that it does not hold.
+/// Computes the height of the stem cut, and finds cells that are not connected to it.
 void check_stem(const Triangulation<3> &triangulation, MeshCheck &check)
 {
   boost::disjoint_sets_with_storage<> sets(triangulation.n_active_cells() + 1);
@@ -159,7 +162,7 @@ void check_stem(const Triangulation<3> &triangulation, MeshCheck &check)
     }
 }
 
-/// How many sets of contact faces are joined by edges.
+/// Returns the number of groups of contact faces without a common edge.
 unsigned int n_contact_zones(const Triangulation<3> &triangulation)
 {
   std::vector<std::array<unsigned int, 4>> faces;
@@ -199,7 +202,7 @@ std::vector<Quadrilateral> contact_faces(const Triangulation<3> &triangulation)
         face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone))
     {
       Quadrilateral corners;
-      // deal.II numbers vertices by coordinates: 0 1 3 2 goes round.
+      // deal.II numbers vertices lexicographically: 0 1 3 2 is cyclic.
       constexpr std::array<unsigned int, 4> round = { 0, 1, 3, 2 };
       for (unsigned int i = 0; i < 4; ++i)
         corners[i] = { face->vertex(round[i])[0], face->vertex(round[i])[1] };
@@ -210,7 +213,7 @@ std::vector<Quadrilateral> contact_faces(const Triangulation<3> &triangulation)
 
 std::vector<Outline> contact_outlines(const Triangulation<3> &triangulation)
 {
-  std::map<unsigned int, std::array<unsigned int, 2>> edges; // those that belong to one face only
+  std::map<unsigned int, std::array<unsigned int, 2>> edges; // edges of exactly one contact face
   for (const auto &face : triangulation.active_face_iterators())
     if (face->at_boundary() &&
         face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone))
@@ -276,7 +279,7 @@ unsigned int n_symmetry_sectors(const Triangulation<3> &triangulation)
   const bg::index::rtree<Place, bg::index::quadratic<16>> tree(places);
   const auto is_turned_onto_itself = [&](unsigned int n)
   {
-    const double cosine = std::cos(2 * numbers::PI / n), sine = std::sin(2 * numbers::PI / n);
+    const double cosine = std::cos(2 * ring::pi / n), sine = std::sin(2 * ring::pi / n);
     return std::all_of(places.begin(), places.end(),
                        [&](const Place &place)
                        {

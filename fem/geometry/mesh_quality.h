@@ -66,7 +66,7 @@ std::vector<Outline> contact_outlines(const dealii::Triangulation<3, 3> &triangu
 /// Corners of a face as seen from above [m], in the order of its edge line.
 using Quadrilateral = std::array<std::array<double, 2>, 4>;
 
-/// Faces of the contact zone.
+/// Returns the faces of the contact zone.
 std::vector<Quadrilateral> contact_faces(const dealii::Triangulation<3, 3> &triangulation);
 
 } // namespace stemware::fem

@@ -1,5 +1,7 @@
 #include "fem/geometry/profile_manifold.h"
 
+#include "ring_model/load/constants.h"
+
 #include <deal.II/grid/manifold.h>
 
 #include <cmath>
@@ -17,7 +19,7 @@ ProfileChart::ProfileChart(const GlassProfile &profile)
 
 bool ProfileChart::within_stem(double radius) const
 {
-  // The tolerance as in pull_back().
+  // Same tolerance as in pull_back().
   return radius <= fillet.middle_radius * (1 + 1e-9);
 }
 
@@ -39,8 +41,8 @@ SectionPoint ProfileChart::push_forward(const ChartPoint &point) const
 
 ChartPoint ProfileChart::pull_back(const SectionPoint &point) const
 {
-  // A top that rises outwards may be higher than the fillet's middle. The tolerance is for what rounding does
-  // to points on the stem's surface.
+  // The second condition covers a top that rises outwards above the middle of the fillet. The tolerance
+  // allows for rounding of points on the stem's surface.
   if (point.height <= fillet.middle_height || point.radius > profile.stem_surface(point.height) * (1 + 1e-9))
   {
     const double bottom = profile.underside(point.radius);
@@ -53,8 +55,8 @@ ChartPoint ProfileChart::pull_back(const SectionPoint &point) const
 namespace
 {
 
-/// Manifold whose lines are straight in coordinates that a ProfileChart gives; @p to_chart and @p from_chart
-/// are the two ways.
+/// Manifold whose geodesics are straight in ProfileChart coordinates. @p to_chart and @p from_chart are the
+/// map and its inverse.
 template <int dim>
 class StraightenedManifold : public ChartManifold<dim>
 {
@@ -82,7 +84,7 @@ private:
   const Map to_chart, from_chart;
 };
 
-/// @p point with its distance from the axis changed from @p radius to @p other, at another @p height.
+/// Returns @p point scaled in (x, y) from distance @p radius to @p other from the axis, at @p height.
 Point<3> moved_radially(const Point<3> &point, double radius, double other, double height)
 {
   const double stretch = radius > 0 ? other / radius : 1;
@@ -115,14 +117,14 @@ std::unique_ptr<ChartManifold<3>> make_ring_manifold(const GlassProfile &profile
     {
       const ChartPoint straight = chart.pull_back({ std::hypot(point[0], point[1]), point[2] });
       const double azimuth = std::atan2(point[1], point[0]);
-      return { straight.radius, azimuth < 0 ? azimuth + 2 * numbers::PI : azimuth, straight.level };
+      return { straight.radius, azimuth < 0 ? azimuth + 2 * ring::pi : azimuth, straight.level };
     },
     [](const ProfileChart &chart, const Point<3> &point) -> Point<3>
     {
       const SectionPoint section = chart.push_forward({ point[0], point[2] });
       return { section.radius * std::cos(point[1]), section.radius * std::sin(point[1]), section.height };
     },
-    Point<3>(0, 2 * numbers::PI, 0));
+    Point<3>(0, 2 * ring::pi, 0));
 }
 
 std::unique_ptr<ChartManifold<3>> make_core_manifold(const GlassProfile &profile)

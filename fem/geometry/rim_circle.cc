@@ -1,7 +1,8 @@
 #include "fem/geometry/rim_circle.h"
 
+#include "ring_model/load/constants.h"
+
 #include <Eigen/Dense>
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,8 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Returns the points within two half lands of @p lowest, each once, in half lands from it. They are of the
-/// underside, the part of @p polyline between the axis and its largest radius.
+/// Returns the distinct points of the underside within two half lands of @p lowest, relative to @p lowest and
+/// in units of a half land. The underside is the part of @p polyline between the axis and the largest radius.
 std::vector<Vector2d> points_near(std::vector<SectionVertex>::const_iterator lowest,
                                   const std::vector<SectionVertex> &polyline, double half_land)
 {
@@ -36,25 +37,25 @@ std::vector<Vector2d> points_near(std::vector<SectionVertex>::const_iterator low
   return points;
 }
 
-/// Weight of a point at @p offset from the middle of the window.
+/// Returns the weight of a point at @p offset from the middle of the window.
 double weight_at(double offset)
 {
   constexpr double full = 0.85, none = 1.15;
   const double share = std::clamp((std::abs(offset) - full) / (none - full), 0., 1.);
-  return share < 1 ? std::pow(std::cos(boost::math::double_constants::half_pi * share), 2) : 0;
+  return share < 1 ? std::pow(std::cos(ring::pi / 2 * share), 2) : 0;
 }
 
-/// Returns the distance of @p point from @p circle, positive outside, and its derivative by the circle: x of
-/// its lowest point, its curvature, and y of that point.
+/// Returns the signed distance of @p point from @p circle, positive outside. @p circle is (x of the lowest
+/// point, curvature, y of the lowest point); @p derivative is the gradient with respect to it.
 double distance_from(const Vector3d &circle, const Vector2d &point, Vector3d &derivative)
 {
   const double x = point.x() - circle(0), y = point.y() - circle(2), curvature = circle(1);
   const double half_square = (x * x + y * y) / 2, value = curvature * half_square - y;
-  const double ratio = std::sqrt(1 + 2 * curvature * value); // distance from the centre over the radius
+  const double ratio = std::sqrt(1 + 2 * curvature * value); // distance from the centre / radius
   derivative << -curvature * x / ratio,
     half_square / ratio - 2 * value * value / (ratio * (1 + ratio) * (1 + ratio)),
     (1 - curvature * y) / ratio;
-  return 2 * value / (1 + ratio); // no difference of large numbers
+  return 2 * value / (1 + ratio); // avoids cancellation of large numbers
 }
 
 } // namespace
@@ -71,8 +72,9 @@ std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyli
   for (const Vector2d &point : points)
     if (const double x = point.x(); std::abs(x) <= 1)
       moment += x * x * point.y(), square += x * x * x * x;
-  Vector3d circle(0, 2 * moment / square, 0);    // the parabola about the lowest point
-  constexpr double max_steps = 200, flat = 4e-3; // which rises by a thousandth of the land's width
+  Vector3d circle(0, 2 * moment / square, 0);    // initial guess: parabola through the lowest point
+  constexpr double max_steps = 200, flat = 4e-3; // `flat`: curvature at which the rim rises by 1/1000 of the
+                                                 // land width
   for (unsigned int i = 1; circle(1) > 0 && std::abs(circle(0)) <= 1; ++i)
   {
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
@@ -87,7 +89,8 @@ std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyli
         right += weight * distance * derivative;
         sum_of_weights += weight, sum_of_squares += weight * distance * distance, ++n_points;
       }
-    const Vector3d step = 0.7 * matrix.fullPivLu().solve(right); // points that enter push the window back
+    const Vector3d step = 0.7 * matrix.fullPivLu().solve(right); // damping: points that enter the window move
+                                                                 // it back
     if (n_points < 3)
       break;
     if (i == max_steps || step.lpNorm<Eigen::Infinity>() < 1e-14 * std::max(1., circle(1)))

@@ -14,7 +14,7 @@ using namespace dealii;
 namespace
 {
 
-/// The corners of a convex polygon in turn.
+/// Returns the corners of a convex polygon in cyclic order.
 SectionPolygon in_turn(SectionPolygon corners)
 {
   std::array<double, 2> centre = { 0, 0 };

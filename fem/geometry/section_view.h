@@ -13,7 +13,7 @@ class Triangulation;
 namespace stemware::fem
 {
 
-/// Cells of a meridional mesh, edges straight.
+/// Returns the cells of a meridional mesh, with straight edges.
 std::vector<SectionPolygon> section_cells(const dealii::Triangulation<2, 2> &triangulation);
 
 /// Returns the section of the cells of a foot (straight edges) with the half-plane at @p azimuth [rad]

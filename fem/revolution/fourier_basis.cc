@@ -1,6 +1,6 @@
 #include "fem/revolution/fourier_basis.h"
 
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -53,7 +53,7 @@ FourierBasis::FourierBasis(unsigned int n_harmonics, unsigned int n_lines)
   sines.resize(n_lines);
   for (unsigned int k = 0; 2 * k <= n_lines; ++k)
   {
-    const double angle = 2 * boost::math::double_constants::pi * k / n_lines;
+    const double angle = 2 * ring::pi * k / n_lines;
     const unsigned int mirror = (n_lines - k) % n_lines;
     cosines[mirror] = cosines[k] = std::cos(angle);
     sines[mirror] = -std::sin(angle);
@@ -71,12 +71,12 @@ FourierBasis::FourierBasis(unsigned int n_harmonics, unsigned int n_lines)
 
 double FourierBasis::azimuth(unsigned int line) const
 {
-  return 2 * boost::math::double_constants::pi * line / n_lines();
+  return 2 * ring::pi * line / n_lines();
 }
 
 double FourierBasis::norm(unsigned int mode)
 {
-  return mode == 0 ? 2 * boost::math::double_constants::pi : boost::math::double_constants::pi;
+  return mode == 0 ? 2 * ring::pi : ring::pi;
 }
 
 Eigen::MatrixXd FourierBasis::project(const Eigen::Ref<const Eigen::MatrixXd> &samples) const

@@ -3,8 +3,7 @@
 #include "fem/geometry/boundary_ids.h"
 #include "fem/geometry/contact_cells.h"
 #include "fem/geometry/meridian_mesh.h"
-
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +71,7 @@ std::set<unsigned int> reentrant_corners(const Triangulation<2> &triangulation)
       if (face->at_boundary())
         for (unsigned int v = 0; v < 2; ++v)
           // Round corners have neighbours nearly in line.
-          if (angles[face->vertex_index(v)] > 1.2 * boost::math::double_constants::pi)
+          if (angles[face->vertex_index(v)] > 1.2 * ring::pi)
             corners.insert(face->vertex_index(v));
   return corners;
 }

@@ -1,7 +1,8 @@
 #include "fem/revolution/revolution_foot.h"
 
+#include "ring_model/load/constants.h"
+
 #include <Eigen/Geometry>
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -164,7 +165,7 @@ RevolutionGuesses RevolutionFoot::starts_from(const ContactGuess &guess, const r
 
 double RevolutionFoot::line_spacing() const
 {
-  return boost::math::double_constants::two_pi / setup.n_lines;
+  return 2 * ring::pi / setup.n_lines;
 }
 
 double RevolutionFoot::crest(const ring::Orientation &marks) const

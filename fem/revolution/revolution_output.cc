@@ -2,6 +2,7 @@
 #include "fem/revolution/revolution_output.h"
 
 #include "fem/geometry/boundary_ids.h"
+#include "ring_model/load/constants.h"
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/fe/fe_q.h>
@@ -342,7 +343,7 @@ std::vector<StressedPatch> revolution_section(const MeridianField &field, double
       Eigen::VectorXd modes(field.n_modes()), conjugates(field.n_modes());
       for (unsigned int mode = 0; mode < field.n_modes(); ++mode)
       {
-        const double angle = FourierBasis::harmonic(mode) * (azimuth + (side < 0 ? numbers::PI : 0));
+        const double angle = FourierBasis::harmonic(mode) * (azimuth + (side < 0 ? ring::pi : 0));
         modes(mode) = FourierBasis::is_sine(mode) ? std::sin(angle) : std::cos(angle);
         conjugates(mode) = mode == 0 ? 0 : FourierBasis::is_sine(mode) ? -std::cos(angle) : std::sin(angle);
       }

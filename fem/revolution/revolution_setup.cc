@@ -1,8 +1,8 @@
 #include "fem/revolution/revolution_setup.h"
 
 #include "fem/contact/stiff_spring.h"
+#include "ring_model/load/constants.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 
@@ -69,7 +69,7 @@ MeridianOptions RevolutionSetup::meridian_of_zone() const
 
 double RevolutionSetup::line_load(double normal_force) const
 {
-  return normal_force / (2 * boost::math::double_constants::pi * profile.contact_radius);
+  return normal_force / (2 * ring::pi * profile.contact_radius);
 }
 
 std::shared_ptr<const InterfaceLaw> RevolutionSetup::interface() const
@@ -87,7 +87,7 @@ std::shared_ptr<const InterfaceLaw> RevolutionSetup::interface() const
 double hertz_half_width(const RevolutionSetup &setup, double normal_force)
 {
   return std::sqrt(4 * setup.line_load(normal_force) * setup.profile.crown_radius *
-                   setup.plane_strain_compliance() / boost::math::double_constants::pi);
+                   setup.plane_strain_compliance() / ring::pi);
 }
 
 double crest_half_width(const RevolutionSetup &setup, double normal_force)
@@ -111,7 +111,7 @@ double crest_half_width(const RevolutionSetup &setup, double normal_force)
   }
   // The table's motions leave three crests at least to stand on.
   return std::cbrt(normal_force * second * setup.plane_strain_compliance() /
-                   (boost::math::double_constants::pi * slenderness * (1 / across + 1 / along)));
+                   (ring::pi * slenderness * (1 / across + 1 / along)));
 }
 
 double expected_half_width(const RevolutionSetup &setup, double normal_force)

@@ -1,6 +1,7 @@
 #include "fem/solid/enriched_meshes.h"
 
 #include "fem/geometry/boundary_ids.h"
+#include "ring_model/load/constants.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
@@ -92,7 +93,7 @@ std::set<unsigned int> reentrant_edges(const DistributedMesh &mesh)
   // Round edges, made of straight ones, have neighbours nearly in line.
   std::set<unsigned int> edges;
   for (const unsigned int line : on_boundary)
-    if (angles[line] > 1.2 * numbers::PI)
+    if (angles[line] > 1.2 * ring::pi)
       edges.insert(line);
   return edges;
 }

@@ -2,6 +2,7 @@
 
 #include "fem/contact/line_integral.h"
 #include "fem/geometry/boundary_ids.h"
+#include "ring_model/load/constants.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -247,7 +248,7 @@ void measure(ContactSurface &surface, const ContactNodes &nodes, unsigned int li
   surface.is_ring = surface.parts.min(inner) > min_hole * surface.parts.max(outer);
   const double n_faces = surface.parts.sum(static_cast<double>(surface.lines.size())) / lines_per_face;
   surface.n_sectors = static_cast<unsigned int>(
-    std::max(1., std::round(2 * numbers::PI * n_faces / surface.parts.sum(total_width))));
+    std::max(1., std::round(2 * ring::pi * n_faces / surface.parts.sum(total_width))));
 }
 
 double smallest_edge(const std::vector<SampledFace> &faces, const MPI_Comm &communicator)

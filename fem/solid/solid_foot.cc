@@ -6,6 +6,7 @@
 #include "fem/solid/condensed_body.h"
 #include "fem/solid/mesh_estimate.h"
 #include "fem/solid/nested_contact.h"
+#include "ring_model/load/constants.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
@@ -173,7 +174,7 @@ FootCapabilities SolidFoot::capabilities() const
   capabilities.is_collective = true;
   capabilities.friction_deforms = setup.friction_coefficient > 0;
   if (mesh.report && mesh.report->n_symmetry_sectors < foot_numbers.min_symmetry_sectors)
-    capabilities.glass_period = 2 * dealii::numbers::PI / mesh.report->n_symmetry_sectors;
+    capabilities.glass_period = 2 * ring::pi / mesh.report->n_symmetry_sectors;
   return capabilities;
 }
 

@@ -18,6 +18,7 @@
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/friction_functionals.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/spin/answer.h"
 #include "tests/benchmark/random_study.h"
 
@@ -71,7 +72,7 @@ std::vector<unsigned int> corner_cells(const std::vector<fem::SectionPolygon> &c
   std::vector<unsigned int> found;
   for (unsigned int c = 0; c < cells.size(); ++c)
     for (const auto &corner : cells[c])
-      if (const double angle = angles[point(corner)]; angle > 1.2 * M_PI && angle < 1.9 * M_PI)
+      if (const double angle = angles[point(corner)]; angle > 1.2 * ring::pi && angle < 1.9 * ring::pi)
       {
         found.push_back(c);
         break;

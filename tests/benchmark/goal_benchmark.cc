@@ -20,6 +20,7 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/spin/answer.h"
 #include "tests/benchmark/solid_benchmark.h"
 
@@ -134,7 +135,7 @@ Estimate given_estimate(const std::optional<Estimate> &estimate)
 /// a_2 / a_0 of all rings together, a_0 being given by the weight.
 ContactGoal second_harmonic(const Case &study)
 {
-  const double mean = study.demand.normal_force / (2 * dealii::numbers::PI);
+  const double mean = study.demand.normal_force / (2 * ring::pi);
   ContactGoal goal;
   goal.ring_radii = study.demand.ring_radii;
   goal.of_load = { { { 0, 0 }, { 0, 0 }, { 1 / mean, 1 / mean } }, Eigen::ArrayXXd::Zero(3, 2) };

@@ -10,6 +10,7 @@
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/foot_mesh.h"
 #include "fem/solid/solid_body.h"
+#include "ring_model/load/constants.h"
 #include "tests/benchmark/solid_benchmark.h"
 
 #include <deal.II/base/timer.h>
@@ -74,7 +75,7 @@ void import(const dealii::Triangulation<3> &drawn, const std::string &defect, do
   for (const auto &cell : flat.active_cell_iterators())
   {
     const dealii::Point<3> x = cell->center();
-    if (std::hypot(x[0], x[1]) > radius && std::abs(std::atan2(x[1], x[0]) - 1) < dealii::numbers::PI / 12)
+    if (std::hypot(x[0], x[1]) > radius && std::abs(std::atan2(x[1], x[0]) - 1) < ring::pi / 12)
       removed.insert(cell);
     for (const auto &face : cell->face_iterators())
       if (face->at_boundary())

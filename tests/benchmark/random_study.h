@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/study_file.h"
+#include "ring_model/load/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -147,7 +148,10 @@ private:
       table.waviness = draw_waviness();
   }
 
-  Waviness draw_waviness() { return { { 2 + one_of(5), log_between(1e-7, 5e-6), between(-M_PI, M_PI) } }; }
+  Waviness draw_waviness()
+  {
+    return { { 2 + one_of(5), log_between(1e-7, 5e-6), between(-ring::pi, ring::pi) } };
+  }
 
   void draw_motion(MotionSection &motion)
   {
@@ -182,7 +186,7 @@ private:
     if (happens(0.25))
     {
       study.load.moment_ratio = between(0, 1.95);
-      study.load.moment_direction = between(-M_PI, M_PI);
+      study.load.moment_direction = between(-ring::pi, ring::pi);
       return true;
     }
     ring::Motion &orbit = study.motion.orbit;
