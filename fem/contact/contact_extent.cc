@@ -22,10 +22,10 @@ namespace
 
 constexpr double two_pi = 2 * ring::pi;
 
-/// Pressures below this share of the largest are rounding.
+/// Pressures below this fraction of the maximum are rounding errors.
 constexpr double rounding_share = 1e-11;
 
-/// Largest value on [-1, 1] of the quadratic through @p samples.
+/// Returns the maximum on [-1, 1] of the quadratic through @p samples.
 double peak_of(const Eigen::Vector3d &samples)
 {
   const Eigen::Vector3d coefficients = quadratic_through(samples);
@@ -35,27 +35,27 @@ double peak_of(const Eigen::Vector3d &samples)
   return peak;
 }
 
-/// Areas of lines [m^2].
+/// Total and unloaded area of lines [m^2].
 struct LineAreas
 {
-  double whole = 0, lost = 0;
+  double total = 0, unloaded = 0;
 };
 
-/// Area of @p line, and the part of it where the quadratic through @p excess is not positive. A gap between
-/// two loaded ends is shorter than a cell, such as next to the singular edge of a hard land, and is not
-/// resolved: it counts as loaded.
+/// Returns the area of @p line and its unloaded part, where the quadratic through @p excess is not positive.
+/// A gap between two loaded ends counts as loaded: it is shorter than a cell and not resolved, e.g. next to
+/// the singular edge of a hard land.
 LineAreas areas_of(const ContactLine &line, const Eigen::Vector3d &excess)
 {
   const AreaElement element(line);
   LineAreas areas;
   const auto integrate = [&](const LineSegment &segment, double &sum)
   { for_each_point<2>(element, segment, [&](const LinePoint &point) { sum += point.area; }); };
-  integrate({ -1, 1 }, areas.whole);
+  integrate({ -1, 1 }, areas.total);
   if (excess(0) > 0 && excess(2) > 0)
     return areas;
   const PositiveSegments not_loaded(-excess);
   for (unsigned int s = 0; s < not_loaded.n_segments; ++s)
-    integrate(not_loaded.segments[s], areas.lost);
+    integrate(not_loaded.segments[s], areas.unloaded);
   return areas;
 }
 
@@ -70,7 +70,8 @@ void for_each_interval(const std::vector<CutValue> &cuts, const Visitor &visit)
   }
 }
 
-/// Share of the azimuths where a value that is linear between the cuts is positive; 1 if it is on all cuts.
+/// Returns the fraction of the azimuths where the value, interpolated linearly between the cuts, is positive;
+/// 1 if it is positive on all cuts.
 double positive_share(const std::vector<CutValue> &cuts)
 {
   double lost = 0;
@@ -121,8 +122,8 @@ double largest_between(const std::vector<CutValue> &cuts)
 namespace
 {
 
-/// Share of the sectors with a place under pressure; @p is_loaded of the sectors from theta = 0 on, of this
-/// part of the surface.
+/// Returns the fraction of the sectors under pressure. @p is_loaded: one entry per sector from theta = 0, for
+/// this part of the surface.
 double share_of_sectors(const SurfaceParts &parts, std::vector<double> is_loaded)
 {
   parts.sum_in_place(is_loaded);
@@ -143,7 +144,7 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
   deepest = surface.parts.max(deepest);
   ContactExtent extent;
   extent.peak_pressure = pressure(deepest);
-  // Where the pressure begins; a hard law has no lines.
+  // Penetration at the edge of the contact. A hard law never comes here: it has no lines.
   const double edge = law.penetration_at(rounding_share * extent.peak_pressure);
 
   std::vector<CutValue> cuts;
@@ -175,11 +176,11 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
     extent.area_share = azimuth_share;
     return extent;
   }
-  Eigen::Vector2d areas = Eigen::Vector2d::Zero(); // whole, lost
+  Eigen::Vector2d areas = Eigen::Vector2d::Zero(); // total, unloaded
   for (std::size_t i = 0; i < depths.size(); ++i)
   {
     const LineAreas of_line = areas_of(surface.lines[i], depths[i].array() - edge);
-    areas += Eigen::Vector2d(of_line.whole, of_line.lost);
+    areas += Eigen::Vector2d(of_line.total, of_line.unloaded);
   }
   areas = surface.parts.sum(areas);
   extent.area_share = 1 - std::min(1., areas(1) / areas(0));

@@ -18,16 +18,15 @@ namespace
 
 using ring::pi;
 
-/// Fourier sums of point forces on rings, and their moments. Points that follow each other on one azimuth
-/// line are taken together, and cos and sin of n theta come from turning the line's direction: a law has
-/// thousands of points.
+/// Fourier sums of point forces on rings, and the moments of the forces. For speed, consecutive points on one
+/// azimuth line are summed first, and cos n theta, sin n theta come from a recurrence.
 class AzimuthSums
 {
 public:
   /// sum f, f y, -f x, f r, f r^2
   using Moments = Eigen::Matrix<double, 5, 1>;
 
-  /// Without radii one ring gets all.
+  /// @p radii: empty for a single ring.
   AzimuthSums(const std::vector<double> &radii, unsigned int n_harmonics)
       : shares(radii.empty() ? std::vector<double>{ 1 } : radii)
       , a(std::max<std::size_t>(radii.size(), 1), std::vector<double>(n_harmonics + 1, 0))
@@ -50,7 +49,7 @@ public:
     of_rings += point.force * shares.at(radius);
   }
 
-  /// Brings the last line's forces into the sums, and adds up those of all @p parts.
+  /// Adds the forces of the last line, then sums over all @p parts.
   void finish(const SurfaceParts &parts)
   {
     flush();
@@ -66,7 +65,7 @@ public:
 
   const Moments &moments() const { return sums; }
 
-  /// The sums as rings of @p radii.
+  /// Returns the sums as rings with @p radii.
   std::vector<ring::RingStack::Ring> rings(const std::vector<double> &radii) const
   {
     std::vector<ring::RingStack::Ring> rings;
@@ -98,11 +97,11 @@ private:
   }
 
   const RingWeights shares;
-  Eigen::Vector3d on_line = Eigen::Vector3d::Zero(); ///< sum f, f r, f r^2 of the present line
+  Eigen::Vector3d on_line = Eigen::Vector3d::Zero(); ///< sum f, f r, f r^2 on the current line
   Moments sums = Moments::Zero();
   std::vector<std::vector<double>> a;
   std::vector<std::vector<double>> b;
-  Eigen::VectorXd of_rings; ///< their shares in the forces of the present line
+  Eigen::VectorXd of_rings; ///< forces of the current line by ring
   double cosine = 1;
   double sine = 0;
 };
@@ -131,8 +130,8 @@ bool are_equidistant(const std::vector<AzimuthLoad> &pointwise)
   return true;
 }
 
-/// Trigonometric interpolant of values at equidistant azimuths in barycentric form (Henrici, Essentials of
-/// Numerical Analysis, 1982, section 6).
+/// Returns the trigonometric interpolant of values at equidistant azimuths, in barycentric form (Henrici,
+/// Essentials of Numerical Analysis, 1982, section 6).
 double trigonometric_value(const std::vector<AzimuthLoad> &pointwise, double azimuth)
 {
   double above = 0, below = 0, sign = 1;
@@ -167,7 +166,7 @@ RingWeights::RingWeights(std::vector<double> radii_given)
 const Eigen::VectorXd &RingWeights::at(double radius) const
 {
   shares = factors;
-  double inside = 1, outside = 1; // products of the distances to the rings on either side
+  double inside = 1, outside = 1; // products of the distances to the rings on the inner and outer side
   for (std::size_t j = 0, k = radii.size() - 1; j < radii.size(); ++j, --k)
   {
     shares(static_cast<Eigen::Index>(j)) *= inside;
@@ -175,7 +174,8 @@ const Eigen::VectorXd &RingWeights::at(double radius) const
     shares(static_cast<Eigen::Index>(k)) *= outside;
     outside *= (radius - radii[k]) * per_unit;
   }
-  // Beyond this the polynomials would multiply rounding; force and moment stay exact.
+  // Beyond this bound the Lagrange polynomials amplify rounding. Linear weights still give the exact force
+  // and moment.
   constexpr double max_extrapolation = 1e6;
   const bool is_between = radius >= radii.front() && radius <= radii.back();
   if (!is_between && radii.size() > 2 && shares.lpNorm<1>() > max_extrapolation)
@@ -214,7 +214,7 @@ ContactLoad harmonics_of(const std::vector<PointForce> &forces, unsigned int n_h
   const double moment = std::hypot(moments(1), moments(2));
   const double even = n_harmonics > 0 ? rings.front().a[1] : 0,
                odd = n_harmonics > 0 ? rings.front().b[1] : 0;
-  // Below rounding the moment has no direction, nor its quotient with the first harmonic a value.
+  // Below rounding neither the direction of the moment nor its ratio to the first harmonic is defined.
   if (radii.empty() && moment > 1e-10 * moments(0) * mean_radius && (even != 0 || odd != 0))
   {
     rings.front().radius = moment / (pi * std::hypot(even, odd));
@@ -250,7 +250,7 @@ double least_load(const std::vector<AzimuthLoad> &pointwise)
         .second;
     return std::clamp(between, 0., least->density);
   }
-  // The parabola least + slope t + bend t^2 through the three.
+  // Parabola least + slope t + bend t^2 through the three values.
   const double fall = (before.density - least->density) / to_before,
                rise = (after.density - least->density) / to_after;
   const double bend = (rise + fall) / (to_before + to_after), slope = rise - bend * to_after;
@@ -259,10 +259,10 @@ double least_load(const std::vector<AzimuthLoad> &pointwise)
 
 unsigned int n_line_parts(std::size_t n_rings)
 {
-  // Four Gauss points are exact for degree 7; nine parts of a line that is twice as long as the contact is
-  // wide know the moment of the order 12 to 1e-4, that of the order 24 to a per cent.
-  constexpr std::size_t known_by_four_points = 8;
-  return n_rings <= known_by_four_points ? 1 : static_cast<unsigned int>(n_rings / 3 + 1);
+  // Four Gauss points are exact for degree 7. Nine parts resolve the radial moment of order 12 to 1e-4 and of
+  // order 24 to 1 % if the line is twice as long as the contact is wide.
+  constexpr std::size_t max_rings_of_four_points = 8;
+  return n_rings <= max_rings_of_four_points ? 1 : static_cast<unsigned int>(n_rings / 3 + 1);
 }
 
 std::pair<double, double> loaded_band(const TableLoad &load)

@@ -19,18 +19,18 @@ namespace stemware::fem
 namespace
 {
 
-/// A contact with fewer loaded nodes side by side does not resolve its pressure across the rim.
+/// Minimum number of adjacent loaded nodes across the rim that resolves the pressure.
 constexpr unsigned int min_nodes_across = 4;
 
-/// Distance from the axis to the border of the convex hull of the nodes, or of the weights in their place, in
-/// @p direction, a unit vector [m]: the smallest of the distances to the hull's tangents. The hull of a ring
-/// is nearly round.
+/// Returns the distance [m] from the axis to the convex hull of the nodes in @p direction (unit vector), as
+/// the minimum of the distances to the tangents of the hull. With a moment balance the weights L replace (x,
+/// y). The hull of a ring (@p is_ring) is nearly a circle, so that its extent in @p direction suffices.
 double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2d &direction, bool is_ring)
 {
   if (is_ring)
     return conditions.reach(direction);
   const Eigen::Vector2d across(-direction(1), direction(0));
-  // Convex in the tangent of the angle, so it has one minimum.
+  // The distance is convex in tan(angle), so that it has a single minimum.
   const auto to_tangent = [&](double angle)
   { return conditions.reach(direction + std::tan(angle) * across); };
   constexpr double limit = ring::pi / 2 - 1e-6;
@@ -38,8 +38,8 @@ double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2
   return boost::math::tools::brent_find_minima(to_tangent, -limit, limit, bits).second;
 }
 
-/// Pushing forces have the mean of (x, y), or of the weights in their place, within the hull of those of the
-/// nodes.
+/// Throws TippingDemand if the required centre of pressure lies outside the convex hull of the contact nodes.
+/// No compressive forces have such a resultant.
 void require_possible(const LinearConditions &conditions, double radius, bool is_ring)
 {
   const Eigen::Vector2d centre = conditions.target().tail<2>() / conditions.normal_force();
@@ -55,7 +55,7 @@ void require_possible(const LinearConditions &conditions, double radius, bool is
                                limit / radius, " N R."));
 }
 
-/// The damped Newton iteration of one body and one table.
+/// Damped Newton iteration for one body and one table.
 class ContactNewton
 {
 public:
@@ -76,7 +76,7 @@ public:
     evaluate();
   }
 
-  /// Newton steps until the law's linear branch and the balance of forces are both found.
+  /// Iterates until the active set is unchanged and the residuals are within their tolerances.
   void converge()
   {
     bool balanced_before = false;
@@ -90,8 +90,8 @@ public:
       n_idle = present_residual > 0.5 * least_residual ? n_idle + 1 : 0;
       least_residual = std::min(least_residual, present_residual);
       const bool balanced = is_balanced() || stagnates(present_residual, residual_before, n_idle);
-      // A set that still flips between two balanced iterates flips at places whose force is zero to within
-      // the tolerance.
+      // An active set that still changes between two balanced iterates changes only at nodes whose force is
+      // zero to within the tolerance.
       if (balanced && n_steps > 0 && (n_changed == 0 || balanced_before || !control.requires_unchanged_set))
         return;
       if (control.requires_unchanged_set)
@@ -104,7 +104,8 @@ public:
     }
   }
 
-  /// Converges, then lets the law correct its multipliers, until they rest.
+  /// Augmented Lagrangian: alternates Newton convergence and multiplier updates until the violation is within
+  /// the tolerance.
   void converge_outer_iteration()
   {
     for (;;)
@@ -114,7 +115,8 @@ public:
       if (violation == 0)
         return;
       evaluate();
-      // Not the normal displacement itself: on a flat land it tends to zero together with the violation.
+      // Relative to the displacements of body and table, not to their sum: on a flat land the sum tends to
+      // zero together with the violation.
       const double moved = parts.max(std::max(body.contact_displacement().lpNorm<Eigen::Infinity>(),
                                               (modes * motion).lpNorm<Eigen::Infinity>()));
       if (violation <= control.tolerance * moved)
@@ -147,14 +149,12 @@ public:
   }
 
 private:
-  /// Evaluates the law and the balance at the present normal displacement.
   void evaluate()
   {
     law.evaluate(normal_displacement, contact);
     compute_residual();
   }
 
-  /// Evaluates the balance of the contact forces.
   void compute_residual()
   {
     condition_residual = conditions.residual(contact.forces, motion);
@@ -176,9 +176,10 @@ private:
     return resultant_residual() <= control.tolerance && equilibrium <= control.equilibrium_tolerance;
   }
 
-  /// Whether a whole step has changed neither the active set nor a residual that the final check lets
-  /// pass, or @p n_idle steps in a row have not improved on it: the stiff penalties of a rigid table leave
-  /// more rounding than the tolerance may allow, and places without force may flip in it.
+  /// Returns true at the rounding floor: the residual passes the final check, and either a full step changed
+  /// neither the active set nor the residual, or the last @p n_idle steps (at least `patience`) did not
+  /// reduce it. With the stiff penalty of a rigid table the floor may lie above the tolerance, and nodes
+  /// without force may change in the active set.
   bool stagnates(double present_residual, double residual_before, unsigned int n_idle) const
   {
     constexpr unsigned int patience = 10;
@@ -188,7 +189,8 @@ private:
            equilibrium <= control.equilibrium_tolerance;
   }
 
-  /// Damped steps lower the energy, so they may pass through a set twice; whole steps that do so get nowhere.
+  /// Throws if a full Newton step leads back to an active set without a smaller residual. Damped steps reduce
+  /// the energy and may therefore revisit a set.
   void require_new_set(VisitedSets &visited, double present_residual) const
   {
     if (visited.makes_progress(contact.active_set, present_residual) || last_step_length != 1)
@@ -232,9 +234,10 @@ private:
                                     " (allowed ", control.equilibrium_tolerance,
                                     "; refine the land or reduce the load's moment)."));
     }
-    if (n_steps == 0 || n_changed > 0) // other places than those found to support it
+    if (n_steps == 0 || n_changed > 0) // the support must be checked for every new active set
       require_support();
-    // Of a start that is not yet what body and table make of it; the first step takes it away.
+    // Difference between an inconsistent initial guess and the displacements of body and table. The first
+    // step removes it.
     Eigen::VectorXd mismatch = Eigen::VectorXd::Zero(normal_displacement.size());
     if (n_steps == 0)
       mismatch = normal_displacement - body.contact_displacement() - modes * motion;
@@ -248,15 +251,14 @@ private:
     report(increment, step_length, other_contact.active_set);
   }
 
-  /// Takes the step of least energy along the increment; returns its length. Leaves the contact forces at its
-  /// end in `contact`, the one before it in `other_contact`.
+  /// Takes the step that minimises the energy along the increment. Returns its length. Afterwards `contact`
+  /// has the contact forces at its end, and `other_contact` the previous ones.
   double step_to_least_energy(const NewtonIncrement &increment, const Eigen::VectorXd &direction)
   {
     law.evaluate(normal_displacement + direction, other_contact);
     const double step_length = line_search(increment, direction, other_contact.forces);
     body.update(step_length);
-    // Most steps are taken whole: the contact forces at their end are then those that the line search
-    // has looked at.
+    // For a full step, the forces evaluated for the line search are the forces at its end.
     if (step_length != 1)
       law.evaluate(normal_displacement + step_length * direction, other_contact);
     contact.swap(other_contact);
@@ -265,8 +267,8 @@ private:
     return step_length;
   }
 
-  /// Takes the longest of the steps 1, 1/2, 1/4 ... @p shortest that lowers the residual, the shortest of
-  /// them where none does; returns its length and leaves the contact forces as step_to_least_energy().
+  /// Takes the longest of the steps 1, 1/2, 1/4 ... @p shortest that reduces the residual, or the shortest if
+  /// none does. Returns its length. Sets `contact` and `other_contact` as step_to_least_energy() does.
   double step_to_less_residual(const NewtonIncrement &increment, const Eigen::VectorXd &direction,
                                double shortest)
   {
@@ -300,8 +302,9 @@ private:
     return body.solve(contact.tangent, contact.forces + contact.tangent * mismatch, conditions, motion);
   }
 
-  /// Share of the increment to take, line_search_step(): beyond its end too where the edges of contact
-  /// alone decide. A rigid foot would leave the table by such steps.
+  /// Returns the step length of line_search_step(). Lengths above 1 are allowed for laws integrated along
+  /// lines, whose active set is not part of the stopping rule. For a rigid foot (no energy curvature) they
+  /// would end contact.
   double line_search(const NewtonIncrement &increment, const Eigen::VectorXd &direction,
                      const Eigen::VectorXd &forces_at_end) const
   {
@@ -343,7 +346,7 @@ private:
     last_step_length = step_length;
     stability_margin = increment.stability_margin;
     n_linear_iterations += increment.linear_iterations;
-    const unsigned int n_loaded_now = n_loaded(); // all parts count, whoever reports
+    const unsigned int n_loaded_now = n_loaded(); // collective, so every rank must call it
     if (!control.progress)
       return;
     ContactIteration iteration;
@@ -367,9 +370,10 @@ private:
   Eigen::Vector3d motion;
   Eigen::VectorXd normal_displacement;
   ContactForces contact;
-  ContactForces other_contact;        ///< at the end of a step to come, or at the beginning of the last one
+  ContactForces other_contact;        ///< contact forces at the end of the trial step, or of the previous
+                                      ///< step
   Eigen::Vector3d condition_residual; ///< residual of the conditions on the contact forces
-  double equilibrium = 0;             ///< the body's relative residual under the contact forces
+  double equilibrium = 0;             ///< relative residual of the body
   unsigned int n_steps;
   unsigned int n_linear_iterations;
   unsigned int n_changed = 0;
@@ -402,7 +406,7 @@ Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law,
   ContactNewton newton(foot, law, conditions, radius, control, { first, surface.motion_modes() * first });
   newton.converge();
   Eigen::Vector3d motion = newton.solution().motion;
-  // A tilt that is rounding would break a mirror symmetry that bodies and laws make use of.
+  // A tilt at rounding level would break the mirror symmetry that bodies and laws exploit.
   const double negligible = 1e-12 * motion.cwiseProduct(Eigen::Vector3d(1, radius, radius)).norm();
   for (const Eigen::Index tilt : { 1, 2 })
     if (std::abs(motion(tilt)) * radius < negligible)
@@ -420,7 +424,7 @@ ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const LinearCond
   else
   {
     body.reset();
-    // From a foot that is pressed in so far that the whole zone carries.
+    // Start from a penetration at which the whole contact zone is loaded.
     const ContactSurface &surface = body.contact_surface();
     const double greatest_gap = surface.parts.max_entry(surface.node_gap);
     const double rise = greatest_gap + surface.parts.max_entry(-surface.node_gap);

@@ -68,8 +68,8 @@ public:
   double augmented_lagrangian_update(const Eigen::VectorXd &normal_displacement) override
   {
     const Eigen::VectorXd updated = forces(normal_displacement);
-    // f - multiplier is stiffness * penetration where loaded, and what the node should have let go of where
-    // not.
+    // |f - multiplier| / stiffness is the penetration of a loaded node; for an unloaded node, the tension
+    // that the multiplier would still exert, as a length.
     const Eigen::Index n = surface.n_owned_nodes();
     const double violation =
       surface.parts.max_entry(((updated - multipliers).head(n).array() / stiffness.head(n).array()).abs());
@@ -78,7 +78,7 @@ public:
   }
 
 private:
-  /// Every node acts in the part that it belongs to.
+  /// Returns the nodal areas, 0 for ghost nodes: every node contributes on the part that owns it.
   static Eigen::VectorXd own_areas(const ContactSurface &surface)
   {
     Eigen::VectorXd areas = surface.node_area;
@@ -92,7 +92,7 @@ private:
   }
 
   const ContactSurface &surface;
-  const Eigen::VectorXd stiffness; ///< penalty times nodal area [N/m]
+  const Eigen::VectorXd stiffness; ///< penalty * nodal area [N/m]
   Eigen::VectorXd multipliers;     ///< nodal forces [N]
 };
 

@@ -10,7 +10,8 @@ namespace stemware::fem
 
 namespace
 {
-/// Roots of c0 + c1 x + c2 x^2 inside (-1, 1), ascending, by the form that does not cancel.
+/// Finds the roots of c0 + c1 x + c2 x^2 inside (-1, 1), in ascending order, without cancellation. Returns
+/// their number.
 unsigned int interior_roots(double c0, double c1, double c2, std::array<double, 2> &roots)
 {
   const double discriminant = c1 * c1 - 4 * c2 * c0;
@@ -28,7 +29,7 @@ unsigned int interior_roots(double c0, double c1, double c2, std::array<double, 
 }
 } // namespace
 
-// Here, since many files include the header and Boost's is slow to compile.
+// Defined here to compile Boost's slow header once only.
 template <unsigned int n_points>
 const std::vector<double>
   GaussRule<n_points>::abscissas = boost::math::quadrature::gauss<double, n_points>::abscissa();
@@ -42,7 +43,7 @@ template struct GaussRule<6>;
 
 PositiveSegments::PositiveSegments(const Eigen::Vector3d &samples)
 {
-  // A quadratic lies below its control points; most lines of a contact zone are far from contact.
+  // A quadratic lies below its control points. This test rejects most lines, which are far from contact.
   const double control = 2 * samples(1) - (samples(0) + samples(2)) / 2;
   if (samples(0) <= 0 && samples(2) <= 0 && control <= 0)
     return;

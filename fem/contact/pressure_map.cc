@@ -14,12 +14,12 @@ namespace stemware::fem
 namespace
 {
 
-/// Pressure below this share of the largest is not shown.
+/// Pressures below this fraction of the maximum are not shown.
 constexpr double min_share = 1e-3;
 
 constexpr unsigned int n_points_across = 33;
 
-/// theta in [0, 2 pi).
+/// Returns @p azimuth mapped to [0, 2 pi).
 double wrapped(double azimuth)
 {
   const double turns = azimuth / (2 * ring::pi);
@@ -33,11 +33,11 @@ void sort_by_azimuth(PressureMap &pressure_map)
                    { return one.front().azimuth < other.front().azimuth; });
 }
 
-/// A contact line with the pressure along it.
+/// Contact line with its pressure.
 class LoadedLine
 {
 public:
-  /// Numbers of a line as they travel between ranks: azimuth, positions and penetrations at the samples.
+  /// Data of a line sent between ranks: azimuth, positions and penetrations at the samples.
   using Packed = Eigen::Matrix<double, 10, 1>;
 
   static Packed pack(const ContactLine &line, const Eigen::VectorXd &normal_displacement)
@@ -57,7 +57,7 @@ public:
 
   const double azimuth;
 
-  /// Pressure at the local coordinate @p xi in [-1, 1] along the line.
+  /// Returns the pressure at the local coordinate @p xi in [-1, 1].
   PressurePoint at(double xi) const
   {
     const Eigen::Vector3d shape = line_shape(xi);
@@ -69,12 +69,12 @@ public:
   double end() const { return positions.row(2).norm(); }
 
 private:
-  const Eigen::Matrix<double, 3, 2> positions; ///< of the samples [m]
-  const Eigen::Vector3d depth;                 ///< at the samples [m]
+  const Eigen::Matrix<double, 3, 2> positions; ///< positions of the samples [m]
+  const Eigen::Vector3d depth;                 ///< penetrations at the samples [m]
   const std::function<double(double)> &pressure;
 };
 
-/// Radii between which there is pressure worth showing.
+/// Returns the smallest and largest radius with a pressure above min_share of the maximum.
 ContactWidth loaded_range(const std::vector<LoadedLine> &lines)
 {
   constexpr unsigned int n_samples = 16;
@@ -98,7 +98,7 @@ ContactWidth loaded_range(const std::vector<LoadedLine> &lines)
   return { std::max(zone.inner, range.inner - margin), std::min(zone.outer, range.outer + margin) };
 }
 
-/// The cut at one azimuth, through the lines that lie on it.
+/// Returns the cut at @p azimuth through its @p lines.
 std::vector<PressurePoint> cut_through(const std::vector<const LoadedLine *> &lines, double azimuth,
                                        const ContactWidth &range)
 {
@@ -118,13 +118,13 @@ std::vector<PressurePoint> cut_through(const std::vector<const LoadedLine *> &li
   return cut;
 }
 
-/// Indices by azimuth, those of one azimuth together; rounding does not tell azimuths apart.
+/// Returns the indices of @p azimuths in groups of equal azimuth up to rounding, in ascending order.
 std::vector<std::vector<std::size_t>> groups_of_azimuths(const std::vector<double> &azimuths)
 {
   constexpr double tolerance = 1e-7;
   std::vector<std::size_t> order(azimuths.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  // What is a rounding error below 2 pi counts as 0.
+  // The shift maps azimuths within rounding below 2 pi to 0.
   const auto key = [&](std::size_t i) { return wrapped(azimuths[i] + tolerance / 2); };
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
   std::vector<std::vector<std::size_t>> groups;
@@ -137,10 +137,11 @@ std::vector<std::vector<std::size_t>> groups_of_azimuths(const std::vector<doubl
   return groups;
 }
 
-/// Distance from the last loaded point, with the pressure @p last, to an edge at which the pressure ends
-/// upright as under Hertz's line contact, over the spacing of the points; @p before and @p second: pressures
-/// at the two points before. There the square of the pressure is nearly linear, and a quadratic goes through
-/// the three squares. std::nullopt if the pressure itself is closer to linear.
+/// Returns the distance from the last loaded point to the edge of contact, divided by the spacing of the
+/// points, for a pressure with a vertical tangent at the edge (Hertzian line contact). @p last, @p before and
+/// @p second are the pressures at the last three loaded points, from the edge inwards. The squares of the
+/// pressures are nearly linear there and are extrapolated by a quadratic. Returns std::nullopt if the
+/// pressure itself is closer to linear.
 std::optional<double> reach_of_upright_edge(double last, double before, double second)
 {
   const auto bend = [](double q0, double q1, double q2) { return std::abs((q2 - 2 * q1 + q0) / (q1 - q0)); };
@@ -154,9 +155,9 @@ std::optional<double> reach_of_upright_edge(double last, double before, double s
   return 2 * q0 / (linear + std::sqrt(discriminant));
 }
 
-/// Returns the point at which the pressure ends beyond the loaded point @p i of a cut, at the next point at
-/// the latest: at reach_of_upright_edge() of three equally spaced points, else where the line from the loaded
-/// point before it through this one meets zero; without one before it half-way to the next.
+/// Returns the point at which the pressure vanishes beyond the loaded point @p i of a cut, at most the next
+/// point. With three equally spaced loaded points: reach_of_upright_edge(). With two: linear extrapolation.
+/// With one: half-way to the next point.
 double edge_beyond(const std::vector<PressurePoint> &cut, std::size_t i, bool outwards)
 {
   if (i == (outwards ? cut.size() - 1 : 0))
@@ -178,7 +179,8 @@ double edge_beyond(const std::vector<PressurePoint> &cut, std::size_t i, bool ou
   return cut[i].radius + (std::abs(reach) < std::abs(to_next) ? reach : to_next);
 }
 
-/// The radius up to which @p cut carries @p share of its load, its pressure linear between the points.
+/// Returns the radius inside which @p cut has the fraction @p share of its load. The pressure is linear
+/// between the points.
 double radius_of_share(const std::vector<PressurePoint> &cut, double share)
 {
   const auto density = [&](std::size_t i) { return cut[i].pressure * cut[i].radius; };
@@ -192,7 +194,7 @@ double radius_of_share(const std::vector<PressurePoint> &cut, double share)
     const double piece = length(i) * (density(i) + density(i + 1)) / 2;
     if (left < piece)
     {
-      // left = h (p_0 t + (p_1 - p_0) t^2 / 2), solved so that nothing cancels.
+      // left = h (p_0 t + (p_1 - p_0) t^2 / 2), solved for t without cancellation.
       const double start = density(i), rise = density(i + 1) - start, wanted = left / length(i);
       return cut[i].radius +
              length(i) * 2 * wanted / (start + std::sqrt(std::max(0., start * start + 2 * rise * wanted)));
@@ -210,7 +212,7 @@ std::optional<ContactWidth> contact_width(const std::vector<PressurePoint> &cut,
   const auto first = std::find_if(cut.begin(), cut.end(), is_loaded);
   if (first == cut.end())
     return std::nullopt;
-  constexpr double left_out = 0.005; // on either side
+  constexpr double left_out = 0.005; // fraction of the load left out on either side
   if (!has_edge)
     return ContactWidth{ radius_of_share(cut, left_out), radius_of_share(cut, 1 - left_out) };
   const auto last = std::find_if(cut.rbegin(), cut.rend(), is_loaded).base() - 1;
@@ -289,7 +291,7 @@ PressureMap pressure_map_of_nodes(const ContactSurface &surface, const Eigen::Ve
     if (node.pressure >= min_share * largest)
       range = { std::min(range.inner, node.radius), std::max(range.outer, node.radius) };
   }
-  // A contact on a single circle still needs neighbours to be seen.
+  // A contact on a single circle gets a margin so that it is visible.
   const double margin = std::max(0.25 * (range.outer - range.inner), 1e-4 * range.outer);
   PressureMap pressure_map;
   pressure_map.is_grid = !nodes.empty();

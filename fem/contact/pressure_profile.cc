@@ -55,7 +55,7 @@ std::vector<PressureMoments> moments_of_cuts(const ContactSurface &surface,
   sums = surface.parts.sum(sums);
   if (!(sums(0) > 0))
     return {};
-  const double origin = sums(1) / sums(0); // within the contact, so that little cancels
+  const double origin = sums(1) / sums(0); // inside the contact, to limit cancellation
 
   constexpr int n_moments = 5;
   using Moments = Eigen::Matrix<double, n_moments, 1>; // int p (r - origin)^k dr
@@ -115,7 +115,8 @@ std::vector<PressureProfile> profiles_of_cuts(const ContactSurface &surface,
   kurtosis /= force;
   if (!(kurtosis > 1.8 && kurtosis < 2.3))
     return {};
-  // No layer makes the pressure under a crown more even than a half-space does.
+  // Lower bound of the exponent: the value of a half-space (Hertz). A layer never makes the pressure more
+  // uniform.
   const double exponent = std::max(0.5, PressureProfile::exponent_of(kurtosis));
   std::vector<PressureProfile> profiles;
   for (const PressureMoments &cut : cuts)
@@ -144,7 +145,7 @@ PressureMap pressure_map_of(const std::vector<PressureProfile> &profiles)
       cut.push_back({ radius, profile.azimuth, profile.peak > 0 ? profile.at(radius) : 0 });
     }
   }
-  return map.rotated(0); // azimuths from 0 on
+  return map.rotated(0); // maps the azimuths to [0, 2 pi)
 }
 
 } // namespace stemware::fem

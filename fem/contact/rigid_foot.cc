@@ -18,7 +18,7 @@ Eigen::Matrix3d motion_stiffness(const Eigen::SparseMatrix<double> &tangent, con
   {
     Eigen::RowVector3d resisted = Eigen::RowVector3d::Zero();
     bool loaded = false;
-    // Most entries of a law's pattern are zero: places that carry no load.
+    // Most entries of the sparsity pattern are zero: nodes without load.
     for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, column); entry; ++entry)
       if (entry.value() != 0)
       {

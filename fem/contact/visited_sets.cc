@@ -7,7 +7,7 @@ namespace stemware::fem
 
 bool VisitedSets::makes_progress(const ActiveSet &set, double residual)
 {
-  // The whole set is the same where no part has another than then.
+  // A previous set equals the present one if no part of the surface differs.
   std::vector<double> differs;
   for (const Visit &visit : visits)
     differs.push_back(visit.set != set ? 1 : 0);
