@@ -5,9 +5,10 @@
 namespace stemware::fem
 {
 
-/// Returns a law for a stiff spring of @p modulus [Pa/m] in the place of a hard interface: a Winkler
-/// interface whose force and moments across the rim are those of a hard contact. Extent and pressure map of a
-/// crowned land come from these (PressureProfile), since the pressure at a point oscillates.
+/// Returns a law for a stiff spring of @p modulus [Pa/m] that approximates a hard interface: a Winkler
+/// interface with the same force and moments across the rim as a hard contact. The pressure at a point
+/// oscillates; on a crowned land, extent and pressure map are therefore computed from the moments
+/// (PressureProfile).
 std::shared_ptr<const InterfaceLaw> make_stiff_spring(double modulus);
 
 } // namespace stemware::fem

@@ -16,8 +16,8 @@ namespace stemware::fem
 /// Active set of the contact surface. Two equal sets mean that the law stayed on the same linear branch.
 using ActiveSet = std::vector<bool>;
 
-/// Nodal forces of a table law, their derivative, and the active set; for a distributed surface, those of
-/// this rank's lines and nodes (ContactSurface).
+/// Nodal forces of a table law, their derivative, and the active set. On a distributed surface: for the lines
+/// and nodes of this rank (ContactSurface).
 struct ContactForces
 {
   Eigen::VectorXd forces; ///< consistent upward forces on the foot at the contact nodes [N]
@@ -34,8 +34,8 @@ struct ContactForces
   }
 };
 
-/// Load on a table: point forces on a part of the surface, and load per radian along the azimuth of the
-/// whole.
+/// Load on a table: point forces on this part of the surface, and load per radian along the azimuth of the
+/// whole surface.
 struct TableLoad
 {
   SurfaceParts parts; ///< of the surface

@@ -17,21 +17,21 @@ namespace stemware::fem
 namespace
 {
 
-/// Lock of a BLAS that several threads must not use together.
+/// Serialises BLAS calls: some BLAS libraries are not thread-safe.
 std::mutex entering_blas;
 
 } // namespace
 
 LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
 {
-  // Rows of the symmetric matrix, begun at the diagonal, are the columns of its lower triangle.
+  // Row i of the symmetric matrix from the diagonal on is column i of its lower triangle.
   const auto n = static_cast<Eigen::Index>(matrix.m());
   LowerTriangle lower(n, n);
   lower.reserve(static_cast<Eigen::Index>(matrix.n_nonzero_elements() / 2 + matrix.m()));
   for (unsigned int column = 0; column < matrix.m(); ++column)
   {
     lower.startVec(column);
-    // deal.II keeps the diagonal first, then the others in ascending order.
+    // deal.II stores the diagonal entry first, then the others in ascending order.
     for (auto entry = matrix.begin(column); entry != matrix.end(column); ++entry)
       if (entry->column() >= column)
         lower.insertBack(static_cast<Eigen::Index>(entry->column()), column) = entry->value();
@@ -42,9 +42,9 @@ LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
 
 struct BlockInverse::Plan
 {
-  LowerTriangle reordered;           ///< pattern in the order of elimination
-  std::vector<Eigen::Index> sources; ///< of its values in the matrix as given
-  std::vector<Eigen::Index> of_kept; ///< places of the kept rows among the last ones
+  LowerTriangle reordered;           ///< pattern in elimination order
+  std::vector<Eigen::Index> sources; ///< index of each value in the original matrix
+  std::vector<Eigen::Index> of_kept; ///< positions of the kept rows among the last rows
   std::unique_ptr<const CholmodFactors> symbolic;
 };
 
@@ -58,7 +58,7 @@ BlockInverse::BlockInverse(const LowerTriangle &pattern, const std::vector<unsig
   for (const unsigned int row : kept)
     plan->of_kept.push_back(place[row] - static_cast<Eigen::Index>(order.size() - kept.size()));
 
-  // Numbers of the entries, sorted by their places in the reordered matrix.
+  // Numbers of the entries, sorted by their positions in the reordered matrix.
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index column = 0; column < pattern.cols(); ++column)
     for (LowerTriangle::InnerIterator entry(pattern, column); entry; ++entry)
@@ -96,7 +96,7 @@ Eigen::MatrixXd BlockInverse::operator()(const Eigen::VectorXd &entries, unsigne
     numeric.factorise(matrix);
   }
 
-  // With the kept rows last, (L L')^-1 has (L_e L_e')^-1 in their rows and columns, L_e the end of L.
+  // The kept rows come last. Their block of (L L')^-1 is (L_e L_e')^-1, with L_e the trailing block of L.
   const auto n_kept = static_cast<Eigen::Index>(plan->of_kept.size());
   const Eigen::MatrixXd end = numeric.end(static_cast<int>(n_kept));
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n_kept, n_columns);

@@ -24,7 +24,7 @@ std::shared_ptr<ContactSurface> BodyOfRevolution::lines() const
   const unsigned int n_radii = circles.n_nodes(), n_lines = basis.n_lines(), degree = circles.degree;
   const unsigned int n_pieces = degree > 2 ? 2 : 1;
   const double width = FourierBasis::norm(0) / n_lines;
-  // What the contact lines on all azimuths have in common.
+  // Data common to the contact lines of all azimuths.
   struct Piece
   {
     unsigned int first;
@@ -41,7 +41,7 @@ std::shared_ptr<ContactSurface> BodyOfRevolution::lines() const
       for (unsigned int sample = 0; sample < 3; ++sample)
       {
         added.radii(sample) = nodes(0) + length * (piece + sample / 2.);
-        if (degree != 2) // else the samples are the nodes, to the last bit
+        if (degree != 2) // for degree 2 the samples are exactly the nodes
           added.shape.row(sample) = ring::lagrange_values(nodes, added.radii(sample));
       }
     }
@@ -91,7 +91,7 @@ void BodyOfRevolution::set_gap(const Gap &gap)
   for (ContactLine &line : surface->lines)
     for (unsigned int sample = 0; sample < 3; ++sample)
       line.gap(sample) = gap(line.position.row(sample).norm(), line.azimuth);
-  // What is out of flat is constant or linear along a line; a crown is a parabola.
+  // Waviness is constant or linear along a line, a crown is quadratic.
   const ContactLine &line = surface->lines.front();
   const double bulge = line.gap(0) - 2 * line.gap(1) + line.gap(2);
   surface->is_crowned = std::abs(bulge) > 1e-12 * line.position.row(1).norm();
@@ -108,7 +108,7 @@ NewtonIncrement BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tange
                                         const Eigen::Vector3d &motion)
 {
   const Eigen::MatrixXd unbalanced = forces.reshaped(state.rows(), state.cols()) - state;
-  // Of the largest force: what rounding leaves where a contact has gone.
+  // Forces below this bound are rounding errors at points that have lost contact.
   const double negligible = 1e-13 * forces.cwiseAbs().maxCoeff();
   const LineNewton newton(response, tangent, unbalanced, functions, negligible);
   const LineNewton::Increment found = newton.solve(conditions, conditions.residual(state.reshaped(), motion));

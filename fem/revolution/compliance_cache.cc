@@ -10,10 +10,10 @@ namespace stemware::fem
 namespace
 {
 
-/// Where a key holds the number of harmonics.
+/// Position of the number of harmonics in a key.
 constexpr std::size_t harmonics_place = 3;
 
-/// All that compute_compliance() reads: equal keys have equal compliances, to the last bit.
+/// Returns all inputs of compute_compliance() as a key: equal keys give bitwise equal compliances.
 std::vector<double> key_of(const dealii::Triangulation<2> &triangulation, const ElasticMaterial &material,
                            const MeridianOptions &options)
 {
@@ -29,7 +29,7 @@ std::vector<double> key_of(const dealii::Triangulation<2> &triangulation, const 
       key.insert(key.end(), { cell->vertex(v)[0], cell->vertex(v)[1] });
     for (const unsigned int f : cell->face_indices())
     {
-      // Edges may be curved.
+      // The centre distinguishes curved edges.
       const dealii::Point<2> middle = cell->face(f)->center(true);
       key.insert(key.end(), { middle[0], middle[1], static_cast<double>(cell->face(f)->boundary_id()) });
     }
@@ -60,7 +60,7 @@ std::shared_ptr<const ContactCompliance> ComplianceCache::get(const dealii::Tria
                                                               const ElasticMaterial &material,
                                                               const MeridianOptions &options)
 {
-  material.validate(); // a NaN equals every key
+  material.validate(); // a NaN would break the comparison of keys
   const std::vector<double> key = key_of(triangulation, material, options);
   for (const unsigned int factor : { 2, 4 })
     if (const auto more = with_more_harmonics(key, options, factor))

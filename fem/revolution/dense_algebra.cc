@@ -16,8 +16,8 @@ using Index = Eigen::Index;
 
 constexpr Index max_pivots = 8;
 
-/// Eliminates the columns [@p first, @p end) below their pivots, in these columns alone; the factors of each
-/// row stay where its entries were.
+/// Eliminates the columns [@p first, @p end) below their pivots and updates only these columns. The factors
+/// are stored in place of the eliminated entries.
 STEMWARE_TARGET_CLONES
 void eliminate_panel(double *system, Index n, Index width, Index first, Index end)
 {
@@ -41,8 +41,8 @@ void eliminate_panel(double *system, Index n, Index width, Index first, Index en
   }
 }
 
-/// Adds to @p n numbers of @p sum the sum of @p n_terms rows (or columns) of numbers, @p stride apart, each
-/// times its factor.
+/// Adds a linear combination to the @p n entries of @p sum: @p n_terms rows (or columns), @p stride apart,
+/// with @p factors.
 STEMWARE_TARGET_CLONES
 void add_scaled(double *__restrict sum, Index n, const double *__restrict terms, Index stride,
                 const double *__restrict factors, Index n_terms)

@@ -10,7 +10,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Circles that carry force, as a range.
+/// Smallest range of circles that contains all forces.
 struct CircleRange
 {
   explicit CircleRange(const Eigen::MatrixXd &forces)

@@ -22,8 +22,8 @@ void require_resolved(unsigned int n_harmonics, unsigned int n_lines)
                                 std::to_string(2 * n_harmonics + 1) + " lines.");
 }
 
-/// Functions on the lines taken apart: sums and differences of what stands on lines j and -j, j = 0 ...
-/// n_lines / 2. A line that is its own mirror image counts once.
+/// Even and odd parts of functions on the lines: sums and differences of the values on the lines j and -j, j
+/// = 0 ... n_lines / 2. A line that is its own mirror image counts once.
 struct MirrorSums
 {
   /// @p samples of shape [n_functions, n_lines].
@@ -164,8 +164,8 @@ FourierProducts::ModePairSums FourierProducts::pair(unsigned int row, bool row_i
   const Eigen::Index difference = row > column ? row - column : column - row;
   const bool is_even = row_is_sine == column_is_sine;
   const Eigen::MatrixXd &table = is_even ? even : odd;
-  // cos a cos b = (cos(a - b) + cos(a + b)) / 2, sin a sin b = (cos(a - b) - cos(a + b)) / 2; sin a cos b =
-  // (sin(a - b) + sin(a + b)) / 2, a being the harmonic of the sine.
+  // cos a cos b = (cos(a - b) + cos(a + b)) / 2, sin a sin b = (cos(a - b) - cos(a + b)) / 2, sin a cos b =
+  // (sin(a - b) + sin(a + b)) / 2, where a is the harmonic of the sine.
   const bool sine_is_larger = row_is_sine ? row > column : column > row;
   ModePairSums result;
   result.differences = table.col(difference).data();

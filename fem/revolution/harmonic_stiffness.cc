@@ -6,11 +6,11 @@ namespace stemware::fem
 namespace
 {
 
-/// Strains in the order rr, zz, theta theta, rz, r theta, z theta (shears are engineering strains), a column
-/// for each field.
+/// Strains in the order rr, zz, theta theta, rz, r theta, z theta (engineering shear strains), one column per
+/// field.
 using StrainOfFields = Eigen::Matrix<double, 6, HarmonicStiffness::n_fields>;
 
-/// Strain of a displacement component's harmonic n: `constant` + n `linear`.
+/// Strain of harmonic n of a displacement component: `constant` + n `linear`.
 struct ComponentStrain
 {
   StrainOfFields constant = StrainOfFields::Zero();

@@ -12,7 +12,7 @@ namespace
 
 using Index = Eigen::Index;
 
-/// local = normal + radial diag(slide).
+/// Computes local = normal + radial diag(slides).
 STEMWARE_TARGET_CLONES
 void make_local(Index n, const double *normal, const double *radial, const Lanes *slides, Lanes *local)
 {
@@ -23,7 +23,7 @@ void make_local(Index n, const double *normal, const double *radial, const Lanes
           normal[i * n + k] + (radial ? radial[i * n + k] * slides[k].value[lane] : 0);
 }
 
-/// Row @p i of T @p table, on the first @p n_columns columns.
+/// Computes row @p i of T @p table, for the first @p n_columns columns.
 STEMWARE_TARGET_CLONES
 void apply_tangent(Index n, Index band, const Lanes *bands, Index i, const Lanes *__restrict table,
                    Index n_columns, Lanes *__restrict result)
@@ -37,8 +37,8 @@ void apply_tangent(Index n, Index band, const Lanes *bands, Index i, const Lanes
   }
 }
 
-/// Leaves the solutions in the place of the right-hand sides, which are the last @p n_rhs columns. Rows take
-/// what several pivots take from them at once.
+/// Solves by elimination. The last @p n_rhs columns are the right-hand sides and are overwritten by the
+/// solutions. For speed, each row is updated with up to four pivots at once.
 STEMWARE_TARGET_CLONES
 void eliminate(Index n, Index n_rhs, Lanes *system)
 {

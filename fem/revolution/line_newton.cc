@@ -16,15 +16,16 @@ namespace stemware::fem
 namespace
 {
 
-/// Bound of the error of a step: share of the compliance that its functions leave out.
+/// Tolerance of a step: norm of the compliance outside the span of the functions, relative to the total.
 constexpr double step_accuracy = 1e-4;
-/// Number of functions from which on an error of a step that the next steps reduce is accepted. Lands that
-/// are wide compared with the wavelength of the highest harmonic need more functions.
+/// From this number of functions on, an inexact step is accepted if it reduces the error
+/// (slowest_contraction). Lands that are wide compared with the wavelength of the highest harmonic need more
+/// functions.
 constexpr Eigen::Index many_functions = 10;
-/// Factor by which a step must reduce the error of the forces under a rigid table.
+/// Maximum ratio of the force errors after and before an inexact step on a rigid table.
 constexpr double slowest_contraction = 0.2;
 
-/// Orthonormal polynomials of degree 0 ... @p n_functions - 1 at @p radii.
+/// Returns the orthonormal polynomials of degree 0 ... @p n_functions - 1 at @p radii.
 Eigen::MatrixXd polynomials(const Eigen::VectorXd &radii, Eigen::Index n_functions)
 {
   const Eigen::Index n_radii = radii.size();
@@ -34,7 +35,7 @@ Eigen::MatrixXd polynomials(const Eigen::VectorXd &radii, Eigen::Index n_functio
   for (Eigen::Index i = 0; i < n_radii; ++i)
   {
     const double x = (radii(i) - middle) / half_width;
-    for (Eigen::Index k = 0; k < n_functions; ++k) // Chebyshev's, which are far from dependent
+    for (Eigen::Index k = 0; k < n_functions; ++k) // Chebyshev polynomials are well conditioned
       values(i, k) = k == 0 ? 1 : k == 1 ? x : 2 * x * values(i, k - 1) - values(i, k - 2);
   }
   return Eigen::HouseholderQR<Eigen::MatrixXd>(values).householderQ() *
@@ -173,7 +174,8 @@ LineNewton::Functions LineNewton::chosen_functions() const
       worst = std::max(worst, rest.norm());
       if (n_functions < many_functions)
         return;
-      // The tail L L^T remains of the compliance: |L^-1 rest L^-T|.
+      // Contraction factor for a rigid table: |L^-1 rest L^-T|, where L L^T is the compliance of the tail,
+      // which the step treats exactly.
       const Eigen::MatrixXd half = factor.matrixL().solve(rest);
       contraction = std::max(contraction, factor.matrixL().solve(half.transpose()).norm());
     };
@@ -303,27 +305,27 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   const Eigen::MatrixXd &of_conditions = on_lines.back();
   const Eigen::Matrix<double, 3, 4> beside = of_conditions.bottomRows(12).rowwise().sum().reshaped(3, 4);
 
-  // Unknowns: amplitudes y, function running fastest within a mode, and the table motions: A y + B dq = a,
-  // C y + (corner - weight) dq = rhs. With the table held the system is that of an elastic foot on springs;
-  // the motions follow by themselves.
+  // Unknowns: amplitudes y (function index fastest within a mode) and table motions dq, with A y + B dq = a,
+  // C y + (corner - weight) dq = rhs. First the amplitudes are eliminated with the table held, as for an
+  // elastic foot on springs; then a 3 x 3 system gives dq.
   RowMatrix system = system_of_amplitudes(on_lines); // [A, B, a]
   solve_dense(system, 4);
   const Eigen::MatrixXd held = system.rightCols<4>();
-  const Eigen::MatrixXd tested = // C; a mode's columns [3 * p] stand one after the other
+  const Eigen::MatrixXd tested = // C; the columns of a mode [3 * p] are consecutive
     response.basis().project(of_conditions.topRows(3 * p)).reshaped(3, n);
   Increment increment;
   increment.resistance = beside.leftCols<3>() - tested * held.leftCols<3>();
 
-  // Forces count per N and lengths per the depth that N makes, tilts as heights at the rim: rows and columns
-  // of like size.
+  // Scaling to comparable rows and columns: forces per N, lengths per penetration under 1 N, tilts as heights
+  // at the rim.
   const double length = response.compliance().radii(response.n_radii() - 1);
   const Eigen::Vector3d row_scale = Eigen::Vector3d(1, 1 / length, 1 / length) / beside(0, 0);
   const Eigen::Vector3d column_scale(1, 1 / length, 1 / length);
-  const Eigen::Matrix3d against =
+  const Eigen::Matrix3d scaled_resistance =
     row_scale.asDiagonal() * (increment.resistance - conditions.motion_weights()) * column_scale.asDiagonal();
   const Eigen::Vector3d rhs = residual + beside.col(3) - tested * held.col(3);
   increment.motion =
-    column_scale.asDiagonal() * against.partialPivLu().solve(row_scale.asDiagonal() * rhs).eval();
+    column_scale.asDiagonal() * scaled_resistance.partialPivLu().solve(row_scale.asDiagonal() * rhs).eval();
   const Eigen::VectorXd amplitudes = held.col(3) - held.leftCols<3>() * increment.motion;
   if (!amplitudes.allFinite() || !increment.motion.allFinite())
     throw ContactFailure(

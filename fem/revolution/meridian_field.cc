@@ -12,7 +12,8 @@ using namespace dealii;
 namespace
 {
 
-/// Displacement of one mode at one point: components r, theta, z and their derivatives along r and z.
+/// Displacement of one mode at one point: components r, theta, z and their derivatives with respect to r and
+/// z.
 struct PointValue
 {
   Tensor<1, 3> value;
@@ -103,7 +104,7 @@ MeridianField::Amplitudes MeridianField::amplitudes(const DoFHandler<2>::active_
     {
       const PointValue at = value_at(fe_values, q, displacements[mode], dofs);
       const double radius = result.points[q][0];
-      // On the axis the numerators vanish, whatever n: their derivatives along r take their place.
+      // On the axis numerator and r both vanish, for any n: the quotient is the derivative of the numerator.
       const auto over_radius = [&](double u_r, double u_theta, double u_z)
       {
         const auto sum = [&](double r, double theta, double z)

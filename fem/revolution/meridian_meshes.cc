@@ -19,7 +19,7 @@ using namespace dealii;
 namespace
 {
 
-/// Radii between which @p cell lies on the contact zone; equal where it does not.
+/// Returns the radii between which @p cell lies on the contact zone; equal radii if it does not.
 std::pair<double, double> contact_of(const Triangulation<2>::active_cell_iterator &cell)
 {
   for (const auto &face : cell->face_iterators())
@@ -29,7 +29,7 @@ std::pair<double, double> contact_of(const Triangulation<2>::active_cell_iterato
   return { 0, 0 };
 }
 
-/// Flags the contact cells of @p one in whose inside @p other has a border; whether there are any.
+/// Flags contact cells of @p one that a cell border of @p other divides. Returns true if any is flagged.
 bool flag_cut_cells(Triangulation<2> &one, const Triangulation<2> &other)
 {
   std::vector<double> borders;
@@ -37,7 +37,7 @@ bool flag_cut_cells(Triangulation<2> &one, const Triangulation<2> &other)
     if (const auto [begin, end] = contact_of(cell); begin < end)
       borders.push_back(begin);
   std::sort(borders.begin(), borders.end());
-  bool some = false;
+  bool is_any_flagged = false;
   for (const auto &cell : one.active_cell_iterators())
   {
     const auto [begin, end] = contact_of(cell);
@@ -46,19 +46,19 @@ bool flag_cut_cells(Triangulation<2> &one, const Triangulation<2> &other)
     if (begin == end || border == borders.end() || *border >= end - margin)
       continue;
     cell->set_refine_flag();
-    some = true;
+    is_any_flagged = true;
   }
-  return some;
+  return is_any_flagged;
 }
 
-/// Vertices of the boundary at which the section fills more than a half-plane.
+/// Returns the re-entrant boundary vertices, with an interior angle above 1.2 pi.
 std::set<unsigned int> reentrant_corners(const Triangulation<2> &triangulation)
 {
   std::map<unsigned int, double> angles;
   for (const auto &cell : triangulation.active_cell_iterators())
     for (const unsigned int v : cell->vertex_indices())
     {
-      // Vertices 0, 1, 3, 2 go round the cell.
+      // Cyclic order of the vertices: 0, 1, 3, 2.
       constexpr unsigned int next[] = { 1, 3, 0, 2 }, previous[] = { 2, 0, 3, 1 };
       const Tensor<1, 2> one = cell->vertex(next[v]) - cell->vertex(v),
                          other = cell->vertex(previous[v]) - cell->vertex(v);
@@ -70,7 +70,7 @@ std::set<unsigned int> reentrant_corners(const Triangulation<2> &triangulation)
     for (const auto &face : cell->face_iterators())
       if (face->at_boundary())
         for (unsigned int v = 0; v < 2; ++v)
-          // Round corners have neighbours nearly in line.
+          // The margin excludes the vertices of curved boundaries, whose angles are close to pi.
           if (angles[face->vertex_index(v)] > 1.2 * ring::pi)
             corners.insert(face->vertex_index(v));
   return corners;

@@ -19,7 +19,6 @@ using namespace dealii;
 namespace
 {
 
-/// Displacement components.
 constexpr unsigned int radial = 0;
 constexpr unsigned int azimuthal = 1;
 constexpr unsigned int vertical = 2;
@@ -113,7 +112,7 @@ HarmonicCompliance MeridianSpace::Compliances::operator()(unsigned int harmonic)
   Eigen::MatrixXd displacements = (*inverse)(
     parts.size() == 1 ? parts[0] : factors[0] * parts[0] + factors[1] * parts[1] + factors[2] * parts[2],
     static_cast<unsigned int>(n_nodes));
-  // A contact node is free unless it lies on the axis.
+  // Only contact nodes on the axis are constrained.
   for (Eigen::Index i = 0; i < 3 * n_nodes; ++i)
     if (const auto *entries = constraints.get_constraint_entries(of_contact[static_cast<std::size_t>(i)]))
     {

@@ -16,7 +16,7 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
 {
   const FiniteElement<2> &element = dof_handler.get_fe();
   const unsigned int n_dofs = element.n_dofs_per_cell(), n_shapes = n_dofs / 3;
-  std::vector<unsigned int> order; // the element's numbers of a cell's dofs
+  std::vector<unsigned int> order; // element numbering of the cell's degrees of freedom
   for (unsigned int i = 0; i < n_shapes; ++i)
     for (unsigned int c = 0; c < 3; ++c)
       order.push_back(element.component_to_system_index(c, i));
@@ -47,7 +47,8 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
       entry.dofs.push_back(dofs[i]);
     const auto parts = stiffness.parts(fields.transpose() * weights.asDiagonal() * fields);
     for (std::size_t k = 0; k < parts.size(); ++k)
-      entry.parts[k] = FullMatrix<double>(n_dofs, n_dofs, parts[k].data()); // symmetric
+      // the parts are symmetric, so that row-major equals column-major order
+      entry.parts[k] = FullMatrix<double>(n_dofs, n_dofs, parts[k].data());
     cells.push_back(std::move(entry));
   }
 }

@@ -12,15 +12,15 @@ namespace stemware::fem
 namespace
 {
 
-/// The last two contacts of a path.
+/// Last two contacts of the continuation.
 struct Path
 {
   ContactSolution last;
   ContactSolution before;
-  double share = 0; ///< of the moment, in `last`
-  double step = 0;  ///< what it has over that of `before`; 0 at the beginning
+  double share = 0; ///< fraction of the full moment in `last`
+  double step = 0;  ///< difference of `share` to `before`; 0 at the beginning
 
-  /// Extrapolated to the share @p next.
+  /// Returns the linear extrapolation to the share @p next.
   ContactStart start(double next) const
   {
     const double ahead = step > 0 ? (next - share) / step : 0;
@@ -35,7 +35,7 @@ struct Path
     share = next;
   }
 
-  /// Whether the lean grows much faster with the moment than it has on the way.
+  /// Returns true if the tilt grows more than three times as fast with the moment as on average so far.
   bool is_steep() const
   {
     constexpr double much_steeper = 3;

@@ -21,7 +21,7 @@ Eigen::VectorXd PressureField::on_circle(double radius, const FourierBasis &azim
 {
   const Eigen::VectorXd &radii = compliance.radii;
   if (radius < radii(0) || radius > radii(radii.size() - 1))
-    return Eigen::VectorXd::Zero(azimuths.n_lines()); // no contact comes there
+    return Eigen::VectorXd::Zero(azimuths.n_lines()); // outside the contact zone
   const Eigen::VectorXd shape = compliance.shape_at(radius);
   const Eigen::Index n_lines = displacement.cols();
   Eigen::VectorXd on_lines = displacement.transpose() * shape;

@@ -13,9 +13,9 @@ namespace stemware::fem
 namespace
 {
 
-/// Factors by which a cold start stiffens the interface at once: most contacts stand the first.
+/// Factors of one stiffening step of a cold start. The larger one converges for most contacts.
 constexpr double large_stiffening = 1000, small_stiffening = 10;
-/// Factor by which the interface is softened for a start from a contact that is not near enough.
+/// Softening factor for a start from a distant contact.
 constexpr double softening_of_start = 30;
 
 } // namespace
@@ -36,11 +36,12 @@ ContactControl RevolutionContact::contact_control()
   steps.clear();
   ContactControl control;
   control.tolerance = 1e-10;
-  control.equilibrium_tolerance = 1e-8; // the rounding of a stiff spring; most contacts end far below
+  control.equilibrium_tolerance = 1e-8; // rounding floor of a stiff spring; most contacts reach smaller
+                                        // residuals
   control.requires_unchanged_set = false;
   control.progress = [this](const ContactIteration &step)
   {
-    if (step.number <= 1) // the first one of a solve
+    if (step.number <= 1) // first step of a solve
       steps.clear();
     steps.push_back(step);
   };
@@ -52,10 +53,10 @@ ContactSolution RevolutionContact::solve_cold(const LinearConditions &under, dou
   const double radius = setup.profile.contact_radius;
   const ContactSurface &surface = body.contact_surface();
 
-  // So soft that a rigid rim is pressed in on a band that the mesh resolves well.
+  // The initial softness presses a rigid rim down on a band that the mesh resolves well.
   const bool is_narrow = setup.table.interface->is_hard() && setup.profile.crown_radius > 0;
   const double half_width = is_narrow ? 4 * setup.contact_half_width : setup.profile.land_width / 4;
-  // Beyond the waviness, so that the rim carries all round.
+  // The depth exceeds the waviness, so that the whole rim is in contact.
   const double depth =
     (setup.profile.crown_radius > 0 ? half_width * half_width / (2 * setup.profile.crown_radius)
                                     : 1e-3 * half_width) +
@@ -69,7 +70,7 @@ ContactSolution RevolutionContact::solve_cold(const LinearConditions &under, dou
   at.motion = rigid_foot_motion(surface, *soft_law, under, radius, pressed_in);
   at.normal_displacement = surface.motion_modes() * at.motion;
 
-  // The displacement under a rigid foot's forces is for the most part a motion, which the table follows.
+  // The displacement under the rigid foot's forces is mostly a rigid motion. The table follows it.
   ContactForces rigid;
   soft_law->evaluate(at.normal_displacement, rigid);
   body.set_forces(rigid.forces);
@@ -94,7 +95,7 @@ ContactSolution RevolutionContact::stiffen(const LinearConditions &under, double
     const ContactSolution solution = solve_contact(body, *soft_law, under, radius, control, &at);
     const double n_steps = std::ceil(std::log(softness) / std::log(largest_step));
     const double next = n_steps > 1 ? std::pow(softness, 1 - 1 / n_steps) : 1;
-    // Penetrations that shrink with the law's softness leave the pressure what it is.
+    // Scaling the penetrations with the softness of the law preserves the pressure.
     at.motion = solution.motion;
     at.normal_displacement =
       -surface.node_gap + next / softness * (surface.node_gap + solution.normal_displacement);
@@ -128,14 +129,16 @@ ContactSolution RevolutionContact::solve_softened(const ContactStart &start)
 
 bool RevolutionContact::is_stable(ContactSolution &solution) const
 {
-  // A rim that carries all round resists every motion as it does an upright glass.
+  // Below this moment ratio the whole rim is in contact, so the stiffness against tilt is that of the upright
+  // glass.
   constexpr double moment_ratio_of_lift_off = 1;
   const ContactSurface &surface = body.contact_surface();
   const Eigen::Vector2d moment = surface.node_position.transpose() * solution.forces;
   if (conditions.motion_weights().isZero() ||
       2 * moment.norm() < moment_ratio_of_lift_off * conditions.normal_force() * setup.profile.contact_radius)
     return true;
-  if (solution.n_iterations == 0) // what the start was: nothing has been eliminated
+  if (solution.n_iterations == 0) // the start has converged without a step, so its stability margin is
+                                  // unknown
   {
     ContactForces contact;
     law.evaluate(solution.normal_displacement, contact);
@@ -157,8 +160,8 @@ ContactSolution RevolutionContact::solve(const RevolutionGuesses &starts)
           body.set_forces(starts.predicted->forces);
         return solve_near(*starts.predicted);
       });
-  // On hard crests a second start that is no nearer than the first fails like that one, and a softened one is
-  // led to other crests.
+  // On a hard table with waviness, a second unsoftened start after a failed one fails as well, and a softened
+  // start converges to other crests.
   const bool on_hard_crests = setup.table.interface->is_hard() && !setup.imperfection.empty();
   const bool may_be_near = !(on_hard_crests && (starts.waviness_has_rotated || starts.predicted));
   for (const bool softened : { false, true })

@@ -27,14 +27,14 @@ namespace
 
 using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
 
-/// Strain of isotropic elasticity under a stress.
+/// Returns the strain of isotropic elasticity under @p stress.
 Eigen::Matrix3d strain_of(const Eigen::Matrix3d &stress, const ElasticMaterial &material)
 {
   const double nu = material.poisson_ratio;
   return ((1 + nu) * stress - nu * stress.trace() * Eigen::Matrix3d::Identity()) / material.young_modulus;
 }
 
-/// The stress of MeridianField::Amplitudes along e_r, e_theta, e_z.
+/// Returns the stress of MeridianField::Amplitudes along e_r, e_theta, e_z.
 Eigen::Matrix3d cylindrical_stress(const Eigen::Matrix<double, 6, 1> &in_phase,
                                    const Eigen::Vector3d &conjugate)
 {
@@ -51,7 +51,7 @@ double von_mises(const Eigen::Matrix3d &stress)
   return std::sqrt(1.5) * deviator.norm();
 }
 
-/// Nodes of one meridional cell's picture: a grid of pieces, each with the nodes of a Lagrange cell.
+/// Output nodes of one meridional cell: a grid of pieces, each with the nodes of a Lagrange cell.
 class CellGrid
 {
 public:
@@ -77,7 +77,7 @@ public:
     return Quadrature<2>(points);
   }
 
-  /// Whether a node lies on a face of the unit square.
+  /// Returns true if the node lies on the face of the unit square.
   bool is_on_face(unsigned int node, unsigned int face) const
   {
     const auto [columns, rows] = extent();
@@ -89,13 +89,12 @@ public:
   std::array<unsigned int, 2> n_pieces;
 };
 
-/// Nodes of the meridian, those of neighbouring cells in common, and the fields there: the stresses are the
-/// means of those of the cells that meet in a node.
+/// Output node of the meridian, shared by neighbouring cells. Its stresses are averaged over these cells.
 struct MeridianNode
 {
   Point<2> at;               ///< (r, z) [m]
-  Eigen::MatrixXd in_phase;  ///< sums over the cells, rows as of MeridianField::Amplitudes
-  Eigen::MatrixXd conjugate; ///< likewise
+  Eigen::MatrixXd in_phase;  ///< sums over the cells; rows as in MeridianField::Amplitudes
+  Eigen::MatrixXd conjugate; ///< sums over the cells; rows as in MeridianField::Amplitudes
   unsigned int n_cells = 0;
   bool is_contact = false;
 };
@@ -134,7 +133,7 @@ public:
     add("contact_pressure", 1, DataComponentInterpretation::component_is_scalar);
 
     DataOutBase::VtkFlags flags;
-    flags.print_date_and_time = false; // equal studies give equal files
+    flags.print_date_and_time = false; // for reproducible files
     flags.compression_level = decltype(flags.compression_level)::best_speed;
     flags.write_higher_order_cells = span > 1;
     std::ostringstream text;
@@ -153,10 +152,11 @@ private:
     return numbers::invalid_unsigned_int;
   }
 
-  /// Four nodes to the wave of the highest harmonic, in whole sectors.
+  /// Returns the number of azimuths: four per wavelength of the highest harmonic, a multiple of the span.
   unsigned int n_azimuths() const { return std::max(4 * (field.n_modes() - 1) / 2, 64u) / span * span; }
 
-  /// The load [N] of a contact cell that is cut into @p n_pieces, by the trapezoidal rule on the drawn nodes.
+  /// Returns the load [N] of a contact cell that is divided into @p n_pieces, by the trapezoidal rule at the
+  /// output nodes.
   double drawn_force(const Cell &cell, unsigned int n_pieces) const
   {
     const auto face = cell->face(contact_face(cell));
@@ -170,7 +170,8 @@ private:
     return force;
   }
 
-  /// A contact cell is cut along its face until half a per cent of the load at most is missing.
+  /// Returns the output grid of a cell. A contact cell is divided along its face until the load error is at
+  /// most 0.5 %.
   CellGrid grid_of(const Cell &cell, unsigned int n_contact_cells) const
   {
     const unsigned int face = contact_face(cell);
@@ -189,7 +190,7 @@ private:
     const FE_Q<2> scalar(degree);
     const std::vector<unsigned int> of_lattice = scalar.get_poly_space_numbering_inverse();
     const auto &element = field.space().dof_handler().get_fe();
-    std::map<MeridianSpace::Dof, unsigned int> places; // of the elements' own nodes
+    std::map<MeridianSpace::Dof, unsigned int> places; // output nodes of the degrees of freedom
     std::vector<MeridianSpace::Dof> dofs(element.n_dofs_per_cell());
     for (const Cell &cell : field.space().dof_handler().active_cell_iterators())
     {
@@ -223,11 +224,11 @@ private:
     }
   }
 
-  /// Fields in the order of text(), then the coordinates.
+  /// Number of values per point: fields in the order of text(), then the coordinates.
   static constexpr unsigned int n_values = 29;
   using PointValues = std::array<float, n_values>;
 
-  /// Returns the values of node n on the line l at n * n_lines + l.
+  /// Returns the values at all points; node n on line l has the index n * n_lines + l.
   std::vector<PointValues> values_at_points() const
   {
     std::vector<PointValues> points(nodes.size() * basis.n_lines());
@@ -253,8 +254,8 @@ private:
     return points;
   }
 
-  /// Returns the pieces of the meridional cells swept over a sector each. A patch's coordinates are the
-  /// meridian's two with the azimuth between them, which makes it right-handed.
+  /// Returns the output patches: each piece of a meridional cell swept over one sector. The patch coordinates
+  /// are right-handed: first meridional, azimuth, second meridional.
   std::vector<DataOutBase::Patch<3>> patches(const std::vector<PointValues> &points) const
   {
     const unsigned int n = span + 1; // nodes of a patch in each direction
@@ -290,8 +291,8 @@ private:
     Eigen::Matrix3d stress;
   };
 
-  /// A node's elastic displacement and stress, from cylindrical components, and the table's motion put back
-  /// on the glass.
+  /// Returns elastic displacement (with the table motion applied to the glass) and stress in the slip frame,
+  /// from cylindrical components.
   PointFields in_slip_frame(const Point<2> &at, double azimuth, const Eigen::Matrix<double, 6, 1> &in_phase,
                             const Eigen::Vector3d &conjugate) const
   {
@@ -312,10 +313,10 @@ private:
   const Eigen::Vector3d motion;
   const double axis;
   const unsigned int degree;
-  const unsigned int span;  ///< intervals of a drawn cell in each direction: 2 with 27 nodes, 1 with 8
-  const FourierBasis basis; ///< on the azimuths of the picture's nodes
+  const unsigned int span;  ///< intervals of an output cell in each direction: 2 (27 nodes) or 1 (8 nodes)
+  const FourierBasis basis; ///< on the azimuths of the output nodes
   std::vector<MeridianNode> nodes;
-  std::vector<std::pair<CellGrid, std::vector<unsigned int>>> grids; ///< of the cells, with their nodes
+  std::vector<std::pair<CellGrid, std::vector<unsigned int>>> grids; ///< grids of the cells with their nodes
 };
 
 } // namespace
@@ -328,7 +329,7 @@ std::string revolution_fields(const MeridianField &field, const PressureField &p
 
 std::vector<StressedPatch> revolution_section(const MeridianField &field, double azimuth)
 {
-  constexpr unsigned int n_points = 2; // of a cell in each direction
+  constexpr unsigned int n_points = 2; // points per cell in each direction
   std::vector<Point<2>> unit_points;
   for (unsigned int j = 0; j < n_points; ++j)
     for (unsigned int i = 0; i < n_points; ++i)
@@ -339,7 +340,7 @@ std::vector<StressedPatch> revolution_section(const MeridianField &field, double
     const MeridianField::Amplitudes amplitudes = field.amplitudes(cell, Quadrature<2>(unit_points));
     for (const int side : { 1, -1 })
     {
-      // The modes at the azimuth, and their conjugates.
+      // The modes at this azimuth, and the conjugate modes.
       Eigen::VectorXd modes(field.n_modes()), conjugates(field.n_modes());
       for (unsigned int mode = 0; mode < field.n_modes(); ++mode)
       {

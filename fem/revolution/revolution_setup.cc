@@ -16,8 +16,8 @@ namespace stemware::fem
 namespace
 {
 
-/// Ratio of compliances with and without the foot up to which a rigid foot's mesh is the elastic foot's:
-/// cells grow with its square root.
+/// Maximum ratio of the compliances with and without an elastic foot for which both use the same mesh (cell
+/// sizes grow with the square root of the ratio).
 constexpr double most_added_by_foot = 1.2;
 
 } // namespace
@@ -109,7 +109,7 @@ double crest_half_width(const RevolutionSetup &setup, double normal_force)
     second = boost::math::ellint_2(modulus);
     slenderness = std::sqrt((along / across * (first - second) + first) / second);
   }
-  // The table's motions leave three crests at least to stand on.
+  // The table motions leave at least three crests in contact.
   return std::cbrt(normal_force * second * setup.plane_strain_compliance() /
                    (ring::pi * slenderness * (1 / across + 1 / along)));
 }
@@ -119,12 +119,13 @@ double expected_half_width(const RevolutionSetup &setup, double normal_force)
   if (setup.profile.crown_radius == 0)
     return 0;
   double of_bodies = hertz_half_width(setup, normal_force);
-  // How far the foot bends on its crests is not known before: in between, neither is far off.
+  // The bending of the foot on its crests is unknown here. The geometric mean of both estimates is close
+  // enough to either.
   if (setup.table.interface->is_hard())
     of_bodies = std::sqrt(of_bodies * std::max(of_bodies, crest_half_width(setup, normal_force)));
   if (setup.table.substrate)
   {
-    // A layer thinner than the contact is wide is a mat of modulus E / thickness.
+    // A layer thinner than the contact width acts as independent springs of modulus E / thickness (Winkler).
     const WinklerInterface layer(setup.table.substrate->material.young_modulus /
                                  setup.table.substrate->disc.thickness);
     of_bodies =
@@ -139,8 +140,8 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
 {
   RevolutionSetup resolved = *this;
   resolved.normal_force = normal_force;
-  // A rigid foot on a substrate that yields much more has the mesh of the elastic one: what differs between
-  // the two is then the model alone.
+  // A rigid foot on a much more compliant substrate uses the mesh of the elastic foot, so that the two
+  // results differ by the model only.
   RevolutionSetup as_elastic = *this;
   as_elastic.foot_is_rigid = false;
   const bool is_meshed_as_elastic =
@@ -151,19 +152,19 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
     resolved.resolution.land_grading = 1;
   if (flat && table.interface->is_hard())
   {
-    // The foot bends, so the load gathers at the inner edge of the land.
+    // The foot bends, so that the pressure concentrates at the inner edge of the land.
     resolved.resolution.focus_radius = profile.land_inner_radius();
     resolved.resolution.focus_size = profile.land_width / resolution.land_cells / 32 / fineness;
-    // Where it gathers depends on how the land tilts, which corners make slow to converge.
+    // The concentration depends on the tilt of the land, which converges slowly because of the corners.
     resolved.corner_halvings = 2;
     return resolved;
   }
-  // Where the interface yields a thousand times more than the bodies, their displacement is smooth within the
-  // contact.
+  // If the interface is a thousand times more compliant than the bodies, the displacement of the bodies is
+  // smooth within the contact.
   const double depth = flat ? 0 : std::pow(resolved.contact_half_width, 2) / (2 * profile.crown_radius);
   if (flat || line_load(normal_force) * plane_strain_compliance() < 1e-3 * depth)
   {
-    // What the bodies as a whole yield is left.
+    // Only the overall compliance of the bodies must be resolved.
     const double halvings = std::round(resolution.refinements + 1 + std::log2(fineness));
     resolved.resolution.refinements = static_cast<unsigned int>(std::max(halvings, 0.));
     return resolved;

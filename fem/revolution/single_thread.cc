@@ -10,7 +10,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Returns the function @p name of the system's BLAS; nullptr if that is not OpenBLAS.
+/// Returns the function @p name of the system's BLAS; nullptr if the BLAS is not OpenBLAS.
 template <typename Function>
 Function *of_openblas(const char *name)
 {
@@ -19,7 +19,7 @@ Function *of_openblas(const char *name)
 
 std::mutex mutex;
 unsigned int n_holders = 0;
-int blas_threads = 1; ///< before the first of the present holders
+int blas_threads = 1; ///< number of threads before the first current holder
 
 } // namespace
 
@@ -27,8 +27,8 @@ SingleThread::SingleThread()
     : omp_threads(omp_get_max_threads())
     , omp_levels(omp_get_max_active_levels())
 {
-  omp_set_num_threads(1);       // an OpenBLAS built on OpenMP uses the number of each thread
-  omp_set_max_active_levels(0); // CHOLMOD starts four threads of its own for each of the caller's
+  omp_set_num_threads(1);       // an OpenBLAS based on OpenMP uses this number per thread
+  omp_set_max_active_levels(0); // CHOLMOD would start four additional threads per calling thread
   const std::lock_guard<std::mutex> lock(mutex);
   const auto get = of_openblas<int()>("openblas_get_num_threads");
   const auto set = of_openblas<void(int)>("openblas_set_num_threads");
