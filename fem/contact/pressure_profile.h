@@ -53,9 +53,9 @@ std::vector<PressureMoments> moments_of_cuts(const ContactSurface &surface,
 /// without a load, and if the pressure is not concentrated in the middle (a mean kurtosis outside 1.8
 /// ... 2.3), as at the end of a land.
 ///
-/// Under a stiff spring in the place of a hard interface the pressure at points oscillates from node to node,
-/// most next to the edges, where the exact pressure ends upright. Its moments do not: they are those of the
-/// nodal forces.
+/// With a stiff spring that approximates a hard interface, the pressure oscillates from node to node, most
+/// strongly next to the edges, where the exact pressure has a vertical tangent. The moments of the pressure
+/// equal the moments of the nodal forces and do not oscillate.
 std::vector<PressureProfile> profiles_of_cuts(const ContactSurface &surface,
                                               const std::vector<Eigen::Vector3d> &depths,
                                               const std::function<double(double)> &pressure);

@@ -75,9 +75,9 @@ private:
   /// Returns the sums over the circles of a bundle of its solution times the functions, times functions and
   /// tractions, and times @p weights of the conditions; shape [n_kinds n_functions + 3, n_functions + 4].
   LaneTable tested(const Bundle &bundle, const Eigen::MatrixX3d &weights) const;
-  /// Returns tested() of each line as a column, rows running fastest: for each kind of force the responses to
-  /// the p functions, the table motions and the residual, shape [p * (p + 4), n_lines]; last those of the
-  /// conditions, shape [3 * (p + 4), n_lines].
+  /// Returns tested() of each line as a column, with the row index fastest: one matrix per kind of force with
+  /// the responses to the p functions, the table motions and the residual, shape [p * (p + 4), n_lines], and a
+  /// last matrix for the conditions, shape [3 * (p + 4), n_lines].
   std::vector<Eigen::MatrixXd> sums_on_lines(const LinearConditions &conditions) const;
   /// Returns the system of the amplitudes for a fixed table, followed by the columns of the motions and of
   /// the residual: shape [n_modes * p, n_modes * p + 4].

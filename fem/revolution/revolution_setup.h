@@ -71,8 +71,8 @@ struct RevolutionSetup
   /// Returns the load per length of the rim under @p normal_force [N/m].
   double line_load(double normal_force) const;
 
-  /// Returns the displacement of the compliant bodies per pressure on a band of @p width [m/Pa]: that of a
-  /// half-space, or of a layer that cannot bulge, if the substrate is so thin that the latter is smaller.
+  /// Returns the displacement of the compliant bodies per pressure on a band of @p width [m/Pa]: the smaller
+  /// one of a half-space and, for a thin substrate, a laterally confined layer.
   double compliance_under_band(double width) const;
 
   /// Returns (1 - nu^2) / E of the compliant bodies, 1 / E* [1/Pa].

@@ -17,7 +17,7 @@ using namespace dealii;
 namespace
 {
 
-/// Splits @p group where its members, ordered by @p value, lie further apart than @p tolerance.
+/// Splits @p group, sorted by @p value, at every gap larger than @p tolerance.
 std::vector<std::vector<std::size_t>> split(std::vector<std::size_t> group, const std::vector<double> &value,
                                             double tolerance)
 {

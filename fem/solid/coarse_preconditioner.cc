@@ -12,10 +12,10 @@ namespace
 /// Parameters of ML, tuned on feet of 48 x 2 x 2 to 192 x 8 x 8 cells (docs/method/solid_measurements.md).
 struct AggregationParameters
 {
-  int n_smoothing_steps = 4;   ///< degree of the Chebyshev polynomials between the finest and coarsest level
-  double smoothing_range = 20; ///< largest eigenvalue over the lower end of the smoothed range
-  int max_factorized_rows = 4000; ///< an aggregated level of more rows is aggregated further
-  int max_sparse_rows = 10000;    ///< a matrix of more rows is aggregated; the next level has denser rows
+  int n_smoothing_steps = 4;      ///< degree of the Chebyshev smoother on the intermediate levels
+  double smoothing_range = 20;    ///< largest eigenvalue divided by the lower end of the smoothed range
+  int max_factorised_rows = 4000; ///< larger aggregated levels are aggregated further
+  int max_sparse_rows = 10000;    ///< larger matrices are aggregated; the next level has denser rows
 };
 constexpr AggregationParameters parameters = {};
 
@@ -26,7 +26,7 @@ coarse_preconditioner(const dealii::TrilinosWrappers::SparseMatrix &matrix, std:
 {
   Teuchos::ParameterList list;
   ML_Epetra::SetDefaults("SA", list);
-  list.set("prec type", "MGW"); // the finer the mesh, the more iterations a V-cycle takes
+  list.set("prec type", "MGW"); // a W-cycle; the iterations of a V-cycle would increase with mesh refinement
   list.set("PDE equations", 3);
   list.set("null space: type", "pre-computed");
   list.set("null space: dimension", 6);
@@ -34,13 +34,13 @@ coarse_preconditioner(const dealii::TrilinosWrappers::SparseMatrix &matrix, std:
   list.set("null space: add default vectors", false);
   list.set("aggregation: type", "Uncoupled");
   list.set("smoother: type", "Chebyshev");
-  list.set("smoother: type (level 0)", "do-nothing"); // the caller smooths
+  list.set("smoother: type (level 0)", "do-nothing"); // smoothed by the caller
   list.set("smoother: sweeps", parameters.n_smoothing_steps);
   list.set("smoother: Chebyshev alpha", parameters.smoothing_range);
   list.set("smoother: pre or post", "both");
   list.set("coarse: type", "Amesos-KLU");
   const bool is_small = matrix.m() <= static_cast<unsigned int>(parameters.max_sparse_rows);
-  list.set("coarse: max size", is_small ? parameters.max_sparse_rows : parameters.max_factorized_rows);
+  list.set("coarse: max size", is_small ? parameters.max_sparse_rows : parameters.max_factorised_rows);
   list.set("ML output", 0);
   auto result = std::make_unique<dealii::TrilinosWrappers::PreconditionAMG>();
   result->initialize(matrix, list);

@@ -11,13 +11,12 @@ using namespace dealii;
 namespace
 {
 
-/// Share by which T may change before the preconditioner is set up again. The smoother always has the present
+/// Relative change of T above which the preconditioner is set up again. The smoother always uses the present
 /// T.
 constexpr double tolerated_change = 0.1;
 
-/// Translations and rotations at the vertices of linear elements, one motion after the other, at the dofs
-/// that this rank owns; 0 at constrained dofs. (deal.II has DoFTools::extract_rigid_body_modes() from 9.6
-/// on.)
+/// Returns the rigid translations and rotations at the owned dofs of linear elements, one motion after the
+/// other; 0 at constrained dofs. (deal.II has DoFTools::extract_rigid_body_modes() since version 9.6.)
 std::vector<double> rigid_motions(const SolidLevel &level)
 {
   const IndexSet &owned = level.dof_handler.locally_owned_dofs();
@@ -38,7 +37,7 @@ std::vector<double> rigid_motions(const SolidLevel &level)
       const Point<3> x = cell->vertex(vertex);
       double *const at_dof = modes.data() + owned.index_within_set(dofs[i]);
       at_dof[component * n] = 1;
-      at_dof[(3 + next) * n] = x[last]; // of e_next x x
+      at_dof[(3 + next) * n] = x[last]; // rotation e_next x x
       at_dof[(3 + last) * n] = -x[next];
     }
   }
@@ -78,10 +77,10 @@ void CoarseSolver::set_contact(const Eigen::SparseMatrix<double> &tangent)
       return;
   }
   aggregated = tangent;
-  correction.reset(); // refers to the sum
+  correction.reset(); // refers to the old `sum`
   sum.copy_from(stiffness);
   for (const ContactNodes::Entry &entry : nodes->owned_rows(tangent))
-    sum.add(entry.row, entry.column, entry.value); // nodes of one cell, whose dofs K couples
+    sum.add(entry.row, entry.column, entry.value); // K couples these dofs: their nodes share a cell
   sum.compress(VectorOperation::add);
   correction = coarse_preconditioner(sum, modes);
 }

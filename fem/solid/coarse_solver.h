@@ -17,8 +17,8 @@ namespace stemware::fem
 class CoarseSolver : public dealii::MGCoarseGridBase<FloatVector>
 {
 public:
-  /// Keeps references to @p level and to @p matrix, the matrix of this level, whose contact is set before
-  /// that of the solver. @p nodes: contact nodes of the level.
+  /// Keeps references to @p level and to @p matrix, the matrix of this level. The contact of @p matrix must
+  /// be set first. @p nodes: contact nodes of the level.
   CoarseSolver(const SolidLevel &level, const LevelMatrix &matrix, const ElasticMaterial &material,
                const std::shared_ptr<const ContactNodes> &nodes);
 

@@ -1,4 +1,4 @@
-// How contact nodes of a mesh follow from those of a coarser one.
+// Interpolation between the contact nodes of two meshes.
 #include "fem/geometry/boundary_ids.h"
 #include "fem/solid/contact_stiffness.h"
 #include "fem/solid/solid_contact_zone.h"
@@ -28,8 +28,8 @@ namespace
 
 using BinaryId = CellId::binary_type;
 
-/// To which dof a cell's shape belongs, with which weight: one each, unless the shape's own node hangs on
-/// others.
+/// Weight of a dof in a shape function of a cell: a single dof with weight 1, or several dofs if the shape
+/// function's node is a hanging node.
 struct DofShare
 {
   unsigned int shape;
@@ -45,13 +45,13 @@ struct DofShare
 using DofShares = std::vector<DofShare>;
 using SharesOfCell = std::pair<BinaryId, DofShares>;
 
-/// A row of the interpolation: dofs of the coarse mesh, and their values at a node of the fine one.
+/// Row of the interpolation matrix: dofs of the coarse mesh, and their weights at a node of the fine mesh.
 using Row = std::vector<std::pair<global_dof_index, double>>;
 
 template <typename T>
 using ToRanks = std::map<unsigned int, std::vector<T>>;
 
-/// Vertical shapes of @p cell.
+/// Returns the dofs and weights of the vertical shape functions of @p cell.
 DofShares shares_of(const ContactElements &elements, const DoFHandler<3>::active_cell_iterator &cell)
 {
   const FiniteElement<3> &element = elements.dof_handler.get_fe();
@@ -71,8 +71,8 @@ DofShares shares_of(const ContactElements &elements, const DoFHandler<3>::active
   return shares;
 }
 
-/// Cells of a mesh that have contact nodes, of faces, edges or corners, where all ranks find them: each on a
-/// rank that follows from the cell's identity.
+/// Distributed directory of the cells with contact nodes (on faces, edges or corners). The id of a cell
+/// determines the rank that stores it.
 class CellDirectory
 {
 public:
@@ -102,7 +102,7 @@ public:
       cells.insert(received.second.begin(), received.second.end());
   }
 
-  /// The cells of the directory among those that this rank @p asked for. Collective.
+  /// Returns the entries of the cells @p asked for by this rank that are in the directory. Collective.
   std::map<BinaryId, DofShares> find(const std::set<BinaryId> &asked) const
   {
     ToRanks<BinaryId> questions;
@@ -132,7 +132,7 @@ private:
   std::map<BinaryId, DofShares> cells;
 };
 
-/// A cell's parent, and which child of it the cell is; nothing for one without a parent.
+/// Returns the parent of a cell and the child number of the cell; std::nullopt for a coarsest cell.
 std::optional<std::pair<BinaryId, unsigned int>> parent_of(const CellId &id)
 {
   const auto children = id.get_child_indices();
@@ -144,7 +144,7 @@ std::optional<std::pair<BinaryId, unsigned int>> parent_of(const CellId &id)
   return std::pair(CellId(id.get_coarse_cell_id(), ancestors).to_binary<3>(), child);
 }
 
-/// Rows of the nodes that this rank owns.
+/// Returns the rows of the nodes that this rank owns.
 std::vector<Row> owned_rows(const ContactElements &coarse, const ContactElements &fine,
                             const ContactNodes &fine_nodes)
 {
@@ -178,7 +178,7 @@ std::vector<Row> owned_rows(const ContactElements &coarse, const ContactElements
   std::vector<Row> rows(fine_nodes.n_owned_nodes());
   for (const auto &[node, shape, id] : places)
   {
-    if (!rows[node].empty()) // cells side by side say the same
+    if (!rows[node].empty()) // neighbouring cells give the same row
       continue;
     auto cell = found.find(id.to_binary<3>());
     Point<3> point = points[shape];
@@ -186,7 +186,7 @@ std::vector<Row> owned_rows(const ContactElements &coarse, const ContactElements
     {
       const auto parent = parent_of(id);
       if (!parent || (cell = found.find(parent->first)) == found.end())
-        continue; // the cell only touches the zone, and has a neighbour in it
+        continue; // the cell touches the zone only; a neighbour in the zone gives the row
       point = GeometryInfo<3>::child_to_cell_coordinates(point, parent->second);
     }
     std::map<global_dof_index, double> values;
@@ -207,7 +207,7 @@ ContactInterpolation interpolation_between(const ContactElements &coarse, const 
   const MPI_Comm &communicator = fine.dof_handler.get_communicator();
   std::vector<Row> rows = owned_rows(coarse, fine, fine_nodes);
 
-  // Rows of the others' nodes, which come in the order in which they are asked for.
+  // Rows of the ghost nodes, received in the order of the requests.
   ToRanks<global_dof_index> questions;
   for (std::size_t i = fine_nodes.n_owned_nodes(); i < fine_nodes.n_nodes(); ++i)
     questions[fine_nodes.ghost_ranks()[i - fine_nodes.n_owned_nodes()]].push_back(fine_nodes.dofs()[i]);

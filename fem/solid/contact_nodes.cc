@@ -72,7 +72,8 @@ ContactNodes::ContactNodes(const IndexSet &owned, std::vector<Dof> dofs, const M
   for (const auto &[rank, n] : among_dofs.ghost_targets())
     other_ranks.insert(other_ranks.end(), n, rank);
 
-  // The nodes' own numbers, each rank's after those of the ranks before: told once by way of the dofs.
+  // Global numbers of the nodes: consecutive on each rank, in the order of the ranks. They are exchanged
+  // once, as ghost values at the dofs.
   const Utilities::MPI::Partitioner among_nodes(Dof(places.size()), 0, communicator);
   const Dof first = among_nodes.local_range().first;
   LinearAlgebra::distributed::Vector<double> numbers(owned, others, communicator);
@@ -142,7 +143,7 @@ void ContactNodes::scatter_add(const Eigen::VectorXd &parts,
 
 std::vector<ContactNodes::Entry> ContactNodes::owned_rows(const Eigen::SparseMatrix<double> &parts) const
 {
-  // Dofs are told exactly: a double has more digits than meshes have dofs.
+  // Dofs are sent as doubles, which represent integers below 2^53 exactly.
   using Packed = std::array<double, 3>;
   std::map<unsigned int, std::vector<Packed>> to_others;
   std::vector<Entry> rows;

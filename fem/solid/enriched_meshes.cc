@@ -26,7 +26,7 @@ using Cell = Triangulation<3>::active_cell_iterator;
 /// Number of halvings at an edge, where a higher degree alone gains little.
 constexpr unsigned int n_edge_halvings = 2;
 
-/// Whether @p cell has a face of the contact zone that reaches into radii between @p inner and @p outer.
+/// Returns true if @p cell has a contact face that overlaps the radii between @p inner and @p outer.
 bool touches_contact(const Cell &cell, double inner, double outer)
 {
   for (const auto &face : cell->face_iterators())
@@ -47,7 +47,7 @@ bool touches_contact(const Cell &cell, double inner, double outer)
   return false;
 }
 
-/// Angle between the two faces of @p cell that share its edge @p line, the edges taken as straight.
+/// Returns the angle between the two faces of @p cell that share the edge @p line, with straight edges.
 double angle_at(const Cell &cell, unsigned int line)
 {
   const Point<3> begin = cell->line(line)->vertex(0), end = cell->line(line)->vertex(1);
@@ -67,7 +67,7 @@ double angle_at(const Cell &cell, unsigned int line)
   return std::acos(std::clamp(across.at(0) * across.at(1), -1., 1.));
 }
 
-/// Edges of the boundary, on cells that this rank owns, round which the body fills more than a half-space.
+/// Returns the re-entrant boundary edges of this rank's cells, with an interior angle above 1.2 pi.
 std::set<unsigned int> reentrant_edges(const DistributedMesh &mesh)
 {
   std::map<unsigned int, double> angles;
@@ -80,7 +80,7 @@ std::set<unsigned int> reentrant_edges(const DistributedMesh &mesh)
     {
       const double angle = angle_at(cell, l);
       angles[cell->line_index(l)] += angle;
-      // Finer neighbours have the two halves of the edge.
+      // Finer neighbours see the two halves of the edge.
       if (cell->line(l)->has_children())
         for (unsigned int child = 0; child < 2; ++child)
           angles[static_cast<unsigned int>(cell->line(l)->child_index(child))] += angle;
@@ -90,7 +90,7 @@ std::set<unsigned int> reentrant_edges(const DistributedMesh &mesh)
         for (unsigned int l = 0; l < GeometryInfo<2>::lines_per_cell; ++l)
           on_boundary.insert(face->line_index(l));
   }
-  // Round edges, made of straight ones, have neighbours nearly in line.
+  // The margin excludes the edges of curved boundaries, whose angles are close to pi.
   std::set<unsigned int> edges;
   for (const unsigned int line : on_boundary)
     if (angles[line] > 1.2 * ring::pi)

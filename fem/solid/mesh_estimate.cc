@@ -22,11 +22,11 @@ namespace
 
 using DofVector = MeshHierarchy::Vector;
 
-/// Reduction of the residual by the linear solve for the dual solution, which only has to find cells.
+/// Residual reduction of the dual solve, whose solution serves as refinement indicator only.
 constexpr double dual_tolerance = 1e-4;
 
-/// Newton's method on the finer elements ends when a step changes the goal by no more than this share of what
-/// all of them have changed, and this share of the forces is unbalanced at most.
+/// Stopping rule on the finer elements: maximum change of the goal in the last step relative to its total
+/// change, and maximum relative residual of the forces.
 constexpr double last_change = 0.1;
 constexpr double left_unbalanced = 1e-3;
 
@@ -36,7 +36,7 @@ DofVector vector_on(const SolidLevel &level)
   return DofVector(level.dof_handler.locally_owned_dofs(), relevant, level.dof_handler.get_communicator());
 }
 
-/// Displacements, from the mesh's own level of a hierarchy to the levels above it and back, in double
+/// Transfer of displacements between the mesh's own level and the finer levels of a hierarchy, in double
 /// precision.
 class Embedding
 {
@@ -54,7 +54,8 @@ public:
     }
   }
 
-  /// The function of @p vector on the own level as a vector of the finest level; constrained unknowns are 0.
+  /// Returns @p vector, a function on the own level, as a vector on the finest level; constrained unknowns
+  /// are 0.
   DofVector embedded(const DofVector &vector) const
   {
     DofVector coarse = vector_on(hierarchy.level(own));
@@ -70,7 +71,7 @@ public:
     return coarse;
   }
 
-  /// Interpolant of @p vector by the elements of the own level, as a vector of the finest level.
+  /// Returns the interpolant of @p vector in the own elements, as a vector on the finest level.
   DofVector interpolated(const DofVector &vector) const
   {
     const unsigned int finest = hierarchy.n_levels() - 1;
@@ -80,7 +81,8 @@ public:
       const SolidLevel &above = hierarchy.level(l), &below = hierarchy.level(l - 1);
       DofVector coarse = vector_on(below);
       if (above.element.degree > below.element.degree)
-        // deal.II's transfer would project, with an outcome that depends on the order of cells.
+        // Interpolation: deal.II's transfer would project, and the result would depend on the order of the
+        // cells.
         FETools::interpolate(above.dof_handler, fine, below.dof_handler, below.constraints, coarse);
       else
         transfers[l - own - 1].interpolate(coarse, fine);
@@ -90,7 +92,7 @@ public:
   }
 
 private:
-  /// @p vector with the values of hanging nodes, and those of other ranks' cells.
+  /// Returns @p vector with hanging nodes and ghost values set.
   DofVector distributed(unsigned int l, const DofVector &vector) const
   {
     DofVector result = vector_on(hierarchy.level(l));
@@ -105,8 +107,8 @@ private:
   std::vector<MGTwoLevelTransfer<3, DofVector>> transfers;
 };
 
-/// Sums @p products of unknowns over the cells of @p numbers that they lie in, in equal parts where these
-/// are several.
+/// Returns the sums of @p products over the cells of @p numbers. An unknown shared by several cells
+/// contributes equally to each.
 std::vector<double> sums_over_cells(const SolidLevel &level, const DofVector &products,
                                     const CellNumbers &numbers)
 {
@@ -144,7 +146,7 @@ std::vector<double> sums_over_cells(const SolidLevel &level, const DofVector &pr
   return sums;
 }
 
-/// J of @p solution under @p law less J of @p contact.
+/// Returns J of @p solution under @p law minus J of @p contact.
 double change_of_goal(const SolvedSolidContact &contact, const ContactGoal &goal, const TableLaw &law,
                       const ContactSolution &solution)
 {
@@ -154,7 +156,7 @@ double change_of_goal(const SolvedSolidContact &contact, const ContactGoal &goal
          goal.of_motion.dot(solution.motion - contact.solution.motion);
 }
 
-/// Nodal weights of the forces in @p goal.
+/// Returns the weights of the nodal forces in @p goal.
 Eigen::VectorXd force_weights(const ContactGoal &goal, const ContactSurface &surface)
 {
   return node_values(surface, goal.ring_radii, goal.of_load) +
@@ -209,8 +211,8 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   const DofVector dual = body.solve_symmetric(
     pressed.tangent, pressed_goal,
     surface.parts.sum(surface.motion_modes().transpose() * pressed_goal) - goal.of_motion, dual_tolerance);
-  // The forces that were found, not those of the law at the own displacement: a stiff spring makes nearly
-  // everything of what the own elements cannot say about the penetration.
+  // Forces of the new solution. The law's forces at the interpolated displacement would amplify its
+  // interpolation error by the stiff spring.
   body.set_displacement(embedded);
   DofVector products = dual;
   products -= embedding.interpolated(dual);
@@ -218,7 +220,8 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   hierarchy->level(finest).constraints.set_zero(products);
   const CellNumbers numbers(dofs.get_triangulation());
   error.cells = sums_over_cells(hierarchy->level(finest), products, numbers);
-  // What is as large all round a ring cancels in no other place: a mesh of rings stays one.
+  // The mean over a ring keeps an axisymmetric mesh axisymmetric. Contributions that cancel within a ring do
+  // not count.
   for (const std::vector<std::size_t> &ring : numbers.rings())
   {
     double sum = 0;

@@ -49,7 +49,7 @@ SolidLevel::SolidLevel(std::shared_ptr<const Triangulation<3>> mesh, unsigned in
   constraints = clamp_stem_cut(dof_handler);
 }
 
-/// deal.II's side of a MeshHierarchy.
+/// Implementation of MeshHierarchy with deal.II's multigrid.
 struct MeshHierarchy::Cycle
 {
   using Transfer = MGTransferGlobalCoarsening<3, FloatVector>;
@@ -107,7 +107,7 @@ struct MeshHierarchy::Cycle
     transfer = std::make_unique<Transfer>(transfers, [this](unsigned int l, FloatVector &vector)
                                           { matrices[l].initialize_dof_vector(vector); });
 #if !DEAL_II_VERSION_GTE(9, 5, 0)
-    transfers.resize(0, 0); // this deal.II has copied them
+    transfers.resize(0, 0); // deal.II before 9.5 copies them
 #endif
   }
 
@@ -125,7 +125,7 @@ struct MeshHierarchy::Cycle
     }
   }
 
-  /// The V-cycle that starts on one level, with the vectors that it works on.
+  /// V-cycle that starts on one level, with its work vectors.
   struct FromLevel
   {
     FromLevel(const Cycle &cycle, unsigned int l)
@@ -139,14 +139,15 @@ struct MeshHierarchy::Cycle
 
   std::vector<std::unique_ptr<SolidLevel>> levels;
   std::vector<std::shared_ptr<const ContactNodes>> contact_nodes;
-  std::vector<Eigen::SparseMatrix<double>> interpolations; ///< of contact nodes, from the level below
+  std::vector<Eigen::SparseMatrix<double>> interpolations; ///< to the contact nodes of a level from the level
+                                                           ///< below
   MGLevelObject<LevelMatrix> matrices;
-  MGLevelObject<MGTwoLevelTransfer<3, FloatVector>> transfers; ///< between two levels each
-  std::unique_ptr<Transfer> transfer;                          ///< points to them
+  MGLevelObject<MGTwoLevelTransfer<3, FloatVector>> transfers; ///< between neighbouring levels
+  std::unique_ptr<Transfer> transfer;                          ///< refers to `transfers`
   mg::SmootherRelaxation<LevelSmoother, FloatVector> smoother;
   std::unique_ptr<CoarseSolver> coarse_solver;
   mg::Matrix<FloatVector> matrix;
-  std::vector<std::unique_ptr<FromLevel>> cycles; ///< made when they are first asked for
+  std::vector<std::unique_ptr<FromLevel>> cycles; ///< created on first use
 };
 
 std::vector<LevelElements> levels_of(const Triangulation<3> &triangulation, unsigned int degree)
@@ -222,7 +223,7 @@ void MeshHierarchy::prolongate(unsigned int l, LinearAlgebra::distributed::Vecto
   from.copy_locally_owned_data_from(coarse);
   cycle->transfer->prolongate(l, to, from);
   fine.copy_locally_owned_data_from(to);
-  cycle->levels[l]->constraints.set_zero(fine); // hanging nodes follow from the others
+  cycle->levels[l]->constraints.set_zero(fine); // hanging nodes are determined by the other nodes
 }
 
 template void MeshHierarchy::prolongate(unsigned int, FloatVector &, const FloatVector &) const;

@@ -8,7 +8,7 @@ namespace stemware::fem
 namespace
 {
 
-/// The error of a coarser mesh is larger than this: solving its contact further would not help the finer.
+/// Returns the stopping rule on a coarser mesh, looser than its discretisation error.
 ContactControl coarse_control(double softening)
 {
   ContactControl control;
@@ -19,7 +19,8 @@ ContactControl coarse_control(double softening)
   return control;
 }
 
-/// Start under an interface @p ratio times harder, which carries the same pressure at less penetration.
+/// Returns @p start for an interface stiffer by the factor @p ratio, with the penetration scaled for equal
+/// pressure.
 ContactStart hardened(ContactStart start, const ContactSurface &surface, double ratio)
 {
   const Eigen::VectorXd penetration = -(surface.node_gap + start.normal_displacement);
@@ -27,7 +28,8 @@ ContactStart hardened(ContactStart start, const ContactSurface &surface, double 
   return start;
 }
 
-/// Start of the contact on the coarsest mesh: from softer interfaces on that mesh, where that is the way.
+/// Returns the initial guess on the coarsest mesh, from contacts on gradually stiffer interfaces;
+/// std::nullopt if @p softening is 1.
 std::optional<ContactStart> start_on_coarsest_mesh(SolidBody &body, const InterfaceLaw &interface,
                                                    double softening, const ContactDemand &demand,
                                                    double radius)

@@ -24,7 +24,7 @@ void require_degree(unsigned int degree)
                                 " is not allowed for a solid body; give 1 or 2.");
 }
 
-/// The stiffness of a new body, @p shared with a similar one where that is there.
+/// Returns the stiffness of a new body; @p shared, the stiffness of a similar body, is used if not nullptr.
 std::unique_ptr<BodyStiffness> stiffness_of(const Triangulation<3> &triangulation,
                                             const ElasticMaterial &material, const SolidOptions &options,
                                             std::unique_ptr<BodyStiffness> shared)

@@ -23,13 +23,12 @@ using types::global_dof_index;
 namespace
 {
 
-/// A contact face, or a quarter of one, sampled at the 3 x 3 points of a biquadratic: everything on it is
-/// interpolated from these.
+/// Contact face, or a quarter of one, sampled at 3 x 3 points for biquadratic interpolation.
 struct SampledFace
 {
   std::vector<global_dof_index> dofs;               ///< vertical dofs with support on the face
   std::vector<Eigen::Matrix3d> shapes;              ///< per dof, values at the samples [s, t]
-  std::array<std::array<Point<3>, 3>, 3> positions; ///< at the samples [s][t]
+  std::array<std::array<Point<3>, 3>, 3> positions; ///< positions of the samples [s][t]
 
   void add(global_dof_index dof, const Eigen::Matrix3d &values)
   {
@@ -48,7 +47,7 @@ struct SampledFace
     return direction == 0 ? positions[2][1] - positions[0][1] : positions[1][2] - positions[1][0];
   }
 
-  /// Makes the first direction the more radial one.
+  /// Orients the face so that its first direction is the more radial one.
   void orient()
   {
     const Point<3> centre = positions[1][1];
@@ -67,14 +66,14 @@ struct SampledFace
   }
 };
 
-/// Whether face @p f of @p cell is one of this rank's.
+/// Returns true if face @p f of @p cell is a contact face of this rank.
 bool is_contact_face(const DoFHandler<3>::active_cell_iterator &cell, unsigned int f)
 {
   return cell->is_locally_owned() && cell->face(f)->at_boundary() &&
          cell->face(f)->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone);
 }
 
-/// Tensor product of @p n equidistant points from 0 to 1, first direction running fastest.
+/// Returns the tensor product of @p n equidistant points from 0 to 1; the first direction runs fastest.
 Quadrature<2> equidistant_samples(unsigned int n)
 {
   std::vector<Point<2>> points;
@@ -88,7 +87,7 @@ std::vector<SampledFace> sample_faces(const Mapping<3> &mapping, const DoFHandle
                                       const AffineConstraints<double> &constraints)
 {
   const FiniteElement<3> &element = dof_handler.get_fe();
-  // Parabolas on half an edge stand for what is of a higher degree on the whole of it.
+  // Elements of degree above 2 are approximated by a quadratic on each half of an edge.
   const unsigned int n_parts = element.degree > 2 ? 2 : 1;
   const unsigned int n_samples = 2 * n_parts + 1;
   FEFaceValues<3> fe_values(mapping, element, equidistant_samples(n_samples),
@@ -131,7 +130,8 @@ std::vector<SampledFace> sample_faces(const Mapping<3> &mapping, const DoFHandle
   return faces;
 }
 
-/// The line of @p face at @p eta in [-1, 1] of its second direction, standing for a breadth of @p weight.
+/// Returns the line of @p face at @p eta in [-1, 1] of the second direction, with the quadrature weight @p
+/// weight.
 ContactLine make_line(const SampledFace &face, double eta, double weight, const ContactNodes &nodes,
                       const SolidGap &gap)
 {
@@ -176,13 +176,14 @@ std::vector<ContactLine> make_lines(const std::vector<SampledFace> &faces, const
   return lines;
 }
 
-/// Calls @p visit(cell, shape, node, dofs of the cell) for each own node, on one of this rank's cells. They
-/// lie at their shapes' support points, on cells of the zone or, where others hang on them, beside it.
+/// Calls @p visit(cell, shape, node, dofs of the cell) once for each owned node, with one of this rank's
+/// cells. The node is the support point of the cell's shape function. The cell lies beside the contact zone
+/// if only hanging nodes of the zone depend on the node.
 template <typename Visit>
 void for_each_own_node(const DoFHandler<3> &dof_handler, const ContactNodes &nodes, const Visit &visit)
 {
   const FiniteElement<3> &element = dof_handler.get_fe();
-  std::vector<bool> known(nodes.n_owned_nodes(), false);
+  std::vector<bool> is_visited(nodes.n_owned_nodes(), false);
   std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell());
   for (const auto &cell : dof_handler.active_cell_iterators())
   {
@@ -194,9 +195,9 @@ void for_each_own_node(const DoFHandler<3> &dof_handler, const ContactNodes &nod
       if (element.system_to_component_index(i).first != 2)
         continue;
       const unsigned int node = nodes.find(cell_dofs[i]);
-      if (node >= nodes.n_owned_nodes() || known[node])
+      if (node >= nodes.n_owned_nodes() || is_visited[node])
         continue;
-      known[node] = true;
+      is_visited[node] = true;
       visit(cell, i, node, cell_dofs);
     }
   }
@@ -234,7 +235,7 @@ void measure(ContactSurface &surface, const ContactNodes &nodes, unsigned int li
     const Eigen::RowVector2d end = line.position.row(2);
     const double sine = std::abs(begin(0) * end(1) - begin(1) * end(0)) / (begin.norm() * end.norm());
     are_radial = are_radial && sine < 1e-9;
-    // A flat land that is out of flat is less steep, a crown steeper.
+    // The slope of a flat land with waviness is smaller, the slope of a crown larger.
     constexpr double steep = 1e-3;
     const double rise = line.gap.maxCoeff() - line.gap.minCoeff();
     is_crowned = is_crowned || rise > steep * (end - begin).norm();
@@ -244,7 +245,7 @@ void measure(ContactSurface &surface, const ContactNodes &nodes, unsigned int li
   surface.node_area = nodes.spread(nodes.summed(areas));
   surface.lines_are_radial = !surface.parts.any(!are_radial);
   surface.is_crowned = surface.parts.any(is_crowned);
-  constexpr double min_hole = 0.1; // of the outer radius; less is a cell about the axis
+  constexpr double min_hole = 0.1; // relative to the outer radius; a smaller hole is a cell at the axis
   surface.is_ring = surface.parts.min(inner) > min_hole * surface.parts.max(outer);
   const double n_faces = surface.parts.sum(static_cast<double>(surface.lines.size())) / lines_per_face;
   surface.n_sectors = static_cast<unsigned int>(

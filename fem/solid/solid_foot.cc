@@ -44,31 +44,32 @@ SolidOptions options_of(const SolidMesh &mesh, SolidOptions options)
   return options;
 }
 
-/// Numbers of a solid foot that were tuned.
+/// Tuned parameters of a solid foot.
 struct FootNumbers
 {
-  /// How much more a foot yields than the spring that stands for a hard interface, integrated along lines, on
-  /// a mesh that can be refined; that of the body of revolution.
+  /// Compliance of a foot divided by the compliance of the spring that approximates a hard interface,
+  /// integrated along lines, on a mesh hierarchy. Same value as for the body of revolution.
   double hardness = 1000;
-  /// How much softer it is on each coarser mesh: what Newton's method hardens in a few steps.
+  /// Softening factor of the spring per coarser mesh; Newton's method stiffens it in a few steps.
   double softening = 8;
-  /// Penalty of nodal multipliers over E / (cell size), and the share of the residual that a linear solve
-  /// leaves on the way to them. At the penalty 1 an update halves what is left of the highest modes, at 10 it
-  /// leaves a tenth, and at 100 the penalty costs more iterations than it saves updates.
+  /// Penalty of the nodal multipliers relative to E / (cell size), and residual reduction of a linear solve
+  /// during the multiplier iteration. With a penalty of 1 an update halves the error of the highest modes,
+  /// with 10 it leaves a tenth; with 100 the linear solves need more iterations than the updates save.
   double penalty = 10, reduction = 0.1;
-  /// Share of the tolerance before to which multipliers are found next: about what one update leaves.
+  /// Reduction of the tolerance from one multiplier solve to the next, about the error left by one update.
   double tighter = 0.02;
-  /// Newton steps on the way to multipliers: more than usual, since each is solved for loosely.
+  /// Maximum number of Newton steps with multipliers. It is larger than usual because each step is solved
+  /// loosely.
   unsigned int max_steps = 300;
-  /// A mesh of as many equal parts round the axis is one of a body of revolution, as far as it can say.
+  /// Minimum number of symmetry sectors for which a mesh is treated as axisymmetric.
   unsigned int min_symmetry_sectors = 12;
-  /// Largest contact zone whose stiffness is condensed to the contact nodes.
+  /// Maximum number of contact nodes for condensation.
   unsigned int max_condensed_nodes = 1000;
 };
 constexpr FootNumbers foot_numbers = {};
 
-/// Whether contacts are solved on the compliance between the contact nodes, which costs about as much as four
-/// contacts of the whole body.
+/// Returns true if contacts are solved on the condensed compliance of the contact nodes. The condensation
+/// costs about as much as four contacts of the whole body.
 bool is_condensed(const SolidBody &body, const SolidOptions &options)
 {
   if (options.linear_solver == LinearSolver::multigrid)
@@ -255,7 +256,8 @@ ContactSolution SolidFoot::find_contact(const LinearConditions &conditions, Cont
   };
   if (!has_multipliers())
     return solve(control);
-  // Balance that is closer than multipliers are to their limit is lost again with their next update.
+  // Tolerances decrease together with the error of the multipliers: a tighter equilibrium would be lost in
+  // the next update.
   control.max_steps = foot_numbers.max_steps;
   ContactControl loose = control;
   loose.resultant_tolerance = std::numeric_limits<double>::infinity();
@@ -304,7 +306,7 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const ring::Slip &
 
 unsigned int SolidFoot::n_resolved_harmonics() const
 {
-  // Half the cells round the rim resolve that many; more than 24 matter nowhere.
+  // Two cells per harmonic. Harmonics above 24 are negligible.
   return std::clamp(body->contact_surface().n_sectors / 2, 1u, 24u);
 }
 

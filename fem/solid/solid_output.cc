@@ -26,9 +26,9 @@ namespace
 
 using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
 
-/// Elastic displacement relative to the stem's cut [m]; the table's motion given back to the glass, q0 + q1 x
-/// + q2 y upward with the horizontal part of that small rotation [m]; stress [Pa] and strain of isotropic
-/// elasticity; stress of von Mises [Pa].
+/// Output fields: elastic displacement relative to the stem's cut [m]; rigid motion of the glass, upward q0 +
+/// q1 x + q2 y with the horizontal part of this small rotation [m]; stress [Pa]; strain of isotropic
+/// elasticity; von Mises stress [Pa].
 class GlassFields : public DataPostprocessor<3>
 {
 public:
@@ -105,7 +105,7 @@ private:
   const Eigen::Vector3d motion;
 };
 
-/// The vertical component of a vector field whose other two are not used: a scalar that lives on the contact
+/// Vertical component of a vector field whose other components are unused: a scalar field on the contact
 /// nodes.
 class ContactPressure : public DataPostprocessorScalar<3>
 {
@@ -123,8 +123,8 @@ public:
   }
 };
 
-/// A picture of the cells of this rank, written piece by piece: that of all cells at once would take more
-/// memory than the equations.
+/// Output of this rank's cells, written piece by piece. All cells at once would need more memory than the
+/// system of equations.
 class Picture : public DataOut<3>
 {
 public:
@@ -134,7 +134,7 @@ public:
   {
     flags.write_higher_order_cells = dof_handler.get_fe().degree > 1;
     flags.compression_level = decltype(flags.compression_level)::best_speed;
-    flags.print_date_and_time = false; // equal runs give equal files
+    flags.print_date_and_time = false; // for reproducible files
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         cells.push_back(cell->active_cell_index());
@@ -142,8 +142,8 @@ public:
 
   bool has_cells() const { return !cells.empty(); }
 
-  /// The file. Its length is not known before, and a text that grows would take three times the memory: as
-  /// much is reserved as numbers without compression take, and what is not written takes none.
+  /// Returns the content of the file. The length is unknown in advance, and a growing string would need three
+  /// times the memory. The size of uncompressed numbers is therefore reserved; unused pages take no memory.
   std::string vtu_text()
   {
     constexpr std::size_t n_bytes_a_node = 200, n_cells_a_piece = 2000;
@@ -174,7 +174,7 @@ private:
   const Mapping<3> &mapping;
   const DoFHandler<3> &dof_handler;
   DataOutBase::VtkFlags flags;
-  std::vector<unsigned int> cells; ///< of this rank, ascending
+  std::vector<unsigned int> cells; ///< cells of this rank, ascending
 };
 
 std::string name_of_piece(unsigned int rank)
@@ -182,7 +182,7 @@ std::string name_of_piece(unsigned int rank)
   return "contact_" + std::to_string(rank) + ".vtu";
 }
 
-/// @p record without the comment in which deal.II puts the time: equal runs give equal files.
+/// Returns @p record without the comment in which deal.II writes the time, for reproducible files.
 std::string without_comment(std::string record)
 {
   const std::string begin = "<!--", end = "-->\n";
@@ -192,8 +192,8 @@ std::string without_comment(std::string record)
   return record;
 }
 
-/// Files that this rank has to write of a picture that several ranks have parts of. A rank without cells
-/// writes no piece, which ParaView could not read.
+/// Returns the files of this rank for output distributed over several ranks. A rank without cells writes no
+/// piece because ParaView cannot read an empty one.
 std::vector<FieldFile> pieces_on_ranks(Picture &picture, const MPI_Comm &communicator)
 {
   std::vector<FieldFile> files;
@@ -201,7 +201,7 @@ std::vector<FieldFile> pieces_on_ranks(Picture &picture, const MPI_Comm &communi
     files.push_back({ name_of_piece(Utilities::MPI::this_mpi_process(communicator)), picture.vtu_text() });
   const std::vector<bool> have_cells = Utilities::MPI::gather(communicator, picture.has_cells());
   std::vector<std::string> pieces;
-  for (unsigned int rank = 0; rank < have_cells.size(); ++rank) // none but on the first
+  for (unsigned int rank = 0; rank < have_cells.size(); ++rank) // empty except on the first rank
     if (have_cells[rank])
       pieces.push_back(name_of_piece(rank));
   if (!pieces.empty())

@@ -16,7 +16,7 @@ namespace stemware::fem
 
 using namespace dealii;
 
-/// Table motions counted so that all unknowns are lengths and all residuals forces: tilts as heights at the
+/// Table motions scaled so that all unknowns are lengths and all residuals forces: tilts as heights at the
 /// rim.
 struct ScaledMotions
 {
@@ -29,20 +29,20 @@ struct ScaledMotions
   }
 
   Eigen::Vector3d scale;  ///< of q0, q1, q2: 1, 1/m, 1/m
-  Eigen::MatrixX3d modes; ///< Q, its columns scaled
+  Eigen::MatrixX3d modes; ///< Q with scaled columns
 };
 
-/// A change of body and table in one Newton step.
+/// Increment of body and table in one Newton step.
 struct SolidIncrement
 {
   using Vector = BodyStiffness::Vector;
 
   Vector body;                  ///< du
-  Vector image;                 ///< what it takes from the body's residual, friction included
+  Vector image;                 ///< K du + B' T (B du + Q dq), friction included
   Eigen::VectorXd displacement; ///< B du
-  Eigen::Vector3d motion;       ///< of the table, scaled
+  Eigen::Vector3d motion;       ///< scaled table motions
   unsigned int n_iterations = 0;
-  double stability_margin = 1; ///< NewtonIncrement::stability_margin, friction in the body aside
+  double stability_margin = 1; ///< NewtonIncrement::stability_margin without friction in the body
 
   void add(double factor, const SolidIncrement &other)
   {
@@ -56,38 +56,37 @@ struct SolidIncrement
 namespace
 {
 
-/// Numbers of the Newton steps of a solid body that were tuned on feet with and without a hierarchy.
+/// Parameters of the Newton steps of a solid body, tuned on feet with and without a mesh hierarchy.
 struct StepNumbers
 {
-  unsigned int max_iterations = 200; ///< of conjugate gradients, which take 20 to 75 on meshes of use
-  /// The same for the displacement under given forces, whose error no Newton step mends; distorted cells take
-  /// some 250.
+  unsigned int max_iterations = 200; ///< maximum of conjugate-gradient iterations; usual meshes need 20 to 75
+  /// Maximum for the displacement under given forces, whose error no later Newton step corrects. Distorted
+  /// cells need about 250.
   unsigned int max_iterations_of_forces = 2000;
 
-  /// Share of the forces that Newton's method may leave unbalanced: a fifth of what its stopping rule allows.
+  /// Target residual relative to the forces: a fifth of the tolerance of Newton's method.
   double unbalanced_share = 2e-10;
-  /// Largest share of the residual that a linear solve may leave: with a larger one, Newton's method takes
-  /// more steps and no fewer iterations.
+  /// Maximum residual reduction factor of a linear solve. With a larger factor Newton's method takes more
+  /// steps without fewer iterations.
   double least_reduction = 1e-3;
-  /// A Newton step that would come this close to the last target is solved as far as that: a few iterations
-  /// more are less than another step.
+  /// A step whose target is within this factor of the last target is solved to the last target. A few more
+  /// iterations cost less than another step.
   double nearly_last = 30;
 
-  /// How well W has to solve its equations where it only helps to precondition, and where the conditions on
-  /// the forces are closed with it.
+  /// Tolerance of W as part of the preconditioner (loose), and for conditions that are closed with W (tight).
   double loose_border = 0.02, tight_border = 1e-3;
-  /// W is left out where the V-cycle sees at least this share of what the table's motions change.
+  /// W is left out if the V-cycle alone captures at least this fraction of the effect of the table motions.
   double small_border = 0.2;
-  /// Whether it is to be left out is asked again where the table is stiffer by this factor.
+  /// That decision is repeated when the table has become stiffer by this factor.
   double much_stiffer = 4;
 };
 constexpr StepNumbers tuned = {};
 
 using BodyVector = BodyStiffness::Vector;
 
-/// Conjugate gradients from @p solution to a residual of @p target, in the units of @p rhs; returns the
-/// number of iterations. Collective over the ranks of the vectors. Throws ContactFailure when the most
-/// iterations do not do.
+/// Solves by conjugate gradients from the initial guess @p solution to a residual of @p target, in the units
+/// of @p rhs. Returns the number of iterations. Collective over the ranks of the vectors. Throws
+/// ContactFailure after @p max_iterations.
 template <typename Operator, typename Preconditioner>
 unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &preconditioner,
                                  const BodyVector &rhs, double target, BodyVector &solution,
@@ -128,24 +127,24 @@ struct TangentPreconditioner
   void vmult(BodyVector &dst, const BodyVector &src) const { elastic.precondition(dst, src); }
 };
 
-/// NewtonIncrement::stability_margin from what is set against motions, @p resistance, and the weight's part H
-/// of it, @p leaning.
+/// Returns NewtonIncrement::stability_margin from @p resistance, the net resistance against the motions, and
+/// @p leaning, the weight's part H.
 double stability_margin_of(const Eigen::Matrix3d &resistance, const Eigen::Matrix3d &leaning)
 {
   return leaning.isZero(0) ? 1 : resistance.determinant() / (resistance + leaning).determinant();
 }
 
-/// Friction makes Newton's matrix unsymmetric. Its symmetric part is solved, and what friction leaves of the
-/// residual is solved for again, by generalised conjugate residuals (Eisenstat, Elman, Schultz, SIAM J.
-/// Numer. Anal. 20 (1983) 345), until at most @p target is left.
+/// Corrects @p increment for friction, which makes Newton's matrix unsymmetric. The residual that the
+/// symmetric part leaves is reduced to @p target by generalised conjugate residuals (Eisenstat, Elman,
+/// Schultz, SIAM J. Numer. Anal. 20 (1983) 345).
 ///
-/// @p increment is the solution of the symmetric part for the whole residual, @p residual what it leaves;
-/// @p solve gives the increment of the symmetric part for a residual and its target, resultants left alone.
+/// @p increment is the solution with the symmetric part, @p residual its residual with friction. @p
+/// solve(residual, target) solves with the symmetric part without a change of the resultants.
 template <typename Solve>
 void correct_for_friction(SolidIncrement &increment, BodyVector residual, double target, const Solve &solve)
 {
   constexpr unsigned int max_corrections = 12;
-  constexpr double reduction = 0.05; // of one correction: friction is the smaller part
+  constexpr double reduction = 0.05; // per correction; friction is a small part of the matrix
   std::vector<SolidIncrement> before;
   for (double left = residual.l2_norm(); left > target && before.size() < max_corrections;
        left = residual.l2_norm())
@@ -169,7 +168,8 @@ struct SolidBody::Border
   Eigen::MatrixX3d columns; ///< B G = T Q, this rank's part of it
   Eigen::Matrix3d corner;   ///< C = Q' T Q
   Eigen::Matrix3d inverse_corner;
-  Eigen::Matrix3d inverse_schur; ///< of C - G' W, in the form that is positive definite whatever W is
+  /// Inverse of C - G' W - W' G + W' (K + B' T B) W, which is positive definite for any W.
+  Eigen::Matrix3d inverse_schur;
 };
 
 /// K + B' T B - G C^-1 G'.
@@ -189,7 +189,7 @@ struct SolidBody::ProjectedOperator
   }
 };
 
-/// The inverse of K + B' T B plus W S^-1 W'.
+/// Approximates the inverse of K + B' T B and adds W S^-1 W'.
 struct SolidBody::ProjectedPreconditioner
 {
   const SolidBody &body;
@@ -214,28 +214,30 @@ struct SolidBody::ProjectedPreconditioner
   }
 };
 
-/// The linear system of one Newton step without what friction makes unsymmetric in it.
+/// Linear system of one Newton step without its unsymmetric friction terms.
 struct SolidBody::SymmetricStep
 {
   const SolidBody &body;
-  const LinearConditions *const closed; ///< conditions that are closed with W; nothing for resultants
+  const LinearConditions *const closed; ///< conditions that are closed with W; nullptr for prescribed
+                                        ///< resultants
   const ScaledMotions motions;
   const Border border;
 
-  /// @p residual as conjugate gradients see it, when the motions give the conditions what is @p missing.
+  /// Returns @p residual projected for conjugate gradients. @p missing: residual of the conditions that the
+  /// motions correct.
   Vector projected(Vector residual, const Eigen::Vector3d &missing) const
   {
     body.contact.nodes().scatter_add(-border.columns * (border.inverse_corner * missing), residual);
     return residual;
   }
 
-  /// Contact forces that @p of takes away.
+  /// Returns the decrease of the contact forces due to @p of.
   Eigen::VectorXd forces_of(const SolidIncrement &of) const
   {
     return body.contact.matrix() * (of.displacement + motions.modes * of.motion);
   }
 
-  /// The increment for a projected residual, down to one of @p target.
+  /// Returns the increment for the projected residual @p rhs, solved to a residual of @p target.
   SolidIncrement solve(const Vector &rhs, const Eigen::Vector3d &missing, double target) const
   {
     const ContactNodes &nodes = body.contact.nodes();
@@ -339,7 +341,8 @@ double SolidBody::target_residual(double residual, double force)
 {
   if (linear_tolerance > 0)
     return linear_tolerance * residual;
-  // As exact as the step before was good: what a Newton step cannot keep is not worth solving for.
+  // Quadratic convergence: the reduction of the last step squared. A more accurate solve would be lost in the
+  // next Newton step.
   const double ratio = residual_before > 0 ? residual / residual_before : 0.1;
   residual_before = residual;
   const double target = std::min(tuned.least_reduction, ratio * ratio) * residual;
@@ -350,7 +353,7 @@ double SolidBody::target_residual(double residual, double force)
 SolidBody::SymmetricStep SolidBody::begin_step(const Eigen::SparseMatrix<double> &tangent,
                                                const LinearConditions *closed)
 {
-  increment.reinit(0); // which gives its memory back
+  increment.reinit(0); // releases the memory
   increment_forces.reinit(0);
   contact.set(tangent);
   stiffness->set_contact(tangent);
@@ -364,8 +367,8 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
 {
   const SymmetricStep step = begin_step(tangent, conditions.are_resultants() ? nullptr : &conditions);
 
-  // 1. The symmetric part, for the whole residual. Vectors of the whole body are most of the memory: none
-  // stays that is not needed in the next line.
+  // 1. Symmetric part, for the whole residual. Vectors of the whole body dominate the memory, so each is
+  // released right after its last use.
   const Eigen::Vector3d missing = step.motions.scale.asDiagonal() * conditions.residual(forces, motion);
   double target = 0;
   SolidIncrement solution = [&]
@@ -375,7 +378,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
     return step.solve(rhs, missing, target);
   }();
 
-  // 2. What friction leaves.
+  // 2. Friction.
   if (has_friction())
   {
     Vector left = residual(forces);
@@ -385,8 +388,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
                          { return step.solve(of, Eigen::Vector3d::Zero(), to); });
   }
 
-  // 3. What Newton's method is told of the increment. The work of friction, which changes with the forces,
-  // belongs to the body's.
+  // 3. Data for Newton's method. The work of friction depends on the forces and counts as the body's.
   const Eigen::VectorXd change = step.forces_of(solution);
   const SurfaceParts &parts = contact.nodes().parts();
   NewtonIncrement result;
@@ -397,7 +399,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
   result.energy_curvature = solution.image * solution.body - parts.sum(change.dot(result.displacement));
   result.energy_slope = parts.sum(forces.dot(result.displacement)) - residual(forces) * solution.body;
 
-  // 4. The increment itself stays here, for update().
+  // 4. The increment is kept for update().
   increment.swap(solution.body);
   increment_forces.swap(solution.image);
   increment_forces -= contact_load(change);
@@ -407,7 +409,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
 void SolidBody::close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
                                  const Eigen::Vector3d &missing, SolidIncrement &solution) const
 {
-  // Of all the solutions that the body can have, (u - W q, q) more, the one whose forces fulfil L.
+  // The solutions of the body differ by motions (-W q, q). This selects the one whose forces fulfil L.
   Eigen::MatrixX3d response(motions.modes);
   for (unsigned int i = 0; i < 3; ++i)
     response.col(i) -= contact.nodes().gather(eliminated_border[i]);

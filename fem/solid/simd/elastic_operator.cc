@@ -1,5 +1,5 @@
-// deal.II's matrix-free evaluation for more lanes than Debian's library holds: the templates are instantiated
-// here. See CMakeLists.txt.
+// Instantiates deal.II's matrix-free evaluation for more SIMD lanes than Debian's library contains. See
+// CMakeLists.txt.
 #include "fem/solid/simd/elastic_operator.h"
 
 #include <deal.II/dofs/dof_handler.h>
@@ -65,7 +65,7 @@ private:
   using Lanes = VectorizedArray<Number>;
   using Evaluation = FEEvaluation<3, static_cast<int>(degree), static_cast<int>(degree + 1), 3, Number>;
 
-  /// Turns nodal displacements into nodal forces, on the cells that @p cell stands for.
+  /// Replaces nodal displacements by nodal forces on the cells in the lanes of @p cell.
   void stress(Evaluation &cell) const
   {
     cell.evaluate(EvaluationFlags::gradients);

@@ -29,7 +29,7 @@ public:
 
   virtual ~ElasticOperator() = default;
 
-  /// Computes @p dst = K @p src. Rows and columns of constrained unknowns are those of the identity.
+  /// Computes @p dst = K @p src, with the identity in the rows and columns of constrained unknowns.
   virtual void vmult(Vector &dst, const Vector &src) const = 0;
 
   /// Computes the diagonal of K [N/m], 1 for constrained unknowns.
