@@ -1,5 +1,4 @@
-// Writes the three feet of this folder (README.md says what they are): build the target `meshes` to write
-// them anew.
+// Generates the three feet of this folder, which README.md describes. The target `meshes` writes them.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/mesh_io.h"
 

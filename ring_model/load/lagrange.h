@@ -4,7 +4,7 @@
 
 namespace stemware::ring
 {
-/// Lagrange polynomials of @p nodes at @p x. Shape [nodes.size()].
+/// Returns the values at @p x of the Lagrange polynomials of @p nodes. Shape [nodes.size()].
 inline Eigen::VectorXd lagrange_values(const Eigen::VectorXd &nodes, double x)
 {
   Eigen::VectorXd values = Eigen::VectorXd::Ones(nodes.size());

@@ -6,20 +6,16 @@
 
 namespace stemware::ring
 {
-/**
- * Linear function of a load: sum_j sum_n (a(n, j) a_{j,n} + b(n, j) b_{j,n}), with a_{j,n}, b_{j,n} [N/rad]
- * the coefficients of ring j. Its coefficients have the unit of the result per N/rad. Shape [n_max + 1,
- * rings].
- */
+/// Linear function of a load: sum_j sum_n (a(n, j) a_{j,n} + b(n, j) b_{j,n}), with a_{j,n}, b_{j,n} [N/rad]
+/// the coefficients of ring j. Its coefficients have the unit of the result per N/rad. Shape [n_max + 1,
+/// rings].
 struct LoadFunctional
 {
   Eigen::ArrayXXd a; ///< coefficients of the cosines
   Eigen::ArrayXXd b; ///< coefficients of the sines; b(0, j) = 0
 
-  /**
-   * Returns the value for @p load. Harmonics missing in the load or in the functional count as 0.
-   * @throws std::invalid_argument if the load has another number of rings.
-   */
+  /// Returns the value for @p load. Harmonics missing in the load or in the functional count as 0.
+  /// @throws std::invalid_argument if the load has another number of rings.
   double operator()(const RingStack &load) const;
 
   /// Returns the functional that gives this functional's value for the load rotated counter-clockwise by @p

@@ -7,7 +7,7 @@
 
 namespace stemware::ring
 {
-/// One sentence made of its @p parts, numbers with enough digits to recognise them.
+/// Returns a sentence, the concatenation of @p parts; numbers have 12 significant digits.
 template <typename... Parts>
 std::string sentence(const Parts &...parts)
 {
@@ -17,7 +17,7 @@ std::string sentence(const Parts &...parts)
   return text.str();
 }
 
-/// Throws std::invalid_argument with the sentence made of @p parts unless @p condition holds.
+/// Throws std::invalid_argument with the concatenation of @p parts unless @p condition holds.
 template <typename... Parts>
 void require(bool condition, const Parts &...parts)
 {
@@ -25,13 +25,14 @@ void require(bool condition, const Parts &...parts)
     throw std::invalid_argument(sentence(parts...));
 }
 
-/// Throws std::invalid_argument unless @p value is finite; @p what names it.
+/// Throws std::invalid_argument unless @p value is finite. @p what is the name in the message.
 inline void require_finite(double value, const char *what)
 {
   require(std::isfinite(value), what, " is ", value, ", but must be a finite number");
 }
 
-/// Throws std::invalid_argument unless @p value is finite and positive; @p what names it, @p unit follows it.
+/// Throws std::invalid_argument unless @p value is finite and positive. The message has the name @p what and
+/// the @p unit.
 inline void require_positive(double value, const char *what, const char *unit)
 {
   require(std::isfinite(value) && value > 0., what, " is ", value, " ", unit,

@@ -13,8 +13,8 @@ namespace stemware::ring
 {
 namespace
 {
-/// Where @p function passes through 0 between two angles at which its signs differ, to 1e-9: an integral or
-/// an extremum that depends on that place is off by the square.
+/// Returns the angle between @p from and @p to at which @p function changes sign, by bisection to 1e-9. An
+/// integral or extremum that depends on this angle has an error of second order.
 template <typename Function>
 double sign_change(const Function &function, double from, double to)
 {
@@ -88,7 +88,8 @@ double RingStack::radius() const
     sum += std::abs(ring.a[0]) * ring.radius;
     weights += std::abs(ring.a[0]);
   }
-  // Rings may have first harmonics that cancel in the moment: what rounding leaves of that has no radius.
+  // Several rings may have first harmonics that cancel in the moment. A moment at rounding level defines no
+  // radius.
   constexpr double no_moment = 1e-9;
   const double moment_norm = moment().norm();
   return moment_norm > no_moment * 2. * pi * sum ? moment_norm / (pi * std::hypot(a(1), b(1)))
@@ -133,7 +134,7 @@ double RingStack::derivative(double theta) const
 
 std::vector<double> RingStack::evenly_spaced_values() const
 {
-  // The angles n theta_i are multiples of one spacing: a table of one turn serves all of them.
+  // The angles n theta_i are multiples of one spacing, so one table of cosines and sines suffices.
   const unsigned int n_samples = 32 * n_harmonics();
   const double spacing = 2. * pi / n_samples;
   std::vector<double> cosines(n_samples), sines(n_samples), samples(n_samples, cosine[0]);
@@ -188,7 +189,7 @@ double RingStack::integral(double from, double to) const
 
 double RingStack::pulling_force() const
 {
-  // The minima are among the angles: a load may be negative between two samples alone.
+  // The local minima are included because the load may be negative between two samples only.
   const std::vector<double> samples = evenly_spaced_values();
   const double spacing = 2. * pi / static_cast<double>(samples.size());
   std::map<double, double> values = local_minima();

@@ -8,23 +8,21 @@
 
 namespace stemware::ring
 {
-/**
- * Normal load on the table: J concentric rings at radii r_j, each with
- *
- *   lambda_j(theta) = a_{j,0} + sum_{n>=1} (a_{j,n} cos n theta + b_{j,n} sin n theta)   [N/rad],
- *
- * with theta from the direction of sliding, counter-clockwise seen from above (slip frame: x along the
- * motion, y to its left, z up). Their sum lambda(theta) is the load of the whole contact; "the load", a_n,
- * b_n and values at theta refer to the sum. The load of one ring may be negative, even everywhere; a negative
- * sum is tensile.
- *
- *     const RingStack load({ a_0, a_1 }, { 0, b_1 }, radius);   // [N/rad], [m]
- *     load.normal_force();                                      // 2 pi a_0 [N]
- *     load.moment_ratio(radius);                                // |M_N| / (N R / 2)
- *
- * Result of a contact calculation for the ring: a plain value without history, SI units. Loads that depend on
- * the spin are functions that return a RingStack.
- */
+/// Normal load on the table: J concentric rings at radii r_j, each with
+///
+///   lambda_j(theta) = a_{j,0} + sum_{n>=1} (a_{j,n} cos n theta + b_{j,n} sin n theta)   [N/rad],
+///
+/// with theta from the direction of sliding, counter-clockwise seen from above (slip frame: x along the
+/// motion, y to its left, z up). Their sum lambda(theta) is the load of the whole contact; "the load", a_n,
+/// b_n and values at theta refer to the sum. The load of one ring may be negative, even everywhere; a
+/// negative sum is tensile.
+///
+///     const RingStack load({ a_0, a_1 }, { 0, b_1 }, radius);   // [N/rad], [m]
+///     load.normal_force();                                      // 2 pi a_0 [N]
+///     load.moment_ratio(radius);                                // |M_N| / (N R / 2)
+///
+/// A RingStack passes the result of a contact calculation to the ring. It is a plain value in SI units. A
+/// load that depends on the spin is a function that returns a RingStack.
 class RingStack
 {
 public:
@@ -36,20 +34,16 @@ public:
     std::vector<double> b; ///< as many; b_{j,0} = 0
   };
 
-  /**
-   * @param rings At least one, all with equally many coefficients; the sum of the a_{j,0} is N / 2 pi > 0.
-   * @throws std::invalid_argument naming the value that is not allowed.
-   */
+  /// @param rings At least one, all with equally many coefficients; the sum of the a_{j,0} is N / 2 pi > 0.
+  /// @throws std::invalid_argument naming the value that is not allowed.
   explicit RingStack(std::vector<Ring> rings);
 
-  /// One ring: a_0...a_{n_max}, b_0 = 0...b_{n_max} [N/rad] at @p radius R > 0 [m]. Throws as above.
+  /// Creates one ring: a_0...a_{n_max}, b_0 = 0...b_{n_max} [N/rad] at @p radius R > 0 [m]. Throws as above.
   RingStack(std::vector<double> a, std::vector<double> b, double radius);
 
-  /**
-   * Returns one ring with a first harmonic of normal force @p normal_force N [N] and moment @p moment = M_N
-   * [N m]: b_1 = M_{N,x} / (pi R), a_1 = -M_{N,y} / (pi R). Formal: negative somewhere if |M_N| > N R / 2.
-   * @throws std::invalid_argument if a value is not finite or N, R are not positive.
-   */
+  /// Returns one ring with a first harmonic of normal force @p normal_force N [N] and moment @p moment = M_N
+  /// [N m]: b_1 = M_{N,x} / (pi R), a_1 = -M_{N,y} / (pi R). Tensile at some azimuths if |M_N| > N R / 2.
+  /// @throws std::invalid_argument if a value is not finite or N, R are not positive.
   static RingStack first_harmonic(double normal_force, const Eigen::Vector2d &moment, double radius);
 
   /// Returns the individual rings.
@@ -87,16 +81,13 @@ public:
   /// d lambda / d theta [N/rad^2].
   double derivative(double theta) const;
 
-  /**
-   * Returns the minimum of lambda over theta [N/rad]. Every local minimum among 32 samples per wave length of
-   * the highest harmonic is polished to rounding.
-   */
+  /// Returns the minimum of lambda over theta [N/rad]. Every local minimum among 32 samples per wave length
+  /// of the highest harmonic is polished to rounding.
   double minimum() const;
 
-  /**
-   * Returns the tension that the table would have to exert, int max(0, -lambda) dtheta [N]; 0 unless
-   * minimum() is negative. The integral is exact between the sign changes, which are polished like minimum().
-   */
+  /// Returns the tension that the table would have to exert, int max(0, -lambda) dtheta [N]; 0 unless
+  /// minimum() is negative. The integral is exact between the sign changes, which are polished like
+  /// minimum().
   double pulling_force() const;
 
   /// Returns the load truncated to the harmonics up to @p n_max.

@@ -1,7 +1,6 @@
-// The dense systems of a Newton step on azimuth lines, by fem/revolution and by Eigen's PartialPivLU. Build:
-// cmake
-// --preset bench && cmake --build --preset bench --target dense_algebra_benchmark, run:
-// build/bench/dense_algebra_benchmark
+// Time of the dense systems of a Newton step on azimuth lines: fem/revolution against Eigen's PartialPivLU.
+// Build: cmake --preset bench && cmake --build --preset bench --target dense_algebra_benchmark
+// Run: build/bench/dense_algebra_benchmark
 
 #include "fem/revolution/dense_algebra.h"
 #include "fem/revolution/line_bundle.h"
@@ -16,7 +15,7 @@ namespace
 
 using namespace stemware::fem;
 
-/// A system of @p n amplitudes with the four right-hand sides of a Newton step.
+/// Returns a system of @p n amplitudes with the four right-hand sides of a Newton step.
 RowMatrix system_of(Eigen::Index n)
 {
   RowMatrix system = RowMatrix::Random(n, n + 4);
@@ -49,9 +48,9 @@ void amplitudes_by_eigen(benchmark::State &state)
 }
 BENCHMARK(amplitudes_by_eigen)->Arg(33)->Arg(66)->Arg(132)->Arg(330)->Unit(benchmark::kMicrosecond);
 
-constexpr Eigen::Index n_columns = 8, band = 2; ///< of a step with four functions and quadratic elements
+constexpr Eigen::Index n_columns = 8, band = 2; ///< four functions, quadratic elements
 
-/// Positive definite compliance of @p n circles.
+/// Returns a positive definite compliance of @p n circles.
 RowMatrix compliance_of(Eigen::Index n)
 {
   const RowMatrix random = RowMatrix::Random(n, n);

@@ -1,16 +1,15 @@
-// Do the error bands that `stemware run` prints hold? Random studies of seed SEED, each beside a truth that
-// no level of its band computes:
-//   axes      every axis much finer than the study with the others as they are: eight times smaller contact
-//             cells and corners of the section, the degree, 8 times the azimuth lines, 4 times the elastic
-//             and the load's harmonics, a spring 100 times stiffer for a hard interface, sums over points
-//             instead of rings; what they change is added
-//   together  cells a quarter as large, 4 times the lines and harmonics, the stiffer spring, all at once, and
+// Checks the error bands of `stemware run` on random studies of seed SEED. Each study is compared with a
+// finer reference that is independent of the levels of the band:
+//   axes      one axis at a time is refined, the other axes keep the study's values, and the changes are
+//             added: contact cells and corner cells 1/8 of the size, a higher degree, 8 times the azimuth
+//             lines, 4 times the elastic harmonics and the harmonics of the load, a spring 100 times
+//             stiffer for a hard interface, sums over points instead of rings
+//   together  all at once: cells 1/4 of the size, 4 times the lines and harmonics, the stiffer spring, and
 //             sums over points
-//   converge  that too, and beside it the bands of `stemware converge`
-// Build: cmake --preset bench && cmake --build --preset bench, run:
-//   build/bench/error_band_coverage [axes|together|converge [N [SEED [FIRST]]]]      studies FIRST ... N
-// Rims and tables that are out of flat are left out.
-
+//   converge  as together, and also the bands of `stemware converge`
+// Wavy rims and tables are excluded. Build: cmake --preset bench && cmake --build --preset bench
+// Run for the studies FIRST ... N:
+//   build/bench/error_band_coverage [axes|together|converge [N [SEED [FIRST]]]]
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/analysis/refinement_study.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
@@ -39,7 +38,7 @@ namespace
 using namespace stemware;
 using namespace stemware::pipeline;
 
-/// Cells of a meridional section, by their place among the active ones, that lie on the table.
+/// Returns the indices of the active cells of a meridional section that touch the table.
 std::vector<unsigned int> contact_cells(const std::vector<fem::SectionPolygon> &cells, const Study &study)
 {
   const double height = 1e-6 * study.glass.profile.contact_radius;
@@ -54,10 +53,10 @@ std::vector<unsigned int> contact_cells(const std::vector<fem::SectionPolygon> &
   return found;
 }
 
-/// Cells that touch a point round which the section fills more than 1.2 half-planes.
+/// Returns the cells at re-entrant corners, with an interior angle between 1.2 pi and 1.9 pi.
 std::vector<unsigned int> corner_cells(const std::vector<fem::SectionPolygon> &cells)
 {
-  using Point = std::pair<long long, long long>; // in units of a picometre
+  using Point = std::pair<long long, long long>; // in picometres
   const auto point = [](const std::array<double, 2> &at) -> Point {
     return { std::llround(at[0] * 1e12), std::llround(at[1] * 1e12) };
   };
@@ -80,20 +79,21 @@ std::vector<unsigned int> corner_cells(const std::vector<fem::SectionPolygon> &c
   return found;
 }
 
-/// A study on a mesh.
+/// Study with its mesh.
 struct FineStudy
 {
   Study study;
   Discretisation mesh = {};
 };
 
-/// Cells @p n_halvings times halved in the contact and at corners, once everywhere.
+/// Returns the study with all cells halved once, and the cells in contact and at corners halved @p n_halvings
+/// times.
 FineStudy with_smaller_cells(Study study, unsigned int n_halvings)
 {
   study.contact.refinements += 1;
   Discretisation mesh;
   mesh.fineness *= std::ldexp(1, static_cast<int>(n_halvings) - 1);
-  // What the fineness does not reach: a flat land under an interface that yields has cells of one size.
+  // Without a focus (flat land, compliant interface) `refinements` has already halved all cells.
   const bool is_focused = study.glass.profile.crown_radius > 0 || study.table.is_hard();
   for (unsigned int i = 1; i < n_halvings; ++i)
   {
@@ -109,12 +109,12 @@ FineStudy with_smaller_cells(Study study, unsigned int n_halvings)
   return { study, mesh };
 }
 
-/// A study whose answer is nearer to the truth, and on which axis.
+/// Study that is more accurate on one axis.
 struct FinerStudy
 {
   std::string axis;
   FineStudy fine;
-  FineStudy from; ///< what it is compared with
+  FineStudy from; ///< reference of the comparison
 };
 
 std::vector<FinerStudy> finer_on_one_axis(const Study &study)
@@ -128,7 +128,7 @@ std::vector<FinerStudy> finer_on_one_axis(const Study &study)
   finer.push_back({ "mesh", with_smaller_cells(study, 3), { study } });
   add("degree", [](ContactSection &contact) { ++contact.degree; });
   add("lines", [](ContactSection &contact) { contact.azimuth_lines *= 8; });
-  // On as many lines as they take.
+  // The harmonics are compared on enough lines for the larger number.
   Study on_more_lines = study;
   on_more_lines.contact.azimuth_lines *= 4;
   for (const char *axis : { "harmonics", "load_harmonics" })
@@ -154,7 +154,7 @@ FineStudy finer_in_everything(const Study &study)
   return finer;
 }
 
-/// A study solved.
+/// Solution of a study.
 struct Solved
 {
   std::shared_ptr<ElasticFoot> foot;
@@ -174,8 +174,8 @@ Solved solve(const FineStudy &fine, fem::ComplianceCache &cache, double expected
   return { foot, load, omega };
 }
 
-/// Friction torque of the forces of @p points, each at its own radius, about the axis of the ring at the spin
-/// @p omega [N m]: a sum over the points, without rings or harmonics.
+/// Returns the friction torque [N m] of the forces of @p points about the axis of the ring at the spin @p
+/// omega. Each force acts at its own radius: no rings, no harmonics.
 double torque_of_points(const std::vector<fem::PointForce> &points, const ring::Motion &motion, double omega)
 {
   double torque = 0;
@@ -189,7 +189,7 @@ double torque_of_points(const std::vector<fem::PointForce> &points, const ring::
   return torque;
 }
 
-/// By how much the terminal spin changes when the torque at it is summed over points.
+/// Returns the change of the terminal spin if the torque is summed over points instead of rings.
 double change_by_points(const Study &study, const Solved &solved)
 {
   const ring::Motion &motion = study.motion.orbit;
@@ -205,7 +205,7 @@ double change_by_points(const Study &study, const Solved &solved)
   return -difference / slope;
 }
 
-/// Bands of the terminal spin over all studies.
+/// Statistics of the bands of the terminal spin over all studies.
 struct Tally
 {
   unsigned int n_spins = 0;

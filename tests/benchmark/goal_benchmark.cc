@@ -1,18 +1,17 @@
-// Meshes of a solid foot that are made for one number, a_2 / a_0 of the load at rest or the terminal spin,
-// beside meshes all of whose cells are halved: unknowns, error against a body of revolution, and the error
-// that was estimated.
+// Goal-oriented meshes of a solid foot, for a_2 / a_0 of the load at rest or for the terminal spin, compared
+// with uniformly refined meshes: unknowns, error relative to a body of revolution, and estimated error.
 //
 //   goal_benchmark [name=value]...
 //
-// cells=48,2,2 (round the rim, across the land, through the foot), refinements=1 (of the first adaptive
-// mesh), uniform=2 (most refinements of all cells), meshes=6 (adaptive ones), most=2000000 (unknowns),
-// share=0.8 (of the shares that the halved cells have), degree=2, crown=0.003 (0: a flat land of 2 mm),
-// shape=step|foot, table=winkler|hard, modulus=1e11, moment=1.2, friction=0, exact= (in the place of the body
-// of revolution's, where it is known from before), goal=a2|spin.
+// cells=48,2,2 (around the rim, across the land, through the foot), refinements=1 (of the first adaptive
+// mesh), uniform=2 (maximum number of uniform refinements), meshes=6 (adaptive meshes), most=2000000 (maximum
+// number of unknowns), share=0.8 (fraction of the error in the halved cells), degree=2, crown=0.003 (0: a
+// flat land of 2 mm), shape=step|foot, table=winkler|hard, modulus=1e11, moment=1.2, friction=0, exact=
+// (known reference value instead of a body of revolution), goal=a2|spin.
 //
-// goal=spin: the terminal spin of a study with this foot, its moment from the moment balance with a hand
-// offset=1.6 times as far from the centre of mass as usual (moment= is not read); friction=0 is that which
-// deforms the foot, mu stays. The first mesh is the study's own (uniform= is not read).
+// goal=spin: terminal spin of a study with this foot. The moment follows from the moment balance, with a hand
+// offset=1.6 times as far from the centre of mass as usual (moment= is ignored). friction= is the coefficient
+// of the friction that deforms the foot; mu stays. The first mesh is the study's (uniform= is ignored).
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/pipeline/analysis/goal_mesh.h"
@@ -37,7 +36,7 @@ namespace
 struct Case
 {
   bool of_spin = false;
-  stemware::pipeline::Study study; ///< of_spin
+  stemware::pipeline::Study study; ///< for of_spin
   SolidSetup solid;
   RevolutionSetup revolution;
   FootResolution resolution;
@@ -50,7 +49,7 @@ struct Case
   std::optional<double> exact;
 };
 
-/// A study of the terminal spin that @p values describe.
+/// Returns the study of the terminal spin with @p values.
 stemware::pipeline::Study read_study(const NamedValues &values)
 {
   stemware::pipeline::Study study;
@@ -122,7 +121,7 @@ Case read_case(int argc, char **argv)
   return study;
 }
 
-/// Throws std::runtime_error where there is none.
+/// Returns the estimate. Throws std::runtime_error if it is empty.
 template <typename Estimate>
 Estimate given_estimate(const std::optional<Estimate> &estimate)
 {
@@ -132,17 +131,18 @@ Estimate given_estimate(const std::optional<Estimate> &estimate)
   return *estimate;
 }
 
-/// a_2 / a_0 of all rings together, a_0 being given by the weight.
+/// Returns a_2 / a_0 of the sum over all rings as a goal; a_0 follows from the weight.
 ContactGoal second_harmonic(const Case &study)
 {
-  const double mean = study.demand.normal_force / (2 * ring::pi);
+  const double mean = study.demand.normal_force / (2 * stemware::ring::pi);
   ContactGoal goal;
   goal.ring_radii = study.demand.ring_radii;
   goal.of_load = { { { 0, 0 }, { 0, 0 }, { 1 / mean, 1 / mean } }, Eigen::ArrayXXd::Zero(3, 2) };
   return goal;
 }
 
-/// Of the body of revolution, on elements of degree 4, half as large as usual and less at re-entrant edges.
+/// Returns the reference value: body of revolution, elements of degree 4, cells half as large as usual and
+/// smaller at re-entrant edges.
 double truth(const Case &study)
 {
   RevolutionSetup setup = study.revolution;
@@ -152,7 +152,7 @@ double truth(const Case &study)
   return second_harmonic(study).of_load(MeshedRevolutionFoot(setup).solve(study.demand, study.slip).load);
 }
 
-/// Solves on @p mesh and prints its row; returns the shares where it estimates.
+/// Solves on @p mesh and prints a row. Returns the error estimate if @p estimates, else an empty one.
 MeshError solve_on(const SolidMesh &mesh, const Case &study, double exact, const char *kind, bool estimates)
 {
   const ContactGoal goal = second_harmonic(study);
@@ -169,7 +169,7 @@ MeshError solve_on(const SolidMesh &mesh, const Case &study, double exact, const
   return error;
 }
 
-/// Of @p study, with the error estimated where @p estimates; else the value alone.
+/// Returns the terminal spin of @p study, with an error estimate if @p estimates.
 stemware::pipeline::GoalError terminal_spin_of(const stemware::pipeline::Study &study, bool estimates,
                                                const stemware::pipeline::Discretisation &mesh = {})
 {
@@ -222,7 +222,7 @@ void run(const Case &study)
   say("body of revolution: a2/a0 = {:+.9f}\n", exact);
   say("mesh      unknowns      a2/a0     error   estimated  ratio  contact estimate (s)\n");
   FootResolution resolution = study.resolution;
-  // Without a refined mesh a hard table has no estimate.
+  // A hard table has no error estimate on an unrefined mesh.
   for (resolution.refinements = study.solid.table.interface->is_hard();
        resolution.refinements <= study.max_refinements; ++resolution.refinements)
     solve_on(generate_solid_mesh(study.solid.profile, resolution), study, exact, "uniform",

@@ -1,11 +1,12 @@
-// What a linear solve costs on a mesh that was not refined from a coarser one, on feet that are bodies of
-// revolution and on such that nearly are.
+// Cost of a linear solve on a mesh without a refinement history, for feet that are bodies of revolution and
+// for feet with a defect.
+//
 //   imported_mesh_benchmark [name=value]...
 //
-// cells=48,2,2 (round the rim, across the land, through the foot), halvings=1, degree=2, crown=0 (a flat land
-// of 2 mm), shape=foot|step, defect=none|oval|lobes|chip|off_axis|pads|wavy, width=0.95 (of an oval, over its
-// length), modulus=1e11, moment=1.3. off_axis: the foot stands 10 mm beside the z axis; pads: three sectors
-// of 40 degrees reach the table; wavy: the land has three waves of 1 µm.
+// cells=48,2,2 (around the rim, across the land, through the foot), halvings=1, degree=2, crown=0 (a flat
+// land of 2 mm), shape=foot|step, defect=none|oval|lobes|chip|off_axis|pads|wavy, width=0.95 (of an oval,
+// divided by its length), modulus=1e11, moment=1.3. off_axis: the axis of the foot is 10 mm from the z axis;
+// pads: three sectors of 40 degrees reach the table; wavy: the land has three waves of 1 µm.
 #include "fem/contact/contact_load.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/foot_mesh.h"
@@ -40,7 +41,8 @@ double gap_of(const GlassProfile &profile, const std::string &defect, double x, 
   return defect == "wavy" ? gap + amplitude * (1 + waves) : gap;
 }
 
-/// The cells of @p drawn as a mesh file would give them: without the meshes they come from.
+/// Returns the cells of @p drawn as a mesh file would give them, without the refinement history, with @p
+/// defect.
 void import(const dealii::Triangulation<3> &drawn, const std::string &defect, double width, double radius,
             dealii::Triangulation<3> &mesh)
 {
@@ -75,7 +77,7 @@ void import(const dealii::Triangulation<3> &drawn, const std::string &defect, do
   for (const auto &cell : flat.active_cell_iterators())
   {
     const dealii::Point<3> x = cell->center();
-    if (std::hypot(x[0], x[1]) > radius && std::abs(std::atan2(x[1], x[0]) - 1) < ring::pi / 12)
+    if (std::hypot(x[0], x[1]) > radius && std::abs(std::atan2(x[1], x[0]) - 1) < stemware::ring::pi / 12)
       removed.insert(cell);
     for (const auto &face : cell->face_iterators())
       if (face->at_boundary())

@@ -1,11 +1,12 @@
-// What the solid body costs: matrix-free operators, a linear solve by geometric multigrid, a whole contact.
+// Cost of the solid body: matrix-free operators, a linear solve by geometric multigrid, a whole contact.
 //
 //   multigrid_benchmark [name=value]...
 //
-// cells=48,2,2 (round the rim, across the land, through the foot, of the coarsest mesh), refinements=2,
-// land=0 (further halvings of the land), edge=0 (of its inner side), degree=2, crown=0.003 (0: a flat land of
-// 2 mm), shape=step|foot, table=winkler|rough|spring (stiff, for a hard one), modulus=1e11, moment=1.3,
-// tolerance=1e-8 (of the linear solve), compare=no|yes (with the body of revolution).
+// cells=48,2,2 (around the rim, across the land, through the foot, of the coarsest mesh), refinements=2,
+// land=0 (further halvings of the land), edge=0 (halvings of the land's inner side), degree=2, crown=0.003
+// (0: a flat land of 2 mm), shape=step|foot, table=winkler|rough|spring (stiff spring for a hard table),
+// modulus=1e11, moment=1.3, tolerance=1e-8 (of the linear solve), compare=no|yes (with the body of
+// revolution).
 #include "fem/contact/contact_load.h"
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
@@ -33,7 +34,7 @@ struct Case
   std::shared_ptr<const InterfaceLaw> interface;
   double softening = 1; ///< see start_from_coarser_mesh()
   Resultants load;
-  double tolerance = 1e-8; ///< of the linear solve that is timed
+  double tolerance = 1e-8; ///< tolerance of the timed linear solve
   bool compares = false;
 };
 
@@ -75,8 +76,8 @@ Case read_case(int argc, char **argv)
   return study;
 }
 
-/// Largest difference of a_2 ... a_8 over a_0 to a body of revolution, whose mesh, degree, harmonics and
-/// lines are finer than usual.
+/// Returns the maximum of |a_n - a_n'| / a_0, n = 2 ... 8, where a_n' is the load of a body of revolution
+/// with a finer mesh, degree, harmonics and lines than usual.
 double distance_from_revolution(const Case &study, const ContactLoad &load)
 {
   RevolutionSetup setup;

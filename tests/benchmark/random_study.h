@@ -13,7 +13,7 @@
 namespace stemware::pipeline
 {
 
-/// "rough on elastic" and the like.
+/// Returns the name of the table, e.g. "rough on elastic".
 inline std::string table_name(const TableSection &table)
 {
   const std::string interface = table.interface == TableInterface::hard      ? "hard"
@@ -22,7 +22,7 @@ inline std::string table_name(const TableSection &table)
   return interface + (table.substrate == TableSubstrate::elastic ? " on elastic" : " on rigid");
 }
 
-/// "full, two-way" and the like; "m = 1.24" for a given moment.
+/// Returns the name of the moment balance, e.g. "full, two-way"; "m = 1.24" for a prescribed moment.
 inline std::string balance_name(const Study &study)
 {
   if (study.load.is_static())
@@ -31,8 +31,8 @@ inline std::string balance_name(const Study &study)
          (study.load.coupling == LoadCoupling::two_way ? ", two-way" : ", one-way");
 }
 
-/// Studies of a body of revolution with random glass, table, hand and moment balance within what a kitchen
-/// and its tables offer. Equal seeds make equal studies.
+/// Random studies of a body of revolution: glass, table, hand and moment balance within realistic ranges.
+/// Equal seeds give equal studies.
 class RandomStudies
 {
 public:
@@ -41,7 +41,7 @@ public:
   {
   }
 
-  /// A study that check_study() lets pass.
+  /// Returns the next study that check_study() accepts.
   Study next()
   {
     for (;;)
@@ -66,7 +66,7 @@ public:
   }
 
 private:
-  // std::uniform_real_distribution differs between libraries; the generator itself does not.
+  // The generator is portable, std::uniform_real_distribution is not.
   double between(double low, double high)
   {
     return low + (high - low) * static_cast<double>(random()) / 4294967296.;
@@ -75,8 +75,8 @@ private:
   bool happens(double probability) { return between(0, 1) < probability; }
   unsigned int one_of(unsigned int n) { return static_cast<unsigned int>(between(0, n)); }
 
-  /// Half of the glasses are step profiles, the others have the foot of a real glass; sections that no glass
-  /// has are drawn anew.
+  /// Draws a step profile or the foot of a real glass, each with probability 1/2. Sections of impossible
+  /// shape are rejected.
   void draw_glass(GlassSection &glass)
   {
     glass.material.young_modulus = between(55e9, 85e9);
@@ -109,7 +109,8 @@ private:
     profile.fillet_radius = between(0.002, 0.006);
   }
 
-  /// Every interface on every substrate. A tenth of all studies have a wavy rim, a wavy table, or both.
+  /// Draws an interface and a substrate from all combinations. A tenth of all studies have a wavy rim, a wavy
+  /// table, or both.
   void draw_table(Study &study)
   {
     TableSection &table = study.table;
@@ -179,8 +180,8 @@ private:
     study.load.coupling = happens(0.85) ? LoadCoupling::two_way : LoadCoupling::one_way;
   }
 
-  /// A quarter of the studies get a moment up to strong lift-off, the others that of their closure, m < 1.6
-  /// at rest: a spinning glass may still tip.
+  /// Draws the load: with probability 1/4 a moment up to strong lift-off, otherwise the moment balance.
+  /// Returns true if m < 1.6 at rest; the spinning glass may still tip.
   bool draw_load(Study &study)
   {
     if (happens(0.25))
@@ -200,7 +201,7 @@ private:
   std::mt19937 random;
 };
 
-/// The study four times finer in everything: cells, harmonics, azimuth lines.
+/// Returns the study with four times the cells, harmonics and azimuth lines.
 inline Study four_times_finer(Study study)
 {
   study.contact.refinements += 2;

@@ -1,5 +1,6 @@
-// What the ring model costs. Build: cmake --preset release -DSTEMWARE_BENCHMARKS=ON, run:
-// build/release/ring_benchmark
+// Computing time of the ring model.
+// Build: cmake --preset release -DSTEMWARE_BENCHMARKS=ON && cmake --build --preset release
+// Run: build/release/ring_benchmark
 
 #include "ring_model/friction_kernels.h"
 #include "ring_model/self_consistent_ring.h"
@@ -16,7 +17,7 @@ namespace
 {
 using namespace stemware::ring;
 
-/// Slip ratios from 1e-4 to 1e4, denser towards |eps| = 1, on both sides.
+/// Returns slip ratios from 1e-4 to 1e4, denser towards |eps| = 1, on both sides.
 std::vector<double> slip_ratios()
 {
   std::vector<double> ratios{ 1. };
@@ -27,7 +28,7 @@ std::vector<double> slip_ratios()
   return ratios;
 }
 
-/// All kernels n <= 32 at one slip ratio: the median and the worst over eps are the counters that matter.
+/// All kernels n <= 32 at one slip ratio. The relevant counters are median and maximum over the slip ratios.
 void kernels_to_32(benchmark::State &state)
 {
   const std::vector<double> ratios = slip_ratios();
@@ -51,7 +52,7 @@ void kernels_to_32(benchmark::State &state)
 }
 BENCHMARK(kernels_to_32)->Unit(benchmark::kMillisecond);
 
-/// Two seconds of spin-up to 1e-10 with 201 output times.
+/// Two seconds of spin-up with tolerance 1e-10 and 201 output times.
 void trajectory(benchmark::State &state, Closure closure)
 {
   const Motion motion;

@@ -15,13 +15,13 @@
 #include <utility>
 #include <vector>
 
-// What the benchmarks of the solid body have in common: their command lines, their foot, their output.
+// Common parts of the benchmarks of the solid body: command line, foot, output.
 
-/// What a benchmark is told on its command line, as name=value.
+/// Command-line options of a benchmark, as name=value.
 class NamedValues
 {
 public:
-  /// @p defaults are the names that there are. Throws std::invalid_argument for others.
+  /// @p defaults defines the allowed names. Throws std::invalid_argument for other names.
   NamedValues(int argc, char **argv, std::map<std::string, std::string> defaults)
       : values(std::move(defaults))
   {
@@ -38,7 +38,7 @@ public:
   const std::string &text(const char *name) const { return values.at(name); }
   double number(const char *name) const { return std::stod(text(name)); }
   unsigned int count(const char *name) const { return static_cast<unsigned int>(number(name)); }
-  /// Numbers between commas.
+  /// Returns the integers of a comma-separated list.
   std::vector<unsigned int> counts(const char *name) const
   {
     std::vector<unsigned int> result;
@@ -51,7 +51,7 @@ private:
   std::map<std::string, std::string> values;
 };
 
-/// The default glass with shape=step|foot and crown [m]; crown=0: a flat land of 2 mm.
+/// Returns the default glass with shape=step|foot and crown [m]; crown=0: a flat land of 2 mm.
 inline stemware::fem::GlassProfile profile_of(const NamedValues &values)
 {
   stemware::fem::GlassProfile profile;
@@ -63,7 +63,7 @@ inline stemware::fem::GlassProfile profile_of(const NamedValues &values)
   return profile;
 }
 
-/// Prints on the first rank.
+/// Prints on the first rank only.
 template <typename... Arguments>
 void say(const char *format, const Arguments &...arguments)
 {
@@ -73,7 +73,7 @@ void say(const char *format, const Arguments &...arguments)
   std::fflush(stdout);
 }
 
-/// Of all ranks.
+/// Returns the sum of the peak memory over all ranks [B].
 inline double peak_bytes()
 {
   dealii::Utilities::System::MemoryStats memory;
@@ -81,7 +81,7 @@ inline double peak_bytes()
   return 1024. * dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM), MPI_COMM_WORLD);
 }
 
-/// A benchmark's main(): @p run with MPI started; 1 and the sentence of what it throws.
+/// Starts MPI and calls @p run. Returns the exit code; an exception is printed and gives 1.
 inline int run_benchmark(int argc, char **argv, const std::function<void()> &run)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
