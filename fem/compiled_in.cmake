@@ -1,4 +1,4 @@
-# cmake -D FILES=a;b -D FUNCTION=name -P compiled_in.cmake: writes FUNCTION.cc, see stemware_compiled_in().
+# Script of stemware_compiled_in(): cmake -D FILES=a;b -D FUNCTION=name -P compiled_in.cmake writes FUNCTION.cc.
 set(texts "")
 foreach(file IN LISTS FILES)
   file(READ ${file} text)

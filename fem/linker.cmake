@@ -1,6 +1,6 @@
-# deal.II drags in over a hundred shared libraries: GNU ld takes 13 s to link them, gold or mold 1 s. Debian 12's mold 1.10
-# hangs on some programs and makes others that do not start; its binutils have gold, those of Debian 13 do not.
-# A choice of this build, not of those who use the installed libraries.
+# deal.II depends on more than a hundred shared libraries. GNU ld takes 13 s to link them, gold or mold 1 s. Debian 12
+# has gold, and its mold 1.10 hangs or produces broken programs. Debian 13's binutils have no gold, but its mold works.
+# The linker applies to this build only, not to users of the installed libraries.
 include(CheckLinkerFlag)
 foreach(linker IN ITEMS gold mold)
   check_linker_flag(CXX -fuse-ld=${linker} STEMWARE_HAS_${linker})

@@ -1,5 +1,5 @@
-# `cpack` makes Debian packages of the program, of the Python package and of the libraries: ./quickstart package. Not in builds
-# for one machine: packages run on every one of their architecture.
+# Debian packages of the program, the Python package and the libraries by `cpack` (./quickstart package). Excluded from
+# native builds: a package must run on every machine of its architecture.
 install(
   FILES LICENSE
   DESTINATION ${CMAKE_INSTALL_DOCDIR}
@@ -8,11 +8,11 @@ if(NOT DEFINED STEMWARE_SIMD OR STEMWARE_SIMD STREQUAL "native")
   return()
 endif()
 
-# Without them CPack makes packages that name none of their libraries.
+# Without these programs CPack makes packages without dependencies.
 find_program(STEMWARE_SHLIBDEPS dpkg-shlibdeps REQUIRED)
 find_program(STEMWARE_FILE file REQUIRED)
 
-# The manual page is the text of `stemware --help`, its end line by line.
+# The manual page is made from the output of `stemware --help`. The examples are inserted line by line.
 find_program(STEMWARE_HELP2MAN help2man REQUIRED)
 file(READ fem/pipeline/app/help/stemware.txt examples)
 string(REGEX REPLACE "^Examples:\n" "" examples "${examples}")
@@ -35,7 +35,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)
 
-# deal.II is another one in each release of Debian.
+# The packages of different Debian releases need different versions of deal.II.
 cmake_host_system_information(RESULT distribution QUERY DISTRIB_ID)
 cmake_host_system_information(RESULT release QUERY DISTRIB_VERSION_ID)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1~${distribution}${release})
@@ -50,7 +50,7 @@ endif()
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME stemware)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "openmpi-bin, libopenblas0-serial") # several ranks; a fast BLAS
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "openmpi-bin, libopenblas0-serial") # MPI for several ranks; a fast BLAS
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
     "From a glass, a table and a moving hand to the spin of the glass: contact of
 its elastic foot by finite elements, friction, and what each effect does.")
@@ -58,9 +58,10 @@ its elastic foot by finite elements, friction, and what each effect does.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-stemware)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-set(same_version "stemware (= ${CPACK_DEBIAN_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})") # for the library of fem/solid/simd
+# For the library of fem/solid/simd.
+set(same_version "stemware (= ${CPACK_DEBIAN_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_version}, python3-numpy")
-if(TARGET stemware_python) # its extensions are built for one release of Python
+if(TARGET stemware_python) # its extensions are built for one version of Python
   set(minor ${Python_VERSION_MINOR})
   math(EXPR next "${minor} + 1")
   string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ", python3 (>= 3.${minor}), python3 (<< 3.${next})")
@@ -80,7 +81,7 @@ set(CPACK_DEBIAN_LIBRARIES_DESCRIPTION
     "Headers, archives and CMake package of the ring model and of the finite
 elements.")
 
-# The licence of the sources, and what the libraries under the program add to it.
+# Licence of the sources, and licences of the libraries linked into the program.
 file(READ ${CMAKE_SOURCE_DIR}/LICENSE MIT_LICENSE)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/copyright.in copyright @ONLY)
 foreach(package IN ITEMS program=stemware python=python3-stemware ring_model=libstemware-dev)

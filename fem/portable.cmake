@@ -1,6 +1,7 @@
-# The portable files, by the beginnings of their paths. What a portable file includes, directly or not, is portable too:
-# Eigen, Boost, the JSON header and the standard library without files and threads, but no deal.II, TBB, MPI or POSIX. These
-# files run in a browser (STEMWARE_EXPLORE); tests/check_includes.cmake and the test portable_alone hold them to that.
+# Portable files, as path prefixes. Everything that a portable file includes, directly or indirectly, is portable as
+# well: Eigen, Boost, the JSON header and the standard library without files and threads, but no deal.II, TBB, MPI or
+# POSIX. These files also run in a browser (STEMWARE_EXPLORE). Checked by tests/check_includes.cmake and the test
+# portable_alone.
 set(STEMWARE_PORTABLE
     ring_model/
     fem/geometry/boundary_ids.
@@ -77,4 +78,4 @@ set(STEMWARE_PORTABLE
     fem/pipeline/page/explore_api.
     fem/pipeline/page/explorer.)
 list(JOIN STEMWARE_PORTABLE "|" STEMWARE_PORTABLE)
-string(REPLACE "." "\\." STEMWARE_PORTABLE "(${STEMWARE_PORTABLE})") # a regular expression
+string(REPLACE "." "\\." STEMWARE_PORTABLE "(${STEMWARE_PORTABLE})") # as a regular expression

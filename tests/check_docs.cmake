@@ -1,9 +1,9 @@
-# The pages name what exists: the files and headings that they link, the files and folders in `code`, C++ functions in
-# `code` of the pages on the sources, the tests in a --gtest_filter or behind "Tests:", and the papers that pages and
-# comments cite as [Key]. CITATION.cff has the version of CMakeLists.txt. Given: SOURCE_DIR.
+# Checks that everything that a page names exists: linked files and headings, files and folders in `code`, C++ functions in
+# `code` of the pages on the sources, tests in a --gtest_filter or after "Tests:", and the papers that pages and comments
+# cite as [Key]. Checks also that CITATION.cff has the version of CMakeLists.txt. Input: SOURCE_DIR.
 cmake_policy(VERSION 3.25)
 
-# Brackets and semicolons mean something in a list of CMake.
+# Reads a file and replaces brackets and semicolons, which are special in CMake lists.
 function(read_text file result)
   file(READ ${file} text)
   string(REPLACE ";" "," text "${text}")
@@ -17,7 +17,7 @@ read_text(${SOURCE_DIR}/docs/references.md references)
 file(GLOB_RECURSE pages RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/docs/*.md)
 list(APPEND pages README.md CONTRIBUTING.md CHANGELOG.md meshes/README.md)
 
-# The names of all tests, one a line, as "Suite.Test".
+# Names of all tests, one per line, as "Suite.Test".
 set(tests "")
 file(GLOB_RECURSE files ${SOURCE_DIR}/tests/*_test.cc)
 foreach(file IN LISTS files)
@@ -29,7 +29,7 @@ foreach(file IN LISTS files)
   endforeach()
 endforeach()
 
-# The headings and marks of all pages, one a line, as links name them: "docs/method.md#the-gap".
+# Headings and anchors of all pages, one per line, as in links: "docs/method.md#the-gap".
 set(places "\n")
 foreach(page IN LISTS pages)
   read_text(${SOURCE_DIR}/${page} text)
@@ -43,7 +43,7 @@ foreach(page IN LISTS pages)
   endforeach()
 endforeach()
 
-# All headers and tests; a function that a page names stands in one of them.
+# Text of all headers and tests: every function named by a page must occur in it.
 set(declarations "")
 file(GLOB_RECURSE files ${SOURCE_DIR}/ring_model/*.h ${SOURCE_DIR}/fem/*.h ${SOURCE_DIR}/tests/*.cc)
 foreach(file IN LISTS files)
@@ -69,7 +69,7 @@ foreach(page IN LISTS pages)
   string(REGEX MATCHALL ">\\)\\([^)#: ]+" links "${text}")
   foreach(link IN LISTS links)
     string(SUBSTRING "${link}" 3 -1 link)
-    if(link MATCHES "^[.][.]/[.][.]/deployments" AND NOT folder) # of the site that hosts the repository
+    if(link MATCHES "^[.][.]/[.][.]/deployments" AND NOT folder) # a page of the hosting site, not a file
       continue()
     endif()
     if(NOT link MATCHES "^https?$" AND NOT EXISTS ${SOURCE_DIR}/${folder}/${link})

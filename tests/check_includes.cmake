@@ -1,8 +1,7 @@
-# The house has one order: a folder may include the folders above it in this list and nothing below. The ring model does
-# not know the finite elements, and these know its words for a load, ring_model/load, alone. A portable file
-# (fem/portable.cmake) includes portable files, Eigen, Boost, the JSON header and the standard library alone, and knows no
-# files. Fails with every include that says otherwise, or file that lies loose.
-# Given: SOURCE_DIR.
+# Checks the order of the folders: a folder includes only folders above it in this list. The finite elements include
+# only ring_model/load of the ring model, and the ring model includes no finite elements. A portable file
+# (fem/portable.cmake) includes only portable files, Eigen, Boost, the JSON header and the standard library without
+# files. Fails with a list of violations, and for files outside these folders. Input: SOURCE_DIR.
 cmake_policy(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../fem/portable.cmake)
 set(order
@@ -23,7 +22,7 @@ set(order
     fem/pipeline/python
     fem/pipeline/app)
 
-# The place in `order` of the innermost folder that a path lies in, -1 for none.
+# Sets the result to the index in `order` of the innermost folder that contains a path; -1 if there is none.
 function(place_of path result)
   set(place -1)
   set(longest 0)

@@ -1,6 +1,6 @@
-# Installs components of Stemware into a scratch folder and builds there a project of somebody else who uses them, whose
-# program `user` must end well. Given: BUILD_DIR (of Stemware), COMPONENTS, PROJECT_DIR, SCRATCH_DIR, COMPILER,
-# GENERATOR, LINKER_FLAGS (to link deal.II in less time).
+# Installs components of Stemware into a scratch folder, builds a user's project there, and runs its program `user`,
+# which must succeed. Input: BUILD_DIR (of Stemware), COMPONENTS, PROJECT_DIR, SCRATCH_DIR, COMPILER, GENERATOR,
+# LINKER_FLAGS (for a fast linker).
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -13,7 +13,7 @@ set(configure ${CMAKE_COMMAND} -S ${PROJECT_DIR} -B ${SCRATCH_DIR}/build -G ${GE
               -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${SCRATCH_DIR}/installed)
 run(${configure})
 
-# Optimisation, threads and the linker are the choice of who uses the package.
+# Optimisation, threads and linker are chosen by the user of the package.
 if(GENERATOR STREQUAL "Ninja")
   file(STRINGS ${SCRATCH_DIR}/build/build.ninja flags REGEX "(FLAGS|LIBRARIES) = ")
   string(REGEX MATCHALL " (-O|-g|-W[^l]|-march=|-fopenmp|-fuse-ld=|-fsanitize=)[^ ]*" leaked "${flags}")

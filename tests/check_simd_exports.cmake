@@ -1,5 +1,5 @@
-# The library of fem/solid/simd exports its functions and no definition of deal.II's, whose templates it compiles for another
-# SIMD width than the program. Given: NM, LIBRARY.
+# Checks that the library of fem/solid/simd exports its own functions and no definition of deal.II, whose templates it
+# compiles for another SIMD width than the program. Input: NM, LIBRARY.
 execute_process(COMMAND ${NM} --dynamic --defined-only --demangle ${LIBRARY} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX REPLACE "\n$" "" symbols "${symbols}")
 string(REPLACE ";" "," symbols "${symbols}")

@@ -1,6 +1,6 @@
-# find_package(Stemware COMPONENTS ring_model fem): the libraries of these folders, each as stemware::NAME, and
-# all of a component as stemware::COMPONENT; without COMPONENTS all that are installed. A folder beside this file holds
-# what belongs to a component. find_package(stemware) reads this file too.
+# find_package(Stemware COMPONENTS ring_model fem) defines the libraries of these folders as stemware::NAME, and each
+# component as stemware::COMPONENT. Default: all installed components. The files of a component are in a folder next to
+# this file. find_package(stemware) reads this file too.
 set(_stemware ${CMAKE_FIND_PACKAGE_NAME})
 if(NOT ${_stemware}_FIND_COMPONENTS)
   foreach(_stemware_component IN ITEMS ring_model fem)
@@ -11,7 +11,7 @@ if(NOT ${_stemware}_FIND_COMPONENTS)
   endforeach()
 endif()
 
-# A component's files set ${_stemware}_FOUND to FALSE, with a message, where something is missing.
+# The files of a component set ${_stemware}_FOUND to FALSE, with a message, if a dependency is missing.
 set(_stemware_missing FALSE)
 foreach(_stemware_component IN LISTS ${_stemware}_FIND_COMPONENTS)
   set(${_stemware}_FOUND TRUE)
