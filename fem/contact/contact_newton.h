@@ -57,8 +57,8 @@ struct ContactControl
   std::function<bool(const ContactSolution &)> accepts_iterate;
 };
 
-/// Stopping rule for a penalty law that approximates a hard interface, integrated along contact lines: the
-/// tolerance of the resultants decides.
+/// Returns the stopping rule for a penalty law that approximates a hard interface, integrated along contact
+/// lines: the tolerance of the resultants decides.
 inline ContactControl penalty_control()
 {
   ContactControl control;

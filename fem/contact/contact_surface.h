@@ -56,11 +56,12 @@ struct ContactSurface
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(node_gap.size()); }
   unsigned int n_owned_nodes() const { return n_nodes() - n_ghost_nodes; }
-  /// Number of contact nodes of all parts together.
+  /// Returns the number of contact nodes of all parts together.
   unsigned int n_global_nodes() const { return parts.sum(std::size_t(n_owned_nodes())); }
-  /// Projected area of the whole contact zone [m^2].
+  /// Returns the projected area of the whole contact zone [m^2].
   double area() const { return parts.sum(node_area.head(n_owned_nodes()).sum()); }
-  /// Columns (1, x, y) at the nodes: effect of the table motions q0, q1, q2 on the gap. Shape [n_nodes, 3].
+  /// Returns the columns (1, x, y) at the nodes: effect of the table motions q0, q1, q2 on the gap. Shape
+  /// [n_nodes, 3].
   Eigen::MatrixX3d motion_modes() const;
   /// Returns the largest number of neighbouring nodes across the rim that are under pressure, over the whole
   /// zone. Nodes within an eighth of a sector count as one radial row. @p pressure has the shape [n_nodes].

@@ -55,7 +55,7 @@ public:
   /// forces.
   virtual Eigen::VectorXd elastic_forces(const Eigen::VectorXd &forces) const { return forces; }
 
-  /// |B' forces - K u| / |B' forces|.
+  /// Returns |B' forces - K u| / |B' forces|.
   virtual double equilibrium_residual(const Eigen::VectorXd &forces) const = 0;
 
   virtual unsigned int n_unknowns() const = 0;

@@ -214,7 +214,7 @@ public:
     return std::make_unique<PressureLaw<Law>>(surface, law);
   }
 
-  /// p [Pa] and dp/dd [Pa/m] at a penetration, for laws that compute both together.
+  /// Returns p [Pa] and dp/dd [Pa/m] at a penetration, for laws that compute both together.
   std::pair<double, double> pressure_and_stiffness(double depth) const
   {
     const Law &law = static_cast<const Law &>(*this);

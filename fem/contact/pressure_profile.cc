@@ -2,7 +2,6 @@
 
 #include "fem/contact/azimuthal_density.h"
 #include "fem/contact/line_integral.h"
-#include "ring_model/load/constants.h"
 
 #include <boost/math/constants/constants.hpp>
 

@@ -17,7 +17,8 @@ struct WinklerInterface : PressureInterface<WinklerInterface>
   }
 
   double stiffness_at(double) const override { return modulus; }
-  /// Half-width b [m] of the pressure k (b^2 - x^2) / (2 rho), a parabola with the crown radius rho.
+  /// Returns the half-width b [m] of the pressure k (b^2 - x^2) / (2 rho), a parabola with the crown radius
+  /// rho.
   double half_width(double line_load, double crown_radius) const override
   {
     return std::cbrt(1.5 * line_load * crown_radius / modulus);

@@ -63,34 +63,35 @@ struct GlassProfile
 
   std::shared_ptr<const MeridianSection> section = {}; ///< of a profile
 
-  /// Inner border of the land [m].
+  /// Returns the inner border of the land [m].
   double land_inner_radius() const { return contact_radius - land_width / 2; }
-  /// Outer border of the land [m].
+  /// Returns the outer border of the land [m].
   double land_outer_radius() const { return contact_radius + land_width / 2; }
-  /// Height of the foot's top at the stem's surface, before rounding [m]; undefined for GlassShape::profile.
+  /// Returns the height of the foot's top at the stem's surface, before rounding [m]; undefined for
+  /// GlassShape::profile.
   double foot_top() const;
-  /// Height of the stem cut above the land [m].
+  /// Returns the height of the stem cut above the land [m].
   double height() const;
-  /// Radius of the foot's edge [m].
+  /// Returns the radius of the foot's edge [m].
   double outer_radius() const;
-  /// Thickness of the foot near the stem [m], the length scale of its cells.
+  /// Returns the thickness of the foot near the stem [m], the length scale of its cells.
   double thickness() const;
 
-  /// Height of the lower surface at @p radius <= outer_radius() [m]. The borders of a step's land belong to
-  /// the land.
+  /// Returns the height of the lower surface at @p radius <= outer_radius() [m]. The borders of a step's land
+  /// belong to the land.
   double underside(double radius) const;
-  /// Height of the upper surface at @p radius <= outer_radius() [m]; for r < stem_radius the height of the
-  /// stem cut.
+  /// Returns the height of the upper surface at @p radius <= outer_radius() [m]; for r < stem_radius the
+  /// height of the stem cut.
   double topside(double radius) const;
   /// Returns the rounding between foot and stem; a point (the corner) for a step or if fillet_radius is 0.
   /// For a profile: the part near 45 degrees between foot and stem, not necessarily an arc (radius 0).
   Fillet fillet() const;
-  /// Radius of the stem at @p height [m], from the middle of the fillet up to the cut.
+  /// Returns the radius of the stem at @p height [m], from the middle of the fillet up to the cut.
   double stem_surface(double height) const;
 
-  /// Distance of the unloaded rim from a plane table [m]: (r - contact_radius)^2 / (2 crown_radius), 0 for a
-  /// flat land (docs/method.md, "The gap"). With a parabola, the penetration of quadratic elements is a
-  /// polynomial along r.
+  /// Returns the distance of the unloaded rim from a plane table [m]: (r - contact_radius)^2 / (2
+  /// crown_radius), 0 for a flat land (docs/method.md, "The gap"). With a parabola, the penetration of
+  /// quadratic elements is a polynomial along r.
   double gap(double radius) const;
 
   /// Throws std::invalid_argument, with lengths named as in a study file, if a length is not positive and

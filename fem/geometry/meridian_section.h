@@ -36,36 +36,36 @@ struct PiecewiseLinear
 class MeridianSection
 {
 public:
-  /// Points closer than 1e-5 of the largest radius to the line between their neighbours are left out first.
-  /// Throws std::invalid_argument with one sentence that names the point and its line for a polyline that is
+  /// Removes points closer than 1e-5 of the largest radius to the line between their neighbours. Throws
+  /// std::invalid_argument with one sentence that names the point and its line for a polyline that is
   /// open, upside down, crosses itself, or whose underside or top has two heights at one radius.
   explicit MeridianSection(std::vector<SectionVertex> polyline);
 
-  /// Height of the lower surface at @p radius [m].
+  /// Returns the height of the lower surface at @p radius [m].
   double underside(double radius) const { return lower(radius); }
-  /// Height of the upper surface of the foot at @p radius >= middle_radius() [m].
+  /// Returns the height of the upper surface of the foot at @p radius >= middle_radius() [m].
   double topside(double radius) const { return upper(radius); }
-  /// Radius of the stem at @p height >= middle_height() [m].
+  /// Returns the radius of the stem at @p height >= middle_height() [m].
   double stem_surface(double height) const { return stem(height); }
 
-  /// Outer radius of the foot [m].
+  /// Returns the outer radius of the foot [m].
   double outer_radius() const { return edge; }
-  /// Height of the cut [m].
+  /// Returns the height of the cut [m].
   double height() const { return stem.x.back(); }
-  /// Thickness of the foot at the beginning of the fillet [m].
+  /// Returns the thickness of the foot at the beginning of the fillet [m].
   double thickness() const { return upper(fillet_end) - lower(fillet_end); }
-  /// Point between foot and stem [m].
+  /// Returns the radius and the height of the point between foot and stem [m].
   double middle_radius() const { return upper.x.front(); }
   double middle_height() const { return upper.y.front(); }
-  /// Radius at which the fillet begins on the foot, and height at which it ends on the stem [m]; the meeting
-  /// point if there is no fillet.
+  /// Returns the radius at which the fillet begins on the foot, and height at which it ends on the stem [m];
+  /// the meeting point if there is no fillet.
   double fillet_end_radius() const { return fillet_end; }
   double stem_begin() const { return stem_start; }
 
-  /// Radii outside the fillet at which underside or top bend by more than 0.2 rad, ascending [m].
+  /// Returns the radii outside the fillet at which underside or top bend by more than 0.2 rad, ascending [m].
   std::vector<double> corner_radii() const;
 
-  /// Points of the lowest part of the underside, up to @p height [m].
+  /// Returns the points of the lowest part of the underside, up to @p height [m].
   std::vector<SectionVertex> points_below(double height) const;
 
 private:

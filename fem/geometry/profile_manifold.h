@@ -56,12 +56,12 @@ private:
 /// straight lines of the chart, boundary points on the profile.
 std::unique_ptr<dealii::ChartManifold<2, 2, 2>> make_section_manifold(const GlassProfile &profile);
 
-/// Manifold of the foot in (x, y, z) for the rings of cells round the axis: straight lines in chart radius,
-/// azimuth and level.
+/// Returns the manifold of the foot in (x, y, z) for the rings of cells round the axis: straight lines in
+/// chart radius, azimuth and level.
 std::unique_ptr<dealii::ChartManifold<3, 3, 3>> make_ring_manifold(const GlassProfile &profile);
 
-/// Manifold of the foot in (x, y, z) for the Cartesian core at the axis: straight lines in level and in x and
-/// y stretched with the chart radius.
+/// Returns the manifold of the foot in (x, y, z) for the Cartesian core at the axis: straight lines in level
+/// and in x and y stretched with the chart radius.
 std::unique_ptr<dealii::ChartManifold<3, 3, 3>> make_core_manifold(const GlassProfile &profile);
 
 } // namespace stemware::fem

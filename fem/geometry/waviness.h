@@ -29,7 +29,7 @@ struct RimImperfection
   /// theta of the slip frame [m]. The marks chi = 0 of the glass and of the ground are at @p of_glass and
   /// @p of_table.
   double gap(double radius_ratio, double theta, double of_glass, double of_table) const;
-  /// Bound of gap() at the contact radius [m].
+  /// Returns a bound of gap() at the contact radius [m].
   double max_amplitude() const;
   /// Throws std::invalid_argument unless all amplitudes and azimuths are finite.
   void validate() const;

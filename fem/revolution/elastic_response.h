@@ -50,7 +50,7 @@ public:
   unsigned int n_radii() const { return circles.n_nodes(); }
   unsigned int n_lines() const { return modes.n_lines(); }
 
-  /// Radial and azimuthal force per normal force. Empty without friction.
+  /// Returns the radial and azimuthal force per normal force. Empty without friction.
   const Eigen::MatrixXd &radial_traction() const { return slide_radial; }
   const Eigen::MatrixXd &azimuthal_traction() const { return slide_azimuthal; }
 

@@ -24,7 +24,7 @@ public:
 
   static unsigned int harmonic(unsigned int mode) { return (mode + 1) / 2; }
   static bool is_sine(unsigned int mode) { return mode > 0 && mode % 2 == 0; }
-  /// int_0^{2 pi} (mode)^2 dtheta: 2 pi or pi.
+  /// Returns int_0^{2 pi} (mode)^2 dtheta: 2 pi for the mean, pi for all other modes.
   static double norm(unsigned int mode);
 
   double cosine(unsigned int harmonic, unsigned int line) const
@@ -45,12 +45,13 @@ public:
   /// for mode 0. Azimuthal components use the conjugates.
   Eigen::MatrixXd evaluate_conjugates(const Eigen::MatrixXd &amplitudes) const;
 
-  /// cos(p theta_j), p = 0 ... 2 n_harmonics, shape [n_lines, 2 n_harmonics + 1]; `sine_table` likewise.
+  /// Returns cos(p theta_j), p = 0 ... 2 n_harmonics, shape [n_lines, 2 n_harmonics + 1]; `sine_table`
+  /// likewise.
   const Eigen::MatrixXd &cosine_table() const { return cosine_values; }
   const Eigen::MatrixXd &sine_table() const { return sine_values; }
 
 private:
-  /// Indices of the modes cos(theta), cos(2 theta) ...
+  /// Returns the indices of the modes cos(theta), cos(2 theta) ...
   auto cosine_modes() const { return Eigen::seqN(1, static_cast<Eigen::Index>(n), Eigen::fix<2>); }
   auto sine_modes() const { return Eigen::seqN(2, static_cast<Eigen::Index>(n), Eigen::fix<2>); }
 
@@ -93,7 +94,7 @@ public:
   {
     return pair(FourierBasis::harmonic(row_mode), FourierBasis::is_sine(row_mode), column_mode);
   }
-  /// Sums for a pair of modes with the conjugate of the row's mode in its place.
+  /// Returns the sums for a pair of modes with the row's mode replaced by its conjugate.
   ModePairSums with_conjugate(unsigned int row_mode, unsigned int column_mode) const;
 
 private:

@@ -60,13 +60,13 @@ public:
   /// sides. Sets all to zero.
   void reset(Eigen::Index n_circles, Eigen::Index band, Eigen::Index n_columns);
 
-  /// T(i, k), |i - k| <= band.
+  /// Returns the entry T(i, k), |i - k| <= band.
   double &tangent(Eigen::Index i, Eigen::Index k, int lane) { return bands(i, k - i + n_band, lane); }
-  /// Factor of `radial` in D at column @p i, see solve().
+  /// Returns the factor of `radial` in D at column @p i, see solve().
   double &slide(Eigen::Index i, int lane) { return slides(i, 0, lane); }
-  /// Right-hand sides except the last one, before multiplication by T.
+  /// Returns the right-hand sides except the last one, before multiplication by T.
   double &shape(Eigen::Index i, Eigen::Index column, int lane) { return shapes(i, column, lane); }
-  /// Last right-hand side.
+  /// Returns the last right-hand side.
   double &unbalanced(Eigen::Index i, int lane) { return system(i, n_unknowns + n_rhs - 1, lane); }
 
   /// Returns the solutions with D = @p normal + @p radial diag(slide), shape [n_circles, n_columns]; @p
@@ -83,7 +83,7 @@ private:
   LaneTable local;  ///< D, shape [n_circles, n_circles]
 };
 
-/// sum_i weights(i, a) values(i, c) lane by lane, shape [weights.n_columns(), values.n_columns()].
+/// Returns sum_i weights(i, a) values(i, c) lane by lane, shape [weights.n_columns(), values.n_columns()].
 LaneTable products(const LaneTable &weights, const LaneTable &values);
 
 } // namespace stemware::fem

@@ -76,15 +76,15 @@ private:
   /// tractions, and times @p weights of the conditions; shape [n_kinds n_functions + 3, n_functions + 4].
   LaneTable tested(const Bundle &bundle, const Eigen::MatrixX3d &weights) const;
   /// Returns tested() of each line as a column, with the row index fastest: one matrix per kind of force with
-  /// the responses to the p functions, the table motions and the residual, shape [p * (p + 4), n_lines], and a
-  /// last matrix for the conditions, shape [3 * (p + 4), n_lines].
+  /// the responses to the p functions, the table motions and the residual, shape [p * (p + 4), n_lines], and
+  /// a last matrix for the conditions, shape [3 * (p + 4), n_lines].
   std::vector<Eigen::MatrixXd> sums_on_lines(const LinearConditions &conditions) const;
   /// Returns the system of the amplitudes for a fixed table, followed by the columns of the motions and of
   /// the residual: shape [n_modes * p, n_modes * p + 4].
   RowMatrix system_of_amplitudes(const std::vector<Eigen::MatrixXd> &on_lines) const;
   /// Returns df for @p amplitudes, shape [p, n_modes], and the table @p motion.
   Eigen::MatrixXd forces_of(const Eigen::MatrixXd &amplitudes, const Eigen::Vector3d &motion) const;
-  /// Normal, radial and azimuthal forces.
+  /// Returns the number of kinds of force: normal, radial and azimuthal, or normal only.
   Eigen::Index n_kinds() const { return response.has_sliding() ? 3 : 1; }
 
   const ElasticResponse &response;

@@ -30,7 +30,8 @@ public:
     Eigen::MatrixXd conjugate;
   };
 
-  /// Amplitudes at points of the unit cell, mapped to @p cell. On the axis the limits r -> 0 are taken.
+  /// Returns the amplitudes at points of the unit cell, mapped to @p cell. On the axis the limits r -> 0 are
+  /// taken.
   Amplitudes amplitudes(const dealii::DoFHandler<2>::active_cell_iterator &cell,
                         const dealii::Quadrature<2> &unit_points) const;
 

@@ -38,11 +38,11 @@ public:
 
   unsigned int n_dofs() const { return dofs.n_dofs(); }
   unsigned int n_contact_nodes() const { return static_cast<unsigned int>(contact_nodes.size()); }
-  /// Radius of contact node @p i [m]; the nodes ascend.
+  /// Returns the radius of contact node @p i [m]; the nodes ascend.
   double contact_radius(unsigned int i) const;
   const NodeDofs &contact_dofs(unsigned int i) const { return contact_nodes[i]; }
   const dealii::DoFHandler<2> &dof_handler() const { return dofs; }
-  /// Mapping of the elements' degree: curved cells follow the profile.
+  /// Returns the mapping of the elements' degree: curved cells follow the profile.
   const dealii::Mapping<2> &mapping() const { return curves; }
 
   /// K_n of one harmonic, factorised under the clamp and its own conditions on the axis.
@@ -90,7 +90,7 @@ private:
   /// Returns the constraints of the clamp, of hanging nodes, and of a single-valued displacement on the axis:
   /// along the axis for n = 0, across the axis for n = 1 (u_theta = -u_r), zero for higher harmonics.
   dealii::AffineConstraints<double> make_constraints(unsigned int harmonic) const;
-  /// Entries of K_n with @p constraints eliminated.
+  /// Creates the sparsity pattern of K_n with @p constraints eliminated.
   void make_pattern(const dealii::AffineConstraints<double> &constraints,
                     dealii::SparsityPattern &pattern) const;
 

@@ -44,7 +44,7 @@ private:
   /// Meshes, and the meridional problems on the foot's mesh.
   struct Meridian;
   const Meridian &meridian() const;
-  /// Displacement of the foot in @p state.
+  /// Returns the displacement of the foot in @p state.
   MeridianField field(const ContactState &state) const;
 
   mutable std::shared_ptr<const Meridian> made_meridian; ///< cache of meridian()

@@ -16,10 +16,10 @@ public:
   PressureField(const BodyOfRevolution &body, const TableLaw &law, const ContactSolution &solution,
                 BodyOfRevolution::Gap gap);
 
-  /// Normal force [N].
+  /// Returns the normal force [N].
   double force() const { return normal_force; }
 
-  /// Pressure [Pa] at @p radius [m] and the azimuths of @p azimuths.
+  /// Returns the pressure [Pa] at @p radius [m] and the azimuths of @p azimuths.
   Eigen::VectorXd on_circle(double radius, const FourierBasis &azimuths) const;
 
 private:

@@ -46,7 +46,7 @@ public:
   std::vector<PointForce> point_forces(const ContactState &state) const override;
   PressureMap pressure_map(const ContactState &state) const override;
 
-  /// Body that is loaded about the contact radius.
+  /// Returns the body that is loaded about the contact radius.
   const BodyOfRevolution &elastic_body() const { return zones.front()->body; }
 
 protected:
@@ -64,8 +64,8 @@ protected:
   Zone &zone_of(const ContactState &state) const;
   BodyOfRevolution::Gap gap_at(const ring::Orientation &marks) const;
   SlidingTraction sliding_at(const ring::Slip &slip) const;
-  /// Azimuth of the first line [rad]: crest() minus whole line spacings, within half a spacing of the
-  /// direction of travel.
+  /// Returns the azimuth of the first line [rad]: crest() minus whole line spacings, within half a spacing of
+  /// the direction of travel.
   double axis(const ring::Orientation &marks) const;
 
   const RevolutionSetup setup;
@@ -90,11 +90,11 @@ private:
   /// Returns nodal values rotated counter-clockwise by @p n lines.
   Eigen::VectorXd rotated_by_lines(const Eigen::VectorXd &nodal, long n) const;
   double line_spacing() const; ///< [rad]
-  /// Azimuth of the crests of the rim's waviness, else of the table's; 0 without waviness [rad].
+  /// Returns the azimuth of the crests of the rim's waviness, else of the table's; 0 without waviness [rad].
   double crest(const ring::Orientation &marks) const;
-  /// Index of the line nearest to the crests. Lines follow the crests, because a narrow contact at a crest
-  /// would otherwise lie between lines at one phase and on a line at the next, and would not depend smoothly
-  /// on the phase. A rotation by whole lines changes nothing.
+  /// Returns the index of the line nearest to the crests. Lines follow the crests, because a narrow contact
+  /// at a crest would otherwise lie between lines at one phase and on a line at the next, and would not
+  /// depend smoothly on the phase. A rotation by whole lines changes nothing.
   long crest_line(const ring::Orientation &marks) const;
   /// Zone of the band about the contact radius, and of the whole land for contacts beyond the band, created
   /// on demand.

@@ -60,8 +60,8 @@ struct RevolutionSetup
   /// a substrate.
   ContactCompliance total_compliance(const ContactCompliance &foot, const ContactCompliance *disc) const;
 
-  /// Half-width of the zone that may carry pressure [m]: ten half-widths of a narrow contact, which allows
-  /// for a load concentrated on a part of the rim; 0 for a flat land.
+  /// Returns the half-width of the zone that may carry pressure [m]: ten half-widths of a narrow contact,
+  /// which allows for a load concentrated on a part of the rim; 0 for a flat land.
   double zone_half_width() const { return 10 * contact_half_width; }
 
   /// Returns the options of meridional problems with forces within zone_half_width() only; on the whole land
@@ -79,13 +79,13 @@ struct RevolutionSetup
   double plane_strain_compliance() const;
 };
 
-/// Half-width of the Hertz contact of a crowned rim pressed evenly on its table, sqrt(4 q rho / (pi E*)) with
-/// q = N / (2 pi R) [m]; 0 for a flat land.
+/// Returns the half-width of the Hertz contact of a crowned rim pressed evenly on its table, sqrt(4 q rho /
+/// (pi E*)) with q = N / (2 pi R) [m]; 0 for a flat land.
 double hertz_half_width(const RevolutionSetup &setup, double normal_force);
 
-/// Half-width across the rim of the Hertz contact on one of three crests of a wavy, rigid, crowned rim [m],
-/// the short semiaxis of the ellipse; 0 without waviness (Johnson, Contact Mechanics, 1985, section 4.2). The
-/// curvature along the rim is the root of the sum of squares of the harmonics' curvatures.
+/// Returns the half-width across the rim of the Hertz contact on one of three crests of a wavy, rigid,
+/// crowned rim [m], the short semiaxis of the ellipse; 0 without waviness (Johnson, Contact Mechanics, 1985,
+/// section 4.2). The curvature along the rim is the root of the sum of squares of the harmonics' curvatures.
 double crest_half_width(const RevolutionSetup &setup, double normal_force);
 
 /// Returns the half-width of the contact of a crowned rim without moment [m]: the larger of the half-widths

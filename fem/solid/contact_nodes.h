@@ -32,14 +32,14 @@ public:
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(all_dofs.size()); }
   unsigned int n_owned_nodes() const { return static_cast<unsigned int>(places.size()); }
-  /// Vertical displacement of the nodes, shape [n_nodes].
+  /// Returns the dofs of the vertical displacement of the nodes, shape [n_nodes].
   const std::vector<Dof> &dofs() const { return all_dofs; }
-  /// Positions of the owned nodes among this rank's dofs, shape [n_owned_nodes].
+  /// Returns the positions of the owned nodes among this rank's dofs, shape [n_owned_nodes].
   const std::vector<unsigned int> &owned_positions() const { return places; }
   /// Returns the number of the node with @p dof; n_nodes() if this rank does not know it.
   unsigned int find(Dof dof) const;
   const SurfaceParts &parts() const { return all_parts; }
-  /// Ranks of the nodes from n_owned_nodes() on.
+  /// Returns the ranks that own the ghost nodes, the nodes from n_owned_nodes() on.
   const std::vector<unsigned int> &ghost_ranks() const { return other_ranks; }
 
   /// Returns the nodal values of @p vector over the dofs.
@@ -51,7 +51,7 @@ public:
   Eigen::VectorXd spread(const Eigen::VectorXd &own) const;
   /// Returns the sums over all parts at the owned nodes; @p parts has the shape [n_nodes].
   Eigen::VectorXd summed(const Eigen::VectorXd &parts) const;
-  /// Euclidean norm of these sums over all nodes.
+  /// Returns the Euclidean norm over all nodes of the sums of summed().
   double norm(const Eigen::VectorXd &parts) const;
 
   /// Adds the sums over all parts to the entries of the nodes in @p vector.

@@ -25,7 +25,7 @@ public:
 
   /// Sets this rank's part of T of ContactForces [N/m], shape [n_nodes, n_nodes].
   void set(const Eigen::SparseMatrix<double> &tangent);
-  /// Part of T without the entries that are 0.
+  /// Returns this rank's part of T without zero entries.
   const RowMatrix &matrix() const { return stiffness; }
 
   /// Adds B' T B @p src to @p dst.

@@ -33,7 +33,7 @@ public:
   float el(size_type, size_type) const;
 
   void initialize_dof_vector(FloatVector &vector) const { elastic->initialize_dof_vector(vector); }
-  /// Inverse diagonal of Jacobi's method, updated by set_contact().
+  /// Returns the inverse diagonal of Jacobi's method, updated by set_contact().
   const std::shared_ptr<dealii::DiagonalMatrix<FloatVector>> &jacobi() const { return inverse_diagonal; }
 
 private:
@@ -61,7 +61,7 @@ struct MultigridParameters
 /// Values in use.
 inline constexpr MultigridParameters multigrid_parameters = {};
 
-/// Options of the smoother of every level.
+/// Returns the options of the smoother of every level.
 LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix);
 
 } // namespace stemware::fem

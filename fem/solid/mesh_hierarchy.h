@@ -64,8 +64,8 @@ public:
   /// Returns the lowest level with the elements of the finest.
   unsigned int coarsest_mesh() const;
   const SolidLevel &level(unsigned int l) const;
-  /// Contact nodes of level @p l: nodes of this rank's cells and nodes needed to interpolate to the level
-  /// above.
+  /// Returns the contact nodes of level @p l: nodes of this rank's cells and nodes needed to interpolate to
+  /// the level above.
   const std::shared_ptr<const ContactNodes> &contact_nodes(unsigned int l) const;
 
   /// Prepares V-cycles from level @p l down for K + B' T B; @p tangent: this rank's part of T at the contact

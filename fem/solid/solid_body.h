@@ -53,7 +53,7 @@ public:
   const SolidLevel &mesh() const { return stiffness->mesh(); }
   const ContactNodes &contact_nodes() const { return contact.nodes(); }
   const ElasticMaterial &glass() const { return material; }
-  /// Smallest extent h of a contact cell [m]; E / h is the natural penalty of a rigid table.
+  /// Returns the smallest extent h of a contact cell [m]; E / h is the natural penalty of a rigid table.
   double contact_cell_size() const { return zone.smallest_cell; }
 
   /// Sets the friction that deforms the body, proportional to the contact forces, by @p traction in the axes
@@ -72,7 +72,8 @@ public:
   /// Interpolates the displacement of coarser() to this body.
   void interpolate_from(const SolidBody &coarse);
 
-  /// Binary state of this rank for the next solve; readable by a body on the same mesh and number of ranks.
+  /// Writes the binary state of this rank for the next solve; readable by a body on the same mesh and number
+  /// of ranks.
   void write_state(std::ostream &stream) const;
   void read_state(std::istream &stream);
 

@@ -105,9 +105,9 @@ private:
   void restore(const ContactState &state) const;
   /// Sets `body` to the displacement of @p state.
   void restore_displacement(const ContactState &state) const;
-  /// Contact of @p state in the axes of the mesh.
+  /// Returns the contact of @p state in the axes of the mesh.
   ContactSolution in_mesh_axes(const ContactState &state) const;
-  /// Azimuth of the mesh's x axis in the slip frame [rad].
+  /// Returns the azimuth of the mesh's x axis in the slip frame [rad].
   double axis_of(const ring::Slip &slip) const { return mesh.report ? slip.orientation.glass : 0; }
   /// Returns whether a hard table uses nodal multipliers: on a mesh without a coarser mesh.
   bool has_multipliers() const { return setup.table.interface->is_hard() && softening_of_coarser == 1; }

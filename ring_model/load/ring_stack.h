@@ -48,37 +48,37 @@ public:
 
   /// Returns the individual rings.
   const std::vector<Ring> &rings() const { return stack; }
-  /// Radii r_j of the rings [m].
+  /// Returns the radii r_j of the rings [m].
   std::vector<double> radii() const;
 
-  /// Highest harmonic n_max.
+  /// Returns the highest harmonic n_max.
   unsigned int n_harmonics() const { return static_cast<unsigned int>(cosine.size()) - 1; }
 
-  /// a_n [N/rad]; zero beyond n_harmonics().
+  /// Returns a_n [N/rad]; zero beyond n_harmonics().
   double a(unsigned int n) const { return n < cosine.size() ? cosine[n] : 0.; }
 
-  /// b_n [N/rad]; zero beyond n_harmonics().
+  /// Returns b_n [N/rad]; zero beyond n_harmonics().
   double b(unsigned int n) const { return n < sine.size() ? sine[n] : 0.; }
 
-  /// Radius of the single ring with the same N, M_N and first harmonic, |M_N| / (pi sqrt(a_1^2 + b_1^2)) [m];
-  /// R itself for one ring. For several rings without a moment (below 1e-9 N R, rounding): the mean radius
-  /// weighted with |a_{j,0}|.
+  /// Returns the radius of the single ring with the same N, M_N and first harmonic, |M_N| / (pi sqrt(a_1^2 +
+  /// b_1^2)) [m]; R itself for one ring. For several rings without a moment (below 1e-9 N R, rounding): the
+  /// mean radius weighted with |a_{j,0}|.
   double radius() const;
 
-  /// N = 2 pi a_0 [N].
+  /// Returns N = 2 pi a_0 [N].
   double normal_force() const;
 
-  /// M_N = (sum y f, -sum x f) = sum_j pi r_j (b_{j,1}, -a_{j,1}) [N m], about the rings' centre.
+  /// Returns M_N = (sum y f, -sum x f) = sum_j pi r_j (b_{j,1}, -a_{j,1}) [N m], about the rings' centre.
   Eigen::Vector2d moment() const;
 
   /// Returns m = |M_N| / (N R / 2) with the nominal contact radius R = @p contact_radius > 0 [m]. A single
   /// ring of this radius without tension lifts off at m = 1 under a first harmonic, and tips at m = 2.
   double moment_ratio(double contact_radius) const;
 
-  /// lambda(theta) [N/rad], theta in rad.
+  /// Returns lambda(theta) [N/rad], theta in rad.
   double operator()(double theta) const;
 
-  /// d lambda / d theta [N/rad^2].
+  /// Returns d lambda / d theta [N/rad^2].
   double derivative(double theta) const;
 
   /// Returns the minimum of lambda over theta [N/rad]. Every local minimum among 32 samples per wave length
@@ -101,14 +101,14 @@ public:
   double difference(const RingStack &other) const;
 
 private:
-  /// lambda at 32 n_max angles, evenly spaced from 0 [N/rad].
+  /// Returns lambda at 32 n_max angles, evenly spaced from 0 [N/rad].
   std::vector<double> evenly_spaced_values() const;
 
-  /// Local minima of lambda by their angle, polished to rounding, and the samples next to them. Angles may
-  /// lie slightly outside [0, 2 pi).
+  /// Returns the local minima of lambda by their angle, polished to rounding, and the samples next to them.
+  /// Angles may lie slightly outside [0, 2 pi).
   std::map<double, double> local_minima() const;
 
-  /// Integral of lambda from one angle to another [N].
+  /// Returns the integral of lambda from one angle to another [N].
   double integral(double from, double to) const;
 
   std::vector<Ring> stack;

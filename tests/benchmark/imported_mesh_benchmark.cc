@@ -29,7 +29,7 @@ namespace
 
 constexpr double off_axis = 0.01; // m
 
-/// Gap [m] of the foot with @p defect at a point of the table.
+/// Returns the gap [m] of the foot with @p defect at a point of the table.
 double gap_of(const GlassProfile &profile, const std::string &defect, double x, double y)
 {
   if (defect == "off_axis")
