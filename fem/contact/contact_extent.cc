@@ -74,16 +74,16 @@ void for_each_interval(const std::vector<CutValue> &cuts, const Visitor &visit)
 /// 1 if it is positive on all cuts.
 double positive_share(const std::vector<CutValue> &cuts)
 {
-  double lost = 0;
+  double unloaded = 0;
   for_each_interval(cuts,
                     [&](const CutValue &begin, const CutValue &end, double length)
                     {
                       const double low = std::min(begin.value, end.value),
                                    high = std::max(begin.value, end.value);
                       if (low <= 0)
-                        lost += high > 0 ? length * low / (low - high) : length;
+                        unloaded += high > 0 ? length * low / (low - high) : length;
                     });
-  return 1 - std::min(1., lost / two_pi);
+  return 1 - std::min(1., unloaded / two_pi);
 }
 
 } // namespace
@@ -202,8 +202,8 @@ ContactExtent extent_of_nodes(const ContactSurface &surface, const Eigen::Vector
   const double azimuth_share = static_cast<double>(n_loaded) / static_cast<double>(density.size());
   if (surface.is_ring)
     extent.azimuth_share = azimuth_share;
-  const double lost = surface.parts.sum((own > rounding_share * largest).select(0, areas).sum());
-  extent.area_share = surface.is_crowned ? azimuth_share : 1 - std::min(1., lost / surface.area());
+  const double unloaded_area = surface.parts.sum((own > rounding_share * largest).select(0, areas).sum());
+  extent.area_share = surface.is_crowned ? azimuth_share : 1 - std::min(1., unloaded_area / surface.area());
   return extent;
 }
 

@@ -140,9 +140,9 @@ public:
     result.n_nodes_across = body.contact_surface().n_nodes_across(pressure);
     if (control.requires_unchanged_set && result.n_nodes_across < min_nodes_across)
       result.outcome = ContactOutcome::narrow_contact;
-    const Eigen::Vector3d left = conditions.residual(result.forces, motion);
-    result.force_residual = std::abs(left(0)) / conditions.normal_force();
-    result.moment_residual = left.tail<2>().norm() / (conditions.normal_force() * radius);
+    const Eigen::Vector3d residual = conditions.residual(result.forces, motion);
+    result.force_residual = std::abs(residual(0)) / conditions.normal_force();
+    result.moment_residual = residual.tail<2>().norm() / (conditions.normal_force() * radius);
     result.equilibrium_residual = equilibrium;
     result.stability_margin = stability_margin;
     return result;

@@ -37,15 +37,15 @@ unsigned int ContactSurface::n_nodes_across(const Eigen::VectorXd &pressure) con
       ++n_loaded[bin];
     }
   parts.sum_in_place(n_loaded);
-  double most = 0;
+  double max_side_by_side = 0;
   for (std::size_t first = 0; first < n_bins; ++first)
   {
     double n_side_by_side = 0;
     for (std::size_t i = 0; i < n_bins_side_by_side; ++i)
       n_side_by_side += n_loaded[(first + i) % n_bins];
-    most = std::max(most, n_side_by_side);
+    max_side_by_side = std::max(max_side_by_side, n_side_by_side);
   }
-  return static_cast<unsigned int>(most);
+  return static_cast<unsigned int>(max_side_by_side);
 }
 
 std::vector<PointForce> rotated_by(std::vector<PointForce> forces, double angle)

@@ -13,8 +13,8 @@ double line_search_step(const std::function<double(double)> &slope, double start
   constexpr double longest = 2;
   // Near the solution the slopes are differences of large numbers. If they are below their rounding noise,
   // the full step is taken.
-  const double enough = (may_go_beyond ? 0.02 : 0.5) * std::abs(start) + noise;
-  if (start >= 0 || (end <= enough && (end >= -enough || !may_go_beyond)))
+  const double tolerance = (may_go_beyond ? 0.02 : 0.5) * std::abs(start) + noise;
+  if (start >= 0 || (end <= tolerance && (end >= -tolerance || !may_go_beyond)))
     return 1;
   const auto close_enough = [](double a, double b) { return b - a < 0.02 * b; };
   const auto stationary = [&](double from, double to, double slope_from, double slope_to)

@@ -173,9 +173,10 @@ double edge_beyond(const std::vector<PressurePoint> &cut, std::size_t i, bool ou
   const double to_next = cut[outwards ? i + 1 : i - 1].radius - cut[i].radius;
   const bool is_first = i == (outwards ? 0 : cut.size() - 1);
   const PressurePoint &before = is_first ? cut[i] : cut[outwards ? i - 1 : i + 1];
-  const double fall = before.pressure - cut[i].pressure;
-  const double reach =
-    before.pressure > 0 && fall > 0 ? cut[i].pressure / fall * (cut[i].radius - before.radius) : to_next / 2;
+  const double decrease = before.pressure - cut[i].pressure;
+  const double reach = before.pressure > 0 && decrease > 0
+                         ? cut[i].pressure / decrease * (cut[i].radius - before.radius)
+                         : to_next / 2;
   return cut[i].radius + (std::abs(reach) < std::abs(to_next) ? reach : to_next);
 }
 
@@ -185,21 +186,21 @@ double radius_of_share(const std::vector<PressurePoint> &cut, double share)
 {
   const auto density = [&](std::size_t i) { return cut[i].pressure * cut[i].radius; };
   const auto length = [&](std::size_t i) { return cut[i + 1].radius - cut[i].radius; };
-  double whole = 0;
+  double total = 0;
   for (std::size_t i = 0; i + 1 < cut.size(); ++i)
-    whole += length(i) * (density(i) + density(i + 1)) / 2;
-  double left = share * whole;
+    total += length(i) * (density(i) + density(i + 1)) / 2;
+  double remaining = share * total;
   for (std::size_t i = 0; i + 1 < cut.size(); ++i)
   {
     const double piece = length(i) * (density(i) + density(i + 1)) / 2;
-    if (left < piece)
+    if (remaining < piece)
     {
-      // left = h (p_0 t + (p_1 - p_0) t^2 / 2), solved for t without cancellation.
-      const double start = density(i), rise = density(i + 1) - start, wanted = left / length(i);
+      // remaining = h (p_0 t + (p_1 - p_0) t^2 / 2), solved for t without cancellation.
+      const double start = density(i), rise = density(i + 1) - start, wanted = remaining / length(i);
       return cut[i].radius +
              length(i) * 2 * wanted / (start + std::sqrt(std::max(0., start * start + 2 * rise * wanted)));
     }
-    left -= piece;
+    remaining -= piece;
   }
   return cut.back().radius;
 }

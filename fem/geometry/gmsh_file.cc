@@ -222,8 +222,8 @@ private:
     for (long n = n_blocks(words); n > 0; --n)
     {
       const Block block = next_block(words);
-      const auto known = physical_id.find(block.entity);
-      long id = known == physical_id.end() ? 0 : known->second;
+      const auto surface = physical_id.find(block.entity);
+      long id = surface == physical_id.end() ? 0 : surface->second;
       for (long i = 0; i < block.size; ++i)
       {
         words.whole_number(); // number of the element

@@ -157,11 +157,11 @@ unsigned int max_halvings(const Triangulation<2>::active_cell_iterator &cell, co
   if (high[0] <= contact.borders.front() || low[0] >= contact.borders.back())
     return 1 + (high[0] <= contact.borders.front() ? contact.n_halvings.front() : contact.n_halvings.back());
   const double margin = 1e-3 * (high[0] - low[0]);
-  unsigned int most = 0;
+  unsigned int max_below = 0;
   for (std::size_t i = 0; i < contact.n_halvings.size(); ++i)
     if (contact.borders[i] < high[0] - margin && contact.borders[i + 1] > low[0] + margin)
-      most = std::max(most, contact.n_halvings[i]);
-  return most;
+      max_below = std::max(max_below, contact.n_halvings[i]);
+  return max_below;
 }
 
 /// Halves cells until the contact cells match @p contact and every other cell is within the size bound for
@@ -327,11 +327,11 @@ void make_meridian_mesh(const TableDisc &disc, const GlassProfile &profile,
   const ContactCells contact = contact_cells(profile, resolution);
   disc.validate(profile);
   // Cells grow from the land towards the axis, the edge and the bottom.
-  const double beside = contact.has_focus ? 2 * contact.coarse_size : profile.land_width;
+  const double first_size = contact.has_focus ? 2 * contact.coarse_size : profile.land_width;
   GridLines radii = { 0 };
-  append_shrinking(radii, profile.land_inner_radius(), { beside, contact.has_focus ? 2 : 1.5 });
+  append_shrinking(radii, profile.land_inner_radius(), { first_size, contact.has_focus ? 2 : 1.5 });
   radii.insert(radii.end(), contact.coarse.begin() + 1, contact.coarse.end());
-  append_growing(radii, disc.radius, { beside });
+  append_growing(radii, disc.radius, { first_size });
   GridLines heights = { -disc.thickness };
   append_shrinking(heights, 0, { contact.has_focus ? contact.coarse_size : profile.land_width / 4 });
   make_grid(

@@ -149,11 +149,11 @@ void require_boundaries(const std::string &file_name, const MeshFileOptions &mar
              has_stem = count_faces(triangulation, stem_cut_id) > 0;
   if (has_contact && has_stem)
     return;
-  std::vector<std::string> known;
+  std::vector<std::string> ids;
   for (const auto &[id, height] : heights)
   {
     const auto name = names.find(id);
-    known.push_back(std::to_string(id) + (name == names.end() ? "" : " (" + printable(name->second) + ")"));
+    ids.push_back(std::to_string(id) + (name == names.end() ? "" : " (" + printable(name->second) + ")"));
   }
   std::string text =
     "Mesh file = " + file_name + (has_contact ? " has no stem cut: " : " has no contact zone: ");
@@ -172,7 +172,7 @@ void require_boundaries(const std::string &file_name, const MeshFileOptions &mar
   const bool names_contact = !has_contact && lowest->first != marks.stem_id,
              names_stem =
                !has_stem && highest->first != marks.contact_id && (has_contact || lowest != highest);
-  text += "its faces have the ids " + listed(known) + "; ";
+  text += "its faces have the ids " + listed(ids) + "; ";
   if (names_contact)
     text += "set mesh contact id = " + std::to_string(lowest->first) + ", its lowest faces";
   if (names_stem)

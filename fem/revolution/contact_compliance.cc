@@ -22,9 +22,9 @@ Eigen::MatrixXd ContactCompliance::extended_to_land(const Eigen::MatrixXd &value
 {
   if (values.size() == 0)
     return values;
-  Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n_inside + radii.size() + n_outside, values.cols());
-  whole.middleRows(n_inside, radii.size()) = values;
-  return whole;
+  Eigen::MatrixXd extended = Eigen::MatrixXd::Zero(n_inside + radii.size() + n_outside, values.cols());
+  extended.middleRows(n_inside, radii.size()) = values;
+  return extended;
 }
 
 Eigen::VectorXd ContactCompliance::shape_at(double radius) const
@@ -39,10 +39,10 @@ Eigen::VectorXd ContactCompliance::shape_at(double radius) const
 
 ContactCompliance ContactCompliance::part(Eigen::Index first, Eigen::Index size) const
 {
-  const auto part_of = [&](const HarmonicCompliance &whole) -> HarmonicCompliance
+  const auto part_of = [&](const HarmonicCompliance &harmonic) -> HarmonicCompliance
   {
-    return { whole.normal.block(first, first, size, size), whole.radial.block(first, first, size, size),
-             whole.azimuthal.block(first, first, size, size) };
+    return { harmonic.normal.block(first, first, size, size), harmonic.radial.block(first, first, size, size),
+             harmonic.azimuthal.block(first, first, size, size) };
   };
   ContactCompliance result;
   result.radii = radii.segment(first, size);

@@ -117,9 +117,9 @@ HarmonicCompliance ElasticResponse::difference(unsigned int harmonic, Eigen::Ind
                                                Eigen::Index size) const
 {
   const auto part = [&](const Eigen::MatrixXd &matrix) { return matrix.block(first, first, size, size); };
-  const HarmonicCompliance &whole = circles.harmonics[harmonic];
-  return { part(whole.normal) - part(circles.tail.normal), part(whole.radial) - part(circles.tail.radial),
-           part(whole.azimuthal) };
+  const HarmonicCompliance &compliance = circles.harmonics[harmonic];
+  return { part(compliance.normal) - part(circles.tail.normal),
+           part(compliance.radial) - part(circles.tail.radial), part(compliance.azimuthal) };
 }
 
 } // namespace stemware::fem

@@ -42,24 +42,24 @@ Eigen::MatrixXd polynomials(const Eigen::VectorXd &radii, Eigen::Index n_functio
          Eigen::MatrixXd::Identity(n_radii, n_functions);
 }
 
-HarmonicCompliance reduced_to(const Eigen::MatrixXd &functions, const HarmonicCompliance &whole)
+HarmonicCompliance reduced_to(const Eigen::MatrixXd &functions, const HarmonicCompliance &compliance)
 {
   const auto reduce = [&](const Eigen::MatrixXd &matrix) -> Eigen::MatrixXd
   { return functions.transpose() * matrix * functions; };
-  return { reduce(whole.normal), reduce(whole.radial), reduce(whole.azimuthal) };
+  return { reduce(compliance.normal), reduce(compliance.radial), reduce(compliance.azimuthal) };
 }
 
 } // namespace
 
 LineNewton::LineNewton(const ElasticResponse &response, const Eigen::SparseMatrix<double> &tangent,
-                       const Eigen::MatrixXd &unbalanced, Functions &known, double negligible)
+                       const Eigen::MatrixXd &unbalanced, Functions &cached, double negligible)
     : response(response)
-    , smooth(known)
+    , smooth(cached)
 {
   find_lines(tangent, unbalanced, negligible);
-  if (known.first != circles.first || known.size != circles.size ||
-      known.has_sliding != response.has_sliding())
-    known = chosen_functions();
+  if (cached.first != circles.first || cached.size != circles.size ||
+      cached.has_sliding != response.has_sliding())
+    cached = chosen_functions();
   eliminate_lines(tangent, unbalanced);
 }
 
@@ -145,8 +145,8 @@ void LineNewton::eliminate_lines(const Eigen::SparseMatrix<double> &tangent,
             system.tangent(entry.row() - j * n_radii - first, i - first, lane) = entry.value();
       }
     }
-    const auto part = [&](const Eigen::MatrixXd &whole) -> RowMatrix
-    { return whole.size() > 0 ? RowMatrix(whole.block(from, from, size, size)) : RowMatrix(); };
+    const auto part = [&](const Eigen::MatrixXd &matrix) -> RowMatrix
+    { return matrix.size() > 0 ? RowMatrix(matrix.block(from, from, size, size)) : RowMatrix(); };
     bundles.push_back({ first_line, { first, size }, system.solve(part(local.normal), part(local.radial)) });
   }
 }
@@ -156,12 +156,12 @@ LineNewton::Functions LineNewton::chosen_functions() const
   const unsigned int n_max = response.basis().n_harmonics();
   const Eigen::VectorXd radii = response.compliance().radii.segment(circles.first, circles.size);
   Functions chosen = { circles.first, circles.size, response.has_sliding(), {}, {} };
-  std::vector<HarmonicCompliance> whole;
+  std::vector<HarmonicCompliance> differences;
   for (unsigned int n = 0; n <= n_max; ++n)
-    whole.push_back(response.difference(n, circles.first, circles.size));
+    differences.push_back(response.difference(n, circles.first, circles.size));
   const Eigen::MatrixXd tail =
     response.compliance().tail.normal.block(circles.first, circles.first, circles.size, circles.size);
-  const double allowed = step_accuracy * (tail.norm() + whole[0].normal.norm());
+  const double allowed = step_accuracy * (tail.norm() + differences[0].normal.norm());
   const Eigen::LLT<Eigen::MatrixXd> factor(tail);
   for (Eigen::Index n_functions = std::min<Eigen::Index>(2, circles.size);; ++n_functions)
   {
@@ -181,17 +181,17 @@ LineNewton::Functions LineNewton::chosen_functions() const
     };
     for (const unsigned int n : { 0u, 1u, n_max / 2, n_max })
     {
-      leave_out(whole[n].normal);
+      leave_out(differences[n].normal);
       if (response.has_sliding())
       {
-        leave_out(whole[n].radial);
-        leave_out(whole[n].azimuthal);
+        leave_out(differences[n].radial);
+        leave_out(differences[n].azimuthal);
       }
     }
     const bool contracts = n_functions >= many_functions && !(contraction > slowest_contraction);
     if (worst <= allowed || contracts || n_functions >= circles.size)
     {
-      for (const HarmonicCompliance &harmonic : whole)
+      for (const HarmonicCompliance &harmonic : differences)
         chosen.reduced.push_back(reduced_to(functions, harmonic));
       chosen.values = functions;
       return chosen;
@@ -248,8 +248,9 @@ RowMatrix LineNewton::system_of_amplitudes(const std::vector<Eigen::MatrixXd> &o
   {
     const bool conjugate = kind == 2;
     const FourierProducts products(basis, on_lines[kind].topRows(p * p));
-    const auto others = on_lines[kind].bottomRows(p * 4);
-    const Eigen::MatrixXd beside = conjugate ? basis.project_on_conjugates(others) : basis.project(others);
+    const auto other_columns = on_lines[kind].bottomRows(p * 4);
+    const Eigen::MatrixXd projected =
+      conjugate ? basis.project_on_conjugates(other_columns) : basis.project(other_columns);
     Eigen::MatrixXd sums(p, n + 4);
     for (Eigen::Index row = 0; row < n_modes; ++row)
     {
@@ -263,7 +264,7 @@ RowMatrix LineNewton::system_of_amplitudes(const std::vector<Eigen::MatrixXd> &o
         for (Eigen::Index k = 0; k < p * p; ++k)
           block[k] = pair(k);
       }
-      sums.rightCols<4>() = beside.col(row).reshaped(p, 4);
+      sums.rightCols<4>() = projected.col(row).reshaped(p, 4);
       const HarmonicCompliance &harmonic = smooth.reduced[FourierBasis::harmonic(row_mode)];
       const Eigen::MatrixXd weight = (kind == 0   ? harmonic.normal
                                       : kind == 1 ? harmonic.radial

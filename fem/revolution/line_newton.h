@@ -33,10 +33,10 @@ public:
   };
 
   /// @p tangent as in ContactForces, @p unbalanced r on the lines, shape [n_radii, n_lines] [N]. Points
-  /// without tangent are skipped if |r| is at most @p negligible [N]. Functions of @p known are reused if
+  /// without tangent are skipped if |r| is at most @p negligible [N]. Functions of @p cached are reused if
   /// they belong to the same circles, and are replaced otherwise.
   LineNewton(const ElasticResponse &response, const Eigen::SparseMatrix<double> &tangent,
-             const Eigen::MatrixXd &unbalanced, Functions &known, double negligible = 0);
+             const Eigen::MatrixXd &unbalanced, Functions &cached, double negligible = 0);
 
   /// Newton step of the forces and the table.
   struct Increment

@@ -148,12 +148,12 @@ std::shared_ptr<const ContactCompliance> compliance_of(const RevolutionSetup &se
                                                        const MeridianMeshes &meshes,
                                                        const MeridianOptions &options, ComplianceCache &cache)
 {
-  const auto whole = cache.get(meshes.foot, setup.material, options);
+  const auto foot = cache.get(meshes.foot, setup.material, options);
   if (!setup.table.substrate && !setup.foot_is_rigid && setup.friction_in_foot)
-    return whole;
-  const auto below =
+    return foot;
+  const auto disc =
     setup.table.substrate ? cache.get(meshes.disc, setup.table.substrate->material, options) : nullptr;
-  return std::make_shared<const ContactCompliance>(setup.total_compliance(*whole, below.get()));
+  return std::make_shared<const ContactCompliance>(setup.total_compliance(*foot, disc.get()));
 }
 
 } // namespace stemware::fem

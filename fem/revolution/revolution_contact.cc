@@ -109,7 +109,7 @@ ContactSolution RevolutionContact::stiffen(const LinearConditions &under, double
   return solve_contact(body, law, under, radius, control, &at);
 }
 
-ContactSolution RevolutionContact::solve_near(const ContactStart &start)
+ContactSolution RevolutionContact::solve_from(const ContactStart &start)
 {
   ContactControl control = contact_control();
   control.full_steps = true;
@@ -151,37 +151,37 @@ bool RevolutionContact::is_stable(ContactSolution &solution) const
 ContactSolution RevolutionContact::solve(const RevolutionGuesses &starts)
 {
   const Eigen::VectorXd forces_before = body.forces().reshaped();
-  std::vector<std::function<ContactSolution()>> ways;
+  std::vector<std::function<ContactSolution()>> attempts;
   if (starts.predicted)
-    ways.push_back(
+    attempts.push_back(
       [&]
       {
         if (starts.predicted->forces.size() > 0)
           body.set_forces(starts.predicted->forces);
-        return solve_near(*starts.predicted);
+        return solve_from(*starts.predicted);
       });
   // On a hard table with waviness, a second unsoftened start after a failed one fails as well, and a softened
   // start converges to other crests.
   const bool on_hard_crests = setup.table.interface->is_hard() && !setup.imperfection.empty();
-  const bool may_be_near = !(on_hard_crests && (starts.waviness_has_rotated || starts.predicted));
+  const bool may_start_unsoftened = !(on_hard_crests && (starts.waviness_has_rotated || starts.predicted));
   for (const bool softened : { false, true })
     for (std::size_t i = 0; i < starts.previous.size(); ++i)
-      if (softened ? !on_hard_crests : may_be_near)
-        ways.push_back(
+      if (softened ? !on_hard_crests : may_start_unsoftened)
+        attempts.push_back(
           [&, softened, i]
           {
             const ContactSolution solution =
-              softened ? solve_softened(starts.previous[i]) : solve_near(starts.previous[i]);
+              softened ? solve_softened(starts.previous[i]) : solve_from(starts.previous[i]);
             used = i;
             return solution;
           });
   for (const double largest_step : { large_stiffening, small_stiffening })
-    ways.push_back([&, largest_step] { return solve_cold(conditions, largest_step); });
-  for (const auto &way : ways)
+    attempts.push_back([&, largest_step] { return solve_cold(conditions, largest_step); });
+  for (const auto &attempt : attempts)
     try
     {
       used.reset();
-      ContactSolution solution = way();
+      ContactSolution solution = attempt();
       if (is_stable(solution))
         return solution;
       body.set_forces(forces_before);

@@ -46,7 +46,7 @@ private:
   /// Returns the stopping rule; steps are recorded in history().
   ContactControl contact_control();
   /// Calls solve_contact() from @p start, with an early stop if the residual stays large.
-  ContactSolution solve_near(const ContactStart &start);
+  ContactSolution solve_from(const ContactStart &start);
   /// Returns the solution from @p start on a softened interface.
   ContactSolution solve_softened(const ContactStart &start);
   /// Returns the solution under the conditions @p under from a cold start; @p largest_step: largest factor of

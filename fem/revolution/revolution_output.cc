@@ -177,10 +177,10 @@ private:
     const unsigned int face = contact_face(cell);
     if (face == numbers::invalid_unsigned_int)
       return { degree, { 1, 1 } };
-    constexpr unsigned int most = 32;
-    const double force = drawn_force(cell, most), allowed = 0.005 * pressure.force() / n_contact_cells;
+    constexpr unsigned int max_pieces = 32;
+    const double force = drawn_force(cell, max_pieces), allowed = 0.005 * pressure.force() / n_contact_cells;
     unsigned int n = 1;
-    while (n < most && std::abs(drawn_force(cell, n) - force) > allowed)
+    while (n < max_pieces && std::abs(drawn_force(cell, n) - force) > allowed)
       n *= 2;
     return face < 2 ? CellGrid(degree, { 1, n }) : CellGrid(degree, { n, 1 });
   }

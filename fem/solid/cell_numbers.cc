@@ -77,10 +77,10 @@ std::vector<std::vector<std::size_t>> CellNumbers::rings() const
   for (std::vector<double> *values : { &radii, &heights })
     Utilities::MPI::sum(*values, mesh.get_communicator(), *values);
   const double tolerance = 1e-7 * *std::max_element(radii.begin(), radii.end());
-  std::vector<std::size_t> all(size());
-  std::iota(all.begin(), all.end(), std::size_t(0));
+  std::vector<std::size_t> numbers(size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
   std::vector<std::vector<std::size_t>> rings;
-  for (const auto &at_radius : split(all, radii, tolerance))
+  for (const auto &at_radius : split(numbers, radii, tolerance))
     for (auto &ring : split(at_radius, heights, tolerance))
       rings.push_back(std::move(ring));
   return rings;

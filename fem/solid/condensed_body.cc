@@ -103,25 +103,25 @@ NewtonIncrement CondensedBody::solve(const Eigen::SparseMatrix<double> &tangent,
   increment = unbalanced;
   increment(loaded).setZero();
   const Eigen::MatrixX3d modes = surface.motion_modes();
-  const Eigen::MatrixXd beside = tangent * modes, of_rest = tangent * (matrix() * increment);
+  const Eigen::MatrixXd tangent_modes = tangent * modes, of_rest = tangent * (matrix() * increment);
   Eigen::MatrixXd system = (tangent * matrix()(Eigen::all, loaded))(loaded, Eigen::all);
   system.diagonal().array() += 1;
   Eigen::MatrixXd solved(system.rows(), 4); // right-hand sides [T Q, f - s - T C ds of the rows without
                                             // tangent]
-  solved << beside(loaded, Eigen::all), unbalanced(loaded) - of_rest(loaded, 0);
+  solved << tangent_modes(loaded, Eigen::all), unbalanced(loaded) - of_rest(loaded, 0);
   solved = system.partialPivLu().solve(solved).eval();
 
   const Eigen::MatrixX3d weights = conditions.weights()(loaded, Eigen::all);
   const Eigen::Matrix3d resistance = weights.transpose() * solved.leftCols<3>();
   const Eigen::Matrix3d net_resistance = resistance - conditions.motion_weights();
   increment(loaded) = solved.col(3);
-  const Eigen::Vector3d left = conditions.residual(state + increment, motion);
+  const Eigen::Vector3d residual = conditions.residual(state + increment, motion);
   // Scaling: tilts as heights at the rim, moments as forces at the rim.
   const double radius = modes.rightCols<2>().rowwise().norm().maxCoeff();
   const Eigen::DiagonalMatrix<double, 3> scale(1, 1 / radius, 1 / radius);
   const Eigen::Matrix3d scaled = scale * net_resistance * scale;
   NewtonIncrement step;
-  step.motion = scale * scaled.partialPivLu().solve(scale * left).eval();
+  step.motion = scale * scaled.partialPivLu().solve(scale * residual).eval();
   step.stability_margin = net_resistance.determinant() / resistance.determinant();
   increment(loaded) -= solved.leftCols<3>() * step.motion;
   if (!increment.allFinite() || !step.motion.allFinite())

@@ -32,11 +32,11 @@ public:
 
   std::vector<double> gather(const std::vector<double> &values, bool everywhere) const override
   {
-    std::vector<double> all;
+    std::vector<double> gathered;
     for (const std::vector<double> &part : everywhere ? Utilities::MPI::all_gather(communicator, values)
                                                       : Utilities::MPI::gather(communicator, values))
-      all.insert(all.end(), part.begin(), part.end());
-    return all;
+      gathered.insert(gathered.end(), part.begin(), part.end());
+    return gathered;
   }
 
 private:

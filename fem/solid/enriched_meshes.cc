@@ -34,14 +34,14 @@ bool touches_contact(const Cell &cell, double inner, double outer)
     if (!face->at_boundary() ||
         face->boundary_id() != static_cast<types::boundary_id>(FootBoundary::contact_zone))
       continue;
-    double least = std::numeric_limits<double>::max(), most = 0;
+    double face_inner = std::numeric_limits<double>::max(), face_outer = 0;
     for (const unsigned int v : face->vertex_indices())
     {
       const double radius = std::hypot(face->vertex(v)[0], face->vertex(v)[1]);
-      least = std::min(least, radius);
-      most = std::max(most, radius);
+      face_inner = std::min(face_inner, radius);
+      face_outer = std::max(face_outer, radius);
     }
-    if (least < outer && most > inner)
+    if (face_inner < outer && face_outer > inner)
       return true;
   }
   return false;

@@ -146,10 +146,10 @@ void correct_for_friction(SolidIncrement &increment, BodyVector residual, double
   constexpr unsigned int max_corrections = 12;
   constexpr double reduction = 0.05; // per correction; friction is a small part of the matrix
   std::vector<SolidIncrement> before;
-  for (double left = residual.l2_norm(); left > target && before.size() < max_corrections;
-       left = residual.l2_norm())
+  for (double norm = residual.l2_norm(); norm > target && before.size() < max_corrections;
+       norm = residual.l2_norm())
   {
-    SolidIncrement next = solve(residual, std::max(reduction * left, target / 2));
+    SolidIncrement next = solve(residual, std::max(reduction * norm, target / 2));
     increment.n_iterations += next.n_iterations;
     for (const auto &other : before)
       next.add(-(next.image * other.image) / other.image.norm_sqr(), other);
@@ -418,7 +418,7 @@ void SolidBody::close_conditions(const LinearConditions &conditions, const Scale
     motions.scale.asDiagonal() * conditions.motion_weights() * motions.scale.asDiagonal();
   const SurfaceParts &parts = contact.nodes().parts();
   const Eigen::Matrix3d matrix = parts.sum(weights.transpose() * (contact.matrix() * response)) - leaning;
-  const Eigen::Vector3d left =
+  const Eigen::Vector3d remaining =
     missing -
     parts.sum(weights.transpose() *
               (contact.matrix() * (solution.displacement + motions.modes * solution.motion))) +
@@ -427,7 +427,7 @@ void SolidBody::close_conditions(const LinearConditions &conditions, const Scale
   if (!factors.isInvertible())
     throw ContactFailure(ContactOutcome::linear_solver_failed,
                          "the conditions on the contact forces do not determine the table's motions.");
-  const Eigen::Vector3d further = factors.solve(left);
+  const Eigen::Vector3d further = factors.solve(remaining);
   solution.stability_margin = stability_margin_of(matrix, leaning);
   solution.motion += further;
   solution.displacement += (response - motions.modes) * further;

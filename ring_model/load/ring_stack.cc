@@ -72,10 +72,10 @@ RingStack RingStack::first_harmonic(double normal_force, const Eigen::Vector2d &
 
 std::vector<double> RingStack::radii() const
 {
-  std::vector<double> all;
+  std::vector<double> values;
   for (const Ring &ring : stack)
-    all.push_back(ring.radius);
-  return all;
+    values.push_back(ring.radius);
+  return values;
 }
 
 double RingStack::radius() const
