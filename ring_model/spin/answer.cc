@@ -3,15 +3,14 @@
 #include "ring_model/friction_functionals.h"
 #include "ring_model/if_balanced.h"
 #include "ring_model/load/require.h"
+#include "ring_model/spin/curves.h"
 #include "ring_model/spin/phase_loads.h"
-#include "ring_model/spin/phase_torque.h"
 #include "ring_model/spin/to_precision.h"
 #include "ring_model/yaw_motion.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -78,8 +77,9 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
   const double accuracy = std::clamp(0.1 * known.between, 1e-9, std::max(coarsest, known.mean));
   const double friction_torque = motion.friction_at_rest() * motion.normal_force() * load.radius(),
                torque_scale = slope > 0 ? slope * spin_scale : friction_torque;
-  const PhaseTorque torque(load, motion, spin.omega, reach, 0.03 * accuracy * torque_scale);
-  const LongTimeSpin mean = long_time_spin(observed(std::cref(torque), question.observer), motion.yaw_inertia,
+  const PhasedTorqueFunction torque =
+    tabulated_torque(load, motion, spin.omega, reach, 0.03 * accuracy * torque_scale);
+  const LongTimeSpin mean = long_time_spin(observed(torque, question.observer), motion.yaw_inertia,
                                            spin.omega, averaging_window(phases.periods(), motion, spin),
                                            accuracy, spin_scale, question.grip_torque);
   spin.omega = mean.mean;
@@ -172,18 +172,19 @@ std::string to_string(Status status)
   return names[static_cast<std::size_t>(status)];
 }
 
+Torques torques_at(const Sample &load, const Question &question, double omega)
+{
+  const Wrench friction = wrench(question.motion, load, omega);
+  const double lean_torque = load.lean_torque();
+  return { friction, lean_torque, grip_torque(friction.torque + lean_torque, omega, question.grip_torque) };
+}
+
 RingState ring_state(const Sample &load, const Question &question, double omega)
 {
-  RingState state = { {}, load };
-  state.friction = wrench(question.motion, load, omega);
-  state.lean_torque = load.lean_torque();
-  state.grip_torque = grip_torque(state.friction.torque + state.lean_torque, omega, question.grip_torque);
+  RingState state = { torques_at(load, question, omega), load };
   state.moment_ratio = load.moment_ratio(question.contact_radius.value_or(load.radius()));
-  if (question.with_minima)
-  {
-    state.minimum = load.minimum();
-    state.pulling_share = state.minimum < 0 ? load.pulling_force() / load.normal_force() : 0;
-  }
+  state.minimum = load.minimum();
+  state.pulling_share = state.minimum < 0 ? load.pulling_force() / load.normal_force() : 0;
   return state;
 }
 

@@ -29,7 +29,6 @@ struct Question
   /// Terminal spin of a similar load, for a local search; std::nullopt: search from rest.
   std::optional<ZeroGuess> near = {};
   bool with_slope = false;    ///< compute slope and time constant: four more loads
-  bool with_minima = true;    ///< compute minima and pulling forces of the loads
   TimeObserver observer = {}; ///< observer of the spin in the long run and of spin-ups
 };
 
@@ -66,6 +65,9 @@ struct RingState : Torques
   double minimum = 0.;       ///< minimum of lambda [N/rad]
   double pulling_share = 0.; ///< RingStack::pulling_force() over N
 };
+
+/// Returns the torques of @p question under @p load, the load at the spin @p omega [rad/s].
+Torques torques_at(const Sample &load, const Question &question, double omega);
 
 /// Returns the state of the ring under @p load, the load at the spin @p omega [rad/s].
 RingState ring_state(const Sample &load, const Question &question, double omega);

@@ -9,18 +9,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 
 namespace stemware::ring
 {
 namespace
 {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-Question without_minima(Question question)
-{
-  question.with_minima = false;
-  return question;
-}
 
 /// Friction and lean torque together [N m]; time and yaw angle matter if the phase does. Steps of an
 /// integrator reach beyond a fall: from there on the torque stays.
@@ -47,11 +42,10 @@ YawSample unless_fallen(YawSample sample, const std::optional<Fall> &fall)
 std::vector<Torques> torque_curve(const Load &load, const Question &question,
                                   const std::vector<double> &spins, std::string *reason)
 {
-  const Question quick = without_minima(question);
   std::vector<Torques> torques;
   for (const double omega : spins)
   {
-    const auto find = [&]() -> Torques { return ring_state(load.at(omega), quick, omega); };
+    const auto find = [&] { return torques_at(load.at(omega), question, omega); };
     torques.push_back(
       if_balanced(find, reason).value_or(Torques{ { unknown, unknown, unknown }, unknown, unknown }));
   }
@@ -87,6 +81,42 @@ std::vector<YawSample> euler_spin_up(const Load &load, const Question &question,
   return wanted;
 }
 
+PhasedTorqueFunction tabulated_torque(const Load &load, const Motion &motion, double middle, double reach,
+                                      double tolerance)
+{
+  const PhaseGrids &grids = load.phases()->phases();
+  // Beyond the spins that the load is known between it would take contact solutions, and has a kink.
+  const auto [slowest, fastest] = load.phases()->polynomial_range(middle);
+  const double lower = std::max(middle - reach, slowest), upper = std::min(middle + reach, fastest);
+  const auto at_phases = [&](double omega)
+  {
+    Eigen::VectorXd torques(grids.size());
+    Eigen::Index i = 0;
+    for (const Sample &all : load.phases()->samples(omega))
+    {
+      const Sample kept = all.truncated(load.n_harmonics());
+      torques(i++) = wrench(motion, kept, omega).torque + kept.lean_torque();
+    }
+    return torques;
+  };
+  const auto error = [](double, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)
+  { return (interpolated - exact).lpNorm<Eigen::Infinity>(); };
+  constexpr std::size_t max_samples = 100;
+  std::shared_ptr<const AdaptiveCurve> table;
+  if (lower < upper)
+    table = std::make_shared<AdaptiveCurve>(
+      CurveSource{ at_phases, error }, lower, upper,
+      CurveTolerance{ tolerance, tolerance, tolerance, max_samples, max_samples });
+  if (table && table->error() > tolerance)
+    table = nullptr;
+  return [&load, &motion, &grids, table](double time, double yaw_angle, double omega)
+  {
+    const Orientation marks = orientation_of_marks(motion, time, yaw_angle);
+    return table && table->covers(omega) ? grids.weights(marks).dot((*table)(omega))
+                                         : yaw_torque(load, motion, omega, marks);
+  };
+}
+
 std::vector<Instant> instants_of(const std::vector<YawSample> &spin_up, const Load &load,
                                  const Question &question)
 {
@@ -101,12 +131,11 @@ std::vector<Instant> instants_of(const std::vector<YawSample> &spin_up, const Lo
   std::size_t last = 0;
   while (last + 1 < n && std::abs(spin_up[last].omega) < near * std::abs(spin_up[n - 1].omega))
     ++last;
-  const Question quick = without_minima(question);
   const std::size_t n_steps = std::min(n_intervals, last);
   for (std::size_t i = 0; i <= n_steps; ++i)
   {
     const YawSample &sample = spin_up[n_steps == 0 ? 0 : i * last / n_steps];
-    instants.push_back({ sample, ring_state(load.at(sample.omega), quick, sample.omega) });
+    instants.push_back({ sample, ring_state(load.at(sample.omega), question, sample.omega) });
   }
   return instants;
 }
@@ -122,13 +151,15 @@ std::vector<double> torques_by_phase(const PhaseSampledLoad &phases, const Motio
 Load interpolated_for_curves(const Load &load, const Answer &found, double lower, double upper,
                              const Load *like)
 {
-  const auto between = [&](double one, double other, double enough = 2e-5)
+  const auto between = [&](double one, double other, const CurveTolerance &tolerance = {})
   {
     return if_balanced(
-      [&] { return load.interpolated(std::min(one, other), std::max(one, other), enough, like); });
+      [&] { return load.interpolated(std::min(one, other), std::max(one, other), tolerance, like); });
   };
-  if (found.fall) // steep where the balance ends
-    return between(0, found.fall->omega, 1e-3).value_or(load);
+  CurveTolerance near_fall; // the load is steep where the balance ends
+  near_fall.enough = near_fall.coarsest;
+  if (found.fall)
+    return between(0, found.fall->omega, near_fall).value_or(load);
   if (const std::optional<Load> curve = between(lower, upper))
     return *curve;
   const double terminal = found.omega_terminal().value_or(0), margin = 0.02 * std::abs(terminal);

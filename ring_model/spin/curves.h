@@ -29,10 +29,19 @@ std::vector<YawSample> euler_spin_up(const Load &load, const Question &question,
                                      const std::vector<double> &times, double longest,
                                      const std::optional<Fall> &fall = {});
 
+/// Returns the torque of friction and lean under @p load, which has phases(), tabulated for integrators,
+/// which evaluate it some hundred thousand times near one spin: for spins within @p reach [rad/s] of @p
+/// middle, limited to the load's PhaseSampledLoad::polynomial_range(), the torque at each sampled phase is an
+/// AdaptiveCurve accurate to @p tolerance [N m], interpolated between phases like the load. Elsewhere, and if
+/// the tolerance is not reached, it is the torque of the load itself. Keeps references to @p load and @p
+/// motion.
+PhasedTorqueFunction tabulated_torque(const Load &load, const Motion &motion, double middle, double reach,
+                                      double tolerance);
+
 /// One instant of a spin-up.
 struct Instant : YawSample
 {
-  RingState state; ///< without minima
+  RingState state;
 };
 
 /// Returns at most 25 instants of @p spin_up under @p load, from rest until the spin has come within 0.5 % of

@@ -2,10 +2,12 @@
 
 #include "ring_model/no_balance.h"
 #include "ring_model/spin/phase_loads.h"
-#include "ring_model/spin/spin_curve.h"
+
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <map>
 #include <utility>
@@ -45,6 +47,25 @@ struct Load::Source
   }
 };
 
+/// Interpolated coefficients of a load, or of its difference to a like one.
+struct Load::Interpolant
+{
+  unsigned int n_harmonics;
+  std::size_t n_rings;
+  std::optional<Load> like;
+  std::optional<AdaptiveCurve> rows = {};
+
+  Eigen::VectorXd reference(double omega) const
+  {
+    const auto size = static_cast<Eigen::Index>(2 + n_rings * (2 * n_harmonics + 3));
+    return like ? like->at(omega).coefficients(n_harmonics) : Eigen::VectorXd::Zero(size);
+  }
+  Sample load_of(double omega, const Eigen::VectorXd &row) const
+  {
+    return Sample::from_coefficients(like ? row + reference(omega) : row, n_rings);
+  }
+};
+
 Load::Load(Function load, bool is_pressure)
     : source(std::make_shared<Source>(Source{ std::move(load), false, is_pressure }))
 {
@@ -66,8 +87,8 @@ Sample Load::at(double omega, const std::optional<Orientation> &marks) const
 {
   const auto kept = [&](const Sample &all)
   { return all.n_harmonics() > n_kept ? all.truncated(n_kept) : all; };
-  if (curve && curve->lower() <= omega && omega <= curve->upper())
-    return kept((*curve)(omega));
+  if (curve && curve->rows->covers(omega) && source->samples.count(omega) == 0)
+    return kept(curve->load_of(omega, (*curve->rows)(omega)));
   if (const PhaseSampledLoad *phased = phases())
     return kept(marks ? phased->at(omega, *marks) : phased->mean(omega));
   return kept(source->is_costly ? source->solved(omega) : source->load(omega));
@@ -110,7 +131,7 @@ std::optional<double> Load::nearest_unbalanced_spin(double omega) const
 
 std::optional<double> Load::interpolation_error() const
 {
-  return curve ? std::optional(curve->error()) : std::nullopt;
+  return curve ? std::optional(curve->rows->error()) : std::nullopt;
 }
 
 Load Load::truncated(unsigned int n_harmonics) const
@@ -120,20 +141,56 @@ Load Load::truncated(unsigned int n_harmonics) const
   return fewer;
 }
 
-Load Load::interpolated(double lower, double upper, double enough, const Load *like) const
+std::vector<double> Load::lift_offs(double lower, double upper) const
+{
+  std::vector<std::pair<double, double>> known;
+  for (const auto &[omega, sample] : source->samples)
+    if (lower <= omega && omega <= upper)
+      known.emplace_back(omega, sample.lift_off_margin);
+  std::vector<double> spins;
+  for (std::size_t i = 0; i + 1 < known.size(); ++i)
+  {
+    const auto &[left, at_left] = known[i];
+    const auto &[right, at_right] = known[i + 1];
+    if ((at_left < 0) == (at_right < 0))
+      continue;
+    const auto margin = [&](double omega) { return at(omega).lift_off_margin; };
+    // An error d of the place is one of about d^(3/2) of the load.
+    const double accuracy = 1e-5 * (upper - lower);
+    std::uintmax_t n_most = 7;
+    const auto [below, above] = boost::math::tools::toms748_solve(
+      margin, left, right, at_left, at_right,
+      [=](double one, double other) { return std::abs(other - one) < accuracy; }, n_most);
+    spins.push_back((below + above) / 2);
+  }
+  return spins;
+}
+
+Load Load::interpolated(double lower, double upper, const CurveTolerance &tolerance, const Load *like) const
 {
   if (!is_costly() || !(lower < upper))
     return *this;
-  CurveSource costly = { [this](double omega) { return at(omega); } };
+  const Sample at_rest = at(0.);
+  Interpolant interpolant = { at_rest.n_harmonics(), at_rest.rings().size(), {} };
+  if (like && like->curve && like->curve->rows->n_pieces() == 1 && like->curve->rows->covers(lower) &&
+      like->curve->rows->covers(upper) && like->at(0.).radii() == at_rest.radii())
+    interpolant.like = *like;
+  CurveSource costly = {
+    [&](double omega) -> Eigen::VectorXd
+    { return at(omega).coefficients(interpolant.n_harmonics) - interpolant.reference(omega); },
+    [&](double omega, const Eigen::VectorXd &one, const Eigen::VectorXd &exact)
+    { return interpolant.load_of(omega, one).difference(interpolant.load_of(omega, exact)); }
+  };
+  for (const double end : { lower, upper })
+    at(end);
+  costly.kinks = lift_offs(lower, upper);
   for (const auto &[omega, sample] : source->samples)
-    costly.known.emplace(omega, at(omega));
-  if (like && like->curve && like->curve->n_pieces() == 1 && like->curve->lower() <= lower &&
-      upper <= like->curve->upper() && like->at(0.).radii() == at(0.).radii())
-    costly.reference = *like->curve;
-  CurveTolerance tolerance;
-  tolerance.enough = enough;
+    costly.known.push_back(omega);
+  interpolant.rows.emplace(costly, lower, upper, tolerance);
+  if (interpolant.rows->error() > tolerance.coarsest)
+    return *this;
   Load found = *this;
-  found.curve = std::make_shared<SpinCurve>(costly, lower, upper, tolerance);
-  return found.curve->error() > tolerance.coarsest ? *this : found;
+  found.curve = std::make_shared<Interpolant>(std::move(interpolant));
+  return found;
 }
 } // namespace stemware::ring

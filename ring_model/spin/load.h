@@ -2,17 +2,18 @@
 
 #include "ring_model/load/slip.h"
 #include "ring_model/motion.h"
+#include "ring_model/spin/adaptive_curve.h"
 #include "ring_model/spin/sample.h"
 
 #include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace stemware::ring
 {
 class PhaseSampledLoad;
-class SpinCurve;
 
 /// Load on the rings as a function of the spin, and of the marks' azimuths if these matter.
 ///
@@ -62,16 +63,23 @@ public:
   Load truncated(unsigned int n_harmonics) const;
 
   /// Returns the load interpolated between the spins @p lower and @p upper [rad/s], for curves of thousands
-  /// of values: by a SpinCurve to 1e-6 of a_0 if few samples suffice, else to @p enough, else to 1e-3, else
-  /// exact; exact outside the interval. A load that is not costly is returned unchanged. If @p like, another
-  /// interpolated load on the same rings, is one polynomial, the difference to @p like is interpolated.
-  Load interpolated(double lower, double upper, double enough = 2e-5, const Load *like = nullptr) const;
+  /// of values: by an AdaptiveCurve whose pieces end where the rim lifts off, to @p tolerance of
+  /// RingStack::difference(), else exact; exact outside the interval. A load that is not costly is returned
+  /// unchanged. If @p like, another interpolated load on the same rings, is one polynomial, the difference to
+  /// @p like is interpolated.
+  Load interpolated(double lower, double upper, const CurveTolerance &tolerance = {},
+                    const Load *like = nullptr) const;
 
 private:
   struct Source;
+  struct Interpolant;
+
+  /// Returns the spins between the solved ones from @p lower to @p upper at which the rim lifts off or comes
+  /// back into contact.
+  std::vector<double> lift_offs(double lower, double upper) const;
 
   std::shared_ptr<const Source> source;
   unsigned int n_kept = std::numeric_limits<unsigned int>::max();
-  std::shared_ptr<const SpinCurve> curve = {};
+  std::shared_ptr<const Interpolant> curve = {};
 };
 } // namespace stemware::ring

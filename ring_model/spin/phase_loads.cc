@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace stemware::ring
@@ -17,8 +16,8 @@ namespace stemware::ring
 namespace
 {
 
-/// Error wanted of the mean over the phases, and of the load between spins: a tenth of what rim and table out
-/// of flat leave unknown in most studies.
+/// Error wanted of the mean over the phases, and of that mean between spins: a tenth of what rim and table
+/// out of flat leave unknown in most studies.
 constexpr double tolerance = 1e-5;
 /// Largest errors allowed: of the mean over the phases, which the band of error contains, and between them,
 /// where ripple alone depends on it.
@@ -49,11 +48,9 @@ SampleError larger(const SampleError &one, const SampleError &other)
   return { std::max(one.mean, other.mean), std::max(one.between, other.between) };
 }
 
-/// Samples at the spins @p omegas.
-std::vector<PhaseSamples> sample(const LoadAtPhase &load, const std::vector<double> &omegas,
-                                 const PhaseGrids &grids)
+PhaseSamples sampled_at(const LoadAtPhase &load, double omega, const PhaseGrids &grids)
 {
-  std::vector<Eigen::MatrixXd> columns(omegas.size());
+  Eigen::MatrixXd columns;
   std::size_t n_rings = 1;
   const unsigned int n_table = grids.table.size();
   for (unsigned int step = 0; step < grids.size(); ++step)
@@ -61,20 +58,13 @@ std::vector<PhaseSamples> sample(const LoadAtPhase &load, const std::vector<doub
     // To and fro in the table's angle: each contact starts from that of the phase before.
     const unsigned int row = step / n_table, place = step % n_table;
     const unsigned int i = row * n_table + (row % 2 == 0 ? place : n_table - 1 - place);
-    // All spins of a phase in a row: each is near the one before.
-    for (std::size_t k = 0; k < omegas.size(); ++k)
-    {
-      const Sample exact = load(omegas[k], grids.phase(i));
-      n_rings = exact.rings().size();
-      const Eigen::VectorXd column = exact.coefficients(exact.n_harmonics());
-      columns[k].conservativeResize(column.size(), grids.size());
-      columns[k].col(i) = column;
-    }
+    const Sample exact = load(omega, grids.phase(i));
+    n_rings = exact.rings().size();
+    const Eigen::VectorXd column = exact.coefficients(exact.n_harmonics());
+    columns.conservativeResize(column.size(), grids.size());
+    columns.col(i) = column;
   }
-  std::vector<PhaseSamples> samples;
-  for (const Eigen::MatrixXd &of_spin : columns)
-    samples.emplace_back(grids, of_spin, n_rings);
-  return samples;
+  return { grids, columns, n_rings };
 }
 
 } // namespace
@@ -85,7 +75,7 @@ PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods,
   PhaseGrids grids = { first_grid(periods.glass, first), first_grid(periods.table, first) };
   while (true)
   {
-    const PhaseSamples samples = sample(load, { 0 }, grids).front();
+    const PhaseSamples samples = sampled_at(load, 0, grids);
     const double of_glass = samples.error(&PhaseGrids::glass).mean,
                  of_table = samples.error(&PhaseGrids::table).mean;
     PeriodicGrid &worse = of_glass > of_table ? grids.glass : grids.table;
@@ -97,15 +87,6 @@ PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods,
     }
     worse = worse.refined();
   }
-}
-
-PhaseSamples PhaseSampledLoad::Samples::at(double omega) const
-{
-  const Eigen::VectorXd weights = spins.weights(omega);
-  Eigen::MatrixXd sum = weights(0) * at_nodes.front().columns();
-  for (unsigned int k = 1; k < spins.size(); ++k)
-    sum += weights(k) * at_nodes[k].columns();
-  return { at_nodes.front().phases(), sum, at_nodes.front().n_rings() };
 }
 
 PhaseSampledLoad::PhaseSampledLoad(LoadAtPhase load_given, const PhasePeriods &periods,
@@ -122,43 +103,22 @@ Sample PhaseSampledLoad::at(double omega, const Orientation &phase) const
 {
   if (!varies_with_spin(omega))
     return at_rest.at(phase);
-  // An integrator asks often: the phases go first, so that no samples are made.
-  const Samples &samples = samples_around(omega);
-  const Eigen::VectorXd spins = samples.spins.weights(omega);
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples.at_nodes.front().columns().rows());
-  for (unsigned int k = 0; k < samples.spins.size(); ++k)
-    sum += spins(k) * phases().interpolated(samples.at_nodes[k].columns(), phase);
-  return Sample::from_coefficients(sum, samples.at_nodes.front().n_rings());
+  const Eigen::VectorXd columns = interval_around(omega).columns(omega);
+  const Eigen::Map<const Eigen::MatrixXd> by_phase(columns.data(), at_rest.columns().rows(), phases().size());
+  return Sample::from_coefficients(phases().interpolated(by_phase, phase), at_rest.n_rings());
+}
+
+PhaseSamples PhaseSampledLoad::samples_from(const Eigen::VectorXd &columns) const
+{
+  return { phases(), columns.reshaped(at_rest.columns().rows(), phases().size()), at_rest.n_rings() };
 }
 
 PhaseSamples PhaseSampledLoad::at_spin(double omega) const
 {
-  return varies_with_spin(omega) ? samples_around(omega).at(omega) : at_rest;
+  return varies_with_spin(omega) ? samples_from(interval_around(omega).columns(omega)) : at_rest;
 }
 
-std::pair<ChebyshevInterval, double> PhaseSampledLoad::find_spins(long interval) const
-{
-  // How the load depends on the spin is much the same at every phase: one decides on the spins.
-  const PhaseGrids one_phase = { first_grid(0, 1), first_grid(0, 1) };
-  const double lower = static_cast<double>(interval) * spins_asked.unit;
-  ChebyshevInterval spins(lower, lower + spins_asked.unit, 2);
-  for (double error_before = std::numeric_limits<double>::infinity();;)
-  {
-    const Samples samples = { spins, sample(load, spins.nodes(), one_phase) };
-    double error = 0;
-    for (const double omega : spins.between())
-      error =
-        std::max(error, torque_difference(samples.at(omega).sample(0), load(omega, one_phase.phase(0))));
-    const bool pays = error > largest_allowed.mean || error < error_before / 3;
-    if (error <= std::max(tolerance, at_rest.error().mean) || !pays ||
-        2 * (spins.size() - 1) > spins_asked.max_steps)
-      return { spins, error };
-    error_before = error;
-    spins = spins.refined();
-  }
-}
-
-const PhaseSampledLoad::Samples &PhaseSampledLoad::samples_around(double omega) const
+const PhaseSampledLoad::Interval &PhaseSampledLoad::interval_around(double omega) const
 {
   const auto interval = static_cast<long>(std::floor(omega / spins_asked.unit));
   const auto known = intervals.find(interval);
@@ -174,7 +134,7 @@ const PhaseSampledLoad::Samples &PhaseSampledLoad::samples_around(double omega) 
     std::rethrow_exception(failed->second);
   try
   {
-    return intervals.emplace(interval, samples_of(interval)).first->second;
+    return intervals.emplace(interval, sampled(interval)).first->second;
   }
   catch (...)
   {
@@ -183,15 +143,31 @@ const PhaseSampledLoad::Samples &PhaseSampledLoad::samples_around(double omega) 
   }
 }
 
-PhaseSampledLoad::Samples PhaseSampledLoad::samples_of(long interval) const
+PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
 {
-  const auto [spins, between_spins] = find_spins(interval);
-  Samples samples = { spins, sample(load, spins.nodes(), phases()) };
-  const PhaseSamples &farthest = interval < 0 ? samples.at_nodes.front() : samples.at_nodes.back();
+  const double lower = static_cast<double>(interval) * spins_asked.unit, upper = lower + spins_asked.unit;
+  double between_spins = 0;
+  const auto error = [&](double, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)
+  {
+    const PhaseSamples one = samples_from(interpolated), other = samples_from(exact);
+    between_spins = 0;
+    for (unsigned int i = 0; i < phases().size(); ++i)
+      between_spins = std::max(between_spins, torque_difference(one.sample(i), other.sample(i)));
+    return torque_difference(one.mean(), other.mean());
+  };
+  const auto columns = [&](double omega) -> Eigen::VectorXd
+  { return sampled_at(load, omega, phases()).columns().reshaped(); };
+  CurveTolerance wanted;
+  wanted.wanted = std::max(tolerance, at_rest.error().mean);
+  wanted.enough = std::max(wanted.wanted, 1e-3);
+  wanted.coarsest = largest_allowed.mean;
+  wanted.max_samples = spins_asked.max_samples;
+  wanted.usual_samples = std::min<std::size_t>(9, wanted.max_samples);
+  Interval samples = { AdaptiveCurve({ columns, error }, lower, upper, wanted), {} };
+  const PhaseSamples farthest = samples_from(samples.columns(interval < 0 ? lower : upper));
   const SampleError of_phases = larger(at_rest.error(), farthest.error());
-  // Between spins the load may be off by as much at every phase, but a kink is not at the same spin.
-  samples.error = { of_phases.mean + std::min(between_spins, error_of_halved_spins(samples)),
-                    std::max(of_phases.between, between_spins) };
+  // Between spins the load may be off by more at each phase than in the mean: a kink is not at the same spin.
+  samples.error = { of_phases.mean + samples.columns.error(), std::max(of_phases.between, between_spins) };
   largest_error = larger(largest_error, samples.error);
   require_resolved(phases().size(), largest_error);
   return samples;
@@ -207,19 +183,6 @@ SampleError PhaseSampledLoad::error(double lower, double upper) const
   return error;
 }
 
-double PhaseSampledLoad::error_of_halved_spins(const Samples &samples) const
-{
-  const unsigned int n = samples.spins.size();
-  Samples half = { ChebyshevInterval(samples.spins.node(0), samples.spins.node(n - 1), (n - 1) / 2), {} };
-  for (unsigned int k = 0; k < n; k += 2)
-    half.at_nodes.push_back(samples.at_nodes[k]);
-  double error = 0;
-  for (unsigned int k = 1; k < n; k += 2)
-    error =
-      std::max(error, torque_difference(half.at(samples.spins.node(k)).mean(), samples.at_nodes[k].mean()));
-  return error;
-}
-
 std::pair<double, double> PhaseSampledLoad::polynomial_range(double omega) const
 {
   if (!(spins_asked.unit > 0))
@@ -229,10 +192,10 @@ std::pair<double, double> PhaseSampledLoad::polynomial_range(double omega) const
   return { lower, lower + spins_asked.unit * (1 - 1e-9) };
 }
 
-std::vector<RingStack> PhaseSampledLoad::samples(double omega) const
+std::vector<Sample> PhaseSampledLoad::samples(double omega) const
 {
   const PhaseSamples at = at_spin(omega);
-  std::vector<RingStack> all;
+  std::vector<Sample> all;
   for (unsigned int i = 0; i < phases().size(); ++i)
     all.push_back(at.sample(i));
   return all;
@@ -242,7 +205,7 @@ std::size_t PhaseSampledLoad::n_spins() const
 {
   std::size_t n = 1;
   for (const auto &[interval, samples] : intervals)
-    n += samples.at_nodes.size();
+    n += samples.columns.n_samples();
   return n;
 }
 

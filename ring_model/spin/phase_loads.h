@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ring_model/spin/adaptive_curve.h"
 #include "ring_model/spin/phases.h"
 
 #include <exception>
@@ -34,12 +35,12 @@ struct SpinSampling
 {
   double unit = 0; ///< length of the intervals of spins from 0 on [rad/s]; 0: the load does not depend on the
                    ///< spin
-  unsigned int max_steps = 16; ///< per interval, a power of two
+  unsigned int max_samples = 17; ///< per interval
   std::size_t max_intervals = std::numeric_limits<std::size_t>::max();
 };
 
 /// Load that depends on the phases of glass and table, and possibly on the spin: sampled on one grid of
-/// phases, at rest and on Chebyshev points of each interval of spins that is requested. Interpolation is
+/// phases, at rest and at some spins of each interval of spins that is requested. Interpolation is
 /// trigonometric in the phases and polynomial in the spin.
 class PhaseSampledLoad
 {
@@ -63,45 +64,38 @@ public:
   std::pair<double, double> polynomial_range(double omega) const;
 
   /// The loads at all sampled phases.
-  std::vector<RingStack> samples(double omega) const;
+  std::vector<Sample> samples(double omega) const;
   const PhaseGrids &phases() const { return at_rest.phases(); }
   const PhasePeriods &periods() const { return phase_periods; }
 
   std::size_t n_spins() const; ///< sampled so far; 1 if the load does not depend on the spin
   /// Largest error so far of mean() and at(): PhaseSamples::error() at rest and at the far end of each
-  /// interval, plus the interpolation error in the spin (for the mean, at most the difference to half of the
-  /// spins).
+  /// interval, plus the interpolation error in the spin.
   const SampleError &error() const { return largest_error; }
   /// Returns the same error of the spins from @p lower to @p upper [rad/s], as far as they are sampled.
   SampleError error(double lower, double upper) const;
 
 private:
-  /// Samples on one interval of spins.
-  struct Samples
+  /// Loads at all phases on one interval of spins.
+  struct Interval
   {
-    PhaseSamples at(double omega) const;
-
-    ChebyshevInterval spins;
-    std::vector<PhaseSamples> at_nodes; ///< of the spins
-    SampleError error = {};
+    AdaptiveCurve columns; ///< PhaseSamples::columns(), reshaped
+    SampleError error;
   };
 
   bool varies_with_spin(double omega) const { return spins_asked.unit > 0 && omega != 0; }
   PhaseSamples at_spin(double omega) const;
-  /// Chooses the nodes of an interval and returns their interpolation error, torque_difference(). For a load
-  /// with kinks in the spin, refinement stops below 3e-2 when doubling leaves more than a third of the error.
-  std::pair<ChebyshevInterval, double> find_spins(long interval) const;
-  const Samples &samples_around(double omega) const;
-  Samples samples_of(long interval) const;
-  /// Returns the largest torque_difference() between mean() at every other spin of @p samples and its
-  /// interpolation from the remaining spins.
-  double error_of_halved_spins(const Samples &samples) const;
+  PhaseSamples samples_from(const Eigen::VectorXd &columns) const;
+  const Interval &interval_around(double omega) const;
+  /// Samples an interval by the torque_difference() of mean(). For a load with kinks in the spin, an error of
+  /// 3e-2 is enough.
+  Interval sampled(long interval) const;
 
   const LoadAtPhase load;
   const PhasePeriods phase_periods;
   const PhaseSamples at_rest;
   const SpinSampling spins_asked;
-  mutable std::map<long, Samples> intervals;
+  mutable std::map<long, Interval> intervals;
   mutable std::map<long, std::exception_ptr> failures; ///< of other intervals
   mutable SampleError largest_error;
 };

@@ -51,32 +51,6 @@ Eigen::VectorXd PeriodicGrid::weights(double angle) const
   return values / values.sum();
 }
 
-ChebyshevInterval::ChebyshevInterval(double lower, double upper, unsigned int n_steps)
-    : lower(lower)
-    , upper(upper)
-    , n_steps(n_steps)
-    , spins(n_steps + 1)
-{
-  if (!(lower < upper) || n_steps == 0)
-    throw std::logic_error("an interval of spins has two ends and at least one step");
-  for (unsigned int i = 0; i < size(); ++i)
-    spins(i) = at(i);
-}
-
-double ChebyshevInterval::at(double place) const
-{
-  const double share = (1 - std::cos(pi * place / n_steps)) / 2;
-  return lower * (1 - share) + upper * share;
-}
-
-std::vector<double> ChebyshevInterval::between() const
-{
-  std::vector<double> added;
-  for (unsigned int k = 0; k < n_steps; ++k)
-    added.push_back(at(k + 0.5));
-  return added;
-}
-
 Orientation PhaseGrids::phase(unsigned int i) const
 {
   return { glass.node(node(&PhaseGrids::glass, i)), table.node(node(&PhaseGrids::table, i)) };
@@ -100,7 +74,8 @@ Eigen::VectorXd PhaseGrids::weights(const Orientation &phase) const
   return (of_table * of_glass.transpose()).reshaped();
 }
 
-Eigen::VectorXd PhaseGrids::interpolated(const Eigen::MatrixXd &columns, const Orientation &phase) const
+Eigen::VectorXd PhaseGrids::interpolated(const Eigen::Ref<const Eigen::MatrixXd> &columns,
+                                         const Orientation &phase) const
 {
   const Eigen::VectorXd weights_there = weights(phase);
   Eigen::Index nearest = 0;

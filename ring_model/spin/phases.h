@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ring_model/load/lagrange.h"
 #include "ring_model/load/slip.h"
 #include "ring_model/motion.h"
 #include "ring_model/spin/sample.h"
@@ -49,32 +48,6 @@ private:
   Eigen::ArrayXd cosine, sine; ///< of half the nodes' angles, scaled to a full circle; shape [size()]
 };
 
-/// Chebyshev points on an interval of spins, both ends included, with the polynomial interpolation between
-/// them.
-class ChebyshevInterval
-{
-public:
-  /// n_steps + 1 points on [lower, upper] [rad/s].
-  ChebyshevInterval(double lower, double upper, unsigned int n_steps);
-
-  unsigned int size() const { return n_steps + 1; }
-  double node(unsigned int i) const { return spins(i); }
-  std::vector<double> nodes() const { return { spins.begin(), spins.end() }; }
-  /// Weights of the nodes' values in the interpolant at @p omega. Shape [size()].
-  Eigen::VectorXd weights(double omega) const { return lagrange_values(spins, omega); }
-
-  /// Returns the nodes that refined() adds.
-  std::vector<double> between() const;
-  ChebyshevInterval refined() const { return ChebyshevInterval(lower, upper, 2 * n_steps); }
-
-private:
-  double at(double place) const;
-
-  double lower, upper;
-  unsigned int n_steps;
-  Eigen::VectorXd spins; ///< the nodes
-};
-
 /// Phases of glass and table at which a load is sampled: every node of one angle with every node of the
 /// other, the table's running fastest.
 struct PhaseGrids
@@ -93,7 +66,8 @@ struct PhaseGrids
   /// Weights of the phases in the interpolant at @p phase. Shape [size()].
   Eigen::VectorXd weights(const Orientation &phase) const;
   /// Returns the column interpolated at @p phase from @p columns, one for each phase.
-  Eigen::VectorXd interpolated(const Eigen::MatrixXd &columns, const Orientation &phase) const;
+  Eigen::VectorXd interpolated(const Eigen::Ref<const Eigen::MatrixXd> &columns,
+                               const Orientation &phase) const;
 };
 
 /// Returns the distance of two loads: the largest difference of tau_z over mu N R among the slip ratios 0,

@@ -2,16 +2,15 @@
 
 #include "fem/contact/footprint.h"
 #include "fem/pipeline/analysis/band_changes.h"
-#include "fem/pipeline/analysis/changed_load.h"
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "ring_model/friction_functionals.h"
 #include "ring_model/if_balanced.h"
+#include "ring_model/no_balance.h"
+#include "ring_model/spin/curves.h"
 #include "ring_model/terminal_spin.h"
 
 #include <Eigen/Core>
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,39 +22,31 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Where a study is looked at.
+/// Spins and phases at which a study and its changes are compared.
 struct EvaluationPoints
 {
-  /// Rest, half, once and one and a half times the terminal spin; four close to it if these do not tell the
-  /// slope there.
+  /// Rest, half, once and one and a half times the terminal spin; four close to the terminal spin if these do
+  /// not give the slope there.
   std::vector<double> spins;
-  std::optional<double> first; ///< terminal spin of the first harmonic alone
+  std::optional<double> first; ///< terminal spin of the first harmonic only
   std::vector<ring::Orientation> phases;
-  double spin_scale = 0;   ///< v / R [rad/s]
   bool with_width = false; ///< the width of the contact has a band
 };
 
-/// Torques at one spin [N m]; NaN without a balance.
-struct Torques
-{
-  double friction; ///< tau_z
-  double all;      ///< yaw_torque(), whose zero is the terminal spin
-};
-
-/// Load and torques that are found at EvaluationPoints.
+/// Load and torques at EvaluationPoints. Torques are means over the phases, without the grip.
 struct Evaluation
 {
   LoadReport at_rest;
-  Eigen::Vector3d table_motion; ///< at rest: q_0 [m], q_1 and q_2 [rad]
-  std::vector<Torques> torques; ///< at EvaluationPoints::spins, means over the phases
-  double torque_of_first = 0;   ///< yaw_torque() of the first harmonic, at EvaluationPoints::first
-  double slope_of_first = 0;    ///< its slope [N m s]; of the study's own loads
+  Eigen::Vector3d table_motion;       ///< at rest: q_0 [m], q_1 and q_2 [rad]
+  std::vector<ring::Torques> torques; ///< at EvaluationPoints::spins
+  double torque_of_first = 0;         ///< torque() of the first harmonic at EvaluationPoints::first [N m]
+  double slope_of_first = 0;          ///< slope of that torque [N m s]; of this study's own loads
 };
 
-/// The loads of a study by the phases of EvaluationPoints.
+/// Loads of a study at the phases of EvaluationPoints.
 struct LoadsAtPhases
 {
-  std::vector<BalancedLoad> all, first; ///< first harmonic alone, where it is looked at
+  std::vector<BalancedLoad> all, first; ///< first: first harmonic only; empty without EvaluationPoints::first
 };
 
 LoadsAtPhases loads_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
@@ -71,64 +62,56 @@ LoadsAtPhases loads_of(const Study &study, const std::shared_ptr<ElasticFoot> &f
   return loads;
 }
 
-/// Torques of @p load; with @p gathering those of the same contacts of @p foot when their pressure is
-/// gathered like that.
-Torques torques_of(const BalancedLoad &load, const ElasticFoot &foot, const ring::Motion &motion,
-                   double omega, const std::optional<RingProjection> &ring_projection)
+/// Returns @p loads of the same contacts of @p foot, whose pressure is projected onto other rings.
+LoadsAtPhases projected(LoadsAtPhases loads, const ElasticFoot &foot, const RingProjection &rings)
 {
-  const auto find = [&]
-  {
-    const ring::Sample at_spin = load.at(omega);
-    const auto projected = [&]
+  for (auto *list : { &loads.all, &loads.first })
+    for (BalancedLoad &load : *list)
     {
-      const unsigned int n =
-        load.n_harmonics() < foot.n_harmonics() ? load.n_harmonics() : ring_projection->n_harmonics;
-      return foot.body().project_onto_rings(*load.contact(omega), ring_projection->radii, n);
-    };
-    const double friction = ring_projection ? ring::wrench(motion, projected(), omega).torque
-                                            : ring::wrench(motion, at_spin, omega).torque;
-    return Torques{ friction, friction + at_spin.lean_torque() };
-  };
-  return ring::if_balanced(find).value_or(Torques{ std::nan(""), std::nan("") });
+      const bool is_cut = load.n_harmonics() < foot.n_harmonics();
+      const unsigned int n = is_cut ? load.n_harmonics() : rings.n_harmonics;
+      const auto on_rings = [own = load, &foot, &rings, n](double omega) -> ring::Sample
+      {
+        const ring::Sample at_spin = own.at(omega);
+        return { foot.body().project_onto_rings(*own.contact(omega), rings.radii, n), at_spin.tilt };
+      };
+      load = load.with(ring::Load(on_rings, true));
+    }
+  return loads;
+}
+
+/// Returns the means over the phases of the torques under @p loads at @p spins; NaN without a balance.
+std::vector<ring::Torques> mean_torques(const std::vector<BalancedLoad> &loads, const ring::Motion &motion,
+                                        const std::vector<double> &spins)
+{
+  std::vector<ring::Torques> mean(spins.size());
+  const double share = 1. / static_cast<double>(loads.size());
+  for (const BalancedLoad &load : loads)
+  {
+    const std::vector<ring::Torques> torques = ring::torque_curve(load, { motion }, spins);
+    for (std::size_t i = 0; i < spins.size(); ++i)
+    {
+      mean[i].friction.torque += share * torques[i].friction.torque;
+      mean[i].lean_torque += share * torques[i].lean_torque;
+    }
+  }
+  return mean;
 }
 
 Evaluation evaluate(const LoadsAtPhases &loads, const ElasticFoot &foot, const ring::Motion &motion,
-                    const EvaluationPoints &probe, const std::optional<RingProjection> &ring_projection = {})
+                    const EvaluationPoints &probe)
 {
   Evaluation found = {};
+  const fem::ContactState contact = loads.all.front().contact(0).value();
   found.at_rest = loads.all.front().report();
   if (probe.with_width)
-    if (const fem::PressureMap map = foot.body().pressure_map(*loads.all.front().contact(0));
-        fem::has_cells(map))
+    if (const fem::PressureMap map = foot.body().pressure_map(contact); fem::has_cells(map))
       found.at_rest.contact_width = fem::measures_of(map).widest;
-  found.table_motion = loads.all.front().contact(0).value().solution.motion;
-  found.torques.assign(probe.spins.size(), { 0, 0 });
-  const double share = 1. / static_cast<double>(probe.phases.size());
-  for (const BalancedLoad &load : loads.all)
-    for (std::size_t i = 0; i < probe.spins.size(); ++i)
-    {
-      const Torques torques = torques_of(load, foot, motion, probe.spins[i], ring_projection);
-      found.torques[i].friction += share * torques.friction;
-      found.torques[i].all += share * torques.all;
-    }
-  for (const BalancedLoad &load : loads.first)
-    found.torque_of_first += share * torques_of(load, foot, motion, *probe.first, ring_projection).all;
+  found.table_motion = contact.solution.motion;
+  found.torques = mean_torques(loads.all, motion, probe.spins);
+  if (probe.first)
+    found.torque_of_first = mean_torques(loads.first, motion, { *probe.first }).front().torque();
   return found;
-}
-
-/// Slope of the yaw_torque() of the first harmonic at EvaluationPoints::first, the mean over the phases [N m
-/// s]; NaN without a balance there.
-double slope_of_first(const LoadsAtPhases &loads, const ElasticFoot &foot, const ring::Motion &motion,
-                      const EvaluationPoints &probe)
-{
-  const auto torque = [&](double omega)
-  {
-    double sum = 0;
-    for (const BalancedLoad &load : loads.first)
-      sum += torques_of(load, foot, motion, omega, {}).all;
-    return sum / static_cast<double>(loads.first.size());
-  };
-  return ring::torque_slope(torque, *probe.first, ring::slope_step(*probe.first, probe.spin_scale));
 }
 
 /// The marks of glass and table at equally spaced phases of their periods; one where nothing is out of flat.
@@ -155,28 +138,24 @@ std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const E
 {
   // From the side of rest where the glass tips on the other.
   const auto is_known = [&](std::size_t i)
-  { return std::isfinite(own.torques[i].all) && std::isfinite(found.torques[i].all); };
+  { return std::isfinite(own.torques[i].torque()) && std::isfinite(found.torques[i].torque()); };
   const std::size_t end = is_known(3) ? 3 : 2;
   const bool is_close = probe.spins.size() == 8 && is_known(4) && is_known(5) && is_known(6) && is_known(7);
   const auto slope_of = [&](const Evaluation &at)
   {
     const auto change = [&](std::size_t from, std::size_t to)
-    { return at.torques[to].all - at.torques[from].all; };
+    { return at.torques[to].torque() - at.torques[from].torque(); };
     return is_close ? ring::slope_of_differences(change(5, 6), change(4, 7), probe.spins[6] - probe.spins[2])
                     : change(1, end) / (probe.spins[end] - probe.spins[1]);
   };
   const double slope = std::isfinite(row.terminal->torque_slope) ? row.terminal->torque_slope : slope_of(own);
-  const double moved = -(found.torques[2].all - own.torques[2].all) / slope;
-  constexpr double noise_of_differences = 1e3;
+  const double moved = -(found.torques[2].torque() - own.torques[2].torque()) / slope;
   const SpinNumbers spin = {
-    row.at_rest->friction.torque + (found.torques[0].friction - own.torques[0].friction),
+    row.at_rest->friction.torque + (found.torques[0].friction.torque - own.torques[0].friction.torque),
     { probe.spins[1], probe.spins[3] },
-    { found.torques[1].friction, found.torques[3].friction },
+    { found.torques[1].friction.torque, found.torques[3].friction.torque },
     row.terminal->omega + moved,
-    study.motion.orbit.yaw_inertia / std::abs(slope + (slope_of(found) - slope_of(own))),
-    study.glass.profile.contact_radius,
-    spin_scale(study),
-    noise_of_differences
+    study.motion.orbit.yaw_inertia / std::abs(slope + (slope_of(found) - slope_of(own)))
   };
   std::vector<QuantityOfInterest> quantities =
     quantities_of_interest(study, found.at_rest, found.table_motion, spin);
@@ -184,7 +163,7 @@ std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const E
   {
     const double slope_there = std::isfinite(own.slope_of_first) ? own.slope_of_first : slope;
     const double first_moved = -(found.torque_of_first - own.torque_of_first) / slope_there;
-    const double spin_noise = relative_noise * spin.spin_scale;
+    const double spin_noise = rounding_of_spins(study);
     quantities.push_back({ "omega_first_harmonic", "terminal spin of the first harmonic", "rad/s",
                            *probe.first + first_moved, spin_noise });
     quantities.push_back({ "harmonic_effect", "effect of the harmonics", "rad/s",
@@ -208,47 +187,60 @@ EvaluationPoints probe_of(const Study &study, const ElasticFoot &foot, double om
   probe.phases = phases_of(study, foot);
   probe.with_width = study.table.is_hard() && study.glass.profile.crown_radius > 0 &&
                      abilities(study.contact.body).is_of_revolution;
-  probe.spin_scale = study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
   return probe;
 }
 
 /// Adds the spins of torque_slope() if those farther away do not tell the slope at the terminal spin: near
 /// |omega| = v / R, where the rim rolls on one side and the torque bends sharply, and with lift-off, where
 /// the edges of the contact move across the azimuth lines.
-void add_slope_spins(bool is_full, EvaluationPoints &probe)
+void add_slope_spins(bool is_full, double spin_scale, EvaluationPoints &probe)
 {
   const double omega = probe.spins[2];
-  if (is_full && omega != 0 && 1.5 * std::abs(omega) <= probe.spin_scale)
+  if (is_full && omega != 0 && 1.5 * std::abs(omega) <= spin_scale)
     return;
-  const double step = ring::slope_step(omega, probe.spin_scale);
+  const double step = ring::slope_step(omega, spin_scale);
   probe.spins.insert(probe.spins.end(), { omega - 2 * step, omega - step, omega + step, omega + 2 * step });
 }
 
 /// Returns the loads of a changed foot from few of its contacts: at rest at every phase, and at the terminal
-/// spin at every phase or, of a costly foot, at the first. The spin and the phase matter less to the change
-/// of a load than to the load.
+/// spin at every phase or, of a costly foot, at the first. The change of a load is linear in the spin.
 LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                            const LoadsAtPhases &own, const EvaluationPoints &probe)
+                            const LoadsAtPhases &own_loads, const EvaluationPoints &probe)
 {
-  LoadsAtPhases loads;
-  Eigen::VectorXd per_spin, per_spin_of_first;
-  for (std::size_t i = 0; i < own.all.size(); ++i)
+  const auto changed = [&](const std::vector<BalancedLoad> &before, unsigned int n_harmonics, double omega)
   {
-    const auto add = [&](const BalancedLoad &before, unsigned int n_harmonics, double omega,
-                         Eigen::VectorXd &change_by_spin, std::vector<BalancedLoad> &to)
+    std::vector<BalancedLoad> loads;
+    std::optional<Eigen::VectorXd> per_spin; // of the change; empty without a balance at omega
+    for (const BalancedLoad &own : before)
     {
-      const BalancedLoad changed = find_load_at_phase(study, foot, probe.phases[i], n_harmonics);
-      LoadChange change = change_at_rest(before, changed);
-      if (i == 0 || !is_collective(study))
-        change_by_spin = change_per_spin(before, changed, change, omega);
-      change.per_spin = change_by_spin;
-      to.push_back(changed_load(before, changed, change));
-    };
-    add(own.all[i], all_harmonics, probe.spins[2], per_spin, loads.all);
-    if (probe.first)
-      add(own.first[i], 1, *probe.first, per_spin_of_first, loads.first);
-  }
-  return loads;
+      const BalancedLoad after = find_load_at_phase(study, foot, probe.phases[loads.size()], n_harmonics);
+      const unsigned int n = std::max(own.n_harmonics(), after.n_harmonics());
+      const auto change_at = [&](double spin) -> Eigen::VectorXd
+      { return after.at(spin).coefficients(n) - own.at(spin).coefficients(n); };
+      const Eigen::VectorXd at_rest = change_at(0);
+      const auto find = [&]() -> Eigen::VectorXd
+      {
+        if (omega == 0)
+          return 0 * at_rest;
+        return (change_at(omega) - at_rest) / omega;
+      };
+      if (!per_spin || !is_collective(study))
+        per_spin = ring::if_balanced(find).value_or(Eigen::VectorXd());
+      const auto load = [=, slope = *per_spin](double spin)
+      {
+        if (spin != 0 && slope.size() == 0)
+          throw ring::NoBalance("the changed foot has no balance at the terminal spin");
+        Eigen::VectorXd row = own.at(spin).coefficients(n) + at_rest;
+        if (spin != 0)
+          row += spin * slope;
+        return ring::Sample::from_coefficients(row, own.at(0).rings().size()).truncated(own.n_harmonics());
+      };
+      loads.push_back(after.with(ring::Load(load, true)));
+    }
+    return loads;
+  };
+  return { changed(own_loads.all, all_harmonics, probe.spins[2]),
+           changed(own_loads.first, 1, probe.first.value_or(0)) };
 }
 
 /// The quantities in the contacts of @p foot, that of a change, on the rings of @p own, the study's own with
@@ -280,11 +272,8 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
     const double move = change.compares_over_spins
                           ? max_change_over_spins(key, before, after, change.study.motion.orbit.yaw_inertia)
                           : std::abs(quantity_of(after, key).value - quantity_of(before, key).value);
-    double &part = banded.parts[change.part];
-    const double added =
-      change.is_alternative ? std::max(change.factor * move - part, 0.) : change.factor * move;
-    part += added;
-    banded.band += added;
+    const double known = change.is_alternative ? banded.parts[change.part] : 0.;
+    banded.add(change.part, std::max(change.factor * move - known, 0.));
   }
   bands.erase(std::remove_if(bands.begin(), bands.end(),
                              [](const BandedQuantity &banded) { return !std::isfinite(banded.band); }),
@@ -306,11 +295,24 @@ void widen_parts_of_lines(ErrorBands &bands)
   for (const BandedQuantity *banded : harmonics)
     largest = std::max(largest, banded->parts.at("lines"));
   for (BandedQuantity *banded : harmonics)
-  {
-    const double added = std::max(0., rest_on_more_lines * largest - banded->parts.at("lines"));
-    banded->parts.at("lines") += added;
-    banded->band += added;
-  }
+    banded->add("lines", std::max(0., rest_on_more_lines * largest - banded->parts.at("lines")));
+}
+
+/// Returns the bands of @p quantities that have a value from the solver's tolerances; values that are in @p
+/// reported come from there.
+ErrorBands bands_of_solver(const std::vector<QuantityOfInterest> &quantities,
+                           const std::vector<QuantityOfInterest> &reported)
+{
+  ErrorBands bands;
+  for (QuantityOfInterest quantity : quantities)
+    if (std::isfinite(quantity.value))
+    {
+      for (const QuantityOfInterest &known : reported)
+        if (known.key == quantity.key)
+          quantity.value = known.value;
+      bands.push_back({ quantity, quantity.rounding, quantity.value, { { "solver", quantity.rounding } } });
+    }
+  return bands;
 }
 
 ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const ring::Answer &all,
@@ -321,30 +323,27 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   const ring::Motion &motion = study.motion.orbit;
   const LoadsAtPhases own_loads = loads_of(study, foot, probe);
   const bool is_full = carries_all_round(all, own_loads.all.front().report());
-  add_slope_spins(is_full, probe);
+  add_slope_spins(is_full, spin_unit(study), probe);
   Evaluation own = evaluate(own_loads, *foot, motion, probe);
   if (first)
-    own.slope_of_first = slope_of_first(own_loads, *foot, motion, probe);
+  {
+    const auto torque = [&](double omega)
+    { return mean_torques(own_loads.first, motion, { omega }).front().torque(); };
+    own.slope_of_first = ring::torque_slope(torque, *first, ring::slope_step(*first, spin_unit(study)));
+  }
   std::vector<BandChange> changes = band_changes(study, *foot, own.at_rest, is_full);
   const auto quantities = [&](const Evaluation &found)
   { return quantities_from(found, probe, own, all, study); };
   const std::vector<QuantityOfInterest> unchanged = quantities(own);
-  ErrorBands bands;
-  for (QuantityOfInterest quantity : unchanged)
-    if (std::isfinite(quantity.value))
-    {
-      for (const QuantityOfInterest &known : reported)
-        if (known.key == quantity.key)
-          quantity.value = known.value;
-      bands.push_back({ quantity, quantity.rounding, quantity.value, { { "solver", quantity.rounding } } });
-    }
-
-  const auto projected = std::stable_partition(
+  ErrorBands bands = bands_of_solver(unchanged, reported);
+  const auto with_rings = std::stable_partition(
     changes.begin(), changes.end(), [](const BandChange &change) { return !change.ring_projection; });
-  for (auto change = projected; change != changes.end(); ++change)
-    add_part(*change, unchanged,
-             quantities(evaluate(own_loads, *foot, motion, probe, change->ring_projection)), bands);
-  changes.erase(projected, changes.end());
+  for (auto change = with_rings; change != changes.end(); ++change)
+  {
+    const LoadsAtPhases loads = projected(own_loads, *foot, *change->ring_projection);
+    add_part(*change, unchanged, quantities(evaluate(loads, *foot, motion, probe)), bands);
+  }
+  changes.erase(with_rings, changes.end());
 
   const auto look_at = [&](const BandChange &change, const std::shared_ptr<ElasticFoot> &its_foot)
   { return evaluate(change, its_foot, *foot, own_loads, probe); };
@@ -366,10 +365,7 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   widen_parts_of_lines(bands);
   for (BandedQuantity &banded : bands)
     if (banded.quantity.key == "omega_terminal" && all.spin_uncertainty > 0)
-    {
-      banded.parts["interpolation"] = all.spin_uncertainty;
-      banded.band += all.spin_uncertainty;
-    }
+      banded.add("interpolation", all.spin_uncertainty);
   return bands;
 }
 

@@ -64,20 +64,14 @@ constexpr double marked_share = 0.8;
 
 GoalError error_of(const Study &study, const Discretisation &discretisation, const Executor &executor)
 {
-  const auto error = [&](const Variant &, const std::shared_ptr<ElasticFoot> &foot)
-  {
-    ensure(foot->body().capabilities().glass_period == 0,
-           "Contact/Goal needs a foot whose load does not depend on the direction of the moment, but this "
-           "Contact/Mesh file is not axisymmetric; set Contact/Goal = none.");
-    const BalancedLoad load = find_load(study, foot);
-    const ring::Question question = { study.motion.orbit, study.motion.grip_torque };
-    const double omega = ring::answer(load, question).value().omega_terminal().value();
-    return goal_error(study, *foot, load, omega, study.contact.goal, true);
-  };
-  const auto found =
-    solve(std::vector<Variant>{ { VariantKind::study, "", study, discretisation } }, nullptr, error, executor)
-      .front()
-      .value();
+  const auto foot = foot_of({ VariantKind::study, "", study, discretisation }, nullptr, executor);
+  ensure(foot->body().capabilities().glass_period == 0,
+         "Contact/Goal needs a foot whose load does not depend on the direction of the moment, but this "
+         "Contact/Mesh file is not axisymmetric; set Contact/Goal = none.");
+  const BalancedLoad load = find_load(study, foot);
+  const ring::Question question = { study.motion.orbit, study.motion.grip_torque };
+  const double omega = ring::answer(load, question).value().omega_terminal().value();
+  const auto found = goal_error(study, *foot, load, omega, study.contact.goal, true);
   if (!found)
     throw std::runtime_error(
       "The error of Contact/Goal cannot be estimated in this study: the contact with the hard table is "

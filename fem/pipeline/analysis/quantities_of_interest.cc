@@ -57,16 +57,17 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
   std::vector<QuantityOfInterest> quantities = load_quantities(
     at_rest,
     abilities(contact.body).is_of_revolution ? relative_noise : 1. / contact.resolution.azimuthal_cells);
-  const double torque_noise =
-    relative_noise * study.motion.orbit.friction_at_rest() * at_rest.normal_force * spin.radius;
+  const double torque_noise = relative_noise * study.motion.orbit.friction_at_rest() * at_rest.normal_force *
+                              study.glass.profile.contact_radius;
+  constexpr double noise_of_slopes = 1e3; // relative, over the noise of the torques
   quantities.push_back({ "tau_at_rest", "torque at rest", "N m", spin.torque_at_rest, torque_noise });
   for (std::size_t i = 0; i < spin.spins.size(); ++i)
     quantities.push_back({ "tau_at_spin_" + std::to_string(i + 1), "torque at * rad/s", "N m",
                            spin.torques[i], torque_noise, spin.spins[i] });
   quantities.push_back(
-    { "omega_terminal", "terminal spin", "rad/s", spin.omega_terminal, relative_noise * spin.spin_scale });
+    { "omega_terminal", "terminal spin", "rad/s", spin.omega_terminal, rounding_of_spins(study) });
   quantities.push_back({ "time_constant", "time constant", "s", spin.time_constant,
-                         spin.slope_noise * relative_noise * spin.time_constant });
+                         noise_of_slopes * relative_noise * spin.time_constant });
   const double radius = at_rest.mean_radius,
                move_noise =
                  relative_noise * (std::abs(table_motion(0)) + radius * table_motion.tail<2>().norm());
@@ -82,29 +83,21 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
 }
 
 std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
-                                                   const std::vector<double> &spins,
+                                                   std::vector<double> spins,
                                                    const std::optional<double> &near)
 {
-  const ring::Motion &motion = study.motion.orbit;
-  ring::Question question = { motion };
+  ring::Question question = { study.motion.orbit };
   question.initial_guess = near.value_or(0);
   question.with_slope = true;
-  question.with_minima = false;
-  const ring::Answer row = ring::answer(load, question);
-  terminal_spin_of(row);
-  constexpr double noise_of_differences = 10; // the slope is one by finite differences
-  return quantities_of_interest(
-    study, load.report(), load.contact(0).value().solution.motion,
-    { row.at_rest->friction.torque, spins, friction_torques(ring::torque_curve(load, question, spins)),
-      row.terminal->omega, row.terminal->time_constant, load.report().rings.radius(), load.spin_scale(motion),
-      noise_of_differences });
-}
-
-double terminal_spin_of(const ring::Answer &answer)
-{
-  if (!answer.value().terminal)
-    throw ring::NoBalance(answer.reason + "; a study of refinement needs a terminal spin");
-  return answer.terminal->omega;
+  const ring::Answer row = ring::answer(load, question).value();
+  if (!row.terminal)
+    throw ring::NoBalance(row.reason + "; a study of refinement needs a terminal spin");
+  if (spins.empty())
+    spins = spins_of_interest(row.terminal->omega);
+  return quantities_of_interest(study, load.report(), load.contact(0).value().solution.motion,
+                                { row.at_rest->friction.torque, spins,
+                                  friction_torques(ring::torque_curve(load, question, spins)),
+                                  row.terminal->omega, row.terminal->time_constant });
 }
 
 bool BandedQuantity::is_zero() const

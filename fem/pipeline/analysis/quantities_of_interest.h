@@ -38,6 +38,13 @@ struct BandedQuantity
   double richardson = 0; ///< the value minus the estimated errors of all axes
   std::map<std::string, double> parts = {}; ///< parts of the band by cause: "mesh", "degree", ...
 
+  /// Widens the band, and its part of the cause @p part, by @p half_width.
+  void add(const std::string &part, double half_width)
+  {
+    parts[part] += half_width;
+    band += half_width;
+  }
+
   /// True if the value is zero to rounding (a harmonic that vanishes by symmetry).
   bool is_zero() const;
 };
@@ -56,10 +63,6 @@ struct SpinNumbers
   std::vector<double> torques; ///< tau_z there [N m]
   double omega_terminal = 0;   ///< [rad/s]
   double time_constant = 0;    ///< [s]
-  // Scales of rounding:
-  double radius = 0;      ///< radius of friction [m]
-  double spin_scale = 0;  ///< [rad/s]
-  double slope_noise = 1; ///< relative noise of the time constant over the noise of the torque
 };
 
 /// Returns the quantities of a load: a_n/a_0 and b_n/a_0 (n = 1 ... 8), ring radius, contact fraction,
@@ -74,15 +77,12 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
                                                        const Eigen::Vector3d &table_motion,
                                                        const SpinNumbers &spin);
 
-/// Returns the quantities of interest of a study from its @p load, with the torque at @p spins [rad/s]. @p
-/// near: initial guess of the terminal spin. The load is one of a contact. Throws as @p load and
-/// ring::terminal_spin().
+/// Returns the quantities of interest of a study from its @p load, one of a contact, with the torque at @p
+/// spins [rad/s]; empty: spins_of_interest(). @p near: initial guess of the terminal spin. Throws as @p load
+/// and ring::terminal_spin(), and ring::NoBalance if the glass tips.
 std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
-                                                   const std::vector<double> &spins,
-                                                   const std::optional<double> &near);
-
-/// Returns the terminal spin of @p answer [rad/s]. Throws its failure, and ring::NoBalance if the glass tips.
-double terminal_spin_of(const ring::Answer &answer);
+                                                   std::vector<double> spins = {},
+                                                   const std::optional<double> &near = {});
 
 /// Default spins at which the torque is evaluated: half and one and a half times
 /// the terminal spin @p omega_terminal.

@@ -113,9 +113,13 @@ RefinementSequence assess_convergence(const std::vector<double> &values, AxisKin
   return sequence;
 }
 
-ErrorBands refine(const std::vector<QuantityOfInterest> &own, const std::vector<double> &spins,
-                  std::vector<RefinementAxis> &axes, const Executor &executor, Progress &progress)
+ErrorBands refine(const std::vector<QuantityOfInterest> &own, std::vector<RefinementAxis> &axes,
+                  const Executor &executor, Progress &progress)
 {
+  std::vector<double> spins;
+  for (const QuantityOfInterest &quantity : own)
+    if (quantity.omega)
+      spins.push_back(*quantity.omega);
   const double near = quantity_of(own, "omega_terminal").value;
   std::vector<Variant> open; // levels that are not the study itself
   for (const RefinementAxis &axis : axes)

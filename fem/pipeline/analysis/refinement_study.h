@@ -51,12 +51,11 @@ std::vector<RefinementAxis> refinement_axes(Study study, unsigned int n_levels);
 /// are finite values.
 RefinementSequence assess_convergence(const std::vector<double> &values, AxisKind kind, double rounding);
 
-/// Solves @p axes around the study with the quantities @p own and the torque at @p spins, and returns the
-/// bands of these quantities: the sum over the axes of cells (or the band of the degree, if it has finer
+/// Solves @p axes around the study with the quantities @p own, quantities_of_load(), and returns the bands of
+/// these quantities: the sum over the axes of cells (or the band of the degree, if it has finer
 /// levels and is wider) plus the bands of harmonics and lines. Throws the exception of the first level that
 /// fails, with the level's name.
-ErrorBands refine(const std::vector<QuantityOfInterest> &own, const std::vector<double> &spins,
-                  std::vector<RefinementAxis> &axes, const Executor &executor,
-                  Progress &progress = silent_progress());
+ErrorBands refine(const std::vector<QuantityOfInterest> &own, std::vector<RefinementAxis> &axes,
+                  const Executor &executor, Progress &progress = silent_progress());
 
 } // namespace stemware::pipeline

@@ -107,7 +107,7 @@ std::vector<double> spin_up_of(const ring::Load &load, const ring::Question &que
 
 } // namespace
 
-std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow> &rows)
+CurveOfAll curve_of_all(const Study &study, const std::vector<LoadedRow> &rows)
 {
   constexpr int n_intervals = 120;
   const ring::Answer &all = rows.back().row;
@@ -141,12 +141,14 @@ std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow>
   for (int i = first; i <= n_intervals; ++i)
     spins.push_back(last * i / n_intervals + 0.); // no -0
   std::sort(spins.begin(), spins.end());
-  return spins;
+  return { spins, ring::interpolated_for_curves(*rows.back().load, all, spins.front(), spins.back()) };
 }
 
-StudyCurves find_curves(const Study &study, const RowsOfCurves &rows, const std::vector<double> &spins,
-                        const Executor &executor, double euler_step, const ring::TimeObserver &observer)
+StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, const LoadedRow &paper,
+                        const CurveOfAll &of_all, const Executor &executor, double euler_step,
+                        const ring::TimeObserver &observer)
 {
+  const std::vector<double> &spins = of_all.spins;
   const std::vector<double> times = ring::output_times(study.motion.end_time);
   const ring::Question question = spin_question(study);
   StudyCurves curves;
@@ -154,42 +156,43 @@ StudyCurves find_curves(const Study &study, const RowsOfCurves &rows, const std:
   std::vector<ring::Torques> all, first;
   const auto find_all = [&]
   {
-    const std::optional<ring::Fall> &fall = rows.all->row.fall;
+    const std::optional<ring::Fall> &fall = rows.back().row.fall;
     ring::Question observed = question;
     observed.observer = observer;
-    all = ring::torque_curve(rows.load, question, spins);
-    const std::vector<ring::YawSample> adaptive = ring::spin_up(rows.load, observed, times, fall);
+    all = ring::torque_curve(of_all.load, question, spins);
+    const std::vector<ring::YawSample> adaptive = ring::spin_up(of_all.load, observed, times, fall);
     up.time = times;
     up.adaptive = spins_of(adaptive);
     for (const ring::YawSample &sample : adaptive)
       up.yaw_angle.push_back(sample.yaw_angle);
     if (euler_step > 0)
-      up.euler = spins_of(ring::euler_spin_up(rows.load, observed, times, euler_step, fall));
-    up.instants = ring::instants_of(adaptive, rows.load, question);
+      up.euler = spins_of(ring::euler_spin_up(of_all.load, observed, times, euler_step, fall));
+    up.instants = ring::instants_of(adaptive, of_all.load, question);
   };
   // The curve of the first harmonic is interpolated by its difference to that of all.
   const auto find_first = [&]
   {
-    const auto &[variant, row, load, torques] = *rows.first;
+    const auto &[variant, row, load, torques] = rows.front();
     curves.n_first = row.harmonics;
     if (!load)
       return;
     const ring::Load curve =
-      ring::interpolated_for_curves(*load, row, spins.front(), spins.back(), &rows.load);
+      ring::interpolated_for_curves(*load, row, spins.front(), spins.back(), &of_all.load);
     first = ring::torque_curve(curve, question, spins);
     up.first_harmonic = spin_up_of(curve, question, times, row.fall);
   };
+  const bool has_first = rows.size() > 1;
   executor.for_each(
-    rows.first ? 2 : 1, [&](std::size_t i) { i == 0 ? find_all() : find_first(); }, is_collective(study));
-  if (!rows.first)
+    has_first ? 2 : 1, [&](std::size_t i) { i == 0 ? find_all() : find_first(); }, is_collective(study));
+  if (!has_first)
     up.first_harmonic = up.adaptive;
-  if (const std::optional<ring::Load> &paper = rows.paper->load)
+  if (paper.load)
   {
-    const ring::Question of_paper = spin_question(rows.paper->variant.study);
-    curves.paper = ring::torque_curve(*paper, of_paper, spins);
-    up.paper = spin_up_of(*paper, of_paper, times, rows.paper->row.fall);
+    const ring::Question of_paper = spin_question(paper.variant.study);
+    curves.paper = ring::torque_curve(*paper.load, of_paper, spins);
+    up.paper = spin_up_of(*paper.load, of_paper, times, paper.row.fall);
   }
-  curves.torque = torque_curve(spins, rows.load.spin_scale(study.motion.orbit), all, first, curves.n_first);
+  curves.torque = torque_curve(spins, of_all.load.spin_scale(study.motion.orbit), all, first, curves.n_first);
   return curves;
 }
 
@@ -245,28 +248,22 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   // The curve may meet a fall that the search has stepped over, and that of the next one another.
   constexpr unsigned int max_falls = 8;
   StudyRows solved;
-  std::vector<double> shown;
-  ring::Load curve = load;
+  CurveOfAll curve = { {}, load };
   for (unsigned int i = 0; i <= max_falls; ++i)
   {
     solved = rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth, others);
-    shown = shown_spins(study, solved.by_harmonics);
-    const LoadedRow &all = solved.by_harmonics.back();
-    curve = ring::interpolated_for_curves(load, all.row, shown.front(), shown.back());
-    if (!load.nearest_unbalanced_spin(all.row.last_spin().value_or(0)))
+    curve = curve_of_all(study, solved.by_harmonics);
+    if (!load.nearest_unbalanced_spin(solved.by_harmonics.back().row.last_spin().value_or(0)))
       break;
   }
-  SpinStudy result;
+  const ring::TimeObserver observer = motion_observer(progress);
+  SpinStudy result = { find_curves(study, solved.by_harmonics, solved.others.front(), curve, executor,
+                                   study.motion.euler_step, observer) };
   const bool is_slow = study.load.is_in_balance() && is_collective(study); // each torque takes minutes
   if (depth == Depth::full)
     result.budget = find_budget(study, solved);
-  const ring::TimeObserver observer = motion_observer(progress);
-  const RowsOfCurves rows = { &solved.by_harmonics.back(),
-                              solved.by_harmonics.size() > 1 ? &solved.by_harmonics.front() : nullptr,
-                              &solved.others.front(), curve };
   if (!is_slow)
-    result.terminal_spins = ring::terminal_spins(curve, spin_question(study), rows.all->row);
-  const StudyCurves curves = find_curves(study, rows, shown, executor, study.motion.euler_step, observer);
+    result.terminal_spins = ring::terminal_spins(load, spin_question(study), solved.by_harmonics.back().row);
   for (const LoadedRow &row : solved.by_harmonics)
     result.rows.push_back(row.row);
   if (load.phases())
@@ -276,10 +273,8 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     if (other.variant.kind == VariantKind::one_ring)
       result.one_ring = beside_all(other.row, result.all());
   result.torque_effects = ring::torque_effects(load, study.motion.orbit, result.all(),
-                                               truncation_orders(load.n_harmonics()), &curve);
-  result.curve_error = curve.interpolation_error();
-  result.torque = curves.torque;
-  result.spin_up = curves.spin_up;
+                                               truncation_orders(load.n_harmonics()), &curve.load);
+  result.curve_error = curve.load.interpolation_error();
   result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time, observer);
   if (depth != Depth::full)
     result.budget.harmonics =

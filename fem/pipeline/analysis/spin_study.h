@@ -78,38 +78,6 @@ struct PhaseStudy
   bool least_is_at_rest = true; ///< least_load is the one at rest
 };
 
-/// Results about the spin under a load.
-struct SpinStudy
-{
-  std::vector<ring::Answer> rows;       ///< by harmonics: rows_by_harmonics()
-  std::optional<ring::Answer> one_ring; ///< all harmonics on one ring; std::nullopt if the study has one ring
-  Budget budget;                        ///< without rows for Depth::answer
-  TorqueCurve torque;                   ///< of the first harmonic and of all
-  ring::TorqueEffects torque_effects;   ///< for truncation_orders()
-  SpinUpCurves spin_up;
-  /// ring::terminal_spins() of the last row; empty with waviness, or if a torque takes minutes (a solid body
-  /// in balance at every spin).
-  std::vector<ring::TerminalSpin> terminal_spins;
-  std::optional<PhaseStudy> phases; ///< std::nullopt without waviness
-  /// Interpolation error of the load of the curves over a_0; std::nullopt if the load is exact.
-  std::optional<double> curve_error = {};
-
-  const ring::Answer &all() const { return rows.back(); }
-  /// True for Depth::answer: answer and curves only.
-  bool is_quick() const { return budget.rows.empty(); }
-  /// Returns false for a glass without a moment, whose terminal spin is zero to rounding.
-  bool spins_up() const { return all().relative_change.has_value(); }
-};
-
-/// Returns the half-width of the band of the last spin under the speeds of a file: the error of the
-/// integration and the relative
-/// @p band of the terminal spin [rad/s]; std::nullopt without that band or a spin.
-std::optional<double> driven_band(const SpinStudy &spin, const std::optional<double> &band);
-
-/// Returns the spins of torque_curve(), ascending: from slightly before rest to one and a half times the
-/// fastest terminal spin, or to tipping [rad/s].
-std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow> &rows);
-
 /// Curves of a study: torques over the spin and spin-ups.
 struct StudyCurves
 {
@@ -119,17 +87,48 @@ struct StudyCurves
   unsigned int n_first = 0;         ///< harmonics of the first row
 };
 
-/// Rows of a study's curves.
-struct RowsOfCurves
+/// Results about the spin under a load, with the curves of the first and of all harmonics.
+struct SpinStudy : StudyCurves
 {
-  const LoadedRow *all, *first, *paper; ///< first: nullptr without harmonics beyond it
-  ring::Load load; ///< of all, ring::interpolated_for_curves() between the first and the last spin
+  std::vector<ring::Answer> rows = {}; ///< by harmonics: rows_by_harmonics()
+  std::optional<ring::Answer>
+    one_ring = {};    ///< all harmonics on one ring; std::nullopt if the study has one ring
+  Budget budget = {}; ///< without rows for Depth::answer
+  ring::TorqueEffects torque_effects = {}; ///< for truncation_orders()
+  /// ring::terminal_spins() of the last row; empty with waviness, or if a torque takes minutes (a solid body
+  /// in balance at every spin).
+  std::vector<ring::TerminalSpin> terminal_spins = {};
+  std::optional<PhaseStudy> phases = {}; ///< std::nullopt without waviness
+  /// Interpolation error of the load of the curves over a_0; std::nullopt if the load is exact.
+  std::optional<double> curve_error = {};
+
+  const ring::Answer &all() const { return rows.back(); }
+  /// True for Depth::answer: answer and curves only.
+  bool is_quick() const { return budget.rows.empty(); }
 };
 
-/// Returns the curves of @p rows at @p spins, shown_spins() [rad/s], and over the time of the study. @p
-/// euler_step: longest Euler step [s], 0: none. @p observer: of the spin-up of all. Throws if that is lost.
-StudyCurves find_curves(const Study &study, const RowsOfCurves &rows, const std::vector<double> &spins,
-                        const Executor &executor, double euler_step = 0,
+/// Returns the half-width of the band of the last spin under the speeds of a file: the error of the
+/// integration and the relative
+/// @p band of the terminal spin [rad/s]; std::nullopt without that band or a spin.
+std::optional<double> driven_band(const SpinStudy &spin, const std::optional<double> &band);
+
+/// Load of all harmonics for curves.
+struct CurveOfAll
+{
+  /// Spins of the torque curve, ascending: from slightly before rest to one and a half times the fastest
+  /// terminal spin, or to tipping [rad/s].
+  std::vector<double> spins;
+  ring::Load load; ///< ring::interpolated_for_curves() between the first and the last spin
+};
+
+/// Returns the load of the last of @p rows for curves.
+CurveOfAll curve_of_all(const Study &study, const std::vector<LoadedRow> &rows);
+
+/// Returns the curves of the first and the last of @p rows, rows_by_harmonics(), and of the @p paper's model,
+/// at the spins of @p of_all and over the time of the study. @p euler_step: longest Euler step [s], 0: none.
+/// @p observer: of the spin-up of all harmonics. Throws if the balance of all harmonics is lost.
+StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, const LoadedRow &paper,
+                        const CurveOfAll &of_all, const Executor &executor, double euler_step = 0,
                         const ring::TimeObserver &observer = {});
 
 /// Returns the spin-up under the speeds of Motion/Orbit speed file, with the contact in balance at every

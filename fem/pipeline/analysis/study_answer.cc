@@ -115,13 +115,9 @@ ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes,
 {
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
   const BalancedLoad load = find_load(study, foot);
-  ring::Question question = { study.motion.orbit };
-  question.with_slope = true;
-  const double omega = terminal_spin_of(ring::answer(load, question));
-  const std::vector<double> spins = spins_of_interest(omega);
-  const std::vector<QuantityOfInterest> own = quantities_of_load(study, load, spins, omega);
+  const std::vector<QuantityOfInterest> own = quantities_of_load(study, load);
   progress.stage_done("study");
-  ErrorBands bands = refine(own, spins, axes, executor, progress);
+  ErrorBands bands = refine(own, axes, executor, progress);
   progress.stage_done("levels");
   return bands;
 }

@@ -103,10 +103,9 @@ CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &f
                        Progress &progress)
 {
   const BalancedLoad load = find_load(study, foot, progress);
-  ring::Question question = spin_question(study);
-  question.with_minima = false;
   const std::vector<LoadedRow> rows =
-    rows_by_harmonics(study, foot, load, question, executor, progress, Depth::answer).by_harmonics;
+    rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, Depth::answer)
+      .by_harmonics;
   const LoadReport &report = load.report();
   const std::optional<fem::ContactState> contact = load.contact(0);
   const ring::TorqueEffects effects =

@@ -43,7 +43,6 @@ std::shared_ptr<ElasticFoot> ElasticFoot::clone() const
 void ElasticFoot::predict_from_similar(const ElasticFoot &similar)
 {
   path.predict_from_similar(similar.path, *foot, *similar.foot);
-  n_solved = similar.n_solved;
 }
 
 fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip &slip, Progress &progress,
@@ -73,7 +72,6 @@ fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip
     state = solve_from({ nullptr, start });
   }
   path.append(state);
-  ++*n_solved;
   return state;
 }
 

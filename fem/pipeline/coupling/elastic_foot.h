@@ -5,8 +5,6 @@
 #include "fem/pipeline/coupling/contact_path.h"
 #include "fem/pipeline/coupling/discretisation.h"
 
-#include <atomic>
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -41,12 +39,8 @@ public:
   fem::ContactState solve(fem::ContactDemand demand, const ring::Slip &slip = {},
                           Progress &progress = silent_progress(), const fem::ContactState *before = nullptr);
 
-  /// Predicts initial guesses of contacts from those of @p similar, the foot of a similar study, and shares
-  /// its counter n_contacts().
+  /// Predicts initial guesses of contacts from those of @p similar, the foot of a similar study.
   void predict_from_similar(const ElasticFoot &similar);
-
-  /// Returns the number of contacts solved so far by this foot, its clones and feet predicted from them.
-  std::size_t n_contacts() const { return *n_solved; }
 
   /// Returns solve() at rest; the last result is cached because it is requested often.
   fem::ContactState solve_at_rest(const fem::ContactDemand &demand, const ring::Orientation &marks,
@@ -72,7 +66,6 @@ private:
   bool placed = false; ///< whether set_rings() has been called
   ContactPath path;
   std::optional<fem::ContactState> at_rest; ///< of solve_at_rest()
-  std::shared_ptr<std::atomic<std::size_t>> n_solved = std::make_shared<std::atomic<std::size_t>>(0);
 };
 
 /// Returns @p n_rings Chebyshev points of the band from @p inner to @p outer [m], ascending.

@@ -107,7 +107,7 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
   if (follows)
     spins.unit = balance.motion.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
   if (is_hard)
-    spins.max_steps = is_coarse ? 4 : 8;
+    spins.max_samples = is_coarse ? 5 : 9;
   if (is_coarse)
     spins.max_intervals = 2;
   PhaseExtremes &worst = report.over_phases.emplace(PhaseExtremes{ report.minimum, report.contact_fraction });

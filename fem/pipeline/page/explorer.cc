@@ -181,12 +181,10 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
   const auto row_of = [&](const BalanceNearby &found)
   {
     const double omega = found.spin.omega;
-    ring::Question question = spin_question(present);
-    question.with_minima = false;
     ring::Answer row;
     row.harmonics = found.load.n_harmonics();
     row.terminal = ring::TerminalSpin{ omega, found.spin.slope, std::nan(""), true };
-    row.at_terminal = ring::ring_state(found.load, question, omega);
+    row.at_terminal = ring::ring_state(found.load, spin_question(present), omega);
     row.status = ring::Status::full_contact;
     return row;
   };
@@ -220,7 +218,7 @@ void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, Liv
   if (last)
     foot->set_rings(last->ring_radii(), last->n_harmonics());
   ring::Question question = spin_question(present);
-  question.with_slope = question.with_minima = !last; // a move is to be quick
+  question.with_slope = !last; // a move is to be quick
   if (last)
     question.near = zero;
   const BalancedLoad load = find_load(present, foot);
@@ -244,12 +242,7 @@ std::optional<StudyCurves> Explorer::curves()
 {
   if (rows.empty() || !rows.back().row.last_spin())
     return std::nullopt;
-  const std::vector<double> shown = shown_spins(present, rows);
-  const LoadedRow &all = rows.back();
-  return find_curves(present,
-                     { &all, rows.size() > 1 ? &rows.front() : nullptr, &paper,
-                       ring::interpolated_for_curves(*all.load, all.row, shown.front(), shown.back()) },
-                     shown, executor());
+  return find_curves(present, rows, paper, curve_of_all(present, rows), executor());
 }
 
 Budget Explorer::budget()

@@ -204,7 +204,6 @@ py::tuple answer_about(const py::object &given, const Motion &motion, double gri
   const Load load(interruptible(load_function(given)));
   Question question{ motion, grip_torque };
   question.with_slope = true;
-  question.with_minima = false;
   const Answer found = without_gil([&] { return answer(load, question); });
   if (found.fall && times.empty())
     throw BalanceLost(found.reason, found.fall->omega, true);

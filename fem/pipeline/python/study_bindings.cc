@@ -213,7 +213,6 @@ public:
              const BalancedLoad load = find_load(study, foot);
              ring::Question question = spin_question(study);
              question.grip_torque = 0;
-             question.with_minima = false;
              free = ring::answer(load, question).value();
              curve = ring::interpolated_for_curves(load, free, 0, 1.001 * free.last_spin().value());
              if (start)

@@ -20,7 +20,6 @@ struct SolvedStudy
       , load(pipeline::find_load(study, foot))
   {
     ring::Question question = pipeline::spin_question(study);
-    question.with_minima = false;
     row = ring::answer(load, question).value();
   }
 

@@ -211,7 +211,7 @@ TEST(PhaseSampledLoad, SampleNoMoreIntervalsThanAllowed)
 {
   const PhasePeriods of_glass = { two_pi / 2, 0 };
   const PhaseSamples at_rest = sample_phases(jumping_load(0.1), of_glass, { 16 });
-  const PhaseSampledLoad loads(jumping_load(0.1), of_glass, at_rest, { 3., 16, 2 });
+  const PhaseSampledLoad loads(jumping_load(0.1), of_glass, at_rest, { 3., 17, 2 });
   for (const double omega : { -1., 2., -2. })
     EXPECT_NO_THROW(loads.mean(omega)) << omega;
   EXPECT_THROW(loads.mean(4.), ring::NoBalance);

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace stemware::ring
+{
+/// Costly function of one number x, such as the load against the spin, to be interpolated.
+struct CurveSource
+{
+  std::function<Eigen::VectorXd(double x)> value;
+  /// Size of the error of an interpolated value at x, compared with CurveTolerance.
+  std::function<double(double x, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)> error;
+  std::vector<double> known = {}; ///< x at which value() costs nothing
+  /// x at which the function has a half power (or a logarithm) of the distance, ascending.
+  std::vector<double> kinks = {};
+};
+
+/// Tolerance of a curve, in the unit of CurveSource::error.
+struct CurveTolerance
+{
+  double wanted = 1e-6;   ///< tolerance with up to `usual_samples`
+  double enough = 2e-5;   ///< tolerance with up to four times as many
+  double coarsest = 1e-3; ///< tolerance with `max_samples`
+  std::size_t usual_samples = 20;
+  std::size_t max_samples = 200;
+};
+
+/// Piecewise polynomial interpolation of a costly function, with its error. Pieces end at the kinks, and
+/// where one polynomial would need too many samples.
+class AdaptiveCurve
+{
+public:
+  /// Samples @p source on [@p lower, @p upper]. On each piece, samples are added at Leja points (or nearby
+  /// points where the value is known); each new sample measures the error of the previous polynomial. A piece
+  /// that needs more than 17 samples is halved. The piece with the largest error is refined first, until @p
+  /// tolerance is reached or the samples are used up; error() gives the result. @p source is not kept.
+  AdaptiveCurve(const CurveSource &source, double lower, double upper, const CurveTolerance &tolerance = {});
+
+  /// Returns the interpolated value; exact at the nodes, constant beyond the ends.
+  Eigen::VectorXd operator()(double x) const;
+
+  std::size_t n_pieces() const { return pieces.size(); }
+  /// Ends of the sampled interval.
+  double lower() const { return pieces.front().begin; }
+  double upper() const { return pieces.back().end; }
+  bool covers(double x) const { return lower() <= x && x <= upper(); }
+  /// Number of samples that were not known beforehand.
+  std::size_t n_samples() const { return n_new; }
+  /// Bound on the interpolation error, confirmed by the last samples.
+  double error() const;
+
+private:
+  /// Polynomial in a coordinate in which the function is smooth: next to a kink, the square root of the
+  /// distance to the kink.
+  struct Piece
+  {
+    /// Returns the smooth coordinate, from 0 to 1.
+    double coordinate(double x) const;
+    /// Returns x at a smooth coordinate, the inverse of coordinate().
+    double place(double coordinate) const;
+    Eigen::VectorXd at(double x) const;
+    double error() const;
+    void add(double x, const Eigen::VectorXd &value);
+
+    double begin, end;
+    bool kink_at_begin, kink_at_end;
+    double estimate = 0;             ///< estimate of the interpolation error, from the nodes
+    Eigen::ArrayXd nodes = {};       ///< coordinates of the samples
+    Eigen::ArrayXd barycentric = {}; ///< weights of the nodes in the barycentric formula
+    Eigen::MatrixXd values = {};     ///< shape [size of a value, number of nodes]
+  };
+
+  const Eigen::VectorXd &sample(const CurveSource &source, double x);
+  Piece through_ends(const CurveSource &source, double begin, double end, bool kink_at_begin,
+                     bool kink_at_end);
+  /// Adds a sample at the next Leja point. Its deviation from the previous polynomial measures that
+  /// polynomial's error and bounds the new one's.
+  void refine(const CurveSource &source, Piece &piece);
+  /// Returns the next Leja point (largest product of the distances to all nodes), or a known point whose
+  /// product is not much smaller.
+  double next_place(const Piece &piece) const;
+
+  std::map<double, Eigen::VectorXd> samples; ///< by x
+  std::vector<Piece> pieces;                 ///< ascending
+  std::size_t n_new = 0;                     ///< number of new samples
+};
+} // namespace stemware::ring
