@@ -1,6 +1,8 @@
 #include "fem/pipeline/coupling/balanced_contact.h"
 
+#include "fem/pipeline/base/numbers.h"
 #include "ring_model/friction_functionals.h"
+#include "ring_model/no_balance.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -20,11 +22,22 @@ BalancedContact::BalancedContact(std::shared_ptr<ElasticFoot> foot_given, const 
 {
 }
 
+BalancedContact::BalancedContact(std::shared_ptr<ElasticFoot> foot_given, const ContactBalance &balance,
+                                 const fem::ContactState &at_rest, Progress &progress)
+    : foot(std::move(foot_given))
+    , balance(balance)
+    , one_radius(foot->radius())
+    , before(at_rest)
+    , at_rest(at_rest)
+    , progress(progress)
+{
+}
+
 fem::ContactState BalancedContact::solve(const fem::ContactDemand &demand, double omega)
 {
   const ring::Slip slip = { omega / balance.motion.orbit_speed, balance.orientation };
   before = foot->solve(demand, slip, silent_progress(), before ? &*before : nullptr);
-  ++n_solved;
+  ++counts.n_contact_solutions;
   return *before;
 }
 
@@ -70,11 +83,35 @@ fem::ContactState BalancedContact::contact_on_one_ring(double omega)
   }
 }
 
-fem::ContactState BalancedContact::contact(double omega)
+fem::ContactState BalancedContact::solve_at(double omega)
 {
   if (foot->ring_radii().empty())
     return contact_on_one_ring(omega);
   return solve(demand_at(omega, foot->ring_radii(), 0), omega);
+}
+
+fem::ContactState BalancedContact::contact(double omega)
+{
+  constexpr std::size_t n_latest = 6; // at the terminal spin and the spins asked for next, or of a band
+  if (at_rest && (omega == 0 || !balance.varies_with_spin))
+    return *at_rest;
+  for (const auto &[spin, state] : latest)
+    if (spin == omega)
+      return state;
+  try
+  {
+    latest.emplace_front(omega, solve_at(omega));
+  }
+  catch (const fem::ContactFailure &failure)
+  {
+    if (failure.outcome == fem::ContactOutcome::tipping)
+      throw ring::Tipping(failure.what());
+    throw ring::NoBalance("at " + to_short_text(omega) +
+                          " rad/s no balance was found, and no fall of the glass (" + failure.what() + ")");
+  }
+  if (latest.size() > n_latest)
+    latest.pop_back();
+  return latest.front().second;
 }
 
 ring::Sample BalancedContact::sample_of(const fem::ContactState &state) const
@@ -89,6 +126,19 @@ ring::Sample BalancedContact::sample_of(const fem::ContactState &state) const
     share < 1 ? -std::pow(boost::math::double_constants::pi * (1 - share), 2) / 2 : load.least / load.a(0);
   sample.stability_margin = state.solution.stability_margin;
   return sample;
+}
+
+ring::Sample BalancedContact::sample(double omega)
+{
+  const ring::Sample sample = sample_of(contact(omega));
+  if (omega != 0 && balance.varies_with_spin)
+    progress.pieces_done("spins in balance", ++counts.n_balances, 0);
+  return sample;
+}
+
+std::optional<CouplingStatistics> BalancedContact::statistics() const
+{
+  return balance.varies_with_spin ? std::optional(counts) : std::nullopt;
 }
 
 } // namespace stemware::pipeline

@@ -1,14 +1,17 @@
 #pragma once
 
+#include "fem/pipeline/base/progress.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
+#include "fem/pipeline/coupling/load_report.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/motion.h"
 #include "ring_model/spin/sample.h"
 
-#include <cstddef>
+#include <deque>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace stemware::pipeline
 {
@@ -36,14 +39,22 @@ public:
   /// @p start: contact near the first requested one; std::nullopt: the last contact of the foot.
   BalancedContact(std::shared_ptr<ElasticFoot> foot, const ContactBalance &balance,
                   std::optional<fem::ContactState> start = {});
+  /// @p at_rest: the contact at rest, which is contact() of all spins unless the balance varies with them. @p
+  /// progress, which receives the spins in balance, must outlive the contacts.
+  BalancedContact(std::shared_ptr<ElasticFoot> foot, const ContactBalance &balance,
+                  const fem::ContactState &at_rest, Progress &progress);
 
-  /// Returns the contact at the spin @p omega [rad/s]. Throws fem::ContactFailure.
+  /// Returns the contact at the spin @p omega [rad/s]; the latest contacts are cached. Throws ring::Tipping
+  /// and ring::NoBalance.
   fem::ContactState contact(double omega);
   /// Returns the first ContactBalance::n_harmonics of the load of a contact(), with its tilt if
   /// ContactBalance::tilts, and its margins.
   ring::Sample sample_of(const fem::ContactState &state) const;
+  /// Returns the load of the contact at the spin @p omega. Throws as contact().
+  ring::Sample sample(double omega);
 
-  std::size_t n_contact_solutions() const { return n_solved; }
+  /// Returns the statistics; std::nullopt if the contact does not depend on the spin.
+  std::optional<CouplingStatistics> statistics() const;
 
 private:
   fem::ContactDemand demand_at(double omega, const std::vector<double> &radii, double rotation) const;
@@ -52,13 +63,16 @@ private:
   /// Solves with T of the single ring with the same moment and first harmonic, whose radius is part of the
   /// solution.
   fem::ContactState contact_on_one_ring(double omega);
+  fem::ContactState solve_at(double omega);
 
   const std::shared_ptr<ElasticFoot> foot;
   const ContactBalance balance;
   double one_radius;       ///< radius of the single ring in the previous solution [m]
   double one_rotation = 0; ///< [rad]
-  std::size_t n_solved = 0;
-  std::optional<fem::ContactState> before;
+  CouplingStatistics counts;
+  std::optional<fem::ContactState> before, at_rest;
+  Progress &progress = silent_progress();
+  std::deque<std::pair<double, fem::ContactState>> latest; ///< by spin, newest first
 };
 
 } // namespace stemware::pipeline

@@ -1,9 +1,5 @@
 #include "fem/pipeline/coupling/balanced_load.h"
 
-#include "fem/contact/contact_newton.h"
-#include "fem/pipeline/base/numbers.h"
-#include "ring_model/no_balance.h"
-
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
@@ -29,56 +25,6 @@ std::vector<fem::AzimuthLoad> by_azimuth(std::vector<fem::AzimuthLoad> pointwise
 }
 
 } // namespace
-
-ContactsBySpin::ContactsBySpin(const std::shared_ptr<ElasticFoot> &foot, const ContactBalance &balance,
-                               const fem::ContactState &at_rest, Progress &progress)
-    : contacts(foot, balance, at_rest)
-    , varies_with_spin(balance.varies_with_spin)
-    , at_rest(at_rest)
-    , progress(progress)
-{
-}
-
-fem::ContactState ContactsBySpin::contact(double omega)
-{
-  if (omega == 0 || !varies_with_spin)
-    return at_rest;
-  for (const auto &[spin, state] : latest)
-    if (spin == omega)
-      return state;
-  try
-  {
-    return contacts.contact(omega);
-  }
-  catch (const fem::ContactFailure &failure)
-  {
-    // Rest has a balance: a foot that tips at another spin is a glass that has fallen over.
-    if (failure.outcome == fem::ContactOutcome::tipping)
-      throw ring::Tipping(failure.what());
-    throw ring::NoBalance("at " + to_short_text(omega) +
-                          " rad/s no balance was found, and no fall of the glass (" + failure.what() + ")");
-  }
-}
-
-ring::Sample ContactsBySpin::sample(double omega)
-{
-  constexpr std::size_t n_latest = 6; // at the terminal spin and the spins asked for next, or of a band
-  fem::ContactState state = contact(omega);
-  ring::Sample sample = contacts.sample_of(state);
-  if (omega == 0 || !varies_with_spin)
-    return sample;
-  latest.emplace_front(omega, std::move(state));
-  if (latest.size() > n_latest)
-    latest.pop_back();
-  progress.pieces_done("spins in balance", ++n_balances, 0);
-  return sample;
-}
-
-std::optional<CouplingStatistics> ContactsBySpin::statistics() const
-{
-  return varies_with_spin ? std::optional(CouplingStatistics{ n_balances, contacts.n_contact_solutions() })
-                          : std::nullopt;
-}
 
 BalancedLoad given_load(const ring::RingStack &load, unsigned int n_harmonics)
 {

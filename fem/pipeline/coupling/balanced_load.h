@@ -5,8 +5,6 @@
 #include "fem/pipeline/coupling/load_report.h"
 #include "ring_model/spin/load.h"
 
-#include <cstddef>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -14,37 +12,13 @@
 namespace stemware::pipeline
 {
 
-/// Contacts of an elastic foot by the spin: in balance at every spin, or the contact at rest at all.
-class ContactsBySpin
-{
-public:
-  /// @p at_rest: the contact at rest, whose marks all contacts have. @p progress must outlive the contacts.
-  ContactsBySpin(const std::shared_ptr<ElasticFoot> &foot, const ContactBalance &balance,
-                 const fem::ContactState &at_rest, Progress &progress);
-
-  /// Returns the contact at the spin @p omega; the latest sample()s have theirs at hand. Throws ring::Tipping
-  /// and ring::NoBalance.
-  fem::ContactState contact(double omega);
-  /// Returns the load of the contact at the spin @p omega. Throws as contact().
-  ring::Sample sample(double omega);
-  /// Returns the statistics; std::nullopt if the contact does not depend on the spin.
-  std::optional<CouplingStatistics> statistics() const;
-
-private:
-  BalancedContact contacts;
-  const bool varies_with_spin;
-  const fem::ContactState at_rest;
-  Progress &progress;
-  std::size_t n_balances = 0;
-  std::deque<std::pair<double, fem::ContactState>> latest; ///< newest first
-};
-
 /// Load of a study as a function of the spin, with its contact beside it.
 class BalancedLoad : public ring::Load
 {
 public:
   /// @p at_rest: report on the whole load, not truncated. @p contacts: nullptr for a load without a contact.
-  BalancedLoad(const ring::Load &load, LoadReport at_rest, std::shared_ptr<ContactsBySpin> contacts = nullptr)
+  BalancedLoad(const ring::Load &load, LoadReport at_rest,
+               std::shared_ptr<BalancedContact> contacts = nullptr)
       : ring::Load(load)
       , at_rest(std::move(at_rest))
       , contacts(std::move(contacts))
@@ -69,7 +43,7 @@ public:
 
 private:
   LoadReport at_rest;
-  std::shared_ptr<ContactsBySpin> contacts;
+  std::shared_ptr<BalancedContact> contacts;
 };
 
 /// Returns the constant load @p load, given by a formula, truncated to @p n_harmonics.

@@ -1,11 +1,11 @@
 #include "fem/pipeline/coupling/driven_load.h"
 
-#include "fem/contact/contact_newton.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/base/text.h"
 #include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/no_balance.h"
 
 namespace stemware::pipeline
 {
@@ -21,10 +21,8 @@ auto unless_it_tips(const Solve &solve, const Sentence &sentence)
   {
     return solve();
   }
-  catch (const fem::ContactFailure &failure)
+  catch (const ring::Tipping &)
   {
-    if (failure.outcome != fem::ContactOutcome::tipping)
-      throw;
     throw BadInput(sentence());
   }
 }

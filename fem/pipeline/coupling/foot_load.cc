@@ -33,7 +33,7 @@ BalancedLoad load_at_one_phase(const std::shared_ptr<ElasticFoot> &foot, Contact
                                const fem::ContactState &at_rest, Progress &progress)
 {
   balance.orientation = at_rest.slip.orientation;
-  const auto contacts = std::make_shared<ContactsBySpin>(foot, balance, at_rest, progress);
+  const auto contacts = std::make_shared<BalancedContact>(foot, balance, at_rest, progress);
   const ring::Sample of_rest = contacts->sample(0);
   return { balance.varies_with_spin
              ? ring::Load::solved_once([contacts](double omega) { return contacts->sample(omega); }, of_rest)
@@ -117,7 +117,7 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
     worst.least_contact_fraction = std::min(worst.least_contact_fraction, load.report().contact_fraction);
   }
   return { ring::Load(std::make_shared<ring::PhaseSampledLoad>(exact, periods, samples, spins)), report,
-           std::make_shared<ContactsBySpin>(foot, balance, at_rest, progress) };
+           std::make_shared<BalancedContact>(foot, balance, at_rest, progress) };
 }
 
 /// The contact at rest, on the rings of the study, which the first call chooses.

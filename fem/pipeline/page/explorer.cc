@@ -56,7 +56,7 @@ struct BalanceNearby
 /// Returns the balance of @p study with friction of the load's first @p n_harmonics, on @p foot, whose rings
 /// are chosen, near the spin @p near: by two or three contacts from @p contact, to 1e-8 rad/s. Returns
 /// std::nullopt if the search leaves the neighbourhood or the study is not in balance at every spin. Throws
-/// fem::ContactFailure.
+/// ring::NoBalance.
 std::optional<BalanceNearby> balance_near(const ring::ZeroGuess &near, const fem::ContactState &contact,
                                           const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                           unsigned int n_harmonics)
@@ -206,7 +206,7 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
     zero = all->spin;
     return true;
   }
-  catch (const fem::ContactFailure &)
+  catch (const ring::NoBalance &)
   {
     return false;
   }
