@@ -146,28 +146,32 @@ const PhaseSampledLoad::Interval &PhaseSampledLoad::interval_around(double omega
 PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
 {
   const double lower = static_cast<double>(interval) * spins_asked.unit, upper = lower + spins_asked.unit;
-  double between_spins = 0;
-  const auto error = [&](double, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)
-  {
-    const PhaseSamples one = samples_from(interpolated), other = samples_from(exact);
-    between_spins = 0;
-    for (unsigned int i = 0; i < phases().size(); ++i)
-      between_spins = std::max(between_spins, torque_difference(one.sample(i), other.sample(i)));
-    return torque_difference(one.mean(), other.mean());
-  };
   const auto columns = [&](double omega) -> Eigen::VectorXd
   { return sampled_at(load, omega, phases()).columns().reshaped(); };
-  CurveTolerance wanted;
-  wanted.wanted = std::max(tolerance, at_rest.error().mean);
+  const auto error_of_mean = [&](double, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)
+  { return torque_difference(samples_from(interpolated).mean(), samples_from(exact).mean()); };
+  CurveTolerance wanted; // of the curve before its last sample, which leaves a tenth of it
+  wanted.wanted = 10 * std::max(tolerance, at_rest.error().mean);
   wanted.enough = std::max(wanted.wanted, 1e-3);
-  wanted.coarsest = largest_allowed.mean;
+  wanted.coarsest = std::max(wanted.enough, largest_allowed.mean);
   wanted.max_samples = spins_asked.max_samples;
   wanted.usual_samples = std::min<std::size_t>(9, wanted.max_samples);
-  Interval samples = { AdaptiveCurve({ columns, error }, lower, upper, wanted), {} };
+  Interval samples = { AdaptiveCurve({ columns, error_of_mean }, lower, upper, wanted), {} };
+  // The samples may pass by a kink. The error over the spins is much the same at every phase: one measures
+  // it.
+  constexpr int n_checks = 6;
+  constexpr double safety = 2;
+  double between_spins = 0;
+  for (int i = 0; i < n_checks; ++i)
+  {
+    const double omega = lower + (upper - lower) * (i + 0.5) / n_checks;
+    const Sample interpolated = samples_from(samples.columns(omega)).sample(0);
+    between_spins =
+      std::max(between_spins, safety * torque_difference(interpolated, load(omega, phases().phase(0))));
+  }
   const PhaseSamples farthest = samples_from(samples.columns(interval < 0 ? lower : upper));
   const SampleError of_phases = larger(at_rest.error(), farthest.error());
-  // Between spins the load may be off by more at each phase than in the mean: a kink is not at the same spin.
-  samples.error = { of_phases.mean + samples.columns.error(), std::max(of_phases.between, between_spins) };
+  samples.error = { of_phases.mean + between_spins, std::max(of_phases.between, between_spins) };
   largest_error = larger(largest_error, samples.error);
   require_resolved(phases().size(), largest_error);
   return samples;
