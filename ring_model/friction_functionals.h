@@ -27,29 +27,27 @@ struct FrictionFunctionals
   Wrench operator()(const RingStack &load) const;
 };
 
-/**
- * Friction under @p law on rings that slide with speed v along x and spin with omega about z. The friction on
- * each point of a ring is mu lambda against the slip velocity of the point, (v - omega r sin theta, omega r
- * cos theta):
- *
- *   tau_z = r int mu lambda (v sin theta - omega r) / |v_rel| dtheta
- *
- * and likewise T_x, T_y; a stack sums over its rings. (The paper prints tau_z with the opposite sign;
- * docs/theory/model.md.) All three are linear in lambda, even if mu depends on |v_rel|. For a constant
- * coefficient they are exact to rounding at every slip ratio eps_j = omega r_j / v: with the kernels P_n,
- * K_n, U_n of FrictionKernels, c_n = cos(n pi / 2) and s_n = sin(n pi / 2):
- *
- *   T_x   = -mu sum_j     sum_n   (c_n a_{j,n} + s_n b_{j,n}) U_n(eps_j)
- *   T_y   = -mu sum_j     sum_n n (c_n b_{j,n} - s_n a_{j,n}) P_n(eps_j)
- *   tau_z =  mu sum_j r_j sum_n   (c_n a_{j,n} + s_n b_{j,n}) K_n(eps_j)
- *
- * @param radii  r_j [m].
- * @param n_max  Highest harmonic that counts.
- * @param omega  Spin [rad/s], counter-clockwise positive.
- * @param speed  Sliding speed v >= 0 [m/s].
- * @throws std::invalid_argument if a value is not finite, v < 0, or the rings neither slide nor spin; and as
- * friction_kernels().
- */
+/// Friction under @p law on rings that slide with speed v along x and spin with omega about z. The friction
+/// on each point of a ring is mu lambda against the slip velocity of the point, (v - omega r sin theta, omega
+/// r cos theta):
+///
+///   tau_z = r int mu lambda (v sin theta - omega r) / |v_rel| dtheta
+///
+/// and likewise T_x, T_y; a stack sums over its rings. (The paper prints tau_z with the opposite sign;
+/// docs/theory/model.md.) All three are linear in lambda, even if mu depends on |v_rel|. For a constant
+/// coefficient they are exact to rounding at every slip ratio eps_j = omega r_j / v: with the kernels P_n,
+/// K_n, U_n of FrictionKernels, c_n = cos(n pi / 2) and s_n = sin(n pi / 2):
+///
+///   T_x   = -mu sum_j     sum_n   (c_n a_{j,n} + s_n b_{j,n}) U_n(eps_j)
+///   T_y   = -mu sum_j     sum_n n (c_n b_{j,n} - s_n a_{j,n}) P_n(eps_j)
+///   tau_z =  mu sum_j r_j sum_n   (c_n a_{j,n} + s_n b_{j,n}) K_n(eps_j)
+///
+/// @param radii  r_j [m].
+/// @param n_max  Highest harmonic that counts.
+/// @param omega  Spin [rad/s], counter-clockwise positive.
+/// @param speed  Sliding speed v >= 0 [m/s].
+/// @throws std::invalid_argument if a value is not finite, v < 0, or the rings neither slide nor spin; and as
+/// friction_kernels().
 FrictionFunctionals friction_functionals(const FrictionLaw &law, const std::vector<double> &radii,
                                          unsigned int n_max, double omega, double speed);
 
@@ -68,15 +66,13 @@ Wrench wrench(const FrictionLaw &law, const RingStack &load, const Eigen::Vector
 /// Returns the friction on @p load under Coulomb's law. Throws as friction_functionals().
 Wrench coulomb_wrench(double mu, const RingStack &load, double omega, double speed);
 
-/**
- * Torque tau_z of friction on one load at one spin, with the load cut after n harmonics:
- *
- *     const TorqueByHarmonics torque(motion, load, omega);
- *     torque.change(2); // effect of the second harmonic on tau_z [N m]
- *
- * tau_z(n) = sum_{k <= n} tau_k, where tau_k is the share of harmonic k of all rings. No balance is solved
- * again. An n above the highest harmonic of the load stands for the whole load.
- */
+/// Torque tau_z of friction on one load at one spin, with the load cut after n harmonics:
+///
+///     const TorqueByHarmonics torque(motion, load, omega);
+///     torque.change(2); // effect of the second harmonic on tau_z [N m]
+///
+/// tau_z(n) = sum_{k <= n} tau_k, where tau_k is the share of harmonic k of all rings. No balance is solved
+/// again. An n above the highest harmonic of the load stands for the whole load.
 class TorqueByHarmonics
 {
 public:

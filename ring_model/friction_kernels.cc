@@ -10,45 +10,43 @@ namespace stemware::ring
 {
 namespace
 {
-/// One pair of the recurrence: the scaled Laplace coefficient q_n = eps^-n Q_n and the difference g_n =
-/// q_{n-1} - q_n.
+/// Unknowns of the recurrence at n: scaled Laplace coefficient q_n = eps^-n Q_n and difference g_n = q_{n-1}
+/// - q_n.
 struct Pair
 {
   double q;
   double g;
 };
 
-/// The pair at n = 1 from Legendre's integrals B and D of modulus eps: g_1 = 4 B, q_1 = 4 D.
+/// Returns the pair at n = 1 from Legendre's integrals B and D of modulus eps: g_1 = 4 B, q_1 = 4 D.
 Pair first_pair(double complement)
 {
   if (complement <= 0.)
-    return { 0., 4. }; // |eps| = 1: only (1 - eps^2) q_n occurs in the kernels, and it vanishes there
+    return { 0., 4. }; // |eps| = 1: the kernels contain only (1 - eps^2) q_n, which vanishes
   return { 4. / 3. * boost::math::ellint_rd(0., complement, 1.),
            4. / 3. * complement * boost::math::ellint_rd(0., 1., complement) };
 }
 
-/// Step n+1 -> n, n >= 1: positive terms only.
+/// Returns the pair at n from @p above, the pair at n + 1, for n >= 1. All terms are positive.
 Pair step_down(const Pair &above, unsigned int n, double eps_squared, double complement)
 {
-  // Written so that the division waits for nothing: the latency of this step is most of the cost near |eps|
-  // = 1.
+  // No operation waits for the division: the latency of this step is most of the cost near |eps| = 1.
   const double inverse = 1. / (2. * n - 1.), feed = complement * inverse;
   return { above.q + above.g, ((2. * n + 1.) * inverse * eps_squared + feed) * above.g + feed * above.q };
 }
 
-/// Step n -> n+1, for n (1 - eps^2) small, where the difference loses nothing.
+/// Returns the pair at n + 1 from @p below, the pair at n, for small n (1 - eps^2), where the difference does
+/// not cancel.
 Pair step_up(const Pair &below, unsigned int n, double eps_squared, double complement)
 {
   const double g = ((2. * n - 1.) * below.g - complement * below.q) / ((2. * n + 1.) * eps_squared);
   return { below.q - g, g };
 }
 
-/**
- * Pairs n = 1...@p n_max, written to q = values[3 n], g = values[3 n + 1]; returns the pair of n_max + 1.
- *
- * Upwards, rounding errors grow like eps^{-2n}: harmless close to |eps| = 1. Elsewhere the recurrence runs
- * downwards from far enough above that its arbitrary start has died out, and the first pair sets the scale.
- */
+/// Pairs n = 1...@p n_max, written to q = values[3 n], g = values[3 n + 1]; returns the pair of n_max + 1.
+///
+/// Upwards, rounding errors grow like eps^{-2n}: harmless close to |eps| = 1. Elsewhere the recurrence runs
+/// downwards from far enough above that its arbitrary start has died out, and the first pair sets the scale.
 Pair fill_pairs(double *values, unsigned int n_max, const Pair &first, double eps, double complement)
 {
   const double eps_squared = eps * eps;
@@ -79,7 +77,7 @@ Pair fill_pairs(double *values, unsigned int n_max, const Pair &first, double ep
     pair = step_down(pair, n, eps_squared, complement);
     store(n, pair);
   }
-  const double scale = first.q / pair.q; // pair is that of n = 1 now, also for n_max = 0
+  const double scale = first.q / pair.q; // `pair` is now the pair at n = 1, also for n_max = 0
   for (unsigned int k = 1; k <= n_max; ++k)
     store(k, { values[3 * k] * scale, values[3 * k + 1] * scale });
   return { beyond.q * scale, beyond.g * scale };
@@ -111,8 +109,8 @@ FrictionKernels::FrictionKernels(double rim_speed, double speed, unsigned int n_
 void FrictionKernels::evaluate_slow_spin(double eps, double complement, bool divided)
 {
   const double eps_squared = eps * eps;
-  // The pairs wait in P's and K's places of `values` until the kernels take these; `beyond` is that of n_max
-  // + 1.
+  // `values` stores the pairs in the positions of P and K until the kernels are computed. `beyond` is the
+  // pair at n_max + 1.
   const Pair first = first_pair(complement);
   const Pair beyond = fill_pairs(values.data(), highest, first, eps, complement);
 

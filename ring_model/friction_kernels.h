@@ -4,33 +4,29 @@
 
 namespace stemware::ring
 {
-/**
- * Friction kernels of a sliding and spinning ring for one slip ratio and n = 0...n_max:
- *
- *   P_n(eps) = int_0^{2 pi} sqrt(1 + eps^2 - 2 eps cos psi) cos(n psi) dpsi,
- *   K_n(eps) = -P_n'(eps)               (torque),
- *   U_n(eps) = P_n(eps) - eps P_n'(eps) (drag).
- *
- * eps = omega R / v is the rim speed over the sliding speed, any real number including |eps| = 1 and infinity
- * (v = 0). All three are dimensionless. Every value comes from sums of positive terms, so that a kernel keeps
- * its relative precision however small it is (except where K_n or U_n passes through zero, next to |eps| =
- * 1). Derivation: docs/theory/kernels.md.
- *
- *     const FrictionKernels kernels(omega * radius, v, load.n_harmonics()); // [m/s]
- *     kernels.K(1);                                                        // torque of the first harmonic
- */
+/// Friction kernels of a sliding and spinning ring for one slip ratio and n = 0...n_max:
+///
+///   P_n(eps) = int_0^{2 pi} sqrt(1 + eps^2 - 2 eps cos psi) cos(n psi) dpsi,
+///   K_n(eps) = -P_n'(eps)               (torque),
+///   U_n(eps) = P_n(eps) - eps P_n'(eps) (drag).
+///
+/// eps = omega R / v is the rim speed over the sliding speed, any real number including |eps| = 1 and
+/// infinity (v = 0). All three are dimensionless. Every value comes from sums of positive terms, so that a
+/// kernel keeps its relative precision however small it is (except where K_n or U_n passes through zero, next
+/// to |eps| = 1). Derivation: docs/theory/kernels.md.
+///
+///     const FrictionKernels kernels(omega * radius, v, load.n_harmonics()); // [m/s]
+///     kernels.K(1);                                                        // torque of the first harmonic
 class FrictionKernels
 {
 public:
-  /**
-   * Kernels at eps = rim_speed / speed.
-   *
-   * @param rim_speed omega R [m/s], signed: positive for a counter-clockwise spin.
-   * @param speed     Sliding speed v >= 0 of the ring's centre [m/s]. Not both may be zero: without slip
-   * there is no direction of friction.
-   * @param n_max     Highest harmonic.
-   * @throws std::invalid_argument if a speed is not finite, v < 0, or both are zero.
-   */
+  /// Kernels at eps = rim_speed / speed.
+  ///
+  /// @param rim_speed omega R [m/s], signed: positive for a counter-clockwise spin.
+  /// @param speed     Sliding speed v >= 0 of the ring's centre [m/s]. Not both may be zero: without slip
+  /// there is no direction of friction.
+  /// @param n_max     Highest harmonic.
+  /// @throws std::invalid_argument if a speed is not finite, v < 0, or both are zero.
   FrictionKernels(double rim_speed, double speed, unsigned int n_max);
 
   /// Returns the highest computed harmonic.
@@ -46,10 +42,8 @@ public:
   double U(unsigned int n) const { return values[3 * n + 2]; }
 
 private:
-  /**
-   * Fills `values` with the kernels for 0 <= eps <= 1; @p complement is 1 - eps^2 without cancellation. With
-   * @p divided, P_n / eps replaces P_n for n >= 1: finite at eps = 0, as apply_duality() requires.
-   */
+  /// Fills `values` with the kernels for 0 <= eps <= 1; @p complement is 1 - eps^2 without cancellation. With
+  /// @p divided, P_n / eps replaces P_n for n >= 1: finite at eps = 0, as apply_duality() requires.
   void evaluate_slow_spin(double eps, double complement, bool divided);
 
   /// Converts the kernels (divided) of 1/eps to the kernels of eps = 1 / @p inverse > 1.

@@ -39,7 +39,7 @@ bool StribeckLaw::is_constant() const
 
 namespace
 {
-/// Slip of the ring's points, psi measured from the point where it is least.
+/// Slip along the ring; psi is the azimuth from the point of minimum slip.
 struct SlipField
 {
   double rim;   ///< |omega| R [m/s]
@@ -52,15 +52,15 @@ struct SlipField
   }
 };
 
-/// Places on half the rim, psi measured from the point of least slip, with the weights of their sum.
+/// Quadrature points psi on half the rim, measured from the point of minimum slip, and their weights.
 struct HalfRim
 {
   Eigen::ArrayXd psi;
   Eigen::ArrayXd weight;
 };
 
-/// The trapezoidal rule: errors fall exponentially with the number of places where the slip vanishes nowhere
-/// near.
+/// Returns the trapezoidal rule. Its error decreases exponentially with the number of points unless the slip
+/// nearly vanishes somewhere.
 HalfRim even_places(unsigned int n_intervals)
 {
   HalfRim places{ Eigen::ArrayXd::LinSpaced(n_intervals + 1, 0., pi),
@@ -70,7 +70,8 @@ HalfRim even_places(unsigned int n_intervals)
   return places;
 }
 
-/// The midpoint rule on the same intervals: its mean with the trapezoidal rule is that of twice as many.
+/// Returns the midpoint rule on the same intervals. Its mean with the trapezoidal rule is the trapezoidal
+/// rule with twice as many intervals.
 HalfRim places_between(unsigned int n_intervals)
 {
   const double half = 0.5 * pi / n_intervals;
@@ -78,8 +79,8 @@ HalfRim places_between(unsigned int n_intervals)
            Eigen::ArrayXd::Constant(n_intervals, pi / n_intervals) };
 }
 
-/// Gauss rules on panels of y, psi = width sinh y, which spread the neighbourhood of the least slip; no panel
-/// is longer than @p longest in psi. A width of 0: panels of psi.
+/// Returns Gauss rules on panels of y, psi = width sinh y, which resolve the neighbourhood of the minimum
+/// slip. No panel is longer than @p longest in psi. A width of 0 gives panels of psi.
 HalfRim clustered_places(double width, unsigned int n_panels, double longest)
 {
   using Rule = boost::math::quadrature::gauss<double, 20>;
@@ -109,7 +110,7 @@ HalfRim clustered_places(double width, unsigned int n_panels, double longest)
   return places;
 }
 
-/// Integrals over the rim of friction per unit of load: row n is that of harmonic n, columns torque over r,
+/// Returns the integrals of friction over the rim per unit of load: row n for harmonic n, columns torque / r,
 /// drag, side.
 Eigen::ArrayX3d law_kernels(const FrictionLaw &law, const SlipField &slip, const HalfRim &places,
                             unsigned int n_max)
@@ -126,7 +127,7 @@ Eigen::ArrayX3d law_kernels(const FrictionLaw &law, const SlipField &slip, const
   const Eigen::ArrayXd drag = per_slip * ((slip.speed - slip.rim) + 2. * slip.rim * half_sine);
   const Eigen::ArrayXd side = per_slip * slip.rim * sine_of_psi;
   Eigen::ArrayX3d kernels(n_max + 1, 3);
-  // cos n psi and sin n psi by their recurrence.
+  // Recurrence for cos n psi and sin n psi.
   const Eigen::ArrayXd twice = 2. - 4. * half_sine;
   Eigen::ArrayXd cosine = Eigen::ArrayXd::Ones(places.psi.size()), cosine_before = 0.5 * twice;
   Eigen::ArrayXd sine = Eigen::ArrayXd::Zero(places.psi.size()), sine_before = -sine_of_psi;
@@ -141,7 +142,7 @@ Eigen::ArrayX3d law_kernels(const FrictionLaw &law, const SlipField &slip, const
   return kernels;
 }
 
-/// law_kernels() on ever more places.
+/// Returns law_kernels(), with the number of points doubled until convergence.
 Eigen::ArrayX3d converged_kernels(const FrictionLaw &law, const SlipField &slip, unsigned int n_max)
 {
   constexpr unsigned int max_doublings = 8;
@@ -152,7 +153,7 @@ Eigen::ArrayX3d converged_kernels(const FrictionLaw &law, const SlipField &slip,
   const unsigned int n_even = 32 + n_max;
   const auto clustered = [&](unsigned int level)
   {
-    // 20 points of Gauss for at most two waves of the highest harmonic.
+    // 20 Gauss points for at most two waves of the highest harmonic.
     const unsigned int factor = 1u << level;
     return clustered_places(
       width, factor * (2 + static_cast<unsigned int>(width > 0. ? std::asinh(pi / width) : 1.)),
@@ -194,7 +195,7 @@ Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, doubl
     return law.coefficient(0.) * kernels;
   }
   kernels = converged_kernels(law, { std::abs(rim_speed), speed }, n_max);
-  // The other sense is the mirror image: theta = sense 90 deg + psi.
+  // A spin of the other sense is the mirror image: theta = sense 90 deg + psi.
   if (rim_speed < 0.)
     for (unsigned int n = 0; n <= n_max; ++n)
       kernels.row(n) *=

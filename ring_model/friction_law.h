@@ -23,10 +23,8 @@ public:
   virtual bool is_constant() const { return false; }
 };
 
-/**
- * Stribeck's law: mu = kinetic + (static - kinetic) exp(-(|v_rel| / decay_speed)^decay_exponent) + viscous
- * |v_rel|. Exponent 1 is Tustin's form, 2 the usual one.
- */
+/// Stribeck's law: mu = kinetic + (static - kinetic) exp(-(|v_rel| / decay_speed)^decay_exponent) + viscous
+/// |v_rel|. Exponent 1 is Tustin's form, 2 the usual one.
 class StribeckLaw : public FrictionLaw
 {
 public:
@@ -64,15 +62,13 @@ public:
 /// Returns the friction law of @p motion.
 StribeckLaw friction_law_of(const Motion &motion);
 
-/**
- * Returns the integrals over a ring of friction under @p law per unit of load, for a ring whose rim turns
- * with
- * @p rim_speed = omega r [m/s] and slides with @p speed [m/s]. Shape [n_max + 1, 3], the columns torque over
- * r, drag and side: mu (K_n, U_n, -n P_n) by the exact FrictionKernels for a constant coefficient, else by
- * quadrature of all harmonics at once, refined until the columns agree to 1e-12 of the largest value.
- * docs/theory/friction_laws.md.
- *
- * @throws std::invalid_argument as FrictionKernels, std::runtime_error if the refinement does not end.
- */
+/// Returns the integrals over a ring of friction under @p law per unit of load, for a ring whose rim turns
+/// with
+/// @p rim_speed = omega r [m/s] and slides with @p speed [m/s]. Shape [n_max + 1, 3], the columns torque over
+/// r, drag and side: mu (K_n, U_n, -n P_n) by the exact FrictionKernels for a constant coefficient, else by
+/// quadrature of all harmonics at once, refined until the columns agree to 1e-12 of the largest value.
+/// docs/theory/friction_laws.md.
+///
+/// @throws std::invalid_argument as FrictionKernels, std::runtime_error if the refinement does not end.
 Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, double speed, unsigned int n_max);
 } // namespace stemware::ring

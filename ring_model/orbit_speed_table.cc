@@ -17,8 +17,8 @@ namespace stemware::ring
 {
 namespace
 {
-/// Adds two points to every interval of a polygon, the @p share of its length away from the ends: the cubic
-/// through all is the polygon except so close to its corners.
+/// Adds two points to every interval of a polygon, at the fraction @p share of the interval from either end.
+/// The cubic through all points then deviates from the polygon only near the corners.
 void refine(std::vector<double> &times, std::vector<double> &speeds, double share)
 {
   std::vector<double> t{ times[0] }, v{ speeds[0] };

@@ -7,20 +7,16 @@
 
 namespace stemware::ring
 {
-/**
- * Orbit speed v(t) from a table, interpolated by the monotone cubic of Fritsch and Carlson (SIAM J. Numer.
- * Anal. 17 (1980) 238): values stay within the range of the two neighbouring entries, and the acceleration
- * dv/dt is continuous. At the first and the last entry dv/dt is that of the straight line to the neighbour.
- * Fewer than four entries are joined by straight lines.
- */
+/// Orbit speed v(t) from a table, interpolated by the monotone cubic of Fritsch and Carlson (SIAM J. Numer.
+/// Anal. 17 (1980) 238): values stay within the range of the two neighbouring entries, and the acceleration
+/// dv/dt is continuous. At the first and the last entry dv/dt is that of the straight line to the neighbour.
+/// Fewer than four entries are joined by straight lines.
 class OrbitSpeedTable
 {
 public:
-  /**
-   * @param times  Increasing times [s], at least two.
-   * @param speeds Speeds v >= 0 at these times [m/s]: 0 at the beginning only, while the hand rests.
-   * @throws std::invalid_argument naming the entry that is not allowed.
-   */
+  /// @param times  Increasing times [s], at least two.
+  /// @param speeds Speeds v >= 0 at these times [m/s]: 0 at the beginning only, while the hand rests.
+  /// @throws std::invalid_argument naming the entry that is not allowed.
   OrbitSpeedTable(std::vector<double> times, std::vector<double> speeds);
 
   /// Returns the table with its entries joined by straight lines, to measure the effect of the interpolation;

@@ -35,7 +35,7 @@ RingEquilibrium SelfConsistentRing::at(double omega) const
   for (int i = 0; i < 2; ++i)
     jacobian.col(i) = (residual(moment + scale * Eigen::Vector2d::Unit(i)) - change) / scale;
   const Eigen::Matrix2d inverse = jacobian.inverse();
-  for (int pass = 0; pass < 2; ++pass) // the second removes rounding
+  for (int pass = 0; pass < 2; ++pass) // the second pass removes rounding errors
   {
     moment -= inverse * change;
     change = residual(moment);

@@ -14,11 +14,9 @@ struct RingEquilibrium
   double moment_ratio; ///< m = |M_N| / (N R / 2)
 };
 
-/**
- * Ring with a first-harmonic load whose load, friction and hand force satisfy all balances at once: T enters
- * M_N, M_N enters lambda, lambda enters T. Exact for a linear support in full contact, formal (negative load)
- * for m > 1. docs/theory/closures.md.
- */
+/// Ring with a first-harmonic load whose load, friction and hand force satisfy all balances at once: T enters
+/// M_N, M_N enters lambda, lambda enters T. Exact for a linear support in full contact, formal (negative
+/// load) for m > 1. docs/theory/closures.md.
 class SelfConsistentRing
 {
 public:

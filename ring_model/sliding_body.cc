@@ -14,9 +14,9 @@ namespace stemware::ring
 {
 namespace
 {
-/// Calls add(r, weight) for the 40-point Gauss rule on [lower, upper] with points gathered at both ends: r
-/// runs as a polynomial of t with three vanishing derivatives there, so that a root of the distance, and x ln
-/// x, become smooth.
+/// Calls add(r, weight) for a 40-point Gauss rule on [lower, upper] with points clustered at both ends. r is
+/// a polynomial of t whose first three derivatives vanish there, so that square-root and x ln x singularities
+/// become smooth.
 template <typename Add>
 void points_gathered_at_ends(double lower, double upper, const Add &add)
 {
@@ -105,7 +105,7 @@ double SlidingBody::mean_power(double exponent) const
 Wrench SlidingBody::friction(double limit, double speed, double omega) const
 {
   require_positive(limit, "the friction mu N", "N");
-  // Averages over the weight of the kernels of n = 0, the torque's times r.
+  // Weighted means of the kernels for n = 0, for the torque multiplied by r.
   double drag = 0., torque = 0.;
   for (const WeightedRing &one : rings(omega == 0. ? HUGE_VAL : speed / std::abs(omega)))
   {

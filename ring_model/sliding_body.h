@@ -35,11 +35,9 @@ public:
   /// non-negative and not zero everywhere.
   static SlidingBody with_pressure(Pressure pressure, double inner_radius, double outer_radius);
 
-  /**
-   * Returns the rings that represent the body if the radius @p still = v / |omega| [m] contains a point at
-   * rest: Gauss nodes, clustered at the two radii of the body and on both sides of @p still, because friction
-   * is singular there (like x ln x); integrals over an annulus are then exact to rounding.
-   */
+  /// Returns the rings that represent the body if the radius @p still = v / |omega| [m] contains a point at
+  /// rest: Gauss nodes, clustered at the two radii of the body and on both sides of @p still, because
+  /// friction is singular there (like x ln x); integrals over an annulus are then exact to rounding.
   std::vector<WeightedRing> rings(double still) const;
 
   /// Outer radius [m].

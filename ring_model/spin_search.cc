@@ -14,26 +14,28 @@ namespace stemware::ring
 {
 namespace
 {
-// Lengths are in units of the spin scale v / R, on which the torque of friction varies.
+// Spins are in units of the spin scale v / R, on which the friction torque varies.
 constexpr double farthest = 64.;       ///< end of the search
 constexpr double first_step = 1. / 4.; ///< first spin without an initial guess
-/// Accuracy of BalanceLost::last_spin: width of an interval that is not bisected further.
+/// Minimum width of a bisected interval: accuracy of BalanceLost::last_spin.
 constexpr double shortest_interval = 1. / 4096.;
-constexpr double scan_step = 1. / 16.;     ///< of a scan: two zeros closer together may be missed
-constexpr double rounding_distance = 1e-6; ///< of two samples: a smaller one leaves a difference of rounding
-/// Least distance of two samples whose stability margins tell a slope: before the end of the balance, and on
-/// the way to a zero.
+constexpr double scan_step = 1. / 16.;     ///< step of a scan: two zeros closer together may be missed
+constexpr double rounding_distance = 1e-6; ///< minimum distance of two samples whose difference exceeds
+                                           ///< rounding
+/// Minimum distance of two samples whose stability margins give a slope: in front of the end of the balance,
+/// and on the way to a zero.
 constexpr double margin_distance = 1. / 1024., margin_distance_on_the_way = 1. / 8192.;
-constexpr double neighbourhood = 1. / 10.; ///< of a similar torque's zero; beyond, the search starts at rest
+constexpr double neighbourhood = 1. / 10.; ///< distance from a similar torque's zero up to which its zero is
+                                           ///< a start; otherwise the search starts at rest
 constexpr double least_size = 1e-3;        ///< spin below which the tolerance is absolute
 
-/// Ratio of the slope at the zero to the mean slope up to there, or its inverse, beyond which the torque
-/// bends so much that an earlier zero may lie between the samples.
+/// Maximum ratio, or inverse ratio, of the slope at the zero to the mean slope up to there. Beyond it the
+/// torque bends so much that an earlier zero may lie between the samples.
 constexpr double steepness_ratio = 16.;
-constexpr unsigned int max_evaluations = 200; ///< of one search: a guard against a search that cycles
+constexpr unsigned int max_evaluations = 200; ///< per search, against cycles
 constexpr double unsteady = 0.9;              ///< stability margin below which the balance may end nearby
 
-/// Throws BalanceLost with @p failure, a NoBalance just beyond the spin @p last, nested.
+/// Throws BalanceLost with the nested exception @p failure, a NoBalance just beyond the spin @p last.
 [[noreturn]] void throw_balance_lost(const std::exception_ptr &failure, double last)
 {
   try
@@ -48,8 +50,7 @@ constexpr double unsteady = 0.9;              ///< stability margin below which 
   }
 }
 
-/// The search from rest in the direction in which the glass is driven there. Spins are counted in that
-/// direction and positive.
+/// Search from rest in the direction in which the glass is driven. Spins are positive in that direction.
 class OutwardSearch
 {
 public:
@@ -86,9 +87,9 @@ private:
     std::vector<Push> used{ near };
     if (far)
       used.push_back(*far);
-    std::exception_ptr failure; // of the torque at `barrier`
+    std::exception_ptr failure; // exception of the torque at `barrier`
     double barrier = 0.;
-    double width = HUGE_VAL; // of what lay between `near` and there
+    double width = HUGE_VAL; // previous distance from `near` to `barrier`
     bool may_extrapolate = true;
     for (unsigned int i = 0; i < max_evaluations; ++i)
     {
@@ -214,7 +215,7 @@ private:
     for (std::size_t i = 1; i < way.size(); ++i)
       if (way[i].push >= way[i - 1].push)
         return true;
-    // Next to the zero itself rounding decides about the slope.
+    // Close to the zero the slope is dominated by rounding.
     const double too_close = rounding_distance * search.spin_scale;
     const Push *nearest = nullptr;
     for (const Push &sample : samples)
@@ -249,7 +250,8 @@ private:
   /// BalanceLost. Precondition: the search has a stability margin.
   double reached(double spin)
   {
-    constexpr unsigned int max_probes = 200; // an end of the balance narrower than their spacing is missed
+    constexpr unsigned int max_probes = 200; // an end of the balance narrower than the spacing of the probes
+                                             // is missed
     for (unsigned int i = 0; i < max_probes; ++i)
     {
       std::optional<double> probe = unsteadiest(spin);
@@ -281,7 +283,7 @@ private:
   {
     constexpr double safety = 1.5;
     const double narrowest = margin_distance_on_the_way * search.spin_scale;
-    std::map<double, double> squares; // by spin; samples that are too close together tell no slope
+    std::map<double, double> squares; // by spin; samples closer together give no slope
     for (const Push &sample : samples)
     {
       const auto next = squares.lower_bound(sample.spin - narrowest);
@@ -304,10 +306,11 @@ private:
         continue;
       if (width > scan_step * search.spin_scale)
         return (left->first + right->first) / 2.;
-      // The less steady, the closer: edges that cross a line make a fold of their own.
+      // The less stable the balance, the narrower the interval: contact edges that cross a quadrature line
+      // cause small folds.
       if (width > search.spin_scale * std::clamp(lower / 8., 1. / 256., scan_step))
         wide.emplace(lower, (left->first + right->first) / 2.);
-      // How fast the square falls into the interval from either side.
+      // Slope of the square towards the interior of the interval, from either side.
       const double own = slope(left, right);
       const double from_left = safety * std::max(is_first ? 0. : -slope(std::prev(left), left), -own),
                    from_right = safety * std::max(is_last ? 0. : slope(right, std::next(right)), own);
@@ -319,7 +322,7 @@ private:
       if (bound < least)
       {
         least = bound;
-        // Closer to an end it would be no new sample.
+        // A probe closer to an end would coincide with the sample there.
         const double margin = std::max(0.1 * width, 1.1 * narrowest);
         worst = left->first + std::clamp(share * width, margin, width - margin);
       }
@@ -401,8 +404,8 @@ std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const To
                                                 const SpinSearch &search)
 {
   constexpr unsigned int max_steps = 8;
-  constexpr double nearly = 1e-7;    // of the spin: a load there is that at the zero
-  constexpr double of_another = 0.1; // error of a slope that is another torque's, of itself
+  constexpr double nearly = 1e-7;    // relative to the spin: closer spins have the load of the zero
+  constexpr double of_another = 0.1; // relative error of a slope that belongs to another torque
   const double grip = std::copysign(search.grip_torque, known.omega);
   const double scale = std::max(std::abs(known.omega), least_size * search.spin_scale);
   double spin = known.omega, slope = known.slope, slope_error = of_another;
@@ -420,7 +423,7 @@ std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const To
       return std::nullopt;
     const double next_value = torque(next) - grip;
     const double secant = (next_value - value) / step;
-    // Differences that rounding makes say nothing about the slope.
+    // The secant of two close samples is dominated by rounding.
     if (std::abs(step) > rounding_distance * search.spin_scale)
     {
       slope = secant;

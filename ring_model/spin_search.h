@@ -40,26 +40,24 @@ struct SpinZero
   double slope = 0.;          ///< d tau_z / d omega of find_terminal_spin_near(), by its last steps [N m s]
 };
 
-/**
- * Finds the terminal spin reached from rest: the first zero of torque(omega) - tau_g sgn(omega) in the
- * direction of torque(0). The fingers hold the glass if |torque(0)| <= tau_g; the glass stays at rest if
- * |torque(0)| does not exceed the noise.
- *
- * The search steps outwards, first to the initial guess, until the torque changes sign or inverse
- * interpolation (up to cubic) has converged. Proposals outside the bracket, and proposals after a step that
- * did not halve the torque, are replaced by bisection. The search ends when the interpolations with and
- * without the farthest sample agree to the tolerance. A pair of zeros between neighbouring samples is missed.
- * To make this unlikely, a sample is taken about halfway; if the samples up to the zero do not decrease, or
- * the slope at the zero differs from the mean slope by more than a factor of 16, the interval is scanned in
- * steps of 1/16 spin_scale and the first zero is taken.
- *
- * If @p torque throws NoBalance, the search steps back towards rest. A range of spins without a balance may
- * be narrower than the steps: if the stability margin is below 0.9, the interval up to the zero is searched
- * more finely, with up to 100 torques, until the margin shows that the balance holds or has ended.
- * @throws std::invalid_argument for values that are not allowed, NoTerminalSpin if the torque does not change
- * sign within 64 spin scales, BalanceLost if the balance ends before a zero is found (known to 1/4096 spin
- * scale), NoBalance if the search does not converge, what @p torque throws at rest.
- */
+/// Finds the terminal spin reached from rest: the first zero of torque(omega) - tau_g sgn(omega) in the
+/// direction of torque(0). The fingers hold the glass if |torque(0)| <= tau_g; the glass stays at rest if
+/// |torque(0)| does not exceed the noise.
+///
+/// The search steps outwards, first to the initial guess, until the torque changes sign or inverse
+/// interpolation (up to cubic) has converged. Proposals outside the bracket, and proposals after a step that
+/// did not halve the torque, are replaced by bisection. The search ends when the interpolations with and
+/// without the farthest sample agree to the tolerance. A pair of zeros between neighbouring samples is
+/// missed. To make this unlikely, a sample is taken about halfway; if the samples up to the zero do not
+/// decrease, or the slope at the zero differs from the mean slope by more than a factor of 16, the interval
+/// is scanned in steps of 1/16 spin_scale and the first zero is taken.
+///
+/// If @p torque throws NoBalance, the search steps back towards rest. A range of spins without a balance may
+/// be narrower than the steps: if the stability margin is below 0.9, the interval up to the zero is searched
+/// more finely, with up to 100 torques, until the margin shows that the balance holds or has ended.
+/// @throws std::invalid_argument for values that are not allowed, NoTerminalSpin if the torque does not
+/// change sign within 64 spin scales, BalanceLost if the balance ends before a zero is found (known to 1/4096
+/// spin scale), NoBalance if the search does not converge, what @p torque throws at rest.
 SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &search);
 
 /// Initial guess: stable zero of a similar torque.
@@ -69,14 +67,12 @@ struct ZeroGuess
   double slope; ///< d tau_z / d omega there [N m s], < 0
 };
 
-/**
- * Finds the terminal spin near the zero of a similar torque by the secant method, with one to four
- * evaluations. A last step that is known to the tolerance is not evaluated. The result equals
- * find_terminal_spin() if the torques are so similar that no further zeros appear. Returns std::nullopt if
- * the method leaves the neighbourhood (a tenth of spin_scale), does not converge in eight steps, or reaches a
- * spin of small stability margin.
- * @throws what @p torque throws.
- */
+/// Finds the terminal spin near the zero of a similar torque by the secant method, with one to four
+/// evaluations. A last step that is known to the tolerance is not evaluated. The result equals
+/// find_terminal_spin() if the torques are so similar that no further zeros appear. Returns std::nullopt if
+/// the method leaves the neighbourhood (a tenth of spin_scale), does not converge in eight steps, or reaches
+/// a spin of small stability margin.
+/// @throws what @p torque throws.
 std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const TorqueFunction &torque,
                                                 const SpinSearch &search);
 } // namespace stemware::ring

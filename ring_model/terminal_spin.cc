@@ -15,7 +15,7 @@ namespace stemware::ring
 {
 namespace
 {
-/// The zero of @p torque at @p omega with its slope.
+/// Returns the terminal spin for the zero of @p torque at @p omega, with the slope there.
 TerminalSpin described(const TorqueFunction &torque, double yaw_inertia, double omega, double spin_scale)
 {
   const double slope = [&]
@@ -25,7 +25,7 @@ TerminalSpin described(const TorqueFunction &torque, double yaw_inertia, double 
     {
       return torque_slope(torque, omega, step);
     }
-    catch (const std::runtime_error &) // a fall nearby, which a narrower step may not reach
+    catch (const std::runtime_error &) // tipping is close; a narrower step may not reach it
     {
       if (step <= narrow)
         throw;
@@ -84,8 +84,8 @@ std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, doubl
   for (unsigned int i = 0; i <= n_intervals; ++i)
     samples.emplace_back(spin(i), torque(spin(i)));
 
-  // Where |torque| dips without a change of sign, its least value is made a sample: it may lie on the other
-  // side.
+  // If |torque| has a local minimum without a change of sign, the minimum is added as a sample: it may have
+  // the other sign.
   for (unsigned int i = 1; i < n_intervals; ++i)
   {
     const double sign = samples[i].second < 0. ? -1. : 1.;

@@ -30,23 +30,19 @@ double slope_of_differences(double change, double change_of_two_steps, double st
 /// Returns d tau_z / d omega [N m s] at @p omega by fourth-order differences: four torques within 2 @p step.
 double torque_slope(const TorqueFunction &torque, double omega, double step);
 
-/**
- * Returns the terminal spin of find_terminal_spin() with its torque_slope() for slope_step(). If a torque of
- * the difference fails, as near tipping, the step is 1/2048 spin_scale. Throws as find_terminal_spin(), and
- * if @p yaw_inertia is not positive.
- */
+/// Returns the terminal spin of find_terminal_spin() with its torque_slope() for slope_step(). If a torque of
+/// the difference fails, as near tipping, the step is 1/2048 spin_scale. Throws as find_terminal_spin(), and
+/// if @p yaw_inertia is not positive.
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, const SpinSearch &search);
 
 /// Returns terminal_spin() from rest under a load that does not depend on the spin, to rounding.
 TerminalSpin terminal_spin(const RingStack &load, const Motion &motion);
 
-/**
- * Returns all zeros of @p torque in [@p lower, @p upper] in ascending order, each described as by
- * terminal_spin(). Sign changes over @p n_intervals equal intervals are bracketed; intervals in which
- * |torque| has a minimum are searched for pairs of zeros.
- *
- * @throws std::invalid_argument for an empty range or no intervals.
- */
+/// Returns all zeros of @p torque in [@p lower, @p upper] in ascending order, each described as by
+/// terminal_spin(). Sign changes over @p n_intervals equal intervals are bracketed; intervals in which
+/// |torque| has a minimum are searched for pairs of zeros.
+///
+/// @throws std::invalid_argument for an empty range or no intervals.
 std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, double yaw_inertia,
                                              double spin_scale, double lower, double upper,
                                              unsigned int n_intervals = 400);

@@ -21,12 +21,12 @@ namespace stemware::ring
 {
 namespace
 {
-/// psi and omega / spin_scale: one accuracy for both.
+/// psi and omega / spin_scale, so that one tolerance applies to both.
 using YawState = std::array<double, 2>;
 
-/// Motion of a spin that the fingers brake with up to a grip. While the glass turns in one direction the
-/// torque is smooth; the spin ends at 0 in an event, and the glass then rests until the free torque exceeds
-/// the grip, or turns back.
+/// Motion of a glass that the fingers brake with at most the grip torque. While the glass turns in one
+/// direction the torque is smooth. An event ends the turning at omega = 0. The glass then rests until the
+/// free torque exceeds the grip, or turns back.
 class GrippedMotion
 {
 public:
@@ -41,8 +41,8 @@ public:
   {
   }
 
-  /// Returns the motion from @p start on at @p times counted from there. The torque is never evaluated beyond
-  /// the last one.
+  /// Returns the motion from @p start at @p times relative to start.time. The torque is not evaluated after
+  /// the last time.
   std::vector<YawSample> from(const YawSample &start, const std::vector<double> &times)
   {
     origin = start.time;
@@ -71,13 +71,13 @@ public:
   }
 
 private:
-  /// Torque without the fingers [N m].
+  /// Returns the torque without the fingers [N m].
   double free_torque(const YawSample &at) const
   {
     return torque(origin + std::min(at.time, end), at.yaw_angle, at.omega);
   }
 
-  /// +1 or -1 for the direction in which the glass turns or begins to turn; 0 while the fingers hold it.
+  /// Returns the direction in which the glass turns or starts to turn, +1 or -1; 0 while the fingers hold it.
   int direction() const
   {
     const double pushed = now.omega != 0. || grip == 0. ? now.omega : free_torque(now);
@@ -94,11 +94,11 @@ private:
              yaw_inertia, accuracy, spin_scale };
   }
 
-  /// Positive until a spin in the direction @p turns has ended. What the integrator does not resolve is no
-  /// reversal.
+  /// Returns a positive value until the spin in direction @p turns has ended. The margin ignores reversals
+  /// below the accuracy of the integrator.
   double before_stop(int turns, double omega) const { return turns * omega / spin_scale + accuracy / 100.; }
 
-  /// Next time at which a step ends: a break of the torque, or the end.
+  /// Returns the end of the next step at most: the next discontinuity of the torque, or the end.
   double next_break(double time) const
   {
     const double after = origin + time + 1e-13 * (std::abs(origin) + end);
@@ -113,13 +113,14 @@ private:
     samples.push_back({ origin + (*wanted)[samples.size()], sample.yaw_angle, sample.omega });
   }
 
-  /// Whether the next output is at or before @p time, to rounding.
+  /// Returns true if the next output is at or before @p time, up to rounding.
   bool is_due(double time) const
   {
     return samples.size() < wanted->size() && (*wanted)[samples.size()] * (1. - 1e-15) <= time;
   }
 
-  /// Root of @p positive, which changes its sign between @p from and @p to; on the side of @p to.
+  /// Returns the root of @p positive between @p from and @p to, rounded to the side of @p to. The sign
+  /// changes in between.
   template <typename Function>
   static double end_of(const Function &positive, double from, double to)
   {
@@ -132,7 +133,7 @@ private:
   /// Stays at rest until the free torque exceeds the grip, or to the end.
   void rest()
   {
-    constexpr unsigned int n_looks = 64; // at least, between outputs and breaks
+    constexpr unsigned int n_looks = 64; // minimum number of checks between outputs and breaks
     const double look = (end - now.time) / n_looks;
     const auto excess = [&](double time) {
       return std::abs(free_torque({ time, now.yaw_angle, 0. })) - grip;
@@ -146,7 +147,8 @@ private:
       const double next = std::min({ (*wanted)[samples.size()], next_break(now.time), now.time + look });
       if (excess(next) > 0.)
       {
-        const double first = now.time + 1e-9 * (next - now.time); // the excess may be 0 where the rest began
+        const double first = now.time + 1e-9 * (next - now.time); // the excess may be exactly 0 at the start
+                                                                  // of the rest
         now.time = excess(first) < 0. ? end_of(excess, first, next) : first;
         while (is_due(now.time))
           add(now);
@@ -162,7 +164,7 @@ private:
   void turn(int turns)
   {
     namespace odeint = boost::numeric::odeint;
-    constexpr unsigned int n_looks = 8; // per step: a spin may touch 0 within it
+    constexpr unsigned int n_looks = 8; // checks per step: the spin may touch 0 within it
     const auto rate_of = [&](const YawState &state, YawState &rate, double time)
     {
       rate[0] = state[1] * spin_scale;
@@ -213,7 +215,7 @@ private:
     }
   }
 
-  /// turn() by StiffMotion.
+  /// Same as turn(), with StiffMotion.
   void turn_stiffly(int turns)
   {
     const StiffMotion motion = stiff_motion(turns);
@@ -248,14 +250,14 @@ private:
   const std::vector<double> &breaks;
   const std::vector<double> *wanted = nullptr;
   std::vector<YawSample> samples;
-  YawSample now = {}; ///< time since `origin`
+  YawSample now = {}; ///< time relative to `origin`
   double origin = 0., end = 0., step = 0.;
   bool is_stiff = false;
 };
 
-/// The motion from @p start on, sampled at @p times counted from there. The error of one step is held a
-/// decade below the request: errors of all steps add up, and the interpolation between steps is one order
-/// lower than the steps themselves.
+/// Returns the motion from @p start at @p times relative to it. The tolerance of a step is a tenth of the
+/// requested accuracy: the errors of all steps add up, and the interpolation is one order lower than the
+/// steps.
 std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFunction &torque,
                                    double yaw_inertia, const std::vector<double> &times, double accuracy,
                                    double spin_scale, double grip, const std::vector<double> &breaks = {})
@@ -263,7 +265,7 @@ std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFun
   return GrippedMotion(torque, yaw_inertia, accuracy / 10., spin_scale, grip, breaks).from(start, times);
 }
 
-/// Mean of equidistant samples with a weight that comes and goes smoothly.
+/// Returns the mean of equidistant samples with a smooth window.
 double smooth_mean(const std::vector<YawSample> &samples)
 {
   double sum = 0., weights = 0.;
@@ -277,7 +279,8 @@ double smooth_mean(const std::vector<YawSample> &samples)
   return sum / weights;
 }
 
-/// Largest of equidistant values, at the vertex of the parabola through it and its neighbours.
+/// Returns the maximum of equidistant values, at the vertex of the parabola through the largest value and its
+/// neighbours.
 double largest(const std::vector<double> &values)
 {
   const auto place = std::max_element(values.begin(), values.end());
@@ -359,7 +362,7 @@ std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, doub
     const auto [time, angle, omega] = samples.back();
     const double free = torque(time, angle, omega),
                  next = omega + torque_with_grip(free, omega, grip) / yaw_inertia * time_step;
-    // Fingers stop a spin; they do not turn the glass back.
+    // Fingers stop a spin but do not reverse it.
     const bool stops = omega * next < 0. && std::abs(free) <= grip;
     samples.push_back({ i * time_step, angle + omega * time_step, stops ? 0. : next });
   }

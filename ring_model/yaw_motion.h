@@ -30,32 +30,29 @@ double grip_torque(double torque, double omega, double grip);
 /// Returns @p torque plus grip_torque() at the spin @p omega [rad/s] [N m].
 double torque_with_grip(double torque, double omega, double grip);
 
-/**
- * Integrates I_z d omega/dt = tau_z(t, psi, omega) - grip sgn(omega), d psi/dt = omega from psi = 0 at t = 0
- * by the Dormand-Prince pair with step control and dense output (Boost.Odeint), sampled at @p times; by an
- * implicit method (Radau IIA) if the time constant is far below the time between outputs. A spin that reaches
- * 0 is exactly 0 until |tau_z| at rest exceeds the grip. The end of such a rest is sought between outputs,
- * breaks and 64 parts of the time that is left.
- *
- * @param times    Output times [s], increasing, the first one >= 0.
- * @param accuracy Requested accuracy of psi in radians and of omega relative to @p spin_scale; relative to
- *                 their sizes where these are larger.
- * @param spin_scale Spin that counts as large, v / R [rad/s].
- * @param grip     Torque up to which fingers brake or hold the glass [N m].
- * @param breaks   Increasing times [s] at which a derivative of the torque jumps: a step ends there.
- * @throws std::invalid_argument for times out of order or values out of range, std::runtime_error if the step
- *         control gives up.
- */
+/// Integrates I_z d omega/dt = tau_z(t, psi, omega) - grip sgn(omega), d psi/dt = omega from psi = 0 at t = 0
+/// by the Dormand-Prince pair with step control and dense output (Boost.Odeint), sampled at @p times; by an
+/// implicit method (Radau IIA) if the time constant is far below the time between outputs. A spin that
+/// reaches 0 is exactly 0 until |tau_z| at rest exceeds the grip. The end of such a rest is sought between
+/// outputs, breaks and 64 parts of the time that is left.
+///
+/// @param times    Output times [s], increasing, the first one >= 0.
+/// @param accuracy Requested accuracy of psi in radians and of omega relative to @p spin_scale; relative to
+///                 their sizes where these are larger.
+/// @param spin_scale Spin that counts as large, v / R [rad/s].
+/// @param grip     Torque up to which fingers brake or hold the glass [N m].
+/// @param breaks   Increasing times [s] at which a derivative of the torque jumps: a step ends there.
+/// @throws std::invalid_argument for times out of order or values out of range, std::runtime_error if the
+/// step
+///         control gives up.
 std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
                                   const std::vector<double> &times, double accuracy, double spin_scale,
                                   double grip = 0., const std::vector<double> &breaks = {});
 
-/**
- * Integrates the same equations by forward Euler, as in the paper, from t = 0 and psi = 0 in @p n_steps steps
- * of @p time_step [s]. Returns n_steps + 1 samples. First order in @p time_step.
- *
- * @throws std::invalid_argument if the inertia or the step is not positive.
- */
+/// Integrates the same equations by forward Euler, as in the paper, from t = 0 and psi = 0 in @p n_steps
+/// steps of @p time_step [s]. Returns n_steps + 1 samples. First order in @p time_step.
+///
+/// @throws std::invalid_argument if the inertia or the step is not positive.
 std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, double yaw_inertia,
                                         double initial_spin, double time_step, unsigned int n_steps,
                                         double grip = 0.);
@@ -68,20 +65,18 @@ struct LongTimeSpin
   double uncertainty; ///< change of the mean from one window to the next [rad/s]
 };
 
-/**
- * Follows the motion from psi = 0 and @p initial_spin through windows of time until their means agree.
- *
- * The mean over a window is weighted with exp(-1 / (s (1 - s))), 0 < s < 1: for periodic and quasi-periodic
- * motions that converges faster than any power of the window's length, whatever the periods (Das, Saiki,
- * Sander & Yorke, Nonlinearity 30 (2017) 4111).
- *
- * @param window   First length of a window [s]: a dozen of the motion's slowest period. Doubled twice if
- * means do not agree.
- * @param accuracy Of the mean, relative to @p spin_scale. Where the longest windows still differ by more,
- * their difference is the result's uncertainty.
- * @throws std::invalid_argument for values out of range, std::runtime_error if the longest windows differ by
- *         more than 1e-5 of @p spin_scale, or as yaw_motion().
- */
+/// Follows the motion from psi = 0 and @p initial_spin through windows of time until their means agree.
+///
+/// The mean over a window is weighted with exp(-1 / (s (1 - s))), 0 < s < 1: for periodic and quasi-periodic
+/// motions that converges faster than any power of the window's length, whatever the periods (Das, Saiki,
+/// Sander & Yorke, Nonlinearity 30 (2017) 4111).
+///
+/// @param window   First length of a window [s]: a dozen of the motion's slowest period. Doubled twice if
+/// means do not agree.
+/// @param accuracy Of the mean, relative to @p spin_scale. Where the longest windows still differ by more,
+/// their difference is the result's uncertainty.
+/// @throws std::invalid_argument for values out of range, std::runtime_error if the longest windows differ by
+///         more than 1e-5 of @p spin_scale, or as yaw_motion().
 LongTimeSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
                             double window, double accuracy, double spin_scale, double grip = 0.);
 } // namespace stemware::ring

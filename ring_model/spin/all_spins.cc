@@ -22,20 +22,20 @@ int n_balances(const Load &load, double step, int stride, int n_most)
   for (const int n : { stride, 1 })
     while (n_found + n <= n_most && goes_on(n))
       n_found += n;
-  return n_found; // the load tips or has no balance there: nothing lies beyond
+  return n_found; // beyond it the glass tips or has no balance
 }
 
-/// How far from rest spins are looked for: so many steps, tried several at once.
+/// Range of the scan on either side of rest.
 struct Reach
 {
   double step; ///< [rad/s]
   int n_steps, stride;
 };
 
-/// Whether friction brakes at @p omega and beyond by much more than the lean of the glass could drive it.
-/// Where all of the rim turns faster than it travels, eps = |omega| r / v > 1, friction brakes each place of
-/// it, and its arm is no less than sqrt(1 - 1 / eps^2) r: so it does under any load that nowhere pulls, such
-/// as a contact's.
+/// Returns true if friction brakes at @p omega and beyond, by much more than the lean of the glass can drive.
+/// If the whole rim turns faster than it travels, eps = |omega| r / v > 1, friction brakes at every point of
+/// the rim with an arm of at least sqrt(1 - 1 / eps^2) r. This holds for any load without tension, such as a
+/// contact's.
 bool brakes_beyond(double omega, const Load &load, const Motion &motion)
 {
   constexpr double much = 10;

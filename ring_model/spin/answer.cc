@@ -19,9 +19,8 @@ namespace stemware::ring
 namespace
 {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-/// Time over which the mean spin is taken: a good dozen of the slowest repetition of the phase, which in a
-/// glass that nearly follows its orbit may take for ever, and of the time in which the spin forgets its
-/// start.
+/// Returns the time over which the mean spin is taken: more than ten times the period of the slowest phase
+/// and the decay time of the spin. The period is unbounded in a glass that nearly follows its orbit.
 double averaging_window(const PhasePeriods &periods, const Motion &motion, const TerminalSpin &terminal)
 {
   const double orbit = std::abs(motion.orbit_rate());
@@ -32,14 +31,14 @@ double averaging_window(const PhasePeriods &periods, const Motion &motion, const
   return std::max(16 * slowest, 8 * std::min(terminal.time_constant, 100 / orbit));
 }
 
-/// Where the load of rest would take the glass: a first guess. std::nullopt if it takes the glass nowhere.
+/// Returns the terminal spin with the load at rest, as an initial guess; std::nullopt if there is none.
 std::optional<double> expected_spin(const Load &load, const Motion &motion)
 {
   return if_balanced([&] { return terminal_spin(load.at(0), motion).omega; });
 }
 
-/// Where the load of one of the phases takes the glass: next to where their mean does, without the samples
-/// that the mean takes all round. std::nullopt if it takes the glass nowhere.
+/// Returns the terminal spin with the load of one phase. It is close to the terminal spin with the mean load,
+/// but does not need all phases. std::nullopt if there is none.
 std::optional<double> spin_at_first_phase(const PhaseSampledLoad &phases, const Motion &motion,
                                           const SpinSearch &search)
 {
@@ -58,21 +57,22 @@ std::string fall_sentence(const Fall &fall)
                   " rad/s and a moment ratio of ", to_precision(fall.state.moment_ratio, 3));
 }
 
-/// Replaces the terminal spin of @p found, the zero of the mean torque, by the mean spin in the long run.
+/// Replaces the terminal spin of @p found, the zero of the mean torque, by the long-time mean of the spin.
 void take_long_run_mean(const Load &load, const Question &question, double spin_scale, Answer &found)
 {
   const PhaseSampledLoad &phases = *load.phases();
   const Motion &motion = question.motion;
   TerminalSpin &spin = *found.terminal;
-  // The spin swings no farther than to where the torque of a phase vanishes: inertia only holds it back.
+  // The spin stays within the zeros of the torque at the individual phases; inertia only reduces its swing.
   double largest_torque = 0;
   for (unsigned int i = 0; i < phases.phases().size(); ++i)
     largest_torque =
       std::max(largest_torque, std::abs(yaw_torque(load, motion, spin.omega, phases.phases().phase(i))));
   const double slope = spin.held ? 0 : std::abs(spin.torque_slope),
                reach = slope > 0 ? 2 * largest_torque / slope : 0.01 * spin_scale;
-  // Finer than the loads are known would be in vain.
-  constexpr double coarsest = 1e-3; // where the loads between phases are known badly, their mean is not
+  // An accuracy below the error of the loads would be useless.
+  constexpr double coarsest = 1e-3; // maximum tolerance, if the loads between phases are inaccurate but their
+                                    // mean is not
   const SampleError known = phases.error(spin.omega - reach, spin.omega + reach);
   const double accuracy = std::clamp(0.1 * known.between, 1e-9, std::max(coarsest, known.mean));
   const double friction_torque = motion.friction_at_rest() * motion.normal_force() * load.radius(),
@@ -84,7 +84,8 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
                                            accuracy, spin_scale, question.grip_torque);
   spin.omega = mean.mean;
   found.ripple = mean.ripple;
-  // The mean's own error, and that between phases as far as ripple makes the glass stay longer at some.
+  // Error of the mean, plus the error between phases to the extent that the ripple lets the glass dwell at
+  // some phases.
   const double turning = std::abs(mean.mean - motion.orbit_rate());
   const double longer = phases.phases().glass.size() == 1 ? 0
                         : mean.ripple < turning           ? mean.ripple / turning
@@ -97,20 +98,20 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
     found.spin_uncertainty += torque_error / std::abs(spin.torque_slope);
 }
 
-/// Adds the terminal spin to @p found, or the mean of the spin in the long run if the phase matters. Returns
-/// the spin at which the load was asked for.
+/// Adds the terminal spin to @p found, or its long-time mean if the phase matters. Returns the spin at which
+/// the load was evaluated.
 double find_terminal(const Load &load, const Question &question, Answer &found)
 {
   const Motion &motion = question.motion;
   const auto torque = [&](double omega) { return yaw_torque(load, motion, omega); };
   SpinSearch search;
   search.spin_scale = load.spin_scale(motion);
-  search.tolerance = 1e-11; // contacts are good to 1e-10 of the load or better
+  search.tolerance = 1e-11; // contacts are accurate to 1e-10 of the load or better
   search.initial_guess = question.initial_guess != 0 ? question.initial_guess : expected_spin(load, motion);
   search.grip_torque = question.grip_torque;
   search.stability_margin = [&load](double omega) { return load.stability_margin(omega); };
   search.nearest_unbalanced_spin = [&load](double omega) { return load.nearest_unbalanced_spin(omega); };
-  // A hand at the height of the centre of mass asks for no torque at rest: noise is not to choose a
+  // A hand at the height of the centre of mass gives no torque at rest. Rounding must not determine the
   // direction.
   search.torque_noise = 1e-9 * motion.friction_at_rest() * motion.normal_force() * load.radius();
   if (const PhaseSampledLoad *phases = load.phases())
@@ -138,12 +139,12 @@ double find_terminal(const Load &load, const Question &question, Answer &found)
   return asked;
 }
 
-/// Fills @p found as far as it gets.
+/// Fills @p found up to the first failure.
 void find_spin(const Load &load, const Question &question, Answer &found)
 {
   found.harmonics = load.n_harmonics();
   found.at_rest = ring_state(load.at(0), question, 0);
-  Answer searched = found; // without a terminal spin unless all of it is found
+  Answer searched = found; // without a terminal spin unless all results are found
   double asked = 0;
   try
   {
@@ -267,11 +268,11 @@ Answer compared_with_all(Answer answer, const Answer &all, const Load &load, con
   if (!all.terminal)
     return answer;
   const double omega = all.terminal->omega;
-  // Without a moment the glass does not spin up; rounding makes that a tiny spin, to which nothing can be
-  // related.
+  // Without a moment the glass does not spin up. The spin is then a rounding error, and a relative change is
+  // undefined.
   const double scale = motion.orbit_speed / all.at_rest->load.radius();
   if (answer.terminal && std::abs(omega) > 1e-9 * scale)
-    answer.relative_change = (answer.terminal->omega - omega) / omega + 0.; // no -0
+    answer.relative_change = (answer.terminal->omega - omega) / omega + 0.; // + 0. avoids -0
   if (load.phases() && answer.at_rest)
     for (const RingStack &sample : load.phases()->samples(0))
       answer.at_rest->minimum =
@@ -281,7 +282,7 @@ Answer compared_with_all(Answer answer, const Answer &all, const Load &load, con
 
 bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Motion &motion)
 {
-  constexpr double negligible = 1e-12; // of the terminal spin
+  constexpr double negligible = 1e-12; // relative to the terminal spin
   const std::optional<ZeroGuess> zero = all.zero_guess();
   return zero && TorqueByHarmonics(motion, all.at_terminal->load, zero->omega).bound(n_harmonics) <
                    negligible * std::abs(zero->slope * zero->omega);

@@ -17,8 +17,8 @@ namespace
 {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Friction and lean torque together [N m]; time and yaw angle matter if the phase does. Steps of an
-/// integrator reach beyond a fall: from there on the torque stays.
+/// Returns friction plus lean torque [N m]; time and yaw angle matter only if the phase does. An integrator
+/// may step beyond the spin at which the glass tips. There the torque is extended as a constant.
 PhasedTorqueFunction torque_until(const std::optional<Fall> &fall, const Load &load, const Question &question)
 {
   const double lower = fall ? std::min(0., fall->omega) : -HUGE_VAL,
@@ -122,7 +122,7 @@ std::vector<Instant> instants_of(const std::vector<YawSample> &spin_up, const Lo
 {
   constexpr std::size_t n_intervals = 24;
   constexpr double near = 0.995;
-  std::size_t n = 0; // samples before the glass tips
+  std::size_t n = 0; // samples before tipping
   while (n < spin_up.size() && std::isfinite(spin_up[n].omega))
     ++n;
   std::vector<Instant> instants;

@@ -13,7 +13,7 @@ namespace stemware::ring
 PhasedTorqueFunction driven_torque(Closure closure, const Motion &motion, double radius,
                                    OrbitSpeedTable speeds)
 {
-  SelfConsistentRing(closure, motion, radius); // refuses what is not allowed before the first step
+  SelfConsistentRing(closure, motion, radius); // throws for inadmissible parameters before the first step
   return [closure, motion, radius, speeds = std::move(speeds)](double time, double, double omega)
   { return SelfConsistentRing(closure, speeds.motion_at(motion, time), radius).torque(omega); };
 }
@@ -58,7 +58,7 @@ std::vector<YawSample> driven_motion(const PhasedTorqueFunction &torque, const O
 std::vector<double> interpolation_changes(Closure closure, const Motion &motion, double grip, double radius,
                                           const OrbitSpeedTable &speeds, const std::vector<double> &times)
 {
-  constexpr double accuracy = 1e-7; // acceleration jumps where lines meet
+  constexpr double accuracy = 1e-7; // limited by the jumps of the acceleration between line segments
   const auto motion_of = [&](const OrbitSpeedTable &table)
   {
     return driven_motion(driven_torque(closure, motion, radius, table), table, motion, grip, radius, times,

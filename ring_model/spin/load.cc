@@ -14,7 +14,7 @@
 
 namespace stemware::ring
 {
-/// Origin of a load, with everything solved so far.
+/// Source of a load, with a cache of all solved loads.
 struct Load::Source
 {
   struct Failure

@@ -19,13 +19,13 @@ namespace
 /// Error wanted of the mean over the phases, and of that mean between spins: a tenth of what rim and table
 /// out of flat leave unknown in most studies.
 constexpr double tolerance = 1e-5;
-/// Largest errors allowed: of the mean over the phases, which the band of error contains, and between them,
-/// where ripple alone depends on it.
+/// Maximum errors: of the mean over the phases, which the error band contains, and between the phases, which
+/// affects the ripple only.
 constexpr SampleError largest_allowed = { 3e-2, 0.3 };
-/// Phases of one angle to begin with, alone and together with another, of which each asks for as many again:
-/// the smallest numbers with a half and a quarter that tell their error.
+/// Initial number of phases per angle (alone; with a second angle). Powers of two, so that the error is
+/// estimated from every second and every fourth phase.
 constexpr unsigned int first_phases = 8, first_phases_of_two = 4;
-constexpr unsigned int max_phases = 128; ///< of one angle
+constexpr unsigned int max_phases = 128; ///< per angle
 
 PeriodicGrid first_grid(double period, unsigned int n_phases)
 {
@@ -55,7 +55,7 @@ PhaseSamples sampled_at(const LoadAtPhase &load, double omega, const PhaseGrids 
   const unsigned int n_table = grids.table.size();
   for (unsigned int step = 0; step < grids.size(); ++step)
   {
-    // To and fro in the table's angle: each contact starts from that of the phase before.
+    // Alternating direction in the table's angle: each contact starts from the neighbouring phase.
     const unsigned int row = step / n_table, place = step % n_table;
     const unsigned int i = row * n_table + (row % 2 == 0 ? place : n_table - 1 - place);
     const Sample exact = load(omega, grids.phase(i));
@@ -129,7 +129,7 @@ const PhaseSampledLoad::Interval &PhaseSampledLoad::interval_around(double omega
       sentence("The spin swings with the phase of the waviness over more than ", spins_asked.max_intervals,
                " intervals of ", to_precision(spins_asked.unit, 3),
                " rad/s, each of which takes a contact at every phase; give a smaller waviness."));
-  // A search for a spin comes back, with other spins of the same interval.
+  // A failed interval is remembered: a search returns to it with other spins.
   if (const auto failed = failures.find(interval); failed != failures.end())
     std::rethrow_exception(failed->second);
   try
@@ -191,7 +191,7 @@ std::pair<double, double> PhaseSampledLoad::polynomial_range(double omega) const
 {
   if (!(spins_asked.unit > 0))
     return { -HUGE_VAL, HUGE_VAL };
-  // Not the upper end itself: there the next samples begin.
+  // Excludes the upper end, which belongs to the next interval.
   const double lower = std::floor(omega / spins_asked.unit) * spins_asked.unit;
   return { lower, lower + spins_asked.unit * (1 - 1e-9) };
 }

@@ -108,8 +108,8 @@ Sample PhaseSamples::mean() const
 {
   const Sample mean = load_of(loads.rowwise().mean());
   if (mean.rings().size() > 1)
-    return mean; // its radii are the same at every phase
-  // M_N = pi R (b_1, -a_1): the radius that makes it the mean moment.
+    return mean; // the radii are the same at every phase
+  // M_N = pi R (b_1, -a_1): R is chosen to give the mean moment.
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
   for (unsigned int i = 0; i < grids.size(); ++i)
     moment += sample(i).moment() / grids.size();

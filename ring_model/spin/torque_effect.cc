@@ -23,19 +23,19 @@ std::optional<TorqueEffect::AtSpin> effect_at(const Torque &torque, unsigned int
   return TorqueEffect::AtSpin{ torque->change(n), torque->rest(n), torque->bound(n) };
 }
 
-/// Polishes the largest value of |change(spin)| between the neighbours of its largest sample, at the spin
-/// @p spins[i].
+/// Returns the maximum of |change(spin)| between the neighbours of its largest sample, at the spin @p
+/// spins[i].
 template <typename Change>
 double polished_maximum(const std::vector<double> &spins, std::size_t i, const Change &change)
 {
-  constexpr int n_bits = 20; // of the spin: the value is then accurate to rounding
+  constexpr int n_bits = 20; // of the spin; the value is then accurate to rounding
   const auto [low, high] = std::minmax(spins[i > 0 ? i - 1 : 0], spins[std::min(i + 1, spins.size() - 1)]);
   const auto found = boost::math::tools::brent_find_minima(
     [&](double omega) { return -std::abs(change(omega)); }, low, high, n_bits);
   return -found.second > std::abs(change(spins[i])) ? found.first : spins[i];
 }
 
-/// Adds curve and largest effect of @p row from @p torques, those at @p spins.
+/// Adds the curve and the largest effect of @p row from @p torques at @p spins.
 template <typename TorqueAt>
 void add_curve(const std::vector<double> &spins, const std::vector<Torque> &torques,
                const TorqueAt &torque_at, TorqueEffect &row)
@@ -76,7 +76,7 @@ TorqueEffects torque_effects(const Load &load, const Motion &motion, const Answe
   const double last = all.last_spin().value_or(0.);
   for (unsigned int i = 0; curve && i <= n_intervals; ++i)
   {
-    effects.spins.push_back(last * i / n_intervals + 0.); // no -0
+    effects.spins.push_back(last * i / n_intervals + 0.); // + 0. avoids -0
     torques.push_back(torque_of(*curve, effects.spins.back()));
   }
   for (const unsigned int n : orders)

@@ -7,11 +7,9 @@
 
 namespace stemware::ring
 {
-/**
- * Effect of the harmonics 2 ... n of one load on tau_z of friction. At each spin the load is the complete one
- * at that spin, cut after n harmonics; neither contact nor balance of moments is solved again. With waviness
- * all values are means over the phases. (docs/theory/budget.md)
- */
+/// Effect of the harmonics 2 ... n of one load on tau_z of friction. At each spin the load is the complete
+/// one at that spin, cut after n harmonics; neither contact nor balance of moments is solved again. With
+/// waviness all values are means over the phases. (docs/theory/budget.md)
 struct TorqueEffect
 {
   /// Values at one spin [N m].

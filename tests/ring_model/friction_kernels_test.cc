@@ -19,11 +19,9 @@ using test::reference;
 using Real =
   boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>;
 
-/**
- * P_n and K_n for n <= 64 by direct integration of their definitions with 50 digits. The panels halve towards
- * psi = 0 until they are shorter than the distance |1 - eps| of the singularity, and none holds more than two
- * periods of cos 64 psi.
- */
+/// P_n and K_n for n <= 64 by direct integration of their definitions with 50 digits. The panels halve
+/// towards psi = 0 until they are shorter than the distance |1 - eps| of the singularity, and none holds more
+/// than two periods of cos 64 psi.
 class QuadratureOracle
 {
 public:

@@ -21,11 +21,10 @@ inline RingStack mirrored(const RingStack &load)
   return RingStack(std::move(reversed));
 }
 
-/**
- * Friction of a load whose coefficient at a slip speed is @p coefficient, by the periodic trapezoidal rule on
- * @p n_points angles: independent of kernels and functionals, and as slow and inexact near |eps| = 1 as such
- * a rule must be. Points without slip carry no friction.
- */
+/// Friction of a load whose coefficient at a slip speed is @p coefficient, by the periodic trapezoidal rule
+/// on
+/// @p n_points angles: independent of kernels and functionals, and as slow and inexact near |eps| = 1 as such
+/// a rule must be. Points without slip carry no friction.
 inline Wrench wrench_by_quadrature(const std::function<double(double)> &coefficient, const RingStack &load,
                                    double omega, double speed, unsigned int n_points)
 {

@@ -32,10 +32,8 @@ inline double full_pressure(double kappa, double t)
   return (1. - kappa) + 2. * kappa * s * s;
 }
 
-/**
- * (cos theta - c)^p dtheta/dv, up to a factor, with sin(theta/2) = sqrt(s) cos v, s = (1 - c)/2: there
- * cos theta - c = 2 s sin^2 v.
- */
+/// (cos theta - c)^p dtheta/dv, up to a factor, with sin(theta/2) = sqrt(s) cos v, s = (1 - c)/2: there
+/// cos theta - c = 2 s sin^2 v.
 inline double partial_pressure(double s, double p, double v)
 {
   const double sine_squared = std::pow(std::sin(v), 2);
@@ -43,11 +41,9 @@ inline double partial_pressure(double s, double p, double v)
   return sine_squared == 0. ? 0. : std::pow(sine_squared, p + 0.5) / std::sqrt((1. - s) + s * sine_squared);
 }
 
-/**
- * Full contact: calls visit(n, a_n / a_{n-1}) for n = n_max...1, with 2 a_0 in a_0's place, from the
- * recurrence (n + 1 + p) a_{n+1} = 2 c n a_n - (n - 1 - p) a_{n-1}. It starts far enough above n_max for the
- * start to die out: |a_n| falls like exp(-n decay), cosh(decay) = -c.
- */
+/// Full contact: calls visit(n, a_n / a_{n-1}) for n = n_max...1, with 2 a_0 in a_0's place, from the
+/// recurrence (n + 1 + p) a_{n+1} = 2 c n a_n - (n - 1 - p) a_{n-1}. It starts far enough above n_max for the
+/// start to die out: |a_n| falls like exp(-n decay), cosh(decay) = -c.
 template <typename Visit>
 void descend(double c, double p, double decay, unsigned int n_max, const Visit &visit)
 {
@@ -60,15 +56,13 @@ void descend(double c, double p, double decay, unsigned int n_max, const Visit &
   }
 }
 
-/**
- * Rigid ring pressed on a unilateral foundation (no tension) with a pressure law of exponent p:
- *
- *   lambda(theta) = A max(0, cos(theta - beta) - c)^p.
- *
- * p = 1: flat rim on a linear elastic mat (Winkler); p = 3/2: rim of circular cross-section on a mat. The
- * whole ring is loaded (c < -1) up to the moment ratio 2p/(p+1), a part of it up to tipping at m = 2.
- * Derivation, closed forms and recurrences: docs/theory/load_models.md.
- */
+/// Rigid ring pressed on a unilateral foundation (no tension) with a pressure law of exponent p:
+///
+///   lambda(theta) = A max(0, cos(theta - beta) - c)^p.
+///
+/// p = 1: flat rim on a linear elastic mat (Winkler); p = 3/2: rim of circular cross-section on a mat. The
+/// whole ring is loaded (c < -1) up to the moment ratio 2p/(p+1), a part of it up to tipping at m = 2.
+/// Derivation, closed forms and recurrences: docs/theory/load_models.md.
 class UnilateralFoundation
 {
 public:

@@ -17,10 +17,10 @@ using Json = nlohmann::ordered_json;
 namespace
 {
 
-/// Values are printed, compared and copied by functions that call themselves for every level.
+/// Maximum nesting level: values are printed, compared and copied recursively.
 constexpr int max_levels = 100;
 
-/// "line 3, column 7" of the byte at @p place, counted from 0.
+/// Returns the position of a byte as text, e.g. "line 3, column 7". @p place counts from 0.
 std::string place_in(const std::string &text, std::size_t place)
 {
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(place, text.size()));
@@ -33,7 +33,7 @@ std::string place_in(const std::string &text, std::size_t place)
 
 Json parse_json(const std::string &origin, const std::string &text)
 {
-  std::vector<std::set<std::string>> names; // in the objects that are open
+  std::vector<std::set<std::string>> names; // names in the open objects
   const auto look = [&](int level, Json::parse_event_t event, Json &value)
   {
     if (level > max_levels)
@@ -45,7 +45,7 @@ Json parse_json(const std::string &origin, const std::string &text)
       names.emplace_back();
     else if (event == Json::parse_event_t::object_end)
       names.pop_back();
-    // Of two values of one name the parser would keep one without a word.
+    // The parser would silently keep only one of two values with the same name.
     else if (event == Json::parse_event_t::key && !names.back().insert(value.get<std::string>()).second)
       throw BadInput(origin + ": \"" + shortened(value.get<std::string>()) +
                      "\" stands twice; leave one of them.");

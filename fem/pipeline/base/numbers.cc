@@ -18,7 +18,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The number as printf() writes it by @p pattern, "%.*g" or "%.*e". The program has one locale, that of C.
+/// Returns the number as printed by printf() with "%.*g" or "%.*e". The program uses the C locale only.
 std::string printed(const char *pattern, int precision, double value)
 {
   std::array<char, 32> buffer;
@@ -26,13 +26,13 @@ std::string printed(const char *pattern, int precision, double value)
   return buffer.data();
 }
 
-/// Shortest text that reads back as the same number.
+/// Returns the shortest text that is read as the same number.
 std::string shortest(double value)
 {
 #ifdef __cpp_lib_to_chars
   std::array<char, 32> buffer;
   return { buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr };
-#else // a standard library that has it for whole numbers alone, as that of emscripten
+#else // some libraries (emscripten's) support integers only
   std::string text;
   for (int n = 1; n <= 17 && (n == 1 || std::strtod(text.c_str(), nullptr) != value); ++n)
     text = printed("%.*g", n, value);
@@ -40,7 +40,7 @@ std::string shortest(double value)
 #endif
 }
 
-/// 7e+10 -> 7e10, 3e-04 -> 3e-4: the way people write study files.
+/// Simplifies exponents as in hand-written files: 7e+10 -> 7e10, 3e-04 -> 3e-4.
 std::string tidy(const std::string &text)
 {
   const auto exponent = text.find('e');
@@ -51,7 +51,7 @@ std::string tidy(const std::string &text)
   return text.substr(0, exponent + 1) + (negative ? "-" : "") + text.substr(digits);
 }
 
-/// A text without the blanks at its ends and a leading +.
+/// Returns the text without surrounding blanks and leading +.
 std::string trimmed(const std::string &text)
 {
   const std::string digits = boost::trim_copy(text);
@@ -89,7 +89,8 @@ double rounded(double value, int n_digits)
 
 LeadingNumber leading_number(const std::string &text)
 {
-  // strtod() takes hexadecimal numbers, blanks and a + too, and 0 for what is too small.
+  // Excludes what strtod() accepts beyond decimal numbers: hexadecimal numbers, blanks, a leading +, and
+  // underflow to 0.
   const std::string decimal = text.substr(0, text.find_first_of("xX"));
   LeadingNumber number;
   char *end = nullptr;

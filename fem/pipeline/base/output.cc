@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Names in a folder of results and its folder of fields: of the stamp (files before their folder), of hidden
-/// files and files of the operating system, and of the user's files.
+/// Names in a results folder and its folder of fields: files of the stamp (before their folder), hidden and
+/// system files, and files of the user.
 struct Content
 {
   std::vector<std::string> own, hidden, others;
@@ -62,7 +62,7 @@ void ensure_output(bool is_good, const fs::path &path, const std::string &troubl
     throw OutputFailure("The output " + shortened_path(path.string()) + trouble + " choose another place.");
 }
 
-/// "PATH.partial-PID", or with dashes behind it: a name that is free.
+/// Returns an unused name "PATH.partial-PID", followed by dashes if necessary.
 std::string partial_name(const fs::path &path)
 {
   std::string name = path.string() + ".partial-" + std::to_string(::getpid());
@@ -119,7 +119,7 @@ ResultsFolder::~ResultsFolder()
   if (!partial.empty() && is_first_rank())
     fs::remove_all(partial, error);
   if (made_parent)
-    fs::remove(target.parent_path(), error); // stays if it holds results
+    fs::remove(target.parent_path(), error); // fails if the folder contains results
 }
 
 void ResultsFolder::open()
@@ -146,7 +146,7 @@ void ResultsFolder::publish()
     write_text_file(whole / stamp_name, stamp);
     while (::rename(whole.c_str(), target.c_str()) != 0)
     {
-      remove_results(older); // of another run, which was faster
+      remove_results(older); // of another run that finished earlier
       fs::rename(target, older);
     }
     remove_results(older);
@@ -163,7 +163,8 @@ void require_writable(const fs::path &file)
   const fs::file_status status = fs::symlink_status(file, error);
   const bool is_own = fs::is_regular_file(status) && read_text_file(file).find(written_by_stemware) < 512;
   ensure_output(!fs::exists(status) || is_own, file, " exists without a mark of Stemware; remove it or");
-  const std::string probe = partial_name(file); // root may write where the system cannot
+  const std::string probe = partial_name(file); // root may have permission where the file system does not
+                                                // allow writing
   ensure_output(file.has_filename() && std::ofstream(probe), file, " cannot be written;");
   std::remove(probe.c_str());
 }

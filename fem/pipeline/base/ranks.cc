@@ -24,13 +24,13 @@ namespace
 
 namespace mpi = dealii::Utilities::MPI;
 
-/// Exit code and message of some work on one rank.
+/// Exit code and message of a task on one rank.
 using RankOutcome = std::pair<int, std::string>;
 
-/// MPI of this program, and all that deal.II starts with it; nullptr if MPI was started by others, or never.
+/// MPI and deal.II's initialisation by this program; nullptr if another program started MPI, or without MPI.
 std::unique_ptr<mpi::MPI_InitFinalize> session;
 
-/// Whether start_mpi() has been called.
+/// True after start_mpi().
 std::atomic<bool> is_running = false;
 
 bool says_one(const char *variable)
@@ -39,14 +39,14 @@ bool says_one(const char *variable)
   return value != nullptr && std::string(value) == "1";
 }
 
-/// Launcher that has started this process.
+/// MPI launcher of this process.
 struct Launcher
 {
   bool is_there = false;
-  bool has_several = false; ///< processes: unless it says that there is one
+  bool has_several = false; ///< several processes, unless the launcher states one
 };
 
-/// Open MPI, MPICH and Slurm with PMIx tell their processes rank and number.
+/// Returns the launcher, from the rank and size variables of Open MPI, MPICH and Slurm with PMIx.
 Launcher launcher()
 {
   for (const auto &[rank, size] :
@@ -57,11 +57,10 @@ Launcher launcher()
   return {};
 }
 
-/// Prepares the environment of a process that stands alone: it needs no daemon of Open MPI beside it, nor the
-/// ssh that the daemon asks for; nor the folder in /tmp, which has the same name for all such processes: if
-/// two start at once, one finds it made, or gone, and aborts; nor a network, whose libraries take 0.2 s to
-/// find that there is none. In a step of Slurm, Open MPI would ask Slurm for the ranks, and end the process
-/// if it was built without Slurm's PMI.
+/// Sets Open MPI's environment for a single process: no daemon (which would need ssh), no session folder in
+/// /tmp (two simultaneous processes would use the same name, and one would abort), no network (its libraries
+/// take 0.2 s to detect that there is none). In a Slurm step, Open MPI without Slurm's PMI would abort when
+/// it asks for the ranks.
 void prepare_to_stand_alone()
 {
   for (const auto &[name, value] : { std::pair("OMPI_MCA_ess_singleton_isolated", "1"),
@@ -74,12 +73,12 @@ void prepare_to_stand_alone()
 
 void start_session()
 {
-  if (mpi::job_supports_mpi()) // mpi4py has started it
+  if (mpi::job_supports_mpi()) // already started, e.g. by mpi4py
     return;
   static int n_arguments = 0;
   static char **arguments = nullptr;
   const unsigned int n_threads = dealii::MultithreadInfo::n_threads();
-  // Open MPI gives a hang-up its default action back, which nohup had taken.
+  // Open MPI resets SIGHUP to the default action, which would undo nohup.
   struct sigaction hang_up;
   const bool is_known = ::sigaction(SIGHUP, nullptr, &hang_up) == 0;
   session = std::make_unique<mpi::MPI_InitFinalize>(n_arguments, arguments, 1);
@@ -88,7 +87,7 @@ void start_session()
   dealii::MultithreadInfo::set_thread_limit(n_threads);
 }
 
-/// Outcome of some work: the exit code that belongs to it, and the message of its failure.
+/// Returns the outcome of @p work: its exit code and the message of its failure.
 RankOutcome outcome_of(const std::function<void()> &work)
 try
 {

@@ -10,8 +10,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Number of letters to insert, delete or change to get from one word to the other, upper and lower case
-/// being equal.
+/// Returns the edit distance: the number of letters to insert, delete or replace. Case is ignored.
 std::size_t edit_distance(const std::string &from, const std::string &to)
 {
   const auto lower = [](char letter) { return std::tolower(static_cast<unsigned char>(letter)); };
@@ -48,7 +47,7 @@ std::string wrapped(const std::string &text, const std::string &label, std::size
   std::vector<std::string> words;
   for (std::string word; stream >> word;)
     if (!words.empty() && (word.rfind('%', 0) == 0 || word.rfind("rad/s", 0) == 0))
-      words.back() += ' ' + word; // a number stays with its unit
+      words.back() += ' ' + word; // a number and its unit are not separated
     else
       words.push_back(word);
   std::string lines = label;
@@ -111,9 +110,9 @@ std::optional<std::string> closest_match(const std::string &word, const std::vec
   {
     const std::size_t shorter = std::min(word.size(), candidate.size());
     if (std::max(word.size(), candidate.size()) - shorter > max_slips)
-      continue; // and a megabyte need not be compared
+      continue; // also avoids comparing very long words
     const std::size_t distance = edit_distance(word, candidate);
-    // A word of which no letter is left is another word.
+    // A candidate that differs in every letter is not a typing error.
     if (distance < least && distance < candidate.size())
     {
       best = candidate;

@@ -53,7 +53,7 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
     demand.tilt_moment = motion.normal_force() * motion.overturning_height();
   if (arm == 0)
     return demand;
-  // The friction's part of M_N is h k x T = h (-T_y, T_x).
+  // Moment of the friction, h k x T = h (-T_y, T_x).
   const ring::FrictionFunctionals friction =
     ring::friction_functionals(motion, radii, std::min(balance.n_harmonics, foot->n_harmonics()), omega);
   demand.friction_x = -arm * friction.side.of_rotated(rotation);
@@ -64,7 +64,7 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
 fem::ContactState BalancedContact::contact_on_one_ring(double omega)
 {
   constexpr unsigned int max_rounds = 20;
-  constexpr double tolerance = 1e-10; // that of a contact; a round leaves a hundredth of the change before
+  constexpr double tolerance = 1e-10; // tolerance of a contact; a round reduces the change by a factor of 100
   const ring::Motion &motion = balance.motion;
   for (unsigned int round = 0;; ++round)
   {
@@ -120,7 +120,7 @@ ring::Sample BalancedContact::sample_of(const fem::ContactState &state) const
   ring::Sample sample = load.truncated(balance.n_harmonics);
   if (balance.tilts)
     sample.tilt = state.solution.motion.tail<2>();
-  // Near lift-off the load falls like 1 + cos.
+  // Near lift-off the load decreases like 1 + cos.
   const double share = load.azimuth_fraction.value_or(load.contact_fraction);
   sample.lift_off_margin =
     share < 1 ? -std::pow(boost::math::double_constants::pi * (1 - share), 2) / 2 : load.least / load.a(0);

@@ -13,7 +13,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Azimuths in [0, 2 pi), sorted.
+/// Returns @p pointwise with azimuths in [0, 2 pi), sorted.
 std::vector<fem::AzimuthLoad> by_azimuth(std::vector<fem::AzimuthLoad> pointwise)
 {
   constexpr double turn = boost::math::double_constants::two_pi;

@@ -48,7 +48,8 @@ void ContactPath::append(const fem::ContactState &state)
   recent.push_back(now);
   if (recent.size() <= most)
     return;
-  // Of the older ones, that goes which has the nearest neighbour: the others go on to cover the spins.
+  // Of the older contacts, the one with the nearest neighbour is removed, so that the others still cover the
+  // spins.
   const auto room = [&](const Found &one)
   {
     double nearest = std::numeric_limits<double>::infinity();
@@ -66,7 +67,7 @@ std::optional<fem::ContactStart> ContactPath::between(std::vector<const Found *>
                                                       std::size_t n_least)
 {
   constexpr std::size_t max_points = 4;
-  constexpr double largest_sum = 8; // of the weights: beyond, it is no neighbour
+  constexpr double largest_sum = 8; // maximum sum of the weights; beyond it the contact is too far away
   std::sort(points.begin(), points.end(),
             [&](const Found *one, const Found *other) {
               return std::abs(one->slip.spin_per_speed - spin) < std::abs(other->slip.spin_per_speed - spin);
@@ -110,7 +111,8 @@ std::optional<fem::ContactStart> ContactPath::expected(const std::vector<const F
       least = std::min(least, std::abs(one->slip.spin_per_speed - spin));
     return least;
   };
-  // An own contact is better known than one of another foot that is a tenth of the spin nearer.
+  // A contact of this foot is more accurate than a contact of a similar foot that is closer by a tenth of the
+  // spin.
   const bool own_are_far = distance(similar_at_marks) + 0.1 * std::abs(spin) < distance(own);
   const std::optional<fem::ContactStart> start = own_are_far ? std::nullopt : between(own, spin, 2);
   return start ? start : between(own_are_far ? similar_at_marks : similar, spin, 1);
@@ -139,7 +141,7 @@ fem::ContactGuess ContactPath::guess(const fem::ContactDemand &demand, const rin
     return radius * std::abs(one->slip.spin_per_speed - slip.spin_per_speed) + difference(0) +
            difference.tail<3>().sum() / radius;
   };
-  // Of equally near ones the newest.
+  // Of equally near contacts, the newest.
   guess.predicted =
     (*std::min_element(known.rbegin(), known.rend(),
                        [&](const Found *one, const Found *other) { return distance(one) < distance(other); }))
@@ -162,7 +164,8 @@ std::optional<fem::ContactStart> ContactPath::nearest_towards_rest(const ring::S
 void ContactPath::predict_from_similar(const ContactPath &similar, const fem::Foot &own,
                                        const fem::Foot &other)
 {
-  constexpr double apart = 1e-5; // of the largest spin: two solutions at one spin have no polynomial
+  constexpr double apart = 1e-5; // minimum distance relative to the largest spin: no polynomial through two
+                                 // contacts at the same spin
   double largest = 0;
   for (const Found &one : similar.recent)
     largest = std::max(largest, std::abs(one.slip.spin_per_speed));

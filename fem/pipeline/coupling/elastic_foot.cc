@@ -48,7 +48,7 @@ void ElasticFoot::predict_from_similar(const ElasticFoot &similar)
 fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip &slip, Progress &progress,
                                      const fem::ContactState *before)
 {
-  if (!demand.has_friction()) // else the demand knows the rings that its friction is of
+  if (!demand.has_friction()) // otherwise the demand already has the rings of its friction
     demand.ring_radii = radii;
   demand.n_harmonics = highest;
   const auto solve_from = [&](const fem::ContactGuess &guess)
@@ -63,7 +63,7 @@ fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip
   }
   catch (const fem::ContactFailure &failure)
   {
-    // Next to a fall the nearest contact may belong to a balance beyond, which does not lead here.
+    // Near tipping the nearest contact may belong to another branch of balances, beyond the limit point.
     if (failure.outcome != fem::ContactOutcome::tipping || foot->capabilities().is_collective)
       throw;
     const std::optional<fem::ContactStart> start = path.nearest_towards_rest(slip);
@@ -87,7 +87,7 @@ fem::ContactState ElasticFoot::solve_at_rest(const fem::ContactDemand &demand, c
            marks.glass == known_marks.glass && marks.table == known_marks.table;
   };
   if (at_rest && is_known())
-    at_rest->load = project_onto_rings(*at_rest); // the rings may be others by now
+    at_rest->load = project_onto_rings(*at_rest); // the rings may have changed since
   else
     at_rest = solve(demand, { 0, marks }, progress);
   return *at_rest;

@@ -22,10 +22,10 @@ struct Failure
 {
   std::string sentence;
   ExitCode code = ExitCode::numerical_failure;
-  bool is_everywhere = false; ///< all ranks have met it; others would wait for this one for ever
+  bool is_everywhere = false; ///< all ranks have it; otherwise the other ranks would wait for ever
 };
 
-/// The exception that is being handled.
+/// Returns the failure of the exception that is being handled.
 Failure present_failure()
 {
   try

@@ -19,7 +19,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Resultants of the study at rest, with the weight of the leaning glass where it counts.
+/// Returns the resultants of the study at rest, including the weight of the tilted glass if the study has it.
 fem::ContactDemand demand_at_rest(const Study &study)
 {
   fem::ContactDemand demand = study.required_resultants();
@@ -28,7 +28,7 @@ fem::ContactDemand demand_at_rest(const Study &study)
   return demand;
 }
 
-/// The load of a contact whose marks stay where they are @p at_rest.
+/// Returns the load of a contact whose marks keep their orientation of @p at_rest.
 BalancedLoad load_at_one_phase(const std::shared_ptr<ElasticFoot> &foot, ContactBalance balance,
                                const fem::ContactState &at_rest, Progress &progress)
 {
@@ -41,7 +41,7 @@ BalancedLoad load_at_one_phase(const std::shared_ptr<ElasticFoot> &foot, Contact
            report_of(at_rest, foot->radius(), balance.tilts), contacts };
 }
 
-/// The contact at rest with the marks at @p phase. If it tips, the failure tells about @p at_start as well,
+/// Returns the contact at rest with the marks at @p phase. If it tips, the message also mentions @p at_start,
 /// the contact with the marks at t = 0, which is in balance.
 fem::ContactState contact_at_phase(ElasticFoot &foot, const ring::Orientation &phase,
                                    const fem::ContactState &at_start)
@@ -72,12 +72,12 @@ fem::ContactState contact_at_phase(ElasticFoot &foot, const ring::Orientation &p
   }
 }
 
-/// @p at_rest is the load at the phase of t = 0.
+/// @p at_rest: contact at the phase of t = 0.
 BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const ContactBalance &balance,
                               const ring::PhasePeriods &periods, const fem::ContactState &at_rest,
                               bool is_hard, bool is_coarse, Progress &progress)
 {
-  // Each phase has its own balances, solved as they are asked for.
+  // Loads of the phases, created on demand.
   const auto by_phase = std::make_shared<std::map<std::pair<double, double>, BalancedLoad>>();
   const ring::LoadAtPhase exact = [=, &progress](double omega, const ring::Orientation &phase)
   {
@@ -91,19 +91,19 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
     }
     return load->second.at(omega);
   };
-  // Where each phase takes a curve over the spins, or ten times as long under a hard contact, fewer have to
-  // do: so a study takes seconds.
+  // Fewer phases are used if each needs a curve over the spins, or if the contact is hard (ten times slower),
+  // so that a study takes seconds.
   const bool follows = balance.varies_with_spin;
   ring::RestSampling at_rest_sampling;
   at_rest_sampling.max_samples = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;
-  // A row has no band that would tell a larger error.
+  // Rows have no error band that would report a larger error.
   if (is_coarse)
     at_rest_sampling.max_error = 1e-3;
   const ring::PhaseSamples samples = ring::sample_phases(exact, periods, at_rest_sampling);
 
   LoadReport report = report_of(at_rest, foot->radius(), balance.tilts);
   ring::SpinSampling spins;
-  // Friction is not smooth where the rim is as fast as the glass: there intervals meet.
+  // Intervals meet at the spin at which the rim is as fast as the glass, because friction has a kink there.
   if (follows)
     spins.unit = balance.motion.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
   if (is_hard)
@@ -120,7 +120,7 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
            std::make_shared<BalancedContact>(foot, balance, at_rest, progress) };
 }
 
-/// The contact at rest, on the rings of the study, which the first call chooses.
+/// Returns the contact at rest on the rings of the study, which the first call chooses.
 fem::ContactState contact_at_rest(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                   const ring::Orientation &marks, Progress &progress)
 {

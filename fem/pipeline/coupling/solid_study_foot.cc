@@ -33,7 +33,7 @@ fem::SolidMesh mesh_before_goal(const Study &study)
                               study.contact.mesh_file_options);
 }
 
-/// Text that only studies share whose feet have the same mesh, material and elements.
+/// Returns a text that is equal for two studies only if their feet have the same mesh, material and elements.
 std::string elements_of(const Study &study, const Discretisation &discretisation)
 {
   Study bare;
@@ -53,7 +53,7 @@ fem::SolidMesh solid_mesh(const Study &study, const Discretisation &discretisati
   return mesh;
 }
 
-/// Returns the linear solver of @p study: a mesh that is pressed once or twice is not worth a condensation.
+/// Returns the linear solver of @p study. A condensation is not worthwhile for one or two contacts.
 fem::LinearSolver linear_solver_of(const Study &study, const Discretisation &discretisation)
 {
   const ContactSection &contact = study.contact;
@@ -81,7 +81,7 @@ fem::SolidSetup solid_setup(const Study &study, const Discretisation &discretisa
   return setup;
 }
 
-/// A solid foot that knows with which others it may share its mesh and elements.
+/// Solid foot with a key of the feet with which it may share mesh and elements.
 class StudyFoot : public fem::SolidFoot
 {
 public:

@@ -15,7 +15,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// A first harmonic that carries the given moment of a static study.
+/// Returns the first-harmonic load with the prescribed moment of a static study.
 BalancedLoad given_first_harmonic(const Study &study)
 {
   const fem::Resultants demand = study.required_resultants();

@@ -21,11 +21,11 @@ namespace stemware::pipeline
 namespace
 {
 
-std::unique_ptr<Explorer> explorer = std::make_unique<Explorer>(); // NOLINT: a page has one
+std::unique_ptr<Explorer> explorer = std::make_unique<Explorer>(); // NOLINT: one per page
 std::optional<fem::ContactState> last_contact;                     // NOLINT
-std::string reply;                                                 // NOLINT: what the page reads
+std::string reply;                                                 // NOLINT: read by the page
 
-/// An answer by the keys of summary.json/ring.
+/// Returns an answer with the keys of summary.json/ring.
 Json ring_summary(const ring::Answer &row)
 {
   Json ring = answer_fields().json(row);
@@ -39,7 +39,7 @@ Json series_summary(const ring::RingStack &load)
   return { { "a", a }, { "b", b } };
 }
 
-/// A load by the keys of summary.json/load.
+/// Returns a load with the keys of summary.json/load.
 Json load_summary(const ring::RingState &state, double contact_radius)
 {
   const Eigen::Vector2d moment = state.load.moment();
@@ -52,7 +52,7 @@ Json load_summary(const ring::RingState &state, double contact_radius)
   return load;
 }
 
-/// The state at the end of the spin-up, or at rest without one.
+/// Returns the state at the end of the spin-up; at rest if there is no spin-up.
 const ring::RingState *end_of(const ring::Answer &row)
 {
   return row.at_terminal ? &*row.at_terminal
@@ -61,7 +61,7 @@ const ring::RingState *end_of(const ring::Answer &row)
                          : nullptr;
 }
 
-/// Document of an answer: what the page of `run` has of the same names, as far as it is known.
+/// Returns the document of an answer: a subset of the page of `run`, with the same names.
 Json answer_document(const LiveAnswer &found)
 {
   const Study &study = explorer->study();
@@ -100,13 +100,13 @@ Json document_of(const Pictures &pictures, const Json &summary = Json::object())
              { { "summary", summary }, { "words", pictures.words }, { "tables", pictures.tables } } } };
 }
 
-/// A failure, and unusual values, its likelier cause.
+/// Returns a failure with implausible values, its likely cause.
 Json failure_of(const std::string &message, bool tips)
 {
   return { { "error", message }, { "tips", tips }, { "notes", implausible_notes(explorer->study()) } };
 }
 
-/// Answers with what @p make returns, or with why it throws.
+/// Returns the JSON of @p make, or its failure.
 template <typename Make>
 const char *answer(const Make &make)
 {

@@ -33,14 +33,13 @@ namespace stemware::pipeline
 namespace
 {
 
-/// A compliance as the page has it: its numbers as whole multiples of a step, one for `normal`, `radial` and
-/// `azimuthal` each, which is 2^-bits of the largest of them.
+/// Compliance in the compressed form of the page. The numbers of `normal`, `radial` and `azimuthal` are
+/// quantised as integer multiples of a step, 2^-bits of the largest number of each kind.
 ///
-/// The head of packed() and the steps lie there as they are. Of the numbers there is what a prediction
-/// leaves: by the harmonic before and, of what that leaves, by the three neighbours in front. It is small, as
-/// one harmonic's compliance is much like the next one's and smooth in both radii; small numbers of either
-/// sign become small ones without, of which all lowest bytes come first, and so on: that packs five times as
-/// well as floats do.
+/// The head of packed() and the steps are stored unchanged. Each integer is predicted, first from the
+/// previous harmonic and then from the three preceding neighbours in both radii, and the residual is stored.
+/// Residuals are small because compliances vary smoothly. They are mapped to unsigned numbers and stored by
+/// bytes, lowest bytes first. This compresses five times better than floats.
 class PagedCompliance
 {
 public:
@@ -61,7 +60,7 @@ public:
           given[i] = std::nearbyint(given[i] / steps[kind]) * steps[kind];
   }
 
-  /// The numbers that an Explorer takes, packed().
+  /// Returns the quantised numbers in the format of packed(), for an Explorer.
   const double *numbers() const { return given.data(); }
 
   std::string bytes() const
@@ -74,7 +73,7 @@ public:
         for (std::size_t j = 0; j < n; ++j)
           for (std::size_t i = kind == 0 ? j : 0; i < n; ++i)
           {
-            // All modulo 2^32.
+            // Modulo 2^32.
             const std::uint32_t rest = change(m, kind, i, j) - (i > 0 ? change(m, kind, i - 1, j) : 0) -
                                        (j > 0 ? change(m, kind, i, j - 1) : 0) +
                                        (i > 0 && j > 0 ? change(m, kind, i - 1, j - 1) : 0);
@@ -90,7 +89,7 @@ public:
 private:
   std::size_t head() const { return 6 + n; }
   std::size_t size(std::size_t kind) const { return kind == 0 ? n * (n + 1) / 2 : n * n; }
-  /// Where a matrix begins in packed().
+  /// Returns the position of a matrix in packed().
   std::size_t begin(std::size_t m, std::size_t kind) const
   {
     std::size_t place = head() + m * (size(0) + 2 * size(1));
@@ -106,7 +105,7 @@ private:
     return static_cast<std::uint32_t>(
       static_cast<std::int64_t>(std::llround(given[begin(m, kind) + place] / steps[kind])));
   }
-  /// Against the harmonic before.
+  /// Returns the difference to the previous harmonic.
   std::uint32_t change(std::size_t m, std::size_t kind, std::size_t i, std::size_t j) const
   {
     return whole(m, kind, i, j) - (m > 0 ? whole(m - 1, kind, i, j) : 0);
@@ -117,7 +116,7 @@ private:
   std::size_t n, n_matrices;
 };
 
-/// The entries that a preset sets.
+/// Returns the paths of the entries that a preset sets.
 std::vector<std::string> entries_of(const Preset &preset)
 {
   Study study;
@@ -138,7 +137,8 @@ Study study_of(const PageOptions &options, const Preset *glass, const Preset *ta
   return study;
 }
 
-/// The values of @p study that are not the defaults. The height of the hand says its offset.
+/// Returns the values of @p study that differ from the defaults. The height of the hand determines its
+/// offset.
 std::vector<std::pair<std::string, std::string>> values_of(const Study &study)
 {
   Study defaults, copy = study;
@@ -166,7 +166,7 @@ ring::Answer answer_of(const Study &study, fem::ComplianceCache &cache)
   return ring::answer(find_load(study, foot), spin_question(study)).value();
 }
 
-/// The answer by an Explorer on the compliances as the page has them, of a mesh of @p fineness.
+/// Returns the answer of an Explorer with the quantised compliances of a mesh of @p fineness.
 ring::Answer answer_in_page(const Study &study, double fineness, const PagedCompliance &foot,
                             const PagedCompliance *disc)
 {
@@ -180,7 +180,7 @@ ring::Answer answer_in_page(const Study &study, double fineness, const PagedComp
   return explorer.solve(all_harmonics, true).all.value();
 }
 
-/// The compliances of all pairs, each once.
+/// Set of the compliances of all pairs, without duplicates.
 class Bodies
 {
 public:
@@ -224,7 +224,7 @@ nlohmann::ordered_json buttons(const std::vector<Preset> &presets, const std::st
   return list;
 }
 
-/// The presets, or nothing alone for the glass or table of the study.
+/// Returns the presets, or a single nullptr for the study's own glass or table.
 std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
 {
   std::vector<const Preset *> list;
@@ -233,22 +233,21 @@ std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
   return list.empty() ? std::vector<const Preset *>{ nullptr } : list;
 }
 
-/// Allowed error of an answer by the digits of the compliances [rad/s]; other settings miss ten times as
-/// much.
+/// Maximum error of an answer due to quantisation [rad/s]; other settings have ten times this error.
 constexpr double tolerance = 1e-11;
 
-/// One glass on one table, solved by the program and as the page solves it.
+/// Glass and table, solved by the program and with the page's compliances.
 struct SolvedPair
 {
   PagePair pair;
   Study study;
-  double fineness; ///< of its mesh
+  double fineness; ///< of the mesh
   PagedCompliance foot;
   std::optional<PagedCompliance> disc;
   std::optional<double> here; ///< terminal spin by an Explorer on these compliances [rad/s]
 };
 
-/// Solves a pair, with as few digits of its compliances as the tolerance allows.
+/// Solves a pair with the lowest number of bits that meets the tolerance.
 SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Preset *table,
                       fem::ComplianceCache &cache)
 {
@@ -283,7 +282,7 @@ std::string compressed_base64(const std::string &text)
   return dealii::Utilities::encode_base64({ compressed.begin(), compressed.end() });
 }
 
-/// The text between the tags of a script of a page.
+/// Returns the content of the script element with @p id.
 std::string script_in(const std::string &page, const std::string &id)
 {
   const std::string tag = "id=\"" + id + "\">";

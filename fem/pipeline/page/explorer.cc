@@ -21,11 +21,12 @@ namespace stemware::pipeline
 namespace
 {
 
-/// How far the half-width of a focused contact may go from the one that its mesh was made for: as many cells
-/// again, or half as many (docs/explore.md has the band).
+/// Maximum ratio of a focused contact's half-width to the half-width of the mesh, and its inverse (band in
+/// docs/explore.md).
 constexpr double farthest = 1.5;
 
-/// Entries whose change the compliances survive: they scale with the moduli, and know nothing of what moves.
+/// Returns true if the entry can change without new compliances: they scale with the moduli and do not depend
+/// on the motion.
 bool is_live(const std::string &path)
 {
   static const std::vector<std::string> outside_motion = { "Glass/Crown radius",
@@ -45,7 +46,7 @@ bool is_live(const std::string &path)
          std::find(outside_motion.begin(), outside_motion.end(), path) != outside_motion.end();
 }
 
-/// Terminal spin with its contact and its load.
+/// Terminal spin with its contact and load.
 struct BalanceNearby
 {
   ring::ZeroGuess spin;
@@ -218,7 +219,7 @@ void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, Liv
   if (last)
     foot->set_rings(last->ring_radii(), last->n_harmonics());
   ring::Question question = spin_question(present);
-  question.with_slope = !last; // a move is to be quick
+  question.with_slope = !last; // slow parts only for the last move of the slider
   if (last)
     question.near = zero;
   const BalancedLoad load = find_load(present, foot);

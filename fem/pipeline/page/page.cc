@@ -8,13 +8,13 @@
 namespace stemware::pipeline
 {
 
-/// HTML of pages, and bundles of their scripts and styles with check sums.
+/// HTML of pages; bundled scripts and styles with checksums.
 const CompiledTexts &page_texts();
 
 namespace
 {
 
-/// page.html with @p parts, which differ between reports and live pages.
+/// Returns page.html with @p parts, which differ between reports and live pages.
 std::string filled(const std::string &title, const std::string &answer,
                    std::map<std::string, std::string> parts)
 {
@@ -24,7 +24,7 @@ std::string filled(const std::string &title, const std::string &answer,
   return with_marks_replaced(text_of(page_texts(), "page.html"), parts);
 }
 
-/// The check sum in a file of sha256sum, as a Content-Security-Policy has it.
+/// Returns the checksum of a sha256sum file in the format of a Content-Security-Policy.
 std::string check_sum(const std::string &file)
 {
   return base64_of_digits(text_of(page_texts(), file).substr(0, 64));

@@ -33,13 +33,13 @@ void require_finite(const Json &value, const std::string &path)
       require_finite(part, path + "/" + key);
 }
 
-/// Writes what this rank has of the fields into fields/ of a folder that all ranks see.
+/// Writes this rank's fields into fields/ of a folder visible to all ranks.
 void write_fields(const std::vector<fem::FieldFile> &fields, const fs::path &folder)
 {
   if (fields.empty())
     return;
   std::error_code error;
-  fs::create_directory(folder / "fields", error); // another rank may have been faster
+  fs::create_directory(folder / "fields", error); // another rank may have created it already
   if (error)
     throw OutputFailure(fmt::format(FMT_STRING("The folder fields of the results cannot be made ({}); choose "
                                                "a folder that all ranks can write to with --output."),
@@ -56,7 +56,7 @@ std::string text_of(const ResultFile &file)
   return fs::path(file.name).extension() == ".csv" ? csv_table(table) : data_table(table);
 }
 
-/// The document of the page: of the summary without what the page does not show.
+/// Returns the document of the page: the summary without parts that the page does not show.
 Json page_document(const Results &results, Json summary)
 {
   summary.erase("files");
@@ -71,7 +71,7 @@ Json page_document(const Results &results, Json summary)
            { "entries", results.entries }, { "quantities", results.quantities }, { "files", files } };
 }
 
-/// Writes all files but the fields into @p place, a folder that will be @p final_place.
+/// Writes all files except the fields into @p place, a folder that is later renamed to @p final_place.
 void write_results(const StudyOptions &options, const std::optional<Study> &study, const Results &results,
                    Stopwatch &stopwatch, const fs::path &place, const fs::path &final_place)
 {
@@ -98,7 +98,7 @@ void write_results(const StudyOptions &options, const std::optional<Study> &stud
   write_text_file(place / "timings.json", Json(stopwatch.times()).dump(2) + "\n");
 }
 
-/// Prints the console's text and the @p final_place of the results.
+/// Prints the console text and @p final_place.
 void print(const StudyOptions &options, const Results &results, const fs::path &final_place)
 {
   console() << console_text(results);
@@ -133,10 +133,10 @@ Json summary_of(const std::string &verb, const std::optional<Study> &study, cons
 void publish(const StudyOptions &options, const std::optional<Study> &study, Results results,
              ResultsFolder &folder, Stopwatch &stopwatch)
 {
-  // The folder is whole before it gets its name.
+  // The folder is complete before it gets its final name.
   folder.open();
   on_every_rank([&] { write_fields(results.fields, folder.working_folder()); });
-  results.fields = {}; // large texts
+  results.fields = {}; // frees memory
   on_first_rank(
     [&]
     {

@@ -19,7 +19,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the unit behind the column's name, empty if there is none; std::nullopt for another heading.
+/// Returns the unit after the column's name, empty if there is none; std::nullopt for another heading.
 std::optional<std::string> unit_text_in(const std::string &cell, const FileColumn &column)
 {
   const std::string typed = as_typed(cell), heading = boost::to_lower_copy(typed);
@@ -34,7 +34,7 @@ std::optional<std::string> unit_text_in(const std::string &cell, const FileColum
   return std::nullopt;
 }
 
-/// Number of cells without the empty ones at the end.
+/// Returns the number of cells without trailing empty ones.
 std::size_t n_cells(const TableRow &row)
 {
   const auto last =
@@ -42,13 +42,13 @@ std::size_t n_cells(const TableRow &row)
   return static_cast<std::size_t>(row.cells.rend() - last);
 }
 
-/// Where the columns stand in a table.
+/// Positions of the columns in a table.
 struct Layout
 {
-  std::size_t first_row = 0;       ///< of numbers
-  std::vector<std::size_t> places; ///< of the columns in a row
-  std::vector<std::string> units;  ///< as they stand in the file; empty text: the SI unit is assumed
-  std::size_t n_columns = 0;       ///< of the file
+  std::size_t first_row = 0;       ///< first row of numbers
+  std::vector<std::size_t> places; ///< position of each column in a row
+  std::vector<std::string> units;  ///< as written in the file; empty: SI unit
+  std::size_t n_columns = 0;       ///< columns of the file
 };
 
 /// Reader of the numbers of one table.
@@ -91,7 +91,7 @@ private:
            " numbers a line, " + boost::join(names, ", ") + ".";
   }
 
-  /// "2 numbers, t, v, in SI units or in those of a first line "t (ms), v (cm/s)"."
+  /// Returns the advice of a message, e.g. "write 2 numbers, t, v, in SI units or ...".
   std::string remedy() const
   {
     return "write " + std::to_string(columns.size()) + " numbers, " + boost::join(names, ", ") +
@@ -175,8 +175,8 @@ private:
            "\", or leave the header out.";
   }
 
-  /// Finds out whether commas stand for decimals. Throws BadInput if they may stand for thousands: beside
-  /// numbers with points, or, in a table that is separated by commas, with three digits behind all of them.
+  /// Determines whether commas are decimal marks. Throws BadInput if they may be thousands separators: next
+  /// to numbers with points, or, in a comma-separated table, if all are followed by three digits.
   void decide_about_commas(const Layout &layout)
   {
     const bool may_be_thousands = table.separator == ',';
@@ -232,7 +232,7 @@ private:
   const TextTable table;
   bool commas_are_decimal;
   std::vector<std::string> names, header;
-  std::vector<double> factors; ///< from the file's units to those of SI
+  std::vector<double> factors; ///< from the file's units to SI units
 };
 
 } // namespace

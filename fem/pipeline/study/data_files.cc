@@ -22,16 +22,17 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The torque of all of them takes seconds; its kernels have fallen to nothing long before.
+/// Maximum number of harmonics: the torque still takes only seconds, and the kernels are negligible far
+/// earlier.
 constexpr std::size_t max_harmonics = 1000;
 
-/// Larger loads and rings are slips of units, and overflow.
+/// Maximum of loads and radii. Larger values are unit errors and would overflow.
 constexpr double largest_number = 1e12;
 
-/// How much larger than a_0 a coefficient may be: a load that pulls nowhere has none above 2.
+/// Maximum ratio of a coefficient to a_0. A load without tension has none above 2.
 constexpr double largest_share = 1000;
 
-/// The radius that a comment of a load file states; nothing for other comments.
+/// Returns the ring radius in a comment of a load file; std::nullopt for other comments.
 std::optional<double> ring_radius_in(const std::string &where, const std::string &comment)
 {
   const std::string key = "# ring radius:";

@@ -20,7 +20,7 @@
 namespace stemware::pipeline
 {
 
-/// The files presets/*.prm that CMakeLists.txt names, compiled in.
+/// Compiled-in files presets/*.prm, listed in CMakeLists.txt.
 const CompiledTexts &glass_texts();
 const CompiledTexts &table_texts();
 
@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// The preset of a file that begins with "# NAME: WORDS" and, where it has some, "# Also called: NAME, NAME".
+/// Returns the preset of a file that starts with "# NAME: WORDS" and optionally "# Also called: NAME, NAME".
 Preset preset_in(const std::string &text)
 {
   Preset preset;
@@ -52,7 +52,7 @@ std::vector<Preset> presets_in(const CompiledTexts &texts)
   return presets;
 }
 
-/// A name as it is compared.
+/// Returns a name in the normalised form for comparisons.
 std::string plain(std::string name)
 {
   std::replace_if(
@@ -60,8 +60,7 @@ std::string plain(std::string name)
   return boost::trim_copy(boost::to_lower_copy(name));
 }
 
-/// The name of the preset that somebody may mean by @p word: by another name, by a part of its name, or
-/// misspelt.
+/// Returns the preset probably meant by @p word: another name, a part of a name, or a misspelt name.
 std::optional<std::string> meant_by(const std::string &word, const std::vector<Preset> &presets)
 {
   const std::string wanted = plain(word);
@@ -76,7 +75,7 @@ std::optional<std::string> meant_by(const std::string &word, const std::vector<P
   return closest_match(wanted, names);
 }
 
-/// Where the cookbooks are; empty where they are not installed.
+/// Returns the folder of the cookbooks; empty if they are not installed.
 fs::path cookbook_folder()
 {
   std::error_code error;

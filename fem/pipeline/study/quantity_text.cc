@@ -28,7 +28,7 @@ using Dimension = std::array<int, 5>;
 constexpr Dimension mass = { 1 }, length = { 0, 1 }, duration = { 0, 0, 1 }, angle = { 0, 0, 0, 1 },
                     memory = { 0, 0, 0, 0, 1 }, force = { 1, 1, -2 }, pressure = { 1, -1, -2 };
 
-/// A unit in terms of those of SI: 10^decimal times factor.
+/// Unit relative to SI: 10^decimal times factor.
 struct Unit
 {
   Dimension dimension = {};
@@ -73,7 +73,7 @@ const std::map<std::string, int> prefixes = {
   { "m", -3 }, { "c", -2 }, { "k", 3 },  { "M", 6 },  { "G", 9 }
 };
 
-/// "mm", "kg", "GPa", without an exponent.
+/// Parses a unit without exponent, e.g. "mm", "kg", "GPa".
 std::optional<Unit> parse_name(const std::string &name)
 {
   if (const auto found = other_units.find(name); found != other_units.end())
@@ -85,7 +85,8 @@ std::optional<Unit> parse_name(const std::string &name)
   return std::nullopt;
 }
 
-/// Products by blanks, * or ·, all behind a / dividing, powers as m^2, m2 or s^-1: "N m", "g cm^2", "MPa/mm".
+/// Parses a unit with products (blank, * or ·), divisions (everything after a / is in the denominator) and
+/// powers (m^2, m2, s^-1): "N m", "g cm^2", "MPa/mm".
 std::optional<Unit> parse_unit(std::string text)
 {
   for (const auto &[mark, plain] : { std::pair("²", "^2"), std::pair("³", "^3"), std::pair("·", " "),
@@ -94,7 +95,7 @@ std::optional<Unit> parse_unit(std::string text)
   std::istringstream words(text);
   Unit product;
   int sign = 1;
-  bool is_whole = false; // begins and ends with a name
+  bool is_whole = false; // starts and ends with a name
   for (std::string word; words >> word;)
   {
     if (word == "/")
@@ -117,7 +118,7 @@ std::optional<Unit> parse_unit(std::string text)
   return is_whole ? std::optional(product) : std::nullopt;
 }
 
-/// A number and what stands behind it.
+/// Number and the text after it.
 struct Parts
 {
   std::string number;
@@ -135,7 +136,7 @@ Parts split_number(const std::string &whole)
   return { text.substr(0, n), boost::trim_copy(text.substr(n)) };
 }
 
-/// The decimal number times 10^decimal, rounded once.
+/// Returns the decimal number times 10^decimal, rounded once.
 std::optional<double> shifted(const std::string &number, int decimal)
 {
   const auto mark = std::min(number.find_first_of("eE"), number.size());
@@ -144,14 +145,14 @@ std::optional<double> shifted(const std::string &number, int decimal)
                       std::to_string(std::clamp(exponent, -9999L, 9999L) + decimal));
 }
 
-/// Words for quantities of one SI unit, and the units that people use.
+/// Kind of quantity with one SI unit: its name and usual units.
 struct Kind
 {
   std::string unit;
-  std::string name;                      ///< "a mass"
-  std::string example;                   ///< a value that a study may have
-  std::vector<std::string> usual;        ///< units beside that, the commonest first
-  std::vector<std::string> further = {}; ///< units that are taken too
+  std::string name;                      ///< e.g. "a mass"
+  std::string example;                   ///< a plausible value
+  std::vector<std::string> usual;        ///< other usual units, most common first
+  std::vector<std::string> further = {}; ///< further accepted units
 };
 
 const std::vector<Kind> kinds = {
@@ -184,7 +185,7 @@ Unit known_unit(const std::string &unit)
   return parse_unit(unit.empty() ? "1" : unit).value();
 }
 
-/// " in kg, g, mg, oz or lb"; of a pure number ", also in %".
+/// Returns the usual units as text, " in kg, g, mg, oz or lb"; for a pure number ", also in %".
 std::string units_of(const Kind &kind)
 {
   if (kind.unit == "1")
@@ -195,7 +196,7 @@ std::string units_of(const Kind &kind)
   return " in " + listed(units);
 }
 
-/// "2: 5 um @ 20 deg"; the azimuth may be left out.
+/// Parses a harmonic such as "2: 5 um @ 20 deg"; the azimuth is optional.
 std::optional<fem::WavinessHarmonic> parse_harmonic(const std::string &text)
 {
   const auto colon = text.find(':'), at = std::min(text.find('@'), text.size());

@@ -17,7 +17,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The one place where the names of interface and substrate become an object, which is asked from there on.
+/// Creates the interface law of a table. All other code uses the law, not the names of interface and
+/// substrate.
 std::shared_ptr<const fem::InterfaceLaw> make_interface(const TableSection &table)
 {
   switch (table.interface)
@@ -32,9 +33,9 @@ std::shared_ptr<const fem::InterfaceLaw> make_interface(const TableSection &tabl
   throw std::logic_error("a table without an interface");
 }
 
-/// Whether a foot that friction bends shows in the pressure: the interface yields nothing by itself, and
-/// under it the table is rigid or has a hundredth of the foot's modulus at least. There leaving that friction
-/// out takes all of the harmonics' effect away; a table of a thousandth follows the bent foot.
+/// Returns true if friction that bends the foot changes the pressure noticeably: a hard interface on a rigid
+/// table, or on a substrate with at least 1/100 of the foot's modulus. On such a table this friction cancels
+/// the effect of the harmonics. A substrate with 1/1000 of the modulus follows the bent foot.
 bool has_stiff_contact(const Study &study)
 {
   const TableSection &table = study.table;
@@ -69,7 +70,7 @@ fem::Resultants Study::required_resultants() const
   required.normal_force = motion.orbit.normal_force();
   if (load.is_static())
   {
-    // The load is largest where the moment presses: (sum y f, -sum x f) for forces gathered at that theta.
+    // The moment is largest in the direction of the load's maximum: (sum y f, -sum x f).
     const double moment = load.moment_ratio * required.normal_force * radius / 2;
     required.moment_x = moment * std::sin(load.moment_direction);
     required.moment_y = -moment * std::cos(load.moment_direction);

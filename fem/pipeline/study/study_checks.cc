@@ -24,7 +24,7 @@ bool is_implausible(const StudyEntry &entry, double value)
   return entry.plausible && value != 0 && !entry.plausible->contains(value);
 }
 
-/// The entries that @p study was given, that have an effect, and whose values no glass on a table has.
+/// Returns the given entries of @p study that have an effect and an implausible value.
 std::vector<StudyEntry> implausible_entries(const Study &study)
 {
   std::vector<StudyEntry> implausible;
@@ -34,27 +34,27 @@ std::vector<StudyEntry> implausible_entries(const Study &study)
   return implausible;
 }
 
-/// " m", empty for pure numbers.
+/// Returns the unit with a leading blank, " m"; empty for pure numbers.
 std::string unit_behind_number(const StudyEntry &entry)
 {
   return entry.unit == "1" ? "" : ' ' + entry.unit;
 }
 
-/// "Motion/Mass = 300 kg"
+/// Returns e.g. "Motion/Mass = 300 kg".
 std::string assignment(const StudyEntry &entry, double value)
 {
   return entry.path() + " = " + to_short_text(value) + unit_behind_number(entry);
 }
 
-/// "0.02 to 2 kg"
+/// Returns the plausible range, e.g. "0.02 to 2 kg".
 std::string plausible_text(const StudyEntry &entry)
 {
   return to_short_text(entry.plausible->min) + " to " + to_short_text(entry.plausible->max) +
          unit_behind_number(entry);
 }
 
-/// Refuses a value that the study was given and that is more than a billion times outside its plausible
-/// range: no unit is meant there, and the computation would overflow.
+/// Refuses a given value that is more than 1e9 times outside its plausible range. It cannot be a unit error,
+/// and the computation would overflow.
 void require_conceivable(const Study &study)
 {
   constexpr double far = 1e9;
@@ -69,8 +69,8 @@ void require_conceivable(const Study &study)
     }
 }
 
-/// Refuses a length that no glass or table has beside its contact radius (StudyEntry::times_contact_radius),
-/// where it has an effect.
+/// Refuses a length with an implausible ratio to the contact radius (StudyEntry::times_contact_radius), if it
+/// has an effect.
 void require_alike_lengths(const Study &study)
 {
   const double radius = study.glass.profile.contact_radius;
@@ -87,8 +87,8 @@ void require_alike_lengths(const Study &study)
     }
 }
 
-/// Refuses studies that ask their body for what only the other of the two bodies can do, or for more load
-/// harmonics than its lines resolve, which takes more than two lines for each wave.
+/// Refuses studies that require a feature of the other kind of body, or more load harmonics than the lines
+/// resolve (more than two lines per wavelength).
 void require_able_body(const Study &study)
 {
   const ContactSection &contact = study.contact;
@@ -109,7 +109,7 @@ void require_able_body(const Study &study)
                   std::to_string(contact.azimuth_lines) }));
 }
 
-/// A mat that is far stiffer than the glass is a hard table, but for rounding.
+/// Refuses a mat that is so much stiffer than the glass that it is a hard table up to rounding.
 void require_mat_that_yields(const Study &study)
 {
   constexpr double most = 1e8;
@@ -132,7 +132,7 @@ void require_goal_with_estimate(const Study &study)
          "Contact/Goal is given for a body of revolution, but halves cells of a solid body only; write "
          "Contact/Refinements, which halves all cells at little cost, or Contact/Body = solid" +
            rest);
-  // Without a hierarchy of meshes a hard table is known by its nodes alone.
+  // Without a mesh hierarchy a hard table uses nodal multipliers, for which there is no estimate.
   ensure(!study.table.is_hard() || study.contact.refinements > 0,
          "Contact/Goal of a solid foot on a hard table needs a refined mesh; set Contact/Refinements to at "
          "least 1" +
@@ -155,7 +155,7 @@ void require_load_file(const LoadSection &load)
            " contradicts Load/Source = file, whose load has a moment of its own; leave Moment ratio at -1.");
 }
 
-/// Entries that put rim or table out of flat, where they do.
+/// Returns the entries that give rim or table a waviness, if any.
 std::vector<std::pair<std::string, Waviness>> wavy_entries(const Study &study)
 {
   std::vector<std::pair<std::string, Waviness>> wavy = { { "Glass/Rim waviness", study.glass.waviness },
@@ -165,8 +165,7 @@ std::vector<std::pair<std::string, Waviness>> wavy_entries(const Study &study)
   return wavy;
 }
 
-/// An out-of-flat rim or table needs a body whose gap can turn, a contact to feel it, and a response fine
-/// enough.
+/// Checks that body, contact and harmonics of the study can represent a wavy rim or table.
 void require_known_waviness(const Study &study)
 {
   for (const auto &[entry, waviness] : wavy_entries(study))
@@ -184,8 +183,8 @@ void require_known_waviness(const Study &study)
   }
 }
 
-/// The hand is at least as high as the table, and its two heights agree. The height of the centre of mass is
-/// known if it acts or is given.
+/// Checks that the hand is not below the table and that its two heights agree. The height of the centre of
+/// mass must be given if it has an effect.
 void require_hand_above_table(const Study &study)
 {
   const ring::Motion &motion = study.motion.orbit;
@@ -208,8 +207,9 @@ void require_hand_above_table(const Study &study)
                   to_text(-centre) }));
 }
 
-/// The moment of @p now that no friction can take away, over the largest moment of a pressure on the land.
-/// From 1 on the glass tips at every spin; contacts next to that are slow, and fail before they tip.
+/// Returns the part of the moment of @p now that friction cannot reduce, divided by the maximum moment of a
+/// pressure on the land. From 1 on the glass tips at every spin. Contacts close to 1 are slow and fail before
+/// they tip.
 double certain_tipping_share(const Study &study, const ring::Motion &now)
 {
   const ring::Closure closure = study.motion.closure;
@@ -223,7 +223,7 @@ double certain_tipping_share(const Study &study, const ring::Motion &now)
   return (of_hand - of_friction) / (now.normal_force() * outer);
 }
 
-/// Speeds from a file reach as far as the spin-up, whose load is one that follows them.
+/// Checks that speeds from a file cover the spin-up and that the load can follow them.
 void require_known_speeds(const Study &study)
 {
   if (!study.motion.orbit_speeds)
@@ -239,7 +239,8 @@ void require_known_speeds(const Study &study)
       throw BadInput(filled("{} does not reach t = {} s; give speeds from 0 to Motion/End time = {} s.",
                             { entry, to_text(time), to_text(study.motion.end_time) }));
     }
-  constexpr unsigned int n_times = 1000; // at which liquid has to stay in its bowl and the glass on its foot
+  constexpr unsigned int n_times = 1000; // number of times at which the liquid must stay in the bowl and the
+                                         // glass on its foot
   for (unsigned int i = 0; i <= n_times && study.motion.orbit.liquid.mass > 0; ++i)
     try
     {
@@ -272,7 +273,7 @@ void require_known_speeds(const Study &study)
   }
 }
 
-/// Note about @p entry, whose @p value is implausible.
+/// Returns the note about @p entry with the implausible @p value.
 std::string implausible_note(const StudyEntry &entry, double value)
 {
   const std::string number = to_short_text(value);
@@ -289,7 +290,7 @@ std::string implausible_note(const StudyEntry &entry, double value)
                                : "check number and unit.");
 }
 
-/// Returns @p sentence, the reason why the glass tips at rest, preceded by implausible values.
+/// Returns @p sentence, the reason why the glass tips at rest, preceded by the implausible values.
 std::string with_implausible_values(const Study &study, const std::string &sentence)
 {
   std::vector<std::string> list;
@@ -319,7 +320,7 @@ void check_values(const Study &study)
   try
   {
     study.motion.orbit.validate();
-    if (study.load.is_from_contact()) // else there is no foot
+    if (study.load.is_from_contact()) // otherwise there is no foot
       study.glass.material.validate();
     if (study.load.is_from_contact() && study.contact.mesh_file.empty())
     {

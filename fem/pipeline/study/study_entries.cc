@@ -18,22 +18,22 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Collects the entries of one subsection after the other.
+/// Collects the entries, one subsection after the other.
 struct EntryList
 {
   Study &study;
   std::vector<StudyEntry> entries = {};
-  StudyEntry subsection = {}; ///< what its entries begin as
+  StudyEntry subsection = {}; ///< template of its entries
 
-  /// Begins the subsection @p name, whose entries have an effect if @p condition holds, unless they say
-  /// otherwise.
+  /// Starts the subsection @p name. Its entries have an effect if @p condition is true, unless they state
+  /// another condition.
   void enter(const std::string &name, bool condition)
   {
     subsection.section = name;
     subsection.has_effect = condition;
   }
 
-  /// A quantity; @p unit is empty for pure numbers.
+  /// Adds a quantity; @p unit is empty for pure numbers.
   template <typename... Facts>
   void number(const std::string &name, double &value, const Range &range, const std::string &unit,
               const std::string &help, const Facts &...facts)
@@ -49,7 +49,7 @@ struct EntryList
     entry.quantity = &value;
   }
 
-  /// A number of things, from @p least to @p most.
+  /// Adds an integer from @p least to @p most.
   template <typename... Facts>
   void count(const std::string &name, unsigned int &value, unsigned int least, unsigned int most,
              const std::string &help, const Facts &...facts)
@@ -64,7 +64,7 @@ struct EntryList
     append(name, value, allowed, help, parse, as_it_is, facts...).unit = "1";
   }
 
-  /// The path of a file.
+  /// Adds the path of a file.
   template <typename... Facts>
   void path(const std::string &name, std::string &value, const std::string &help, const Facts &...facts)
   {
@@ -72,20 +72,20 @@ struct EntryList
       .path_value = &value;
   }
 
-  /// Words in one line.
+  /// Adds a text in one line.
   template <typename... Facts>
   void words(const std::string &name, std::string &value, const std::string &help, const Facts &...facts)
   {
     append(name, value, "words without # and line ends, or nothing", help, in_one_line, as_it_is, facts...);
   }
 
-  /// How a surface is out of flat.
+  /// Adds the waviness of a surface.
   void waviness(const std::string &name, Waviness &value, const std::string &help)
   {
     append(name, value, waviness_words, help, parse_waviness, waviness_text);
   }
 
-  /// An entry with one of several named values.
+  /// Adds a choice among named values.
   template <typename Choice, typename... Facts>
   void choice(const std::string &name, Choice &value,
               const std::vector<std::pair<std::string, Choice>> &choices, const std::string &help,
@@ -143,10 +143,10 @@ struct EntryList
   }
 };
 
-/// Word of the field that is no entry's name, and the entries that it may be meant for, the commonest first.
+/// Technical term that is no entry name, and the entries that it may mean, most common first.
 struct FieldWord
 {
-  std::string word; ///< upper and lower case are equal
+  std::string word; ///< case-insensitive
   std::vector<std::string> paths;
 };
 
@@ -188,8 +188,8 @@ const std::vector<FieldWord> field_words = {
   { "roughness", { "Table/Decay length" } },
 };
 
-/// The entry that @p word may be meant for as a word of the field, "E" or "Table/E": one of its section if
-/// there is one.
+/// Returns the entry probably meant by @p word, a technical term such as "E" or "Table/E"; preferably one of
+/// the given section.
 std::optional<std::string> meant_by_field(const std::string &word)
 {
   const std::size_t slash = word.find('/'), name = slash < word.size() ? slash + 1 : 0;
@@ -205,9 +205,8 @@ std::optional<std::string> meant_by_field(const std::string &word)
   return std::nullopt;
 }
 
-/// The end of a sentence about an entry that does not exist, "; did you mean Glass/Contact radius?" with the
-/// likeliest one; @p word may be meant for an entry's path, for its name alone, or for that of another
-/// section.
+/// Returns the end of a message about an unknown entry, "; did you mean Glass/Contact radius?", with the most
+/// likely entry. @p word is compared with paths, with names, and with names in other sections.
 std::string suggestion(const std::vector<StudyEntry> &entries, const std::string &word)
 {
   std::vector<std::string> names, paths;
@@ -291,7 +290,7 @@ const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::st
   const std::string path = full_path(entries, word);
   const auto entry = std::find_if(entries.begin(), entries.end(),
                                   [&](const StudyEntry &candidate) { return candidate.path() == path; });
-  if (entry == entries.end()) // the suggestion takes long
+  if (entry == entries.end()) // suggestion() is slow
     throw BadInput(origin + "there is no entry \"" + shortened(path) + '"' + suggestion(entries, path));
   return *entry;
 }

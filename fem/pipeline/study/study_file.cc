@@ -31,7 +31,7 @@ namespace
 
 constexpr std::size_t longest_study = 1000000;
 
-/// Beginning of a stream: at most a little more than the longest study.
+/// Returns the start of a stream, slightly more than the maximum length of a study.
 std::string beginning_of(std::istream &stream)
 {
   std::string text(longest_study + 1, '\0');
@@ -40,7 +40,8 @@ std::string beginning_of(std::istream &stream)
   return text;
 }
 
-/// Refuses, with a sentence that begins with @p the_file, what is no study file by its name.
+/// Throws BadInput, with a message that starts with @p the_file, if the file cannot be a study file by its
+/// name or type.
 void require_study_file(const std::string &the_file, const std::filesystem::path &file)
 {
   std::error_code error;
@@ -60,8 +61,8 @@ void require_study_file(const std::string &the_file, const std::filesystem::path
          the_file + " ends in neither .prm nor .json; rename it so that its format is clear.");
 }
 
-/// @p bytes as the text of a study. Throws BadInput, with a sentence that begins with @p the_file, for what
-/// is none.
+/// Returns @p bytes as the text of a study. Throws BadInput, with a message that starts with @p the_file, if
+/// they are not text.
 std::string checked_text(const std::string &the_file, const std::string &bytes)
 {
   const std::string text = without_byte_order_mark(the_file, bytes);
@@ -76,12 +77,12 @@ std::string checked_text(const std::string &the_file, const std::string &bytes)
   return text;
 }
 
-/// The text of the study file @p file, of standard input for "-". Throws BadInput, with a sentence that
-/// begins with @p the_file, for what is no text of a study.
+/// Returns the text of the study file @p file; "-" is standard input. Throws BadInput, with a message that
+/// starts with @p the_file, if it is not the text of a study.
 std::string text_of_study(const std::string &the_file, const std::string &file)
 {
   std::string bytes;
-  if (file == "-") // which only the first rank has
+  if (file == "-") // available on the first rank only
     bytes = from_first_rank([] { return beginning_of(std::cin); });
   else
   {
@@ -94,8 +95,8 @@ std::string text_of_study(const std::string &the_file, const std::string &file)
   return checked_text(the_file, bytes);
 }
 
-/// The lines of @p text that hold anything, by the number of the first that they begin on: without comments
-/// and blanks at their ends, and with those that a backslash continues.
+/// Returns the non-empty lines of @p text by line number, without comments and surrounding blanks. Lines
+/// continued by a backslash are joined.
 std::map<unsigned int, std::string> whole_lines(const std::string &text)
 {
   std::map<unsigned int, std::string> lines;
@@ -132,7 +133,7 @@ void read_json(const std::string &file, const std::string &text, const std::vect
   }
 }
 
-/// Entries for a study file: any value is taken of those that @p overrides replace.
+/// Returns the entries for a study file; entries in @p overrides accept any value.
 std::vector<StudyEntry> without_overridden(Study &study, const std::vector<std::string> &overrides)
 {
   std::vector<StudyEntry> entries = study_entries(study);
@@ -150,8 +151,7 @@ std::vector<StudyEntry> without_overridden(Study &study, const std::vector<std::
   return entries;
 }
 
-/// Applies all of --set, "Section/Entry=value" or "Entry=value", each of its entries once, as in a study
-/// file.
+/// Applies all --set options, "Section/Entry=value" or "Entry=value", each entry once, like a study file.
 void apply(const std::vector<std::string> &overrides, const std::vector<StudyEntry> &entries)
 {
   std::map<std::string, std::string> text_of;
@@ -168,10 +168,11 @@ void apply(const std::vector<std::string> &overrides, const std::vector<StudyEnt
   }
 }
 
-/// The entries as a .prm file with their present values; with @p comments also their help and what they take.
+/// Returns the entries as a .prm file with their current values; with @p comments also their help and allowed
+/// values.
 std::string prm_text(const std::vector<StudyEntry> &entries, bool comments)
 {
-  std::map<std::string, std::size_t> width; // of the names of a section
+  std::map<std::string, std::size_t> width; // maximum length of the names of a section
   for (const StudyEntry &entry : entries)
     width[entry.section] = std::max(width[entry.section], entry.name.size());
   const std::string end = comments ? "end\n\n" : "end\n";
@@ -193,9 +194,9 @@ std::string prm_text(const std::vector<StudyEntry> &entries, bool comments)
   return text + end;
 }
 
-/// A file that states every entry, as `stemware defaults` and folders of results do, is taken to give those
-/// that differ from their defaults. What a drawn section would be asked for stays given, and so does the
-/// height of the hand: a study is run again with the values that it was run with.
+/// A file that states every entry (as written by `stemware defaults` or in results) counts as giving only the
+/// values that differ from the defaults. Entries replaced by a user-defined section and the height of the
+/// hand stay given, so that a study can be run again with the same values.
 void forget_stated_defaults(Study &study)
 {
   const std::vector<StudyEntry> standard = entries_of(Study()), own = entries_of(study);
@@ -207,7 +208,7 @@ void forget_stated_defaults(Study &study)
       study.given_entries.erase(own[i].path());
 }
 
-/// Paths of the files that the study reads.
+/// Returns the paths of the files that the study reads.
 std::vector<std::string *> paths_of(Study &study)
 {
   std::vector<std::string *> paths;
@@ -228,7 +229,7 @@ void read_text(const std::string &origin, const std::string &text, bool is_json,
   is_json ? read_json(shortened_path(origin), text, entries) : read_prm(origin, text, entries);
 }
 
-/// Gives the study what is in the files that it names, and checks it.
+/// Reads the files that the study names and checks the study.
 void read_files_and_check(Study &study)
 {
   attach_profile(study);
@@ -250,8 +251,8 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
   const std::vector<std::string> known = sections_of(entries);
   const auto place = [&](unsigned int line)
   { return fmt::format(FMT_STRING("{}, line {}: "), shortened_path(file), line); };
-  std::string section;                         // empty outside of all
-  unsigned int section_line = 0;               // where it begins
+  std::string section;                         // empty outside all sections
+  unsigned int section_line = 0;               // first line of the section
   std::map<std::string, unsigned int> line_of; // by path of the entry
   for (const auto &[number, line] : whole_lines(text))
   {
@@ -301,7 +302,7 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
 void check_study(const Study &study)
 {
   check_values(study);
-  // Missing files are found here, before anything is computed; what is in them is found when they are read.
+  // Missing files are detected here, before the computation; their contents are checked when they are read.
   if (study.load.source == LoadSource::file)
     require_regular_file("Load/File = " + shortened_path(study.load.file), study.load.file);
   if (!study.contact.mesh_file.empty())

@@ -17,11 +17,11 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Factor for linear elements in a generated mesh, which is a few cells thick.
+/// Unknowns per cell of linear elements in a generated mesh, which is a few cells thick.
 constexpr double unknowns_per_cell = 4.5;
 
-/// A dense system of harmonics times places across the land, the state on all lines, and a few factorised
-/// meridional sections.
+/// Adds the memory of a dense system (harmonics times points across the land), of the state on all lines, and
+/// of a few factorised meridional problems.
 void add_body_of_revolution(const Study &study, StudySize &size)
 {
   const ContactSection &contact = study.contact;
@@ -39,8 +39,8 @@ void add_body_of_revolution(const Study &study, StudySize &size)
   size.memory += 3 * 800 * nodes + 52 * size.unknowns * size.unknowns + 4000 * across * contact.azimuth_lines;
 }
 
-/// Returns the number of nodes of a mesh file: that of its section $Nodes or $ParametricNodes, the second one
-/// of Gmsh's format 4; of files without these sections the bytes over those that a node takes with its cell.
+/// Returns the number of nodes of a mesh file: the number in the section $Nodes or $ParametricNodes (the
+/// second number in Gmsh's format 4); for other files the size divided by the bytes per node, cells included.
 /// Returns 0 if there is no file.
 double n_nodes(const std::string &file)
 {
@@ -64,7 +64,7 @@ double n_nodes(const std::string &file)
   return static_cast<double>(std::filesystem::file_size(file, error)) / bytes_per_node;
 }
 
-/// Unknowns of linear elements on the mesh without refinements.
+/// Returns the number of unknowns of linear elements on the unrefined mesh.
 double coarse_unknowns(const ContactSection &contact)
 {
   if (!contact.mesh_file.empty())
@@ -78,14 +78,14 @@ void add_solid_body(const Study &study, StudySize &size)
   const ContactSection &contact = study.contact;
   size.unknowns = coarse_unknowns(contact) * std::pow(8., contact.refinements);
   const unsigned int n_edge_halvings = edge_halvings(study);
-  if (n_edge_halvings > 0) // 19 to 28 of those round the edge, with those that lead to them
+  if (n_edge_halvings > 0) // 19 to 28 of the cells at the edge, with transition cells
     size.unknowns +=
       unknowns_per_cell * 20 *
       std::ldexp(contact.resolution.azimuthal_cells, static_cast<int>(contact.refinements + n_edge_halvings));
   size.unknowns *= std::pow(contact.degree, 3);
   // Bytes per unknown (docs/method/solid_measurements.md).
   constexpr double factorised = 25e3;
-  // The meshes under one with a halved edge have many cells too.
+  // Below a mesh with a halved edge, the coarser meshes have many cells as well.
   const double iterated = n_edge_halvings > 0 ? 1800 : 500;
   const bool is_factorised =
     contact.linear_solver == fem::LinearSolver::condensed ||
@@ -94,7 +94,7 @@ void add_solid_body(const Study &study, StudySize &size)
   size.memory += size.unknowns * (is_factorised ? factorised : iterated);
 }
 
-/// The entry of @p study whose default would take the least memory.
+/// Returns the entry of @p study whose default would reduce the memory most.
 StudyEntry greediest(Study &study)
 {
   const std::vector<StudyEntry> standard = entries_of(Study()), tried = study_entries(study);
@@ -130,7 +130,7 @@ StudySize size_of(const Study &study)
 {
   StudySize size;
   size.memory = memory_of_the_program;
-  // The adaptive method takes about ten steps a second; forward Euler those of its entry.
+  // The adaptive method takes about ten steps per second; forward Euler uses the step of its entry.
   constexpr double longest_step = 0.1;
   size.steps = study.motion.end_time / std::min(study.motion.euler_step, longest_step);
   if (study.load.is_from_contact() && abilities(study.contact.body).is_of_revolution)

@@ -14,7 +14,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the separator of the row that begins at @p begin; a line end if it has one cell only.
+/// Returns the separator of the row that starts at @p begin; a line end if the row has one cell only.
 char separator_of(const std::string &text, std::size_t begin, bool blanks_separate)
 {
   std::string row;
@@ -31,8 +31,8 @@ char separator_of(const std::string &text, std::size_t begin, bool blanks_separa
   return blanks_separate ? ' ' : '\n';
 }
 
-/// Returns the separator that a first line "sep=;" names, as Excel writes and reads it; std::nullopt without
-/// such a line. Throws BadInput, which begins with @p origin, for another separator.
+/// Returns the separator stated in a first line "sep=;" (Excel's convention); std::nullopt without such a
+/// line. Throws BadInput, with a message that starts with @p origin, for another separator.
 std::optional<char> named_separator(const std::string &origin, const std::string &text)
 {
   const std::string line = boost::trim_right_copy_if(text.substr(0, text.find('\n')), boost::is_any_of("\r"));
@@ -44,7 +44,7 @@ std::optional<char> named_separator(const std::string &origin, const std::string
   return line.back();
 }
 
-/// Reader of one row after the other.
+/// Reader of successive rows.
 class TableReader
 {
 public:
@@ -82,7 +82,7 @@ private:
     return text[place++];
   }
 
-  /// Skips empty lines and comments; false at the end of the text.
+  /// Skips empty lines and comments. Returns false at the end of the text.
   bool skip_to_row()
   {
     const auto is_blank = [](char letter) { return letter == ' ' || letter == '\t' || letter == '\r'; };
@@ -110,12 +110,12 @@ private:
     bool is_last = false;
     while (!is_last)
       row.cells.push_back(read_cell(is_last));
-    if (separator == ' ') // any number of blanks separates two cells
+    if (separator == ' ') // several blanks are one separator
       row.cells.erase(std::remove(row.cells.begin(), row.cells.end(), ""), row.cells.end());
     table.rows.push_back(row);
   }
 
-  /// Reads a cell and the separator or line end behind it.
+  /// Reads a cell and the separator or line end after it.
   std::string read_cell(bool &is_last)
   {
     std::string cell, quoted;
