@@ -27,9 +27,9 @@ struct FrictionFunctionals
   Wrench operator()(const RingStack &load) const;
 };
 
-/// Friction under @p law on rings that slide with speed v along x and spin with omega about z. The friction
-/// on each point of a ring is mu lambda against the slip velocity of the point, (v - omega r sin theta, omega
-/// r cos theta):
+/// Returns the friction under @p law on rings that slide with speed v along x and spin with omega about z.
+/// The friction on each point of a ring is mu lambda against the slip velocity of the point, (v - omega r sin
+/// theta, omega r cos theta):
 ///
 ///   tau_z = r int mu lambda (v sin theta - omega r) / |v_rel| dtheta
 ///

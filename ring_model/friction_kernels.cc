@@ -43,7 +43,8 @@ Pair step_up(const Pair &below, unsigned int n, double eps_squared, double compl
   return { below.q - g, g };
 }
 
-/// Pairs n = 1...@p n_max, written to q = values[3 n], g = values[3 n + 1]; returns the pair of n_max + 1.
+/// Computes the pairs n = 1...@p n_max into q = values[3 n], g = values[3 n + 1]. Returns the pair at n_max +
+/// 1.
 ///
 /// Upwards, rounding errors grow like eps^{-2n}: harmless close to |eps| = 1. Elsewhere the recurrence runs
 /// downwards from far enough above that its arbitrary start has died out, and the first pair sets the scale.

@@ -32,13 +32,13 @@ public:
   /// Returns the highest computed harmonic.
   unsigned int n_max() const { return highest; }
 
-  /// P_n(eps), n <= n_max. P_0 is infinite at v = 0.
+  /// Returns P_n(eps), n <= n_max. P_0 is infinite at v = 0.
   double P(unsigned int n) const { return values[3 * n]; }
 
-  /// K_n(eps), n <= n_max.
+  /// Returns K_n(eps), n <= n_max.
   double K(unsigned int n) const { return values[3 * n + 1]; }
 
-  /// U_n(eps), n <= n_max.
+  /// Returns U_n(eps), n <= n_max.
   double U(unsigned int n) const { return values[3 * n + 2]; }
 
 private:

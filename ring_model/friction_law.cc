@@ -45,7 +45,7 @@ struct SlipField
   double rim;   ///< |omega| R [m/s]
   double speed; ///< v [m/s]
 
-  /// |v_rel| = sqrt((v - |omega| R)^2 + 4 v |omega| R sin^2(psi/2)), without cancellation.
+  /// Returns |v_rel| = sqrt((v - |omega| R)^2 + 4 v |omega| R sin^2(psi/2)), without cancellation.
   double magnitude(double sine_of_half) const
   {
     return std::hypot(speed - rim, 2. * std::sqrt(speed * rim) * sine_of_half);

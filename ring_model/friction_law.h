@@ -16,7 +16,7 @@ class FrictionLaw
 public:
   virtual ~FrictionLaw() = default;
 
-  /// mu at the slip speed |v_rel| >= 0 [m/s].
+  /// Returns mu at the slip speed |v_rel| >= 0 [m/s].
   virtual double coefficient(double slip_speed) const = 0;
 
   /// Returns whether the coefficient is the same at every speed, so that the exact kernels apply.

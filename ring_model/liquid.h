@@ -14,14 +14,15 @@ struct Liquid
   double bowl_depth = 0.09;   ///< from that bottom to the brim [m]
   bool surface_leans = true;  ///< false: the liquid is a solid with a level surface
 
-  /// Depth h of the liquid under a level surface [m].
+  /// Returns the depth h of the liquid under a level surface [m].
   double level() const;
 
-  /// Height of the centre of mass above the table [m] if the surface leans by @p slope = tan(alpha).
+  /// Returns the height of the centre of mass above the table [m] if the surface leans by @p slope =
+  /// tan(alpha).
   double centre_height(double slope) const;
 
-  /// Distance R_b^2 / (4 h) [m] from the centre of mass up to the metacentre. Times tan(alpha) it is the
-  /// outward displacement of the centre of mass. 0 if the surface does not lean.
+  /// Returns the distance R_b^2 / (4 h) [m] from the centre of mass up to the metacentre. Times tan(alpha) it
+  /// is the outward displacement of the centre of mass. 0 if the surface does not lean.
   double metacentric_radius() const;
 
   /// Throws std::invalid_argument with one sentence for values that are not allowed, for liquid that leaves

@@ -16,12 +16,12 @@ enum class Closure
   full   ///< as hand, plus the moment of the friction T about the centre of mass
 };
 
-/// "paper", "hand" or "full".
+/// Returns "paper", "hand" or "full".
 std::string to_string(Closure closure);
 
-/// Arm h [m] at which the friction T enters M_N = moment without friction + h k x T: 0 for `paper`, Delta
-/// z for `hand` (over the centre of mass of glass and liquid), the height of the hand above the table z_CM +
-/// Delta z for `full`.
+/// Returns the arm h [m] at which the friction T enters M_N = moment without friction + h k x T: 0 for
+/// `paper`, Delta z for `hand` (over the centre of mass of glass and liquid), the height of the hand above
+/// the table z_CM + Delta z for `full`.
 double friction_arm(Closure closure, const Motion &motion);
 
 /// Returns the moment M_N of the normal forces about the ring's centre [N m] in the slip frame that keeps the

@@ -30,7 +30,7 @@ struct Motion
   double force_offset = -0.05;         ///< Delta z = height of the hand's force - z_CM [m]
   double orbit_radius = 0.15;          ///< rho [m]
   double orbit_speed = 0.35;           ///< v > 0 [m/s]
-  double orbit_acceleration = 0.;      ///< dv/dt along the motion [m/s^2]; the closure `paper` ignores it
+  double orbit_acceleration = 0.; ///< dv/dt along the motion [m/s^2]; the moment balance `paper` ignores it
   OrbitSense orbit_sense = OrbitSense::counterclockwise;
   double friction_coefficient = 0.30; ///< mu; of Stribeck's law the kinetic one, mu_k
   FrictionLawKind friction_law = FrictionLawKind::coulomb;
@@ -43,37 +43,37 @@ struct Motion
   /// Throws std::invalid_argument with one sentence about the first inadmissible value.
   void validate() const;
 
-  /// Mass of glass and liquid [kg].
+  /// Returns the mass of glass and liquid [kg].
   double total_mass() const { return mass + liquid.mass; }
 
-  /// N = m g of glass and liquid [N].
+  /// Returns N = m g of glass and liquid [N].
   double normal_force() const { return total_mass() * gravity; }
 
-  /// Height of the centre of mass of glass and liquid above the table [m].
+  /// Returns the height of the centre of mass of glass and liquid above the table [m].
   double total_centre_height() const;
 
-  /// Height [m] at which the whole mass, as a rigid body, would have the overturning moment of glass and
-  /// liquid, under an acceleration or a lean of the glass: the liquid acts at its metacentre. Without
-  /// liquid, centre_of_mass_height.
+  /// Returns the height [m] at which the whole mass, as a rigid body, would have the overturning moment of
+  /// glass and liquid, under an acceleration or a lean of the glass: the liquid acts at its metacentre.
+  /// Without liquid, centre_of_mass_height.
   double overturning_height() const;
 
-  /// mu at the slip speed |v_rel| >= 0 [m/s].
+  /// Returns mu at the slip speed |v_rel| >= 0 [m/s].
   double friction_at(double slip_speed) const;
 
-  /// mu without spin, where every point of the rim slips with the orbit speed.
+  /// Returns mu without spin, where every point of the rim slips with the orbit speed.
   double friction_at_rest() const { return friction_at(orbit_speed); }
 
   /// Returns whether mu is the same at every slip speed.
   bool has_constant_friction() const;
 
-  /// +1 for a counter-clockwise orbit, -1 for a clockwise one.
+  /// Returns +1 for a counter-clockwise orbit, -1 for a clockwise one.
   double sense_sign() const { return orbit_sense == OrbitSense::counterclockwise ? 1. : -1.; }
 
-  /// Omega = +- v / rho [rad/s], the rate at which the slip frame turns.
+  /// Returns Omega = +- v / rho [rad/s], the rate at which the slip frame turns.
   double orbit_rate() const { return sense_sign() * orbit_speed / orbit_radius; }
 
-  /// Acceleration of the glass in the slip frame [m/s^2]: dv/dt along x, v^2/rho towards the orbit's centre
-  /// along +-y.
+  /// Returns the acceleration of the glass in the slip frame [m/s^2]: dv/dt along x, v^2/rho towards the
+  /// orbit's centre along +-y.
   Eigen::Vector2d acceleration() const;
 };
 } // namespace stemware::ring

@@ -26,7 +26,7 @@ public:
   /// Returns v(t) [m/s]. @throws std::out_of_range outside the table (no extrapolation).
   double speed(double time) const;
 
-  /// dv/dt [m/s^2]. @throws std::out_of_range outside the table.
+  /// Returns dv/dt [m/s^2]. @throws std::out_of_range outside the table.
   double acceleration(double time) const;
 
   /// Returns @p motion with the orbit speed and acceleration at @p time. A hand at rest gets a billionth of

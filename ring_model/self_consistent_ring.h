@@ -27,7 +27,7 @@ public:
   /// cannot balance.
   RingEquilibrium at(double omega) const;
 
-  /// Yaw torque [N m] at the spin @p omega [rad/s]; throws as at().
+  /// Returns the yaw torque [N m] at the spin @p omega [rad/s]; throws as at().
   double torque(double omega) const { return at(omega).friction.torque; }
 
 private:

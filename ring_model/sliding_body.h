@@ -24,15 +24,16 @@ public:
   /// One ring. @throws std::invalid_argument unless radius > 0 [m].
   static SlidingBody ring(double radius);
 
-  /// Uniform pressure between two radii [m]. @throws std::invalid_argument unless 0 <= inner < outer.
+  /// Returns a body with uniform pressure between two radii [m]. @throws std::invalid_argument unless 0 <=
+  /// inner < outer.
   static SlidingBody annulus(double inner_radius, double outer_radius);
 
-  /// Uniform pressure on a disc [m].
+  /// Returns a body with uniform pressure on a disc [m].
   static SlidingBody disc(double radius) { return annulus(0., radius); }
 
-  /// Any pressure between two radii [m], smooth between them. It may vanish at either radius like a square
-  /// root, as Hertz's does. @throws std::invalid_argument unless 0 <= inner < outer, the pressure is finite,
-  /// non-negative and not zero everywhere.
+  /// Returns a body with the given pressure between two radii [m], smooth between them. It may vanish at
+  /// either radius like a square root, as Hertz's does. @throws std::invalid_argument unless 0 <= inner <
+  /// outer, the pressure is finite, non-negative and not zero everywhere.
   static SlidingBody with_pressure(Pressure pressure, double inner_radius, double outer_radius);
 
   /// Returns the rings that represent the body if the radius @p still = v / |omega| [m] contains a point at
@@ -40,14 +41,14 @@ public:
   /// friction is singular there (like x ln x); integrals over an annulus are then exact to rounding.
   std::vector<WeightedRing> rings(double still) const;
 
-  /// Outer radius [m].
+  /// Returns the outer radius [m].
   double outer_radius() const { return outer; }
 
-  /// Mean of r^exponent over the weight [m^exponent].
+  /// Returns the mean of r^exponent over the weight [m^exponent].
   double mean_power(double exponent) const;
 
-  /// Mean of r^2 over the weight [m^2]: the gyration radius squared of a body whose mass is spread like its
-  /// weight.
+  /// Returns the mean of r^2 over the weight [m^2]: the gyration radius squared of a body whose mass is
+  /// spread like its weight.
   double mean_square_radius() const { return mean_square; }
 
   /// Returns the friction of the table in the slip frame at the speed v >= 0 [m/s] and the spin omega

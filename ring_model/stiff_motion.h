@@ -37,7 +37,7 @@ private:
   };
 
   Slopes slopes(const YawSample &at) const;
-  /// Difference of the ends of two steps relative to the requested accuracy.
+  /// Returns the difference of the ends of two steps relative to the requested accuracy.
   double relative_difference(const YawSample &a, const YawSample &b) const;
   /// Returns the end of one step from @p start; std::nullopt if Newton's method does not converge with @p
   /// slope.

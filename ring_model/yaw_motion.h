@@ -65,7 +65,8 @@ struct LongTimeSpin
   double uncertainty; ///< change of the mean from one window to the next [rad/s]
 };
 
-/// Follows the motion from psi = 0 and @p initial_spin through windows of time until their means agree.
+/// Follows the motion from psi = 0 and @p initial_spin through windows of time until their means
+/// agree.
 ///
 /// The mean over a window is weighted with exp(-1 / (s (1 - s))), 0 < s < 1: for periodic and quasi-periodic
 /// motions that converges faster than any power of the window's length, whatever the periods (Das, Saiki,

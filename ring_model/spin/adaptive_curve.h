@@ -49,9 +49,9 @@ public:
   double lower() const { return pieces.front().begin; }
   double upper() const { return pieces.back().end; }
   bool covers(double x) const { return lower() <= x && x <= upper(); }
-  /// Number of samples that were not known beforehand.
+  /// Returns the number of samples that were not known beforehand.
   std::size_t n_samples() const { return n_new; }
-  /// Bound on the interpolation error, confirmed by the last samples.
+  /// Returns a bound on the interpolation error, confirmed by the last samples.
   double error() const;
 
 private:

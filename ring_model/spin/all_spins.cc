@@ -51,7 +51,8 @@ bool brakes_beyond(double omega, const Load &load, const Motion &motion)
   return much * std::abs(at_spin.lean_torque()) < min_torque;
 }
 
-/// To where friction brakes, or the load has no balance, whatever its distribution; else to 1.5 v / R.
+/// Returns the range up to which friction may drive: it ends where friction brakes for any load distribution
+/// or the load has no balance, otherwise at 1.5 v / R.
 Reach reach_of(const Load &load, const Motion &motion)
 {
   const double unit = load.spin_scale(motion);

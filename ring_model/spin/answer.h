@@ -43,7 +43,7 @@ enum class Status
   no_terminal_spin ///< the torque does not vanish
 };
 
-/// "full contact", "lift-off", "formal", "tips", "no balance", "no terminal spin".
+/// Returns "full contact", "lift-off", "formal", "tips", "no balance" or "no terminal spin".
 std::string to_string(Status status);
 
 /// Torques on the glass at one spin, means over the phases; NaN without a balance.
@@ -53,7 +53,7 @@ struct Torques
   double lean_torque = 0.; ///< torque of the normal forces, Sample::lean_torque() [N m]
   double grip_torque = 0.; ///< torque of the fingers; at rest it cancels the others up to its limit [N m]
 
-  /// Friction, lean and grip torque together: I d omega / dt, zero at a terminal spin [N m].
+  /// Returns the friction, lean and grip torque together: I d omega / dt, zero at a terminal spin [N m].
   double torque() const { return friction.torque + lean_torque + grip_torque; }
 };
 
@@ -106,7 +106,8 @@ struct Answer
   std::optional<double> omega_terminal() const; ///< [rad/s]
   /// Returns the terminal spin, or the spin at which the glass tips [rad/s]; std::nullopt without either.
   std::optional<double> last_spin() const;
-  /// I_z / |d tau_z / d omega| at the terminal spin [s]; std::nullopt without one, or if the slope is 0.
+  /// Returns I_z / |d tau_z / d omega| at the terminal spin [s]; std::nullopt without one, or if the slope is
+  /// 0.
   std::optional<double> time_constant() const;
   /// Returns the terminal spin as an initial guess for similar loads; std::nullopt without a terminal spin or
   /// a slope.

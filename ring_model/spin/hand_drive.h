@@ -11,7 +11,7 @@
 namespace stemware::ring
 {
 /// Returns the yaw torque for yaw_motion() under an orbit speed table: quasi-static moment balances including
-/// the hand's tangential force m dv/dt (closures `hand` and `full`). First-harmonic load.
+/// the hand's tangential force m dv/dt (moment balances `hand` and `full`). First-harmonic load.
 ///
 /// @param radius Ring radius [m]. @throws std::invalid_argument if the motion or the radius is not allowed.
 PhasedTorqueFunction driven_torque(Closure closure, const Motion &motion, double radius,
@@ -45,7 +45,7 @@ struct Breakaway
   double time;   ///< time at which the hand starts [s]
   Motion motion; ///< motion at that time, with the static friction coefficient and without an acceleration
   double force;  ///< force of the hand at breakaway, along the motion to come [N]
-  double moment_ratio; ///< |M_N| / (N R / 2); from 2 on the glass falls over first
+  double moment_ratio; ///< |M_N| / (N R / 2); from 2 on the glass tips first
 };
 
 /// Returns the breakaway of a rigid ring of @p radius [m] whose hand starts from rest. @p static_friction:

@@ -40,11 +40,11 @@ public:
   /// over the phases if these matter and are not given. Throws NoBalance.
   Sample at(double omega, const std::optional<Orientation> &marks = {}) const;
 
-  /// Highest harmonic of at().
+  /// Returns the highest harmonic of at().
   unsigned int n_harmonics() const;
-  /// Radius of friction [m]: the radius of the load at rest.
+  /// Returns the radius of friction [m]: the radius of the load at rest.
   double radius() const { return at(0.).radius(); }
-  /// Spin v / R at which the rim speed equals the orbit speed, R the radius at rest [rad/s].
+  /// Returns the spin v / R at which the rim speed equals the orbit speed, R the radius at rest [rad/s].
   double spin_scale(const Motion &motion) const { return motion.orbit_speed / radius(); }
   /// Returns whether at() needs contact solutions.
   bool is_costly() const;
@@ -52,11 +52,12 @@ public:
   bool is_pressure() const;
   /// Returns the load by phase; nullptr if the load does not depend on the phase.
   const PhaseSampledLoad *phases() const;
-  /// SpinSearch::stability_margin at @p omega, if solved; else 1.
+  /// Returns SpinSearch::stability_margin at @p omega, if solved; else 1.
   double stability_margin(double omega) const;
-  /// SpinSearch::nearest_unbalanced_spin: of the solved spins at which the glass tips.
+  /// Returns SpinSearch::nearest_unbalanced_spin: of the solved spins at which the glass tips.
   std::optional<double> nearest_unbalanced_spin(double omega) const;
-  /// Bound on the interpolation error of at() over a_0; std::nullopt if the load is not interpolated.
+  /// Returns a bound on the interpolation error of at() over a_0; std::nullopt if the load is not
+  /// interpolated.
   std::optional<double> interpolation_error() const;
 
   /// Returns the load truncated after @p n_harmonics; neither contact nor friction is solved again.

@@ -63,14 +63,14 @@ public:
   /// load does not depend on the spin.
   std::pair<double, double> polynomial_range(double omega) const;
 
-  /// The loads at all sampled phases.
+  /// Returns the loads at all sampled phases.
   std::vector<Sample> samples(double omega) const;
   const PhaseGrids &phases() const { return at_rest.phases(); }
   const PhasePeriods &periods() const { return phase_periods; }
 
   std::size_t n_spins() const; ///< sampled so far; 1 if the load does not depend on the spin
-  /// Largest error so far of mean() and at(): PhaseSamples::error() at rest and at the far end of each
-  /// interval, plus the interpolation error in the spin.
+  /// Returns the largest error so far of mean() and at(): PhaseSamples::error() at rest and at the far end of
+  /// each interval, plus the interpolation error in the spin.
   const SampleError &error() const { return largest_error; }
   /// Returns the same error of the spins from @p lower to @p upper [rad/s], as far as they are sampled.
   SampleError error(double lower, double upper) const;

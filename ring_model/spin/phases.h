@@ -39,7 +39,7 @@ public:
   PeriodicGrid refined() const { return PeriodicGrid(period, 2 * n_nodes); }
   /// Returns the grid with half the nodes, at least one.
   PeriodicGrid halved() const;
-  /// Weights of the nodes' values in the interpolant at @p angle. Shape [size()].
+  /// Returns the weights of the nodes' values in the interpolant at @p angle. Shape [size()].
   Eigen::VectorXd weights(double angle) const;
 
 private:
@@ -63,7 +63,7 @@ struct PhaseGrids
   unsigned int node(Angle angle, unsigned int i) const;
   /// Returns the grids with every other node of one angle.
   PhaseGrids halved(Angle angle) const;
-  /// Weights of the phases in the interpolant at @p phase. Shape [size()].
+  /// Returns the weights of the phases in the interpolant at @p phase. Shape [size()].
   Eigen::VectorXd weights(const Orientation &phase) const;
   /// Returns the column interpolated at @p phase from @p columns, one for each phase.
   Eigen::VectorXd interpolated(const Eigen::Ref<const Eigen::MatrixXd> &columns,

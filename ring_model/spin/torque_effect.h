@@ -23,7 +23,7 @@ struct TorqueEffect
   unsigned int harmonics = 0;     ///< n
   std::optional<AtSpin> half;     ///< at half the terminal spin; std::nullopt without a terminal spin
   std::optional<AtSpin> terminal; ///< at the terminal spin; std::nullopt without one
-  /// Delta tau_z(n) of largest absolute value between rest and the terminal spin, or the fall [N m], and its
+  /// Delta tau_z(n) of largest absolute value between rest and the terminal spin, or tipping [N m], and its
   /// spin [rad/s]; std::nullopt if no curve was asked for.
   std::optional<double> largest, largest_at;
   std::vector<double> curve; ///< Delta tau_z(n) at TorqueEffects::spins [N m]; NaN without a balance
@@ -33,7 +33,7 @@ struct TorqueEffect
 struct TorqueEffects
 {
   double torque_at_rest = 0.;     ///< |tau_z(0)|, the denominator of relative effects [N m]
-  std::vector<double> spins = {}; ///< from rest to the terminal spin, or to the fall [rad/s]
+  std::vector<double> spins = {}; ///< from rest to the terminal spin, or to tipping [rad/s]
   std::vector<TorqueEffect> rows = {};
 };
 

@@ -5,10 +5,10 @@
 namespace stemware::pipeline
 {
 
-/// Version of the program, as in CMakeLists.txt.
+/// Returns the version of the program, as in CMakeLists.txt.
 std::string program_version();
 
-/// `git describe` of the sources when the program was built, "unknown" without git.
+/// Returns `git describe` of the sources when the program was built, "unknown" without git.
 std::string program_revision();
 
 } // namespace stemware::pipeline

@@ -27,7 +27,7 @@ public:
   virtual void note(const std::string & /*subject*/, const std::string & /*text*/) {}
 };
 
-/// Progress without output.
+/// Returns a progress object without output.
 inline Progress &silent_progress()
 {
   static Progress silent;

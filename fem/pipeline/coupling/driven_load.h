@@ -11,9 +11,9 @@ namespace stemware::pipeline
 
 /// Returns tau_z(t, psi, omega) [N m], independent of the yaw angle psi, under the orbit speeds of a table:
 /// contact, friction and moments are in balance at every speed, acceleration and spin, including the hand's
-/// tangential force m dv/dt (closures hand and full). Each call solves the balance; nothing is interpolated.
-/// The grip is not included. @p foot: study_foot() with its rings. The torque throws as contact solves and
-/// balances.
+/// tangential force m dv/dt (moment balances hand and full). Each call solves the balance; nothing is
+/// interpolated. The grip is not included. @p foot: study_foot() with its rings. The torque throws as contact
+/// solves and balances.
 ring::PhasedTorqueFunction driven_torque(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                          const ring::OrbitSpeedTable &speeds);
 

@@ -23,9 +23,9 @@ public:
 
   double radius() const { return contact_radius; }
 
-  /// Radii of the rings [m]; empty: a single ring whose radius follows from the load.
+  /// Returns the radii of the rings [m]; empty: a single ring whose radius follows from the load.
   const std::vector<double> &ring_radii() const { return radii; }
-  /// Highest harmonic of its loads.
+  /// Returns the highest harmonic of its loads.
   unsigned int n_harmonics() const { return highest; }
   void set_rings(std::vector<double> new_radii, unsigned int n_harmonics);
   bool has_rings() const { return placed; }

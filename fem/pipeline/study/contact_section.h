@@ -40,7 +40,7 @@ enum class FrictionCoupling
   elastic ///< friction tractions deform foot and substrate
 };
 
-/// Units of a mesh file's coordinates [m].
+/// Returns the units of a mesh file's coordinates [m].
 inline std::vector<std::pair<std::string, double>> mesh_units()
 {
   return { { "m", 1 }, { "cm", 1e-2 }, { "mm", 1e-3 }, { "um", 1e-6 }, { "in", 0.0254 } };

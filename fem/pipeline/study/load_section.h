@@ -27,18 +27,18 @@ struct LoadSection
 {
   LoadSource source = LoadSource::contact;
   LoadCoupling coupling = LoadCoupling::two_way;
-  double moment_ratio = -1;             ///< m = |M_N| / (N R / 2); negative: given by the closure
+  double moment_ratio = -1;             ///< m = |M_N| / (N R / 2); negative: given by the moment balance
   double moment_direction = -1.5707963; ///< theta of the load's maximum [rad], used with moment_ratio >= 0
   std::string file;                     ///< Fourier coefficients, used with source = file
   std::shared_ptr<const ring::RingStack> from_file = {}; ///< load read from `file`
 
   bool is_from_contact() const { return source == LoadSource::contact; }
-  /// True if the moment is given, instead of following from the moment balance.
+  /// Returns true if the moment is given and does not follow from the moment balance.
   bool is_static() const { return moment_ratio >= 0; }
-  /// True if the closure gives the moment (no given moment, no load file).
+  /// Returns true if the moment balance gives the moment (no given moment, no load file).
   bool has_closure() const { return !is_static() && source != LoadSource::file; }
-  /// True if the load comes from a contact in balance with friction at every spin; false for a given moment,
-  /// whatever the coupling.
+  /// Returns true if the load comes from a contact in balance with friction at every spin; false for a given
+  /// moment, whatever the coupling.
   bool is_in_balance() const
   {
     return is_from_contact() && !is_static() && coupling == LoadCoupling::two_way;

@@ -16,7 +16,7 @@ struct Preset
   std::string text;                     ///< its entries with their comments, as in a study file
 };
 
-/// Presets; the first is the default study's.
+/// Returns the presets; the first is the default study's.
 const std::vector<Preset> &glass_presets();
 const std::vector<Preset> &table_presets();
 

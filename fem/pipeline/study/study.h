@@ -25,14 +25,14 @@ struct Study
   std::map<std::string, std::string> given_entries;
   std::string name = "default"; ///< name of the study's file; not an entry
 
-  /// True with waviness of rim or table: the load then depends on the phase.
+  /// Returns true with waviness of rim or table: the load then depends on the phase.
   bool has_waviness() const { return !glass.waviness.empty() || !table.waviness.empty(); }
 
-  /// True if friction tractions deform foot and substrate.
+  /// Returns true if friction tractions deform foot and substrate.
   bool friction_deforms() const { return contact.friction_coupling == FrictionCoupling::elastic; }
 
-  /// True if the tilt of the glass enters the moment balance: Motion/Tilt = included, closure full, and a
-  /// contact whose moment is not given.
+  /// Returns true if the tilt of the glass enters the moment balance: Motion/Tilt = included, Motion/Closure
+  /// = full, and a contact whose moment is not given.
   bool tilts() const;
 
   /// Returns the required resultants at omega = 0, where the friction is exactly (-mu N, 0): N = m g with the

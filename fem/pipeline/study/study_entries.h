@@ -49,7 +49,7 @@ struct StudyEntry
   /// Returns the present value as written in a study file.
   std::string text() const;
 
-  /// Section/Entry, as in --set.
+  /// Returns Section/Entry, as in --set.
   std::string path() const { return section + '/' + name; }
 };
 

@@ -43,7 +43,7 @@ struct ColumnHeading
 /// Splits "Motion/Mass (g)" into name and unit.
 ColumnHeading parse_heading(const std::string &cell);
 
-/// "setting, line 3, column 2: ", with the column counted from 0 as argument and from 1 in the text.
+/// Returns "setting, line 3, column 2: ", with the column counted from 0 as argument and from 1 in the text.
 std::string position_in_table(const std::string &setting, const TableRow &row, std::size_t column);
 
 } // namespace stemware::pipeline
