@@ -21,7 +21,7 @@ enum class FrictionLawKind
 };
 
 /// Glass, orbit and friction; SI units. The defaults are the paper's values where the paper gives them. Mass,
-/// inertia and centre of mass are those of the glass without the liquid.
+/// inertia and centre of mass belong to the glass without the liquid.
 struct Motion
 {
   double mass = 0.30;                  ///< m [kg]

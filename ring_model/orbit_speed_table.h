@@ -9,8 +9,8 @@ namespace stemware::ring
 {
 /// Orbit speed v(t) from a table, interpolated by the monotone cubic of Fritsch and Carlson (SIAM J. Numer.
 /// Anal. 17 (1980) 238): values stay within the range of the two neighbouring entries, and the acceleration
-/// dv/dt is continuous. At the first and the last entry dv/dt is that of the straight line to the neighbour.
-/// Fewer than four entries are joined by straight lines.
+/// dv/dt is continuous. At the first and the last entry dv/dt is the slope of the straight line to the
+/// neighbour. Fewer than four entries are joined by straight lines.
 class OrbitSpeedTable
 {
 public:

@@ -41,7 +41,7 @@ Eigen::VectorXd AdaptiveCurve::Piece::at(double x) const
 
 double AdaptiveCurve::Piece::error() const
 {
-  constexpr Eigen::Index min_nodes = 4; // of which two have measured the error
+  constexpr Eigen::Index min_nodes = 4; // at least two nodes must have contributed to the estimate
   return nodes.size() < min_nodes ? std::numeric_limits<double>::infinity() : estimate;
 }
 
@@ -61,7 +61,7 @@ void AdaptiveCurve::Piece::add(double x, const Eigen::VectorXd &value)
 AdaptiveCurve::AdaptiveCurve(const CurveSource &source, double lower, double upper,
                              const CurveTolerance &tolerance)
 {
-  constexpr Eigen::Index max_nodes = 17; // of a piece
+  constexpr Eigen::Index max_nodes = 17; // per piece
   for (const double x : source.known)
     if (lower < x && x < upper)
       samples.emplace(x, source.value(x));
@@ -85,7 +85,7 @@ AdaptiveCurve::AdaptiveCurve(const CurveSource &source, double lower, double upp
       refine(source, *worst);
       continue;
     }
-    // The two halves in the smooth coordinate.
+    // The halves of the piece in the smooth coordinate.
     const double middle = worst->place(0.5);
     const Piece left = through_ends(source, worst->begin, middle, worst->kink_at_begin, false);
     *worst = through_ends(source, middle, worst->end, false, worst->kink_at_end);
@@ -129,8 +129,8 @@ AdaptiveCurve::Piece AdaptiveCurve::through_ends(const CurveSource &source, doub
 
 void AdaptiveCurve::refine(const CurveSource &source, Piece &piece)
 {
-  constexpr double safety = 2;      // the error need not be largest there
-  constexpr double usual_gain = 10; // of one sample: what falls faster may have been close by chance
+  constexpr double safety = 2;      // the error may be larger at other places
+  constexpr double usual_gain = 10; // maximum reduction by one sample; a larger one may be accidental
   const double x = next_place(piece);
   const Eigen::VectorXd &exact = sample(source, x);
   piece.estimate = std::max(safety * source.error(x, piece.at(x), exact), piece.estimate / usual_gain);

@@ -84,8 +84,8 @@ std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &quest
     return all_terminal_spins(torque, motion.yaw_inertia, unit, lower, upper,
                               static_cast<unsigned int>(n_intervals));
   };
-  // Contacts are costly: a coarse curve is scanned, and each of its spins is found again with the load
-  // itself.
+  // A coarse interpolated curve is scanned because contacts are costly. Each zero is then found again with
+  // the load itself.
   double reach = 1e-4 * unit;
   const auto scan = [&, step = step]
   {
@@ -103,13 +103,13 @@ std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &quest
           spins.push_back(spin);
     return spins;
   };
-  // A load without a balance between spins that have one: what lies beyond is not looked for.
+  // If the load has no balance somewhere between spins that have one, further spins are not searched.
   std::vector<TerminalSpin> spins = if_balanced(scan).value_or(std::vector<TerminalSpin>());
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (TerminalSpin &spin : spins)
     if (question.grip_torque > 0 && std::abs(spin.omega) < 1e-9 * unit)
       spin = { 0, nan, nan, true, true };
-  // The spin that is reached from rest is known better.
+  // The spin reached from rest is more accurate, so it replaces its duplicate.
   spins.erase(std::remove_if(spins.begin(), spins.end(),
                              [&](const TerminalSpin &spin)
                              { return std::abs(spin.omega - found.terminal->omega) < reach; }),

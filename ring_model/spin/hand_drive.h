@@ -49,7 +49,7 @@ struct Breakaway
 };
 
 /// Returns the breakaway of a rigid ring of @p radius [m] whose hand starts from rest. @p static_friction:
-/// its coefficient; 0: that of the law at rest.
+/// its coefficient; 0: coefficient of the law at rest.
 Breakaway find_breakaway(Closure closure, const Motion &motion, double static_friction, double radius,
                          const OrbitSpeedTable &speeds);
 } // namespace stemware::ring

@@ -16,8 +16,8 @@ namespace stemware::ring
 namespace
 {
 
-/// Error wanted of the mean over the phases, and of that mean between spins: a tenth of what rim and table
-/// out of flat leave unknown in most studies.
+/// Tolerance of the mean over the phases, and of this mean between spins: a tenth of the uncertainty due to
+/// waviness in most studies.
 constexpr double tolerance = 1e-5;
 /// Maximum errors: of the mean over the phases, which the error band contains, and between the phases, which
 /// affects the ripple only.
@@ -150,15 +150,15 @@ PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
   { return sampled_at(load, omega, phases()).columns().reshaped(); };
   const auto error_of_mean = [&](double, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)
   { return torque_difference(samples_from(interpolated).mean(), samples_from(exact).mean()); };
-  CurveTolerance wanted; // of the curve before its last sample, which leaves a tenth of it
+  CurveTolerance wanted; // tolerance before the last sample, which reduces the error to a tenth
   wanted.wanted = 10 * std::max(tolerance, at_rest.error().mean);
   wanted.enough = std::max(wanted.wanted, 1e-3);
   wanted.coarsest = std::max(wanted.enough, largest_allowed.mean);
   wanted.max_samples = spins_asked.max_samples;
   wanted.usual_samples = std::min<std::size_t>(9, wanted.max_samples);
   Interval samples = { AdaptiveCurve({ columns, error_of_mean }, lower, upper, wanted), {} };
-  // The samples may pass by a kink. The error over the spins is much the same at every phase: one measures
-  // it.
+  // The samples may miss a kink, so the error between spins is measured. It is similar at every phase, and
+  // one phase suffices.
   constexpr int n_checks = 6;
   constexpr double safety = 2;
   double between_spins = 0;

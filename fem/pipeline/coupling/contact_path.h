@@ -49,7 +49,7 @@ private:
   static std::optional<fem::ContactStart> between(std::vector<const Found *> points, double spin,
                                                   std::size_t n_least);
 
-  /// Returns the start predicted at @p slip from @p own contacts and those of the similar foot.
+  /// Returns the start predicted at @p slip from @p own contacts and contacts of the similar foot.
   std::optional<fem::ContactStart> expected(const std::vector<const Found *> &own,
                                             const ring::Slip &slip) const;
 

@@ -39,7 +39,7 @@ public:
   fem::ContactState solve(fem::ContactDemand demand, const ring::Slip &slip = {},
                           Progress &progress = silent_progress(), const fem::ContactState *before = nullptr);
 
-  /// Predicts initial guesses of contacts from those of @p similar, the foot of a similar study.
+  /// Predicts initial guesses of contacts from the contacts of @p similar, the foot of a similar study.
   void predict_from_similar(const ElasticFoot &similar);
 
   /// Returns solve() at rest; the last result is cached because it is requested often.

@@ -23,7 +23,8 @@ struct MotionSection
   double grip_torque = 0;       ///< of the fingers, against the spin [N m]
   std::string orbit_speed_file; ///< v(t) of the spin-up; empty: Motion/Orbit speed throughout
   std::shared_ptr<const ring::OrbitSpeedTable> orbit_speeds = {}; ///< table of that file, if given
-  double breakaway_friction = 0; ///< coefficient at which a glass at rest begins to slide; 0: that of sliding
+  double breakaway_friction = 0; ///< friction coefficient at which a glass at rest starts to slide; 0: the
+                                 ///< sliding coefficient
   double end_time = 2;           ///< of the spin-up [s]
   double euler_step = 1e-3;      ///< largest step of the forward Euler method [s]
   double step_limit = 1e6;       ///< estimated steps of the spin-up above which a study is refused

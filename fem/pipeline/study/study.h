@@ -36,8 +36,9 @@ struct Study
   bool tilts() const;
 
   /// Returns the required resultants at omega = 0, where the friction is exactly (-mu N, 0): N = m g with the
-  /// closure's moment, or with the given moment of a static study, M_N = m N R/2 (sin, -cos)(direction of the
-  /// load's maximum) [N, N m]. Throws ring::Tipping if the foot tips, m >= tipping_ratio().
+  /// moment of the moment balance, or with the given moment of a static study, M_N = m N R/2 (sin,
+  /// -cos)(direction of the load's maximum) [N, N m]. Throws ring::Tipping if the foot tips, m >=
+  /// tipping_ratio().
   fem::Resultants required_resultants() const;
 
   /// Returns the moment ratio at which the glass tips: 2 r_o / R on a flat land of outer radius r_o, 2 on the

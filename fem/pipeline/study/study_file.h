@@ -18,7 +18,7 @@ void check_study(const Study &study);
 /// Reads a study file, applies @p overrides ("Section/Entry=value", each for another entry) and checks the
 /// result; values of the file that overrides replace are not judged. @p file: .prm or .json; empty: default
 /// study; "-": standard input of the first rank, JSON if it begins with a brace. Missing entries have their
-/// defaults. Relative paths in the file start at its folder, those of overrides at the working directory.
+/// defaults. Paths in the file are relative to its folder, paths in overrides to the working directory.
 /// Throws BadInput with one sentence about the first error.
 Study read_study(const std::string &file, const std::vector<std::string> &overrides = {});
 

@@ -1,4 +1,4 @@
-// Tables of the document: headings, units and digits are those of summary.schema.json.
+// Tables of the document: headings, units and digits from summary.schema.json.
 import { csv, heading_of, is_number, shown } from './words.js';
 import { download, h, rich } from './dom.js';
 

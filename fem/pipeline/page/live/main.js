@@ -52,7 +52,7 @@ function show(reply, ms, is_last) {
   draw(['load']);
   draw_scene();
   write_lesson(draw_scene);
-  // Curves, budget and pressure stay those of the last pause while something moves.
+  // Curves, budget and pressure are updated at a pause only, not while something moves.
   if (!reply.document || reply.was_cold) draw(calm);
 }
 

@@ -1,4 +1,4 @@
-// Pictures of a live answer: those of reports.
+// Pictures of a live answer, the same as in reports.
 import { at_end, band, doc, found, pair } from './state.js';
 import { footprint } from '../views/foot.js';
 import { line_load } from '../views/load.js';

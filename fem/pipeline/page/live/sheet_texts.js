@@ -1,4 +1,4 @@
-// Texts of the class sheet, those of docs/lesson_class.md.
+// Texts of the class sheet, as in docs/lesson_class.md.
 export const sheet_texts = {
   title: 'The spinning wine glass: for the class',
   question: 'A glass is led on a circle by its stem. Nobody turns it, yet it begins to spin. Why, which way, and how fast?',

@@ -1,4 +1,4 @@
-// Pictures of the chain of models: from the paper's terminal spin to that of the study.
+// Pictures of the chain of models: from the paper's terminal spin to the study's.
 import { bars, dots, rule } from '../js/marks.js';
 import { missing, shown } from '../js/words.js';
 
