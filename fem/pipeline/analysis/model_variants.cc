@@ -92,7 +92,12 @@ std::vector<Variant> input_variants(const Study &study)
   };
   add("unchanged", [](MotionSection &) {});
   add("1 cm more height of the centre of mass",
-      [](MotionSection &motion) { motion.orbit.centre_of_mass_height += higher; });
+      [&](MotionSection &motion)
+      {
+        motion.orbit.centre_of_mass_height += higher;
+        if (study.given_entries.count("Motion/Force offset") == 0) // the hand stays
+          motion.orbit.force_offset -= higher;
+      });
   add("0.05 more friction", [](MotionSection &motion) { motion.orbit.friction_coefficient += rougher; });
   add("1.4 mN m more grip", [](MotionSection &motion) { motion.grip_torque += grip; });
   return variants;

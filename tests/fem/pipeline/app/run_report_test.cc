@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <regex>
 
 namespace stemware::test
 {
@@ -33,9 +34,10 @@ const LiftedRun &lifted_run()
   return run;
 }
 
-/// Number behind the first @p words in @p text.
-double number_behind(const std::string &words, const std::string &text)
+/// Number behind the first @p words in the text @p broken, whose lines may be broken.
+double number_behind(const std::string &words, const std::string &broken)
 {
+  const std::string text = std::regex_replace(broken, std::regex("\\s+"), " ");
   const auto place = text.find(words);
   return place == std::string::npos ? std::nan("") : std::stod(text.substr(place + words.size()));
 }

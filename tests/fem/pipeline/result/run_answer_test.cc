@@ -53,7 +53,7 @@ void expect_all(const std::string &text, const std::vector<std::string> &numbers
 TEST(RunAnswer, HasTheNumbersOfItsRows)
 {
   // A turn takes 2 pi over the spin; the largest step is from -3 to -3.5 rad/s.
-  expect_all(SpunStudy().answer(), { " 1.93 s", " 2.09 s", "-3.250 rad/s (± 0.0013 rad/s by", "-3.000 rad/s",
+  expect_all(SpunStudy().answer(), { " 1.93 s", " 2.09 s", "-3.250 rad/s (± 1.3e-03 rad/s by", "-3.000 rad/s",
                                      "0.05 more friction by +0.08 rad/s", "4.41 % slower", "+0.15 rad/s",
                                      "-0.5 rad/s (16.7 % faster)" });
   SpunStudy falling;
