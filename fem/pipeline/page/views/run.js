@@ -77,17 +77,17 @@ function spin_text(doc) {
   const { falls, spins } = ending(doc);
   const at_rest = summary.ring.tau_at_rest;
   const text =
-    `Friction turns the glass at rest with τ_z = ${shown(at_rest)} N m; μ M_Nx, which depends on the first harmonic ` +
-    `only, is ${shown(at_rest && ring.tau_closed_form)} N m.`;
+    `Friction turns the glass at rest with τ_z = ${shown(at_rest, '#.4g')} N m; μ M_Nx, which depends on the first harmonic ` +
+    `only, is ${shown(at_rest && ring.tau_closed_form, '#.4g')} N m.`;
   if (falls)
     return `${text} The spin-up ends at ${shown(ring.fall.omega, '.3g')} rad/s, where the glass tips over.`;
   if (!spins) return text;
-  const others = [ring.lean_torque_at_terminal && 'the lean torque', ring.grip_torque_at_terminal && 'that of the fingers'];
+  const others = [ring.lean_torque_at_terminal && 'the lean torque', ring.grip_torque_at_terminal && 'the torque of the fingers'];
   const named = ['', ...others.filter(Boolean)];
   const sum = named.length > 1 ? `${named.join(named.length > 2 ? ', ' : ' and ')} add up to zero` : ' vanishes';
   return (
     `${text} Friction’s torque${sum}${summary.waviness ? ', on average over time,' : ''} at the terminal spin ` +
-    `ω = ${shown(ring.omega_terminal)} rad/s, which is ${shown(Math.abs(ring.omega_terminal) / (2 * Math.PI), '.3g')} turns per second` +
+    `ω = ${shown(ring.omega_terminal, '#.4g')} rad/s, which is ${shown(Math.abs(ring.omega_terminal) / (2 * Math.PI), '.3g')} turns per second` +
     (ring.time_constant > 0
       ? `; the glass approaches it with a time constant of ${shown(ring.time_constant, '.4g')} s.`
       : '.')
