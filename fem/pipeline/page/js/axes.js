@@ -1,8 +1,8 @@
-// Scales of a picture: numbers, powers of ten, or rows with names.
+// Scales of a picture: linear, logarithmic, or named rows.
 import { shown } from './words.js';
 import { width_of } from './dom.js';
 
-/** Easy numbers between two ends, about n of them but at least two, and how they are written. */
+/** Returns about n round numbers between two ends, at least two, and their format. */
 function ticks_of(low, high, n) {
   const raw = (high - low) / n;
   const power = 10 ** Math.floor(Math.log10(raw));
@@ -33,7 +33,7 @@ function log_ticks_of(low, high, n) {
   return { list: inside, text: x => shown(x, high < 1e5 && low >= 1e-3 ? '.3g' : '.0e') };
 }
 
-/** The ends of an axis: those of the values, with some room. */
+/** Returns the ends of an axis: the range of the values with a margin. */
 function range_of(axis, found) {
   const values = found.filter(x => Number.isFinite(x) && (!axis.log || x > 0));
   if (!values.length) return axis.log ? [0.1, 10] : [0, 1];
@@ -80,7 +80,7 @@ export function scale(axis, found, from, to) {
   });
 }
 
-/** Two scales on which a length is as long in both directions. */
+/** Returns two scales with equal lengths in both directions. */
 export function same_step(X, Y, box) {
   const [width, height] = [box.right - box.left, box.bottom - box.top];
   const step = Math.max((X.range[1] - X.range[0]) / width, (Y.range[1] - Y.range[0]) / height);

@@ -1,4 +1,4 @@
-// Elements of HTML and SVG. Texts become text nodes: nothing of a document is read as HTML.
+// Elements of HTML and SVG. Texts become text nodes, so that no document content is parsed as HTML.
 import { pieces } from './words.js';
 
 function element(space, tag, attributes, children) {
@@ -13,12 +13,12 @@ function element(space, tag, attributes, children) {
 export const h = (tag, attributes, ...children) => element(false, tag, attributes, children);
 export const s = (tag, attributes, ...children) => element(true, tag, attributes, children);
 
-/** Nodes of a plain text with its subscripts. */
+/** Returns the nodes of a plain text with subscripts. */
 export const rich = text => pieces(text).map(piece => (typeof piece === 'object' ? h('sub', {}, piece.sub) : piece));
 /** The same in an SVG text. */
 export const rich_svg = text =>
   pieces(text).flatMap((piece, i) =>
-    typeof piece === 'object' // a string has a method of the name sub
+    typeof piece === 'object' // typeof, because a string has a method `sub`
       ? [s('tspan', { dy: 3, 'font-size': '80%' }, piece.sub), s('tspan', { dy: -3 }, '\u200b')]
       : piece || i === 0
         ? [piece]

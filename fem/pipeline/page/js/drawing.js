@@ -1,4 +1,4 @@
-// Draws one instant of the scene: a row of the document. Arrows are proportional to forces, on one scale for all studies.
+// Draws one instant of the scene, a row of the document. Arrows are proportional to forces, on one scale for all studies.
 import { Camera, circle, Glass } from './space.js';
 import { h, s } from './dom.js';
 import { say, shown } from './words.js';
@@ -66,9 +66,9 @@ export class Drawing {
     const R = 1e3 * given.radius;
     this.glass = new Glass(R, 1e3 * given.height, given.tumbler);
     this.wall = (wall * given.normal_force) / (turn * given.radius) || 0; // mm of the mean pressure
-    // Places of the rim share the friction, whose sum the hand overcomes.
+    // The friction of all points of the rim adds up to the hand's force.
     const sum = first.friction[0].reduce((a, b) => a + b, 0);
-    this.rub = sum ? (-2 * rub * first.hand[0]) / sum : 0; // an arrow stands for two places
+    this.rub = sum ? (-2 * rub * first.hand[0]) / sum : 0; // one arrow per two points
     const tops = rows.map(row => this.wall * Math.max(0, ...row.load));
     const pulls = rows.map(({ hand }) => pull * Math.hypot(...hand));
     const rubs = rows.map(({ friction: [u, v] }) => this.rub * Math.max(0, ...u.map((x, k) => Math.hypot(x, v[k]))));
@@ -80,12 +80,12 @@ export class Drawing {
 
   draw(row, time) {
     const { camera, glass, given, parts, shows } = this;
-    const travel = row.orbit + (given.sense * turn) / 4; // of the direction of motion in the room
+    const travel = row.orbit + (given.sense * turn) / 4; // azimuth of the motion in the room
     camera.azimuth = this.heading + turn / 2 + 0.5 * given.sense + this.looked;
     camera.aim(this.circles, width - 2 * margin, height - 2 * margin);
     camera.middle = camera.middle.map(x => x + margin);
     const fallen = given.falls ? Math.max(0, (time - this.end) / 0.12) : 0;
-    // Towards where it presses hardest; a glass that has no load falls forwards.
+    // The glass leans towards the maximum of the load; without a load it tips forwards.
     const hardest = row.load.length ? row.load.indexOf(Math.max(...row.load)) / row.load.length : 0;
     glass.lean_by(Math.min(1.45, 1.45 * fallen ** 2), travel + turn * hardest);
     const set = (name, d) => parts[name].setAttribute('d', d);
@@ -125,7 +125,7 @@ export class Drawing {
     set('orbit', camera.path(circle(rho, 0, 40, orbit - reach, orbit + reach).map(p => [p[0] - x, p[1] - y, 0])));
   }
 
-  /** The pressure as a wall outside the rim, and friction inside it. */
+  /** Draws the pressure as a wall outside the rim, and the friction inside it. */
   draw_wall({ load, friction, turns }, travel, set, write) {
     const { camera, glass, shows } = this;
     const n = load.length;
@@ -157,7 +157,7 @@ export class Drawing {
         const from = [glass.radius * Math.cos(angle), glass.radius * Math.sin(angle), 0.5];
         const to = [from[0] + u * c - v * d, from[1] + u * d + v * c, 0.5];
         arrows[sense > 0 ? 'plus' : 'minus'] += camera.arrow(from, to, 7);
-        const low = camera.see(to)[1]; // towards the eye there is room for its name
+        const low = camera.see(to)[1]; // the label is placed where the friction points towards the viewer
         if (Math.hypot(u, v) > 1 && low > longest.size) longest = { size: low, to };
       });
     set('plus', arrows.plus);
@@ -165,7 +165,7 @@ export class Drawing {
     write('friction', longest.to, t.friction, 16);
   }
 
-  /** The hand's force, and its part towards the centre of the orbit. */
+  /** Draws the hand's force and its component towards the centre of the orbit. */
   draw_hand({ hand }, travel, set, write) {
     const { camera, glass, given, shows } = this;
     const z = 1e3 * given.hand;
@@ -188,7 +188,7 @@ export class Drawing {
     this.grip.setAttribute('cy', y.toFixed(1));
   }
 
-  /** What is left of the torque: an arrow round the stem, several times round if it is large. */
+  /** Draws the net torque: an arrow round the stem, with several turns if it is large. */
   draw_torque({ torque }, set, write) {
     const { camera, glass, parts, shows } = this;
     const reach = twist * torque;

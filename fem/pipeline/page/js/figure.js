@@ -1,4 +1,4 @@
-// A picture on the page: axes, names of its marks, values where the pointer or the arrow keys are, a part of it by dragging,
+// Interactive picture: axes, legend, values at the pointer or the selected point, zoom by dragging,
 // and files. A picture is data: { id, title, caption, words, x, y, marks, height, equal, aspect, colours, edge }.
 import { same_step, scale, widest } from './axes.js';
 import { colour_bar, names_of } from './legend.js';
@@ -10,7 +10,7 @@ import { heading_of } from './words.js';
 const clip_ids = { last: 0 };
 export const label_of = axis => heading_of({ heading: axis.label || '', unit: axis.unit });
 
-/** A text in two lines where it is wider than `room`. */
+/** Returns a text in two lines if it is wider than `room`. */
 function lines_of(text, room) {
   if (width_of(text) <= room) return [text];
   const words = text.split(' ');
@@ -22,9 +22,9 @@ function lines_of(text, room) {
 
 export class Figure {
   constructor(picture) {
-    this.hidden = new Set(); // names of marks that are switched off
+    this.hidden = new Set(); // names of hidden marks
     this.zoomed = null;
-    this.chosen = null; // [mark, index] that the arrow keys have reached
+    this.chosen = null; // [mark, index] selected by the arrow keys
     this.svg = s('svg', { role: 'group', 'aria-roledescription': 'picture', tabindex: 0 });
     this.said = h('p', { class: 'said', 'aria-live': 'polite' });
     this.caption = h('figcaption');
@@ -72,7 +72,7 @@ export class Figure {
     [...this.svg.querySelectorAll('.name')].find(node => node.dataset.name === name)?.focus();
   }
 
-  /** Height of the picture at a width. */
+  /** Returns the height of the picture for a width. */
   height_of(width, names_height) {
     const { equal, aspect, y = {}, height } = this.picture;
     if (equal) return Math.round(width * (aspect || 0.8)) + names_height;
@@ -80,7 +80,7 @@ export class Figure {
     return height || Math.round(Math.min(360, 150 + 0.35 * width));
   }
 
-  /** All elements at a width. Scales and box stay for the pointer. */
+  /** Returns all elements for a width. Scales and box are kept for the pointer. */
   draw(width) {
     const { x = {}, y = {}, marks, equal, colours, edge } = this.picture;
     this.shown_marks = marks.filter(m => !m.name || !this.hidden.has(m.name));
@@ -129,7 +129,7 @@ export class Figure {
     const text = (content, attributes) => s('text', { class: 'soft', ...attributes }, rich_svg(content));
     const grid = d => s('path', { d, stroke: 'var(--grid)', fill: 'none' });
     const line = d => s('path', { d, stroke: 'var(--line)', fill: 'none' });
-    let end = -Infinity; // of the tick before
+    let end = -Infinity; // end of the previous tick label
     const room_for = (at, words) => {
       const half = width_of(words) / 2 + 5;
       const there = at - half > end;
@@ -171,7 +171,7 @@ export class Figure {
     ];
   }
 
-  /** The picture without the page: light colours, `width` wide. */
+  /** Returns the picture for a file: light colours, `width` wide. */
   alone(width) {
     return standalone(this, width);
   }

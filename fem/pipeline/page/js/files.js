@@ -1,11 +1,11 @@
-// A picture as SVG, PNG and CSV.
+// Export of a picture as SVG, PNG and CSV.
 import { csv, heading_of } from './words.js';
 import { download, font, h, s } from './dom.js';
 
-/** A colour for print: the style of the page without its dark colours. */
+/** Returns a colour of the page's light style. */
 const colour = name => document.styleSheets[0].cssRules[0].style.getPropertyValue(name).trim();
 
-/** The text of an SVG file of nodes: light colours, nothing that needs the page. */
+/** Returns the text of a self-contained SVG file of the nodes, in light colours. */
 export function svg_text(title, description, nodes, width, height) {
   const svg = s(
     'svg',
@@ -32,7 +32,7 @@ export function standalone(figure, width = 480) {
   return { text, width, height };
 }
 
-/** Further numbers of the rows of a mark by their headings with units. */
+/** Returns further numbers of the rows of a mark, by heading with unit. */
 export const extra_of = (mark, axes) =>
   Object.fromEntries(
     (mark.extra || []).map(({ heading, axis, values }) => [heading_of({ heading, unit: axes[axis]?.unit }), values])

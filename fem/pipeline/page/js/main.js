@@ -1,4 +1,4 @@
-// The page of a document, or one picture of it alone.
+// Shows the page of a document, or a single picture.
 import { converge } from '../views/converge.js';
 import { run } from '../views/run.js';
 import { show_alone, show_document } from './sections.js';

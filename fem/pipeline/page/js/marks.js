@@ -7,7 +7,7 @@ export const clean = list => list.filter(Number.isFinite);
 export const place = (x, y) => `${x.toFixed(1)} ${y.toFixed(1)}`;
 export const silent = { extent: () => ({ x: [], y: [] }), near: () => null, rows: () => [], count: 0 };
 
-/** The number of the point next to a place on the page. */
+/** Returns the index of the point nearest to a position on the page. */
 export function nearest(x, y, px, py, X, Y) {
   let found = null;
   x.forEach((value, i) => {
@@ -31,7 +31,7 @@ function index_near(list, value) {
   return best;
 }
 
-/** A curve, broken where it has no value. `words(i)` are said of a point, else its numbers. */
+/** Returns a curve, interrupted at missing values. `words(i)` replaces the numbers of a point. */
 export const line = ({ x, y, name, colour = 'c1', dash, width = 2, words }) => ({
   name,
   colour,
@@ -50,7 +50,7 @@ export const line = ({ x, y, name, colour = 'c1', dash, width = 2, words }) => (
     return s('path', { d, fill: 'none', 'stroke-linejoin': 'round', ...stroke });
   },
   near: (px, py, X, Y) => nearest(x, y, px, py, X, Y),
-  value: words ? undefined : at => y[index_near(x, at)], // beside another curve's point
+  value: words ? undefined : at => y[index_near(x, at)], // for comparison with a point of another curve
   at: i => ({ x: x[i], y: y[i], words: words && words(i) }),
   count: x.length,
   rows: () => x.map((value, i) => [name || '', value, y[i]])
@@ -61,7 +61,7 @@ const shape_at = (shape, cx, cy, size, paint) =>
     ? s('rect', { x: cx - size, y: cy - size, width: 2 * size, height: 2 * size, ...paint })
     : s('circle', { cx: cx.toFixed(1), cy: cy.toFixed(1), r: size, ...paint });
 
-/** Points, perhaps with error bars of the half-width `band`. */
+/** Returns points, optionally with error bars of half-width `band`. */
 export const dots = ({ x, y, name, colour = 'c1', size = 4, hollow, band, across, words, shape }) => ({
   name,
   colour,
@@ -98,7 +98,7 @@ export const dots = ({ x, y, name, colour = 'c1', size = 4, hollow, band, across
   extra: band && [{ heading: '±', axis: across ? 'x' : 'y', values: band }]
 });
 
-/** Bars from `from` to `to` along the numbered rows of a vertical axis that has names. */
+/** Returns bars from `from` to `to` along the numbered rows of a named vertical axis. */
 export const bars = ({ from, to, texts, name, colour = 'c1', rows: at, words, pale }) => ({
   name,
   colour,
@@ -129,7 +129,7 @@ export const bars = ({ from, to, texts, name, colour = 'c1', rows: at, words, pa
   extra: [{ heading: 'from', axis: 'x', values: from }]
 });
 
-/** A straight line across the picture at x or y, with words at its end. */
+/** Returns a straight line across the picture at x or y, with a label at its end. */
 export const rule = ({ x, y, text, colour = 'soft', dash, low, name }) => ({
   ...silent,
   name,
@@ -159,7 +159,7 @@ export const rule = ({ x, y, text, colour = 'soft', dash, low, name }) => ({
   }
 });
 
-/** Words at a place of the axes. */
+/** Returns a label at a point of the axes. */
 export const note = ({ x, y, text, anchor = 'middle', soft = true, dy = 4 }) => ({
   ...silent,
   draw: (X, Y) =>

@@ -6,10 +6,10 @@ import { texts } from '../live/texts.js';
 
 const t = texts.above_words;
 const turn = 2 * Math.PI;
-const reach = 130; // of an orbit with its glass, on the page
+const reach = 130; // radius of an orbit with its glass, on the page
 const panel = 270;
 
-/** Sizes on the page: to scale, but for a glass that would be too small to see. */
+/** Returns sizes on the page: to scale, except for a glass that would be too small. */
 function sizes({ Motion: motion, Glass: glass }) {
   const R = glass['Contact radius'];
   const rho = motion['Orbit radius'];
@@ -36,7 +36,7 @@ const turning = (seconds, clockwise, ...children) =>
     ...children
   );
 
-/** A band round the rim that shows how hard it presses. */
+/** Returns a band round the rim whose width shows the pressure. */
 function band_of(load, size, sense) {
   const points = load.map((value, i) => {
     const angle = (sense * turn) / 4 + (turn * i) / load.length;
@@ -46,14 +46,14 @@ function band_of(load, size, sense) {
   return s('path', { d: `M${points.join('L')}Z`, fill: 'var(--c1)', 'fill-opacity': 0.35 });
 }
 
-/** One turn in so many seconds. */
+/** Returns a rotation with the given period [s]. */
 const turns_of = (omega, spins) =>
   spins ? say(t.turns, shown(turn / Math.abs(omega), '#.3g')) : omega === null ? t.none : t.still;
 
 function glass_nodes({ title, omega, load }, x, size) {
   const { rim, foot, orbit, sense, rate } = size;
   const spins = omega !== null && Math.abs(omega) > 1e-6 * rate;
-  const against = (omega || 0) - sense * rate; // turns in the frame that goes round
+  const against = (omega || 0) - sense * rate; // spin relative to the rotating frame
   const line = (d, more) => s('path', { d, stroke: 'var(--ink)', 'stroke-width': 1.6, fill: 'none', ...more });
   const circle = (r, more) => s('circle', { r: r.toFixed(1), fill: 'none', stroke: 'var(--ink)', ...more });
   const [tip, base] = [-sense * 2.1 * rim, -sense * 1.65 * rim];
@@ -97,7 +97,7 @@ function glass_nodes({ title, omega, load }, x, size) {
   ];
 }
 
-/** The drawing of glasses { title, omega, load } ; `parameters`: those of the summary. */
+/** Returns the drawing of glasses { title, omega, load }; `parameters`: parameters of the summary. */
 export function orbits(glasses, parameters) {
   const size = sizes(parameters);
   const width = panel * Math.max(2, glasses.length);

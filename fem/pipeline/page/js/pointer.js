@@ -1,4 +1,4 @@
-// Values where the pointer or the arrow keys are, and a part of a picture by dragging.
+// Values at the pointer or the selected point, and zoom by dragging.
 import { rich_svg, s, width_of } from './dom.js';
 import { missing, shown } from './words.js';
 
@@ -8,7 +8,7 @@ function place_of(figure, event) {
   return [(event.clientX - frame.left) * factor, (event.clientY - frame.top) * factor];
 }
 
-/** What is said of a point: its own words, or its numbers and those of the other curves there. */
+/** Returns the label of a point: its own words, or its numbers and the values of the other curves there. */
 function lines_at(figure, mark, i) {
   const { x = {}, y = {}, equal } = figure.picture;
   const at = mark.at(i);
@@ -23,7 +23,7 @@ function lines_at(figure, mark, i) {
   return [`${x.symbol || (x.label || '') + ':'} ${say(x, at.x)}`, ...beside];
 }
 
-/** Shows the words of a point beside it. */
+/** Shows the label of a point next to it. */
 function show_point(figure, mark, i, found) {
   const lines = lines_at(figure, mark, i);
   const at = mark.at(i);
@@ -56,7 +56,7 @@ export function hover(figure, event) {
   else tip.replaceChildren();
 }
 
-/** Arrow keys go from point to point, which is spoken; Escape shows the whole picture. */
+/** Arrow keys move from point to point, for screen readers too; Escape resets the zoom. */
 export function key(figure, event) {
   if (event.key === 'Escape') {
     figure.chosen = null;
@@ -76,13 +76,13 @@ export function key(figure, event) {
   figure.said.textContent = show_point(figure, mark, i).join(', ');
 }
 
-/** Drags a frame over a part of the picture, which is then shown alone. */
+/** Zooms into a frame dragged over the picture. */
 export function drag(figure, event) {
   const { box, svg, picture } = figure;
   if (picture.equal || picture.y?.rows || event.button || event.target.closest('.name')) return;
   const from = place_of(figure, event);
   if (from[0] < box.left || from[0] > box.right || from[1] < box.top || from[1] > box.bottom) return;
-  const touch = event.pointerType === 'touch'; // a finger also scrolls the page: it takes the whole height
+  const touch = event.pointerType === 'touch'; // a finger also scrolls the page, so it zooms horizontally only
   const frame = s('rect', { fill: 'var(--c1)', 'fill-opacity': 0.12, stroke: 'var(--c1)' });
   const begin = touch ? [from[0], box.top] : from;
   const inside = e => {

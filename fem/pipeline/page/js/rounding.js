@@ -1,11 +1,11 @@
-// Torques and spins that are rounding errors are zero everywhere on a page.
+// Torques and spins at rounding level are shown as zero.
 const share = 1e-9; // of the normal force times the radius, for torques
 
 function zero(object, keys, limit) {
   for (const key of keys) if (typeof object?.[key] === 'number' && Math.abs(object[key]) < limit) object[key] = 0;
 }
 
-/** Sets torques, moments and spins of a document that are rounding errors to zero, in place. */
+/** Sets torques, moments and spins of a document at rounding level to zero, in place. */
 export function without_rounding({ summary, tables, words }) {
   const load = summary.load || summary.load_at_terminal;
   if (!load) return;

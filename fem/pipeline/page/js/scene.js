@@ -1,4 +1,4 @@
-// Why the glass turns: the glass in perspective with the pressure round its rim, friction, the hand and what is left of the
+// Why the glass turns: the glass in perspective with the pressure round its rim, friction, the hand and the net
 // torque, in slow motion. Every instant is a row of the document.
 import { Drawing, height, width } from './drawing.js';
 import { h } from './dom.js';
@@ -9,7 +9,7 @@ import { texts } from '../live/texts.js';
 const t = texts.scene_words;
 const slower = 10;
 
-/** The instant between two rows. */
+/** Returns the instant interpolated between two rows. */
 function between(rows, time) {
   const i = rows.findIndex(row => row.time >= time);
   if (i <= 0) return rows[i < 0 ? rows.length - 1 : 0];
@@ -19,14 +19,14 @@ function between(rows, time) {
   return Object.fromEntries(Object.keys(a).map(key => [key, mix(a[key], b[key])]));
 }
 
-/** The row that a still picture shows: where a third of the torque is gone. */
+/** Returns the row of the still picture, at which the torque has decreased by a third. */
 function still_of(rows) {
   const most = Math.abs(rows[0].torque);
   return rows.find(row => Math.abs(row.torque) <= 0.67 * most) || rows[rows.length - 1];
 }
 
 export class Scene {
-  /** `dragged(height)` is called for a hand that is moved, in metres above the table. */
+  /** `dragged(height)` is called when the hand is moved [m above the table]. */
   constructor(dragged) {
     Object.assign(this, { dragged, time: 0, plays: false });
     this.drawing = new Drawing();
@@ -44,11 +44,11 @@ export class Scene {
     const { grip } = this.drawing;
     if (dragged) grip.classList.add('handle');
     else grip.remove();
-    grip.addEventListener('touchstart', e => e.preventDefault(), { passive: false }); // a page scrolls otherwise
+    grip.addEventListener('touchstart', e => e.preventDefault(), { passive: false }); // prevents scrolling
     this.play(false);
   }
 
-  /** Shows other rows: those of a drawing, and `why`. */
+  /** Shows other rows, with the explanation `why`. */
   set(given) {
     const [same, fell] = [this.given && this.given.rows.length > 1, this.given?.falls];
     this.given = given;
@@ -69,7 +69,7 @@ export class Scene {
     this.go_to(Math.min(this.time, Number(this.slider.max)));
   }
 
-  /** Keeps the picture, greyed, until there is a new one; the hand is where it is. */
+  /** Greys the picture until a new one is available; the hand stays. */
   wait(hand) {
     this.node.classList.add('waits');
     Object.assign(this.given, { hand });
@@ -102,7 +102,7 @@ export class Scene {
     requestAnimationFrame(frame);
   }
 
-  /** Drags the hand up and down, or looks from elsewhere. */
+  /** Drags the hand up and down, or rotates the view. */
   drag(event) {
     const by_hand = event.target === this.drawing.grip;
     const { clientX, clientY } = event;
@@ -128,7 +128,7 @@ export class Scene {
     event.preventDefault();
   }
 
-  /** Another drawing to choose: that from above. */
+  /** Adds an alternative drawing: the view from above. */
   add_tab(above) {
     const looks = { beside: this.beside, above };
     const show = name => {

@@ -10,13 +10,13 @@ const fit = ({ target, contentRect }) => {
   const width = Math.round(contentRect.width);
   if (figure && width > 0 && width !== figure.width) figure.redraw(width);
 };
-// In the next frame: a picture that changes its height while sizes are observed is reported as an error.
+// Deferred to the next frame: browsers report an error if a picture changes its height while sizes are observed.
 const resized = new ResizeObserver(entries => requestAnimationFrame(() => entries.forEach(fit)));
 
-/** The node of a picture that follows the width of the page. */
+/** Returns the node of a picture that adapts to the width of the page. */
 export function figure_of(picture) {
   if (picture.node) {
-    figures.set(picture.id, picture); // a drawing that draws itself
+    figures.set(picture.id, picture); // a drawing with its own rendering
     return picture.node;
   }
   const figure = new Figure(picture);
@@ -25,7 +25,7 @@ export function figure_of(picture) {
   return figure.node;
 }
 
-/** Shows a picture in the place of the one of its id; whether there is one. */
+/** Replaces the picture with the same id. Returns true if there is one. */
 export function show_anew(picture) {
   figures.get(picture.id)?.set(picture);
   return figures.has(picture.id);
@@ -54,7 +54,7 @@ function section_of(doc, { title, folded, text, pictures, tables, files }) {
   return h('section', {}, folded ? h('details', {}, h('summary', {}, heading), content) : [heading, content]);
 }
 
-/** Puts a view on the page. */
+/** Renders a view on the page. */
 function show(doc, view, main) {
   const head = there(view.head).map(figure_of);
   const sections = there(view.sections).map(section => section_of(doc, section));
@@ -70,14 +70,14 @@ function show(doc, view, main) {
   );
 }
 
-/** Shows the document of the page with one of the views by verbs. */
+/** Shows the document of the page with the view of its verb. */
 export function show_document(views) {
   const doc = JSON.parse(document.getElementById('document').textContent);
   without_rounding(doc);
   show(doc, views[doc.summary.verb](doc), document.querySelector('main'));
 }
 
-/** Shows one picture in the place of the page, for files that are made without a hand: report.html#svg=torque. */
+/** Shows a single picture instead of the page, for automatic export: report.html#svg=torque. */
 export function show_alone(id, width) {
   const { text, height } = figures.get(id).alone(width);
   const parsed = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;

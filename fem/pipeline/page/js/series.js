@@ -6,7 +6,7 @@ export const value_of = ({ a, b }, angle) =>
 
 export const truncated = ({ a, b }, n) => ({ a: a.slice(0, n + 1), b: b.slice(0, n + 1) });
 
-/** The load over its mean at `n` places, 0 where the foot has lifted off. */
+/** Returns the load over its mean at `n` azimuths, 0 where the foot has lifted off. */
 export const around = (load, n) =>
   Array.from({ length: n }, (_, i) => Math.max(0, value_of(load, (turn * i) / n) / load.a[0]));
 
@@ -18,7 +18,7 @@ export function pressing({ summary: { load }, tables, words }) {
   if (!load?.a) return {};
   const sense = words.sketch.clockwise ? -1 : 1;
   const side = (sense * turn) / 4;
-  // Where the foot has lifted off the series swings about zero.
+  // Where the foot has lifted off, the series oscillates about zero.
   const at = angle => Math.max(tables.load_lines ? 0 : -Infinity, value_of(load, angle)) / load.ring_radius;
   const [, b1 = 0] = load.b;
   const turns = Math.abs(b1) > 1e-9 * load.a[0] ? Math.sign(b1) : 0;

@@ -1,4 +1,4 @@
-// Marks with an area or a direction: patches of colour, lines of equal value, arrows, outlines.
+// Marks with an area or a direction: coloured patches, contour lines, arrows, outlines.
 import { s } from './dom.js';
 import { clean, line, nearest, place, silent } from './marks.js';
 
@@ -15,7 +15,7 @@ const blue_white_red = [
   [247, 247, 247],
   [178, 24, 43]
 ];
-/** A colour of a scale from 0 to 1, in even steps of lightness; of both signs zero is white. */
+/** Returns a colour of a scale from 0 to 1 with uniform steps of lightness; in a signed scale zero is white. */
 export function colour_at(t, both_signs) {
   const stops = both_signs ? blue_white_red : dark_to_light;
   const at = Math.max(0, Math.min(0.9999, t)) * (stops.length - 1);
@@ -32,7 +32,7 @@ function contains(polygon, x, y) {
   return inside;
 }
 
-/** Coloured polygons [[x, y], ...], a value each; `words(i)` are said of one. */
+/** Returns coloured polygons [[x, y], ...] with one value each; `words(i)` is the label of a polygon. */
 export const patches = ({ polygons, value, colours: { range, both_signs, label }, words, name, lines }) => {
   const levels = 48;
   const share = v => (v - range[0]) / (range[1] - range[0] || 1);
@@ -67,7 +67,7 @@ export const patches = ({ polygons, value, colours: { range, both_signs, label }
   };
 };
 
-/** Polygons and values of a grid whose cells lie between the edges x[i], x[i + 1] and y[j], y[j + 1]; value[j][i]. */
+/** Returns polygons and values of a grid whose cells lie between the edges x[i], x[i + 1] and y[j], y[j + 1]; value[j][i]. */
 export const grid = (x, y, value) => ({
   value: value.flat().map(v => v ?? NaN),
   polygons: value.flatMap((list, j) =>
@@ -89,7 +89,7 @@ export function arrow(x0, y0, x1, y1, head = 6) {
   return `M${place(x0, y0)}L${place(x1, y1)}M${left}L${place(x1, y1)}L${right}`;
 }
 
-/** Arrows from (x, y) by (u, v), in the units of the axes. */
+/** Returns arrows from (x, y) by (u, v), in the units of the axes. */
 export const arrows = ({ x, y, u, v, name, colour = 'c1', words, width = 1.6, head = 6 }) => ({
   ...silent,
   name,
@@ -117,7 +117,7 @@ export const arrows = ({ x, y, u, v, name, colour = 'c1', words, width = 1.6, he
   ]
 });
 
-/** The straight lines of a drawing: [[x0, y0, x1, y1], ...] in the units of the axes; `heads`: 1 or 2 arrows. */
+/** Returns the straight lines of a drawing: [[x0, y0, x1, y1], ...] in the units of the axes; `heads`: 1 or 2 arrows. */
 export const strokes = ({ lines, colour = 'soft', width = 1, dash, heads = 0 }) => ({
   ...silent,
   extent: () => ({ x: lines.flatMap(l => [l[0], l[2]]), y: lines.flatMap(l => [l[1], l[3]]) }),
@@ -137,7 +137,7 @@ export const strokes = ({ lines, colour = 'soft', width = 1, dash, heads = 0 }) 
     })
 });
 
-/** A closed outline. */
+/** Returns a closed outline. */
 export const outline = ({ x, y, name, colour = 'ink', fill = 'none', width = 1.5, opacity = 1 }) => ({
   ...line({ x: [...x, x[0]], y: [...y, y[0]], name, colour, width }),
   near: () => null,

@@ -1,11 +1,11 @@
-// What was computed: the glass seen along its path, with its numbers; a sketch, not to scale.
+// Sketch of the study, not to scale: the glass seen along its path, with its parameters.
 import { h, s, rich } from './dom.js';
 import { pressing } from './series.js';
 import { shown } from './words.js';
 import { svg_text } from './files.js';
 
-const axis = 190; // of the drawn glass
-const table = 341; // its height on the page
+const axis = 190; // axis of the drawn glass
+const table = 341; // height of the table on the page
 const centre = 224; // of mass
 const outline =
   'M229.2,338.7C229.9,338.9 232.1,340 233.5,340C234.9,340 236.4,339.4 237.8,338.7C239.3,338 242.2,336.6 242.2,335.6' +
@@ -24,7 +24,7 @@ const soft = { class: 'soft' };
 const thin = (d, more = {}) => s('path', { d, fill: 'none', stroke: 'var(--soft)', 'stroke-width': 0.9, ...more });
 const filled = (d, colour) => s('path', { d, fill: `var(--${colour})` });
 
-/** Size of the hand's force before the glass spins: towards the centre, and along the path against friction. */
+/** Returns the hand's force at rest: towards the centre, and along the path against friction. */
 const hand_force = given => `${shown(Math.hypot(given.force.inwards, given.force.along), '.3g')} N`;
 
 function hand_nodes(given, hand) {
@@ -50,7 +50,7 @@ function hand_nodes(given, hand) {
   ];
 }
 
-/** How hard the rim presses towards the centre of the orbit and away from it. */
+/** Returns the pressure of the rim on the side towards the centre of the orbit and on the other side. */
 function press_nodes({ mean, inside, outside }) {
   const arrow = (force, x, label, at, anchor) => {
     const top = 350 + 24 * Math.min(2, Math.max(0, force / mean));
@@ -85,11 +85,11 @@ function length_nodes(given, hand) {
   ];
 }
 
-/** The drawing of a document. */
+/** Returns the drawing of a document. */
 export function sketch(doc) {
   const { sketch: given } = doc.words;
   const load = pressing(doc);
-  const presses = load.inside || load.outside; // not where both sides have lifted off
+  const presses = load.inside || load.outside; // false if both sides have lifted off
   const hand = centre - 72.5 * given.hand;
   const side = given.clockwise ? 'in front' : 'behind';
   const into = given.clockwise

@@ -1,4 +1,4 @@
-// The glass in space: where its places lie on the page, and the paths that draw it. Lengths in millimetres, z up.
+// Perspective view of the glass: positions on the page, and the paths of the drawing. Lengths in millimetres, z up.
 import { place } from './marks.js';
 
 const turn = 2 * Math.PI;
@@ -35,7 +35,7 @@ const tumbler = [
 const height_of_glass = 2.46; // over the height of the centre of mass
 const height_of_tumbler = 1.9;
 
-/** The radius of an outline at a height. */
+/** Returns the radius of an outline at a height. */
 const radius_at = (outline, share) => {
   const i = Math.max(
     1,
@@ -45,7 +45,7 @@ const radius_at = (outline, share) => {
   return r0 + (r1 - r0) * Math.min(1, Math.max(0, (share - z0) / (z1 - z0 || 1)));
 };
 
-/** A look at a place from an azimuth and an elevation, with perspective. */
+/** Camera that looks at a point from an azimuth and an elevation, with perspective. */
 export class Camera {
   constructor(azimuth, elevation) {
     Object.assign(this, { azimuth, elevation });
@@ -67,7 +67,7 @@ export class Camera {
     this.middle = ends.map(([least, most], i) => [width, height][i] / 2 - (this.focus * (least + most)) / 2);
   }
 
-  /** The place on the page. */
+  /** Returns the position on the page. */
   see(p) {
     const [right, up, depth] = this.axes.map(axis => axis.reduce((sum, x, i) => sum + x * p[i], 0));
     const scale = this.focus / (this.distance + depth);
@@ -78,7 +78,7 @@ export class Camera {
     return places.map((p, i) => (i ? 'L' : 'M') + place(...this.see(p))).join('') + (close ? 'Z' : '');
   }
 
-  /** An arrow of two strokes at its head. */
+  /** Returns an arrow with a head of two strokes. */
   arrow(from, to, head, least = 0) {
     const d = to.map((x, i) => x - from[i]);
     const n = Math.hypot(...d);
@@ -89,7 +89,7 @@ export class Camera {
     return this.path([from, to]) + this.path([wing(1), to, wing(-1)]);
   }
 
-  /** How much a direction of the table points to the eye, from -1 to 1. */
+  /** Returns the component of a direction on the table towards the viewer, from -1 to 1. */
   faces(angle) {
     return Math.cos(angle - this.azimuth);
   }

@@ -2,7 +2,7 @@
 import { csv, heading_of, is_number, shown } from './words.js';
 import { download, h, rich } from './dom.js';
 
-/** The columns of a table by key, as objects of lists. */
+/** Returns the columns of a table by key, as objects of lists. */
 export const columns = ({ keys, values }) => Object.fromEntries(keys.map((key, i) => [key, values[i]]));
 
 /** The keys of a table that stand in `wanted`, parted by blanks; "torques[]" stands for all places of a list. */
@@ -13,7 +13,7 @@ function chosen(keys, wanted) {
     .flatMap(key => keys.filter(k => k === key || (key.endsWith('[]') && k.startsWith(key.slice(0, -1)))));
 }
 
-/** A table of lists, with these headings. */
+/** Returns a table of lists with the given headings. */
 export const table_of = (headings, rows) => ({
   keys: headings,
   values: headings.map((_, k) => rows.map(row => row[k]))

@@ -1,4 +1,4 @@
-// Numbers and texts as people read them. Digits are written as in summary.schema.json: ".6g", "+.3g%", "1e3*.4g", "band".
+// Formats of numbers and texts. Digits are written as in summary.schema.json: ".6g", "+.3g%", "1e3*.4g", "band".
 export const missing = '–';
 
 const raised = n => String(n).replace(/[-\d]/g, c => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(c)]);
@@ -18,7 +18,7 @@ function rounded_up(x) {
   return Math.ceil((x / unit) * (1 - 1e-9)) * unit;
 }
 
-/** A value of a table or a sentence. */
+/** Formats a value of a table or a sentence. */
 export function shown(value, digits = '.6g') {
   if (value === null || value === undefined || (typeof value === 'number' && !Number.isFinite(value))) return missing;
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
@@ -35,19 +35,19 @@ export function shown(value, digits = '.6g') {
   return (sign && x > 0 ? '+' : '') + true_minus(pretty(text)) + (percent ? ' %' : '');
 }
 
-/** The text of a cell: a number has a true minus and powers of ten as print has them. */
+/** Returns the text of a cell, with typographic minus and powers of ten. */
 function cell(text) {
   const number = /^[-+]?\d/.test(text) && /^\S+$/.test(text);
   return number ? true_minus(/^0\.?0*e/.test(text) ? '0' : pretty(text)) : true_minus(text);
 }
 export const is_number = text => /^[-−+]?\d/.test(text) || text === missing || text === '';
 
-/** A sentence with its numbers. */
+/** Returns a sentence with its numbers inserted. */
 export const say = (text, ...values) => with_units(text.replace(/\{(\d)\}/g, (_, i) => values[i]));
 
 export const heading_of = q => q.heading + (q.unit && q.unit !== '1' ? ` (${q.unit.replace(/ /g, '\u00a0')})` : '');
 
-/** Numbers stay with their units, which have raised exponents. */
+/** Joins numbers and units by non-breaking spaces, with superscript exponents. */
 const with_units = text =>
   text
     .replace(/(?<=\d ?)um(?=[\s.,;)/]|$)/g, 'µm')

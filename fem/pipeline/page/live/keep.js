@@ -25,7 +25,7 @@ export const page_with_state = page =>
   '<!doctype html>\n' +
   page.replace(/id="live"( data-state="[^"]*")?/, () => `id="live" data-state="${String(parts_of_state()).replace(/&/g, '&amp;')}"`); // prettier-ignore
 
-/** The study as a file of parameters. */
+/** Returns the study as a parameter file. */
 export function study_text() {
   const values = { ...Object.fromEntries(pair().values), ...state.changes };
   const line = text => text.replace(/[\r\n]+/g, ' ');

@@ -8,7 +8,7 @@ import { texts } from './texts.js';
 
 const t = lesson_texts;
 const chosen = {}; // predictions by step
-// Parts of the scene and pictures that a step shows before its prediction and after it.
+// Parts of the scene and pictures that a step shows before and after its prediction.
 const scene_parts = ['hand', 'pressure', 'friction', 'torque'];
 const parts_before = [1, 1, 2, 3, 4];
 const parts_after = [2, 2, 3, 4, 4];
@@ -17,20 +17,20 @@ const pictures_after = [[], ['load'], ['load'], ['torque'], ['spin', 'torque']];
 const is_predicted = () => chosen[state.lesson] !== undefined;
 const at_step = (before, after) => (is_predicted() ? after : before)[state.lesson - 1];
 
-/** Whether a part of the scene is shown in the present step. */
+/** Returns true if a part of the scene is shown in the current step. */
 export const shows = part => !state.lesson || scene_parts.indexOf(part) < at_step(parts_before, parts_after);
 
-/** The side that is pressed harder at rest: 0 the outside, 1 the inside, 2 neither. */
+/** Returns the side with the larger load at rest: 0 outside, 1 inside, 2 equal. */
 const side = () => ['outside', 'inside', 'even'].indexOf(pressing(doc).harder);
-/** The way of the torque at rest: 0 against the orbit, 1 with it, 2 none. While it is not known, it follows the pressure. */
+/** Returns the direction of the torque at rest: 0 against the orbit, 1 with it, 2 none. Before it is computed, it is inferred from the pressure. */
 function way() {
   const torque = doc.summary.ring.tau_at_rest;
   return !Number.isFinite(torque) ? side() : torque === 0 ? 2 : torque * sense() < 0 ? 0 : 1;
 }
-/** The right option of each step in the present state. */
+/** Returns the correct option of each step in the current state. */
 const right = [side, () => (doc.summary.load?.moment_ratio > 1 ? 2 : 1), () => 1, way, () => 1];
 
-/** The answer of each step with its numbers. */
+/** Returns the answer of each step with its numbers. */
 const answers = [
   ({ answer }) => {
     const millimetres = 1e3 * Math.abs(hand_offset());

@@ -15,12 +15,12 @@ import { texts } from './texts.js';
 import { write_lesson } from './lesson.js';
 
 const opened = performance.now();
-const page = document.documentElement.outerHTML; // before anything is changed
-let stands = {}; // changes with which the glass last stood
+const page = document.documentElement.outerHTML; // original page
+let stands = {}; // changes of the last state without tipping
 addEventListener('error', e => errors.push(e.message));
 addEventListener('unhandledrejection', e => errors.push(String(e.reason)));
 
-const drawn = new Map(); // what the pictures show, by their places
+const drawn = new Map(); // current content of the pictures, by their place
 const places = [...document.querySelectorAll('[data-picture]')];
 
 function draw_picture(place) {
@@ -37,8 +37,8 @@ function draw_picture(place) {
 }
 const draw = wanted => places.filter(place => wanted.includes(place.dataset.picture)).forEach(draw_picture);
 
-let late = 0; // timer of a wish without an answer
-const first_words = 350; // ms, after which the page says what it knows
+let late = 0; // timer of a request without an answer
+const first_words = 350; // ms until the page shows intermediate results
 
 function show(reply, ms, is_last) {
   clearTimeout(late);
@@ -76,7 +76,7 @@ function solve(cold) {
   queue.solve(cold);
 }
 
-/** After the hand has moved in the scene: its slider follows. */
+/** Updates the slider after the hand was moved in the scene. */
 function solve_hand(cold) {
   make_sliders(solve);
   solve(cold);
@@ -90,7 +90,7 @@ function choose() {
   solve(true);
 }
 
-/** Without a solver the page has the answer of `stemware run` alone. */
+/** Without a solver the page shows only the answer of `stemware run`. */
 function lost(error) {
   const why = String(error.message || error).slice(0, 100);
   errors.push(why);
@@ -145,7 +145,7 @@ addEventListener('hashchange', () => {
   choose();
 });
 document.body.dataset.complete = String(Math.round(performance.now()));
-// What a test asks: moves an entry, and waits for the answer of the last wish.
+// Interface for tests: changes an entry and waits for the answer of the last request.
 window.move = (path, value) =>
   new Promise(done => {
     if (value === undefined) delete state.changes[path];

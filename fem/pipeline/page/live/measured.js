@@ -1,4 +1,4 @@
-// A measured run over the computed spin-up: a table whose first column of numbers is time.
+// Measured run shown with the computed spin-up: a table whose first numeric column is time.
 import { $, doc } from './state.js';
 import { say, shown } from '../js/words.js';
 import { h } from '../js/dom.js';
@@ -9,7 +9,7 @@ const degree = Math.PI / 180;
 const units = { 'rad/s': [1, false], '°/s': [degree, false], rad: [1, true], '°': [degree, true] }; // factor, is an angle
 const separators = ['\t', ';', /\s+/, /,(?=(?:[^"]*"[^"]*")*[^"]*$)/];
 const max_bytes = 2e7;
-const max_points = 200; // drawn: more hide the curve
+const max_points = 200; // more points would hide the curve
 let run = { time: null, columns: [] }; // columns: { heading, values }
 
 const bare = cell => cell.trim().replace(/^"(.*)"$/, '$1');

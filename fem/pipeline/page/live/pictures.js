@@ -7,7 +7,7 @@ import { texts } from './texts.js';
 import { waterfall } from '../views/budget.js';
 import { shown } from '../js/words.js';
 
-/** What is drawn, by the name of its place on the page, and whether the document has what it needs. */
+/** Pictures by place on the page, with a check that the document has their data. */
 const pictures = {
   load: [() => doc.summary.load_at_terminal, () => line_load(at_end())],
   torque: [() => doc.tables.torque, () => torque(doc)],
@@ -15,10 +15,10 @@ const pictures = {
   budget: [() => doc.tables.waterfall, () => waterfall(doc)],
   pressure: [() => doc.tables.foot, () => footprint(doc.tables.foot.footprint, 'pressure', '')]
 };
-/** Pictures that keep what they show while something moves. */
+/** Pictures that are not updated during a move. */
 export const calm = ['torque', 'spin', 'budget', 'pressure'];
 
-/** A picture; null if the document has no data for it. */
+/** Returns a picture; null if the document has no data for it. */
 export function picture(name) {
   const [is_known, make] = pictures[name];
   const given = is_known() && make();

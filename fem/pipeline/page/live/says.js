@@ -1,4 +1,4 @@
-// What the live page says of an answer, and its numbers.
+// Texts and numbers of the live page about an answer.
 import { $, band, data, digits, doc, fall, found, pair, sense, state } from './state.js';
 import { band_text, harmonic_effect } from './pictures.js';
 import { h } from '../js/dom.js';
@@ -35,7 +35,7 @@ function answer_text({ ring, first_n, paper, load_at_terminal: load }) {
   return turns + compared + lies;
 }
 
-const near_fall = 0.8; // share of the moment of a fall
+const near_fall = 0.8; // fraction of the tipping moment
 const close_to_fall = ({ share, highest }) =>
   say(texts.close, shown(Math.min(100 * share, 99), '.2g'), shown(1e3 * highest, '.2g'));
 function failure_text({ tips, refused, error }) {
@@ -44,7 +44,7 @@ function failure_text({ tips, refused, error }) {
   return fall().share > near_fall ? `${close_to_fall(fall())} ${texts.too_close}` : error;
 }
 
-/** Says what is known before there is an answer: the distance to the fall, and the last balance. */
+/** Shows intermediate results before the answer: the distance to tipping, and the last balance. */
 export function tell_late() {
   const { share } = fall();
   const known = state.standing ?? (Object.keys(state.changes).length ? null : pair().omega);
@@ -93,7 +93,7 @@ export function facts(ms) {
   $('facts').replaceChildren(...rows.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))));
 }
 
-/** Says the answer. */
+/** Shows the answer. */
 export function tell(ms) {
   const { answer } = found;
   const chosen = doc.summary.first_n || doc.summary.ring;

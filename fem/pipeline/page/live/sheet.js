@@ -6,7 +6,7 @@ import { sheet_texts as t } from './sheet_texts.js';
 const table = (head, rows) =>
   h('table', {}, h('thead', {}, h('tr', {}, head.map(text => h('th', {}, text)))), h('tbody', {}, rows.map(text => h('tr', {}, head.map((_, i) => h('td', {}, i ? '' : text)))))); // prettier-ignore
 
-/** Prints the sheet alone. */
+/** Prints the sheet only. */
 export function print_sheet() {
   $('sheet').replaceChildren(
     h('h1', {}, t.title),

@@ -3,9 +3,9 @@
 import { $, all_harmonics, errors, pair_name, state } from './state.js';
 import { begin, reply_to } from './compute.js';
 
-const longest = 500; // ms that a newer wish waits for an older one
-const patience = 15000; // ms for one answer, then the page gives up
-const pause = 180; // ms without a move, after which curves are drawn
+const longest = 500; // ms that a newer request waits for an older one
+const patience = 15000; // ms, time limit of an answer
+const pause = 180; // ms without a move before curves are drawn
 let parts = null; // of the worker, unpacked
 let worker = null;
 let ready = null;
@@ -18,7 +18,7 @@ async function unpack(id) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** A worker; its promise fails where the site or the browser has none. */
+/** Returns a promise of a worker; it is rejected if site or browser do not support workers. */
 function begin_worker() {
   worker = new Worker(parts.script);
   ready = new Promise((done, failed) => {
@@ -37,13 +37,13 @@ function take(message) {
   waiting.delete(message.id);
 }
 
-/** The solver in the page, which answers after the page has been drawn. */
+/** Solver in the page itself, which answers after the page has been drawn. */
 function begin_in_page() {
   worker = { postMessage: message => setTimeout(() => take(reply_to(message))) };
   return (ready = begin(parts.given));
 }
 
-/** Starts the solver; the promise fails where it cannot. */
+/** Starts the solver; the promise is rejected if this fails. */
 export async function start_solver(data) {
   const [wasm, bodies] = await Promise.all(['wasm', 'bodies'].map(unpack));
   const text = new Blob([$('worker').textContent], { type: 'text/javascript' });
@@ -67,14 +67,14 @@ function post(message) {
 }
 
 function cancel() {
-  if (!worker.terminate) return; // in the page: what runs runs to its end
+  if (!worker.terminate) return; // in the page itself a running solve cannot be cancelled
   worker.terminate();
   begin_worker().catch(error => errors.push(String(error)));
   for (const done of waiting.values()) done({ cancelled: true });
   waiting.clear();
 }
 
-/** Solves wishes; `show(reply, ms)`, `late(ms)` and `use(name, reply)` are told what comes. */
+/** Solves requests; calls `show(reply, ms)`, `late(ms)` and `use(name, reply)`. */
 export class Queue {
   constructor(told) {
     this.told = told;
@@ -86,7 +86,7 @@ export class Queue {
     return !this.busy && !this.wish;
   }
 
-  /** Asks the worker; nothing where a newer wish has cancelled that. */
+  /** Sends a request to the worker. Returns nothing if a newer request has cancelled it. */
   async ask(message) {
     this.busy = true;
     this.since = Infinity; // until the worker has started
@@ -108,7 +108,7 @@ export class Queue {
     return true;
   }
 
-  /** Cancels what runs once it has had its time. */
+  /** Cancels the running request after its time limit. */
   tire() {
     const left = longest - (performance.now() - this.since);
     if (left > 0) this.patience = setTimeout(() => this.tire(), Math.min(left, longest));
@@ -134,7 +134,7 @@ export class Queue {
     this.next();
   }
 
-  /** After a pause: once more from the beginning, as `stemware run` solves it; then what takes longer. */
+  /** After a pause: solves from a cold start like `stemware run`, then computes the slow parts. */
   async rest(reply) {
     if (reply.error) return;
     if (!this.rests) return (this.resting = setTimeout(() => this.rest(reply), pause));

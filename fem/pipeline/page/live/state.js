@@ -1,38 +1,38 @@
-// What the live page holds: a glass, a table, the number of harmonics, what has been changed of the study, and the answer.
+// State of the live page: glass, table, number of harmonics, changes of the study, and answer.
 import { without_rounding } from '../js/rounding.js';
 
 export const $ = id => document.getElementById(id);
 export const data = JSON.parse($('data').textContent);
-export const all_harmonics = 17; // the slider's last place
+export const all_harmonics = 17; // last position of the slider
 export const state = {
   glass: data.glasses[0].name,
   table: data.tables[0].name,
   harmonics: all_harmonics,
   changes: {},
-  lesson: 0, // its step; 0: none
+  lesson: 0, // current step; 0: none
   unknown: []
 };
 /** The last reply: { fit, notes, error, tips, refused, was_cold }; nothing before the first. */
-export const found = { answer: null, is_last: true }; // whether nothing newer is wished
-/** The document of the last answer, in which the views of reports look. */
+export const found = { answer: null, is_last: true }; // true if there is no newer request
+/** Document of the last answer, which the views of reports use. */
 export const doc = { summary: {}, words: {}, tables: {} };
-const own = ['measured']; // tables of the reader, not of an answer
+const own = ['measured']; // tables given by the user, not part of an answer
 export function forget() {
   const kept = Object.fromEntries(own.filter(name => doc.tables[name]).map(name => [name, doc.tables[name]]));
   Object.assign(doc, { summary: {}, words: {}, tables: kept });
 }
-/** Takes what a reply says into the document. */
+/** Merges a reply into the document. */
 export function learn(part) {
   for (const key of ['summary', 'words', 'tables']) Object.assign(doc[key], part[key]);
   without_rounding(doc);
 }
-/** The document with the load of the last spin as its load. */
+/** Returns the document with the load at the last spin as its load. */
 export function at_end() {
   const { summary } = doc;
   return { ...doc, summary: { ...summary, load: { ...summary.load_at_terminal, cut: summary.first_n?.load } } };
 }
 export const [hand, centre] = ['Motion/Hand height', 'Motion/Centre of mass height'];
-const offset = 'Motion/Force offset'; // follows from the two
+const offset = 'Motion/Force offset'; // determined by the two heights
 const rounded = metres => Number(metres.toFixed(9));
 export const errors = [];
 let entries = {};
@@ -43,7 +43,7 @@ export const pair_name = () => `${state.glass}|${state.table}`;
 export const pair = () => data.pairs[pair_name()];
 export const band = () => Math.max(data.near_band, pair().band || 0);
 
-/** The values of the pair's study, without changes. */
+/** Returns the values of the pair's study, without changes. */
 export function load_entries() {
   entries = {};
   for (const path in data.entries) entries[path] = { value: data.entries[path], acts: pair().acts.includes(path) };
@@ -68,16 +68,16 @@ export function fall() {
   const highest = (c * k * k + Math.sqrt(Math.max(0, sum * R * R - (c * k * mu) ** 2))) / sum;
   return { share: Math.hypot((h - c) * k, h * mu) / R, highest };
 }
-/** The height of the hand above the centre of mass. */
+/** Returns the height of the hand above the centre of mass. */
 export const hand_offset = () => rounded(value_of(hand) - value_of(centre));
 export const sense = () => (text_of('Motion/Orbit sense') === 'clockwise' ? -1 : 1);
 
-/** What a glass or table brings along replaces what was changed of it. */
+/** The values of a newly selected glass or table replace earlier changes of it. */
 export function drop_changes(list, ...names) {
   for (const { name, sets } of list) if (names.includes(name)) for (const path of sets) delete state.changes[path];
 }
 
-/** The state as it stands in the address. */
+/** Returns the state as text in the address. */
 export function parts_of_state() {
   const parts = { glass: state.glass, table: state.table, ...state.changes };
   if (state.harmonics < all_harmonics) parts.harmonics = state.harmonics;
@@ -89,11 +89,11 @@ export function remember() {
   try {
     history.replaceState(null, '', address);
   } catch {
-    location.hash = address; // a page within a page
+    location.hash = address; // embedded page
   }
 }
 
-/** Takes the state from the address; what the page does not know is kept to be told. */
+/** Reads the state from the address; unknown parts are kept for a message. */
 export function recall() {
   state.unknown = [];
   for (const [key, value] of new URLSearchParams(location.hash.slice(1) || $('live').dataset.state)) {

@@ -11,7 +11,7 @@ import { is_tumbler, why } from '../views/common.js';
 let scene = null;
 let above = null;
 
-/** The glass without an answer: it falls. */
+/** Returns the rows of a glass without an answer, which tips. */
 const fallen = {
   time: 0,
   omega: 0,
@@ -49,7 +49,7 @@ function parameters() {
   return { Motion, Glass: of('Glass', 'Contact radius', 'Foot radius') };
 }
 
-/** The glass from above beside the paper's ring. */
+/** Shows the glass from above next to the paper's ring. */
 function draw_above() {
   const { ring, paper } = doc.summary;
   const load = doc.tables.motion[doc.tables.motion.length - 1].load;

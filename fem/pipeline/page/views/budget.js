@@ -6,7 +6,7 @@ const spin = value => `${shown(value, '#.4g')} rad/s`;
 const one_way = ({ words }) => (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
 const rounded = (value, rounding) => (Math.abs(value) < rounding ? 0 : value);
 
-/** The steps of the budget with their titles, the study itself last. */
+/** Returns the steps of the budget with their titles; the study is the last. */
 function steps_of({ tables }) {
   const steps = tables.waterfall.map(row => {
     const formal = row.state === 'formal';
@@ -85,7 +85,7 @@ export function waterfall(doc) {
   };
 }
 
-/** How large each effect is: steps of the model, and what leaving out one thing changes. */
+/** Shows the size of each effect: steps of the model, and the change if one effect is left out. */
 export function effects(doc) {
   const { budget, without } = doc.summary;
   const { rounding } = doc.words;

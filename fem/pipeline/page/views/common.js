@@ -1,4 +1,4 @@
-// What every page has.
+// Common parts of all pages.
 import { h } from '../js/dom.js';
 import { orbits } from '../js/motion.js';
 import { Scene } from '../js/scene.js';
@@ -21,10 +21,10 @@ export function why({ falls, held }, { harder }, offset) {
   return `${hand} ${t[harder] || ''}`.trim();
 }
 
-/** A glass without a stem stands on what would be one. */
+/** A glass without a stem (tumbler). */
 export const is_tumbler = (stem, contact) => stem > 0.5 * contact;
 
-/** How a run ends: its last spin, whether it moves at all, spins for ever, falls, or is held by the fingers. */
+/** Returns how a run ends: last spin, and whether the glass moves at all, keeps spinning, tips, or is held by the fingers. */
 export function ending({ summary: { ring, parameters }, words }) {
   const omega = ring.omega_terminal ?? ring.fall?.omega ?? 0;
   const moves = Math.abs(omega) >= words.rounding;
@@ -102,7 +102,7 @@ export const bands = doc =>
     ]
   };
 
-/** What the spin is with fewer harmonics of the load; remarks stand before and after how to read it. */
+/** Shows the spin with fewer harmonics of the load, with remarks before and after the explanation. */
 export const fewer_harmonics = (doc, [before, after] = []) => ({
   title: 'The effect of each harmonic',
   text: [

@@ -1,9 +1,9 @@
-// What `stemware converge` shows.
+// Page of `stemware converge`.
 import { bands, beginning, files, study } from './common.js';
 import { dots, line } from '../js/marks.js';
 import { shown } from '../js/words.js';
 
-/** Relative distance of the terminal spin from its limit by axis and level. */
+/** Shows the relative distance of the terminal spin from its limit, by axis and level. */
 function curves_of({ summary, words }) {
   return Object.values(summary.refinement).map(({ name, own_level, figures }) => {
     const { values, limit } = figures.omega_terminal;

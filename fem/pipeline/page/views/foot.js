@@ -70,7 +70,7 @@ export function footprint(map, id, state) {
   };
 }
 
-/** Where the foot presses, seen from above through the glass; distances from the rim are drawn larger. */
+/** Shows the pressure of the foot from above; radial distances from the rim are enlarged. */
 export function foot_from_above({ foot }, { sketch }) {
   const { footprint: map, section, magnification } = foot;
   if (!map || !section) return null;
@@ -104,7 +104,7 @@ export function foot_from_above({ foot }, { sketch }) {
   };
 }
 
-/** Stress of von Mises in the loaded section. */
+/** Shows the von Mises stress in the loaded section. */
 export function section_stress({ foot }) {
   const t = foot.stresses;
   if (!t) return null;
@@ -145,12 +145,12 @@ const cells = ({ x, z }, lift = () => 0) =>
     })
   );
 
-/** The cells of the section with its lengths. */
+/** Shows the cells of the section with its lengths. */
 export function section({ foot }) {
   const t = foot.section;
   if (!t) return null;
   const { radius, edge, top, stem, thickness } = t;
-  const step = 0.075 * edge; // between two lines of lengths
+  const step = 0.075 * edge; // spacing of the dimension lines
   const end = (x, y, more) => note({ x, y, soft: false, ...more });
   return {
     id: 'section',
@@ -178,7 +178,7 @@ export function section({ foot }) {
   };
 }
 
-/** The rim above the table, three times as wide as the loaded band on both sides of it. */
+/** Shows the rim above the table, over three widths of the loaded band. */
 export function rim({ foot }) {
   const t = foot.section;
   if (!t) return null;

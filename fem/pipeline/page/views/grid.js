@@ -17,12 +17,12 @@ function jumps(y, i) {
     if (first <= 0 || first + n + 1 >= y.length) return false;
     const beside = Math.max(step(first - 1), step(first + n));
     const least = Math.min(step(first), step(first + n - 1));
-    return least > 4 * beside && beside > 1e-9 * least; // rounding beside a step tells nothing
+    return least > 4 * beside && beside > 1e-9 * least; // excludes rounding errors next to a step
   };
   return jumps_over(i, 1) || jumps_over(i, 2) || jumps_over(i - 1, 2);
 }
 
-/** The places of a curve, with a gap in the middle of each jump. */
+/** Returns the points of a curve, with a gap in the middle of each jump. */
 function broken(x, y) {
   const places = x.flatMap((at, i) => {
     const here = [at, y[i] ?? NaN];
@@ -46,7 +46,7 @@ function curves(axis, y, list) {
   };
 }
 
-/** Edges of the cells round values: half-way between them on the axis. */
+/** Returns the edges of the cells around values: half-way between them on the axis. */
 function edges_of({ values, log }) {
   const middle = (a, b) => (log ? Math.sqrt(a * b) : (a + b) / 2);
   const beyond = (a, b) => (log ? (a * a) / b : 2 * a - b);
@@ -86,7 +86,7 @@ const titles = {
 const max_curves = 7;
 const min_of_map = 4;
 
-/** The pictures of the grid of a document; none for words, and of quantities that are the same everywhere. */
+/** Returns the pictures of the grid of a document; none for texts and for constant quantities. */
 export function grid_pictures({ tables, words }) {
   if (!tables.grid) return [];
   const { quantities } = tables.grid;

@@ -40,7 +40,7 @@ function curves_of({ summary: { load }, tables }, most, least = 1) {
   return [...some, { ...all, ...(tables.load_lines && columns(tables.load_lines)) }];
 }
 
-/** Load round the rim, seen from above and drawn outwards from it. */
+/** Shows the load round the rim from above, drawn outwards from the rim. */
 export function load_polar(doc) {
   const { summary } = doc;
   const load = pressing(doc);
@@ -110,7 +110,7 @@ export function load_polar(doc) {
   };
 }
 
-/** Load per length over the azimuth. */
+/** Shows the load per length over the azimuth. */
 export function line_load(doc) {
   const { mean } = pressing(doc);
   const [left, right] = sense_of(doc) > 0 ? ['orbit’s centre', 'outside'] : ['outside', 'orbit’s centre'];
@@ -126,7 +126,7 @@ export function line_load(doc) {
   };
 }
 
-/** Load of the harmonics beyond the first. */
+/** Shows the load of the harmonics beyond the first. */
 export function higher_harmonics(doc) {
   const { load } = doc.summary;
   if (load.a.length < 3) return null;
@@ -151,7 +151,7 @@ function harmonics_of({ summary: { load, error_bands } }) {
     const [a, b] = ['a', 'b'].map(key => load[key][n] / load.a[0]);
     return { n, a, b, amplitude: Math.hypot(a, b), band: Math.hypot(width('a', n), width('b', n)) };
   });
-  // Harmonics without a band of their own are judged by the last one that has some.
+  // Harmonics without a band use the last available band.
   const last = rows.findLast(row => row.band > 0)?.band ?? 0;
   return rows
     .filter(row => row.amplitude > 1e-12)
@@ -206,7 +206,7 @@ export function spectrum(doc) {
   };
 }
 
-/** Slip and friction round the rim in one state. */
+/** Shows slip and friction round the rim in one state. */
 export function slip(doc, name, state) {
   if (!doc.tables[name]) return null;
   const t = columns(doc.tables[name]);

@@ -1,4 +1,4 @@
-// What `stemware run` shows.
+// Page of `stemware run`.
 import { around } from '../js/series.js';
 import { bands, beginning, ending, fewer_harmonics, files, study } from './common.js';
 import { columns, table_of } from '../js/tables.js';
@@ -94,7 +94,7 @@ function spin_text(doc) {
   );
 }
 
-/** All terminal spins, with how the glass leaves or approaches them. */
+/** Shows all terminal spins, and whether the glass leaves or approaches them. */
 const table_of_spins = spins =>
   table_of(
     ['spin ω (rad/s)', 'stability', 'time constant (s)', ''],
@@ -144,7 +144,7 @@ function foot_sections(doc) {
   ];
 }
 
-/** This glass, and the paper's rigid ring if its spin is known. */
+/** Returns this glass, and the paper's rigid ring if its spin is known. */
 function glasses(doc) {
   const { ring, load, load_at_terminal, load_at_fall, budget } = doc.summary;
   const { paper } = columns(doc.tables.spin_up);

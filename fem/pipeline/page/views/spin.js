@@ -18,7 +18,7 @@ const curve_keys = t =>
 const one_way = ({ words }) => (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
 const in_millinewton = list => list.map(v => (v === null ? NaN : 1e3 * v));
 
-/** Terminal spins that are drawn: [key of the curve, spin]. */
+/** Returns the terminal spins to draw: [key of the curve, spin]. */
 function terminal_points({ truncation, first_n, ring }) {
   const rows = truncation || [first_n, ring].filter(Boolean);
   return rows
@@ -61,11 +61,11 @@ const inside_rule = (x, { omega }, text) => {
   return x >= low && x <= high ? rule({ x, text, dash: '2 3' }) : rule({});
 };
 
-/** A factor and a unit in which torques of this size are short. */
+/** Returns factor and unit for short numbers of torques of this size. */
 const torque_unit = size => (size >= 1e-4 ? [1e3, 'mN m'] : size >= 1e-7 ? [1e6, 'µN m'] : [1e9, 'nN m']);
 const largest = list => Math.max(...list.map(v => Math.abs(v) || 0));
 
-/** The difference between the torques of all harmonics and of the first; nothing where it is rounding. */
+/** Shows the difference between the torques of all harmonics and of the first; nothing at rounding level. */
 export function torque_of_harmonics(doc) {
   const { omega, all, up_to_1: first } = columns(doc.tables.torque);
   if (!first) return null;
@@ -124,7 +124,7 @@ export function spin_up(doc) {
   };
 }
 
-/** Spin under the hand's own speed beside that at constant speed, and the speed. */
+/** Shows the spin under the hand's own speed and at constant speed, and the speed. */
 export function driven(doc) {
   if (!doc.tables.driven) return [];
   const t = columns(doc.tables.driven);
