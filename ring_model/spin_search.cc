@@ -250,8 +250,8 @@ private:
   /// BalanceLost. Precondition: the search has a stability margin.
   double reached(double spin)
   {
-    constexpr unsigned int max_probes = 200; // an end of the balance narrower than the spacing of the probes
-                                             // is missed
+    // An end of the balance narrower than the spacing of the probes is missed.
+    constexpr unsigned int max_probes = 200;
     for (unsigned int i = 0; i < max_probes; ++i)
     {
       std::optional<double> probe = unsteadiest(spin);

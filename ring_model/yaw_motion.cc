@@ -147,8 +147,8 @@ private:
       const double next = std::min({ (*wanted)[samples.size()], next_break(now.time), now.time + look });
       if (excess(next) > 0.)
       {
-        const double first = now.time + 1e-9 * (next - now.time); // the excess may be exactly 0 at the start
-                                                                  // of the rest
+        // The excess may be exactly 0 at the start of the rest.
+        const double first = now.time + 1e-9 * (next - now.time);
         now.time = excess(first) < 0. ? end_of(excess, first, next) : first;
         while (is_due(now.time))
           add(now);

@@ -173,8 +173,8 @@ private:
     if (!is_format_4)
       return 1;
     const long n = words.whole_number();
-    for (int k = 0; k < (is_format_4_0 ? 1 : 3); ++k) // number of nodes or elements, smallest and largest
-                                                      // number
+    // Number of nodes or elements, smallest and largest number.
+    for (int k = 0; k < (is_format_4_0 ? 1 : 3); ++k)
       words.whole_number();
     return n;
   }

@@ -113,8 +113,8 @@ void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
       neighbors[face[(k + 1) % 4]].insert(face[k]);
     }
   std::set<unsigned int> hanging;
-  std::map<std::pair<unsigned int, unsigned int>, unsigned int> middles; // hanging node of an edge, by the
-                                                                         // edge's ends
+  // Hanging node of an edge, by the edge's ends.
+  std::map<std::pair<unsigned int, unsigned int>, unsigned int> middles;
   std::vector<std::pair<Place, unsigned int>> places;
   for (const auto &[a, of_a] : neighbors)
   {

@@ -79,8 +79,8 @@ void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulatio
                          [&](const auto &cell, const Face &face)
                          {
                            const auto outward = face->center() - cell->center();
-                           const double upward = outward[2] + 1e-6 * outward.norm(); // the margin excludes
-                                                                                     // vertical walls
+                           // The margin excludes vertical walls.
+                           const double upward = outward[2] + 1e-6 * outward.norm();
                            if (upward < 0 && lies_at(face, lowest, marks.contact_height))
                              face->set_boundary_id(contact_id);
                            else if (face->boundary_id() == contact_id)

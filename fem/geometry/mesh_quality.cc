@@ -114,8 +114,8 @@ void check_contact_zone(const Triangulation<3> &triangulation, MeshCheck &check)
 void check_rim(const Triangulation<3> &triangulation, MeshCheck &check)
 {
   const std::vector<Outline> outlines = contact_outlines(triangulation);
-  const Outline outline = outlines.empty() ? Outline(1) : outlines.front(); // a closed contact surface has no
-                                                                            // outline
+  // A closed contact surface has no outline.
+  const Outline outline = outlines.empty() ? Outline(1) : outlines.front();
   Eigen::MatrixX3d matrix(outline.size(), 3);
   Eigen::VectorXd right(outline.size());
   for (std::size_t i = 0; i < outline.size(); ++i)

@@ -72,9 +72,9 @@ std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyli
   for (const Vector2d &point : points)
     if (const double x = point.x(); std::abs(x) <= 1)
       moment += x * x * point.y(), square += x * x * x * x;
-  Vector3d circle(0, 2 * moment / square, 0);    // initial guess: parabola through the lowest point
-  constexpr double max_steps = 200, flat = 4e-3; // `flat`: curvature at which the rim rises by 1/1000 of the
-                                                 // land width
+  Vector3d circle(0, 2 * moment / square, 0); // initial guess: parabola through the lowest point
+  // `flat`: curvature at which the rim rises by 1/1000 of the land width.
+  constexpr double max_steps = 200, flat = 4e-3;
   for (unsigned int i = 1; circle(1) > 0 && std::abs(circle(0)) <= 1; ++i)
   {
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
@@ -89,8 +89,8 @@ std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyli
         right += weight * distance * derivative;
         sum_of_weights += weight, sum_of_squares += weight * distance * distance, ++n_points;
       }
-    const Vector3d step = 0.7 * matrix.fullPivLu().solve(right); // damping: points that enter the window move
-                                                                 // it back
+    // Damping: points that enter the window move it back.
+    const Vector3d step = 0.7 * matrix.fullPivLu().solve(right);
     if (n_points < 3)
       break;
     if (i == max_steps || step.lpNorm<Eigen::Infinity>() < 1e-14 * std::max(1., circle(1)))

@@ -10,8 +10,8 @@ namespace stemware::fem
 SectionLengths lengths_of(const std::vector<SectionPolygon> &cells, double radius)
 {
   SectionLengths lengths;
-  double lower = std::numeric_limits<double>::infinity(), upper = -lower; // heights of the section at
-                                                                          // `radius`
+  // Heights of the section at `radius`.
+  double lower = std::numeric_limits<double>::infinity(), upper = -lower;
   for (const SectionPolygon &cell : cells)
     for (std::size_t i = 0; i < cell.size(); ++i)
     {

@@ -36,8 +36,8 @@ ContactControl RevolutionContact::contact_control()
   steps.clear();
   ContactControl control;
   control.tolerance = 1e-10;
-  control.equilibrium_tolerance = 1e-8; // rounding floor of a stiff spring; most contacts reach smaller
-                                        // residuals
+  // Rounding floor of a stiff spring; most contacts reach smaller residuals.
+  control.equilibrium_tolerance = 1e-8;
   control.requires_unchanged_set = false;
   control.progress = [this](const ContactIteration &step)
   {
@@ -137,8 +137,8 @@ bool RevolutionContact::is_stable(ContactSolution &solution) const
   if (conditions.motion_weights().isZero() ||
       2 * moment.norm() < moment_ratio_of_lift_off * conditions.normal_force() * setup.profile.contact_radius)
     return true;
-  if (solution.n_iterations == 0) // the start has converged without a step, so its stability margin is
-                                  // unknown
+  // The start has converged without a step, so its stability margin is unknown.
+  if (solution.n_iterations == 0)
   {
     ContactForces contact;
     law.evaluate(solution.normal_displacement, contact);

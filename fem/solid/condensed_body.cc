@@ -106,8 +106,8 @@ NewtonIncrement CondensedBody::solve(const Eigen::SparseMatrix<double> &tangent,
   const Eigen::MatrixXd tangent_modes = tangent * modes, of_rest = tangent * (matrix() * increment);
   Eigen::MatrixXd system = (tangent * matrix()(Eigen::all, loaded))(loaded, Eigen::all);
   system.diagonal().array() += 1;
-  Eigen::MatrixXd solved(system.rows(), 4); // right-hand sides [T Q, f - s - T C ds of the rows without
-                                            // tangent]
+  // Right-hand sides [T Q, f - s - T C ds of the rows without tangent].
+  Eigen::MatrixXd solved(system.rows(), 4);
   solved << tangent_modes(loaded, Eigen::all), unbalanced(loaded) - of_rest(loaded, 0);
   solved = system.partialPivLu().solve(solved).eval();
 

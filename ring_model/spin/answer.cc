@@ -71,8 +71,8 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
   const double slope = spin.held ? 0 : std::abs(spin.torque_slope),
                reach = slope > 0 ? 2 * largest_torque / slope : 0.01 * spin_scale;
   // An accuracy below the error of the loads would be useless.
-  constexpr double coarsest = 1e-3; // maximum tolerance, if the loads between phases are inaccurate but their
-                                    // mean is not
+  // Maximum tolerance, if the loads between phases are inaccurate but their mean is not.
+  constexpr double coarsest = 1e-3;
   const SampleError known = phases.error(spin.omega - reach, spin.omega + reach);
   const double accuracy = std::clamp(0.1 * known.between, 1e-9, std::max(coarsest, known.mean));
   const double friction_torque = motion.friction_at_rest() * motion.normal_force() * load.radius(),

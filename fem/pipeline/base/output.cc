@@ -163,8 +163,8 @@ void require_writable(const fs::path &file)
   const fs::file_status status = fs::symlink_status(file, error);
   const bool is_own = fs::is_regular_file(status) && read_text_file(file).find(written_by_stemware) < 512;
   ensure_output(!fs::exists(status) || is_own, file, " exists without a mark of Stemware; remove it or");
-  const std::string probe = partial_name(file); // root may have permission where the file system does not
-                                                // allow writing
+  // Root may have permission where the file system does not allow writing.
+  const std::string probe = partial_name(file);
   ensure_output(file.has_filename() && std::ofstream(probe), file, " cannot be written;");
   std::remove(probe.c_str());
 }

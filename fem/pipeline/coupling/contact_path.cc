@@ -164,8 +164,8 @@ std::optional<fem::ContactStart> ContactPath::nearest_towards_rest(const ring::S
 void ContactPath::predict_from_similar(const ContactPath &similar, const fem::Foot &own,
                                        const fem::Foot &other)
 {
-  constexpr double apart = 1e-5; // minimum distance relative to the largest spin: no polynomial through two
-                                 // contacts at the same spin
+  // Minimum distance relative to the largest spin: no polynomial through two contacts at the same spin.
+  constexpr double apart = 1e-5;
   double largest = 0;
   for (const Found &one : similar.recent)
     largest = std::max(largest, std::abs(one.slip.spin_per_speed));

@@ -239,8 +239,8 @@ void require_known_speeds(const Study &study)
       throw BadInput(filled("{} does not reach t = {} s; give speeds from 0 to Motion/End time = {} s.",
                             { entry, to_text(time), to_text(study.motion.end_time) }));
     }
-  constexpr unsigned int n_times = 1000; // number of times at which the liquid must stay in the bowl and the
-                                         // glass on its foot
+  // Number of times at which the liquid must stay in the bowl and the glass on its foot.
+  constexpr unsigned int n_times = 1000;
   for (unsigned int i = 0; i <= n_times && study.motion.orbit.liquid.mass > 0; ++i)
     try
     {
