@@ -9,10 +9,8 @@ set(STEMWARE_PORTABLE
     fem/geometry/elastic_material.
     fem/geometry/foot_resolution.
     fem/geometry/glass_profile.
-    fem/geometry/gmsh_file.
     fem/geometry/linear_solver.
     fem/geometry/meridian_section.
-    fem/geometry/mesh_content.
     fem/geometry/mesh_report.
     fem/geometry/require.
     fem/geometry/rim_circle.

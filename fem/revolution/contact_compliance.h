@@ -69,6 +69,14 @@ struct ContactCompliance
   /// Returns all compliances times @p factor: a body with 1 / @p factor of the Young modulus.
   ContactCompliance scaled(double factor) const { return times(factor, factor); }
 
+  /// Returns the compliance of a similar body, @p ratio times as large.
+  ContactCompliance similar(double ratio) const
+  {
+    ContactCompliance result = scaled(1 / ratio);
+    result.radii *= ratio;
+    return result;
+  }
+
   /// Adds the compliances of @p other, the body below, with z upward in both. Throws std::invalid_argument
   /// unless nodes, degree and number of harmonics agree.
   ContactCompliance &operator+=(const ContactCompliance &other);

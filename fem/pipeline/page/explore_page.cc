@@ -4,6 +4,7 @@
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/json.h"
+#include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/base/program.h"
 #include "fem/pipeline/base/shared_files.h"
 #include "fem/pipeline/base/text_file.h"
@@ -236,6 +237,9 @@ std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
 /// Maximum error of an answer due to quantisation [rad/s]; other settings have ten times this error.
 constexpr double tolerance = 1e-11;
 
+/// Sizes of further feet that a page offers on elastic tables, over the size of the glass.
+constexpr double similar_feet[] = { 0.8, 0.9, 1.1, 1.2 };
+
 /// Glass and table, solved by the program and with the page's compliances.
 struct SolvedPair
 {
@@ -244,7 +248,8 @@ struct SolvedPair
   double fineness; ///< of the mesh
   PagedCompliance foot;
   std::optional<PagedCompliance> disc;
-  std::optional<double> here; ///< terminal spin by an Explorer on these compliances [rad/s]
+  std::map<double, PagedCompliance> discs; ///< of an elastic table, by the radius of a similar foot [m]
+  std::optional<double> here;              ///< terminal spin by an Explorer on these compliances [rad/s]
 };
 
 /// Solves a pair with the lowest number of bits that meets the tolerance.
@@ -271,8 +276,12 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
       continue;
     if (is_coarse)
       pair.band = 2 * error;
-    pair.bytes = foot.bytes().size() + (disc ? disc->bytes().size() : 0);
-    return { pair, study, mesh.fineness, foot, disc, here.omega_terminal() };
+    std::map<double, PagedCompliance> discs;
+    if (disc)
+      for (const double ratio : similar_feet)
+        discs.emplace(ratio * study.glass.profile.contact_radius,
+                      PagedCompliance(*live_bodies(study, cache, mesh, ratio).disc, bits));
+    return { pair, study, mesh.fineness, foot, disc, discs, here.omega_terminal() };
   }
 }
 
@@ -324,11 +333,15 @@ LivePart live_part(const PageOptions &options, const std::string &solver, fem::C
   for (const std::optional<SolvedPair> &one : solved)
   {
     const PagePair &pair = one->pair;
+    nlohmann::ordered_json discs = nlohmann::ordered_json::array();
+    for (const auto &[radius, disc] : one->discs)
+      discs.push_back({ rounded(radius, 6), bodies.add(disc) });
     pairs[pair.glass + '|' + pair.table] = {
       { "values", values_of(one->study) },
       { "acts", acting_entries(one->study) },
       { "foot", bodies.add(one->foot) },
       { "disc", one->disc ? nlohmann::ordered_json(bodies.add(*one->disc)) : nlohmann::ordered_json() },
+      { "discs", discs },
       { "fineness", one->fineness },
       { "nodes", pair.n_nodes },
       { "omega", pair.omega },

@@ -29,16 +29,14 @@ constexpr double farthest = 1.5;
 /// on the motion.
 bool is_live(const std::string &path)
 {
-  static const std::vector<std::string> outside_motion = { "Glass/Crown radius",
-                                                           "Glass/Young modulus",
-                                                           "Table/Foundation modulus",
-                                                           "Table/Disc Young modulus",
-                                                           "Table/Reference pressure",
-                                                           "Table/Decay length",
-                                                           "Contact/Rings",
-                                                           "Contact/Azimuth lines",
-                                                           "Contact/Load harmonics",
-                                                           "Contact/Friction coupling" };
+  static const std::vector<std::string> outside_motion = {
+    "Glass/Contact radius",     "Glass/Crown radius",
+    "Glass/Young modulus",      "Table/Foundation modulus",
+    "Table/Disc Young modulus", "Table/Reference pressure",
+    "Table/Decay length",       "Contact/Rings",
+    "Contact/Azimuth lines",    "Contact/Load harmonics",
+    "Contact/Friction coupling"
+  };
   if (path == "Motion/Orbit speed file")
     return false;
   return path.rfind("Motion/", 0) == 0 || path == "Load/Coupling" || path == "Load/Moment ratio" ||
@@ -99,6 +97,14 @@ void Explorer::set(const std::string &entry_path, const std::string &value)
   ensure(!is_ready || is_live(entry_path) || entry.text() == value,
          entry_path + " needs another mesh than this page has; use `stemware run`.");
   assign(entry, "", value);
+  if (!is_ready || entry_path != "Glass/Contact radius")
+    return;
+  Study smaller = base;
+  const std::vector<StudyEntry> of_base = study_entries(smaller);
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (entries[i].section == "Glass" && entries[i].unit == "m" && entries[i].quantity &&
+        entries[i].name != "Crown radius" && entries[i].path() != entry_path)
+      *entries[i].quantity = size() * *of_base[i].quantity;
 }
 
 void Explorer::ready(double fineness)
@@ -114,11 +120,11 @@ MeshMatch Explorer::mesh_match() const
   const fem::MeridianResolution then = revolution_setup(base, discretisation).resolution;
   const auto differ = [](double one, double other) { return std::abs(one - other) > 1e-9 * std::abs(other); };
   if (now.refinements != then.refinements || differ(now.land_grading, then.land_grading) ||
-      differ(now.focus_radius, then.focus_radius) || now.has_focus() != then.has_focus())
+      differ(now.focus_radius, size() * then.focus_radius) || now.has_focus() != then.has_focus())
     return MeshMatch::none;
-  if (!now.has_focus() || !differ(now.focus_size, then.focus_size))
+  if (!now.has_focus() || !differ(now.focus_size, size() * then.focus_size))
     return MeshMatch::same;
-  const double ratio = now.focus_size / then.focus_size;
+  const double ratio = now.focus_size / (size() * then.focus_size);
   return std::max(ratio, 1 / ratio) > farthest ? MeshMatch::none : MeshMatch::close;
 }
 
@@ -136,8 +142,8 @@ std::shared_ptr<fem::Foot> Explorer::make_foot(const Study &study, const Discret
     below =
       of(disc_compliance, base.table.disc_material.young_modulus, study.table.disc_material.young_modulus);
   return std::make_shared<fem::RevolutionFoot>(
-    setup,
-    std::make_shared<const fem::ContactCompliance>(setup.total_compliance(own, below ? &*below : nullptr)));
+    setup, std::make_shared<const fem::ContactCompliance>(
+             setup.total_compliance(own, below ? &*below : nullptr).similar(size())));
 }
 
 Executor Explorer::executor() const

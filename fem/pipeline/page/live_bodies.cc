@@ -20,10 +20,16 @@ void require_live(const Study &study)
   ensure(study.contact.goal == Goal::none, "A page keeps its mesh; set Contact/Goal = none.");
 }
 
-LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache, const Discretisation &discretisation)
+LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache, const Discretisation &discretisation,
+                       double ratio)
 {
   require_live(study);
-  const fem::RevolutionSetup setup = revolution_setup(study, discretisation);
+  fem::RevolutionSetup setup = revolution_setup(study, discretisation);
+  if (setup.table.substrate)
+  {
+    setup.table.substrate->disc.radius /= ratio;
+    setup.table.substrate->disc.thickness /= ratio;
+  }
   const fem::MeridianMeshes meshes(setup);
   const fem::MeridianOptions options = setup.meridian_of_zone();
   LiveBodies bodies = { *cache.get(meshes.foot, setup.material, options), std::nullopt };

@@ -19,9 +19,10 @@ struct LiveBodies
 /// Throws BadInput for studies that an Explorer does not support: solid body, drawn profile, waviness, files.
 void require_live(const Study &study);
 
-/// Returns the compliances of foot and disc of @p study in the expected contact zone. Throws as
+/// Returns the compliances of foot and disc of @p study in the expected contact zone. For a similar foot, @p
+/// ratio times as large, the disc is as many times smaller beside the foot: Explorer scales both. Throws as
 /// require_live().
 LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache,
-                       const Discretisation &discretisation = {});
+                       const Discretisation &discretisation = {}, double ratio = 1);
 
 } // namespace stemware::pipeline

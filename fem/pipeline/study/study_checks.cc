@@ -191,20 +191,19 @@ void require_hand_above_table(const Study &study)
   const double hand = study.motion.hand_height, centre = motion.centre_of_mass_height;
   const auto is_given = [&](const char *entry) { return study.given_entries.count(entry) > 0; };
   const bool by_offset = is_given("Motion/Force offset"), by_height = is_given("Motion/Hand height");
-  ensure(!by_height || hand >= 0,
-         filled("Motion/Hand height = {} m is below the table; give at least 0 m.", { to_text(hand) }));
   ensure(!by_height || !by_offset ||
            std::abs(hand - centre - motion.force_offset) <= 1e-9 * (std::abs(hand) + centre),
          filled("Motion/Hand height = {} m and Motion/Force offset = {} m contradict each other for "
                 "Motion/Centre of mass height = {} m; give one of the two.",
                 { to_text(hand), to_text(motion.force_offset), to_text(centre) }));
-  const bool is_known = entry_at(entries_of(study), "", "Motion/Centre of mass height").has_effect ||
-                        is_given("Motion/Centre of mass height");
-  ensure(!by_offset || !is_known || centre + motion.force_offset >= -1e-12,
-         filled("Motion/Force offset = {} m puts the hand {} m below the table, for Motion/Centre of mass "
-                "height = {} m; give at least {} m.",
-                { to_text(motion.force_offset), to_short_text(-centre - motion.force_offset), to_text(centre),
-                  to_text(-centre) }));
+  const bool is_known = !by_offset || is_given("Motion/Centre of mass height") ||
+                        entry_at(entries_of(study), "", "Motion/Centre of mass height").has_effect;
+  const auto text = by_offset ? "Motion/Force offset = " + to_text(motion.force_offset)
+                              : "Motion/Hand height = " + to_text(hand);
+  ensure(hand >= -1e-12 || !is_known,
+         filled("{} m puts the hand {} m below the table, for Motion/Centre of mass height = {} m; give at "
+                "least {} m.",
+                { text, to_short_text(-hand), to_text(centre), to_text(by_offset ? -centre : 0) }));
 }
 
 /// Returns the part of the moment of @p now that friction cannot reduce, divided by the maximum moment of a

@@ -6,8 +6,7 @@ import { texts } from '../live/texts.js';
 
 const t = texts.scene_words;
 const turn = 2 * Math.PI;
-export const width = 480;
-export const height = 340;
+export const [width, height] = [480, 340];
 const margin = 14; // of the page
 const finger = 32; // radius of the hand's handle on the page
 const pull = 50; // mm per N of the hand's force
@@ -39,6 +38,7 @@ function make_parts() {
     torque: path('c2', { 'stroke-width': 4 })
   };
 }
+const beside = ['hand', 'inwards', 'pressure', 'torque']; // names that stand outside their places
 const label = (fill, anchor) => s('text', { fill: `var(--${fill})`, 'text-anchor': anchor });
 
 /**
@@ -49,7 +49,7 @@ export class Drawing {
     this.camera = new Camera(0, 0.45);
     this.looked = 0; // turned by hand
     this.parts = make_parts();
-    this.words = { hand: label('c3', 'start'), inwards: label('c3', 'end'), centre: label('ink', 'start'), pressure: label('c1', 'start'), friction: label('soft', 'start'), torque: label('ink', 'end'), ...Object.fromEntries(['front', 'outside', 'inside'].map(place => [place, label('soft', 'middle')])) }; // prettier-ignore
+    this.words = { hand: label('c3'), inwards: label('c3'), centre: label('ink', 'start'), pressure: label('c1'), friction: label('soft', 'start'), torque: label('ink'), ...Object.fromEntries(['front', 'outside', 'inside'].map(place => [place, label('soft', 'middle')])) }; // prettier-ignore
     this.grip = s('circle', { r: finger, fill: 'transparent' });
     this.number = h('p', { class: 'instant' });
     this.svg = s('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img' }, Object.values(this.parts), Object.values(this.words), this.grip); // prettier-ignore
@@ -75,7 +75,7 @@ export class Drawing {
     const z = 1e3 * given.hand;
     if (!given.falls) this.glass.cut = Math.min(this.glass.height, 1.12 * Math.max(1e3 * given.height, z));
     this.reach = given.falls ? 1.1 * this.glass.height : Math.max(1.9 * R, R + 0.8 * Math.max(...rubs));
-    this.circles = [[this.reach, 0], [0.4 * R, this.glass.cut], ...(given.falls ? [] : [[1.3 * R, Math.max(...tops)], [0.4 * R + Math.max(...pulls), z]])]; // prettier-ignore
+    this.circles = [[this.reach, 0], [this.glass.width_at(this.glass.cut), this.glass.cut], ...(given.falls ? [] : [[1.3 * R, Math.max(...tops)], [this.glass.width_at(z) + Math.max(...pulls), z]])]; // prettier-ignore
   }
 
   draw(row, time) {
@@ -91,8 +91,10 @@ export class Drawing {
     const set = (name, d) => parts[name].setAttribute('d', d);
     const write = (name, place, text, dy = 0) => {
       const [x, y] = place ? camera.see(place) : [0, 0];
-      this.words[name].setAttribute('x', Math.max(4, Math.min(width - 4, x)).toFixed(1));
+      const [left, right] = beside.includes(name) ? [150, 90] : [4, 4]; // room for names
+      this.words[name].setAttribute('x', Math.max(left, Math.min(width - right, x)).toFixed(1));
       this.words[name].setAttribute('y', Math.max(14, Math.min(height - 4, y + dy)).toFixed(1));
+      if (beside.includes(name)) this.words[name].setAttribute('text-anchor', x < width / 2 ? 'end' : 'start');
       this.words[name].textContent = place ? text : '';
     };
     this.draw_table(row, set);
@@ -103,7 +105,7 @@ export class Drawing {
     const centre = glass.at(0, 0, 1e3 * given.height);
     const [x, y] = camera.see(centre);
     set('centre', `M${x - 6},${y}a6,6 0 1 1 12,0a6,6 0 1 1 -12,0ZM${x - 6},${y}h12M${x},${y - 6}v12`);
-    write('centre', centre, `\u2002\u2002${t.centre}`, -6);
+    write('centre', centre, `\u2002\u2002${t.centre}`, given.hand > 0.9 * given.height ? 18 : -6);
     this.draw_hand(row, travel, set, write);
     this.draw_torque(row, set, write);
     const share = Math.round((100 * Math.abs(row.torque)) / this.most);
@@ -127,7 +129,7 @@ export class Drawing {
 
   /** Draws the pressure as a wall outside the rim, and the friction inside it. */
   draw_wall({ load, friction, turns }, travel, set, write) {
-    const { camera, glass, shows } = this;
+    const { camera, glass, given, shows } = this;
     const n = load.length;
     const r = 1.3 * glass.radius;
     const at = (k, high) => {
@@ -144,8 +146,8 @@ export class Drawing {
     }
     Object.entries(walls).forEach(([name, d]) => set(name, d));
     const right = k => camera.see(at(k, true))[0];
-    const places = stands ? [...load.keys()].sort((j, k) => right(k) - right(j)) : [];
-    write('pressure', stands ? at(places[0], true) : null, `\u2002${t.pressure}`);
+    const places = stands ? [...load.keys()].sort((j, k) => given.sense * (right(k) - right(j))) : [];
+    write('pressure', stands ? at(places[0], true) : null, `\u2002${t.pressure}\u2002`);
     const arrows = { plus: '', minus: '' };
     let longest = { size: 0, to: null };
     if (shows('friction') && !glass.lean)
@@ -190,16 +192,15 @@ export class Drawing {
 
   /** Draws the net torque: an arrow round the stem, with several turns if it is large. */
   draw_torque({ torque }, set, write) {
-    const { camera, glass, parts, shows } = this;
+    const { camera, glass, given, parts, shows } = this;
     const reach = twist * torque;
-    const z = 0.28 * glass.height;
-    const r = 0.85 * glass.radius;
+    const [r, z] = [0.85 * glass.radius, 0.28 * glass.height];
     if (!shows('torque') || glass.lean || Math.abs(reach) < 0.05) return (set('torque', ''), write('torque', null));
     const from = camera.azimuth - Math.sign(reach) * Math.min(Math.abs(reach) / 2, 0.4 * turn);
     const n = Math.ceil(Math.abs(reach) * 6) + 2;
     const arc = circle(r, z, n, from, from + reach).map(([x, y], k) => [x, y, z + (rise * reach * k) / n / turn]);
     set('torque', camera.path(arc) + camera.arrow(arc[n - 1], arc[n], 12, 12));
-    write('torque', circle(r, arc[n][2], 1, camera.azimuth - turn / 4)[0], `${say(t.torque, shown(1e3 * Math.abs(torque), '.2g'))}\u2002`, 5); // prettier-ignore
+    write('torque', circle(r, arc[n][2], 1, camera.azimuth - (given.sense * turn) / 4)[0], `\u2002${say(t.torque, shown(1e3 * Math.abs(torque), '.2g'))}\u2002`, 5); // prettier-ignore
     return parts.torque.setAttribute('stroke', reach > 0 ? 'var(--c2)' : 'var(--c1)');
   }
 }

@@ -81,11 +81,8 @@ export const dots = ({ x, y, name, colour = 'c1', size = 4, hollow, band, across
       const bar = across
         ? `M${place(X(value - half), cy)}H${X(value + half).toFixed(1)}`
         : `M${place(cx, Y(low))}V${Y(y[i] + half).toFixed(1)}`;
-      const paint = {
-        fill: hollow ? 'var(--card)' : `var(--${colour})`,
-        stroke: `var(--${colour})`,
-        'stroke-width': 1.5
-      };
+      const line = `var(--${colour})`;
+      const paint = { fill: hollow ? 'var(--card)' : line, stroke: line, 'stroke-width': 1.5 };
       return [
         half ? s('path', { d: bar, stroke: 'var(--ink)', 'stroke-width': 1.5 }) : null,
         size ? shape_at(shape, cx, cy, size, paint) : null

@@ -1,5 +1,6 @@
 // Sketch of the study, not to scale: the glass seen along its path, with its parameters.
 import { h, s, rich } from './dom.js';
+import { is_tumbler } from './space.js';
 import { pressing } from './series.js';
 import { shown } from './words.js';
 import { svg_text } from './files.js';
@@ -19,6 +20,8 @@ const outline =
   'C173.3,324.7 166.8,327.1 161,329.1C155.2,331.1 146,332 142.2,333C138.3,334.1 137.8,334.7 137.8,335.6' +
   'C137.8,336.6 140.7,338 142.2,338.7C143.6,339.4 145.1,340 146.5,340C147.9,340 150.1,338.9 150.8,338.7Z';
 
+const tumbler = 'M234,340L243,331L254,56H126L137,331L146,340Z';
+
 const text = (content, at, more = {}) => s('text', { ...at, ...more }, content);
 const soft = { class: 'soft' };
 const thin = (d, more = {}) => s('path', { d, fill: 'none', stroke: 'var(--soft)', 'stroke-width': 0.9, ...more });
@@ -32,16 +35,7 @@ function hand_nodes(given, hand) {
     thin(`M${axis - 14},${hand}H76`, { stroke: 'var(--c3)', 'stroke-width': 2.6 }),
     filled(`M66,${hand}l11,4.3v-8.6Z`, 'c3'),
     ...[-11, -1].map((dy, i) =>
-      s('rect', {
-        x: 120,
-        y: hand + dy,
-        width: i ? 64 : 78,
-        height: 13,
-        rx: 6.5,
-        fill: '#f6dcc8',
-        stroke: '#1c1e21',
-        'stroke-width': 1.2
-      })
+      s('rect', { x: 120, y: hand + dy, width: i ? 64 : 78, height: 13, rx: 6.5, fill: '#f6dcc8', stroke: '#1c1e21' })
     ),
     text(`hand's force ${hand_force(given)}:`, { x: 12, y: hand - 62 }, { fill: 'var(--c3)' }),
     text(`${shown(given.force.along, '.3g')} N along v,`, { x: 12, y: hand - 46 }, soft),
@@ -88,6 +82,7 @@ function length_nodes(given, hand) {
 /** Returns the drawing of a document. */
 export function sketch(doc) {
   const { sketch: given } = doc.words;
+  const { Glass: glass } = doc.summary.parameters;
   const load = pressing(doc);
   const presses = load.inside || load.outside; // false if both sides have lifted off
   const hand = centre - 72.5 * given.hand;
@@ -99,7 +94,7 @@ export function sketch(doc) {
     text(`from ${side}`, { x: 12, y: 22 }, soft),
     s('g', { fill: 'none', stroke: 'var(--ink)', 'stroke-width': 1.2 }, s('circle', { cx: 24, cy: 47, r: 8 }), into),
     text(`v ${given.speed}`, { x: 38, y: 52 }),
-    s('path', { d: outline, fill: 'var(--glass)', 'fill-opacity': 0.35, stroke: 'var(--ink)', 'stroke-width': 1.6 }),
+    s('path', { d: is_tumbler(glass['Stem radius'], glass['Contact radius']) ? tumbler : outline, fill: 'var(--glass)', 'fill-opacity': 0.35, stroke: 'var(--ink)', 'stroke-width': 1.6 }),
     thin(`M${axis},41V349`, { 'stroke-dasharray': '7 3 1.5 3' }),
     thin(`M20,${table}H470`, { stroke: 'var(--ink)', 'stroke-width': 1.6 }),
     text(given.table, { x: 470, y: 360, 'text-anchor': 'end' }, soft),

@@ -4,43 +4,24 @@ import { place } from './marks.js';
 const turn = 2 * Math.PI;
 
 // Half of the outline of the drawn glass over its contact radius and its height, as docs/figures/draw_glass.py has it.
+// prettier-ignore
 const profile = [
-  [1, 0],
-  [1.1, 0.008],
-  [1.18, 0.019],
-  [1.1, 0.028],
-  [0.67, 0.042],
-  [0.3, 0.07],
-  [0.17, 0.115],
-  [0.13, 0.187],
-  [0.13, 0.42],
-  [0.23, 0.471],
-  [0.45, 0.495],
-  [0.67, 0.522],
-  [0.9, 0.556],
-  [1.07, 0.593],
-  [1.2, 0.64],
-  [1.27, 0.695],
-  [1.27, 0.755],
-  [1.25, 0.817],
-  [1.19, 0.9],
-  [1.1, 1]
+  [1, 0], [1.1, 0.008], [1.18, 0.019], [1.1, 0.028], [0.67, 0.042], [0.3, 0.07], [0.17, 0.115],
+  [0.13, 0.187], [0.13, 0.42], [0.23, 0.471], [0.45, 0.495], [0.67, 0.522], [0.9, 0.556], [1.07, 0.593],
+  [1.2, 0.64], [1.27, 0.695], [1.27, 0.755], [1.25, 0.817], [1.19, 0.9], [1.1, 1]
 ];
-const tumbler = [
-  [1, 0],
-  [1.12, 0.03],
-  [1.16, 0.3],
-  [1.26, 1]
-];
+// prettier-ignore
+const tumbler = [[1, 0], [1.12, 0.03], [1.16, 0.3], [1.26, 1]];
 const height_of_glass = 2.46; // over the height of the centre of mass
 const height_of_tumbler = 1.9;
 
+/** Returns whether a glass has no stem (tumbler). */
+export const is_tumbler = (stem, contact) => stem > 0.5 * contact;
+
 /** Returns the radius of an outline at a height. */
 const radius_at = (outline, share) => {
-  const i = Math.max(
-    1,
-    outline.findIndex(([, z]) => z >= share)
-  );
+  const above = outline.findIndex(([, z]) => z >= share);
+  const i = above > 0 ? above : above < 0 ? outline.length - 1 : 1;
   const [[r0, z0], [r1, z1]] = [outline[i - 1], outline[i]];
   return r0 + (r1 - r0) * Math.min(1, Math.max(0, (share - z0) / (z1 - z0 || 1)));
 };

@@ -76,6 +76,17 @@ function take(index, is_disc) {
   solver.free(spot);
 }
 
+/** Takes the disc of an elastic table, which does not grow with the foot, for a contact radius [m]; whether there is one. */
+const radius = 'Glass/Contact radius';
+function take_disc(wish) {
+  const { disc, discs, values } = data.pairs[pair];
+  if (disc === null) return true;
+  const own = Number(Object.fromEntries(values)[radius] ?? data.entries[radius]);
+  const known = [[own, disc], ...discs].find(([at]) => Math.abs(at - wish) < 1e-6);
+  if (known) take(known[1], true);
+  return Boolean(known);
+}
+
 // The study of a glass on a table, and then what somebody has changed of it.
 let changed = {};
 function choose(name, changes) {
@@ -97,6 +108,7 @@ function choose(name, changes) {
     if (stays && changed[path] === changes[path]) continue;
     const why = set(path, wish);
     if (why.error) failure ||= { ...why, refused: true };
+    else if (path === radius && !take_disc(Number(wish))) failure ||= { error: `${radius} = ${wish} m`, refused: true };
   }
   changed = failure ? {} : { ...changes };
   if (failure) pair = null;

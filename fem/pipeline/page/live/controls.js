@@ -1,17 +1,5 @@
 // What a hand moves: glasses, tables, sliders and the number of harmonics.
-import {
-  $,
-  acts,
-  all_harmonics,
-  base_value,
-  data,
-  drop_changes,
-  is_changed,
-  load_entries,
-  remember,
-  state,
-  value_of
-} from './state.js';
+import { $, acts, all_harmonics, base_value, data, drop_changes, is_changed, load_entries, radius, remember, similar, state, value_of } from './state.js'; // prettier-ignore
 import { h } from '../js/dom.js';
 import { say, shown } from '../js/words.js';
 import { texts } from './texts.js';
@@ -24,6 +12,7 @@ const first = [
 ];
 const further = [
   ['Motion/Orbit radius', 5, 40, 0.5, 'cm', 100],
+  ['Glass/Contact radius', 24, 36, 3, 'mm', 1000],
   ['Motion/Mass', 100, 800, 10, 'g', 1000],
   ['Motion/Centre of mass height', 30, 150, 1, 'mm', 1000],
   ['Motion/Grip torque', 0, 3, 0.05, 'mN m', 1000],
@@ -45,6 +34,7 @@ function slider([path, from, to, step, unit, factor, log], solve) {
     const value = value_of(path);
     output.textContent =
       (log ? shown(value, '.2e') : shown(Number((value * factor).toFixed(3)), '.9g')) + (unit && ` ${unit}`);
+    if (path === radius) output.textContent += say(texts.similar, shown(1e3 * similar(value_of('Glass/Foot thickness')), '.2g')); // prettier-ignore
     input.setAttribute('aria-valuetext', output.textContent);
     node.classList.toggle('changed', is_changed(path));
   };

@@ -66,6 +66,8 @@ function verdict(step, mine) {
   return step === 3 && mine === 0 && way() !== 2 ? t.half : t.other;
 }
 
+const buttons = () => [...$('lesson').querySelectorAll('button')];
+
 /** Writes the present step; `changed` is called when what is shown changes. */
 export function write_lesson(changed) {
   const step = state.lesson;
@@ -75,6 +77,7 @@ export function write_lesson(changed) {
     remember();
     write_lesson(changed);
     changed();
+    if (to) buttons()[0].focus();
   };
   $('lesson-button').onclick = () => go(step ? 0 : 1);
   $('lesson').hidden = !step;
@@ -84,8 +87,7 @@ export function write_lesson(changed) {
   for (const place of document.querySelectorAll('[data-picture]'))
     place.closest('.card').classList.toggle('taught', step > 0 && at_step(pictures_before, pictures_after).includes(place.dataset.picture)); // prettier-ignore
   if (!step) return;
-  const texts_of_step = t.steps[step - 1];
-  const { title, question, options, then } = texts_of_step;
+  const { title, question, options, then } = t.steps[step - 1];
   const mine = chosen[step];
   const choose = i => {
     chosen[step] = i;
@@ -99,9 +101,10 @@ export function write_lesson(changed) {
   if (found.answer?.tips) said.push(h('p', {}, t.tips));
   else if (doc.summary.ring && mine !== undefined)
     said.push(
-      h('p', {}, h('b', {}, verdict(step, mine)), ' ', answers[step - 1](texts_of_step)),
+      h('p', {}, h('b', {}, verdict(step, mine)), ' ', answers[step - 1](t.steps[step - 1])),
       h('p', {}, say(then))
     );
+  const focused = buttons().indexOf(document.activeElement);
   $('lesson').replaceChildren(
     h('h2', {}, say(t.step, step, title)),
     h('p', {}, say(question)),
@@ -109,4 +112,5 @@ export function write_lesson(changed) {
     ...said,
     h('p', { class: 'row' }, step > 1 && h('button', { onclick: () => go(step - 1) }, t.back), step < 5 && h('button', { disabled: mine === undefined, onclick: () => go(step + 1) }, t.next)) // prettier-ignore
   );
+  buttons()[focused]?.focus();
 }

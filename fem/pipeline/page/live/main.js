@@ -39,7 +39,6 @@ const draw = wanted => places.filter(place => wanted.includes(place.dataset.pict
 
 let late = 0; // timer of a request without an answer
 const first_words = 350; // ms until the page shows intermediate results
-
 function show(reply, ms, is_last) {
   clearTimeout(late);
   late = 0;
@@ -72,6 +71,7 @@ const queue = new Queue({
 });
 function solve(cold) {
   document.body.classList.add('busy');
+  delete document.body.dataset.rested;
   late ||= setTimeout(tell_late, first_words);
   queue.solve(cold);
 }
@@ -97,16 +97,6 @@ function lost(error) {
   $('answer').textContent = say(texts.lost, why, state.glass, state.table, digits(pair().omega));
 }
 
-async function copy_address() {
-  try {
-    await navigator.clipboard.writeText(location.href);
-    $('as-link').textContent = texts.copied;
-    setTimeout(() => ($('as-link').textContent = texts.as_link), 1500);
-  } catch {
-    prompt('', location.href);
-  }
-}
-
 document.querySelector('main').remove(); // text for browsers without scripts
 recall();
 make_choices(choose);
@@ -118,7 +108,6 @@ make_scene(solve_hand, () => {
 write_lesson(draw_scene);
 chosen(solve);
 write_harmonics();
-$('answer').textContent = texts.start;
 tell_late();
 $('harmonics').oninput = () => {
   state.harmonics = Number($('harmonics').value);
@@ -135,7 +124,6 @@ $('as-csv').onclick = () => save_curves(drawn.values());
 $('as-page').onclick = () => download('explored.html', page_with_state(page), 'text/html');
 $('as-sheet').onclick = print_sheet;
 addEventListener('beforeprint', () => ($('more').open = true));
-$('as-link').onclick = copy_address;
 $('as-print').onclick = () => print();
 make_measured(() => draw(['spin']));
 addEventListener('hashchange', () => {

@@ -2,7 +2,7 @@
 import { $, doc } from './state.js';
 import { say, shown } from '../js/words.js';
 import { h } from '../js/dom.js';
-import { table_of } from '../js/tables.js';
+import { columns, table_of } from '../js/tables.js';
 import { texts } from './texts.js';
 
 const degree = Math.PI / 180;
@@ -50,7 +50,8 @@ function convert() {
   const rate = i => (values[i + 1] - values[i - 1]) / (run.time[i + 1] - run.time[i - 1]);
   const [from, to] = ['from', 'to'].map(end => Number($(`measured-${end}`).value));
   const points = run.time.map((t, i) => [t - from, factor * (is_angle ? rate(i) : values[i])]);
-  const kept = points.filter(point => point[0] >= 0 && point[0] <= to - from && point.every(Number.isFinite));
+  const end = Math.min(to - from, doc.tables.spin_up ? Math.max(...columns(doc.tables.spin_up).time) : Infinity); // of the curve
+  const kept = points.filter(point => point[0] >= 0 && point[0] <= end && point.every(Number.isFinite));
   const step = Math.ceil(kept.length / max_points);
   const drawn = kept.filter((_, i) => i % step === 0);
   for (const end of ['from', 'to']) $(`measured-${end}-out`).textContent = `${shown(Number($(`measured-${end}`).value), '.2f')} s`;
@@ -67,10 +68,9 @@ export function make_measured(draw) {
     $('measured-choice').hidden = !run.columns.length;
     delete doc.tables.measured;
     const known = (run.time || []).filter(Number.isFinite);
-    for (const end of ['from', 'to']) {
-      Object.assign($(`measured-${end}`), { min: known[0], max: known[known.length - 1] });
-      $(`measured-${end}`).value = known[end === 'from' ? 0 : known.length - 1];
-    }
+    const [min, max] = [known[0], known[known.length - 1]];
+    for (const [end, value] of Object.entries({ from: min, to: max }))
+      Object.assign($(`measured-${end}`), { min, max, value });
     if (run.columns.length) convert();
     const text = run.columns.length ? texts.measured : texts.unreadable;
     const seconds = range({ values: run.time || [0] });
@@ -78,7 +78,8 @@ export function make_measured(draw) {
     draw();
   };
   $('measured').onchange = e => take(e.target.files[0]);
-  for (const id of ['column', 'unit', 'from', 'to']) $(`measured-${id}`).oninput = () => (convert(), draw());
+  const anew = () => (convert(), draw());
+  for (const id of ['column', 'unit', 'from', 'to']) Object.assign($(`measured-${id}`), { oninput: anew, onchange: anew });
   addEventListener('dragover', e => e.preventDefault());
   addEventListener('drop', e => (e.preventDefault(), take(e.dataTransfer.files[0])));
 }

@@ -86,13 +86,13 @@ export class Queue {
     return !this.busy && !this.wish;
   }
 
-  /** Sends a request to the worker. Returns nothing if a newer request has cancelled it. */
-  async ask(message) {
+  /** Sends a request to the worker. Returns nothing if a newer request has cancelled it, or after `most` ms. */
+  async ask(message, most = patience) {
     this.busy = true;
     this.since = Infinity; // until the worker has started
     const started = () => (this.since = performance.now());
     ready.then(started, started);
-    const end = setTimeout(cancel, patience);
+    const end = setTimeout(cancel, most);
     const reply = await post(message);
     clearTimeout(end);
     clearTimeout(this.patience);
@@ -140,9 +140,9 @@ export class Queue {
     if (!this.rests) return (this.resting = setTimeout(() => this.rest(reply), pause));
     if (!reply.was_cold) return this.solve(true);
     for (const name of ['curves', 'pressure', 'budget']) {
-      const asked = await this.ask({ do: name });
-      if (this.next()) return;
-      if (asked && !asked.reply.error) this.told.use(name, asked.reply);
+      const asked = await this.ask({ do: name }, 4 * patience);
+      if (this.next() || !asked) return;
+      if (!asked.reply.error) this.told.use(name, asked.reply);
     }
     document.body.dataset.rested = String(this.times.length);
   }

@@ -31,7 +31,7 @@ export function at_end() {
   const { summary } = doc;
   return { ...doc, summary: { ...summary, load: { ...summary.load_at_terminal, cut: summary.first_n?.load } } };
 }
-export const [hand, centre] = ['Motion/Hand height', 'Motion/Centre of mass height'];
+export const [hand, centre, radius] = ['Motion/Hand height', 'Motion/Centre of mass height', 'Glass/Contact radius'];
 const offset = 'Motion/Force offset'; // determined by the two heights
 const rounded = metres => Number(metres.toFixed(9));
 export const errors = [];
@@ -62,7 +62,7 @@ export const value_of = path => Number(text_of(path));
  * at which that is so.
  */
 export function fall() {
-  const [h, c, R, mu] = [hand, centre, 'Glass/Contact radius', 'Motion/Friction coefficient'].map(value_of);
+  const [h, c, R, mu] = [hand, centre, radius, 'Motion/Friction coefficient'].map(value_of);
   const k = value_of('Motion/Orbit speed') ** 2 / value_of('Motion/Orbit radius') / value_of('Motion/Gravity');
   const sum = k * k + mu * mu;
   const highest = (c * k * k + Math.sqrt(Math.max(0, sum * R * R - (c * k * mu) ** 2))) / sum;
@@ -70,6 +70,8 @@ export function fall() {
 }
 /** Returns the height of the hand above the centre of mass. */
 export const hand_offset = () => rounded(value_of(hand) - value_of(centre));
+/** A length of the foot, which keeps its shape. */
+export const similar = length => (length * value_of(radius)) / base_value(radius);
 export const sense = () => (text_of('Motion/Orbit sense') === 'clockwise' ? -1 : 1);
 
 /** The values of a newly selected glass or table replace earlier changes of it. */

@@ -32,8 +32,6 @@ export const texts = {
   column: 'column {0}',
   measured: '{0}: {1} points in {2} s.',
   unreadable: '{0} has no two columns of numbers: the first is time in seconds, another one the spin or the angle.',
-  as_link: 'Copy the address',
-  copied: 'Copied.',
   check_ok: 'Checked on loading from a cold start: {0} rad/s here, {1} by stemware run.',
   check_bad: 'CAUTION: this browser computes {0} rad/s, stemware run {1} rad/s.',
   solving: 'Solving …',
@@ -42,7 +40,6 @@ export const texts = {
   too_close: 'This page does not solve that; use stemware run.',
   back: 'Back: let it stand',
   lost: '{1} on {2}: {3} rad/s by stemware run. The solver of the page did not start on this site or in this browser ({0}); save the file and open it in a browser.',
-  start: 'Starting …',
   budget_wait: 'After a pause.',
   facts: {
     omega: 'terminal spin',
@@ -56,11 +53,13 @@ export const texts = {
     band: 'error band of this mesh',
     ms: 'solved in'
   },
+  similar: ', foot {0} mm thick',
   labels: {
     'Motion/Friction coefficient': 'Friction μ',
     'Motion/Orbit speed': 'Speed',
     'Motion/Orbit radius': 'Orbit radius',
     'Motion/Hand height': 'Hand above the table',
+    'Glass/Contact radius': 'Contact radius',
     'Motion/Mass': 'Mass',
     'Motion/Centre of mass height': 'Centre of mass',
     'Motion/Grip torque': 'Grip',

@@ -6,23 +6,15 @@ import { shows } from './lesson.js';
 import { orbits } from '../js/motion.js';
 import { pressing } from '../js/series.js';
 import { texts } from './texts.js';
-import { is_tumbler, why } from '../views/common.js';
+import { is_tumbler } from '../js/space.js';
+import { why } from '../views/common.js';
 
 let scene = null;
 let above = null;
 
-/** Returns the rows of a glass without an answer, which tips. */
-const fallen = {
-  time: 0,
-  omega: 0,
-  yaw: 0,
-  orbit: 0,
-  torque: 0,
-  hand: [0, 0],
-  load: [],
-  friction: [[], []],
-  turns: []
-};
+/** Row of a glass without an answer, which tips. */
+// prettier-ignore
+const fallen = { time: 0, omega: 0, yaw: 0, orbit: 0, torque: 0, hand: [0, 0], load: [], friction: [[], []], turns: [] };
 
 /** Makes the scene in its place; `solve` is asked for a study whose hand has moved, `stand` for the last that stood. */
 export function make_scene(solve, stand) {
@@ -64,8 +56,7 @@ export function draw_scene() {
   if (!found.answer || !scene) return;
   const rows = doc.tables.motion;
   const tips = !rows && found.answer.tips;
-  if (!rows && !tips) return;
-  if (!found.has_curves && !tips && scene.given) return scene.wait(value_of(hand));
+  if (!tips && !(rows && found.has_curves) && (scene.given || !rows)) return scene.given && scene.wait(value_of(hand));
   const falls = tips || Boolean(doc.summary.ring.fall);
   $('stand').hidden = !falls;
   const held = value_of('Motion/Grip torque') > 0 && doc.summary.ring?.omega_terminal === 0;

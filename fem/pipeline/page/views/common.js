@@ -2,6 +2,7 @@
 import { h } from '../js/dom.js';
 import { orbits } from '../js/motion.js';
 import { Scene } from '../js/scene.js';
+import { is_tumbler } from '../js/space.js';
 import { pressing } from '../js/series.js';
 import { shown } from '../js/words.js';
 import { sketch } from '../js/sketch.js';
@@ -20,9 +21,6 @@ export function why({ falls, held }, { harder }, offset) {
   const hand = offset < 0 ? t.hand_below : offset > 0 ? t.hand_above : offset === 0 ? t.hand_level : '';
   return `${hand} ${t[harder] || ''}`.trim();
 }
-
-/** A glass without a stem (tumbler). */
-export const is_tumbler = (stem, contact) => stem > 0.5 * contact;
 
 /** Returns how a run ends: last spin, and whether the glass moves at all, keeps spinning, tips, or is held by the fingers. */
 export function ending({ summary: { ring, parameters }, words }) {

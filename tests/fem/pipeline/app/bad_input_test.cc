@@ -117,7 +117,7 @@ TEST(BadInput, SettingsAreRefusedInOneSentence)
          { { "Load/Source=file" }, "needs Load/File" },
          { { "Motion/Force offset=0.3" }, "The glass would fall: the hand needs a moment of" },
          { { "Motion/Force offset=-0.085" }, "0.005 m below the table" },
-         { { "Motion/Hand height=-0.001" }, "is below the table; give at least 0 m" },
+         { { "Motion/Hand height=-0.001" }, "0.001 m below the table" },
          { { "Motion/Hand height=0.04", "Motion/Force offset=-0.05" }, "contradict each other" },
          { { "Motion/Friction=0.2" }, "did you mean Motion/Friction coefficient?" },
          { { "Motion/Liquid mass=0.5" }, "the bowl overflows: the liquid reaches 0.13415 m" },

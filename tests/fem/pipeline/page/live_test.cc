@@ -96,8 +96,8 @@ TEST(Live, TwentyChangedEntriesHaveTheProgramsSpins)
   expect_the_programs_spins(mat,
                             { { "Motion/Friction coefficient", "0.2" },
                               { "Motion/Orbit speed", "25 cm/s" },
-                              { "Motion/Force offset", "-30 mm" },
-                              { "Motion/Force offset", "-70 mm" },
+                              { "Motion/Hand height", "50 mm" },
+                              { "Motion/Hand height", "10 mm" },
                               { "Motion/Mass", "200 g" },
                               { "Motion/Centre of mass height", "0.1" },
                               { "Motion/Orbit radius", "0.2" },
@@ -152,6 +152,23 @@ TEST(Live, OnAMeshOfAnotherWidthWithinTheBand)
       EXPECT_LT(std::abs(error), close_mesh_band) << path << " = " << value;
       EXPECT_STREQ(explore_set(path, back), "{}");
     }
+  }
+}
+
+TEST(Live, ASimilarFootHasTheProgramsSpin)
+{
+  const double ratio = 1.1;
+  fem::ComplianceCache cache;
+  for (const Values &table : { Values(), bare_wood, mat, Values({ { "Table/Disc thickness", "0.006" } }) })
+  {
+    Study larger = study_of(table);
+    for (const StudyEntry &entry : study_entries(larger))
+      if (entry.section == "Glass" && entry.unit == "m" && entry.quantity && entry.name != "Crown radius")
+        *entry.quantity *= ratio;
+    const LiveBodies bodies = live_bodies(study_of(table), cache, {}, ratio);
+    open_page(table, bodies);
+    EXPECT_STREQ(explore_set("Glass/Contact radius", "0.033"), "{}");
+    EXPECT_NEAR(omega_of(solved()), spin_by_the_program(larger), close_mesh_band);
   }
 }
 
