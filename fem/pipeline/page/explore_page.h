@@ -34,7 +34,6 @@ struct PagePair
   unsigned int n_nodes = 0;
   std::optional<double> omega; ///< terminal spin by the program [rad/s]; std::nullopt if the glass falls
   std::optional<double> band;  ///< twice |spin - spin on the page's mesh|, if that mesh is coarser [rad/s]
-  std::size_t bytes = 0;       ///< size of the uncompressed compliances
 };
 
 /// Makes the live part of a page; @p done is called for each pair, in order. Throws BadInput as

@@ -16,11 +16,8 @@ struct LiveBodies
   std::optional<fem::ContactCompliance> disc; ///< std::nullopt on a rigid substrate
 };
 
-/// Throws BadInput for studies that an Explorer does not support: solid body, drawn profile, waviness, files.
-void require_live(const Study &study);
-
-/// Returns the compliances of foot and disc of @p study in the expected contact zone. Throws as
-/// require_live().
+/// Returns the compliances of foot and disc of @p study in the expected contact zone. Throws BadInput for
+/// studies that an Explorer does not support: solid body, drawn profile, waviness, files.
 LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache,
                        const Discretisation &discretisation = {});
 

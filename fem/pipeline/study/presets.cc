@@ -60,6 +60,14 @@ std::string plain(std::string name)
   return boost::trim_copy(boost::to_lower_copy(name));
 }
 
+std::vector<std::string> names_of(const std::vector<Preset> &presets)
+{
+  std::vector<std::string> names;
+  for (const Preset &preset : presets)
+    names.push_back(preset.name);
+  return names;
+}
+
 /// The name of the preset that somebody may mean by @p word: by another name, by a part of its name, or
 /// misspelt.
 std::optional<std::string> meant_by(const std::string &word, const std::vector<Preset> &presets)
@@ -98,14 +106,6 @@ const std::vector<Preset> &table_presets()
 {
   static const std::vector<Preset> presets = presets_in(table_texts());
   return presets;
-}
-
-std::vector<std::string> names_of(const std::vector<Preset> &presets)
-{
-  std::vector<std::string> names;
-  for (const Preset &preset : presets)
-    names.push_back(preset.name);
-  return names;
 }
 
 const Preset &preset_of(const std::vector<Preset> &presets, const std::string &option,
