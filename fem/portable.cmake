@@ -73,6 +73,7 @@ set(STEMWARE_PORTABLE
     fem/pipeline/analysis/study_rows.
     fem/pipeline/analysis/variant.
     fem/pipeline/result/pictures.
+    fem/pipeline/result/results.
     fem/pipeline/page/explore_api.
     fem/pipeline/page/explorer.)
 list(JOIN STEMWARE_PORTABLE "|" STEMWARE_PORTABLE)

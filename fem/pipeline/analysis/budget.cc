@@ -55,7 +55,7 @@ std::vector<InputRow> judge_inputs(const Study &study, const std::vector<LoadedR
         unchanged = omega;
       if (!unchanged)
         return {};
-      if (omega && std::abs(*omega - *unchanged) > rounding_of_spins(study))
+      if (omega && std::abs(*omega - *unchanged) > study.rounding_of_spins())
         rows.push_back({ solved.variant.name, *omega - *unchanged });
     }
   return rows;
@@ -136,7 +136,7 @@ Budget find_budget(const Study &study, const StudyRows &rows)
   budget.inputs = judge_inputs(study, rows.others);
   budget.rows = assess_chain(study, rows);
   budget.harmonics =
-    harmonic_effect(rows.by_harmonics.front().row.omega_terminal(), all.omega_terminal(), spin_scale(study));
+    harmonic_effect(rows.by_harmonics.front().row.omega_terminal(), all.omega_terminal(), study.spin_scale());
   return budget;
 }
 

@@ -7,6 +7,7 @@
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/study/table_file.h"
 
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
@@ -188,7 +189,7 @@ CaseList cases_of_grid(const std::vector<std::string> &varied)
 CaseList cases_from_file(const std::string &file)
 {
   CaseList list = { "--cases " + shortened_path(file) };
-  const TextTable table = read_table(list.origin, file);
+  const TextTable table = parse_table(list.origin, read_input_text(list.origin, file));
   ensure(table.rows.size() >= 2,
          list.origin + " has no cases; write a first row of entries such as \"Motion/Mass (g)\", and a row "
                        "of values for each case.");

@@ -163,7 +163,7 @@ std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const E
   {
     const double slope_there = std::isfinite(own.slope_of_first) ? own.slope_of_first : slope;
     const double first_moved = -(found.torque_of_first - own.torque_of_first) / slope_there;
-    const double spin_noise = rounding_of_spins(study);
+    const double spin_noise = study.rounding_of_spins();
     quantities.push_back({ "omega_first_harmonic", "terminal spin of the first harmonic", "rad/s",
                            *probe.first + first_moved, spin_noise });
     quantities.push_back({ "harmonic_effect", "effect of the harmonics", "rad/s",
@@ -323,13 +323,13 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   const ring::Motion &motion = study.motion.orbit;
   const LoadsAtPhases own_loads = loads_of(study, foot, probe);
   const bool is_full = carries_all_round(all, own_loads.all.front().report());
-  add_slope_spins(is_full, spin_unit(study), probe);
+  add_slope_spins(is_full, study.spin_unit(), probe);
   Evaluation own = evaluate(own_loads, *foot, motion, probe);
   if (first)
   {
     const auto torque = [&](double omega)
     { return mean_torques(own_loads.first, motion, { omega }).front().torque(); };
-    own.slope_of_first = ring::torque_slope(torque, *first, ring::slope_step(*first, spin_unit(study)));
+    own.slope_of_first = ring::torque_slope(torque, *first, ring::slope_step(*first, study.spin_unit()));
   }
   std::vector<BandChange> changes = band_changes(study, *foot, own.at_rest, is_full);
   const auto quantities = [&](const Evaluation &found)

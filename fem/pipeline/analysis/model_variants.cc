@@ -7,6 +7,10 @@
 namespace stemware::pipeline
 {
 
+namespace
+{
+
+/// The study with constant friction, mu at the orbit speed, which keeps the torque at rest.
 Study with_constant_friction(Study study)
 {
   ring::Motion &motion = study.motion.orbit;
@@ -15,6 +19,15 @@ Study with_constant_friction(Study study)
   return study;
 }
 
+/// The study with a first harmonic on a ring of the contact radius, under its moment balance or given moment.
+Study first_harmonic_study(Study study)
+{
+  study.load.source = LoadSource::first_harmonic;
+  return study;
+}
+
+} // namespace
+
 Study paper_study(Study study)
 {
   study = with_constant_friction(std::move(study));
@@ -22,12 +35,6 @@ Study paper_study(Study study)
   study.motion.grip_torque = 0;
   study.motion.orbit.liquid.surface_leans = false;
   study.load = {};
-  study.load.source = LoadSource::first_harmonic;
-  return study;
-}
-
-Study first_harmonic_study(Study study)
-{
   study.load.source = LoadSource::first_harmonic;
   return study;
 }

@@ -7,16 +7,9 @@
 namespace stemware::pipeline
 {
 
-/// Returns the study with constant friction, mu at the orbit speed, which keeps the torque at rest.
-Study with_constant_friction(Study study);
-
 /// Returns the paper's model of a study's glass: the paper's moment balance, a first harmonic on a ring of
 /// the contact radius, constant friction, no grip, a liquid with a level surface.
 Study paper_study(Study study);
-
-/// Returns the study with a first harmonic on a ring of the contact radius, under its moment balance or given
-/// moment.
-Study first_harmonic_study(Study study);
 
 /// Returns the models before the rows by harmonics: steps 1, 1a, 2, 2a and 3, each named after its
 /// difference from the one before, all with a first harmonic. Models with a contact use the study's foot.

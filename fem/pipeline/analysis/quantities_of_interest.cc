@@ -65,7 +65,7 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
     quantities.push_back({ "tau_at_spin_" + std::to_string(i + 1), "torque at * rad/s", "N m",
                            spin.torques[i], torque_noise, spin.spins[i] });
   quantities.push_back(
-    { "omega_terminal", "terminal spin", "rad/s", spin.omega_terminal, rounding_of_spins(study) });
+    { "omega_terminal", "terminal spin", "rad/s", spin.omega_terminal, study.rounding_of_spins() });
   quantities.push_back({ "time_constant", "time constant", "s", spin.time_constant,
                          noise_of_slopes * relative_noise * spin.time_constant });
   const double radius = at_rest.mean_radius,

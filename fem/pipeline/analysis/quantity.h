@@ -119,65 +119,54 @@ ByKey(Key) -> ByKey<Key>;
 
 // ---- C++ types
 
-/// Type of the value of an optional or a pointer, else the type itself.
+/// Stands for a type in a call.
 template <typename Value>
-struct WithoutOptional
-{
-  using Type = Value;
-};
-template <typename Value>
-struct WithoutOptional<std::optional<Value>>
-{
-  using Type = Value;
-};
-template <typename Value>
-struct WithoutOptional<const Value *>
-{
-  using Type = Value;
-};
-template <typename Value>
-constexpr bool is_optional_type = !std::is_same_v<typename WithoutOptional<Value>::Type, Value>;
-template <typename>
-struct IsVector : std::false_type
-{
-};
-template <typename Value>
-struct IsVector<std::vector<Value>> : std::true_type
-{
-};
-template <typename>
-struct ArraySize : std::integral_constant<std::size_t, 0>
-{
-};
-template <typename Value, std::size_t n>
-struct ArraySize<std::array<Value, n>> : std::integral_constant<std::size_t, n>
+struct Type
 {
 };
 
 /// Returns the JSON Schema @p type with null as a further value.
 Json or_null(Json type);
 
-/// Returns the JSON Schema of a type: numbers, texts, optional values, lists.
-template <typename Value>
-Json schema_of_type()
+/// Returns the JSON Schema of a type: of numbers and texts, of what an optional or a pointer points to or
+/// null, of lists. @p part: of a type that is none of these.
+inline Json schema_of(Type<const char *>, const Json & /*part*/ = {})
 {
-  if constexpr (std::is_same_v<Value, Json>)
-    return Json::object();
-  else if constexpr (std::is_convertible_v<Value, std::string>) // also a pointer to characters
+  return { { "type", "string" } };
+}
+template <typename Value>
+Json schema_of(Type<Value>, const Json &part = Json::object())
+{
+  if constexpr (std::is_convertible_v<Value, std::string> && !std::is_same_v<Value, Json>)
     return { { "type", "string" } };
-  else if constexpr (is_optional_type<Value>)
-    return or_null(schema_of_type<typename WithoutOptional<Value>::Type>());
   else if constexpr (std::is_arithmetic_v<Value>)
     return { { "type", std::is_same_v<Value, bool>       ? "boolean"
                        : std::is_floating_point_v<Value> ? "number"
                                                          : "integer" } };
   else
-  {
-    Json type = { { "type", "array" }, { "items", schema_of_type<typename Value::value_type>() } };
-    if (ArraySize<Value>::value > 0)
-      type.update({ { "minItems", ArraySize<Value>::value }, { "maxItems", ArraySize<Value>::value } });
-    return type;
-  }
+    return part;
+}
+template <typename Value>
+Json schema_of(Type<std::optional<Value>>, const Json &part = {})
+{
+  return or_null(schema_of(Type<Value>(), part));
+}
+template <typename Value>
+Json schema_of(Type<const Value *>, const Json &part = {})
+{
+  return or_null(schema_of(Type<Value>(), part));
+}
+template <typename Value>
+Json schema_of(Type<std::vector<Value>>, const Json &part = {})
+{
+  return { { "type", "array" }, { "items", schema_of(Type<Value>(), part) } };
+}
+template <typename Value, std::size_t n>
+Json schema_of(Type<std::array<Value, n>>, const Json &part = {})
+{
+  return {
+    { "type", "array" }, { "items", schema_of(Type<Value>(), part) }, { "minItems", n }, { "maxItems", n }
+  };
 }
 
 /// Returns the JSON Schema of an object with the members @p quantities.
@@ -208,7 +197,7 @@ struct Field
     using Value = std::decay_t<std::invoke_result_t<Read, const Row &>>;
     const bool is_text = std::is_convertible_v<Value, std::string> && !std::is_same_v<Value, Json>;
     quantity = { key, is_text ? "" : unit, description };
-    quantity.type = schema_of_type<Value>();
+    quantity.type = schema_of(Type<Value>());
     (words(quantity), ...);
   }
 
@@ -307,7 +296,7 @@ Field<Row>::Field(const std::string &key, const std::string &description, const 
                   Read read, ByKey<Key> by_key, Words... words)
 {
   using Found = std::decay_t<std::invoke_result_t<Read, const Row &>>;
-  constexpr bool has_key = !std::is_same_v<Key, std::nullptr_t>, is_optional = is_optional_type<Found>;
+  constexpr bool has_key = !std::is_same_v<Key, std::nullptr_t>;
   const auto json_of = [fields, by_key](const auto &found) -> Json
   {
     if constexpr (!has_key)
@@ -323,18 +312,21 @@ Field<Row>::Field(const std::string &key, const std::string &description, const 
   value = [read, json_of](const Row &row) -> Json
   {
     const auto &found = std::invoke(read, row);
-    if constexpr (is_optional_type<Found>)
+    if constexpr (std::is_constructible_v<bool, Found>) // an optional or a pointer
       return found ? json_of(*found) : Json(nullptr);
     else
       return json_of(found);
   };
-  using Plain = typename WithoutOptional<Found>::Type;
-  const Json part = fields.schema();
-  Json type = has_key                  ? Json{ { "type", "object" }, { "additionalProperties", part } }
-              : IsVector<Plain>::value ? Json{ { "type", "array" }, { "items", part } }
-                                       : part;
   quantity = { key, "", description };
-  quantity.type = is_optional ? or_null(type) : type;
+  quantity.type = schema_of(Type<Found>(), fields.schema());
+  if (has_key)
+  {
+    Json &type = quantity.type;
+    const bool is_optional = type["type"].is_array();
+    type = { { "type", "object" }, { "additionalProperties", fields.schema() } };
+    if (is_optional)
+      type = or_null(type);
+  }
   (words(quantity), ...);
 }
 

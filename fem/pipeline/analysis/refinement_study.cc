@@ -150,8 +150,9 @@ ErrorBands refine(const std::vector<QuantityOfInterest> &own, std::vector<Refine
         values.push_back(quantity.value);
         rounding = std::max(rounding, quantity.rounding);
       }
-      const RefinementSequence &judged =
+      RefinementSequence &judged =
         axis.quantities.emplace_back(assess_convergence(values, axis.kind, rounding));
+      judged.key = own[q].key;
       const bool has_finer = axis.own + 1 < axis.levels.size();
       if (axis.kind == AxisKind::degree)
         degree = has_finer ? judged.bands[axis.own] : 0;

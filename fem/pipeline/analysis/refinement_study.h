@@ -25,6 +25,7 @@ struct RefinementSequence
   std::optional<double> order; ///< observed order p of the last three values; std::nullopt if they show none
   double limit = 0;            ///< Richardson value if an order was observed, else the finest value
   std::vector<double> bands;   ///< half-widths: band of the finest value plus the distance from that value
+  std::string key = {};        ///< of the quantity
 };
 
 /// One numerical parameter of a study on successively finer levels, all others unchanged.

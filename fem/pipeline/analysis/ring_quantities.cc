@@ -70,27 +70,6 @@ Number largest_at(const Truncation &row)
   return row.effect.largest_at;
 }
 
-/// Reads @p read of the row of all harmonics.
-template <typename Read>
-auto of_all(Read read)
-{
-  return [=](const AnsweredStudy &found) {
-    return read(Truncation{ {}, found.effects.rows.back(), found.effects.torque_at_rest, {} });
-  };
-}
-
-HarmonicEffect effect_of(const AnsweredStudy &found)
-{
-  return harmonic_effect(found.first.omega_terminal(), found.all.omega_terminal(), spin_scale(found.study));
-}
-
-/// Terminal spin of a first harmonic on a ring of the contact radius.
-Number omega_on_ring(const AnsweredStudy &found, ring::Closure closure)
-{
-  return ring::answer(first_harmonic_load(found.study, closure), { found.study.motion.orbit })
-    .omega_terminal();
-}
-
 } // namespace
 
 double without_rounding(double value, double rounding)
@@ -144,85 +123,6 @@ const Fields<ring::Answer> &answer_fields()
       in_state(&Answer::at_terminal, &RingState::moment_ratio) }
   };
   return fields;
-}
-
-const Fields<AnsweredStudy> &study_quantities()
-{
-  using Study = AnsweredStudy;
-  const auto if_falls = [](auto read) {
-    return [=](const Study &found) { return found.all.fall ? Number(read(*found.all.fall)) : std::nullopt; };
-  };
-  static const auto fields = Fields<Study>{
-    { "omega_first_harmonic", "rad/s", "", [](const Study &found) { return found.first.omega_terminal(); },
-      in_column("terminal spin, first harmonic only"), on_page("terminal spin, first harmonic only") },
-    { "omega_on_ring", "rad/s", "",
-      [](const Study &found) { return omega_on_ring(found, found.study.motion.closure); },
-      in_column("terminal spin, first harmonic on a ring of the contact radius"),
-      on_page("terminal spin, first harmonic on a ring of the contact radius") },
-    { "omega_paper", "rad/s", "",
-      [](const Study &found) { return omega_on_ring(found, ring::Closure::paper); },
-      in_column("terminal spin, the paper's model") },
-    { "harmonic_effect", "rad/s", "", [](const Study &found) { return effect_of(found).absolute; },
-      in_column("effect of the higher harmonics"), on_page("effect of the higher harmonics") },
-    { "harmonic_effect_relative", "1", "", [](const Study &found) { return effect_of(found).relative; },
-      in_column("relative effect of the higher harmonics") },
-    { "torque_change_half", "N m", "", of_all(change_half),
-      in_column("effect of the higher harmonics on the torque of friction at half the terminal spin") },
-    { "torque_change_half_relative", "1", "", of_all(over_rest(change_half)),
-      in_column("the same over the torque at rest") },
-    { "torque_change_terminal", "N m", "", of_all(change_terminal),
-      in_column("effect of the higher harmonics on the torque of friction at the terminal spin") },
-    { "torque_change_terminal_relative", "1", "", of_all(over_rest(change_terminal)),
-      in_column("the same over the torque at rest") },
-    { "held", "1", "",
-      [](const Study &found)
-      {
-        return found.study.motion.grip_torque > 0 && found.all.terminal
-                 ? Number(found.all.terminal->held ? 1 : 0)
-                 : std::nullopt;
-      },
-      in_column("1: the fingers hold the glass at rest") },
-    { "omega_fall", "rad/s", "", if_falls([](const ring::Fall &fall) { return fall.omega; }),
-      in_column("spin at which the glass falls over"), on_page("spin at which the glass falls over") },
-    { "moment_ratio_at_fall", "1", "",
-      if_falls([](const ring::Fall &fall) { return fall.state.moment_ratio; }),
-      in_column("moment ratio at which the glass falls over") },
-    { "normal_force", "N", "", [](const Study &found) { return found.load.normal_force; },
-      in_column("normal force") },
-    { "moment_ratio", "1", "", [](const Study &found) { return found.load.moment_ratio; },
-      in_column("moment ratio at rest"), on_page("moment ratio at rest") },
-    { "contact_fraction", "1", "", [](const Study &found) { return found.load.contact_fraction; },
-      in_column("share of the land's area under pressure at rest"),
-      on_page("share of the land's area under pressure at rest") },
-    { "load_minimum", "N/rad", "", [](const Study &found) { return found.load.minimum; },
-      in_column("smallest load at rest") },
-    { "ring_radius", "m", "", [](const Study &found) { return found.load.rings.radius(); },
-      in_column("radius of the equivalent ring at rest") },
-    { "mean_radius", "m", "", [](const Study &found) { return found.load.mean_radius; },
-      in_column("mean radius of the load at rest") },
-    { "contact_iterations", "1", "", &Study::n_contact_iterations,
-      in_column("Newton steps of the contact at rest") },
-    { "mean_load", "N/rad", "", [](const Study &found) { return found.load.rings.a(0); },
-      in_column("a_0 at rest") }
-  }.include(answer_fields(), [](const Study &found) -> const ring::Answer & { return found.all; });
-  static const Fields<Study> all = []
-  {
-    Fields<Study> list = fields;
-    for (unsigned int n = 1; n <= n_harmonics_of_interest; ++n)
-      for (const char letter : { 'a', 'b' })
-      {
-        const std::string order = std::to_string(n),
-                          name = std::string(1, letter) + '_' + order + " / a_0 at rest";
-        const auto coefficient = [=](const Study &found)
-        {
-          const ring::RingStack &rings = found.load.rings;
-          return (letter == 'a' ? rings.a(n) : rings.b(n)) / rings.a(0);
-        };
-        list.add({ letter + order, "1", "", coefficient, in_column(name) });
-      }
-    return list;
-  }();
-  return all;
 }
 
 std::array<std::vector<double>, 2> series_of(const ring::RingStack &load)
@@ -365,11 +265,6 @@ const Fields<Truncation> &truncation_fields()
       [](const Truncation &row) { return text_or_null(row.answer.reason); } }
   };
   return fields;
-}
-
-bool is_spin(const Study &study, double omega)
-{
-  return std::abs(omega) >= rounding_of_spins(study);
 }
 
 } // namespace stemware::pipeline

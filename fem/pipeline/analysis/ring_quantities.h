@@ -16,24 +16,8 @@
 namespace stemware::pipeline
 {
 
-/// Contact radius, load at rest, and the answers with the first harmonic only and with all harmonics: what
-/// every study has.
-struct AnsweredStudy
-{
-  const Study &study;
-  const LoadReport &load;                           ///< at rest
-  std::optional<unsigned int> n_contact_iterations; ///< at rest; std::nullopt without a contact
-  const ring::Answer &first, &all;
-  const ring::TorqueEffects &effects; ///< the last row is the one of all harmonics
-};
-
 /// Highest harmonic of the load among the quantities of a study.
 constexpr unsigned int n_harmonics_of_interest = 8;
-
-/// Returns the quantities of a study: each with a description is in "ring" of summary.json, each with a
-/// description of its column is a column of sweep.csv, in this order. The cases' table of ranges has those
-/// with a heading.
-const Fields<AnsweredStudy> &study_quantities();
 
 /// Returns "fall" of summary.json.
 const Fields<ring::Fall> &fall_fields();
@@ -55,7 +39,7 @@ struct Truncation
   std::optional<double> spin_change; ///< relative change of the terminal spin to the first harmonic only
 };
 
-/// Returns the rows of @p effects with the answers @p rows. @p scale: spin_scale().
+/// Returns the rows of @p effects with the answers @p rows. @p scale: Study::spin_scale().
 std::vector<Truncation> truncations_of(const std::vector<ring::Answer> &rows,
                                        const ring::TorqueEffects &effects, double scale);
 
@@ -77,7 +61,7 @@ std::string label_of(const ChainStep &step);
 /// "harmonics, all"; @p at_most replaces the sign "≤".
 std::string title_of(const BudgetRow &row, const std::string &at_most = "≤");
 
-/// Returns the quantities of a row of the budget. @p scale: spin_scale(), whose rounding
+/// Returns the quantities of a row of the budget. @p scale: Study::spin_scale(), whose rounding
 /// is 0. @p shown_spin: terminal spin for people.
 Fields<BudgetRow> chain_fields(double scale = 1, const std::function<Json(double)> &shown_spin = {});
 
@@ -99,9 +83,6 @@ Fields<WithoutRow> without_fields(const std::optional<double> &complete = {}, do
 
 /// Returns "harmonic_effect" of summary.json.
 const Fields<HarmonicEffect> &harmonic_effect_fields();
-
-/// Returns whether a spin exceeds rounding_of_spins().
-bool is_spin(const Study &study, double omega);
 
 /// Returns @p value, or 0 if it is smaller than @p rounding.
 double without_rounding(double value, double rounding);

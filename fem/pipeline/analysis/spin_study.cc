@@ -123,7 +123,7 @@ CurveOfAll curve_of_all(const Study &study, const std::vector<LoadedRow> &rows)
     last = 1.5 * shown_spin(study, all, fastest);
   }
   if (last == 0) // it falls over as soon as it turns
-    last = 1e-3 * spin_unit(study);
+    last = 1e-3 * study.spin_unit();
   int first = -n_intervals / 8;
   if (const ring::PhaseSampledLoad *phases = rows.back().load->phases())
   {
@@ -278,7 +278,7 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time, observer);
   if (depth != Depth::full)
     result.budget.harmonics =
-      harmonic_effect(result.rows.front().omega_terminal(), result.all().omega_terminal(), spin_scale(study));
+      harmonic_effect(result.rows.front().omega_terminal(), result.all().omega_terminal(), study.spin_scale());
   return result;
 }
 

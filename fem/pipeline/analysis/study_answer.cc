@@ -14,6 +14,8 @@ namespace stemware::pipeline
 namespace
 {
 
+using Number = std::optional<double>;
+
 std::string size_text(const fem::FootDescription &foot)
 {
   const std::string cells = foot.n_cells ? fmt::format(FMT_STRING("{} cells, "), *foot.n_cells) : "";
@@ -53,7 +55,113 @@ std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &
   return foot;
 }
 
+/// Terminal spin of a first harmonic on a ring of the contact radius.
+Number omega_on_ring(const Study &study, ring::Closure closure)
+{
+  return ring::answer(first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();
+}
+
 } // namespace
+
+const Fields<StudyAnswer> &study_quantities()
+{
+  using Found = StudyAnswer;
+  using AtSpin = ring::TorqueEffect::AtSpin;
+  const auto if_falls = [](auto read)
+  {
+    return [=](const Found &found)
+    {
+      const auto &fall = found.spin.all().fall;
+      return fall ? Number(read(*fall)) : std::nullopt;
+    };
+  };
+  const auto of_load = [](auto member)
+  { return [=](const Found &found) { return found.contact.load.*member; }; };
+  const auto of_rings = [](auto read)
+  { return [=](const Found &found) { return read(found.contact.load.rings); }; };
+  const auto torque_change = [](std::optional<AtSpin> ring::TorqueEffect::*spin, bool is_relative)
+  {
+    return [=](const Found &found)
+    {
+      const auto &[torque_at_rest, spins, rows] = found.spin.torque_effects;
+      const auto &at_spin = rows.back().*spin;
+      const double unit = is_relative ? torque_at_rest : 1;
+      return at_spin && unit != 0 ? Number(at_spin->change / unit) : std::nullopt;
+    };
+  };
+  static const auto fields = Fields<Found>{
+    { "omega_first_harmonic", "rad/s", "",
+      [](const Found &found) { return found.spin.rows.front().omega_terminal(); },
+      in_column("terminal spin, first harmonic only"), on_page("terminal spin, first harmonic only") },
+    { "omega_on_ring", "rad/s", "",
+      [](const Found &found) { return omega_on_ring(found.study, found.study.motion.closure); },
+      in_column("terminal spin, first harmonic on a ring of the contact radius"),
+      on_page("terminal spin, first harmonic on a ring of the contact radius") },
+    { "omega_paper", "rad/s", "",
+      [](const Found &found) { return omega_on_ring(found.study, ring::Closure::paper); },
+      in_column("terminal spin, the paper's model") },
+    { "harmonic_effect", "rad/s", "", [](const Found &found) { return found.spin.budget.harmonics.absolute; },
+      in_column("effect of the higher harmonics"), on_page("effect of the higher harmonics") },
+    { "harmonic_effect_relative", "1", "",
+      [](const Found &found) { return found.spin.budget.harmonics.relative; },
+      in_column("relative effect of the higher harmonics") },
+    { "torque_change_half", "N m", "", torque_change(&ring::TorqueEffect::half, false),
+      in_column("effect of the higher harmonics on the torque of friction at half the terminal spin") },
+    { "torque_change_half_relative", "1", "", torque_change(&ring::TorqueEffect::half, true),
+      in_column("the same over the torque at rest") },
+    { "torque_change_terminal", "N m", "", torque_change(&ring::TorqueEffect::terminal, false),
+      in_column("effect of the higher harmonics on the torque of friction at the terminal spin") },
+    { "torque_change_terminal_relative", "1", "", torque_change(&ring::TorqueEffect::terminal, true),
+      in_column("the same over the torque at rest") },
+    { "held", "1", "",
+      [](const Found &found)
+      {
+        const auto &terminal = found.spin.all().terminal;
+        return found.study.motion.grip_torque > 0 && terminal ? Number(terminal->held ? 1 : 0) : std::nullopt;
+      },
+      in_column("1: the fingers hold the glass at rest") },
+    { "omega_fall", "rad/s", "", if_falls([](const ring::Fall &fall) { return fall.omega; }),
+      in_column("spin at which the glass falls over"), on_page("spin at which the glass falls over") },
+    { "moment_ratio_at_fall", "1", "",
+      if_falls([](const ring::Fall &fall) { return fall.state.moment_ratio; }),
+      in_column("moment ratio at which the glass falls over") },
+    { "normal_force", "N", "", of_load(&LoadReport::normal_force), in_column("normal force") },
+    { "moment_ratio", "1", "", of_load(&LoadReport::moment_ratio), in_column("moment ratio at rest"),
+      on_page("moment ratio at rest") },
+    { "contact_fraction", "1", "", of_load(&LoadReport::contact_fraction),
+      in_column("share of the land's area under pressure at rest"),
+      on_page("share of the land's area under pressure at rest") },
+    { "load_minimum", "N/rad", "", of_load(&LoadReport::minimum), in_column("smallest load at rest") },
+    { "ring_radius", "m", "", of_rings([](const ring::RingStack &rings) { return rings.radius(); }),
+      in_column("radius of the equivalent ring at rest") },
+    { "mean_radius", "m", "", of_load(&LoadReport::mean_radius),
+      in_column("mean radius of the load at rest") },
+    { "contact_iterations", "1", "",
+      [](const Found &found)
+      {
+        const auto &foot = found.contact.foot;
+        return foot ? std::optional(foot->at_rest.solution.n_iterations) : std::nullopt;
+      },
+      in_column("Newton steps of the contact at rest") },
+    { "mean_load", "N/rad", "", of_rings([](const ring::RingStack &rings) { return rings.a(0); }),
+      in_column("a_0 at rest") }
+  }.include(answer_fields(), [](const Found &found) -> const ring::Answer & { return found.spin.all(); });
+  static const Fields<Found> all = [of_rings]
+  {
+    Fields<Found> list = fields;
+    for (unsigned int n = 1; n <= n_harmonics_of_interest; ++n)
+      for (const char letter : { 'a', 'b' })
+      {
+        const std::string order = std::to_string(n),
+                          name = std::string(1, letter) + '_' + order + " / a_0 at rest";
+        const auto coefficient = [=](const ring::RingStack &rings)
+        { return (letter == 'a' ? rings.a(n) : rings.b(n)) / rings.a(0); };
+        list.add({ letter + order, "1", "", of_rings(coefficient), in_column(name) });
+      }
+    return list;
+  }();
+  return all;
+}
 
 StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, Progress &progress,
                          bool with_fields, std::shared_ptr<ElasticFoot> *start)
@@ -63,7 +171,7 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
   const std::shared_ptr<ElasticFoot> foot =
     announced_foot(study, executor, progress, mesh.discretisation, start ? start->get() : nullptr);
   const BalancedLoad load = find_load(study, foot, progress);
-  StudyAnswer answer = { mesh.outcome };
+  StudyAnswer answer = { study, mesh.outcome };
   answer.spin = study_spin(study, foot, load, executor, progress, depth);
   progress.stage_done("ring");
   answer.contact = describe(study, foot, load, answer.spin.all().last_spin().value());
@@ -88,26 +196,6 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
   if (start)
     *start = foot;
   return answer;
-}
-
-TruncatedStudy truncate_study(const Study &study, const Executor &executor, Progress &progress)
-{
-  const MeshForGoal mesh = mesh_for_goal(study, executor, progress);
-  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress, mesh.discretisation);
-  const BalancedLoad load = find_load(study, foot, progress);
-  const ring::Question question = spin_question(study);
-  TruncatedStudy truncated;
-  for (const LoadedRow &answer :
-       rows_by_harmonics(study, foot, load, question, executor, progress, Depth::rows).by_harmonics)
-    truncated.rows.push_back(answer.row);
-  const double last = truncated.rows.back().last_spin().value_or(0);
-  const ring::Load curve =
-    ring::interpolated_for_curves(load, truncated.rows.back(), std::min(last, 0.), std::max(last, 0.));
-  truncated.torque_effects = ring::torque_effects(load, study.motion.orbit, truncated.rows.back(),
-                                                  truncation_orders(load.n_harmonics()), &curve);
-  truncated.load = load.report();
-  progress.stage_done("truncations");
-  return truncated;
 }
 
 ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor,

@@ -14,9 +14,10 @@
 namespace stemware::pipeline
 {
 
-/// Answer of `run`, whose document make_document() makes.
+/// Study and its answer; a verb fills in the parts that it computes.
 struct StudyAnswer
 {
+  Study study = {};
   std::optional<GoalOutcome> goal = {};
   ContactReport contact = {};
   SpinStudy spin = {};
@@ -29,17 +30,10 @@ struct StudyAnswer
 StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, Progress &progress,
                          bool with_fields, std::shared_ptr<ElasticFoot> *start = nullptr);
 
-/// Answer of `truncate`.
-struct TruncatedStudy
-{
-  LoadReport load = {};
-  std::vector<ring::Answer> rows = {};     ///< rows_by_harmonics()
-  ring::TorqueEffects torque_effects = {}; ///< for truncation_orders()
-};
-
-/// Solves @p study with decreasing numbers of harmonics; if the glass tips on the way, the last row has a
-/// fall. Throws as answer_study().
-TruncatedStudy truncate_study(const Study &study, const Executor &executor, Progress &progress);
+/// Returns the quantities of a study: each with a description is in "ring" of summary.json, each with a
+/// description of its column is a column of sweep.csv, in this order. The cases' table of ranges has those
+/// with a heading.
+const Fields<StudyAnswer> &study_quantities();
 
 /// Solves @p study on the levels of @p axes, its refinement_axes(). Throws as answer_study() and refine().
 ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor,

@@ -38,39 +38,12 @@ LoadedRow loaded_row(const Variant &variant, ring::Answer row, const std::option
 
 } // namespace
 
-double spin_unit(const Study &study)
-{
-  return study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
-}
-
-double spin_scale(const Study &study)
-{
-  const double unit = spin_unit(study);
-  if (study.load.source == LoadSource::file)
-    return unit;
-  try
-  {
-    const fem::Resultants load = study.required_resultants();
-    const double share = std::abs(load.moment_x) / (load.normal_force * study.glass.profile.contact_radius);
-    return share < 1e-12 ? unit : unit * std::clamp(2 * share, 1e-6, 1.);
-  }
-  catch (const ring::Tipping &) // a model of the chain
-  {
-    return unit;
-  }
-}
-
-double rounding_of_spins(const Study &study)
-{
-  return 1e-9 * spin_scale(study);
-}
-
 double shown_spin(const Study &study, const ring::Answer &row, double fastest)
 {
-  if (std::abs(fastest) >= 0.01 * spin_unit(study))
+  if (std::abs(fastest) >= 0.01 * study.spin_unit())
     return fastest;
   const double torque = row.at_rest ? row.at_rest->friction.torque : 0;
-  return std::copysign(0.1 * spin_unit(study), fastest != 0 ? fastest : torque);
+  return std::copysign(0.1 * study.spin_unit(), fastest != 0 ? fastest : torque);
 }
 
 std::string grip_holds_note(const Study &study, const ring::Answer &row)

@@ -32,19 +32,8 @@ struct StudyRows
   std::vector<double> torque_spins = {};
 };
 
-/// v / R with the contact radius of the study's glass [rad/s].
-double spin_unit(const Study &study);
-
-/// Returns the first-order estimate of the terminal spin from the moment M_Nx at rest, 2 |M_Nx| / (N R) times
-/// spin_unit(), limited to 1e-6 ... 1 of spin_unit() [rad/s]; spin_unit() without such a moment or for a load
-/// file.
-double spin_scale(const Study &study);
-
-/// Returns the rounding of spins and of their differences: 1e-9 spin_scale() [rad/s].
-double rounding_of_spins(const Study &study);
-
 /// Returns the end of the plotted torque curve of @p row [rad/s]: @p fastest, or, for a glass that hardly
-/// spins up, a tenth of spin_unit() in the direction of its torque.
+/// spins up, a tenth of Study::spin_unit() in the direction of its torque.
 double shown_spin(const Study &study, const ring::Answer &row, double fastest);
 
 /// Returns a sentence if the fingers hold the glass of @p row at rest, else an empty string.

@@ -1,16 +1,13 @@
 #include "fem/pipeline/analysis/sweep_case.h"
 
 #include "fem/contact/contact_newton.h"
-#include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/case_list.h"
 #include "fem/pipeline/analysis/goal_mesh.h"
-#include "fem/pipeline/analysis/ring_quantities.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/failure_sentence.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/no_balance.h"
-#include "ring_model/spin/torque_effect.h"
 
 #include <cmath>
 #include <exception>
@@ -46,13 +43,12 @@ try
 }
 catch (const fem::ContactFailure &contact)
 {
-  return {
-    fem::to_string(contact.outcome), failure_sentence(), {}, contact.outcome == fem::ContactOutcome::tipping
-  };
+  const bool tips = contact.outcome == fem::ContactOutcome::tipping;
+  return { fem::to_string(contact.outcome), tips ? "tips" : "failed", failure_sentence() };
 }
 catch (const ring::Tipping &)
 {
-  return { "", failure_sentence(), {}, true };
+  return { "", "tips", failure_sentence() };
 }
 catch (const std::bad_alloc &)
 {
@@ -64,7 +60,7 @@ catch (const OutputFailure &)
 }
 catch (...)
 {
-  return { "", failure_sentence() };
+  return { "", "failed", failure_sentence() };
 }
 
 /// True if a case takes all threads. False for one that cannot even be read.
@@ -103,26 +99,27 @@ CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &f
                        Progress &progress)
 {
   const BalancedLoad load = find_load(study, foot, progress);
-  const std::vector<LoadedRow> rows =
-    rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, Depth::answer)
-      .by_harmonics;
-  const LoadReport &report = load.report();
+  StudyAnswer answer = { study };
+  SpinStudy &spin = answer.spin;
+  for (const LoadedRow &row :
+       rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, Depth::answer)
+         .by_harmonics)
+    spin.rows.push_back(row.row);
+  spin.budget.harmonics =
+    harmonic_effect(spin.rows.front().omega_terminal(), spin.all().omega_terminal(), study.spin_scale());
+  spin.torque_effects = ring::torque_effects(load, study.motion.orbit, spin.all(), { load.n_harmonics() });
+  answer.contact.load = load.report();
   const std::optional<fem::ContactState> contact = load.contact(0);
-  const ring::TorqueEffects effects =
-    ring::torque_effects(load, study.motion.orbit, rows.back().row, { load.n_harmonics() });
-  CaseResult result;
+  const bool is_formal = !contact && spin.all().status == ring::Status::formal;
+  CaseResult result = { "", spin.all().fall ? "tips" : is_formal ? "formal" : "ok" };
   if (contact)
+  {
+    answer.contact.foot = FootReport{ {}, "", *contact, {}, {} };
     result.outcome = fem::to_string(contact->solution.outcome);
-  result.is_formal = !contact && rows.back().row.status == ring::Status::formal;
-  const AnsweredStudy found = { study,
-                                report,
-                                contact ? std::optional(contact->solution.n_iterations) : std::nullopt,
-                                rows.front().row,
-                                rows.back().row,
-                                effects };
+  }
   for (const auto &[quantity, value_of] : study_quantities().all())
     if (!quantity.column.empty())
-      if (const Json value = value_of(found); !value.is_null())
+      if (const Json value = value_of(answer); !value.is_null())
       {
         if (!std::isfinite(value.get<double>()))
           throw std::runtime_error("The result " + quantity.key +

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/analysis/quantity.h"
-#include "fem/pipeline/analysis/solve.h"
+#include "fem/pipeline/analysis/study_answer.h"
 
 #include <functional>
 #include <map>
@@ -21,22 +20,14 @@ const std::vector<Quantity> &sweep_columns();
 /// Result of one case of a sweep.
 struct CaseResult
 {
-  std::string outcome; ///< of the contact; empty if there was none
-  std::string message; ///< cause of a case without numbers, one sentence; empty if the case is solved
-  std::map<std::string, double> values = {}; ///< values by key; missing values are left out
-  bool tips_at_rest = false;                 ///< the glass tips before it spins: no numbers, no failure
-  bool is_formal =
-    false; ///< the load, which no contact gives, is negative somewhere: numbers without physics
+  std::string outcome = {}; ///< of the contact; empty if there was none
+  /// "ok", "formal" if the load, which no contact gives, is negative somewhere, "tips" if the glass tips, at
+  /// rest or on the way, or "failed".
+  std::string status = "ok";
+  std::string message = {}; ///< why there are no values, one sentence; empty if the case is solved
+  std::map<std::string, double> values = {}; ///< by key of sweep_columns(); missing values are left out
 
-  bool has_failed() const { return !message.empty() && !tips_at_rest; }
   std::optional<double> value(const std::string &key) const;
-  /// True if the glass stands at rest and tips on the way: an answer without a terminal spin.
-  bool falls_over() const { return values.count("omega_fall") > 0; }
-  /// "ok", "formal", "tips" or "failed".
-  std::string status() const
-  {
-    return has_failed() ? "failed" : falls_over() || tips_at_rest ? "tips" : is_formal ? "formal" : "ok";
-  }
 };
 
 /// Solves a study on its own @p foot like `run` with Depth::answer: all harmonics and the first only. Equal

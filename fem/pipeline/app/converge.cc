@@ -2,7 +2,7 @@
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
 #include "fem/pipeline/page/publish.h"
-#include "fem/pipeline/result/convergence_results.h"
+#include "fem/pipeline/result/verb_results.h"
 
 #include <CLI/CLI.hpp>
 
@@ -21,10 +21,10 @@ struct ConvergeOptions : StudyOptions
 /// limits and error bands. Collective over all ranks. Throws as run().
 void converge(const ConvergeOptions &options)
 {
-  std::vector<RefinementAxis> axes;
-  StudyWork work(options, true, [&](const Study &given) { axes = refinement_axes(given, options.n_levels); });
+  StudyWork work(options);
+  std::vector<RefinementAxis> axes = refinement_axes(work.study, options.n_levels);
   const ErrorBands bands = converge_study(work.study, axes, work.executor, work.progress);
-  publish(options, work.study, make_document(work.study, axes, bands), work.folder, work.stopwatch);
+  publish(options, convergence_results(work.study, axes, bands), work.folder, work.stopwatch);
 }
 
 } // namespace

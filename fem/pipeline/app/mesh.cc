@@ -85,7 +85,7 @@ void write_mesh(const Mesh &mesh, const std::string &file)
 /// The findings on one line of standard output, for programs.
 void print_json(const MeshFindings &findings, const MeshOptions &options)
 {
-  nlohmann::ordered_json line = { { "verb", "mesh" }, { "written", options.writes } };
+  Json line = { { "verb", "mesh" }, { "written", options.writes } };
   line.update(mesh_summary(findings));
   std::cout << line.dump() << std::endl;
 }

@@ -89,18 +89,16 @@ void add_study_option(CLI::App &verb, StudyOptions &options, const std::string &
     ->check(why_no_study);
 }
 
-void add_output_option(CLI::App &verb, StudyOptions &options, const std::string &help)
-{
-  verb.add_option("--output", options.output, help)->type_name("DIR")->check(why_no_folder);
-}
-
 void add_study_options(CLI::App &verb, StudyOptions &options)
 {
   options.verb = verb.get_name();
   add_study_option(verb, options);
-  add_output_option(verb, options,
-                    "Folder of the results; default: results/<name of the study>" +
-                      std::string(options.verb == "run" ? "" : "-" + options.verb));
+  verb
+    .add_option("--output", options.output,
+                "Folder of the results; default: results/<name of the study>" +
+                  std::string(options.verb == "run" ? "" : "-" + options.verb))
+    ->type_name("DIR")
+    ->check(why_no_folder);
   add_override_option(verb, options);
   add_threads_option(verb, options);
   add_console_options(verb, options);

@@ -15,9 +15,6 @@ namespace stemware::pipeline
 /// Declares the argument STUDY, stored in @p options; @p role: purpose of the study, for the help.
 void add_study_option(CLI::App &verb, StudyOptions &options, const std::string &role = "");
 
-/// Declares --output with the text @p help.
-void add_output_option(CLI::App &verb, StudyOptions &options, const std::string &help);
-
 /// Declares STUDY, --output, --set, --threads, --quiet and --json on @p verb, to be
 /// stored in @p options.
 void add_study_options(CLI::App &verb, StudyOptions &options);

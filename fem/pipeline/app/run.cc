@@ -3,7 +3,7 @@
 #include "fem/pipeline/app/study_work.h"
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/page/publish.h"
-#include "fem/pipeline/result/run_results.h"
+#include "fem/pipeline/result/verb_results.h"
 
 #include <CLI/CLI.hpp>
 
@@ -26,15 +26,13 @@ struct RunOptions : StudyOptions
 void run(const RunOptions &options)
 {
   const Depth depth = options.quick ? Depth::answer : Depth::full;
-  StudyWork work(options, true); // refuses everything that can be refused
+  StudyWork work(options); // refuses everything that can be refused
   StudyAnswer answer = answer_study(work.study, depth, work.executor, work.progress, true);
   // Only the first rank knows where the foot presses; each has the fields of its own cells.
-  Results results = is_first_rank()
-                      ? make_document(work.study, answer.contact, answer.spin, answer.bands, answer.goal)
-                      : Results();
+  Results results = is_first_rank() ? run_results(answer) : Results();
   if (answer.contact.foot)
     results.fields = std::move(answer.contact.foot->fields);
-  publish(options, work.study, std::move(results), work.folder, work.stopwatch);
+  publish(options, std::move(results), work.folder, work.stopwatch);
 }
 
 } // namespace

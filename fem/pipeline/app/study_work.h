@@ -6,8 +6,6 @@
 #include "fem/pipeline/base/output.h"
 #include "fem/pipeline/study/study_options.h"
 
-#include <functional>
-
 namespace stemware::pipeline
 {
 
@@ -15,10 +13,9 @@ namespace stemware::pipeline
 /// over all ranks.
 struct StudyWork
 {
-  /// Makes all checks before the work: begin_study(), @p refuse, which throws BadInput, and the folder of the
-  /// results. Then reports the required resultants if @p notes_load.
-  StudyWork(const StudyOptions &options, bool notes_load,
-            const std::function<void(const Study &)> &refuse = {});
+  /// Makes all checks before the work: begin_study(), and the folder of the results. Then reports the
+  /// required resultants.
+  explicit StudyWork(const StudyOptions &options);
 
   Stopwatch stopwatch;
   ConsoleProgress progress;

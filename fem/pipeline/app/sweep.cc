@@ -8,7 +8,7 @@
 #include "fem/pipeline/base/text.h"
 #include "fem/pipeline/page/publish.h"
 #include "fem/pipeline/result/sweep_file.h"
-#include "fem/pipeline/result/sweep_results.h"
+#include "fem/pipeline/result/verb_results.h"
 #include "fem/pipeline/study/study_checks.h"
 
 #include <CLI/CLI.hpp>
@@ -83,15 +83,15 @@ void sweep(const SweepOptions &options)
               [&](std::size_t index, const CaseResult &result)
               {
                 file.append(index, result);
-                n_failed += result.has_failed() ? 1 : 0;
+                n_failed += result.status == "failed" ? 1 : 0;
                 progress.show(++n_done, n_failed);
               });
   stopwatch.finish("cases");
 
   // 3. What they say together.
-  publish_in(options.results_place(), options, list.base, sweep_results(list, file.finished()), stopwatch);
+  publish_in(options.results_place(), options, sweep_results(list, file.finished()), stopwatch);
   for (const auto &[index, result] : file.finished())
-    if (!result.has_failed())
+    if (result.status != "failed")
       return;
   throw std::runtime_error(fmt::format(FMT_STRING("All {} cases failed, the first one because: {}"),
                                        file.finished().size(), file.finished().begin()->second.message));

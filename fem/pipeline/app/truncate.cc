@@ -2,7 +2,7 @@
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
 #include "fem/pipeline/page/publish.h"
-#include "fem/pipeline/result/truncation_results.h"
+#include "fem/pipeline/result/verb_results.h"
 
 namespace stemware::pipeline
 {
@@ -14,11 +14,9 @@ namespace
 /// Collective over all ranks. Throws as run().
 void truncate(const StudyOptions &options)
 {
-  StudyWork work(options, true);
-  const TruncatedStudy answer = truncate_study(work.study, work.executor, work.progress);
-  publish(options, work.study,
-          make_truncation_document(work.study, answer.load, answer.rows, answer.torque_effects), work.folder,
-          work.stopwatch);
+  StudyWork work(options);
+  const StudyAnswer answer = answer_study(work.study, Depth::rows, work.executor, work.progress, false);
+  publish(options, truncation_results(answer), work.folder, work.stopwatch);
 }
 
 } // namespace

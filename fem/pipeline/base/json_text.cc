@@ -12,8 +12,6 @@
 namespace stemware::pipeline
 {
 
-using Json = nlohmann::ordered_json;
-
 namespace
 {
 
@@ -67,16 +65,6 @@ Json parse_json(const std::string &origin, const std::string &text)
   {
     throw BadInput(origin + " has a number outside the range of double precision; write smaller numbers.");
   }
-}
-
-std::optional<Json> json_in(const std::string &text)
-try
-{
-  return parse_json("", text);
-}
-catch (const BadInput &)
-{
-  return std::nullopt;
 }
 
 std::string json_within_html(const Json &json)

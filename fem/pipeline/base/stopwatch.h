@@ -1,9 +1,9 @@
 #pragma once
 
-#include "fem/pipeline/base/json.h"
-
 #include <chrono>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace stemware::pipeline
 {
@@ -17,21 +17,15 @@ public:
   void finish(const std::string &stage)
   {
     const auto now = std::chrono::steady_clock::now();
-    seconds[stage] = std::chrono::duration<double>(now - last).count();
+    seconds.emplace_back(stage, std::chrono::duration<double>(now - last).count());
     last = now;
   }
 
-  /// Returns the seconds since the start.
-  double elapsed() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  }
-
   /// Returns the seconds per stage, in order, and "total".
-  nlohmann::ordered_json times() const
+  std::vector<std::pair<std::string, double>> times() const
   {
-    nlohmann::ordered_json all = seconds;
-    all["total"] = std::chrono::duration<double>(last - start).count();
+    std::vector<std::pair<std::string, double>> all = seconds;
+    all.emplace_back("total", std::chrono::duration<double>(last - start).count());
     return all;
   }
 
@@ -39,7 +33,7 @@ private:
   using TimePoint = std::chrono::steady_clock::time_point;
   const TimePoint start = std::chrono::steady_clock::now();
   TimePoint last = start;
-  nlohmann::ordered_json seconds = nlohmann::ordered_json::object();
+  std::vector<std::pair<std::string, double>> seconds;
 };
 
 } // namespace stemware::pipeline

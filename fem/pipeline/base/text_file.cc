@@ -2,8 +2,6 @@
 
 #include "fem/pipeline/base/failures.h"
 
-#include <boost/algorithm/string/trim.hpp>
-
 #include <cerrno>
 #include <cstdio>
 #include <fmt/format.h>
@@ -64,20 +62,6 @@ std::string read_input_text(const std::string &setting, const fs::path &file)
   ensure(fs::file_size(file) <= max_bytes,
          setting + " is larger than 16 MB; leave out rows, or name the right file.");
   return without_byte_order_mark(setting, read_text_file(file));
-}
-
-std::vector<TextLine> read_lines(const std::string &setting, const fs::path &file)
-{
-  std::istringstream stream(read_input_text(setting, file));
-  std::vector<TextLine> lines;
-  std::string text;
-  for (unsigned int number = 1; std::getline(stream, text); ++number)
-  {
-    boost::trim(text);
-    if (!text.empty())
-      lines.push_back({ text, number });
-  }
-  return lines;
 }
 
 } // namespace stemware::pipeline

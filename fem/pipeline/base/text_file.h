@@ -25,14 +25,4 @@ std::string without_byte_order_mark(const std::string &origin, std::string text)
 /// which begins with @p setting, for any other file.
 std::string read_input_text(const std::string &setting, const std::filesystem::path &file);
 
-/// A line of a text file.
-struct TextLine
-{
-  std::string text;        ///< without blanks at its ends; not empty
-  unsigned int number = 0; ///< counted from 1
-};
-
-/// Returns the lines of read_input_text() that are not empty.
-std::vector<TextLine> read_lines(const std::string &setting, const std::filesystem::path &file);
-
 } // namespace stemware::pipeline

@@ -61,11 +61,16 @@ const ring::RingState *end_of(const ring::Answer &row)
                          : nullptr;
 }
 
+Json document_of(const Results &results, const Json &summary = Json::object())
+{
+  return { { "summary", summary }, { "words", results.words }, { "tables", results.tables } };
+}
+
 /// Returns the document of an answer: a subset of the page of `run`, with the same names.
 Json answer_document(const LiveAnswer &found)
 {
   const Study &study = explorer->study();
-  Pictures pictures;
+  Results results;
   Json summary = { { "ring", ring_summary(found.all) },
                    { "paper", ring_summary(found.paper) },
                    { "first_n", found.first_n ? ring_summary(*found.first_n) : Json(nullptr) } };
@@ -85,19 +90,13 @@ Json answer_document(const LiveAnswer &found)
     }
     if (const ring::RingState *first_n = found.first_n ? end_of(*found.first_n) : nullptr)
       summary["first_n"]["load"] = series_summary(first_n->load);
-    add_load_lines(report, pictures);
-    add_motion(study, { { 0, found.all.last_spin().value_or(0), 0, *end } }, pictures);
-    pictures.words["sketch"] = { { "clockwise", study.motion.orbit.sense_sign() < 0 } };
-    pictures.words["spin_unit"] = spin_unit(study);
-    pictures.words["rounding"] = rounding_of_spins(study);
+    add_load_lines(report, results);
+    add_motion(study, { { 0, found.all.last_spin().value_or(0), 0, *end } }, results);
+    results.words["sketch"] = { { "clockwise", study.motion.orbit.sense_sign() < 0 } };
+    results.words["spin_unit"] = study.spin_unit();
+    results.words["rounding"] = study.rounding_of_spins();
   }
-  return { { "summary", summary }, { "words", pictures.words }, { "tables", pictures.tables } };
-}
-
-Json document_of(const Pictures &pictures, const Json &summary = Json::object())
-{
-  return { { "document",
-             { { "summary", summary }, { "words", pictures.words }, { "tables", pictures.tables } } } };
+  return document_of(results, summary);
 }
 
 /// Returns a failure with implausible values, its likely cause.
@@ -184,16 +183,16 @@ const char *explore_pressure()
   return answer(
     [&]
     {
-      Pictures pictures;
+      Results results;
       if (last_contact)
       {
         const fem::PressureMap map = explorer->pressure(*last_contact);
-        pictures.tables["foot"] = {
+        results.tables["foot"] = {
           { "footprint", pressure_map(map, explorer->study().glass.profile.contact_radius,
                                       fem::largest_pressure(map), last_contact->load.peak_pressure) }
         };
       }
-      return document_of(pictures);
+      return Json{ { "document", document_of(results) } };
     });
 }
 
@@ -202,14 +201,14 @@ const char *explore_curves()
   return answer(
     [&]
     {
-      Pictures pictures;
+      Results results;
       if (const std::optional<StudyCurves> curves = explorer->curves())
       {
-        add_torque_columns(curves->torque, friction_torques(curves->paper), pictures);
-        add_spin_up_columns(curves->spin_up, curves->n_first, pictures);
-        add_motion(explorer->study(), curves->spin_up.instants, pictures);
+        add_torque_columns(curves->torque, friction_torques(curves->paper), results);
+        add_spin_up_columns(curves->spin_up, curves->n_first, results);
+        add_motion(explorer->study(), curves->spin_up.instants, results);
       }
-      return document_of(pictures);
+      return Json{ { "document", document_of(results) } };
     });
 }
 
@@ -218,10 +217,10 @@ const char *explore_budget()
   return answer(
     [&]
     {
-      Pictures pictures;
+      Results results;
       const Budget budget = explorer->budget();
-      pictures.tables["waterfall"] = chain_fields().json(named_steps(budget.rows));
-      return document_of(pictures,
-                         { { "harmonic_effect", harmonic_effect_fields().json(budget.harmonics) } });
+      results.tables["waterfall"] = chain_fields().json(named_steps(budget.rows));
+      return Json{ { "document", document_of(results, { { "harmonic_effect", harmonic_effect_fields().json(
+                                                                               budget.harmonics) } }) } };
     });
 }

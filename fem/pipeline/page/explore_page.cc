@@ -140,22 +140,19 @@ Study study_of(const PageOptions &options, const Preset *glass, const Preset *ta
 
 /// Returns the values of @p study that differ from the defaults. The height of the hand determines its
 /// offset.
-std::vector<std::pair<std::string, std::string>> values_of(const Study &study)
+std::vector<std::pair<std::string, std::string>> values_of(const std::vector<StudyEntry> &own)
 {
-  Study defaults, copy = study;
-  const std::vector<StudyEntry> standard = study_entries(defaults), own = study_entries(copy);
   std::vector<std::pair<std::string, std::string>> values;
   for (std::size_t i = 0; i < own.size(); ++i)
-    if (own[i].text() != standard[i].text() && own[i].path() != "Motion/Force offset")
+    if (own[i].text() != default_entries()[i].text() && own[i].path() != "Motion/Force offset")
       values.emplace_back(own[i].path(), own[i].text());
   return values;
 }
 
-std::vector<std::string> acting_entries(const Study &study)
+std::vector<std::string> acting_entries(const std::vector<StudyEntry> &own)
 {
-  Study copy = study;
   std::vector<std::string> acting;
-  for (const StudyEntry &entry : study_entries(copy))
+  for (const StudyEntry &entry : own)
     if (entry.has_effect)
       acting.push_back(entry.path());
   return acting;
@@ -172,7 +169,7 @@ ring::Answer answer_in_page(const Study &study, double fineness, const PagedComp
                             const PagedCompliance *disc)
 {
   Explorer explorer;
-  for (const auto &[path, value] : values_of(study))
+  for (const auto &[path, value] : values_of(entries_of(study)))
     explorer.set(path, value);
   explorer.take(std::make_shared<const fem::ContactCompliance>(deserialized(foot.numbers())), false);
   if (disc)
@@ -198,7 +195,7 @@ public:
   }
 
   std::string bytes;
-  nlohmann::ordered_json places = nlohmann::ordered_json::array();
+  Json places = Json::array();
 
 private:
   std::map<std::string, std::size_t> known;
@@ -215,13 +212,13 @@ Discretisation coarsened(const Study &study, unsigned int max_nodes, fem::Compli
   return mesh;
 }
 
-nlohmann::ordered_json buttons(const std::vector<Preset> &presets, const std::string &own)
+Json buttons(const std::vector<Preset> &presets, const std::string &own)
 {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  Json list = Json::array();
   for (const Preset &preset : presets)
     list.push_back({ { "name", preset.name }, { "words", preset.words }, { "sets", entries_of(preset) } });
   if (presets.empty())
-    list.push_back({ { "name", own }, { "words", "" }, { "sets", nlohmann::ordered_json::array() } });
+    list.push_back({ { "name", own }, { "words", "" }, { "sets", Json::array() } });
   return list;
 }
 
@@ -329,31 +326,29 @@ LivePart live_part(const PageOptions &options, const std::string &solver, fem::C
               { solved[i] = solve_pair(options, wanted[i].first, wanted[i].second, cache); });
 
   Bodies bodies;
-  nlohmann::ordered_json pairs;
+  Json pairs;
   for (const std::optional<SolvedPair> &one : solved)
   {
     const PagePair &pair = one->pair;
-    nlohmann::ordered_json discs = nlohmann::ordered_json::array();
+    const std::vector<StudyEntry> entries = entries_of(one->study);
+    Json discs = Json::array();
     for (const auto &[radius, disc] : one->discs)
       discs.push_back({ rounded(radius, 6), bodies.add(disc) });
-    pairs[pair.glass + '|' + pair.table] = {
-      { "values", values_of(one->study) },
-      { "acts", acting_entries(one->study) },
-      { "foot", bodies.add(one->foot) },
-      { "disc", one->disc ? nlohmann::ordered_json(bodies.add(*one->disc)) : nlohmann::ordered_json() },
-      { "discs", discs },
-      { "fineness", one->fineness },
-      { "nodes", pair.n_nodes },
-      { "omega", pair.omega },
-      { "here", one->here },
-      { "band", pair.band }
-    };
+    pairs[pair.glass + '|' + pair.table] = { { "values", values_of(entries) },
+                                             { "acts", acting_entries(entries) },
+                                             { "foot", bodies.add(one->foot) },
+                                             { "disc", one->disc ? Json(bodies.add(*one->disc)) : Json() },
+                                             { "discs", discs },
+                                             { "fineness", one->fineness },
+                                             { "nodes", pair.n_nodes },
+                                             { "omega", pair.omega },
+                                             { "here", one->here },
+                                             { "band", pair.band } };
     done(pair);
   }
 
-  Study defaults;
-  nlohmann::ordered_json entries;
-  for (const StudyEntry &entry : study_entries(defaults))
+  Json entries;
+  for (const StudyEntry &entry : default_entries())
     entries[entry.path()] = entry.text();
   return { { { "version", program_version() },
              { "tolerance", tolerance },

@@ -8,6 +8,9 @@
 namespace stemware::pipeline
 {
 
+namespace
+{
+
 void require_live(const Study &study)
 {
   ensure(study.load.is_from_contact(), "A page needs a contact to solve; set Load/Source = contact.");
@@ -19,6 +22,8 @@ void require_live(const Study &study)
          "A page reads no files; leave Glass/Profile file and Motion/Orbit speed file empty.");
   ensure(study.contact.goal == Goal::none, "A page keeps its mesh; set Contact/Goal = none.");
 }
+
+} // namespace
 
 LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache, const Discretisation &discretisation,
                        double ratio)

@@ -16,12 +16,9 @@ struct LiveBodies
   std::optional<fem::ContactCompliance> disc; ///< std::nullopt on a rigid substrate
 };
 
-/// Throws BadInput for studies that an Explorer does not support: solid body, drawn profile, waviness, files.
-void require_live(const Study &study);
-
 /// Returns the compliances of foot and disc of @p study in the expected contact zone. For a similar foot, @p
-/// ratio times as large, the disc is as many times smaller beside the foot: Explorer scales both. Throws as
-/// require_live().
+/// ratio times as large, the disc is as many times smaller beside the foot: Explorer scales both. Throws
+/// BadInput for studies that an Explorer does not support: solid body, drawn profile, waviness, files.
 LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache,
                        const Discretisation &discretisation = {}, double ratio = 1);
 

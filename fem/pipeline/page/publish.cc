@@ -19,7 +19,6 @@ namespace stemware::pipeline
 {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 namespace
 {
@@ -59,7 +58,6 @@ std::string text_of(const ResultFile &file)
 /// Returns the document of the page: the summary without parts that the page does not show.
 Json page_document(const Results &results, Json summary)
 {
-  summary.erase("files");
   for (const char *load : { "load", "load_at_terminal", "load_at_fall" })
     if (summary.contains(load) && summary[load].is_object())
       summary[load].erase("rings");
@@ -72,20 +70,16 @@ Json page_document(const Results &results, Json summary)
 }
 
 /// Writes all files except the fields into @p place, a folder that is later renamed to @p final_place.
-void write_results(const StudyOptions &options, const std::optional<Study> &study, const Results &results,
-                   Stopwatch &stopwatch, const fs::path &place, const fs::path &final_place)
+void write_results(const StudyOptions &options, Results &results, Stopwatch &stopwatch, const fs::path &place,
+                   const fs::path &final_place)
 {
   for (const ResultFile &file : results.files)
     if (!std::holds_alternative<std::monostate>(file.content))
       write_text_file(place / file.name, text_of(file));
   stopwatch.finish("tables");
-  std::optional<Study> echo;
-  if (study)
-  {
-    echo = with_paths_from(final_place, *study);
-    write_text_file(place / "parameters.prm", study_as_prm(*echo));
-  }
-  Json summary = summary_of(options.verb, echo, results.findings);
+  results.study = with_paths_from(final_place, results.study);
+  write_text_file(place / "parameters.prm", study_as_prm(results.study));
+  Json summary = summary_of(options.verb, results);
   write_text_file(place / "report.html",
                   page_of(page_document(results, summary), results.words["title"], results.words["answer"]));
   stopwatch.finish("report");
@@ -95,7 +89,10 @@ void write_results(const StudyOptions &options, const std::optional<Study> &stud
   summary["files"] = files;
   write_text_file(place / "summary.json", dump_utf8(summary, 2) + "\n");
   stopwatch.finish("summary");
-  write_text_file(place / "timings.json", Json(stopwatch.times()).dump(2) + "\n");
+  Json timings = Json::object();
+  for (const auto &[stage, seconds] : stopwatch.times())
+    timings[stage] = seconds;
+  write_text_file(place / "timings.json", timings.dump(2) + "\n");
 }
 
 /// Prints the console text and @p final_place.
@@ -112,26 +109,24 @@ void print(const StudyOptions &options, const Results &results, const fs::path &
                 { "results", place.string() },
                 { "summary", (place / "summary.json").string() },
                 { "report", report } };
-  line.update(results.findings.key_figures);
+  line.update(results.key_figures);
   std::cout << dump_utf8(line) << std::endl;
 }
 
 } // namespace
 
-Json summary_of(const std::string &verb, const std::optional<Study> &study, const Findings &findings)
+Json summary_of(const std::string &verb, const Results &results)
 {
   Json summary = { { "schema", 3 },
                    { "program", { { "version", program_version() }, { "revision", program_revision() } } },
-                   { "verb", verb } };
-  if (study)
-    summary["parameters"] = study_as_json(*study);
-  summary.update(findings.summary);
+                   { "verb", verb },
+                   { "parameters", study_as_json(results.study) } };
+  summary.update(results.summary);
   require_finite(summary, "summary");
   return summary;
 }
 
-void publish(const StudyOptions &options, const std::optional<Study> &study, Results results,
-             ResultsFolder &folder, Stopwatch &stopwatch)
+void publish(const StudyOptions &options, Results results, ResultsFolder &folder, Stopwatch &stopwatch)
 {
   // The folder is complete before it gets its final name.
   folder.open();
@@ -140,17 +135,16 @@ void publish(const StudyOptions &options, const std::optional<Study> &study, Res
   on_first_rank(
     [&]
     {
-      write_results(options, study, results, stopwatch, folder.working_folder(), folder.final_folder());
+      write_results(options, results, stopwatch, folder.working_folder(), folder.final_folder());
       folder.publish();
     });
   if (is_first_rank())
     print(options, results, folder.final_folder());
 }
 
-void publish_in(const fs::path &folder, const StudyOptions &options, const std::optional<Study> &study,
-                const Results &results, Stopwatch &stopwatch)
+void publish_in(const fs::path &folder, const StudyOptions &options, Results results, Stopwatch &stopwatch)
 {
-  write_results(options, study, results, stopwatch, folder, fs::absolute(folder));
+  write_results(options, results, stopwatch, folder, fs::absolute(folder));
   print(options, results, fs::absolute(folder));
 }
 

@@ -3,31 +3,26 @@
 #include "fem/pipeline/base/output.h"
 #include "fem/pipeline/base/stopwatch.h"
 #include "fem/pipeline/result/results.h"
-#include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_options.h"
-
-#include <optional>
 
 namespace stemware::pipeline
 {
 
-/// Returns summary.json of a verb without "files": "schema", "program", "verb", "parameters", and @p
-/// findings. Throws std::runtime_error for a finding that is not finite, which JSON cannot represent.
-nlohmann::ordered_json summary_of(const std::string &verb, const std::optional<Study> &study,
-                                  const Findings &findings);
+/// Returns summary.json of a verb without "files": "schema", "program", "verb", "parameters" of the study,
+/// and the summary of @p results. Throws std::runtime_error for a number that is not finite, which JSON
+/// cannot represent.
+Json summary_of(const std::string &verb, const Results &results);
 
 /// Publishes the results of a verb; collective. Each rank writes its fields of @p results into the working
 /// folder, the first rank everything else: the files with content, report.html, and at the end
-/// parameters.prm, summary.json ("schema", "program", "verb", "parameters", findings, "files") and
+/// parameters.prm, summary.json (summary_of() and "files") and
 /// timings.json. It then renames the folder and prints the console's text and the location. With --json the
-/// last line of standard output is {"verb", "results", "summary", "report", key figures}. Without a study
-/// parameters.prm and "parameters" are omitted. Throws OutputFailure, and std::runtime_error for a finding
-/// that is not finite.
-void publish(const StudyOptions &options, const std::optional<Study> &study, Results results,
-             ResultsFolder &folder, Stopwatch &stopwatch);
+/// last line of standard output is {"verb", "results", "summary", "report", key figures}. Throws
+/// OutputFailure, and as summary_of().
+void publish(const StudyOptions &options, Results results, ResultsFolder &folder, Stopwatch &stopwatch);
 
 /// Writes the same files into the existing @p folder, on one rank: for a sweep, whose rows are already there.
-void publish_in(const std::filesystem::path &folder, const StudyOptions &options,
-                const std::optional<Study> &study, const Results &results, Stopwatch &stopwatch);
+void publish_in(const std::filesystem::path &folder, const StudyOptions &options, Results results,
+                Stopwatch &stopwatch);
 
 } // namespace stemware::pipeline

@@ -7,15 +7,12 @@
 #include "fem/pipeline/analysis/sweep_case.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/base/console.h"
-#include "fem/pipeline/base/json.h"
 #include "fem/pipeline/base/program.h"
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/coupling/failure_sentence.h"
 #include "fem/pipeline/page/publish.h"
-#include "fem/pipeline/result/convergence_results.h"
-#include "fem/pipeline/result/run_results.h"
 #include "fem/pipeline/result/schema.h"
-#include "fem/pipeline/result/truncation_results.h"
+#include "fem/pipeline/result/verb_results.h"
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/study/study_checks.h"
@@ -127,11 +124,10 @@ struct Start
 struct Found
 {
   std::string verb;
-  Study study;
   Results results;
   std::shared_ptr<const StudyAnswer> answer = {}; ///< of run
 
-  std::string document() const { return dump_utf8(summary_of(verb, study, results.findings)); }
+  std::string document() const { return dump_utf8(summary_of(verb, results)); }
 
   /// Writes the program's folder of results.
   void save(const std::string &folder) const
@@ -143,7 +139,7 @@ struct Found
     direct_console(true, false);
     ResultsFolder place(folder);
     Stopwatch stopwatch;
-    publish(options, study, results, place, stopwatch);
+    publish(options, results, place, stopwatch);
   }
 };
 
@@ -161,22 +157,18 @@ Found results_of(const std::string &verb, const Study &given, bool quick, unsign
   const auto work = [&](Progress &progress, const Executor &executor) -> Found
   {
     const Study study = checked(given);
-    if (verb == "truncate")
-    {
-      const TruncatedStudy answer = truncate_study(study, executor, progress);
-      return { verb, study,
-               make_truncation_document(study, answer.load, answer.rows, answer.torque_effects) };
-    }
     if (verb == "converge")
     {
       std::vector<RefinementAxis> axes = refinement_axes(study, n_levels);
       const ErrorBands bands = converge_study(study, axes, executor, progress);
-      return { verb, study, make_document(study, axes, bands) };
+      return { verb, convergence_results(study, axes, bands) };
     }
-    const auto answer = std::make_shared<StudyAnswer>(answer_study(
-      study, quick ? Depth::answer : Depth::full, executor, progress, false, start ? &start->foot : nullptr));
-    return { verb, study, make_document(study, answer->contact, answer->spin, answer->bands, answer->goal),
-             answer };
+    const bool truncates = verb == "truncate";
+    const Depth depth = truncates ? Depth::rows : quick ? Depth::answer : Depth::full;
+    const auto answer = std::make_shared<StudyAnswer>(
+      answer_study(study, depth, executor, progress, false, start ? &start->foot : nullptr));
+    return { verb, truncates ? truncation_results(*answer) : run_results(*answer),
+             truncates ? nullptr : answer };
   };
   return solved(listener, n_threads, work);
 }

@@ -130,40 +130,50 @@ std::string key_of_band(const BandedQuantity &banded)
   return banded.quantity.key;
 }
 
-const Fields<HarmonicsRow> &harmonics_fields()
+std::vector<Truncation> truncations_of(const StudyAnswer &answer)
 {
-  using Row = HarmonicsRow;
-  static const auto fields = Fields<Row>{
+  return truncations_of(answer.spin.rows, answer.spin.torque_effects, answer.study.spin_scale());
+}
+
+const Fields<StudyAnswer> &harmonics_fields()
+{
+  using Answer = StudyAnswer;
+  static const auto fields = Fields<Answer>{
     { "load", "The load on the table at rest.", load_fields(),
-      [](const Row &row) -> const LoadReport & { return row.load; } },
+      [](const Answer &answer) { return answer.contact.load; } },
     { "harmonic_effect", "Effect of the harmonics beyond the first on the terminal spin.",
-      harmonic_effect_fields(), &Row::effect },
+      harmonic_effect_fields(), [](const Answer &answer) { return answer.spin.budget.harmonics; } },
     { "torque_effect",
       "Effect of all harmonics beyond the first on the torque of friction; null if the load has one "
       "harmonic.",
       torque_change_fields(),
-      [](const Row &row) { return row.rows.size() < 2 ? nullptr : &row.rows.back(); } },
+      [](const Answer &answer)
+      {
+        const std::vector<Truncation> rows = truncations_of(answer);
+        return rows.size() < 2 ? std::nullopt : std::optional(rows.back());
+      } },
     { "truncation",
       "The answer by the number of harmonics. Torques are of one load, the complete study's, cut after n; "
       "each terminal spin is a balance of its own, and null if only those of the first and of all are "
       "solved.",
-      truncation_fields(), &Row::rows }
+      truncation_fields(), [](const Answer &answer) { return truncations_of(answer); } }
   };
   return fields;
 }
 
-void add_truncations(const std::vector<Truncation> &rows, const ring::TorqueEffects &effects,
-                     Document &document)
+void add_truncations(const StudyAnswer &answer, Results &results)
 {
-  document.add_table("truncations", truncation_fields().table(shown_truncations(rows), Face::page));
+  const ring::TorqueEffects &effects = answer.spin.torque_effects;
+  results.add_table("truncations",
+                    truncation_fields().table(shown_truncations(truncations_of(answer)), Face::page));
   std::vector<std::pair<std::string, std::vector<double>>> curves = { { "omega", effects.spins } };
   for (const ring::TorqueEffect &effect : effects.rows)
     if (effect.harmonics > 1)
       curves.emplace_back(std::to_string(effect.harmonics), effect.curve);
-  document.add_columns("torque_changes", curves);
+  results.add_columns("torque_changes", curves);
 }
 
-void add_bands(const std::vector<BandedQuantity> &bands, Document &document)
+void add_band_tables(const std::vector<BandedQuantity> &bands, Results &results)
 {
   static const auto fields = Fields<BandedQuantity>{
     { "quantity", "", "", title_of_band, on_page("quantity") },
@@ -183,14 +193,14 @@ void add_bands(const std::vector<BandedQuantity> &bands, Document &document)
   std::vector<BandedQuantity> listed;
   std::copy_if(bands.begin(), bands.end(), std::back_inserter(listed),
                [](const BandedQuantity &each) { return !each.is_zero(); });
-  document.add_table("bands", fields.table(listed, Face::page));
+  results.add_table("bands", fields.table(listed, Face::page));
   Fields<BandedQuantity> parts;
   parts.add({ "quantity", "", "", title_of_band, on_page("quantity") });
   for (const auto &[key, heading, description] : band_parts)
     if (std::any_of(listed.begin(), listed.end(), part_of(key)))
       parts.add({ heading, "1", "", part_of(key), on_page(heading), with_digits("band") });
   if (parts.all().size() > 1)
-    document.add_table("band_parts", parts.table(listed, Face::page));
+    results.add_table("band_parts", parts.table(listed, Face::page));
 }
 
 } // namespace stemware::pipeline

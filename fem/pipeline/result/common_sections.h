@@ -2,9 +2,8 @@
 
 #include "fem/pipeline/analysis/quantities_of_interest.h"
 #include "fem/pipeline/analysis/ring_quantities.h"
-#include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/coupling/contact_report.h"
-#include "fem/pipeline/result/document.h"
+#include "fem/pipeline/analysis/study_answer.h"
+#include "fem/pipeline/result/results.h"
 
 #include <optional>
 #include <string>
@@ -25,25 +24,25 @@ Fields<BandedQuantity> band_fields(bool with_richardson);
 /// Returns the key of a quantity with its error band.
 std::string key_of_band(const BandedQuantity &banded);
 
-/// The load at rest, and the effects of its harmonics.
-struct HarmonicsRow
-{
-  const LoadReport &load;
-  HarmonicEffect effect;
-  std::vector<Truncation> rows;
-};
+/// Returns the rows of "truncation".
+std::vector<Truncation> truncations_of(const StudyAnswer &answer);
 
 /// Returns "load", "harmonic_effect", "torque_effect" and "truncation" of summary.json.
-const Fields<HarmonicsRow> &harmonics_fields();
+const Fields<StudyAnswer> &harmonics_fields();
+
+/// Returns the summary of `run`.
+const Fields<StudyAnswer> &run_fields();
 
 // ---- tables of the page
 
-/// Adds the table "truncations" and, with the curves of @p effects, the picture "torque_changes".
-void add_truncations(const std::vector<Truncation> &rows, const ring::TorqueEffects &effects,
-                     Document &document);
+/// Returns the numbers of the contact that the page shows, one column each.
+Table contact_list(const FootReport &foot);
+
+/// Adds the table "truncations" and the picture "torque_changes".
+void add_truncations(const StudyAnswer &answer, Results &results);
 
 /// Adds the tables "bands" and "band_parts".
-void add_bands(const std::vector<BandedQuantity> &bands, Document &document);
+void add_band_tables(const std::vector<BandedQuantity> &bands, Results &results);
 
 // ---- data files
 

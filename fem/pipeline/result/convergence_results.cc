@@ -1,9 +1,8 @@
-#include "fem/pipeline/result/convergence_results.h"
-
 #include "fem/pipeline/base/numbers.h"
-#include "fem/pipeline/result/answers.h"
 #include "fem/pipeline/result/common_sections.h"
+#include "fem/pipeline/result/number_format.h"
 #include "fem/pipeline/result/study_words.h"
+#include "fem/pipeline/result/verb_results.h"
 #include "fem/pipeline/study/study_size.h"
 
 namespace stemware::pipeline
@@ -45,67 +44,34 @@ Fields<LevelRow> level_fields(const ErrorBands &bands)
   return fields;
 }
 
-/// A quantity on the levels of an axis.
-struct SequenceRow
-{
-  std::string key;
-  RefinementSequence sequence;
-};
-
-/// An axis with the quantities of @p bands.
-struct AxisRow
-{
-  const RefinementAxis &axis;
-  const ErrorBands &bands;
-
-  std::vector<SequenceRow> sequences() const
-  {
-    std::vector<SequenceRow> rows;
-    for (std::size_t i = 0; i < bands.size(); ++i)
-      rows.push_back({ bands[i].quantity.key, axis.quantities[i] });
-    return rows;
-  }
-};
-
 /// Source of the members of `converge`'s summary.
 struct ConvergeRow
 {
   const std::vector<RefinementAxis> &axes;
   const ErrorBands &bands;
-
-  std::vector<AxisRow> rows() const
-  {
-    std::vector<AxisRow> rows;
-    for (const RefinementAxis &axis : axes)
-      rows.push_back({ axis, bands });
-    return rows;
-  }
 };
 
 const Fields<ConvergeRow> &converge_fields()
 {
-  const auto of_sequence = [](auto member)
-  { return [=](const SequenceRow &row) { return row.sequence.*member; }; };
-  const auto of_axis = [](auto member) { return [=](const AxisRow &row) { return row.axis.*member; }; };
+  using Axis = RefinementAxis;
+  using Sequence = RefinementSequence;
   static const auto sequence_fields =
-    Fields<SequenceRow>{ { "values", "", "Its values.", of_sequence(&RefinementSequence::values) },
-                         { "order", "", "Observed order.", of_sequence(&RefinementSequence::order) },
-                         { "limit", "", "Limit of the values.", of_sequence(&RefinementSequence::limit) },
-                         { "bands", "", "Half-widths of the error bands.",
-                           of_sequence(&RefinementSequence::bands) } };
-  static const auto axis_fields = Fields<AxisRow>{
-    { "name", "", "Refined parameter.", of_axis(&RefinementAxis::name) },
-    { "size", "", "Unit of the levels.", of_axis(&RefinementAxis::size) },
-    { "levels", "", "Sizes of the levels.", of_axis(&RefinementAxis::sizes) },
-    { "own_level", "", "Index of the study's own level, from 0.", of_axis(&RefinementAxis::own) },
-    { "figures", "Quantities by key.", sequence_fields, &AxisRow::sequences, ByKey{ &SequenceRow::key } }
-  };
+    Fields<Sequence>{ { "values", "", "Its values.", &Sequence::values },
+                      { "order", "", "Observed order.", &Sequence::order },
+                      { "limit", "", "Limit of the values.", &Sequence::limit },
+                      { "bands", "", "Half-widths of the error bands.", &Sequence::bands } };
+  static const auto axis_fields =
+    Fields<Axis>{ { "name", "", "Refined parameter.", &Axis::name },
+                  { "size", "", "Unit of the levels.", &Axis::size },
+                  { "levels", "", "Sizes of the levels.", &Axis::sizes },
+                  { "own_level", "", "Index of the study's own level, from 0.", &Axis::own },
+                  { "figures", "Quantities by key.", sequence_fields, &Axis::quantities,
+                    ByKey{ &Sequence::key } } };
   static const auto fields =
     Fields<ConvergeRow>{ { "refinement", "Axes of refinement of `converge`, by key.", axis_fields,
-                           &ConvergeRow::rows, ByKey{ [](const AxisRow &row) { return row.axis.key; } } },
+                           [](const ConvergeRow &row) { return row.axes; }, ByKey{ &Axis::key } },
                          { "error_bands", "Error bands by quantity.", band_fields(true),
-                           [](const ConvergeRow &row) -> const ErrorBands & { return row.bands; },
-                           ByKey{ key_of_band } } };
+                           [](const ConvergeRow &row) { return row.bands; }, ByKey{ key_of_band } } };
   return fields;
 }
 
@@ -129,6 +95,19 @@ Table spin_band_table(const std::vector<SpinBandRow> &rows, Face face)
                       face == Face::console ? "Error band of the terminal spin, axis by axis" : "");
 }
 
+/// Terminal spin with its band, the observed order on the first axis, and the Richardson value.
+std::string convergence_answer(const BandedQuantity &spin, const std::string &first_axis,
+                               const std::optional<double> &order)
+{
+  return "Terminal spin " + format::with_band(spin.quantity.value, spin.band) +
+         " rad/s (discretisation only)" +
+         (order ? "; it converges with order " + format::number(*order, ".2f") + " in the " + first_axis
+                : "") +
+         ", Richardson value " + format::rounded_to_error(spin.richardson, spin.band) +
+         " rad/s. The band of stemware run differs: its levels are coarser, and it has parts for rings, load "
+         "harmonics and the spring of a hard interface.";
+}
+
 } // namespace
 
 Json converge_schema()
@@ -145,11 +124,12 @@ Table level_table(const std::vector<RefinementAxis> &axes, const ErrorBands &ban
   return level_fields(bands).table(rows, Face::file);
 }
 
-Results make_document(const Study &study, const std::vector<RefinementAxis> &axes, const ErrorBands &bands)
+Results convergence_results(const Study &study, const std::vector<RefinementAxis> &axes,
+                            const ErrorBands &bands)
 {
   const std::size_t index = index_of(bands, "omega_terminal");
   const BandedQuantity &spin = bands[index];
-  Results results = { document_of(study, "discretisation error") };
+  Results results = begun_results(study, "discretisation error");
   std::vector<SpinBandRow> rows;
   for (const RefinementAxis &axis : axes)
   {
@@ -158,13 +138,12 @@ Results make_document(const Study &study, const std::vector<RefinementAxis> &axe
                      judged.bands[axis.own], judged.order });
   }
   rows.push_back({ "all together", "", spin.band, std::nullopt });
-  results.findings.summary = converge_fields().json({ axes, bands });
-  results.findings.key_figures = { { "omega_terminal", spin.quantity.value },
-                                   { "omega_terminal_band", spin.band } };
+  results.summary = converge_fields().json({ axes, bands });
+  results.key_figures = { { "omega_terminal", spin.quantity.value }, { "omega_terminal_band", spin.band } };
   results.words["answer"] = convergence_answer(spin, axes.front().name, axes.front().quantities[index].order);
   results.words["rounding"] = spin.quantity.rounding;
   results.add_table("spin_bands", spin_band_table(rows, Face::page));
-  add_bands(bands, results);
+  add_band_tables(bands, results);
   results.files = { { "summary.json", "everything, for programs" },
                     { "converge.csv", "the values on every level of each axis", level_table(axes, bands) },
                     { "parameters.prm", "the refined study" } };

@@ -2,6 +2,7 @@
 
 #include "fem/contact/footprint.h"
 #include "fem/geometry/section_view.h"
+#include "fem/pipeline/result/pictures.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -13,8 +14,6 @@ namespace stemware::pipeline
 
 namespace
 {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double millimetres = 1e3, micrometres = 1e6; ///< of a metre
 
@@ -28,7 +27,7 @@ double round_down(double factor)
 /// A length of a drawing of the whole foot [mm], to a hundredth, a part of a pixel.
 Json drawn(double length)
 {
-  return shortened(std::round(1e2 * length * millimetres) / 1e2);
+  return rounded_number(std::round(1e2 * length * millimetres) / 1e2);
 }
 
 /// Quadrilaterals of a loaded section with displacements drawn larger, and their stresses of von Mises [MPa].
@@ -60,12 +59,12 @@ Json stresses(const std::vector<fem::StressedPatch> &section)
           z.push_back(drawn(corner->z + magnification * corner->displacement_z));
           mean += corner->von_mises / 4;
         }
-        values.push_back(shortened(mean * 1e-6, 3));
+        values.push_back(rounded_number(mean * 1e-6, 3));
       }
   return { { "x", x },
            { "z", z },
            { "stress", values },
-           { "largest", shortened(stress * 1e-6) },
+           { "largest", rounded_number(stress * 1e-6) },
            { "magnification", magnification },
            { "move", move * micrometres } };
 }
@@ -84,8 +83,8 @@ Json section_of(const std::vector<fem::SectionPolygon> &cells, double contact_ra
       radii.push_back(corner[0] * millimetres);
       heights.push_back(corner[1] * millimetres);
     }
-    x.push_back(shortened(radii, 5));
-    z.push_back(shortened(heights, 4));
+    x.push_back(rounded_number(radii, 5));
+    z.push_back(rounded_number(heights, 4));
   }
   return { { "x", x },
            { "z", z },
@@ -101,12 +100,11 @@ Json section_of(const std::vector<fem::SectionPolygon> &cells, double contact_ra
 
 } // namespace
 
-void add_foot_pictures(const Study &study, const FootReport &foot, const ErrorBands &bands,
-                       Document &document)
+void add_foot_pictures(const Study &study, const FootReport &foot, const ErrorBands &bands, Results &results)
 {
   constexpr double share_of_radius = 0.12;
   const double radius = study.glass.profile.contact_radius;
-  Json &pictures = document.tables["foot"];
+  Json &pictures = results.tables["foot"];
   double largest = fem::largest_pressure(foot.footprint);
   if (foot.footprint_at_end)
     largest = std::max(largest, fem::largest_pressure(*foot.footprint_at_end)); // one scale for both

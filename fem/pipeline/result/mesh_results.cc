@@ -64,10 +64,10 @@ std::string rim_text(const fem::MeshReport &report)
 
 } // namespace
 
-nlohmann::ordered_json mesh_summary(const MeshFindings &findings)
+Json mesh_summary(const MeshFindings &findings)
 {
   const fem::MeshCheck &check = findings.check;
-  nlohmann::ordered_json json = {
+  Json json = {
     { "mesh", findings.origin },
     { "cells", check.n_cells },
     { "vertices", check.n_vertices },

@@ -3,7 +3,7 @@
 #include "fem/geometry/boundary_ids.h"
 #include "fem/geometry/mesh_io.h"
 #include "fem/geometry/mesh_quality.h"
-#include "fem/pipeline/base/json.h"
+#include "fem/pipeline/analysis/quantity.h"
 
 #include <optional>
 #include <string>
@@ -23,6 +23,6 @@ struct MeshFindings
 std::string mesh_text(const MeshFindings &findings);
 
 /// Returns the machine-readable description, in SI units.
-nlohmann::ordered_json mesh_summary(const MeshFindings &findings);
+Json mesh_summary(const MeshFindings &findings);
 
 } // namespace stemware::pipeline

@@ -16,6 +16,13 @@ double second_digit(double value)
   return std::pow(10., std::floor(std::log10(value)) - 1);
 }
 
+/// The number of decimals that show two digits of @p spread.
+int decimals_of(double spread)
+{
+  constexpr int of_nothing = 6;
+  return spread > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(spread)))) : of_nothing;
+}
+
 } // namespace
 
 std::string number(double value, const std::string &digits)
@@ -43,12 +50,6 @@ std::string number(double value, const std::string &digits)
     return missing;
   const bool is_nothing = value == 0 && (digits.front() == '+' || digits.back() == 'e') && digits[0] != '#';
   return is_nothing ? "0" : fmt::format(fmt::runtime("{:" + digits + "}"), value);
-}
-
-int decimals_of(double spread)
-{
-  constexpr int of_nothing = 6;
-  return spread > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(spread)))) : of_nothing;
 }
 
 std::string rounded_to_error(double value, double spread)

@@ -24,9 +24,6 @@ inline constexpr char missing[] = "–";
 ///   short     three digits, and no power of ten for large ones: "0.27", "2110"
 std::string number(double value, const std::string &digits);
 
-/// Returns the number of decimals that show two digits of @p spread.
-int decimals_of(double spread);
-
 /// Returns @p value rounded to two digits of @p spread, its error or scatter: "-3.6489" for a spread of
 /// 0.0002.
 std::string rounded_to_error(double value, double spread);

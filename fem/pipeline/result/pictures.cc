@@ -1,14 +1,12 @@
 #include "fem/pipeline/result/pictures.h"
 
 #include "fem/contact/footprint.h"
-#include "fem/pipeline/base/numbers.h"
 #include "ring_model/rim_slip.h"
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 
 namespace stemware::pipeline
@@ -17,7 +15,6 @@ namespace stemware::pipeline
 namespace
 {
 
-using Json = nlohmann::ordered_json;
 using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
 
 using boost::math::double_constants::degree;
@@ -64,7 +61,7 @@ Json thousandths(std::vector<double> values)
 {
   for (double &value : values)
     value = std::round(1e3 * value) / 1e3;
-  return shortened(values);
+  return rounded_number(values);
 }
 
 /// Values of @p rows by a member or function.
@@ -79,53 +76,24 @@ std::vector<double> column_of(const Rows &rows, Value value)
 
 } // namespace
 
-void Pictures::add_columns(const std::string &name,
-                           const std::vector<std::pair<std::string, std::vector<double>>> &columns)
+void add_load_lines(const LoadReport &report, Results &results)
 {
-  Json &shown = tables[name] = { { "keys", Json::array() }, { "values", Json::array() } };
-  for (const auto &[key, numbers] : columns)
-  {
-    shown["keys"].push_back(key);
-    shown["values"].push_back(shortened(numbers));
-  }
-}
-
-Json shortened(double value, int n_digits)
-{
-  if (!std::isfinite(value))
-    return nullptr;
-  const double number = rounded(value, n_digits);
-  if (number == std::round(number) && std::abs(number) < 1e15)
-    return static_cast<std::int64_t>(number); // 3 is shorter than 3.0
-  return number;
-}
-
-Json shortened(const std::vector<double> &values, int n_digits)
-{
-  Json list = Json::array();
-  for (const double value : values)
-    list.push_back(shortened(value, n_digits));
-  return list;
-}
-
-void add_load_lines(const LoadReport &report, Pictures &pictures)
-{
-  pictures.tables["load_lines"] = nullptr;
+  results.tables["load_lines"] = nullptr;
   if (!(report.contact_fraction < 1) || report.pointwise.empty())
     return;
   std::vector<fem::AzimuthLoad> lines = report.pointwise;
   lines.push_back({ lines.front().azimuth + boost::math::double_constants::two_pi, lines.front().density });
   const double mean = report.rings.a(0);
-  pictures.add_columns(
+  results.add_columns(
     "load_lines", { { "theta", column_of(lines, [](const auto &line) { return line.azimuth / degree; }) },
                     { "load", column_of(lines, [=](const auto &line) { return line.density / mean; }) } });
 }
 
 void add_slip_columns(const std::string &name, const ring::Motion &motion, double radius,
-                      const ring::RingStack &load, double omega, Pictures &pictures)
+                      const ring::RingStack &load, double omega, Results &results)
 {
   const std::vector<ring::RimSlip> places = ring::rim_slip(motion, radius, load, omega);
-  pictures.add_columns(
+  results.add_columns(
     name, { { "theta", column_of(places, [](const ring::RimSlip &place) { return place.azimuth / degree; }) },
             { "slip_x", column_of(places, &ring::RimSlip::slip_x) },
             { "slip_y", column_of(places, &ring::RimSlip::slip_y) },
@@ -134,12 +102,12 @@ void add_slip_columns(const std::string &name, const ring::Motion &motion, doubl
             { "torque", column_of(places, torque_of) } });
 }
 
-void add_motion(const Study &study, const std::vector<ring::Instant> &instants, Pictures &pictures)
+void add_motion(const Study &study, const std::vector<ring::Instant> &instants, Results &results)
 {
   constexpr unsigned int n_places = 48;
   const ring::Motion &motion = study.motion.orbit;
   const double rate = motion.sense_sign() * motion.orbit_speed / motion.orbit_radius;
-  Json &rows = pictures.tables["motion"] = Json::array();
+  Json &rows = results.tables["motion"] = Json::array();
   for (const ring::Instant &instant : instants)
   {
     const ring::RingState &state = instant.state;
@@ -157,19 +125,19 @@ void add_motion(const Study &study, const std::vector<ring::Instant> &instants, 
     // The hand accelerates the glass against the friction of the table.
     const Eigen::Vector2d hand = motion.total_mass() * motion.acceleration() -
                                  Eigen::Vector2d(state.friction.force_x, state.friction.force_y);
-    rows.push_back({ { "time", shortened(instant.time) },
-                     { "omega", shortened(instant.omega) },
-                     { "yaw", shortened(instant.yaw_angle) },
-                     { "orbit", shortened(rate * instant.time) },
-                     { "torque", shortened(state.torque()) },
-                     { "hand", { shortened(hand.x(), 4), shortened(hand.y(), 4) } },
+    rows.push_back({ { "time", rounded_number(instant.time) },
+                     { "omega", rounded_number(instant.omega) },
+                     { "yaw", rounded_number(instant.yaw_angle) },
+                     { "orbit", rounded_number(rate * instant.time) },
+                     { "torque", rounded_number(state.torque()) },
+                     { "hand", { rounded_number(hand.x(), 4), rounded_number(hand.y(), 4) } },
                      { "load", thousandths(load) },
                      { "friction", { thousandths(friction_x), thousandths(friction_y) } },
-                     { "turns", shortened(turns) } });
+                     { "turns", rounded_number(turns) } });
   }
 }
 
-void add_torque_columns(const TorqueCurve &curve, const std::vector<double> &of_paper, Pictures &pictures)
+void add_torque_columns(const TorqueCurve &curve, const std::vector<double> &of_paper, Results &results)
 {
   Columns columns = { { "omega", thinned(curve.omega) },
                       { "all", thinned(column_of(curve.friction, &ring::Wrench::torque)) } };
@@ -177,31 +145,31 @@ void add_torque_columns(const TorqueCurve &curve, const std::vector<double> &of_
     columns.emplace_back("up_to_" + std::to_string(curve.harmonics[i]), thinned(curve.truncations[i]));
   if (!of_paper.empty())
     columns.emplace_back("paper", thinned(of_paper));
-  pictures.add_columns("torque", columns);
+  results.add_columns("torque", columns);
 }
 
-void add_spin_up_columns(const SpinUpCurves &curves, unsigned int n_first, Pictures &pictures)
+void add_spin_up_columns(const SpinUpCurves &curves, unsigned int n_first, Results &results)
 {
   Columns columns = { { "time", thinned(curves.time) }, { "all", thinned(curves.adaptive) } };
   if (!curves.first_harmonic.empty() && n_first > 0)
     columns.emplace_back("up_to_" + std::to_string(n_first), thinned(curves.first_harmonic));
   columns.emplace_back("paper", thinned(curves.paper));
-  pictures.add_columns("spin_up", columns);
+  results.add_columns("spin_up", columns);
   if (curves.driven)
-    pictures.add_columns("driven", { { "time", thinned(curves.driven->time) },
-                                     { "speed", thinned(curves.driven->speed) },
-                                     { "omega", thinned(curves.driven->omega) } });
+    results.add_columns("driven", { { "time", thinned(curves.driven->time) },
+                                    { "speed", thinned(curves.driven->speed) },
+                                    { "omega", thinned(curves.driven->omega) } });
 }
 
-void add_phase_columns(const PhaseStudy &phases, Pictures &pictures)
+void add_phase_columns(const PhaseStudy &phases, Results &results)
 {
   const bool of_glass = phases.n_glass_phases > 1;
-  pictures.words["marked"] = of_glass ? "glass" : "table";
-  pictures.add_columns("phases",
-                       { { "theta", column_of(phases.phases, [=](const ring::Orientation &phase)
-                                              { return (of_glass ? phase.glass : phase.table) / degree; }) },
-                         { "at_rest", phases.torque_at_rest },
-                         { "at_terminal", phases.torque_at_terminal } });
+  results.words["marked"] = of_glass ? "glass" : "table";
+  results.add_columns("phases",
+                      { { "theta", column_of(phases.phases, [=](const ring::Orientation &phase)
+                                             { return (of_glass ? phase.glass : phase.table) / degree; }) },
+                        { "at_rest", phases.torque_at_rest },
+                        { "at_terminal", phases.torque_at_terminal } });
 }
 
 Json pressure_map(const fem::PressureMap &footprint, double contact_radius, double largest, double peak,
@@ -218,15 +186,15 @@ Json pressure_map(const fem::PressureMap &footprint, double contact_radius, doub
       places.push_back((point.radius - contact_radius) * micrometres);
       pressures.push_back(point.pressure / pascals);
     }
-    theta.push_back(cut.empty() ? Json(nullptr) : shortened(cut.front().azimuth / degree, 6));
-    distance.push_back(shortened(places, 4));
-    pressure.push_back(shortened(pressures, 3));
+    theta.push_back(cut.empty() ? Json(nullptr) : rounded_number(cut.front().azimuth / degree, 6));
+    distance.push_back(rounded_number(places, 4));
+    pressure.push_back(rounded_number(pressures, 3));
   }
   return { { "theta", theta },
            { "distance", distance },
            { "pressure", pressure },
            { "unit", is_low ? "kPa" : "MPa" },
-           { "largest", shortened(largest / pascals) },
+           { "largest", rounded_number(largest / pascals) },
            { "is_grid", fem::has_cells(footprint) },
            { "measures", measures_of(footprint, pascals, peak, band) } };
 }

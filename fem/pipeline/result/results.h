@@ -1,10 +1,12 @@
 #pragma once
 
 #include "fem/contact/foot.h"
-#include "fem/pipeline/result/document.h"
+#include "fem/pipeline/analysis/quantity.h"
+#include "fem/pipeline/study/study.h"
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -27,15 +29,35 @@ struct ConsoleBlock
   std::optional<Table> table = {};
 };
 
-/// Results of a verb: the document of its page, files, and the console's texts.
-struct Results : Document
+/// Results of a verb, in SI units: what summary.json and --json have, the page with its words, tables and
+/// pictures, the console's texts, and files.
+struct Results
 {
+  Study study = {};                  ///< what they are about
+  Json summary = Json::object();     ///< the verb's own parts of summary.json
+  Json key_figures = Json::object(); ///< key figures in the last line of --json
+  Json words = Json::object();       ///< texts by name, among them "title", "inputs" and "answer"
+  /// Columns of tables and pictures by name: {"keys": [...], "values": [[...] ...]}.
+  Json tables = Json::object();
+  Json quantities = Json::object(); ///< heading, unit and digits of the columns, by table and key
+  Json entries = Json::array();     ///< all entries of the study
   std::vector<ResultFile> files = {};
   std::vector<ConsoleBlock> console = {};
   std::vector<fem::FieldFile> fields = {}; ///< files of fields/ to be written by this rank
+
+  /// Adds a table of the page.
+  void add_table(const std::string &name, const Table &table);
+
+  /// Adds columns of numbers for a picture, with six digits.
+  void add_columns(const std::string &name,
+                   const std::vector<std::pair<std::string, std::vector<double>>> &columns);
 };
 
-/// Returns the blocks, with an empty line before each and after the last.
+/// Returns a number rounded to @p n_digits significant digits; null if it is not finite.
+Json rounded_number(double value, int n_digits = 6);
+Json rounded_number(const std::vector<double> &values, int n_digits = 6);
+
+/// Returns the blocks for the console, with an empty line before each and after the last.
 std::string console_text(const Results &results);
 
 } // namespace stemware::pipeline

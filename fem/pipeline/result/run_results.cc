@@ -1,13 +1,11 @@
-#include "fem/pipeline/result/run_results.h"
-
 #include "fem/pipeline/result/common_sections.h"
 #include "fem/pipeline/result/foot_pictures.h"
 #include "fem/pipeline/result/number_format.h"
-#include "fem/pipeline/result/run_answer.h"
-#include "fem/pipeline/result/run_summary.h"
+#include "fem/pipeline/result/pictures.h"
 #include "fem/pipeline/result/sentences.h"
 #include "fem/pipeline/result/study_words.h"
 #include "fem/pipeline/result/table_renderers.h"
+#include "fem/pipeline/result/verb_results.h"
 #include "fem/pipeline/study/data_files.h"
 
 #include <algorithm>
@@ -80,7 +78,8 @@ Table shown_chain_table(const Study &study, const std::vector<BudgetRow> &rows, 
 {
   const std::optional<double> band = rows.empty() ? std::nullopt : rows.back().band;
   const auto shown_spin = [band](double omega) -> Json { return format::spin(omega, band); };
-  return chain_fields(spin_scale(study), shown_spin).table(shown_chain(rows, rounding_of_spins(study)), face);
+  return chain_fields(study.spin_scale(), shown_spin)
+    .table(shown_chain(rows, study.rounding_of_spins()), face);
 }
 
 Table without_table(const Study &study, const Budget &budget, Face face)
@@ -88,53 +87,39 @@ Table without_table(const Study &study, const Budget &budget, Face face)
   std::vector<WithoutRow> rows = budget.without;
   if (face != Face::file)
     for (WithoutRow &row : rows)
-      drop_rounding(row.difference, rounding_of_spins(study));
-  return without_fields(budget.rows.back().omega_terminal, spin_scale(study)).table(rows, face);
+      drop_rounding(row.difference, study.rounding_of_spins());
+  return without_fields(budget.rows.back().omega_terminal, study.spin_scale()).table(rows, face);
 }
 
-void add_spin(const Study &study, const ContactReport &report, const SpinStudy &spin, Document &document)
+void add_spin(const StudyAnswer &answer, Results &results)
 {
+  const auto &[study, goal, contact, spin, bands] = answer;
   const ring::Motion &motion = study.motion.orbit;
   const double radius = study.glass.profile.contact_radius;
-  add_slip_columns("slip_at_rest", motion, radius, report.load.rings, 0, document);
-  if (const auto omega = spin.all().omega_terminal(); omega && is_spin(study, *omega))
-    add_slip_columns("slip_at_end", motion, radius, report.load_at_end.rings, *omega, document);
-  add_torque_columns(spin.torque, {}, document);
-  add_spin_up_columns(spin.spin_up, 1, document);
+  add_slip_columns("slip_at_rest", motion, radius, contact.load.rings, 0, results);
+  if (const auto omega = spin.all().omega_terminal(); omega && study.is_spin(*omega))
+    add_slip_columns("slip_at_end", motion, radius, contact.load_at_end.rings, *omega, results);
+  add_torque_columns(spin.torque, {}, results);
+  add_spin_up_columns(spin.spin_up, 1, results);
   if (!spin.spin_up.instants.empty())
-    add_motion(study, spin.spin_up.instants, document);
+    add_motion(study, spin.spin_up.instants, results);
   if (spin.phases)
-    add_phase_columns(*spin.phases, document);
-  document.add_table("friction", friction_table(study, spin.all()));
-  add_truncations(truncations_of(spin.rows, spin.torque_effects, spin_scale(study)), spin.torque_effects,
-                  document);
+    add_phase_columns(*spin.phases, results);
+  results.add_table("friction", friction_table(study, spin.all()));
+  add_truncations(answer, results);
 }
 
-void add_budget(const Study &study, const SpinStudy &spin, Document &document)
+void add_budget(const StudyAnswer &answer, Results &results)
 {
-  const std::vector<BudgetRow> &rows = spin.budget.rows;
-  document.add_table("chain", shown_chain_table(study, rows, Face::page));
-  document.add_table("chain_torques",
-                     chain_torque_fields().table(shown_chain(rows, rounding_of_spins(study)), Face::page));
-  document.tables["waterfall"] = chain_fields().json(named_steps(rows));
-  if (!spin.budget.without.empty())
-    document.add_table("without", without_table(study, spin.budget, Face::page));
-}
-
-Json words_of(const Study &study, const ContactReport &report, const SpinStudy &spin, const ErrorBands &bands)
-{
-  std::string answer = run_answer(study, spin, bands);
-  append(answer, profile_remark(study));
-  return { { "answer", answer },
-           { "lift_off", lift_off_remark(study, report, spin) },
-           { "pressed", contact_remark(study, report, spin, bands) },
-           { "narrow_contact", narrow_contact_remark(study, report) },
-           { "thin_layer", thin_layer_remark(study, report.load.half_width()) },
-           { "out_of_flat", out_of_flat_remark(study, spin) },
-           { "several_spins", several_spins_remark(spin) },
-           { "driven", driven_remark(spin, bands) },
-           { "spin_unit", spin_unit(study) },
-           { "rounding", rounding_of_spins(study) } };
+  const Study &study = answer.study;
+  const Budget &budget = answer.spin.budget;
+  const std::vector<BudgetRow> &rows = budget.rows;
+  results.add_table("chain", shown_chain_table(study, rows, Face::page));
+  results.add_table("chain_torques",
+                    chain_torque_fields().table(shown_chain(rows, study.rounding_of_spins()), Face::page));
+  results.tables["waterfall"] = chain_fields().json(named_steps(rows));
+  if (!budget.without.empty())
+    results.add_table("without", without_table(study, budget, Face::page));
 }
 
 void add_foot_files(const FootReport &foot, bool has_terminal_spin, std::vector<ResultFile> &files)
@@ -160,9 +145,10 @@ void add_foot_files(const FootReport &foot, bool has_terminal_spin, std::vector<
   }
 }
 
-std::vector<ResultFile> files_of(const Study &study, const ContactReport &report, const SpinStudy &spin)
+std::vector<ResultFile> files_of(const StudyAnswer &answer)
 {
-  const ring::RingStack &rings = report.load.rings;
+  const auto &[study, goal, contact, spin, bands] = answer;
+  const ring::RingStack &rings = contact.load.rings;
   std::vector<ResultFile> files = { { "summary.json", "all numbers, for programs" },
                                     { "parameters.prm", "the study as input file" },
                                     { "load.csv", "λ(θ) at rest", load_table(rings) },
@@ -181,9 +167,8 @@ std::vector<ResultFile> files_of(const Study &study, const ContactReport &report
   }
   add("torque.csv", "τ_z, T_x, T_y against the spin", torque_table(spin.torque));
   add("spin_up.csv", "the spin against time", spin_up_table(spin.spin_up));
-  add(
-    "truncation.csv", "the answer with 1, 2, 3, 4, 6, 8 ... harmonics",
-    truncation_fields().table(truncations_of(spin.rows, spin.torque_effects, spin_scale(study)), Face::file));
+  add("truncation.csv", "the answer with 1, 2, 3, 4, 6, 8 ... harmonics",
+      truncation_fields().table(truncations_of(answer), Face::file));
   if (spin.spin_up.driven)
     add("driven_spin_up.csv", "the spin against time under the speeds of the file",
         driven_spin_table(*spin.spin_up.driven));
@@ -192,28 +177,30 @@ std::vector<ResultFile> files_of(const Study &study, const ContactReport &report
   if (study.load.is_from_contact())
   {
     add("load_lines.csv", "λ(θ) at rest on the azimuth lines of the contact",
-        pointwise_table(report.load.pointwise));
-    if (report.foot)
-      add_foot_files(*report.foot, spin.all().terminal.has_value(), files);
+        pointwise_table(contact.load.pointwise));
+    if (contact.foot)
+      add_foot_files(*contact.foot, spin.all().terminal.has_value(), files);
   }
   files.push_back({ "timings.json", "how long it took" });
   return files;
 }
 
-std::vector<ConsoleBlock> console_of(const Study &study, const SpinStudy &spin, const Document &document)
+std::vector<ConsoleBlock> console_of(const StudyAnswer &answer, const Json &words)
 {
+  const Study &study = answer.study;
+  const Budget &budget = answer.spin.budget;
   std::string text;
   for (const char *part :
        { "answer", "lift_off", "pressed", "narrow_contact", "thin_layer", "out_of_flat", "several_spins" })
-    append(text, document.words[part]);
+    append(text, words[part]);
   std::vector<ConsoleBlock> blocks = { { text } };
-  if (!spin.is_quick())
+  if (!answer.spin.is_quick())
   {
     blocks.push_back({ "From the paper's model to this study's:",
-                       shown_chain_table(study, named_steps(spin.budget.rows), Face::console) });
-    if (!spin.budget.without.empty())
-      blocks.push_back({ "The complete model without one effect at a time:",
-                         without_table(study, spin.budget, Face::console) });
+                       shown_chain_table(study, named_steps(budget.rows), Face::console) });
+    if (!budget.without.empty())
+      blocks.push_back(
+        { "The complete model without one effect at a time:", without_table(study, budget, Face::console) });
   }
   return blocks;
 }
@@ -225,31 +212,33 @@ Json run_schema()
   return run_fields().schema();
 }
 
-Results make_document(const Study &study, const ContactReport &report, const SpinStudy &spin,
-                      const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)
+Results run_results(const StudyAnswer &answer)
 {
-  Results results = { document_of(study, "how fast it spins") };
-  results.findings = { run_fields().json({ study, report, spin, bands, goal }), key_figures_of(spin, bands) };
-  results.words.update(words_of(study, report, spin, bands));
-  add_spin(study, report, spin, results);
+  const auto &[study, goal, contact, spin, bands] = answer;
+  Results results = begun_results(study, "how fast it spins");
+  results.summary = run_fields().json(answer);
+  results.key_figures = key_figures_of(spin, bands);
+  results.words.update(run_words(answer));
+  add_spin(answer, results);
   if (!spin.is_quick())
-    add_budget(study, spin, results);
-  add_load_lines(report.load, results);
-  if (report.foot)
-    add_foot_pictures(study, *report.foot, bands, results);
-  if (report.foot)
-    results.add_table("contact", as_list(contact_list(*report.foot)));
+    add_budget(answer, results);
+  add_load_lines(contact.load, results);
+  if (contact.foot)
+  {
+    add_foot_pictures(study, *contact.foot, bands, results);
+    results.add_table("contact", as_list(contact_list(*contact.foot)));
+  }
   if (!bands.empty())
-    add_bands(bands, results);
-  results.files = files_of(study, report, spin);
-  results.console = console_of(study, spin, results);
+    add_band_tables(bands, results);
+  results.files = files_of(answer);
+  results.console = console_of(answer, results.words);
   return results;
 }
 
-std::optional<double> band_of_mesh(const Study &study, const ErrorBands &bands)
+std::optional<double> band_of_mesh(const StudyAnswer &answer)
 {
-  const auto banded = find_quantity(bands, key_of(study.contact.goal));
-  if (banded == bands.end() || banded->parts.count("mesh") == 0)
+  const auto banded = find_quantity(answer.bands, key_of(answer.study.contact.goal));
+  if (banded == answer.bands.end() || banded->parts.count("mesh") == 0)
     return std::nullopt;
   return banded->parts.at("mesh");
 }

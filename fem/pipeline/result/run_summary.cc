@@ -1,6 +1,5 @@
-#include "fem/pipeline/result/run_summary.h"
-
-#include "fem/pipeline/result/run_results.h"
+#include "fem/pipeline/result/common_sections.h"
+#include "fem/pipeline/result/verb_results.h"
 #include "fem/pipeline/study/study_file.h"
 
 #include <algorithm>
@@ -35,7 +34,7 @@ struct SpinRow
   bool from_rest;
 };
 
-std::vector<SpinRow> spins_of(const RunRow &run)
+std::vector<SpinRow> spins_of(const StudyAnswer &run)
 {
   const auto &reached = run.spin.all().terminal;
   std::vector<SpinRow> spins;
@@ -165,25 +164,26 @@ const Fields<FootReport> &contact_fields()
 
 /// M_Nx of the load of which ring::Answer::at_rest is: of a wavy rim or table the mean over the phases, as
 /// its torque.
-double moment_at_rest(const RunRow &run)
+double moment_at_rest(const StudyAnswer &run)
 {
-  return run.spin.phases ? run.spin.all().at_rest.value().load.moment().x() : run.report.load.moment.x();
+  return run.spin.phases ? run.spin.all().at_rest.value().load.moment().x() : run.contact.load.moment.x();
 }
 
-const Fields<RunRow> &ring_fields()
+const Fields<StudyAnswer> &ring_fields()
 {
-  static const auto fields = Fields<RunRow>{
+  static const auto fields = Fields<StudyAnswer>{
     { "tau_closed_form", "N m",
       "μ M_N,x, the exact value of tau_at_rest; M_N is the mean over the phases with waviness, where "
       "load.moment is that of t = 0.",
-      [](const RunRow &run) { return run.study.motion.orbit.friction_at_rest() * moment_at_rest(run); } },
+      [](const StudyAnswer &run)
+      { return run.study.motion.orbit.friction_at_rest() * moment_at_rest(run); } },
     { "standing", "", "Status at the terminal spin.",
-      [](const RunRow &run) { return to_string(status_of(run.report, run.spin)); },
+      [](const StudyAnswer &run) { return to_string(status_of(run.contact, run.spin)); },
       of_type(
         { { "enum", { "full contact", "lift-off", "formal", "tips", "no balance", "no terminal spin" } } }) },
     { "terminal_spins", "All terminal spins within 1.5 v/R of rest.", spin_fields(), spins_of },
     { "driven", "Spin-up under Motion/Orbit speed file; else null.", driven_fields(),
-      [](const RunRow &run)
+      [](const StudyAnswer &run)
       {
         const auto &driven = run.spin.spin_up.driven;
         return driven ? std::optional(
@@ -193,19 +193,19 @@ const Fields<RunRow> &ring_fields()
     { "no_lift_off", "",
       "Whether the whole area of the land is under pressure and the load is nowhere negative, at rest "
       "and at the end of the spin-up.",
-      [](const RunRow &run) { return has_no_lift_off(run.report); } },
+      [](const StudyAnswer &run) { return has_no_lift_off(run.contact); } },
     { "tilt_at_terminal", "rad", "Tilt of the glass about x and y at the terminal spin.",
-      [](const RunRow &run)
+      [](const StudyAnswer &run)
       {
-        const Eigen::Vector2d &tilt = run.report.load_at_end.tilt;
+        const Eigen::Vector2d &tilt = run.contact.load_at_end.tilt;
         return run.spin.all().terminal ? std::optional(std::array<double, 2>{ tilt.x(), tilt.y() })
                                        : std::nullopt;
       } },
     { "phase_dependent", "", "Whether the load depends on the phase (waviness).",
-      [](const RunRow &run) { return run.spin.phases.has_value(); } },
+      [](const StudyAnswer &run) { return run.spin.phases.has_value(); } },
     { "spin_ripple", "rad/s", "Amplitude of the spin's oscillation after the transient, if phase_dependent.",
-      [](const RunRow &run) { return run.spin.phases ? run.spin.phases->spin_ripple : 0; } }
-  }.include(study_quantities(), &RunRow::answered);
+      [](const StudyAnswer &run) { return run.spin.phases ? run.spin.phases->spin_ripple : 0; } }
+  }.include(study_quantities(), [](const StudyAnswer &run) -> const StudyAnswer & { return run; });
   return fields;
 }
 
@@ -255,38 +255,39 @@ const Fields<GlassSection> &profile_fields()
   return fields;
 }
 
-const Fields<RunRow> &coupling_fields()
+const Fields<StudyAnswer> &coupling_fields()
 {
   static const auto fields =
-    Fields<RunRow>{ { "balanced_spins", "1", "Number of spins with solved balances.",
-                      [](const RunRow &run) { return run.report.coupling->n_balances; } },
-                    { "contact_solutions", "1", "Number of contacts solved for the balances.",
-                      [](const RunRow &run) { return run.report.coupling->n_contact_solutions; } },
-                    { "interpolation_error", "1", "Error of the interpolant over the spin, over a_0.",
-                      [](const RunRow &run) { return run.spin.curve_error; } } };
+    Fields<StudyAnswer>{ { "balanced_spins", "1", "Number of spins with solved balances.",
+                           [](const StudyAnswer &run) { return run.contact.coupling->n_balances; } },
+                         { "contact_solutions", "1", "Number of contacts solved for the balances.",
+                           [](const StudyAnswer &run) { return run.contact.coupling->n_contact_solutions; } },
+                         { "interpolation_error", "1", "Error of the interpolant over the spin, over a_0.",
+                           [](const StudyAnswer &run) { return run.spin.curve_error; } } };
   return fields;
 }
 
 /// The mesh that was made for a number, what is estimated to be missing to that, and the part of its band
 /// that is the mesh's.
-const Fields<RunRow> &goal_fields()
+const Fields<StudyAnswer> &goal_fields()
 {
-  const auto of_goal = [](auto member) { return [=](const RunRow &run) { return (*run.goal).*member; }; };
-  static const auto fields =
-    Fields<RunRow>{ { "name", "", "The quantity of interest.",
-                      [](const RunRow &run)
-                      { return study_as_json(run.study)["Contact"]["Goal"].get<std::string>(); } },
-                    { "value", "", "Value in its unit.", of_goal(&GoalOutcome::value) },
-                    { "estimated_error", "", "Estimate of exact minus computed value.",
-                      of_goal(&GoalOutcome::estimated_error) },
-                    { "band_of_mesh", "", "Part of the error band that covers this error.",
-                      [](const RunRow &run) { return band_of_mesh(run.study, run.bands); } },
-                    { "tolerance", "1", "Tolerance of the error, over the value.",
-                      [](const RunRow &run) { return run.study.contact.goal_tolerance; } },
-                    { "meshes", "1", "Number of meshes.", of_goal(&GoalOutcome::n_meshes) },
-                    { "cells", "1", "Cells of the last mesh.", of_goal(&GoalOutcome::n_cells) },
-                    { "unknowns", "1", "Unknowns of the last mesh.",
-                      [](const RunRow &run) { return run.report.foot.value().foot.n_unknowns; } } };
+  const auto of_goal = [](auto member)
+  { return [=](const StudyAnswer &run) { return (*run.goal).*member; }; };
+  static const auto fields = Fields<StudyAnswer>{
+    { "name", "", "The quantity of interest.",
+      [](const StudyAnswer &run) { return study_as_json(run.study)["Contact"]["Goal"].get<std::string>(); } },
+    { "value", "", "Value in its unit.", of_goal(&GoalOutcome::value) },
+    { "estimated_error", "", "Estimate of exact minus computed value.",
+      of_goal(&GoalOutcome::estimated_error) },
+    { "band_of_mesh", "", "Part of the error band that covers this error.",
+      [](const StudyAnswer &run) { return band_of_mesh(run); } },
+    { "tolerance", "1", "Tolerance of the error, over the value.",
+      [](const StudyAnswer &run) { return run.study.contact.goal_tolerance; } },
+    { "meshes", "1", "Number of meshes.", of_goal(&GoalOutcome::n_meshes) },
+    { "cells", "1", "Cells of the last mesh.", of_goal(&GoalOutcome::n_cells) },
+    { "unknowns", "1", "Unknowns of the last mesh.",
+      [](const StudyAnswer &run) { return run.contact.foot.value().foot.n_unknowns; } }
+  };
   return fields;
 }
 
@@ -299,7 +300,7 @@ const Value *if_applies(bool applies, const Value &value)
 
 } // namespace
 
-const Fields<RunRow> &run_fields()
+const Fields<StudyAnswer> &run_fields()
 {
   static const auto one_ring_fields = Fields<ring::Answer>{
     { "tau_at_rest", "N m", "Torque of friction at rest.",
@@ -308,39 +309,41 @@ const Fields<RunRow> &run_fields()
     { "omega_terminal", "rad/s", "Terminal spin.", &ring::Answer::omega_terminal },
     { "relative_change", "1", "Relative change from several rings.", &ring::Answer::relative_change }
   };
-  static const auto fields = Fields<RunRow>{
+  static const auto fields = Fields<StudyAnswer>{
     { "load_at_terminal", "The load at the terminal spin; null without one.", load_fields(),
-      [](const RunRow &run)
-      { return if_applies(run.spin.all().terminal.has_value(), run.report.load_at_end); } },
+      [](const StudyAnswer &run)
+      { return if_applies(run.spin.all().terminal.has_value(), run.contact.load_at_end); } },
     { "load_at_fall", "The load at the spin of tipping; null if the glass does not tip.", load_fields(),
-      [](const RunRow &run) { return if_applies(run.spin.all().fall.has_value(), run.report.load_at_end); } },
+      [](const StudyAnswer &run)
+      { return if_applies(run.spin.all().fall.has_value(), run.contact.load_at_end); } },
     { "contact", "The contact at rest; null for a load without a contact.", contact_fields(),
-      [](const RunRow &run) { return run.report.foot ? &*run.report.foot : nullptr; } },
+      [](const StudyAnswer &run) { return run.contact.foot ? &*run.contact.foot : nullptr; } },
     { "ring", "Torque and spin. Every tau_… is friction's torque about the glass's axis.", ring_fields(),
-      [](const RunRow &run) -> const RunRow & { return run; } },
+      [](const StudyAnswer &run) -> const StudyAnswer & { return run; } },
     { "coupling", "Statistics of the balances over the spin; null if the load does not depend on the spin.",
-      coupling_fields(), [](const RunRow &run) { return if_applies(run.report.coupling.has_value(), run); } },
+      coupling_fields(),
+      [](const StudyAnswer &run) { return if_applies(run.contact.coupling.has_value(), run); } },
     { "waviness", "Results with waviness of rim or table; else null.", waviness_fields(),
-      [](const RunRow &run) { return run.spin.phases ? &*run.spin.phases : nullptr; } },
+      [](const StudyAnswer &run) { return run.spin.phases ? &*run.spin.phases : nullptr; } },
     { "budget", "The terminal spin from the paper's model to the study's, row by row; null in a quick run.",
       chain_fields(),
-      [](const RunRow &run) { return if_applies(!run.spin.is_quick(), run.spin.budget.rows); } },
+      [](const StudyAnswer &run) { return if_applies(!run.spin.is_quick(), run.spin.budget.rows); } },
     { "inputs", "Changes of the terminal spin by changed inputs; null in a quick run.", input_fields(),
-      [](const RunRow &run) { return if_applies(!run.spin.is_quick(), run.spin.budget.inputs); } },
+      [](const StudyAnswer &run) { return if_applies(!run.spin.is_quick(), run.spin.budget.inputs); } },
     { "without", "The complete model without one effect at a time; null in a quick run.", without_fields(),
-      [](const RunRow &run) { return if_applies(!run.spin.is_quick(), run.spin.budget.without); } },
+      [](const StudyAnswer &run) { return if_applies(!run.spin.is_quick(), run.spin.budget.without); } },
     { "one_ring", "The answer with all harmonics on one ring; null in a quick run.", one_ring_fields,
-      [](const RunRow &run) { return run.spin.one_ring; } },
+      [](const StudyAnswer &run) { return run.spin.one_ring; } },
     { "error_bands", "Error bands by quantity; null in a quick run and if none could be estimated.",
-      band_fields(false), [](const RunRow &run) { return if_applies(!run.bands.empty(), run.bands); },
+      band_fields(false), [](const StudyAnswer &run) { return if_applies(!run.bands.empty(), run.bands); },
       ByKey{ key_of_band } },
     { "profile", "Results for Glass/Shape = profile.", profile_fields(),
-      [](const RunRow &run)
+      [](const StudyAnswer &run)
       { return if_applies(run.study.glass.profile.section != nullptr, run.study.glass); },
       or_absent() },
     { "goal", "With Contact/Goal.", goal_fields(),
-      [](const RunRow &run) { return if_applies(run.goal.has_value(), run); }, or_absent() }
-  }.include(harmonics_fields(), &RunRow::harmonics);
+      [](const StudyAnswer &run) { return if_applies(run.goal.has_value(), run); }, or_absent() }
+  }.include(harmonics_fields(), [](const StudyAnswer &run) -> const StudyAnswer & { return run; });
   return fields;
 }
 

@@ -1,11 +1,9 @@
 #include "fem/pipeline/result/schema.h"
 
-#include "fem/pipeline/analysis/sweep_case.h"
 #include "fem/pipeline/result/common_sections.h"
-#include "fem/pipeline/result/convergence_results.h"
-#include "fem/pipeline/result/run_results.h"
-#include "fem/pipeline/result/sweep_results.h"
-#include "fem/pipeline/result/truncation_results.h"
+#include "fem/pipeline/result/verb_results.h"
+
+#include <algorithm>
 
 namespace stemware::pipeline
 {
@@ -116,6 +114,9 @@ Json schema()
     for (const auto &[key, property] : verb["properties"].items())
       if (!properties.contains(key))
         properties[key] = property;
+  for (const char *load : { "load_at_terminal", "load_at_fall" })
+    properties[load] = { { "description", properties[load]["description"] },
+                         { "anyOf", { { { "$ref", "#/properties/load" } }, { { "type", "null" } } } } };
   return {
     { "$schema", "http://json-schema.org/draft-07/schema#" },
     { "title", "summary.json of Stemware" },
@@ -130,27 +131,22 @@ Json schema()
   };
 }
 
-/// Text of @p json with objects on one line where they fit.
+/// Text of @p json: the members of an object that has objects only, as quantities and columns are, stand on
+/// lines of their own if they do not fit one.
 std::string text_of(const Json &json, const std::string &indent)
 {
-  constexpr std::size_t max_width = 150;
+  constexpr std::size_t max_width = 300;
+  const auto is_object = [](const Json &value) { return value.is_object(); };
   const std::string line = json.dump();
-  if (!json.is_structured() || line.size() < max_width ||
-      (json.is_object() && !json.empty() &&
-       [&]
-       {
-         for (const auto &[key, value] : json.items())
-           if (value.is_structured() && value.dump().size() > 40)
-             return false;
-         return true;
-       }()))
+  if (!json.is_object() || line.size() < max_width || std::none_of(json.begin(), json.end(), is_object))
     return line;
+  const bool is_list = std::all_of(json.begin(), json.end(), is_object);
+  const std::string inner = is_list ? indent + "  " : indent;
   std::string text;
-  const std::string inner = indent + "  ";
   for (const auto &[key, value] : json.items())
-    text += (text.empty() ? "" : ",") + ("\n" + inner) + (json.is_object() ? Json(key).dump() + ": " : "") +
-            text_of(value, inner);
-  return (json.is_object() ? "{" : "[") + text + '\n' + indent + (json.is_object() ? "}" : "]");
+    text += (text.empty() ? "" : ",") + (is_list ? "\n" + inner : "") + Json(key).dump() + ":" +
+            (is_list ? " " : "") + text_of(value, inner);
+  return "{" + text + "}";
 }
 
 } // namespace

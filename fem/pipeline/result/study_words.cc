@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/result/number_format.h"
-#include "fem/pipeline/result/sentences.h"
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_entries.h"
 
@@ -12,8 +11,6 @@
 
 namespace stemware::pipeline
 {
-
-using Json = nlohmann::ordered_json;
 
 namespace
 {
@@ -158,25 +155,25 @@ Json sketch_labels(const Study &study)
 
 } // namespace
 
-Document document_of(const Study &study, const std::string &what)
+Results begun_results(const Study &study, const std::string &what)
 {
-  Document document;
-  document.words = { { "title", (study.name == "default" ? "The default glass" : study.name) + ": " + what },
-                     { "inputs", inputs_of(study) },
-                     { "one_way", is_one_way(study) },
-                     { "sketch", sketch_labels(study) } };
-  const std::vector<StudyEntry> entries = entries_of(study), defaults = entries_of(Study());
+  Results results = { study };
+  results.words = { { "title", (study.name == "default" ? "The default glass" : study.name) + ": " + what },
+                    { "inputs", inputs_of(study) },
+                    { "one_way", study.load.is_one_way() },
+                    { "sketch", sketch_labels(study) } };
+  const std::vector<StudyEntry> entries = entries_of(study), &defaults = default_entries();
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
     const std::string value = value_of(entries[i]), by_default = value_of(defaults[i]);
-    document.entries.push_back({ { "entry", entries[i].path() },
-                                 { "value", value },
-                                 { "unit", entries[i].unit == "1" ? "" : entries[i].unit },
-                                 { "meaning", entries[i].help } });
+    results.entries.push_back({ { "entry", entries[i].path() },
+                                { "value", value },
+                                { "unit", entries[i].unit == "1" ? "" : entries[i].unit },
+                                { "meaning", entries[i].help } });
     if (value != by_default)
-      document.entries.back()["default"] = by_default;
+      results.entries.back()["default"] = by_default;
   }
-  return document;
+  return results;
 }
 
 } // namespace stemware::pipeline

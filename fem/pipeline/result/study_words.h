@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/result/document.h"
+#include "fem/pipeline/result/results.h"
 #include "fem/pipeline/study/study.h"
 
 #include <string>
@@ -17,8 +17,8 @@ std::string in_usual_unit(double value, const std::string &unit);
 /// if it was not given, or given without a unit.
 std::string in_usual_unit(const Study &study, const StudyEntry &entry);
 
-/// Returns the document of a verb about @p study, with its title (name of the study and @p what), inputs,
-/// sketch and entries.
-Document document_of(const Study &study, const std::string &what);
+/// Returns results of a verb about @p study with its title (name of the study and @p what), inputs, sketch
+/// and entries.
+Results begun_results(const Study &study, const std::string &what);
 
 } // namespace stemware::pipeline

@@ -9,12 +9,11 @@
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/study/table_file.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
+#include <algorithm>
 #include <cerrno>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <set>
-#include <sstream>
-#include <sys/stat.h>
 #include <system_error>
 
 namespace stemware::pipeline
@@ -25,8 +24,6 @@ namespace fs = std::filesystem;
 namespace
 {
 
-constexpr char table_name[] = "sweep.csv";
-
 std::string csv_row(const std::vector<std::string> &cells)
 {
   std::string row;
@@ -35,61 +32,54 @@ std::string csv_row(const std::vector<std::string> &cells)
   return row + '\n';
 }
 
-std::string headings(const CaseList &list)
-{
-  std::vector<std::string> cells = { "case" };
-  for (const VariedEntry &entry : list.entries)
-    cells.push_back(with_unit(entry.path, entry.unit, false));
-  for (const Quantity &quantity : sweep_columns())
-    cells.push_back(with_unit(quantity.key, quantity.unit, false));
-  cells.insert(cells.end(), { "contact_outcome", "status", "message" });
-  return csv_row(cells);
-}
-
-/// Files that some case reads.
-std::set<std::string> files_of_cases(const CaseList &list)
-{
-  const std::vector<std::string> of_base = files_of(list.base);
-  std::set<std::string> files(of_base.begin(), of_base.end());
-  Study study;
-  const std::vector<StudyEntry> entries = study_entries(study);
-  for (std::size_t e = 0; e < list.entries.size(); ++e)
-    if (entry_at(entries, "", list.entries[e].path).path_value != nullptr)
-      for (const auto &values : list.cases)
-        files.insert(values[e]);
-  return files;
-}
-
-/// The head of sweep.csv. Paths start at the folder: the same sweep may be started from anywhere.
+/// Lines that begin with #, and the headings. Paths start at the folder: the same sweep may be started from
+/// anywhere.
 std::string head_of(const fs::path &folder, const CaseList &list)
 {
-  std::string head = "# stemware " + program_version() + " (" + program_revision() + ")\n";
-  std::istringstream study(study_as_prm(with_paths_from(folder, list.base)));
-  for (std::string line; std::getline(study, line);)
-    head += "# " + line + '\n';
-  for (const std::string &file : files_of_cases(list))
-    if (struct stat status = {}; ::stat(file.c_str(), &status) == 0)
-      head += fmt::format(FMT_STRING("# reads {}: {} bytes of {:%Y-%m-%dT%H:%M:%S}.{:09}Z\n"),
-                          on_one_line(fs::relative(file, folder).string()), status.st_size,
-                          fmt::gmtime(status.st_mtim.tv_sec), status.st_mtim.tv_nsec);
-  return head + headings(list);
+  std::vector<std::string> headings = { "case" };
+  for (const VariedEntry &entry : list.entries)
+    headings.push_back(with_unit(entry.path, entry.unit, false));
+  for (const Quantity &quantity : sweep_columns())
+    headings.push_back(with_unit(quantity.key, quantity.unit, false));
+  headings.insert(headings.end(), { "contact_outcome", "status", "message" });
+  const std::string study = "stemware " + program_version() + " (" + program_revision() + ")\n" +
+                            study_as_prm(with_paths_from(folder, list.base));
+  return "# " + boost::replace_all_copy(study.substr(0, study.size() - 1), "\n", "\n# ") + '\n' +
+         csv_row(headings);
+}
+
+/// Throws for a @p file whose first lines are not @p head.
+void require_head(const std::string &file, const std::string &text, const std::string &head)
+{
+  const auto differs = std::mismatch(head.begin(), head.end(), text.begin(), text.end());
+  if (differs.first == head.end())
+    return;
+  const auto line_at = [](const std::string &whole, std::string::const_iterator place)
+  {
+    const auto begin = std::find(std::make_reverse_iterator(place), whole.rend(), '\n').base();
+    return shortened({ begin, std::find(place, whole.end(), '\n') });
+  };
+  throw OutputFailure(fmt::format(
+    FMT_STRING("{}, line {}: the rows are those of another version, study or list of columns, \"{}\" there "
+               "and \"{}\" now; choose another folder with --output."),
+    file, 1 + std::count(head.begin(), differs.first, '\n'), line_at(text, differs.second),
+    line_at(head, differs.first)));
 }
 
 } // namespace
 
 SweepFile::SweepFile(const fs::path &wanted, const CaseList &list)
     : folder(fs::absolute(wanted).lexically_normal())
-    , file(folder / table_name)
+    , file(folder / "sweep.csv")
     , list(list)
-    , head(head_of(folder, list))
 {
   require_replaceable(folder);
-  const std::string text = read_text_file(file);
+  const std::string head = head_of(folder, list), text = read_text_file(file);
   const bool is_begun = head.compare(0, text.size(), text) != 0; // else killed before the first row
   std::error_code error;
   if (is_begun)
   {
-    require_head(text);
+    require_head(shortened_path(file.string()), text, head);
     const std::size_t n_whole = text.rfind('\n') + 1;
     read_rows(text.substr(0, n_whole));
     fs::resize_file(file, n_whole, error);
@@ -114,54 +104,30 @@ SweepFile::SweepFile(const fs::path &wanted, const CaseList &list)
     write(head);
 }
 
-void SweepFile::require_head(const std::string &text) const
-{
-  std::istringstream there(text), here(head);
-  std::string before, now;
-  for (unsigned int line = 1; std::getline(here, now); ++line)
-    if (!std::getline(there, before) || before != now)
-      throw OutputFailure(fmt::format(
-        FMT_STRING("{}, line {}: the rows are those of another version, study, file or list of columns, "
-                   "\"{}\" there and \"{}\" now; choose another folder with --output."),
-        shortened_path(file.string()), line, shortened(before), shortened(now)));
-}
-
 void SweepFile::read_rows(const std::string &text)
 {
   const std::string place = shortened_path(file.string());
   const TextTable table = parse_table(place, text);
-  const std::size_t n_entries = list.entries.size(), n_numbers = sweep_columns().size();
+  const std::size_t first_number = 1 + list.entries.size(), n_numbers = sweep_columns().size();
   for (auto row = table.rows.begin() + 1; row != table.rows.end(); ++row)
   {
-    const auto refuse = [&](const std::string &trouble)
-    {
-      throw OutputFailure(fmt::format(FMT_STRING("{}, line {}: {}; choose another folder with --output, or "
-                                                 "remove the line and let it be solved again."),
-                                      place, row->line, trouble));
-    };
-    const auto number = parse_count(row->cells.front());
-    if (!number || row->cells.size() != n_entries + n_numbers + 4)
-      refuse("this is no row of a sweep");
-    if (*number < 1 || *number > list.cases.size())
-      refuse(fmt::format(FMT_STRING("there are {} cases, but this is case {}"), list.cases.size(), *number));
-    const std::size_t index = *number - 1;
-    for (std::size_t e = 0; e < n_entries; ++e)
-      if (row->cells[1 + e] != on_one_line(list.cases[index][e]))
-        refuse(fmt::format(FMT_STRING("case {} has {} = {} there, {} now"), *number, list.entries[e].path,
-                           shortened(row->cells[1 + e]), shortened(list.cases[index][e])));
-    CaseResult result = { row->cells[n_entries + n_numbers + 1], row->cells.back() };
-    const std::string &status = row->cells[n_entries + n_numbers + 2];
-    result.tips_at_rest = !result.message.empty() && status == "tips";
-    result.is_formal = status == "formal";
+    const std::vector<std::string> &cells = row->cells;
+    const std::size_t number = parse_count(cells.front()).value_or(0);
+    const bool is_known =
+      1 <= number && number <= list.cases.size() && cells.size() == first_number + n_numbers + 3 &&
+      std::equal(cells.begin() + 1, cells.begin() + static_cast<std::ptrdiff_t>(first_number),
+                 list.cases[number - 1].begin(),
+                 [](const std::string &there, const std::string &now) { return there == on_one_line(now); });
+    if (!is_known)
+      throw OutputFailure(fmt::format(
+        FMT_STRING("{}, line {}: \"{}\" is no case of this sweep; choose another folder with --output, or "
+                   "remove the line and let its case be solved again."),
+        place, row->line, shortened(csv_row(cells))));
+    CaseResult &result =
+      cases[number - 1] = { cells[first_number + n_numbers], *(cells.end() - 2), cells.back() };
     for (std::size_t q = 0; q < n_numbers; ++q)
-      if (const std::string &cell = row->cells[1 + n_entries + q]; !cell.empty())
-      {
-        const auto value = parse_number(cell);
-        if (!value)
-          refuse("\"" + shortened(cell) + "\" is not a number");
+      if (const auto value = parse_number(cells[first_number + q]))
         result.values[sweep_columns()[q].key] = *value;
-      }
-    cases[index] = result;
   }
 }
 
@@ -183,7 +149,7 @@ void SweepFile::append(std::size_t index, const CaseResult &result)
     const auto value = result.value(quantity.key);
     cells.push_back(value ? to_text(*value) : "");
   }
-  cells.insert(cells.end(), { result.outcome, result.status(), result.message });
+  cells.insert(cells.end(), { result.outcome, result.status, result.message });
   write(csv_row(cells));
   cases[index] = result;
 }

@@ -10,17 +10,16 @@
 namespace stemware::pipeline
 {
 
-/// sweep.csv in the folder of a sweep: lines that begin with # (version, base study, size and time of the
-/// files that cases read), the headings (case, varied entries, sweep_columns(), contact_outcome, status,
-/// message with their units), and a row for each finished case, in the order in which cases finish. Each row
-/// is flushed: a killed program leaves at most an incomplete last line, which is dropped when the sweep goes
-/// on.
+/// sweep.csv in the folder of a sweep: lines that begin with # (version and base study), the headings (case,
+/// varied entries, sweep_columns(), contact_outcome, status, message with their units), and a row for each
+/// finished case, in the order in which cases finish. Each row is flushed: a killed program leaves at most an
+/// incomplete last line, which is dropped when the sweep goes on.
 class SweepFile
 {
 public:
   /// Creates the file, or reads the finished cases of an earlier run of the same sweep. Throws OutputFailure,
-  /// with nothing changed, for a folder that require_replaceable() rejects, for another version, base study,
-  /// input file or column, and for a row that is no case of the list.
+  /// with nothing changed, for a folder that require_replaceable() rejects, for another version, base study
+  /// or column, and for a row that is no case of the list.
   SweepFile(const std::filesystem::path &wanted, const CaseList &list);
 
   const FinishedCases &finished() const { return cases; }
@@ -29,13 +28,11 @@ public:
   void append(std::size_t index, const CaseResult &result);
 
 private:
-  void require_head(const std::string &text) const;
   void read_rows(const std::string &text);
   void write(const std::string &text);
 
   const std::filesystem::path folder, file;
   const CaseList &list;
-  const std::string head; ///< lines that begin with #, and the headings
   FinishedCases cases;
   std::ofstream stream;
 };

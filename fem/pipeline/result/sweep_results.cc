@@ -1,10 +1,8 @@
-#include "fem/pipeline/result/sweep_results.h"
-
 #include "fem/pipeline/base/numbers.h"
-#include "fem/pipeline/result/answers.h"
 #include "fem/pipeline/result/number_format.h"
 #include "fem/pipeline/result/sentences.h"
 #include "fem/pipeline/result/study_words.h"
+#include "fem/pipeline/result/verb_results.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,39 +14,68 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Quantities that the table of ranges and the pictures of a grid show: those with a heading.
-std::vector<Quantity> shown_quantities()
-{
-  std::vector<Quantity> quantities;
-  for (const auto &[quantity, value] : study_quantities().all())
-    if (!quantity.heading.empty())
-      quantities.push_back(quantity);
-  return quantities;
-}
-
-/// Range of a quantity over the cases.
-struct RangeRow
+/// Range of a quantity over the cases, and the cases that have the smallest and the largest value.
+struct QuantityRange
 {
   Quantity quantity;
-  CaseRange range;
+  std::size_t n; ///< cases with a value
+  double min, max;
+  std::string min_case, max_case; ///< both "all n cases" if the value is the same to 1e-9
 };
 
-Table range_table(const CaseList &list, const FinishedCases &finished, Face face)
+/// Quantities that the table of ranges and the pictures of a grid show, those with a heading, with their
+/// ranges without formal cases, if a case has a value.
+std::vector<QuantityRange> ranges_of(const CaseList &list, const FinishedCases &finished)
 {
-  static const auto fields = Fields<RangeRow>{
-    { "quantity", "", "",
-      [](const RangeRow &row) { return with_unit(row.quantity.heading, row.quantity.unit, false); },
-      shown_as("quantity") },
-    { "least", "1", "", [](const RangeRow &row) { return row.range.min; }, shown_as("smallest") },
-    { "at_least", "", "", [](const RangeRow &row) { return row.range.min_case; }, on_page("at") },
-    { "most", "1", "", [](const RangeRow &row) { return row.range.max; }, shown_as("largest") },
-    { "at_most", "", "", [](const RangeRow &row) { return row.range.max_case; }, on_page("at") }
-  };
-  std::vector<RangeRow> rows;
-  for (const Quantity &quantity : shown_quantities())
-    if (const auto range = range_of(list, finished, quantity.key))
-      rows.push_back({ quantity, *range });
-  return fields.table(rows, face);
+  std::vector<QuantityRange> ranges;
+  for (const auto &[quantity, value_of] : study_quantities().all())
+  {
+    std::map<double, std::size_t> cases; // by value
+    std::size_t n = 0;
+    for (const auto &[index, result] : finished)
+      if (const auto value = result.value(quantity.key); value && result.status != "formal")
+      {
+        cases.emplace(*value, index);
+        ++n;
+      }
+    if (quantity.heading.empty() || n == 0)
+      continue;
+    const auto &[min, min_index] = *cases.begin();
+    const auto &[max, max_index] = *cases.rbegin();
+    const bool is_same = n > 1 && max - min <= 1e-9 * std::max(std::abs(min), std::abs(max));
+    const std::string all = "all " + std::to_string(n) + " cases";
+    ranges.push_back({ quantity, n, min, max, is_same ? all : list.values_of(min_index),
+                       is_same ? all : list.values_of(max_index) });
+  }
+  return ranges;
+}
+
+/// The range of the quantity @p key; nullptr if no case has a value.
+const QuantityRange *range_of(const std::vector<QuantityRange> &ranges, const std::string &key)
+{
+  const auto found = std::find_if(ranges.begin(), ranges.end(),
+                                  [&](const QuantityRange &range) { return range.quantity.key == key; });
+  return found == ranges.end() ? nullptr : &*found;
+}
+
+Table range_table(const std::vector<QuantityRange> &ranges, Face face)
+{
+  static const auto fields =
+    Fields<QuantityRange>{ { "quantity", "", "",
+                             [](const QuantityRange &row)
+                             { return with_unit(row.quantity.heading, row.quantity.unit, false); },
+                             shown_as("quantity") },
+                           { "least", "1", "", &QuantityRange::min, shown_as("smallest") },
+                           { "at_least", "", "", &QuantityRange::min_case, on_page("at") },
+                           { "most", "1", "", &QuantityRange::max, shown_as("largest") },
+                           { "at_most", "", "", &QuantityRange::max_case, on_page("at") } };
+  return fields.table(ranges, face);
+}
+
+std::size_t n_failed_of(const FinishedCases &finished)
+{
+  return static_cast<std::size_t>(std::count_if(
+    finished.begin(), finished.end(), [](const auto &one) { return one.second.status == "failed"; }));
 }
 
 /// Varied entries with their units and values.
@@ -94,7 +121,7 @@ Table failure_table(const CaseList &list, const FinishedCases &finished)
   constexpr std::size_t max_rows = 20;
   std::map<std::string, std::pair<std::size_t, std::size_t>> reasons; // message: first case, number
   for (const auto &[index, result] : finished)
-    if (result.has_failed())
+    if (result.status == "failed")
       ++reasons.emplace(result.message, std::pair(index, std::size_t(0))).first->second.second;
   static const auto fields =
     Fields<FailureRow>{ { "cases", "1", "", &FailureRow::n_cases, on_page("cases") },
@@ -116,14 +143,16 @@ Json grid_of(const CaseList &list, const FinishedCases &finished)
                                 { "unit", entry.unit },
                                 { "log", entry.by_factors },
                                 { "values", entry.values } });
-  for (const Quantity &quantity : shown_quantities())
+  for (const auto &[quantity, value_of] : study_quantities().all())
   {
+    if (quantity.heading.empty())
+      continue;
     Json values = Json::array();
     for (std::size_t i = 0; i < list.cases.size(); ++i)
     {
       const auto found = finished.find(i);
       const auto value = found == finished.end() ? std::nullopt : found->second.value(quantity.key);
-      values.push_back(shortened(value.value_or(std::nan("")), 9));
+      values.push_back(rounded_number(value.value_or(std::nan("")), 9));
     }
     grid["quantities"][quantity.key] = { { "label", quantity.heading },
                                          { "unit", quantity.unit },
@@ -133,9 +162,55 @@ Json grid_of(const CaseList &list, const FinishedCases &finished)
 }
 
 /// Ends of a range for --json; null if there is none.
-Json ends_of(const std::optional<CaseRange> &range)
+Json ends_of(const QuantityRange *range)
 {
   return range ? Json{ range->min, range->max } : Json(nullptr);
+}
+
+/// Ranges of the terminal spin and of the harmonic effect; numbers of cases that tip or failed.
+std::string answer_of(const CaseList &list, const FinishedCases &finished,
+                      const std::vector<QuantityRange> &ranges)
+{
+  const std::string of_cases = " of " + std::to_string(list.cases.size()) + " cases ";
+  std::string text;
+  if (const QuantityRange *falls = range_of(ranges, "omega_fall"))
+    append(text, "In " + std::to_string(falls->n) + of_cases +
+                   "the glass stands at rest and tips over while it spins up" +
+                   (falls->n == 1 ? " (" + falls->min_case + "); it has"
+                                  : ", one of them " + falls->min_case + "; they have") +
+                   " no terminal spin.");
+  if (const auto n_at_rest = std::count_if(
+        finished.begin(), finished.end(),
+        [](const auto &one) { return one.second.status == "tips" && one.second.values.empty(); }))
+    append(text, "In " + std::to_string(n_at_rest) + of_cases + "the glass falls before it spins.");
+  if (const auto n_formal = std::count_if(finished.begin(), finished.end(),
+                                          [](const auto &one) { return one.second.status == "formal"; }))
+    append(text, "In " + std::to_string(n_formal) + of_cases +
+                   "the load is negative somewhere (tensile, not physical): their status is formal, and the "
+                   "ranges leave them out.");
+  if (const QuantityRange *spin = range_of(ranges, "omega_terminal"))
+    append(text,
+           under_its_load(list.base.load, "In " + std::to_string(spin->n) +
+                                            (spin->n == 1 ? " case" : " cases") + " the terminal spin is ") +
+             (spin->min_case == spin->max_case
+                ? format::spin(spin->min) + " rad/s (" + spin->min_case + ")."
+                : "between " + format::spin(spin->min) + " rad/s (" + spin->min_case + ") and " +
+                    format::spin(spin->max) + " rad/s (" + spin->max_case + ")."));
+  if (const QuantityRange *effect = range_of(ranges, "harmonic_effect"))
+  {
+    const double largest = std::max(effect->max, -effect->min);
+    if (list.base.is_spin(largest) && effect->min_case != effect->max_case)
+      append(text, "The higher harmonics of the " + one_way_word(list.base.load) +
+                     "load change the spin by " + format::number(effect->min, "+.3g") + " rad/s (" +
+                     effect->min_case + ") to " + format::number(effect->max, "+.3g") + " rad/s (" +
+                     effect->max_case + ").");
+    else if (largest != 0) // a load has one harmonic
+      append(text, harmonic_effect_sentence(list.base, { effect->max, std::nullopt }));
+  }
+  if (const std::size_t n_failed = n_failed_of(finished))
+    append(text, std::to_string(n_failed) + " of " + std::to_string(finished.size()) +
+                   " cases failed; sweep.csv gives the reasons in the column message.");
+  return text;
 }
 
 /// Source of the members of `sweep`'s summary.
@@ -172,19 +247,18 @@ Json sweep_schema()
 
 Results sweep_results(const CaseList &list, const FinishedCases &finished)
 {
-  const auto n_failed = static_cast<std::size_t>(
-    std::count_if(finished.begin(), finished.end(), [](const auto &one) { return one.second.has_failed(); }));
-  Results results = { document_of(list.base, "its spin in " + std::to_string(list.cases.size()) + " cases") };
-  results.findings.summary = sweep_fields().json({ list, finished.size(), n_failed });
-  results.findings.key_figures = { { "cases", list.cases.size() },
-                                   { "finished", finished.size() },
-                                   { "failed", n_failed },
-                                   { "omega_terminal", ends_of(range_of(list, finished, "omega_terminal")) },
-                                   { "harmonic_effect",
-                                     ends_of(range_of(list, finished, "harmonic_effect")) } };
-  results.words["answer"] = sweep_answer(list, finished);
+  const std::size_t n_failed = n_failed_of(finished);
+  const std::vector<QuantityRange> ranges = ranges_of(list, finished);
+  Results results = begun_results(list.base, "its spin in " + std::to_string(list.cases.size()) + " cases");
+  results.summary = sweep_fields().json({ list, finished.size(), n_failed });
+  results.key_figures = { { "cases", list.cases.size() },
+                          { "finished", finished.size() },
+                          { "failed", n_failed },
+                          { "omega_terminal", ends_of(range_of(ranges, "omega_terminal")) },
+                          { "harmonic_effect", ends_of(range_of(ranges, "harmonic_effect")) } };
+  results.words["answer"] = answer_of(list, finished, ranges);
   results.add_table("varied", varied_table(list));
-  results.add_table("ranges", range_table(list, finished, Face::page));
+  results.add_table("ranges", range_table(ranges, Face::page));
   if (n_failed > 0)
     results.add_table("failures", failure_table(list, finished));
   if (list.is_grid())
@@ -193,7 +267,7 @@ Results sweep_results(const CaseList &list, const FinishedCases &finished)
                     { "summary.json", "numbers of cases" },
                     { "parameters.prm", "the study that the cases modify" },
                     { "timings.json", "how long it took" } };
-  results.console = { { results.words["answer"], range_table(list, finished, Face::console) } };
+  results.console = { { results.words["answer"], range_table(ranges, Face::console) } };
   return results;
 }
 

@@ -1,15 +1,17 @@
-#include "fem/pipeline/result/truncation_results.h"
-
 #include "fem/pipeline/analysis/study_rows.h"
-#include "fem/pipeline/result/answers.h"
 #include "fem/pipeline/result/common_sections.h"
+#include "fem/pipeline/result/number_format.h"
+#include "fem/pipeline/result/pictures.h"
 #include "fem/pipeline/result/sentences.h"
 #include "fem/pipeline/result/study_words.h"
+#include "fem/pipeline/result/verb_results.h"
 
 #include <cmath>
 
 namespace stemware::pipeline
 {
+
+using format::number;
 
 namespace
 {
@@ -28,19 +30,49 @@ unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double shar
   return enough;
 }
 
-/// Source of the members of `truncate`'s summary.
-struct TruncateRow
+/// The effect of the harmonics on the terminal spin, or the fall. @p n_enough harmonics give the spin to
+/// 1e-4.
+std::string answer_of(const StudyAnswer &answer, unsigned int n_enough)
 {
-  const ring::Answer &all;
-  HarmonicsRow harmonics;
-};
+  const Study &study = answer.study;
+  const std::vector<ring::Answer> &rows = answer.spin.rows;
+  const ring::Answer &all = rows.back();
+  const std::optional<double> first = rows.front().omega_terminal();
+  if (all.fall)
+  {
+    std::string text = fall_sentences(study.motion.orbit, all);
+    if (rows.size() > 1)
+      append(text, first
+                     ? "The first harmonic only has a terminal spin of " + format::spin(*first) + " rad/s."
+                     : "The first harmonic only has no terminal spin either.");
+    return text;
+  }
+  const double omega = all.omega_terminal().value();
+  if (!study.is_spin(omega))
+  {
+    const std::string held = grip_holds_note(study, all);
+    return held.empty() ? "The glass does not spin up, with any number of harmonics." : held;
+  }
+  if (all.harmonics == 1)
+    return "The " + one_way_word(study.load) + "load has one harmonic; the terminal spin is " +
+           format::spin(omega) + " rad/s.";
+  std::string text = under_its_load(
+    study.load, "The glass spins up to " + format::spin(omega) + " rad/s with all " +
+                  std::to_string(all.harmonics) + " harmonics of its load, " +
+                  (first ? "to " + format::spin(*first) + " rad/s with the first harmonic only."
+                         : "and has no terminal spin with the first harmonic only."));
+  append(text, torque_effect_sentence(answer.spin.torque_effects));
+  append(text, harmonic_effect_sentence(study, answer.spin.budget.harmonics));
+  append(text, "From " + std::to_string(n_enough) + " harmonics on, the spin is accurate to 1e-4.");
+  return text;
+}
 
-const Fields<TruncateRow> &truncate_fields()
+const Fields<StudyAnswer> &truncate_fields()
 {
-  static const auto fields = Fields<TruncateRow>{
+  static const auto fields = Fields<StudyAnswer>{
     { "fall", "Of `truncate`: as ring.fall of `run`.", fall_fields(),
-      [](const TruncateRow &row) { return row.all.fall; } }
-  }.include(harmonics_fields(), &TruncateRow::harmonics);
+      [](const StudyAnswer &answer) { return answer.spin.all().fall; } }
+  }.include(harmonics_fields(), [](const StudyAnswer &answer) -> const StudyAnswer & { return answer; });
   return fields;
 }
 
@@ -51,34 +83,33 @@ Json truncate_schema()
   return truncate_fields().schema();
 }
 
-Results make_truncation_document(const Study &study, const LoadReport &load,
-                                 const std::vector<ring::Answer> &rows, const ring::TorqueEffects &effects)
+Results truncation_results(const StudyAnswer &answer)
 {
-  const std::vector<Truncation> truncations = truncations_of(rows, effects, spin_scale(study));
-  const std::optional<double> omega = rows.back().omega_terminal();
-  const HarmonicEffect effect = harmonic_effect(rows.front().omega_terminal(), omega, spin_scale(study));
-  const unsigned int n_enough = harmonics_enough(rows, 1e-4);
-  Results results = { document_of(study, "how many harmonics of the load matter") };
-  results.findings.summary = truncate_fields().json({ rows.back(), { load, effect, truncations } });
-  results.findings.key_figures = { { "omega_terminal", omega },
-                                   { "harmonic_effect", effect.absolute },
-                                   { "harmonic_effect_relative", effect.relative },
-                                   { "harmonics_for_1e-4", omega ? Json(n_enough) : Json(nullptr) } };
-  results.words["answer"] = truncation_answer(study, rows, effects, effect, n_enough);
-  add_load_lines(load, results);
-  add_truncations(truncations, effects, results);
+  const auto &[study, goal, contact, spin, bands] = answer;
+  const std::optional<double> omega = spin.all().omega_terminal();
+  const unsigned int n_enough = harmonics_enough(spin.rows, 1e-4);
+  const std::vector<Truncation> truncations = truncations_of(answer);
+  Results results = begun_results(study, "how many harmonics of the load matter");
+  results.summary = truncate_fields().json(answer);
+  results.key_figures = { { "omega_terminal", omega },
+                          { "harmonic_effect", spin.budget.harmonics.absolute },
+                          { "harmonic_effect_relative", spin.budget.harmonics.relative },
+                          { "harmonics_for_1e-4", omega ? Json(n_enough) : Json(nullptr) } };
+  results.words["answer"] = answer_of(answer, n_enough);
+  add_load_lines(contact.load, results);
+  add_truncations(answer, results);
   results.files = { { "summary.json", "all numbers, for programs" },
                     { "parameters.prm", "the study as input file" },
                     { "truncation.csv", "the answer with 1, 2, 3, 4, 6, 8 ... harmonics",
                       truncation_fields().table(truncations, Face::file) },
                     { "torque_changes.csv", "effect of the harmonics 2 ... n on τ_z against the spin",
-                      torque_change_table(effects) },
+                      torque_change_table(spin.torque_effects) },
                     { "timings.json", "how long it took" } };
   results.console = { { results.words["answer"] },
                       { "The harmonics 2 ... n and tau_z: one load, the complete study's, cut after n. Rest: "
                         "all minus n. In per "
                         "cent of |tau_z| at rest. " +
-                          std::string(is_one_way(study)
+                          std::string(study.load.is_one_way()
                                         ? "The spins are those of the load at rest, cut after n."
                                         : "Each terminal spin is a balance of its own."),
                         truncation_fields().table(shown_truncations(truncations), Face::console) } };

@@ -4,6 +4,7 @@
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/base/text_file.h"
 #include "fem/pipeline/study/quantity_text.h"
+#include "fem/pipeline/study/table_file.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/classification.hpp>
@@ -14,6 +15,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -33,24 +35,28 @@ constexpr double largest_number = 1e12;
 constexpr double largest_share = 1000;
 
 /// Returns the ring radius in a comment of a load file; std::nullopt for other comments.
-std::optional<double> ring_radius_in(const std::string &where, const std::string &comment)
+std::optional<double> ring_radius_in(const std::string &setting, const std::string &text)
 {
   const std::string key = "# ring radius:";
-  const auto end = comment.rfind("(m)");
-  if (comment.rfind(key, 0) != 0 || end == std::string::npos)
-    return std::nullopt;
-  const auto radius = parse_number(comment.substr(key.size(), end - key.size()));
-  ensure(radius && *radius > 0 && *radius < largest_number,
-         where + "\"" + shortened(comment) + "\" gives no radius; write \"# ring radius: 0.03 (m)\".");
+  std::optional<double> radius;
+  std::istringstream lines(text);
+  std::string line;
+  for (unsigned int number = 1; std::getline(lines, line); ++number)
+  {
+    boost::trim(line);
+    const auto end = line.rfind("(m)");
+    if (line.rfind(key, 0) != 0 || end == std::string::npos)
+      continue;
+    const std::string where = fmt::format(FMT_STRING("{}, line {}: "), setting, number);
+    ensure(!radius, where + "the ring radius is given a second time; leave one of them.");
+    radius = parse_number(line.substr(key.size(), end - key.size()));
+    ensure(radius && *radius > 0 && *radius < largest_number,
+           where + "\"" + shortened(line) + "\" gives no radius; write \"# ring radius: 0.03 (m)\".");
+  }
   return radius;
 }
 
 } // namespace
-
-TextTable read_table(const std::string &setting, const std::string &file)
-{
-  return parse_table(setting, read_input_text(setting, file));
-}
 
 std::vector<FileRow> read_column_file(const std::string &setting, const std::string &file,
                                       const std::vector<FileColumn> &columns)
@@ -88,25 +94,18 @@ ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file)
 ring::RingStack read_load_file(const std::string &file)
 {
   const std::string setting = "Load/File = " + shortened_path(file);
+  const std::string text = read_input_text(setting, file);
+  const std::optional<double> radius = ring_radius_in(setting, text);
+  const TextTable table = parse_table(setting, text, true);
   std::vector<double> all_a, all_b;
-  std::optional<double> radius;
-  for (const TextLine &line : read_lines(setting, file))
+  for (const TableRow &row : table.rows)
   {
-    const std::string where = fmt::format(FMT_STRING("{}, line {}: "), setting, line.number);
-    if (line.text.front() == '#')
-    {
-      const auto stated = ring_radius_in(where, line.text);
-      ensure(!radius || !stated, where + "the ring radius is given a second time; leave one of them.");
-      radius = radius ? radius : stated;
-      continue;
-    }
+    const std::string where = fmt::format(FMT_STRING("{}, line {}: "), setting, row.line);
     ensure(all_a.size() <= max_harmonics,
            fmt::format(FMT_STRING("{} has more than {} harmonics, the most that a torque is computed from; "
                                   "remove the higher harmonics."),
                        setting, max_harmonics));
-    const TextTable table = parse_table(where, line.text, true);
-    std::vector<std::string> cells =
-      table.rows.empty() ? std::vector<std::string>() : table.rows.front().cells;
+    std::vector<std::string> cells = row.cells;
     cells.resize(std::max<std::size_t>(cells.size(), 3));
     const auto n = parse_count(cells[0]);
     const auto a = parse_number(table.with_point(cells[1])), b = parse_number(table.with_point(cells[2]));

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "fem/pipeline/study/column_table.h"
-#include "fem/pipeline/study/table_file.h"
 #include "ring_model/load/ring_stack.h"
 #include "ring_model/orbit_speed_table.h"
 
@@ -10,10 +9,6 @@
 
 namespace stemware::pipeline
 {
-
-/// Reads the table in @p file as parse_table() does. Throws BadInput, which begins with @p setting
-/// ("--cases my.csv"), also for a file that cannot be read (read_input_text()).
-TextTable read_table(const std::string &setting, const std::string &file);
 
 /// Reads a file of numbers by parse_columns(). Throws BadInput, also for a file that cannot be read.
 std::vector<FileRow> read_column_file(const std::string &setting, const std::string &file,

@@ -44,6 +44,13 @@ struct LoadSection
     return is_from_contact() && !is_static() && coupling == LoadCoupling::two_way;
   }
 
+  /// True if the load at rest is kept at every spin: Coupling = one-way, a given moment, or a load file.
+  bool is_one_way() const
+  {
+    return source == LoadSource::file || is_static() ||
+           (is_from_contact() && coupling == LoadCoupling::one_way);
+  }
+
   /// Declares the entries with their facts. A template, to be compiled in one file only.
   template <typename List>
   void declare(List &list)

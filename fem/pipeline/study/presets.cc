@@ -60,6 +60,14 @@ std::string plain(std::string name)
   return boost::trim_copy(boost::to_lower_copy(name));
 }
 
+std::vector<std::string> names_of(const std::vector<Preset> &presets)
+{
+  std::vector<std::string> names;
+  for (const Preset &preset : presets)
+    names.push_back(preset.name);
+  return names;
+}
+
 /// Returns the preset probably meant by @p word: another name, a part of a name, or a misspelt name.
 std::optional<std::string> meant_by(const std::string &word, const std::vector<Preset> &presets)
 {
@@ -97,14 +105,6 @@ const std::vector<Preset> &table_presets()
 {
   static const std::vector<Preset> presets = presets_in(table_texts());
   return presets;
-}
-
-std::vector<std::string> names_of(const std::vector<Preset> &presets)
-{
-  std::vector<std::string> names;
-  for (const Preset &preset : presets)
-    names.push_back(preset.name);
-  return names;
 }
 
 const Preset &preset_of(const std::vector<Preset> &presets, const std::string &option,

@@ -20,8 +20,6 @@ struct Preset
 const std::vector<Preset> &glass_presets();
 const std::vector<Preset> &table_presets();
 
-std::vector<std::string> names_of(const std::vector<Preset> &presets);
-
 /// Returns the preset @p name, ignoring case and treating blanks and hyphens as equal. Throws BadInput with
 /// the available names and the most similar one; @p option is named as the origin.
 const Preset &preset_of(const std::vector<Preset> &presets, const std::string &option,

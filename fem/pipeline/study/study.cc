@@ -7,6 +7,7 @@
 #include "fem/pipeline/base/numbers.h"
 #include "ring_model/no_balance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -100,6 +101,23 @@ double Study::tipping_ratio() const
     return std::numeric_limits<double>::infinity();
   const bool is_flat = load.is_from_contact() && glass.profile.crown_radius == 0;
   return is_flat ? 2 * glass.profile.land_outer_radius() / glass.profile.contact_radius : 2;
+}
+
+double Study::spin_scale() const
+{
+  const double unit = spin_unit();
+  if (load.source == LoadSource::file)
+    return unit;
+  try
+  {
+    const fem::Resultants required = required_resultants();
+    const double share = std::abs(required.moment_x) / (required.normal_force * glass.profile.contact_radius);
+    return share < 1e-12 ? unit : unit * std::clamp(2 * share, 1e-6, 1.);
+  }
+  catch (const ring::Tipping &) // a model of the chain
+  {
+    return unit;
+  }
 }
 
 double moment_ratio(const fem::Resultants &load, double contact_radius)

@@ -7,6 +7,7 @@
 #include "fem/pipeline/study/motion_section.h"
 #include "fem/pipeline/study/table_section.h"
 
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -44,6 +45,20 @@ struct Study
   /// Returns the moment ratio at which the glass tips: 2 r_o / R on a flat land of outer radius r_o, 2 on the
   /// crest of a crowned rim and on a ring. Infinite for a mesh file, whose contact zone decides.
   double tipping_ratio() const;
+
+  /// v / R with the contact radius of the glass [rad/s].
+  double spin_unit() const { return motion.orbit.orbit_speed / glass.profile.contact_radius; }
+
+  /// Returns the first-order estimate of the terminal spin from the moment M_Nx at rest, 2 |M_Nx| / (N R)
+  /// times spin_unit(), limited to 1e-6 ... 1 of spin_unit() [rad/s]; spin_unit() without such a moment or
+  /// for a load file.
+  double spin_scale() const;
+
+  /// Rounding of spins and of their differences [rad/s].
+  double rounding_of_spins() const { return 1e-9 * spin_scale(); }
+
+  /// Returns whether a spin exceeds its rounding.
+  bool is_spin(double omega) const { return std::abs(omega) >= rounding_of_spins(); }
 };
 
 /// Returns the moment ratio m = |M_N| / (N R / 2) of @p load, R = @p contact_radius [m].

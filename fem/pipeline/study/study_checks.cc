@@ -25,10 +25,10 @@ bool is_implausible(const StudyEntry &entry, double value)
 }
 
 /// Returns the given entries of @p study that have an effect and an implausible value.
-std::vector<StudyEntry> implausible_entries(const Study &study)
+std::vector<StudyEntry> implausible_entries(const std::vector<StudyEntry> &entries)
 {
   std::vector<StudyEntry> implausible;
-  for (const StudyEntry &entry : entries_of(study))
+  for (const StudyEntry &entry : entries)
     if (entry.is_given && entry.has_effect && entry.plausible && is_implausible(entry, *entry.quantity))
       implausible.push_back(entry);
   return implausible;
@@ -55,10 +55,10 @@ std::string plausible_text(const StudyEntry &entry)
 
 /// Refuses a given value that is more than 1e9 times outside its plausible range. It cannot be a unit error,
 /// and the computation would overflow.
-void require_conceivable(const Study &study)
+void require_conceivable(const std::vector<StudyEntry> &entries)
 {
   constexpr double far = 1e9;
-  for (const StudyEntry &entry : entries_of(study))
+  for (const StudyEntry &entry : entries)
     if (entry.plausible && entry.is_given)
     {
       const auto [least, most] = *entry.plausible;
@@ -71,10 +71,9 @@ void require_conceivable(const Study &study)
 
 /// Refuses a length with an implausible ratio to the contact radius (StudyEntry::times_contact_radius), if it
 /// has an effect.
-void require_alike_lengths(const Study &study)
+void require_alike_lengths(const std::vector<StudyEntry> &entries, double radius)
 {
-  const double radius = study.glass.profile.contact_radius;
-  for (const StudyEntry &entry : entries_of(study))
+  for (const StudyEntry &entry : entries)
     if (const auto &range = entry.times_contact_radius; range && entry.has_effect)
     {
       const double times = *entry.quantity / radius;
@@ -89,9 +88,8 @@ void require_alike_lengths(const Study &study)
 
 /// Refuses studies that require a feature of the other kind of body, or more load harmonics than the lines
 /// resolve (more than two lines per wavelength).
-void require_able_body(const Study &study)
+void require_able_body(const ContactSection &contact, const TableSection &table)
 {
-  const ContactSection &contact = study.contact;
   const BodyAbilities can = abilities(contact.body);
   ensure(can.reads_meshes || contact.mesh_file.empty(),
          "Contact/Mesh file = " + shortened_path(contact.mesh_file) +
@@ -99,7 +97,7 @@ void require_able_body(const Study &study)
   ensure(contact.degree <= can.highest_degree,
          "Contact/Degree = " + std::to_string(contact.degree) +
            " is not allowed for Contact/Body = solid; give 1 or 2, or set Contact/Body = revolution.");
-  ensure(can.stands_on_elastic_disc || !study.table.make().substrate,
+  ensure(can.stands_on_elastic_disc || !table.make().substrate,
          "Table/Substrate = elastic needs a body of revolution; set Contact/Body = revolution, or "
          "Table/Substrate = rigid.");
   ensure(!can.is_of_revolution || 2 * contact.load_harmonics < contact.azimuth_lines,
@@ -110,34 +108,34 @@ void require_able_body(const Study &study)
 }
 
 /// Refuses a mat that is so much stiffer than the glass that it is a hard table up to rounding.
-void require_mat_that_yields(const Study &study)
+void require_mat_that_yields(const TableSection &table, const GlassSection &glass)
 {
   constexpr double most = 1e8;
-  const double of_glass = study.glass.material.young_modulus / study.glass.profile.contact_radius;
-  const auto [ratio, limit] = distinct_texts(study.table.foundation_modulus / of_glass, most);
-  if (study.load.is_from_contact() && study.table.interface == TableInterface::winkler)
+  const double of_glass = glass.material.young_modulus / glass.profile.contact_radius;
+  const auto [ratio, limit] = distinct_texts(table.foundation_modulus / of_glass, most);
+  if (table.interface == TableInterface::winkler)
     ensure(
-      study.table.foundation_modulus <= most * of_glass,
+      table.foundation_modulus <= most * of_glass,
       filled("Table/Foundation modulus = {} Pa/m is {} times Glass/Young modulus over Glass/Contact radius, "
              "but at most {} is allowed; write Table/Interface = hard for a rigid interface.",
-             { to_text(study.table.foundation_modulus), ratio, limit }));
+             { to_text(table.foundation_modulus), ratio, limit }));
 }
 
-void require_goal_with_estimate(const Study &study)
+void require_goal_with_estimate(const ContactSection &contact, const TableSection &table)
 {
-  if (study.contact.goal == Goal::none || !study.load.is_from_contact())
+  if (contact.goal == Goal::none)
     return;
   const std::string rest = ", or set Contact/Goal = none.";
-  ensure(!abilities(study.contact.body).is_of_revolution,
+  ensure(!abilities(contact.body).is_of_revolution,
          "Contact/Goal is given for a body of revolution, but halves cells of a solid body only; write "
          "Contact/Refinements, which halves all cells at little cost, or Contact/Body = solid" +
            rest);
   // Without a mesh hierarchy a hard table uses nodal multipliers, for which there is no estimate.
-  ensure(!study.table.is_hard() || study.contact.refinements > 0,
+  ensure(!table.is_hard() || contact.refinements > 0,
          "Contact/Goal of a solid foot on a hard table needs a refined mesh; set Contact/Refinements to at "
          "least 1" +
            rest);
-  ensure(study.contact.rings > 1, "Contact/Goal needs more than one ring; give Contact/Rings = 5" + rest);
+  ensure(contact.rings > 1, "Contact/Goal needs more than one ring; give Contact/Rings = 5" + rest);
 }
 
 void require_load_file(const LoadSection &load)
@@ -155,21 +153,15 @@ void require_load_file(const LoadSection &load)
            " contradicts Load/Source = file, whose load has a moment of its own; leave Moment ratio at -1.");
 }
 
-/// Returns the entries that give rim or table a waviness, if any.
-std::vector<std::pair<std::string, Waviness>> wavy_entries(const Study &study)
-{
-  std::vector<std::pair<std::string, Waviness>> wavy = { { "Glass/Rim waviness", study.glass.waviness },
-                                                         { "Table/Waviness", study.table.waviness } };
-  const auto is_flat = [](const auto &entry) { return entry.second.empty(); };
-  wavy.erase(std::remove_if(wavy.begin(), wavy.end(), is_flat), wavy.end());
-  return wavy;
-}
-
 /// Checks that body, contact and harmonics of the study can represent a wavy rim or table.
 void require_known_waviness(const Study &study)
 {
-  for (const auto &[entry, waviness] : wavy_entries(study))
+  using Wavy = std::pair<std::string, Waviness>;
+  for (const auto &[entry, waviness] :
+       { Wavy("Glass/Rim waviness", study.glass.waviness), Wavy("Table/Waviness", study.table.waviness) })
   {
+    if (waviness.empty())
+      continue;
     ensure(abilities(study.contact.body).is_of_revolution,
            entry + " needs a body of revolution; set Contact/Body = revolution, or leave " + entry +
              " empty and draw the foot in a mesh file.");
@@ -185,19 +177,19 @@ void require_known_waviness(const Study &study)
 
 /// Checks that the hand is not below the table and that its two heights agree. The height of the centre of
 /// mass must be given if it has an effect.
-void require_hand_above_table(const Study &study)
+void require_hand_above_table(const std::vector<StudyEntry> &entries, const MotionSection &section)
 {
-  const ring::Motion &motion = study.motion.orbit;
-  const double hand = study.motion.hand_height, centre = motion.centre_of_mass_height;
-  const auto is_given = [&](const char *entry) { return study.given_entries.count(entry) > 0; };
-  const bool by_offset = is_given("Motion/Force offset"), by_height = is_given("Motion/Hand height");
+  const ring::Motion &motion = section.orbit;
+  const double hand = section.hand_height, centre = motion.centre_of_mass_height;
+  const StudyEntry &height_of_centre = entry_at(entries, "", "Motion/Centre of mass height");
+  const bool by_offset = entry_at(entries, "", "Motion/Force offset").is_given,
+             by_height = entry_at(entries, "", "Motion/Hand height").is_given;
   ensure(!by_height || !by_offset ||
            std::abs(hand - centre - motion.force_offset) <= 1e-9 * (std::abs(hand) + centre),
          filled("Motion/Hand height = {} m and Motion/Force offset = {} m contradict each other for "
                 "Motion/Centre of mass height = {} m; give one of the two.",
                 { to_text(hand), to_text(motion.force_offset), to_text(centre) }));
-  const bool is_known = !by_offset || is_given("Motion/Centre of mass height") ||
-                        entry_at(entries_of(study), "", "Motion/Centre of mass height").has_effect;
+  const bool is_known = !by_offset || height_of_centre.is_given || height_of_centre.has_effect;
   const auto text = by_offset ? "Motion/Force offset = " + to_text(motion.force_offset)
                               : "Motion/Hand height = " + to_text(hand);
   ensure(hand >= -1e-12 || !is_known,
@@ -209,16 +201,15 @@ void require_hand_above_table(const Study &study)
 /// Returns the part of the moment of @p now that friction cannot reduce, divided by the maximum moment of a
 /// pressure on the land. From 1 on the glass tips at every spin. Contacts close to 1 are slow and fail before
 /// they tip.
-double certain_tipping_share(const Study &study, const ring::Motion &now)
+double certain_tipping_share(ring::Closure closure, const fem::GlassProfile &profile, const ring::Motion &now)
 {
-  const ring::Closure closure = study.motion.closure;
   const double friction = now.has_constant_friction()
                             ? now.friction_coefficient
                             : std::max(now.static_coefficient, now.friction_coefficient) +
                                 now.viscous_friction * 3 * now.orbit_speed;
   const double of_hand = ring::required_moment(closure, now, Eigen::Vector2d::Zero()).norm(),
                of_friction = std::abs(ring::friction_arm(closure, now)) * friction * now.normal_force(),
-               outer = study.glass.profile.contact_radius + study.glass.profile.land_width / 2;
+               outer = profile.contact_radius + profile.land_width / 2;
   return (of_hand - of_friction) / (now.normal_force() * outer);
 }
 
@@ -264,7 +255,7 @@ void require_known_speeds(const Study &study)
     const double time = study.motion.end_time * i / n_times;
     const ring::Motion now = study.motion.orbit_speeds->motion_at(study.motion.orbit, time);
     ensure(
-      certain_tipping_share(study, now) < 1,
+      certain_tipping_share(study.motion.closure, study.glass.profile, now) < 1,
       filled("{}: at t = {} s, where v = {} m/s and dv/dt = {} m/s^2, the glass tips at every spin; give "
              "lower speeds, or lower the hand.",
              { entry, to_short_text(time), to_short_text(now.orbit_speed),
@@ -293,7 +284,7 @@ std::string implausible_note(const StudyEntry &entry, double value)
 std::string with_implausible_values(const Study &study, const std::string &sentence)
 {
   std::vector<std::string> list;
-  for (const StudyEntry &entry : implausible_entries(study))
+  for (const StudyEntry &entry : implausible_entries(entries_of(study)))
     list.push_back(assignment(entry, *entry.quantity) + " (" + plausible_text(entry) + ')');
   return list.empty() ? sentence : "Unusual values for a glass: " + boost::join(list, ", ") + ". " + sentence;
 }
@@ -302,26 +293,31 @@ std::string with_implausible_values(const Study &study, const std::string &sente
 
 void check_values(const Study &study)
 {
-  require_hand_above_table(study);
+  const std::vector<StudyEntry> entries = entries_of(study);
   const ring::Motion &motion = study.motion.orbit;
+  const bool is_from_contact = study.load.is_from_contact();
+  require_hand_above_table(entries, study.motion);
   ensure(
     study.motion.breakaway_friction == 0 || study.motion.breakaway_friction >= motion.friction_coefficient,
     filled("Motion/Breakaway friction = {} is less than Motion/Friction coefficient = {}, with which the "
            "glass slides; give at least the coefficient of sliding, or 0 to use it.",
            { to_text(study.motion.breakaway_friction), to_text(motion.friction_coefficient) }));
-  require_conceivable(study);
-  require_able_body(study);
+  require_conceivable(entries);
+  require_able_body(study.contact, study.table);
   require_known_waviness(study);
-  require_alike_lengths(study);
-  require_mat_that_yields(study);
-  require_goal_with_estimate(study);
+  require_alike_lengths(entries, study.glass.profile.contact_radius);
+  if (is_from_contact)
+  {
+    require_mat_that_yields(study.table, study.glass);
+    require_goal_with_estimate(study.contact, study.table);
+  }
   require_load_file(study.load);
   try
   {
     study.motion.orbit.validate();
-    if (study.load.is_from_contact()) // otherwise there is no foot
+    if (is_from_contact) // else there is no foot
       study.glass.material.validate();
-    if (study.load.is_from_contact() && study.contact.mesh_file.empty())
+    if (is_from_contact && study.contact.mesh_file.empty())
     {
       study.glass.profile.validate();
       study.contact.resolution.validate();
@@ -359,7 +355,7 @@ std::string implausible_note(const std::string &path, double value)
 std::vector<std::string> implausible_notes(const Study &study)
 {
   std::vector<std::string> notes;
-  for (const StudyEntry &entry : implausible_entries(study))
+  for (const StudyEntry &entry : implausible_entries(entries_of(study)))
     notes.push_back(implausible_note(entry, *entry.quantity));
   return notes;
 }

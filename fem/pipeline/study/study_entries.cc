@@ -253,6 +253,12 @@ std::vector<StudyEntry> entries_of(const Study &study)
   return entries;
 }
 
+const std::vector<StudyEntry> &default_entries()
+{
+  static const std::vector<StudyEntry> entries = entries_of(Study());
+  return entries;
+}
+
 std::string StudyEntry::text() const
 {
   const EntryValue present = value();
@@ -325,7 +331,7 @@ StudyEntry find_entry(const std::string &option, const std::string &path)
 
 std::string with_entries(const std::string &message)
 {
-  const std::vector<StudyEntry> entries = entries_of(Study());
+  const std::vector<StudyEntry> &entries = default_entries();
   const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
   std::string result;
   for (std::size_t i = 0; i < message.size();)

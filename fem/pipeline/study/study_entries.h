@@ -60,6 +60,9 @@ std::vector<StudyEntry> study_entries(Study &study);
 /// Returns the entries of a copy of @p study, which lives as long as one of them.
 std::vector<StudyEntry> entries_of(const Study &study);
 
+/// Returns the entries of the default study, made once; not to be assigned.
+const std::vector<StudyEntry> &default_entries();
+
 /// Returns the names of the sections of @p entries, in order.
 std::vector<std::string> sections_of(const std::vector<StudyEntry> &entries);
 

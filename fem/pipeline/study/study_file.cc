@@ -118,7 +118,7 @@ std::map<unsigned int, std::string> whole_lines(const std::string &text)
 
 void read_json(const std::string &file, const std::string &text, const std::vector<StudyEntry> &entries)
 {
-  const nlohmann::ordered_json sections = parse_json(file, text);
+  const Json sections = parse_json(file, text);
   ensure(sections.is_object(),
          file + " is not a JSON object; write {\"Glass\": {\"Contact radius\": 0.03}, ...}.");
   for (const auto &[section, values] : sections.items())
@@ -199,7 +199,7 @@ std::string prm_text(const std::vector<StudyEntry> &entries, bool comments)
 /// hand stay given, so that a study can be run again with the same values.
 void forget_stated_defaults(Study &study)
 {
-  const std::vector<StudyEntry> standard = entries_of(Study()), own = entries_of(study);
+  const std::vector<StudyEntry> &standard = default_entries(), own = entries_of(study);
   if (study.given_entries.size() < own.size())
     return;
   for (std::size_t i = 0; i < own.size(); ++i)
@@ -355,7 +355,7 @@ Study with_values(Study study, const std::string &option,
 
 std::string unit_of(const std::string &path)
 {
-  for (const StudyEntry &entry : entries_of(Study()))
+  for (const StudyEntry &entry : default_entries())
     if (entry.path() == path)
       return entry.unit;
   return "";
@@ -377,9 +377,9 @@ Study with_paths_from(const std::filesystem::path &folder, Study study)
   return study;
 }
 
-nlohmann::ordered_json study_as_json(const Study &study)
+Json study_as_json(const Study &study)
 {
-  nlohmann::ordered_json sections;
+  Json sections;
   for (const StudyEntry &entry : entries_of(study))
     std::visit([&](const auto &value) { sections[entry.section][entry.name] = value; }, entry.value());
   return sections;
@@ -399,7 +399,7 @@ std::string study_identity(Study study)
 
 std::string commented_defaults(const std::string &section)
 {
-  std::vector<StudyEntry> entries = entries_of(Study());
+  std::vector<StudyEntry> entries = default_entries();
   const std::string sections = listed(sections_of(entries));
   const auto is_another = [&](const StudyEntry &entry) { return !boost::iequals(entry.section, section); };
   if (!section.empty())

@@ -53,7 +53,7 @@ std::vector<std::string> files_of(const Study &study);
 Study with_paths_from(const std::filesystem::path &folder, Study study);
 
 /// Returns the values as nested JSON objects: section, entry, value.
-nlohmann::ordered_json study_as_json(const Study &study);
+Json study_as_json(const Study &study);
 
 /// Returns the study as a .prm file.
 std::string study_as_prm(const Study &study);

@@ -97,7 +97,7 @@ void add_solid_body(const Study &study, StudySize &size)
 /// Returns the entry of @p study whose default would reduce the memory most.
 StudyEntry greediest(Study &study)
 {
-  const std::vector<StudyEntry> standard = entries_of(Study()), tried = study_entries(study);
+  const std::vector<StudyEntry> &standard = default_entries(), tried = study_entries(study);
   double least = size_of(study).memory;
   StudyEntry found = tried.front();
   for (std::size_t i = 0; i < tried.size(); ++i)

@@ -111,13 +111,13 @@ TEST(Budget, RoundingIsMeasuredByTheSpinThatTheMomentLeadsTo)
   for (const double speed : { 0.35, 0.1, 0.01 })
   {
     study.motion.orbit.orbit_speed = speed;
-    EXPECT_NEAR(spin_scale(study), expected(), 1e-12 * expected()) << speed;
+    EXPECT_NEAR(study.spin_scale(), expected(), 1e-12 * expected()) << speed;
   }
   study.motion.orbit.orbit_speed = 1e-4;
-  EXPECT_NEAR(spin_scale(study), 1e-6 * spin_unit(study), 1e-18);
+  EXPECT_NEAR(study.spin_scale(), 1e-6 * study.spin_unit(), 1e-18);
   study.motion.orbit.force_offset = 0; // nothing to measure by
-  EXPECT_EQ(spin_scale(study), spin_unit(study));
-  EXPECT_EQ(spin_scale(study_of_given_load()), spin_unit(study_of_given_load()));
+  EXPECT_EQ(study.spin_scale(), study.spin_unit());
+  EXPECT_EQ(study_of_given_load().spin_scale(), study_of_given_load().spin_unit());
 }
 
 TEST(Budget, AFilledGlassIsAnEmptyOneOfItsMassWithTheMetacentreOfTheLiquid)

@@ -5,7 +5,7 @@
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/base/numbers.h"
-#include "fem/pipeline/result/run_results.h"
+#include "fem/pipeline/result/verb_results.h"
 #include "fem/pipeline/result/table_renderers.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
@@ -179,8 +179,8 @@ Json results_of(const Study &study)
   fem::ComplianceCache cache;
   const StudyAnswer answer =
     answer_study(study, Depth::answer, ThreadedExecutor(cache), silent_progress(), false);
-  const Results results = make_document(study, answer.contact, answer.spin, answer.bands, answer.goal);
-  Json all = results.findings.summary;
+  const Results results = run_results(answer);
+  Json all = results.summary;
   for (const ResultFile &file : results.files)
     if (file.name == "spin_up.csv")
       all["spin_up.csv"] = data_table(std::get<Table>(file.content));

@@ -1,6 +1,6 @@
 // The budget of effects from one made by hand: its tables in every form. The second row is formal, that with
 // tilt has no balance.
-#include "fem/pipeline/result/run_results.h"
+#include "fem/pipeline/result/verb_results.h"
 #include "tests/fem/pipeline/result/hand_made_studies.h"
 
 #include <gtest/gtest.h>

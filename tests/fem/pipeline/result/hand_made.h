@@ -176,13 +176,13 @@ inline std::string file_lines(const pipeline::Results &results, const std::strin
 }
 
 /// A table of the page, a line for each column, with its heading and unit as the page shows them.
-inline std::string page_lines(const pipeline::Document &document, const std::string &name)
+inline std::string page_lines(const pipeline::Results &results, const std::string &name)
 {
-  const auto &table = document.tables.at(name);
+  const auto &table = results.tables.at(name);
   std::vector<std::vector<std::string>> columns;
   for (std::size_t c = 0; c < table["keys"].size(); ++c)
   {
-    const auto &quantity = document.quantities.at(name).at(table["keys"][c].get<std::string>());
+    const auto &quantity = results.quantities.at(name).at(table["keys"][c].get<std::string>());
     const std::string unit = quantity["unit"];
     columns.push_back({ pipeline::with_unit(quantity["heading"], unit == "1" ? "" : unit) });
     for (const auto &cell : table["values"][c])

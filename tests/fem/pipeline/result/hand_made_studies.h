@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/analysis/refinement_study.h"
-#include "fem/pipeline/result/run_results.h"
+#include "fem/pipeline/result/verb_results.h"
 #include "tests/fem/pipeline/result/hand_made.h"
 
 namespace stemware::test
@@ -83,15 +83,15 @@ inline ring::TorqueEffects hand_made_effects()
              { 2, AtSpin{ 0.25, 0, 0 }, AtSpin{ 0.375, 0, 0 }, 0.5, -3, { 0, 0.375 } } } };
 }
 
-struct RunByHand
+struct RunByHand : pipeline::StudyAnswer
 {
   RunByHand()
   {
     Numbers next;
-    report.load = hand_made_load_report(next);
-    report.foot = pipeline::FootReport();
-    report.coupling = pipeline::CouplingStatistics();
-    pipeline::FootReport &foot = *report.foot;
+    contact.load = hand_made_load_report(next);
+    contact.foot = pipeline::FootReport();
+    contact.coupling = pipeline::CouplingStatistics();
+    pipeline::FootReport &foot = *contact.foot;
     foot.foot = { "solid", 101, 102, 103, fem::MeshReport() };
     foot.foot.mesh_report->rim_radius = next();
     foot.foot.mesh_report->land_area_deficit = next();
@@ -111,7 +111,7 @@ struct RunByHand
     foot.footprint.cuts = { { { next(), 0.25, next() }, { next(), 0.25, next() } } };
     foot.fields = { { "contact.vtu", "" } };
     next();
-    *report.coupling = { 301, 302 };
+    *contact.coupling = { 301, 302 };
     spin.curve_error = next();
     spin.rows = { hand_made_row(next, 1), hand_made_row(next, 2) };
     spin.torque = hand_made_torque_curve(next);
@@ -127,27 +127,18 @@ struct RunByHand
               hand_made_band(next, "a2", "a_2/a_0", "1"), zero_band("b2"),
               hand_made_band(next, "omega_terminal", "terminal spin", "rad/s") };
     study.table.waviness.push_back({});
-    report.load_at_end = hand_made_load_report(next);
-    report.load_at_end.tilt = { next(), next() };
-    report.load.outer_radius = report.load.inner_radius + 2 * next() / 1000;
+    contact.load_at_end = hand_made_load_report(next);
+    contact.load_at_end.tilt = { next(), next() };
+    contact.load.outer_radius = contact.load.inner_radius + 2 * next() / 1000;
     spin.budget = hand_made_budget(next);
     bands.back().parts = { { "mesh", next() / 1e4 }, { "rings", next() / 1e4 } };
     study.load.coupling = pipeline::LoadCoupling::one_way;
   }
-
-  pipeline::Study study;
-  pipeline::ContactReport report = { { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) },
-                                     { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) },
-                                     {},
-                                     {} }; // replaced
-  pipeline::SpinStudy spin;
-  std::vector<pipeline::BandedQuantity> bands;
 };
 
 inline pipeline::Results made_run()
 {
-  const RunByHand by_hand;
-  return make_document(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
+  return run_results(RunByHand());
 }
 
 struct RefinementByHand
@@ -161,8 +152,9 @@ struct RefinementByHand
     axis.sizes = { 0, 1 };
     axis.levels.resize(2);
     axis.own = 1;
-    for (std::size_t i = 0; i < bands.size(); ++i)
-      axis.quantities.push_back({ { next(), next() }, next(), next(), { next() / 1000, next() / 1000 } });
+    for (const pipeline::BandedQuantity &banded : bands)
+      axis.quantities.push_back(
+        { { next(), next() }, next(), next(), { next() / 1000, next() / 1000 }, banded.quantity.key });
     axes.push_back(axis);
   }
 

@@ -2,7 +2,6 @@
 #include "fem/pipeline/analysis/ring_quantities.h"
 #include "fem/pipeline/analysis/sweep_case.h"
 #include "fem/pipeline/result/number_format.h"
-#include "fem/pipeline/result/run_answer.h"
 #include "fem/pipeline/result/sentences.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
@@ -41,7 +40,7 @@ struct SpunStudy : RunByHand
     bands.back() = { { "omega_terminal", "terminal spin", "rad/s", -3.25, 1e-9 }, 0.00123, -3.25 };
   }
 
-  std::string answer() const { return run_answer(study, spin, bands); }
+  std::string answer() const { return run_results(*this).words["answer"]; }
 };
 
 void expect_all(const std::string &text, const std::vector<std::string> &numbers)
@@ -85,11 +84,11 @@ TEST(RunAnswer, SentenceAndTableSayTheSameAtEverySpeed)
     usual = effect.relative;
     const std::string sentence = harmonic_effect_sentence(study, effect);
     EXPECT_NE(sentence.find("% slower ("), std::string::npos) << sentence;
-    EXPECT_TRUE(is_spin(study, *effect.absolute)); // the table shows it too
-    EXPECT_TRUE(is_spin(study, value("omega_terminal")));
+    EXPECT_TRUE(study.is_spin(*effect.absolute)); // the table shows it too
+    EXPECT_TRUE(study.is_spin(value("omega_terminal")));
   }
   // Below rounding there is no per cent, and the sentence says how little.
-  const HarmonicEffect none = harmonic_effect(-1e-11, -1e-11 - 1e-19, spin_scale(study));
+  const HarmonicEffect none = harmonic_effect(-1e-11, -1e-11 - 1e-19, study.spin_scale());
   const std::string nothing = harmonic_effect_sentence(study, none);
   EXPECT_NE(nothing.find("less than 3.3e-18 rad/s."), std::string::npos) << nothing;
 }
@@ -152,11 +151,9 @@ TEST(Remarks, ALayerThickerThanTheContactIsNoWinklerInterface)
   run.study.table.substrate = TableSubstrate::rigid;
   const auto remark = [&](double half_width)
   {
-    run.report.load.inner_radius = 0.03 - half_width;
-    run.report.load.outer_radius = 0.03 + half_width;
-    return make_document(run.study, run.report, run.spin, run.bands)
-             .console.front()
-             .text.find("(Table/Layer thickness)") != std::string::npos;
+    run.contact.load.inner_radius = 0.03 - half_width;
+    run.contact.load.outer_radius = 0.03 + half_width;
+    return run_results(run).console.front().text.find("(Table/Layer thickness)") != std::string::npos;
   };
   EXPECT_FALSE(remark(2e-4)); // no layer is named
   run.study.table.layer_thickness = 5e-3;
@@ -169,7 +166,7 @@ TEST(Remarks, ALayerThickerThanTheContactIsNoWinklerInterface)
 TEST(Remarks, ScatterOfAProfileIsInNoBand)
 {
   RunByHand run;
-  const auto answer = [&] { return profile_remark(run.study); };
+  const auto answer = [&] { return run_results(run).words["answer"].get<std::string>(); };
   const std::string page = "docs/cookbooks/own_profile.md";
   EXPECT_EQ(answer().find(page), std::string::npos);
   run.study.glass.rim_circle = fem::RimCircle{ 0.03, 0.003, 19e-6, 10 };

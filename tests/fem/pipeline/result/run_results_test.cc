@@ -1,6 +1,6 @@
 // The results of `run` from a study made by hand, whose numbers are all different: each heading, unit and
 // digit of every table stands beside the values that belong there.
-#include "fem/pipeline/result/run_results.h"
+#include "fem/pipeline/result/verb_results.h"
 #include "tests/fem/pipeline/result/hand_made_studies.h"
 
 #include <gtest/gtest.h>
@@ -37,47 +37,42 @@ minimum of the load at rest (N/rad): -1.5001234567 | -1.8701234567
 TEST(RunByHand, EffectOnTheTorque)
 {
   const Results results = made_run();
-  EXPECT_EQ(results.findings.summary["torque_effect"].dump(),
+  EXPECT_EQ(results.summary["torque_effect"].dump(),
             R"({"half":0.25,"half_relative":0.125,"terminal":0.375,"terminal_relative":0.1875,"largest":0.5,)"
             R"("largest_relative":0.25,"largest_at":-3.0})");
-  EXPECT_EQ(results.findings.summary["truncation"][0]["torque_rest"].dump(),
-            R"({"half":0.25,"terminal":0.375})");
+  EXPECT_EQ(results.summary["truncation"][0]["torque_rest"].dump(), R"({"half":0.25,"terminal":0.375})");
 }
 
 TEST(RunByHand, OneRing)
 {
   RunByHand by_hand;
+  by_hand.bands.clear();
   Numbers next;
   by_hand.spin.one_ring = hand_made_row(next, 2);
-  const Results results = make_document(by_hand.study, by_hand.report, by_hand.spin, {});
+  const Results results = run_results(by_hand);
   EXPECT_EQ(
-    results.findings.summary["one_ring"].dump(),
+    results.summary["one_ring"].dump(),
     R"({"tau_at_rest":1.0701234567,"omega_terminal":-1.1301234567,"relative_change":0.013201234567})");
-  EXPECT_EQ(results.findings.summary["truncation"].size(), 2u);
-  EXPECT_TRUE(made_run().findings.summary["one_ring"].is_null());
+  EXPECT_EQ(results.summary["truncation"].size(), 2u);
+  EXPECT_TRUE(made_run().summary["one_ring"].is_null());
 }
 
 TEST(RunByHand, NoLiftOffIsDecidedByTheLoadItself)
 {
   RunByHand by_hand;
-  const auto decided = [&]
-  {
-    return make_document(by_hand.study, by_hand.report, by_hand.spin, {})
-      .findings.summary["ring"]["no_lift_off"]
-      .get<bool>();
-  };
-  for (LoadReport *load : { &by_hand.report.load, &by_hand.report.load_at_end })
+  const auto decided = [&] { return run_results(by_hand).summary["ring"]["no_lift_off"].get<bool>(); };
+  for (LoadReport *load : { &by_hand.contact.load, &by_hand.contact.load_at_end })
   {
     load->contact_fraction = 1;
     load->minimum = 0.1;
     load->moment_ratio = 0.9;
   }
   EXPECT_TRUE(decided());
-  by_hand.report.load.minimum = -1e-3; // it pulls, whatever its moment ratio
+  by_hand.contact.load.minimum = -1e-3; // it pulls, whatever its moment ratio
   EXPECT_FALSE(decided());
-  by_hand.report.load.minimum = 0;
+  by_hand.contact.load.minimum = 0;
   EXPECT_TRUE(decided());
-  by_hand.report.load_at_end.contact_fraction = 0.99;
+  by_hand.contact.load_at_end.contact_fraction = 0.99;
   EXPECT_FALSE(decided());
 }
 
@@ -101,7 +96,7 @@ TEST(RunByHand, RingOfTheSummary)
   // Closed form of the mean over the phases, as the torque beside it: mu pi r b_1 = 0.3
   // pi 1.8201234567 1.7901234567, not mu times the moment 1.1401234567 at the phase of t = 0.
   const Results results = made_run();
-  EXPECT_EQ(results.findings.summary["ring"].dump(1), R"({
+  EXPECT_EQ(results.summary["ring"].dump(1), R"({
  "omega_terminal": -1.8901234567,
  "tau_at_rest": 1.8301234567,
  "lean_torque_at_rest": 0.0,
@@ -133,7 +128,7 @@ TEST(RunByHand, ErrorBands)
 {
   const Results results = made_run();
   EXPECT_EQ(
-    results.findings.summary["error_bands"]["omega_terminal"].dump(),
+    results.summary["error_bands"]["omega_terminal"].dump(),
     R"({"value":2.4901234567,"band":0.0025001234567,"parts":{"mesh":0.00031901234567,"degree":null,)"
     R"("harmonics":null,"lines":null,"interface":null,"load_harmonics":null,"rings":0.00032001234567,)"
     R"("interpolation":null,"solver":null},"unit":"rad/s"})");
@@ -153,13 +148,12 @@ b_n (N/rad): 0 | 1.0401234567 | 1.0601234567 | 0 | 1.1001234567 | 1.1201234567
 
 TEST(RunByHand, WithoutAContactThereIsNothingAboutOne)
 {
-  const RunByHand by_hand;
-  ContactReport report = by_hand.report;
-  report.foot.reset();
-  report.coupling.reset();
-  const Results without = make_document(by_hand.study, report, by_hand.spin, {});
+  RunByHand by_hand;
+  by_hand.contact.foot.reset();
+  by_hand.contact.coupling.reset();
+  const Results without = run_results(by_hand);
   for (const char *key : { "contact", "coupling" })
-    EXPECT_TRUE(without.findings.summary[key].is_null()) << key;
+    EXPECT_TRUE(without.summary[key].is_null()) << key;
   EXPECT_THROW(file_text(without, "contact_history.csv"), std::out_of_range);
   EXPECT_FALSE(without.tables.contains("contact"));
 }

@@ -1,7 +1,6 @@
 // The answer of a sweep from results made by hand.
-#include "fem/pipeline/analysis/case_list.h"
-#include "fem/pipeline/analysis/sweep_case.h"
-#include "fem/pipeline/result/answers.h"
+#include "fem/pipeline/result/verb_results.h"
+#include "tests/fem/pipeline/result/hand_made.h"
 
 #include <gmock/gmock.h>
 
@@ -20,31 +19,24 @@ TEST(SweepAnswer, NamesNoCaseWhereAllCasesHaveTheSameValue)
     return result;
   };
   const pipeline::FinishedCases finished = { { 0, solved(-3, -0.2) }, { 1, solved(-3 * (1 + 4e-16), -0.3) } };
-  const std::string answer = pipeline::sweep_answer(list, finished);
+  const pipeline::Results results = pipeline::sweep_results(list, finished);
+  const std::string answer = results.words["answer"];
   EXPECT_THAT(answer, testing::Not(testing::HasSubstr("Motion/Mass")));
   EXPECT_THAT(answer, testing::Not(testing::HasSubstr("harmonics"))) << "the load has one";
-  EXPECT_EQ(pipeline::range_of(list, finished, "omega_terminal")->max_case, "all 2 cases");
-  EXPECT_EQ(pipeline::range_of(list, finished, "tau_at_rest")->max_case, "Motion/Mass = 0.2 kg");
+  EXPECT_THAT(page_lines(results, "ranges"),
+              testing::HasSubstr("at: all 2 cases | Motion/Mass = 0.2 kg | all 2 cases"));
 }
 
 TEST(SweepAnswer, LeavesFormalCasesOutOfTheRanges)
 {
   const pipeline::CaseList list = pipeline::cases_of_grid({ "Motion/Mass=0.2,0.3,0.4" });
-  const auto solved = [](double spin, bool is_formal)
-  {
-    pipeline::CaseResult result;
-    result.values = { { "omega_terminal", spin } };
-    result.is_formal = is_formal;
-    return result;
+  const auto solved = [](double spin, const std::string &status) {
+    return pipeline::CaseResult{ "", status, "", { { "omega_terminal", spin } } };
   };
-  const pipeline::FinishedCases finished = { { 0, solved(-3, false) },
-                                             { 1, solved(-2, false) },
-                                             { 2, solved(-9, true) } };
-  const auto range = pipeline::range_of(list, finished, "omega_terminal");
-  EXPECT_EQ(range->n, 2u);
-  EXPECT_EQ(range->min, -3);
-  EXPECT_EQ(finished.at(2).status(), "formal");
-  EXPECT_EQ(finished.at(1).status(), "ok");
+  const pipeline::Results results = pipeline::sweep_results(
+    list, { { 0, solved(-3, "ok") }, { 1, solved(-2, "ok") }, { 2, solved(-9, "formal") } });
+  EXPECT_EQ(results.key_figures["omega_terminal"].dump(), "[-3.0,-2.0]");
+  EXPECT_THAT(results.words["answer"].get<std::string>(), testing::HasSubstr("In 1 of 3 cases the load"));
 }
 
 } // namespace

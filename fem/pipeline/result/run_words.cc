@@ -1,11 +1,9 @@
-#include "fem/pipeline/result/run_answer.h"
-
-#include "fem/pipeline/analysis/ring_quantities.h"
-#include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/result/number_format.h"
 #include "fem/pipeline/result/sentences.h"
 #include "fem/pipeline/result/study_words.h"
+
+#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +16,37 @@ using format::number;
 namespace
 {
 
+/// Duration of one turn [s].
+double seconds_a_turn(double omega)
+{
+  return boost::math::double_constants::two_pi / std::abs(omega);
+}
+
+/// One sentence for each of @p states (name of the state, load) with lift-off or a tensile load.
+std::string lift_off_sentences(const std::vector<std::pair<std::string, const LoadReport *>> &states)
+{
+  std::string text;
+  for (const auto &[state, load] : states)
+  {
+    const std::string share = number(load->contact_fraction, ".1f%") + " of the land is under pressure";
+    if (load->minimum < 0)
+      append(text, state + " the load is negative somewhere, down to " + number(load->minimum, ".4g") +
+                     " N/rad (tensile, not physical). " + share + ".");
+    else if (load->contact_fraction < 1)
+      append(text,
+             state + " the foot has partly lifted off: " + share + ", at a moment ratio of " +
+               number(load->moment_ratio, ".4g") +
+               (load->moment_ratio > 1 ? " (above 1 a first-harmonic load is negative somewhere)." : "."));
+  }
+  return text;
+}
+
 /// The row of the budget whose step is the largest, harmonics left out; null if no step is a spin.
-const BudgetRow *largest_other_step(const Study &study, const Budget &budget)
+const BudgetRow *largest_other_step(const StudyAnswer &run)
 {
   const BudgetRow *largest = nullptr;
-  for (const BudgetRow &row : budget.rows)
-    if (row.name != "harmonics" && row.difference && is_spin(study, *row.difference) &&
+  for (const BudgetRow &row : run.spin.budget.rows)
+    if (row.name != "harmonics" && row.difference && run.study.is_spin(*row.difference) &&
         (!largest || std::abs(*row.difference) > std::abs(*largest->difference)))
       largest = &row;
   return largest;
@@ -35,14 +58,14 @@ std::optional<double> paper_spin(const Budget &budget)
   return budget.rows.size() < 2 ? std::nullopt : budget.rows.front().omega_terminal;
 }
 
-std::string paper_sentence(const Study &study, const SpinStudy &spin)
+std::string paper_sentence(const StudyAnswer &run)
 {
-  const std::optional<double> omega = paper_spin(spin.budget);
+  const std::optional<double> omega = paper_spin(run.spin.budget);
   if (!omega)
     return "";
-  if (!is_spin(study, *omega))
+  if (!run.study.is_spin(*omega))
     return "In the paper's model it does not spin up.";
-  return std::string("The paper's rigid ring would ") + (spin.all().fall ? "turn once in " : "take ") +
+  return std::string("The paper's rigid ring would ") + (run.spin.all().fall ? "turn once in " : "take ") +
          number(seconds_a_turn(*omega), "#.3g") + " s.";
 }
 
@@ -57,15 +80,15 @@ std::string resting_answer(const Study &study, const ring::Answer &all)
   return text;
 }
 
-std::string largest_step_sentence(const Study &study, const Budget &budget)
+std::string largest_step_sentence(const StudyAnswer &run)
 {
-  const BudgetRow *row = largest_other_step(study, budget);
+  const BudgetRow *row = largest_other_step(run);
   if (!row)
     return "";
   const std::optional<double> relative =
-    relative_to(*row->omega_terminal - *row->difference, row->difference, spin_scale(study));
+    relative_to(*row->omega_terminal - *row->difference, row->difference, run.study.spin_scale());
   return "The largest correction to the paper's model is \"" + row->name + "\"" +
-         (is_one_way(study) ? " (one-way): " : ": ") + number(*row->difference, "+.3g") + " rad/s" +
+         (run.study.load.is_one_way() ? " (one-way): " : ": ") + number(*row->difference, "+.3g") + " rad/s" +
          (relative ? " (" + faster_or_slower(*relative) + ")" : "") +
          (row->status == ring::Status::formal
             ? "; the load of this step is negative somewhere (tensile, not physical)."
@@ -90,17 +113,18 @@ std::string missing_band_sentence(const Study &study)
          (may_be_narrow ? ", or the contact is narrower than the mesh's cells." : ".");
 }
 
-std::string spinning_answer(const Study &study, const SpinStudy &spin, const ErrorBands &bands, double omega)
+std::string spinning_answer(const StudyAnswer &run, double omega)
 {
+  const auto &[study, goal, contact, spin, bands] = run;
   const std::optional<double> band = band_of(bands, "omega_terminal"), paper = paper_spin(spin.budget);
   std::string text =
-    under_its_load(study, "The glass turns once in " + number(seconds_a_turn(omega), "#.3g") + " s, " +
-                            sense_of(study, omega) + ".");
-  append(text, paper_sentence(study, spin));
+    under_its_load(study.load, "The glass turns once in " + number(seconds_a_turn(omega), "#.3g") + " s, " +
+                                 sense_of(study.motion.orbit, omega) + ".");
+  append(text, paper_sentence(run));
   append(text,
          "The terminal spin is " + format::spin(omega, band) + " rad/s" +
            (band ? " (± " + number(*band, "band") + " rad/s by discretisation)" : "") +
-           (paper && is_spin(study, *paper) ? ", the paper's " + format::spin(*paper) + " rad/s." : "."));
+           (paper && study.is_spin(*paper) ? ", the paper's " + format::spin(*paper) + " rad/s." : "."));
   if (!band && !spin.is_quick() && study.load.is_from_contact())
     append(text, missing_band_sentence(study));
   if (spin.rows.size() > 1)
@@ -108,9 +132,9 @@ std::string spinning_answer(const Study &study, const SpinStudy &spin, const Err
     append(text, torque_effect_sentence(spin.torque_effects));
     append(text, harmonic_effect_sentence(study, spin.budget.harmonics, band_of(bands, "harmonic_effect")));
   }
-  append(text, largest_step_sentence(study, spin.budget));
+  append(text, largest_step_sentence(run));
   append(text, inputs_sentence(spin.budget));
-  append(text, "docs/limits.md lists the effects missing in the " + one_way_word(study) +
+  append(text, "docs/limits.md lists the effects missing in the " + one_way_word(study.load) +
                  "model, with the sizes that are known.");
   return text;
 }
@@ -133,30 +157,29 @@ std::string pressed_sentence(const std::string &state, const LoadReport &load, c
             : ".");
 }
 
-} // namespace
-
-std::string run_answer(const Study &study, const SpinStudy &spin, const ErrorBands &bands)
+std::string answer_of(const StudyAnswer &run)
 {
+  const auto &[study, goal, contact, spin, bands] = run;
   const ring::Answer &all = spin.all();
   std::string text;
   if (spin.is_quick())
     text = "Quick run: no budget of effects, no error bands.";
   if (all.fall)
   {
-    append(text, fall_sentences(study, all));
-    append(text, paper_sentence(study, spin));
+    append(text, fall_sentences(study.motion.orbit, all));
+    append(text, paper_sentence(run));
   }
-  else if (const double omega = all.omega_terminal().value(); is_spin(study, omega))
-    append(text, spinning_answer(study, spin, bands, omega));
+  else if (const double omega = all.omega_terminal().value(); study.is_spin(omega))
+    append(text, spinning_answer(run, omega));
   else
     append(text, resting_answer(study, all));
   return text;
 }
 
-std::string profile_remark(const Study &study)
+/// Scatter of the points of a profile about its rim circle.
+std::string profile_remark(const std::optional<fem::RimCircle> &circle)
 {
   constexpr double rounding = 1e-9; // m, of numbers in a file
-  const auto &circle = study.glass.rim_circle;
   if (!circle || circle->rms_distance <= rounding)
     return "";
   return "The points of the profile are " + number(circle->rms_distance, "1e6*.2g") +
@@ -164,49 +187,55 @@ std::string profile_remark(const Study &study)
          "shows how to compute its effect on the spin.";
 }
 
-std::string lift_off_remark(const Study &study, const ContactReport &report, const SpinStudy &spin)
+/// Lift-off at the terminal spin if the glass spins, else at rest.
+std::string lift_off_remark(const StudyAnswer &run)
 {
+  const auto &[study, goal, contact, spin, bands] = run;
   if (spin.all().fall)
-    return lift_off_sentences({ { "At rest", &report.load }, { "Where it tips over", &report.load_at_end } });
-  if (is_spin(study, *spin.all().omega_terminal()))
+    return lift_off_sentences(
+      { { "At rest", &contact.load }, { "Where it tips over", &contact.load_at_end } });
+  if (study.is_spin(*spin.all().omega_terminal()))
   {
-    if (is_one_way(study))
-      return lift_off_sentences({ { "At every spin", &report.load } });
+    if (study.load.is_one_way())
+      return lift_off_sentences({ { "At every spin", &contact.load } });
     const char *at_end =
       spin.phases ? "At the terminal spin, at the phase of t = 0," : "At the terminal spin";
-    if (const std::string text = lift_off_sentences({ { at_end, &report.load_at_end } }); !text.empty())
+    if (const std::string text = lift_off_sentences({ { at_end, &contact.load_at_end } }); !text.empty())
       return text;
   }
-  return lift_off_sentences({ { "At rest", &report.load } });
+  return lift_off_sentences({ { "At rest", &contact.load } });
 }
 
-std::string contact_remark(const Study &study, const ContactReport &report, const SpinStudy &spin,
-                           const ErrorBands &bands)
+/// Largest pressure and contact width at rest and at the terminal spin, with bands that exceed a tenth of the
+/// value; at rest only if the glass does not spin.
+std::string contact_remark(const StudyAnswer &run)
 {
-  std::string text = pressed_sentence("At rest", report.load, bands);
-  if (spin.all().terminal && is_spin(study, spin.all().terminal->omega))
-    append(text, pressed_sentence("At the terminal spin", report.load_at_end, bands));
+  const auto &[study, goal, contact, spin, bands] = run;
+  std::string text = pressed_sentence("At rest", contact.load, bands);
+  if (spin.all().terminal && study.is_spin(spin.all().terminal->omega))
+    append(text, pressed_sentence("At the terminal spin", contact.load_at_end, bands));
   return text;
 }
 
-std::string narrow_contact_remark(const Study &study, const ContactReport &report)
+/// A contact that is at most a few nodes wide.
+std::string narrow_contact_remark(const TableSection &table, const std::optional<FootReport> &foot)
 {
-  if (!report.foot || report.foot->at_rest.solution.outcome != fem::ContactOutcome::narrow_contact)
+  if (!foot || foot->at_rest.solution.outcome != fem::ContactOutcome::narrow_contact)
     return "";
-  return "Note: the contact is at most " + std::to_string(report.foot->at_rest.solution.n_nodes_across) +
+  return "Note: the contact is at most " + std::to_string(foot->at_rest.solution.n_nodes_across) +
          " nodes wide: " +
-         (study.table.is_hard()
+         (table.is_hard()
             ? "on a hard table the load then depends on the mesh; increase Contact/Radial cells "
               "or reduce Glass/Land width."
             : "the pressure is integrated exactly, but the mesh does not resolve the "
               "deformation of the foot next to the contact.");
 }
 
-std::string thin_layer_remark(const Study &study, double half_width)
+/// A contact narrower than the thickness of a Winkler interface's layer.
+std::string thin_layer_remark(const TableSection &table, double half_width)
 {
-  const double layer = study.table.layer_thickness;
-  if (study.table.interface != TableInterface::winkler || !(layer > 0) || !(half_width > 0) ||
-      half_width >= layer)
+  const double layer = table.layer_thickness;
+  if (table.interface != TableInterface::winkler || !(layer > 0) || !(half_width > 0) || half_width >= layer)
     return "";
   return "Note: the contact is " + number(2 * half_width, "1e3*.2g") +
          " mm wide; its half-width is less than the " + number(layer, "1e3*.3g") +
@@ -214,8 +243,10 @@ std::string thin_layer_remark(const Study &study, double half_width)
          "contact is much wider than the layer is thick; use an elastic disc (Table/Substrate = elastic).";
 }
 
-std::string out_of_flat_remark(const Study &study, const SpinStudy &spin)
+/// Ripple of spin and torque due to waviness.
+std::string out_of_flat_remark(const StudyAnswer &run)
 {
+  const auto &[study, goal, contact, spin, bands] = run;
   if (!spin.phases)
     return "";
   const bool rim = !study.glass.waviness.empty(), table = !study.table.waviness.empty();
@@ -228,9 +259,9 @@ std::string out_of_flat_remark(const Study &study, const SpinStudy &spin)
          number(spin.phases->torque_ripple, ".3g") + " N m.";
 }
 
-std::string several_spins_remark(const SpinStudy &spin)
+/// Number of terminal spins if there are several.
+std::string several_spins_remark(const std::vector<ring::TerminalSpin> &spins)
 {
-  const auto &spins = spin.terminal_spins;
   if (spins.size() < 2)
     return "";
   const auto n_stable =
@@ -239,6 +270,7 @@ std::string several_spins_remark(const SpinStudy &spin)
          std::to_string(n_stable) + " of them stable; the initial spin decides which one the glass reaches.";
 }
 
+/// Spins under the speeds of a file and at constant speed.
 std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
 {
   const auto &driven = spin.spin_up.driven;
@@ -266,6 +298,25 @@ std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
             " N, with a friction coefficient of " + number(start->motion.friction_coefficient, ".4g") +
             " and a moment ratio of " + number(start->moment_ratio, ".4g") + ".";
   return text;
+}
+
+} // namespace
+
+Json run_words(const StudyAnswer &run)
+{
+  const auto &[study, goal, contact, spin, bands] = run;
+  std::string answer = answer_of(run);
+  append(answer, profile_remark(study.glass.rim_circle));
+  return { { "answer", answer },
+           { "lift_off", lift_off_remark(run) },
+           { "pressed", contact_remark(run) },
+           { "narrow_contact", narrow_contact_remark(study.table, contact.foot) },
+           { "thin_layer", thin_layer_remark(study.table, contact.load.half_width()) },
+           { "out_of_flat", out_of_flat_remark(run) },
+           { "several_spins", several_spins_remark(spin.terminal_spins) },
+           { "driven", driven_remark(spin, bands) },
+           { "spin_unit", study.spin_unit() },
+           { "rounding", study.rounding_of_spins() } };
 }
 
 } // namespace stemware::pipeline

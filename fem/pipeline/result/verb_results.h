@@ -1,0 +1,41 @@
+#pragma once
+
+#include "fem/pipeline/analysis/case_list.h"
+#include "fem/pipeline/analysis/refinement_study.h"
+#include "fem/pipeline/analysis/study_answer.h"
+#include "fem/pipeline/analysis/sweep_case.h"
+#include "fem/pipeline/result/results.h"
+
+#include <optional>
+#include <vector>
+
+/// Results of the verbs, and the JSON Schemas of their summaries.
+namespace stemware::pipeline
+{
+
+/// Returns the results of `run`: load, contact, torque, spin-up, truncations and moment balances. The caller
+/// adds the fields, to avoid a copy.
+Results run_results(const StudyAnswer &answer);
+Json run_schema();
+
+/// Returns the mesh's part of the band of the study's goal; std::nullopt without a goal or band.
+std::optional<double> band_of_mesh(const StudyAnswer &answer);
+
+/// Returns the results of `truncate`, a view of what `run` finds, with Depth::rows.
+Results truncation_results(const StudyAnswer &answer);
+Json truncate_schema();
+
+/// Returns the results of `converge` from the solved @p axes and their total @p bands.
+Results convergence_results(const Study &study, const std::vector<RefinementAxis> &axes,
+                            const ErrorBands &bands);
+Json converge_schema();
+
+/// Returns the table of the quantities of @p bands on every level of the axes, converge.csv.
+Table level_table(const std::vector<RefinementAxis> &axes, const ErrorBands &bands);
+
+/// Returns the results of `sweep` beside sweep.csv: ranges of spin and harmonic effect, failures, and for a
+/// grid its curves or maps. Cases that are not @p finished are left out.
+Results sweep_results(const CaseList &list, const FinishedCases &finished);
+Json sweep_schema();
+
+} // namespace stemware::pipeline
