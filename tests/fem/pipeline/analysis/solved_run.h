@@ -1,0 +1,39 @@
+#pragma once
+
+#include "fem/pipeline/analysis/study_answer.h"
+#include "fem/pipeline/analysis/threaded_executor.h"
+#include "fem/pipeline/coupling/make_foot.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/result/verb_results.h"
+
+#include <memory>
+
+namespace stemware::test
+{
+
+/// Analysis and results of `run`, without writing files.
+struct SolvedRun : pipeline::StudyAnswer
+{
+  explicit SolvedRun(const pipeline::Study &given, const pipeline::Model &model = {})
+      : pipeline::StudyAnswer{ given }
+      , foot(pipeline::study_foot(study, cache, pipeline::silent_progress(), nullptr, {}, model))
+  {
+    const pipeline::ThreadedExecutor executor(cache);
+    const pipeline::BalancedLoad load = pipeline::find_load(study, foot);
+    spin = pipeline::study_spin(study, foot, load, executor);
+    contact = pipeline::describe(study, foot, load, spin.all().last_spin().value());
+    bands = pipeline::estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), executor,
+                                     pipeline::silent_progress(),
+                                     pipeline::reported_quantities(contact.load, spin.budget));
+    pipeline::add_bands(pipeline::band_of(bands, "omega_terminal"),
+                        pipeline::band_of(bands, "omega_first_harmonic"), spin.budget.rows);
+  }
+
+  pipeline::Results results() const { return pipeline::run_results(*this); }
+  pipeline::Json summary() const { return results().summary; }
+
+  fem::ComplianceCache cache;
+  std::shared_ptr<pipeline::ElasticFoot> foot;
+};
+
+} // namespace stemware::test
