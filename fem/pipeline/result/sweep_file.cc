@@ -13,7 +13,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <set>
+#include <sys/stat.h>
 #include <system_error>
 
 namespace stemware::pipeline
@@ -32,6 +35,24 @@ std::string csv_row(const std::vector<std::string> &cells)
   return row + '\n';
 }
 
+/// Size and time of the files that some case reads, a line each.
+std::string read_files(const fs::path &folder, const CaseList &list)
+{
+  const std::vector<std::string> of_base = files_of(list.base);
+  std::set<std::string> files(of_base.begin(), of_base.end());
+  for (std::size_t e = 0; e < list.entries.size(); ++e)
+    if (entry_at(default_entries(), "", list.entries[e].path).path_value != nullptr)
+      for (const auto &values : list.cases)
+        files.insert(values[e]);
+  std::string lines;
+  for (const std::string &file : files)
+    if (struct stat status = {}; ::stat(file.c_str(), &status) == 0)
+      lines += fmt::format(FMT_STRING("reads {}: {} bytes of {:%Y-%m-%dT%H:%M:%S}.{:09}Z\n"),
+                           on_one_line(fs::relative(file, folder).string()), status.st_size,
+                           fmt::gmtime(status.st_mtim.tv_sec), status.st_mtim.tv_nsec);
+  return lines;
+}
+
 /// Lines that begin with #, and the headings. Paths start at the folder: the same sweep may be started from
 /// anywhere.
 std::string head_of(const fs::path &folder, const CaseList &list)
@@ -43,7 +64,7 @@ std::string head_of(const fs::path &folder, const CaseList &list)
     headings.push_back(with_unit(quantity.key, quantity.unit, false));
   headings.insert(headings.end(), { "contact_outcome", "status", "message" });
   const std::string study = "stemware " + program_version() + " (" + program_revision() + ")\n" +
-                            study_as_prm(with_paths_from(folder, list.base));
+                            study_as_prm(with_paths_from(folder, list.base)) + read_files(folder, list);
   return "# " + boost::replace_all_copy(study.substr(0, study.size() - 1), "\n", "\n# ") + '\n' +
          csv_row(headings);
 }
@@ -60,8 +81,8 @@ void require_head(const std::string &file, const std::string &text, const std::s
     return shortened({ begin, std::find(place, whole.end(), '\n') });
   };
   throw OutputFailure(fmt::format(
-    FMT_STRING("{}, line {}: the rows are those of another version, study or list of columns, \"{}\" there "
-               "and \"{}\" now; choose another folder with --output."),
+    FMT_STRING("{}, line {}: the rows are those of another version, study, file or list of columns, \"{}\" "
+               "there and \"{}\" now; choose another folder with --output."),
     file, 1 + std::count(head.begin(), differs.first, '\n'), line_at(text, differs.second),
     line_at(head, differs.first)));
 }

@@ -201,6 +201,19 @@ TEST(Sweep, RefusesAFolderOfOtherFiles)
   expect_refused(stemware(scratch, sweep(two, "file")), 3, "is not a folder");
 }
 
+TEST(Sweep, RefusesFinishedCasesWithAChangedFile)
+{
+  const ScratchFolder scratch;
+  const std::string load = "# ring radius: 0.03 (m)\n0 0.46 0\n1 0 ";
+  for (const char *name : { "a.dat", "b.dat" })
+    scratch.write(name, load + "-0.1\n");
+  scratch.write("study.prm", "subsection Load\n  set Source = file\n  set File = a.dat\nend\n");
+  const auto arguments = sweep({ "--vary", "Load/File=a.dat,b.dat" });
+  ASSERT_EQ(stemware(scratch, arguments).exit_code, 0);
+  scratch.write("b.dat", load + "-0.2\n");
+  expect_refused(stemware(scratch, arguments), 3, "reads ../b.dat");
+}
+
 TEST(Sweep, AFailedCaseIsARow)
 {
   const ScratchFolder scratch;
