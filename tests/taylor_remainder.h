@@ -12,8 +12,8 @@
 ///
 ///   r(h) = |f(x + h d) - f(x) - h f'(x) d|,
 ///
-/// which falls like h^2 (or faster) for the derivative of f and like h for anything else. The check needs no
-/// choice of a difference step and states no tolerance of the derivative.
+/// which decreases like h^2 (or faster) for the derivative of f and like h for any other value. The check
+/// needs neither a difference step nor a tolerance of the derivative.
 namespace stemware::taylor
 {
 
@@ -26,9 +26,9 @@ inline double size_of(const Eigen::VectorXd &value)
   return value.norm();
 }
 
-/// Slope of log r over log h at the four smallest of twelve steps, each half the one before, whose remainder
-/// is above rounding; infinite if every remainder is rounding (a linear function), NaN if fewer than four
-/// remainders are above rounding.
+/// Slope of log r over log h, fitted to the four smallest of twelve halved steps whose remainder is above
+/// rounding. Infinite if every remainder is rounding (a linear function), NaN if fewer than four are above
+/// it.
 ///
 /// @p function returns f(x + h d) for a step h. @p derivative is f'(x) d. Both are a number or an
 /// Eigen::VectorXd. @p step is the largest step. @p noise is the relative rounding of f.
@@ -62,7 +62,7 @@ double slope_of_remainder(const Function &function, const Value &derivative, dou
   return above / below;
 }
 
-/// Succeeds if @p derivative is f'(x) d; the arguments are those of slope_of_remainder().
+/// Succeeds if @p derivative is f'(x) d; arguments as in slope_of_remainder().
 template <typename Function, typename Value>
 testing::AssertionResult is_derivative(const Function &function, const Value &derivative, double step,
                                        double noise = 1e-15)

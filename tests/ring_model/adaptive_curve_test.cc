@@ -1,12 +1,10 @@
-// Interpolation of costly loads: errors stated against the loads themselves.
+// Interpolation of loads over the spin.
 #include "ring_model/spin/adaptive_curve.h"
 #include "ring_model/spin/load.h"
 #include "tests/ring_model/unilateral_rim.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -24,8 +22,7 @@ ring::RingStack rim_load(double moment_ratio)
   return ring::test::UnilateralFoundation(rim, 1.5).rings(weight, { 0, -moment_ratio * weight * rim / 2 });
 }
 
-/// Moment ratio at which the pressure, which goes like the power 3/2 of the penetration, vanishes at one
-/// place: with lambda ~ cos^3(theta / 2), 2 integral lambda cos theta / integral lambda.
+/// Moment ratio at the onset of lift-off for lambda ~ cos^3(theta / 2): 2 int lambda cos theta / int lambda.
 constexpr double lift_off = 1.2;
 
 constexpr unsigned int n_harmonics = 24;
@@ -35,7 +32,7 @@ ring::CurveTolerance to(double wanted)
   return { wanted, wanted, wanted, 20, 1000 };
 }
 
-/// The rim's load against the moment ratio. @p kinks: where it lifts off, if the curve is to know.
+/// Load of the rim over the moment ratio. @p kinks: the onset of lift-off, if known.
 ring::CurveSource rim_source(const std::vector<double> &kinks = {})
 {
   const auto load_of = [](const Eigen::VectorXd &row) { return ring::Sample::from_coefficients(row, 1); };
@@ -46,34 +43,34 @@ ring::CurveSource rim_source(const std::vector<double> &kinks = {})
            kinks };
 }
 
-TEST(AdaptiveCurve, StatesAnErrorThatHolds)
+TEST(AdaptiveCurve, StatedErrorHolds)
 {
-  // The curve that does not know where the rim lifts off takes more pieces; the kink stays between nodes.
-  for (const bool knows : { false, true })
+  // An unknown kink stays between nodes and takes more pieces.
+  for (const bool is_known : { false, true })
     for (const double upper : { 1.1, 1.5 })
       for (const double tolerance : { 1e-4, 1e-7 })
       {
         const ring::CurveSource source =
-          rim_source(knows && upper > lift_off ? std::vector<double>{ lift_off } : std::vector<double>());
+          rim_source(is_known && upper > lift_off ? std::vector<double>{ lift_off } : std::vector<double>());
         const ring::AdaptiveCurve curve(source, 0, upper, to(tolerance));
         EXPECT_LE(curve.error(), tolerance);
         EXPECT_GT(curve.error(), 0);
         for (unsigned int i = 0; i <= 501; ++i)
         {
           const double m = upper * i / 501;
-          EXPECT_LE(source.error(m, curve(m), source.value(m)), (knows ? 1 : 3) * curve.error()) << m;
+          EXPECT_LE(source.error(m, curve(m), source.value(m)), (is_known ? 1 : 3) * curve.error()) << m;
         }
       }
 }
 
-TEST(AdaptiveCurve, TakesFewerSamplesWhenItKnowsTheKink)
+TEST(AdaptiveCurve, TakesFewerSamplesWithAKnownKink)
 {
-  const ring::AdaptiveCurve seeing(rim_source({ lift_off }), 0, 1.5, to(1e-6));
-  const ring::AdaptiveCurve blind(rim_source(), 0, 1.5, to(1e-6));
-  EXPECT_LT(3 * seeing.n_samples(), 2 * blind.n_samples());
+  const ring::AdaptiveCurve with_kink(rim_source({ lift_off }), 0, 1.5, to(1e-6));
+  const ring::AdaptiveCurve without(rim_source(), 0, 1.5, to(1e-6));
+  EXPECT_LT(3 * with_kink.n_samples(), 2 * without.n_samples());
 }
 
-TEST(AdaptiveCurve, SaysWhenSamplesDoNotSuffice)
+TEST(AdaptiveCurve, ReportsAnErrorAboveTheToleranceIfSamplesRunOut)
 {
   ring::CurveTolerance tolerance = to(1e-12);
   tolerance.max_samples = 60;
@@ -91,8 +88,7 @@ struct Rim
   ring::Sample at(double omega) const { return glass.at(omega).load; }
 };
 
-// The load of a rigid round rim, stated to be costly.
-TEST(Load, InterpolatesWithinTheErrorThatItStates)
+TEST(Load, InterpolatesWithinTheStatedError)
 {
   const Rim rim_in_balance;
   const auto exact = [&](double omega) { return rim_in_balance.at(omega); };
@@ -104,8 +100,7 @@ TEST(Load, InterpolatesWithinTheErrorThatItStates)
   EXPECT_EQ(curve.at(2.5).difference(exact(2.5)), 0); // beyond the samples
 }
 
-// A load that differs from another by a thousandth is interpolated by that difference.
-TEST(Load, IsInterpolatedByItsDifferenceToALikeOne)
+TEST(Load, InterpolatesTheDifferenceToASimilarLoad)
 {
   const Rim rim_in_balance;
   const auto exact = [&](double omega) { return rim_in_balance.at(omega); };

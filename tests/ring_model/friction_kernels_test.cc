@@ -28,7 +28,7 @@ public:
   explicit QuadratureOracle(double slip_ratio)
   {
     const Real eps(slip_ratio), pi = boost::math::constants::pi<Real>();
-    const bool at_pi = slip_ratio < 0.; // for negative eps the least slip lies at psi = pi
+    const bool at_pi = slip_ratio < 0.; // for negative eps the slip is smallest at psi = pi
     const double distance = std::abs(std::abs(slip_ratio) - 1.);
     std::vector<Real> edges;
     for (int i = 16; i >= 1; --i)
@@ -86,10 +86,10 @@ TEST(FrictionKernels, AgreeWithReferenceCases)
   }
 }
 
-TEST(FrictionKernels, LoseNoDigitsAgainstFiftyDigitQuadrature)
+TEST(FrictionKernels, AgreeWithFiftyDigitQuadrature)
 {
-  // Relative to the kernel itself; next to |eps| = 1, where U_n (|eps| < 1) or K_n (|eps| > 1) changes sign,
-  // to P_n.
+  // Tolerance relative to the kernel. Near |eps| = 1, where U_n (|eps| < 1) or K_n (|eps| > 1) changes sign,
+  // it is relative to P_n.
   const double tolerance = 1.5e-14;
   std::vector<double> slip_ratios{ 0.1, 0.5, 0.75, 0.9, 1., -1., 2., 10., -0.97, -1.02 };
   for (const double distance : { 1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-3, 0.01, 0.018, 0.02, 0.04, 0.08 })
@@ -113,7 +113,7 @@ TEST(FrictionKernels, LoseNoDigitsAgainstFiftyDigitQuadrature)
       {
         const double size = std::abs(static_cast<double>(expected)) + extra;
         const double error = std::abs(static_cast<double>(value - expected));
-        // 1e-40: what 50 digits leave of integrals of order one.
+        // 1e-40 is the rounding error of the 50-digit integrals of order one.
         EXPECT_LE(error, tolerance * size + 1e-40)
           << name << n << "(" << ::testing::PrintToString(eps) << ")";
         if (size > 1e-20)
@@ -201,7 +201,7 @@ TEST(FrictionKernels, KIsMinusTheDerivativeOfP)
       << eps;
 }
 
-TEST(FrictionKernels, DoNotDependOnHowManyAreAsked)
+TEST(FrictionKernels, DoNotDependOnTheHighestHarmonic)
 {
   for (const double eps : { 1e-3, 0.4, 0.69, 0.72, 0.95, 0.985, 0.999, 1.004, 3. })
   {
@@ -221,7 +221,7 @@ TEST(FrictionKernels, DoNotDependOnHowManyAreAsked)
   }
 }
 
-TEST(FrictionKernels, RefuseWhatHasNoSlip)
+TEST(FrictionKernels, RefuseZeroAndInvalidSlip)
 {
   EXPECT_THROW(FrictionKernels(0., 0., 3), std::invalid_argument);
   EXPECT_THROW(FrictionKernels(1., -1., 3), std::invalid_argument);

@@ -2,6 +2,7 @@
 #include "tests/ring_model/quadrature.h"
 #include "tests/ring_model/reference.h"
 #include "tests/taylor_remainder.h"
+#include "tests/ulps.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -19,14 +20,14 @@ RingStack some_load()
   return { { 0.5, 0.12, -0.07, 0.03, 0.02 }, { 0., -0.15, 0.05, -0.04, 0.01 }, 0.03 };
 }
 
-/// Constant, but not known to be: takes the quadrature.
+/// Constant law that does not report itself as constant, so that the quadrature is used.
 class DisguisedCoulombLaw : public FrictionLaw
 {
 public:
   double coefficient(double /*slip_speed*/) const override { return 0.3; }
 };
 
-TEST(FrictionLaw, FunctionalsOfADisguisedConstantAreThoseOfTheKernels)
+TEST(FrictionLaw, QuadratureOfAConstantLawAgreesWithTheKernels)
 {
   const std::vector<double> radii = { 0.027, 0.03, 0.033 };
   const unsigned int n_max = 40;
@@ -70,7 +71,7 @@ TEST(FrictionLaw, ConstantLawsUseTheKernels)
   EXPECT_EQ(found.torque, exact.torque);
 }
 
-TEST(FrictionLaw, ViscousPartIsLinear)
+TEST(FrictionLaw, ViscousFrictionIsLinearInTheSlip)
 {
   // mu = c |v_rel|: force = -c int lambda v_rel, a polynomial in the coefficients of the load.
   const RingStack load = some_load();
@@ -83,16 +84,16 @@ TEST(FrictionLaw, ViscousPartIsLinear)
   expect_relative(found.torque, c * R * pi * (speed * load.b(1) - 2. * load.a(0) * omega * R), 1e-12, "tau");
 }
 
-TEST(FrictionLaw, StribeckCurveHasItsLimits)
+TEST(FrictionLaw, StribeckCoefficientHasItsLimits)
 {
   const StribeckLaw law({ 0.5, 0.3, 0.05, 0.1, 1. });
   EXPECT_DOUBLE_EQ(law.coefficient(0.), 0.5);
-  EXPECT_NEAR(law.coefficient(0.05), 0.3 + 0.2 * std::exp(-1.) + 0.005, 1e-15);
+  EXPECT_NEAR(law.coefficient(0.05), 0.3 + 0.2 * std::exp(-1.) + 0.005, ulps(12, 0.38));
   EXPECT_NEAR(law.coefficient(10.), 1.3, 1e-12);
   EXPECT_FALSE(law.is_constant());
 }
 
-// A narrow decay, a wide one, and slip ratios on both sides of 1, on two rings.
+// Narrow and wide decay, slip ratios on both sides of 1, two rings.
 TEST(FrictionLaw, StribeckAgreesWithATrapezoidalSum)
 {
   const RingStack load({ { 0.028, { 0.2, 0.05, -0.03, 0.01, 0. }, { 0., -0.06, 0.02, 0.01, 0. } },
@@ -124,7 +125,7 @@ double potential_of(const StribeckLaw::Parameters &law, double slip_speed)
 }
 
 // Reference: closed form of the dissipation potential at a point, summed over the ring by the trapezoidal
-// rule. Friction is minus its gradient by the velocity of the ring, under every law.
+// rule. Friction is minus the gradient of the potential with respect to the velocity of the ring.
 TEST(FrictionLaw, FrictionIsMinusTheDerivativeOfAPotential)
 {
   const RingStack load = some_load();
@@ -139,7 +140,7 @@ TEST(FrictionLaw, FrictionIsMinusTheDerivativeOfAPotential)
       const double speed = 0.35, omega = eps * speed / R;
       const Wrench friction =
         friction_functionals(StribeckLaw(law), load.radii(), load.n_harmonics(), omega, speed)(load);
-      // Steps in the two components of the velocity and in the rim speed.
+      // Random direction in the two velocity components and the rim speed.
       const double along = numbers.between(-1., 1.), across = numbers.between(-1., 1.),
                    turning = numbers.between(-1., 1.) / R;
       const auto potential = [&](double h)

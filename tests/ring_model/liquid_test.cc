@@ -1,7 +1,8 @@
-// Oracle: the liquid as many columns over the bottom of the bowl, with weights and heights by the definition,
-// summed in three dimensions. It shares no formula with the code.
+// Oracle: the liquid as vertical columns on the bottom of the bowl, whose weights and moments are summed in
+// three dimensions. It shares no formula with the code.
 #include "ring_model/moment_balance.h"
 #include "tests/ring_model/reference.h"
+#include "tests/ulps.h"
 
 #include <Eigen/Geometry>
 
@@ -15,11 +16,11 @@ namespace
 using Eigen::Vector3d;
 using test::expect_relative;
 
-/// Mass of the liquid under a plane of slope (s_x, s_y) and the moment sum r x f of forces f = mass * @p
-/// field, each acting at the centre of its column.
+/// Mass of the liquid under a plane of slope (s_x, s_y), and moment sum r x f of the forces f = mass * @p
+/// field at the centres of the columns [kg, N m].
 std::pair<double, Vector3d> columns(const Liquid &liquid, const Eigen::Vector2d &slope, const Vector3d &field)
 {
-  // Gauss points on (0, 1) and equal angles integrate the polynomials in x and y here without an error.
+  // Gauss points on (0, 1) and equal angles are exact for these polynomials in x and y.
   const double node = std::sqrt(0.6) / 2, points[3] = { 0.5 - node, 0.5, 0.5 + node },
                weights[3] = { 5. / 18, 8. / 18, 5. / 18 };
   constexpr unsigned int n_angles = 16;
@@ -54,7 +55,7 @@ Motion filled(unsigned int seed)
   return motion;
 }
 
-TEST(Liquid, MomentIsThatOfTheColumnsUnderTheSurface)
+TEST(Liquid, MomentAgreesWithASumOverColumns)
 {
   for (unsigned int seed = 1; seed <= 20; ++seed)
   {
@@ -71,13 +72,14 @@ TEST(Liquid, MomentIsThatOfTheColumnsUnderTheSurface)
     const Vector3d others = of_liquid + Vector3d(0, 0, z).cross(motion.mass * field) +
                             Vector3d(0, 0, z + motion.force_offset).cross(hand);
     const Eigen::Vector2d moment = required_moment(Closure::full, motion, friction);
-    EXPECT_NEAR((moment + others.head<2>()).norm(), 0, 1e-15 * 100 * others.norm()) << seed;
+    EXPECT_NEAR((moment + others.head<2>()).norm(), 0, ulps(500, others.norm())) << seed;
 
-    // `hand` leaves out the friction's moment about the centre of mass of all.
+    // The closure `hand` omits the moment of the friction about the common centre of mass.
     const double rise = Vector3d(columns(motion.liquid, -a / motion.gravity, { 1, 0, 0 }).second).y();
     const double centre = (rise + motion.mass * z) / (liquid_mass + motion.mass);
     const Eigen::Vector2d of_hand = required_moment(Closure::hand, motion, friction);
-    EXPECT_NEAR((moment - of_hand - centre * Eigen::Vector2d(-friction.y(), friction.x())).norm(), 0, 1e-16)
+    EXPECT_NEAR((moment - of_hand - centre * Eigen::Vector2d(-friction.y(), friction.x())).norm(), 0,
+                ulps(10, others.norm()))
       << seed;
 
     Motion frozen = motion;
@@ -90,14 +92,14 @@ TEST(Liquid, MomentIsThatOfTheColumnsUnderTheSurface)
   }
 }
 
-TEST(Liquid, ActsAtItsMetacentreOnAGlassThatLeans)
+TEST(Liquid, ActsAtItsMetacentreOnALeaningGlass)
 {
   for (unsigned int seed = 1; seed <= 20; ++seed)
   {
     Motion motion = filled(seed);
     motion.orbit_speed = 1e-6;
     motion.orbit_acceleration = 0;
-    // Seen in the glass, gravity leans and the surface with it; to first order in the lean.
+    // In the frame of the glass, gravity and the liquid surface lean. First order in the lean.
     const double lean = 1e-5;
     const Vector3d field(motion.gravity * std::sin(lean), 0, -motion.gravity * std::cos(lean));
     const Vector3d moment = columns(motion.liquid, { std::tan(lean), 0 }, field).second +
@@ -106,7 +108,7 @@ TEST(Liquid, ActsAtItsMetacentreOnAGlassThatLeans)
   }
 }
 
-TEST(Liquid, RefusesWhatLeavesTheBowlOrUncoversItsBottom)
+TEST(Liquid, RefusesOverflowAndABareBottom)
 {
   Motion motion = filled(3);
   const double level = motion.liquid.level(),

@@ -10,7 +10,7 @@
 
 namespace stemware::ring::test
 {
-/// The mirror image of @p load in the direction of motion, lambda'(theta) = lambda(-theta): all b_n change
+/// Mirror image of @p load about the direction of motion, lambda'(theta) = lambda(-theta): all b_n change
 /// sign.
 inline RingStack mirrored(const RingStack &load)
 {
@@ -21,10 +21,9 @@ inline RingStack mirrored(const RingStack &load)
   return RingStack(std::move(reversed));
 }
 
-/// Friction of a load whose coefficient at a slip speed is @p coefficient, by the periodic trapezoidal rule
-/// on
-/// @p n_points angles: independent of kernels and functionals, and as slow and inexact near |eps| = 1 as such
-/// a rule must be. Points without slip carry no friction.
+/// Friction of a load with the coefficient @p coefficient(slip speed), by the periodic trapezoidal rule on
+/// @p n_points angles. It shares no code with kernels and functionals, and converges slowly near |eps| = 1.
+/// Points without slip have no friction.
 inline Wrench wrench_by_quadrature(const std::function<double(double)> &coefficient, const RingStack &load,
                                    double omega, double speed, unsigned int n_points)
 {
@@ -53,7 +52,7 @@ inline Wrench wrench_by_quadrature(const std::function<double(double)> &coeffici
   return sum;
 }
 
-/// The same with the constant coefficient @p mu, as coulomb_wrench() has it.
+/// Coulomb friction with the coefficient @p mu, by the same rule.
 inline Wrench wrench_by_quadrature(double mu, const RingStack &load, double omega, double speed,
                                    unsigned int n_points)
 {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <vector>
 
 namespace stemware::ring
 {
@@ -17,7 +16,7 @@ using test::expect_relative;
 const double radius = 0.03;
 const double scale = 0.35 / radius; ///< v / R [rad/s]
 
-/// The last spin in balance before a search fails, for want of a balance, with the failure @p Cause.
+/// Last spin with a moment balance in a search that ends with the failure @p Cause [rad/s].
 template <typename Cause = Tipping>
 double last_spin(const TorqueFunction &torque, const SpinSearch &search)
 {
@@ -30,13 +29,13 @@ double last_spin(const TorqueFunction &torque, const SpinSearch &search)
     EXPECT_THROW(std::rethrow_if_nested(lost), Cause);
     return lost.last_spin;
   }
-  ADD_FAILURE() << "a spin was found beyond the last balance";
+  ADD_FAILURE() << "the search returned a spin beyond the loss of balance";
   return std::nan("");
 }
 
-TEST(SpinSearch, NoiseAtRestMovesNothing)
+TEST(SpinSearch, TorqueWithinNoiseAtRestGivesNoSpin)
 {
-  // Rest is an unstable balance of this torque, 0.2 + 1e-12 its stable one.
+  // Zeros: -1e-12, unstable, and 0.2, stable.
   const auto torque = [](double omega) { return (omega + 1e-12) * (0.2 - omega); };
   SpinSearch search = { 1. };
   search.torque_noise = 1e-11;
@@ -47,7 +46,7 @@ TEST(SpinSearch, NoiseAtRestMovesNothing)
   EXPECT_NEAR(find_terminal_spin(torque, search).omega, 0.2, 1e-11);
 }
 
-TEST(SpinSearch, ABadGuessCostsLittle)
+TEST(SpinSearch, ABadInitialGuessNeedsFewEvaluations)
 {
   const SelfConsistentRing ring(Closure::full, Motion(), radius);
   const auto torque = [&](double omega) { return ring.torque(omega); };
@@ -80,7 +79,7 @@ TEST(SpinSearch, FindsTheFirstZeroOfRandomLoads)
   EXPECT_LE(n_evaluations, 5 * 200u);
 }
 
-TEST(SpinSearch, OvercomesTheGrip)
+TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorque)
 {
   // Closed form, first harmonic: a_0 K_0(eps) + b_1(eps) K_1(eps) = tau_g sgn(omega) / (mu R), b_1 = k_0 in
   // the closure `paper`. Zeros with 40 digits (mpmath, kernels by quadrature).
@@ -109,7 +108,7 @@ TEST(SpinSearch, OvercomesTheGrip)
     }
 }
 
-TEST(SpinSearch, TheGripHoldsTheGlass)
+TEST(SpinSearch, AStrongGripHoldsTheGlassAtRest)
 {
   // |torque(0)| = mu M_x = 0.003675 N m.
   const SelfConsistentRing ring(Closure::full, Motion(), radius);
@@ -126,16 +125,16 @@ TEST(SpinSearch, TheGripHoldsTheGlass)
   EXPECT_TRUE(upright.omega == 0. && !upright.held);
 }
 
-TEST(SpinSearch, TakesTheFirstZeroWhereTheSamplesShowThatThereAreMore)
+TEST(SpinSearch, ReturnsTheFirstOfSeveralZeros)
 {
   const auto torque = [](double omega) { return -(omega - 1.) * (omega - 3.) * (omega - 4.); };
-  // 12 N m at rest, negative between 1 and 3: halfway to 4 and to 3.
+  // The torque is positive up to 1 and between 3 and 4.
   expect_relative(find_terminal_spin(torque, { 4., 4.0001 }).omega, 1., 1e-11, "the last one expected");
   expect_relative(find_terminal_spin(torque, { 4., 3.5 }).omega, 1., 1e-11, "a sample between the zeros");
   expect_relative(find_terminal_spin(torque, { 4. }).omega, 1., 1e-11, "nothing expected");
 }
 
-TEST(SpinSearch, StepsBackFromSpinsWithoutTorque)
+TEST(SpinSearch, StepsBackFromSpinsWithoutABalance)
 {
   const auto torque_up_to = [](double limit, double zero)
   {
@@ -154,15 +153,15 @@ TEST(SpinSearch, StepsBackFromSpinsWithoutTorque)
   EXPECT_GT(last, 2.1 - 10. / 4096.);
   EXPECT_THROW(find_terminal_spin(torque_up_to(2., 2.0001), { 10., 1. }), BalanceLost);
   EXPECT_THROW(find_terminal_spin(torque_up_to(-1., 2.), { 10. }), Tipping); // at rest already
-  // In the other direction the last spin is negative.
+
   const auto backwards = [&](double omega) { return -torque_up_to(2.1, 2.2)(-omega); };
   EXPECT_NEAR(last_spin(backwards, { 10., -5. }), -2.1, 10. / 4096.);
 }
 
-TEST(SpinSearch, FindsWhereTheBalanceIsLostBeforeADistantZero)
+TEST(SpinSearch, FindsALossOfBalanceBeforeADistantZero)
 {
-  // A gap between 1 and 1.2 rad/s on the way to the zero at 6: only the scan meets it, for the torque rises
-  // there.
+  // No balance between 1 and 1.2 rad/s, zero at 6. The torque rises there, so that only the scan detects the
+  // gap.
   const auto torque = [](double omega)
   {
     if (omega > 1. && omega < 1.2)
@@ -172,10 +171,10 @@ TEST(SpinSearch, FindsWhereTheBalanceIsLostBeforeADistantZero)
   EXPECT_NEAR(last_spin<NoBalance>(torque, { 1., 5.9 }), 1., 1. / 4096.);
 }
 
-TEST(SpinSearch, FindsANarrowGapByTheSteadiness)
+TEST(SpinSearch, FindsANarrowGapByTheStabilityMargin)
 {
-  // A balance that ends in a fold: the stability margin is the root of the distance to it, in one direction
-  // after the other.
+  // The balance ends in a fold, where the stability margin vanishes like the square root of the distance.
+  // Both directions of spin.
   const double middle = 0.7;
   const auto square = [=](double omega, double least)
   { return std::min(1., least + 2. * std::pow(omega - middle, 2)); };
@@ -196,10 +195,10 @@ TEST(SpinSearch, FindsANarrowGapByTheSteadiness)
     }
 }
 
-TEST(SpinSearch, AJumpNextToAnUnsteadyBalanceIsAFall)
+TEST(SpinSearch, ATorqueJumpAtALowMarginIsTipping)
 {
-  // Beyond 0.7 rad/s there is another balance, with a smaller torque, and every spin has one. Right of a jump
-  // the margin may be of any size. A change as large within 2e-3 rad/s is no jump.
+  // At 0.7 rad/s the torque jumps to a second balance, whose margin may have any size. The same change within
+  // 2e-3 rad/s is no jump.
   const double end = 0.7, drop = 0.05;
   for (const double width : { 0., 2e-3 })
     for (const double beyond : { 0.1, 0.5 })
@@ -221,7 +220,7 @@ TEST(SpinSearch, AJumpNextToAnUnsteadyBalanceIsAFall)
       try
       {
         find_terminal_spin(torque, search);
-        ADD_FAILURE() << "the jump was not found, margin " << beyond;
+        ADD_FAILURE() << "the jump was not detected, margin " << beyond;
       }
       catch (const BalanceLost &lost)
       {
@@ -231,25 +230,7 @@ TEST(SpinSearch, AJumpNextToAnUnsteadyBalanceIsAFall)
     }
 }
 
-TEST(SpinSearch, NoSpinIsAskedTwiceOnAnUnsteadyWay)
-{
-  // A margin that falls steeply to a least value from one side only, as where an edge crosses a line.
-  std::vector<double> asked;
-  const auto torque = [&](double omega)
-  {
-    asked.push_back(omega);
-    return 1. - omega;
-  };
-  SpinSearch search{ 1., 0.99 };
-  search.stability_margin = [](double omega)
-  { return std::min(1., omega < 0.7 ? 0.02 + 0.7 - omega : 0.02 + 2. * std::sqrt(omega - 0.7)); };
-  EXPECT_NEAR(find_terminal_spin(torque, search).omega, 1., 1e-9);
-  std::sort(asked.begin(), asked.end());
-  EXPECT_EQ(std::adjacent_find(asked.begin(), asked.end()), asked.end());
-  EXPECT_LE(asked.size(), 150u);
-}
-
-TEST(SpinSearch, EndsWhereTheTorqueIsNoisy)
+TEST(SpinSearch, EndsAtTheNoiseOfTheTorque)
 {
   const auto torque = [](double omega) { return 1. - omega + 1e-9 * std::sin(1e12 * omega); };
   SpinSearch search{ 3. };
@@ -257,11 +238,11 @@ TEST(SpinSearch, EndsWhereTheTorqueIsNoisy)
   const SpinZero zero = find_terminal_spin(torque, search);
   EXPECT_NEAR(zero.omega, 1., 1e-7);
   EXPECT_LE(zero.n_evaluations, 5u);
-  // Asked for more than the noise allows it bisects down to the noise.
+  // With a tolerance below the noise, the search bisects down to the noise.
   EXPECT_NEAR(find_terminal_spin(torque, { 3. }).omega, 1., 3e-9);
 }
 
-TEST(SpinSearch, SaysWhatIsWrong)
+TEST(SpinSearch, RefusesATorqueWithoutATerminalSpin)
 {
   EXPECT_THROW(find_terminal_spin([](double) { return 1.; }, { 1. }), NoTerminalSpin);
   EXPECT_THROW(find_terminal_spin([](double omega) { return 1. + omega; }, { 1. }), NoTerminalSpin);

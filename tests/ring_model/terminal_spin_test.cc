@@ -17,7 +17,8 @@ namespace
 using test::expect_relative;
 using test::reference;
 
-/// Terminal slip ratio of a frozen load whose moment drives the ring counter-clockwise, R = 1 m, v = 1 m/s.
+/// Terminal slip ratio under a load that does not change with the spin and drives the ring counter-clockwise;
+/// R = 1 m, v = 1 m/s.
 template <typename LoadOfMoment>
 double terminal_slip_ratio(const LoadOfMoment &load, double moment_ratio)
 {
@@ -33,7 +34,7 @@ TEST(TerminalSpin, RadialLoadRowsOfTheReference)
   { return RingStack::first_harmonic(force, moment, 1.); };
   const auto on = [](double exponent)
   {
-    // eps up to 0.966: 0.966^1024 is below rounding.
+    // Slip ratios reach 0.966; 0.966^1024 is below rounding.
     return [foundation = test::UnilateralFoundation(1., exponent, 1024)](double force, const auto &moment)
     { return foundation.rings(force, moment); };
   };
@@ -47,9 +48,9 @@ TEST(TerminalSpin, RadialLoadRowsOfTheReference)
   }
 }
 
-TEST(TerminalSpin, FrictionBrakesUnderAnyLoadOfARimThatTurnsFasterThanItTravels)
+TEST(TerminalSpin, FrictionBrakesAnyLoadAtSlipRatiosAboveOne)
 {
-  // Loads that are nowhere negative and nearly a point, wherever it is: Fejer's kernels.
+  // Fejer kernels: compressive loads close to a point force at any azimuth.
   constexpr unsigned int n_most = 400;
   constexpr double turn = boost::math::double_constants::two_pi;
   const Motion motion;
@@ -74,7 +75,7 @@ TEST(TerminalSpin, FrictionBrakesUnderAnyLoadOfARimThatTurnsFasterThanItTravels)
       least = std::min(least, braking / unit / bound);
     }
   }
-  EXPECT_LT(least, 1.05); // and no bound could be much larger
+  EXPECT_LT(least, 1.05); // the bound is sharp within 5 %
 }
 
 TEST(TerminalSpin, FindsAllRootsWithTheirStability)
@@ -132,7 +133,7 @@ TEST(TerminalSpin, UprightSlidingLosesStabilityOnlyByANegativeLoad)
   expect_relative(damping, 0.5 - 0.9 * 0.9, 1e-6, "damping");
 }
 
-TEST(TerminalSpin, SaysThatThereIsNone)
+TEST(TerminalSpin, RefusesATorqueWithoutAZero)
 {
   EXPECT_THROW(terminal_spin([](double) { return 1.; }, 1., { 1. }), std::runtime_error);
   EXPECT_TRUE(all_terminal_spins([](double) { return 1.; }, 1., 1., -1., 1.).empty());

@@ -17,7 +17,7 @@
 
 namespace stemware::ring::test
 {
-/// Double exponential quadrature: the integrands have a root or nearly one at an end of the interval.
+/// Double exponential quadrature, for integrands that vanish like a root at an end of the interval.
 template <typename Integrand>
 double integral(const Integrand &integrand, double upper)
 {
@@ -25,7 +25,7 @@ double integral(const Integrand &integrand, double upper)
   return rule.integrate(integrand, 0., upper, 1e-11);
 }
 
-/// 1 + kappa cos theta at theta = pi - t: the least value 1 - kappa stands without cancellation.
+/// 1 + kappa cos theta at theta = pi - t, without cancellation near the minimum 1 - kappa.
 inline double full_pressure(double kappa, double t)
 {
   const double s = std::sin(0.5 * t);
@@ -41,9 +41,9 @@ inline double partial_pressure(double s, double p, double v)
   return sine_squared == 0. ? 0. : std::pow(sine_squared, p + 0.5) / std::sqrt((1. - s) + s * sine_squared);
 }
 
-/// Full contact: calls visit(n, a_n / a_{n-1}) for n = n_max...1, with 2 a_0 in a_0's place, from the
-/// recurrence (n + 1 + p) a_{n+1} = 2 c n a_n - (n - 1 - p) a_{n-1}. It starts far enough above n_max for the
-/// start to die out: |a_n| falls like exp(-n decay), cosh(decay) = -c.
+/// Full contact: calls visit(n, a_n / a_{n-1}) for n = n_max...1, with 2 a_0 in place of a_0, by the
+/// recurrence (n + 1 + p) a_{n+1} = 2 c n a_n - (n - 1 - p) a_{n-1}. The recurrence starts so far above n_max
+/// that the initial guess has decayed: |a_n| ~ exp(-n decay), cosh(decay) = -c.
 template <typename Visit>
 void descend(double c, double p, double decay, unsigned int n_max, const Visit &visit)
 {
@@ -181,8 +181,8 @@ private:
   unsigned int n_max;
 };
 
-/// Rim on a foundation in balance with friction and hand at every spin: M = M_N(T(lambda(M))), by Newton's
-/// method with differences.
+/// Rim on a foundation in moment balance at every spin, M = M_N(T(lambda(M))), by Newton's method with
+/// difference quotients.
 struct BalancedRim
 {
   Closure closure;

@@ -33,11 +33,11 @@ struct MarkedRing
   }
 };
 
-/// The ring's mean spin and ripple after many turns of the mark against the orbit, with the mark's angle as
-/// the variable of integration: d omega / d angle = tau / (I (omega - orbit)), and the same for the time.
+/// Mean spin and ripple after many revolutions of the mark against the orbit [rad/s], integrated over the
+/// angle of the mark: d omega / d angle = tau / (I (omega - orbit)), d t / d angle = 1 / (omega - orbit).
 std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns, unsigned int n_steps)
 {
-  const double step = -2. * M_PI / n_steps; // the mark falls back behind the orbit
+  const double step = -2. * M_PI / n_steps; // the mark lags behind the orbit
   const auto rates = [&](double angle, double omega)
   {
     return std::array{ ring(0., angle, omega) / (ring.inertia * (omega - ring.orbit)),
@@ -87,7 +87,7 @@ TEST(YawMotion, TurnsLikeAPendulum)
 
 TEST(YawMotion, FollowsAForcedLinearRing)
 {
-  // The table's mark alone: I omega' = -c (omega - omega_0) + A cos(nu t) from rest.
+  // I omega' = -c (omega - omega_0) + A cos(nu t) from rest: a mark on the table only.
   const double damping = 1.2e-3, drive = -3.6, force = 4e-4, nu = 4.6;
   const auto torque = [=](double time, double, double omega)
   { return -damping * (omega - drive) + force * std::cos(nu * time); };
@@ -106,8 +106,8 @@ TEST(YawMotion, FollowsAForcedLinearRing)
 
 TEST(YawMotion, FollowsAStiffForcedRingThroughItsTransient)
 {
-  // The same closed form with time constants of 1e-5 to 1e-12 s between outputs of 0.1 s: the limit is the
-  // zero of the torque at each time. The yaw angle is its integral from rest.
+  // The same closed form with time constants of 1e-5 to 1e-12 s and outputs 0.1 s apart. The yaw angle is the
+  // integral of the spin.
   const double damping = 1.2e-3, drive = -3.6, force = 4e-4, nu = 4.6;
   unsigned int n_torques = 0;
   const auto torque = [&](double time, double, double omega)
@@ -134,10 +134,10 @@ TEST(YawMotion, FollowsAStiffForcedRingThroughItsTransient)
   }
 }
 
-TEST(YawMotion, FollowsAStiffRingThatASpringHolds)
+TEST(YawMotion, FollowsAStiffOverdampedSpring)
 {
-  // I psi'' = -c (psi' - omega_0) - k psi is overdamped: roots near -c / I and -k / c. The steps become
-  // longer than the time constant c / k of 6e-3 s, so Newton's method needs the torque's slope by the angle.
+  // I psi'' = -c (psi' - omega_0) - k psi is overdamped, roots near -c / I and -k / c. The steps exceed the
+  // time constant c / k = 6e-3 s, so that Newton's method needs the derivative of the torque by the angle.
   const double inertia = 1e-11, damping = 1.2e-3, drive = -3.6, spring = 0.2;
   unsigned int n_torques = 0;
   const auto torque = [&](double, double angle, double omega)
@@ -160,10 +160,10 @@ TEST(YawMotion, FollowsAStiffRingThatASpringHolds)
   EXPECT_LT(n_torques, 10000u);
 }
 
-TEST(YawMotion, FollowsAStiffSpinWhoseDampingGrowsWithIt)
+TEST(YawMotion, FollowsAStiffNonlinearDamping)
 {
-  // tau = I s'(t) - c (omega + omega^3 - s - s^3) has the solution s(t) = 2 + cos(nu t); its slope changes by
-  // a factor of seven within a period.
+  // tau = I s'(t) - c (omega + omega^3 - s - s^3) has the solution s(t) = 2 + cos(nu t). The damping changes
+  // by a factor of seven within a period.
   const double inertia = 1e-9, damping = 1.2e-3, nu = 4.6;
   unsigned int n_torques = 0;
   const auto torque = [&](double time, double, double omega)
@@ -181,35 +181,11 @@ TEST(YawMotion, FollowsAStiffSpinWhoseDampingGrowsWithIt)
   EXPECT_LT(n_torques, 30000u);
 }
 
-TEST(YawMotion, AGripThatJumpsAtRestDoesNotMakeItStiff)
+TEST(YawMotion, AGripHoldsAndReleasesTheGlassAtEvents)
 {
-  // Fingers shift the drive of a linear ring that starts from rest: the same steps, the shifted closed form.
-  // They also brake a spin against the drive, which does not occur, so its slope must not count.
-  const double inertia = 1e-4, damping = 1.2e-3, drive = -3.6;
-  std::vector<unsigned int> n_torques;
-  for (const double grip : { 0., 1.5e-3 })
-  {
-    unsigned int n = 0;
-    const double brake = 1e4 * grip;
-    const auto torque = [&](double, double, double omega)
-    {
-      ++n;
-      const double of_table = -damping * (omega - drive);
-      return of_table - std::copysign(grip, omega == 0. ? of_table : omega) - brake * std::max(omega, 0.);
-    };
-    const double reached = drive + grip / damping;
-    for (const YawSample &sample : yaw_motion(torque, inertia, 0., { 0.05, 0.2, 0.6 }, 1e-10, 10.))
-      EXPECT_NEAR(sample.omega, -reached * std::expm1(-damping / inertia * sample.time), 1e-9) << sample.time;
-    n_torques.push_back(n);
-  }
-  EXPECT_LT(n_torques[1], 1.3 * n_torques[0]);
-}
-
-TEST(YawMotion, FingersHoldTheGlassFromAnEventToAnEvent)
-{
-  // I omega' = A cos(nu t) - c omega - grip sgn(omega). In closed form while the glass turns; it stops at the
-  // root of that, and turns again when A |cos(nu t)| exceeds the grip. The stiff ring has a time constant of
-  // 1e-6 s.
+  // I omega' = A cos(nu t) - c omega - grip sgn(omega). Closed form while the glass spins. The glass stops at
+  // the root of the closed form and starts again when A |cos(nu t)| exceeds the grip. The stiff ring has a
+  // time constant of 1e-6 s.
   constexpr double damping = 1.2e-3, force = 4e-3, nu = 4.6, grip = 2.5e-3;
   for (const double inertia : { 3e-4, 1e-9 })
   {
@@ -258,7 +234,7 @@ TEST(YawMotion, FingersHoldTheGlassFromAnEventToAnEvent)
   }
 }
 
-TEST(YawMotion, AGlassThatIsHeldAtTheStartAndToTheEndRests)
+TEST(YawMotion, AHeldGlassStaysAtRest)
 {
   const auto torque = [](double time, double, double omega)
   { return 1e-3 * std::sin(9. * time) - 1e-3 * omega; };
@@ -274,10 +250,10 @@ TEST(YawMotion, AGlassThatIsHeldAtTheStartAndToTheEndRests)
   }
 }
 
-TEST(YawMotion, AStepEndsAtEachBreak)
+TEST(YawMotion, StepsEndAtEachBreak)
 {
-  // The torque's slope in time jumps thirty times: omega = drive(t) - drive'(t) / rate + decaying parts in
-  // closed form.
+  // The time derivative of the torque jumps thirty times. Closed form: omega = drive(t) - drive'(t) / rate +
+  // decaying parts.
   const double rate = 4.;
   const auto drive = [](double t)
   { return std::abs(std::remainder(t, 0.2)); }; // corners at multiples of 0.1 s
@@ -321,7 +297,7 @@ TEST(YawMotion, EulerConvergesAtFirstOrderToTheAdaptiveMotion)
   EXPECT_THROW(yaw_motion_euler(ring, inertia, 0., 0., 10), std::invalid_argument);
 }
 
-TEST(LongTimeSpin, IsThatOfManyTurnsOfTheMark)
+TEST(LongTimeSpin, AgreesWithManyRevolutionsOfTheMark)
 {
   const MarkedRing ring;
   const LongTimeSpin spin = long_time_spin(ring, inertia, 0., 25., 1e-9, 10.);
@@ -329,14 +305,14 @@ TEST(LongTimeSpin, IsThatOfManyTurnsOfTheMark)
   EXPECT_NEAR(spin.mean, mean, 1e-8);
   EXPECT_NEAR(spin.ripple, ripple, 1e-5);
   EXPECT_LT(spin.uncertainty, 1e-8);
-  // The mean is not where the mean torque vanishes: of second order in the bump.
+  // The mean spin differs from the zero of the mean torque at second order in the bump.
   EXPECT_GT(std::abs(spin.mean - ring.drive), 1e-3);
 }
 
-TEST(LongTimeSpin, WalksWithLongStepsWhereTheSpinFollowsItsTorque)
+TEST(LongTimeSpin, TakesLongStepsAtNegligibleInertia)
 {
-  // Without inertia, phi = psi - orbit t obeys phi' = drive - orbit + bump / damping cos phi, and its mean is
-  // the root of a difference of squares. The time constant of 8e-6 s is a millionth of the windows.
+  // Without inertia, phi = psi - orbit t obeys phi' = drive - orbit + bump / damping cos phi, whose mean has
+  // a closed form. The time constant of 8e-6 s is a millionth of the windows.
   const MarkedRing ring;
   unsigned int n_torques = 0;
   const auto counted = [&](double time, double yaw_angle, double omega)
@@ -351,9 +327,9 @@ TEST(LongTimeSpin, WalksWithLongStepsWhereTheSpinFollowsItsTorque)
   EXPECT_LT(n_torques, 1500000u);
 }
 
-TEST(LongTimeSpin, LagsBehindABalanceWhoseDampingChanges)
+TEST(LongTimeSpin, InertiaShiftsTheMeanUnderVaryingDamping)
 {
-  // With roughness the inertia changes the mean at first order, I / damping; without it at second order only.
+  // With roughness the inertia changes the mean at first order in I / damping, without it at second order.
   MarkedRing ring;
   ring.roughness = 0.5;
   ring.inertia = 2e-8;
@@ -364,9 +340,9 @@ TEST(LongTimeSpin, LagsBehindABalanceWhoseDampingChanges)
   EXPECT_NEAR(spin.mean, mean, 5e-9);
 }
 
-TEST(LongTimeSpin, IsTheSameForAStiffAndASlowSpin)
+TEST(LongTimeSpin, AgreesForStiffAndSlowSpins)
 {
-  // The windows hold 2e4 to 6e5 time constants: below 4e4 explicit steps, above them implicit ones.
+  // The windows are 2e4 to 6e5 time constants long: explicit steps below 4e4, implicit steps above.
   MarkedRing ring;
   for (const double stiff_inertia : { 1.5e-6, 6e-7, 5e-8 })
   {
@@ -378,31 +354,16 @@ TEST(LongTimeSpin, IsTheSameForAStiffAndASlowSpin)
   }
 }
 
-TEST(LongTimeSpin, IsTakenOverWholeWindows)
+TEST(LongTimeSpin, RippleIsMeasuredInTheLastWindow)
 {
-  const MarkedRing ring;
-  double end = 0.;
-  const auto noted = [&](double time, double yaw_angle, double omega)
-  {
-    end = std::max(end, time);
-    return ring(time, yaw_angle, omega);
-  };
-  const double window = 25.;
-  long_time_spin(noted, inertia, 0., window, 1e-9, 10.);
-  EXPECT_GE(end, 2. * window);
-  EXPECT_NEAR(std::remainder(end, window), 0., 1e-9);
-}
-
-TEST(LongTimeSpin, OfASlowDecayHasItsLeastSpinAtTheEnd)
-{
-  // The means of two windows of 1 s agree to the requested 1e-5 rad/s; the spin falls through both.
+  // The spin decreases through both windows of 1 s, whose means agree to the requested 1e-5 rad/s.
   const double drive = -3.6, start = 1e-5, rate = 0.1;
   const auto torque = [=](double, double, double omega) { return -inertia * rate * (omega - drive); };
   const LongTimeSpin spin = long_time_spin(torque, inertia, drive + start, 1., 1e-6, 10.);
   EXPECT_NEAR(spin.ripple, start * (std::exp(-rate) - std::exp(-2. * rate)) / 2., 1e-9);
 }
 
-TEST(LongTimeSpin, LocksToTheOrbitWhereTheMarkHoldsTheGlass)
+TEST(LongTimeSpin, LocksToTheOrbitUnderAStrongMark)
 {
   MarkedRing ring;
   ring.bump = 1.1 * ring.damping * std::abs(ring.orbit - ring.drive);
@@ -411,13 +372,13 @@ TEST(LongTimeSpin, LocksToTheOrbitWhereTheMarkHoldsTheGlass)
   EXPECT_NEAR(spin.ripple, 0., 1e-7);
 }
 
-TEST(LongTimeSpin, SaysThatItDoesNotSettle)
+TEST(LongTimeSpin, RefusesASpinThatDoesNotSettle)
 {
   const auto accelerating = [](double, double, double) { return 1e-4; };
   EXPECT_THROW(long_time_spin(accelerating, inertia, 0., 1., 1e-9, 10.), std::runtime_error);
 }
 
-TEST(YawMotion, AnObserverHearsEveryTorqueUntilTheEnd)
+TEST(YawMotion, AnObserverIsCalledAtEveryTorqueEvaluation)
 {
   MarkedRing slow, stiff;
   stiff.inertia = 1e-12;

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace stemware
+{
+/// Returns @p n relative roundings of @p quantity, the tolerance of results that are exact up to a few
+/// roundings.
+inline double ulps(double n, double quantity)
+{
+  return n * std::numeric_limits<double>::epsilon() * std::abs(quantity);
+}
+} // namespace stemware
