@@ -1,4 +1,4 @@
-// The pointwise load stands at the azimuths where it acts.
+// Pointwise load over the azimuth, from contact lines and from nodes.
 #include "fem/contact/azimuthal_density.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ std::vector<double> forces_on(const ContactSurface &surface)
 
 } // namespace
 
-TEST(AzimuthalDensity, OfRadialLinesStandsAtTheirAzimuths)
+TEST(AzimuthalDensity, OfRadialLinesIsTheDensityAtTheirAzimuths)
 {
   ContactSurface surface = lines_round_the_rim(40, 0.05);
   surface.lines_are_radial = true;
@@ -49,10 +49,9 @@ TEST(AzimuthalDensity, OfRadialLinesStandsAtTheirAzimuths)
     EXPECT_NEAR(place.density, density_at(place.azimuth), 1e-12) << place.azimuth;
 }
 
-TEST(AzimuthalDensity, OfOtherLinesIsTheMeanOfItsSector)
+TEST(AzimuthalDensity, OfOtherLinesIsTheSectorMean)
 {
-  // Sectors of 2 pi / 10 whose middles stand at their azimuths: the mean of a first harmonic is that at the
-  // middle, times sin(h) / h of half a sector.
+  // The mean of a first harmonic over a sector is its value at the middle times sin(h) / h, h half a sector.
   ContactSurface surface = lines_round_the_rim(4000, M_PI / 4000);
   surface.n_sectors = 10;
   const std::vector<AzimuthLoad> density = density_of_lines(surface, forces_on(surface));
@@ -63,7 +62,7 @@ TEST(AzimuthalDensity, OfOtherLinesIsTheMeanOfItsSector)
       << place.azimuth;
 }
 
-TEST(AzimuthalDensity, OfNodesStandsAtTheirMeanAzimuth)
+TEST(AzimuthalDensity, OfNodesIsTheSectorMean)
 {
   // Two nodes to a sector, of equal distance.
   const unsigned int n_nodes = 40;
@@ -78,29 +77,8 @@ TEST(AzimuthalDensity, OfNodesStandsAtTheirMeanAzimuth)
     surface.node_position.row(i) << 0.03 * std::cos(azimuth), 0.03 * std::sin(azimuth);
     forces(i) = density_at(azimuth) * 2 * M_PI / n_nodes;
   }
-  const double mean = std::cos(M_PI / n_nodes); // of a first harmonic at two nodes, by that in their middle
+  const double mean =
+    std::cos(M_PI / n_nodes); // mean of a first harmonic at two nodes over its value between them
   for (const AzimuthLoad &place : density_of_nodes(surface, forces))
     EXPECT_NEAR(place.density, 1 + (density_at(place.azimuth) - 1) * mean, 1e-12) << place.azimuth;
-}
-
-TEST(AzimuthalDensity, ASectorWithoutNodesStandsInItsMiddle)
-{
-  // Nodes in three of four sectors; the first sector begins a quarter of its breadth before the first node.
-  const double azimuths[] = { 0.2, 0.3, 0.2 + M_PI / 2, 0.3 + 3 * M_PI / 2 };
-  ContactSurface surface;
-  surface.n_sectors = 4;
-  surface.node_position.resize(4, 2);
-  surface.node_gap = Eigen::VectorXd::Zero(4);
-  for (unsigned int i = 0; i < 4; ++i)
-    surface.node_position.row(i) << 0.03 * std::cos(azimuths[i]), 0.03 * std::sin(azimuths[i]);
-  // The fourth node lies at -1.27, so the sectors begin at -1.27 - pi / 8.
-  const double begin = 0.3 - M_PI / 2 - M_PI / 8;
-  const std::vector<AzimuthLoad> density = density_of_nodes(surface, Eigen::VectorXd::Ones(4));
-  ASSERT_EQ(density.size(), 4u);
-  EXPECT_NEAR(density[0].azimuth, 0.3 - M_PI / 2, 1e-14);
-  EXPECT_NEAR(density[1].azimuth, 0.25, 1e-14);
-  EXPECT_NEAR(density[2].azimuth, 0.2 + M_PI / 2, 1e-14);
-  EXPECT_NEAR(density[3].azimuth, begin + 7 * M_PI / 4, 1e-14);
-  EXPECT_NEAR(density[1].density, 2 * 2 / M_PI, 1e-14);
-  EXPECT_EQ(density[3].density, 0);
 }

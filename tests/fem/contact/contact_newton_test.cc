@@ -25,7 +25,7 @@ ContactOutcome outcome_on_mat(FootCase &foot, const Resultants &load, const Cont
   return outcome_of([&] { solve_contact(*foot.body, *mat, load, 0.03, control); });
 }
 
-/// A body whose linear solves return nothing: the residual cannot fall.
+/// A body whose linear solves return zero, so that the residual cannot decrease.
 class StuckBody : public RigidFoot
 {
 public:
@@ -43,14 +43,14 @@ public:
 
 } // namespace
 
-TEST(ContactDriver, NamesTipping)
+TEST(ContactDriver, ReportsTipping)
 {
   FootCase foot(GlassProfile(), coarse, linear_elements());
   EXPECT_EQ(outcome_on_mat(foot, load_at(2.2), {}), ContactOutcome::tipping);
   EXPECT_EQ(outcome_on_mat(foot, load_at(1.9), {}), ContactOutcome::converged);
 }
 
-TEST(ContactDriver, NamesTooManySteps)
+TEST(ContactDriver, ReportsTooManySteps)
 {
   FootCase foot(GlassProfile(), coarse, linear_elements());
   ContactControl control;
@@ -58,7 +58,7 @@ TEST(ContactDriver, NamesTooManySteps)
   EXPECT_EQ(outcome_on_mat(foot, load_at(1.7), control), ContactOutcome::too_many_steps);
 }
 
-TEST(ContactDriver, NamesARepeatedSet)
+TEST(ContactDriver, ReportsARepeatedActiveSet)
 {
   const FootCase foot(flat_profile(), coarse, linear_elements());
   StuckBody stuck(foot.body->contact_surface());
@@ -67,7 +67,7 @@ TEST(ContactDriver, NamesARepeatedSet)
             ContactOutcome::repeated_set);
 }
 
-TEST(ContactDriver, SaysWhenContactIsNarrow)
+TEST(ContactDriver, ReportsAContactNarrowerThanItsCells)
 {
   FootCase crowned(GlassProfile(), coarse);
   crowned.solve_on_winkler(1e11,
@@ -81,13 +81,13 @@ TEST(ContactDriver, SaysWhenContactIsNarrow)
   EXPECT_EQ(flat.solution.n_nodes_across, 9u);
 }
 
-TEST(ContactDriver, NamesOverflow)
+TEST(ContactDriver, ReportsOverflow)
 {
   FootCase foot(GlassProfile(), coarse, linear_elements());
   EXPECT_EQ(outcome_on_mat(foot, { 1e306, 0, -1e304 }, {}), ContactOutcome::overflow);
 }
 
-TEST(ContactDriver, RefusesLoadsThatAreNone)
+TEST(ContactDriver, RefusesInvalidLoadsAndLaws)
 {
   FootCase foot(GlassProfile(), coarse, linear_elements());
   const auto mat = make_law(WinklerInterface(1e11), foot.body->contact_surface());
@@ -99,7 +99,7 @@ TEST(ContactDriver, RefusesLoadsThatAreNone)
   EXPECT_THROW(HardInterface().make(foot.body->contact_surface(), -1), std::invalid_argument);
 }
 
-TEST(ContactDriver, EveryConvergedRunBalances)
+TEST(ContactDriver, ConvergedSolutionsBalanceTheDemand)
 {
   FootCase foot(GlassProfile(), coarse, linear_elements());
   for (const double modulus : { 1e8, 1e10, 1e12 })
@@ -108,7 +108,7 @@ TEST(ContactDriver, EveryConvergedRunBalances)
       const auto mat = make_law(WinklerInterface(modulus), foot.body->contact_surface());
       const Resultants demand = load_at(m, 2.1);
       foot.solve(*mat, demand);
-      // Plain sums over the pressure where it lies, and over the nodal forces.
+      // Resultants of the pressure points and of the nodal forces.
       const ContactSurface &surface = foot.body->contact_surface();
       Eigen::Vector3d of_pressure(0, 0, 0), of_nodes(0, 0, 0);
       for (const PointForce &point : mat->load(foot.solution, 1).points)
@@ -128,7 +128,7 @@ TEST(ContactDriver, EveryConvergedRunBalances)
     }
 }
 
-TEST(ContactDriver, RigidTableIsComplementary)
+TEST(ContactDriver, HardInterfaceIsComplementary)
 {
   FootCase foot(GlassProfile(), coarse, linear_elements());
   const ContactSurface &surface = foot.body->contact_surface();

@@ -1,6 +1,7 @@
-// How wide a pressure map is in contact and how hard, against pressures whose edges and means are known.
+// Width and mean pressure of the contact from pressure maps with known edges.
 #include "fem/contact/footprint.h"
 #include "fem/contact/pressure_profile.h"
+#include "tests/ulps.h"
 
 #include <gtest/gtest.h>
 
@@ -32,9 +33,9 @@ PressureMap map_of(double reach, const std::function<double(double, double)> &pr
   return footprint;
 }
 
-/// A strip of parabolic pressure whose half-width goes from 0.2 to 0.1 mm: the edges between the points of
-/// the grid are found, and the mean is two thirds of the largest pressure of each cut.
-TEST(Footprint, OfAParabolicPressureEndsBetweenThePoints)
+/// Parabolic pressure on a strip with half-widths of 0.1 to 0.2 mm. The mean is two thirds of the largest
+/// pressure of each cut.
+TEST(Footprint, FindsTheEdgesBetweenGridPoints)
 {
   const auto half_width = [](double azimuth) { return 1.5e-4 + 0.5e-4 * std::cos(azimuth); };
   const PressureMap footprint = map_of(2.5e-4,
@@ -56,10 +57,10 @@ TEST(Footprint, OfAParabolicPressureEndsBetweenThePoints)
   EXPECT_NEAR(measures.narrowest, 2e-4, 1e-5);
 }
 
-/// On a rough table the pressure of a crowned rim is a bell, which ends nowhere: the contact is as wide as
-/// what carries 99 % of the load, 2 x 2.5758 standard deviations, whatever the map shows beyond; the mean is
-/// 0.99 sqrt(2 pi) / 5.1517 of the largest pressure.
-TEST(Footprint, WithoutAnEdgeIsAsWideAsNinetyNinePercentOfTheLoad)
+/// A Gaussian pressure has no edge. The contact width contains 99 % of the load, 2 x 2.5758 standard
+/// deviations, and the mean is 0.99 sqrt(2 pi) / 5.1517 of the largest pressure, independent of the extent of
+/// the map.
+TEST(Footprint, WithoutAnEdgeContainsNinetyNinePercentOfTheLoad)
 {
   const double deviation = 40e-6;
   for (const double reach : { 3.6, 6. })
@@ -71,17 +72,16 @@ TEST(Footprint, WithoutAnEdgeIsAsWideAsNinetyNinePercentOfTheLoad)
     ASSERT_TRUE(width);
     EXPECT_NEAR((width->outer - width->inner) / deviation, 5.1517, 0.1) << reach;
     const ContactWidth band = loaded_band(footprint);
-    EXPECT_NEAR(band.inner, width->inner, 1e-15);
-    EXPECT_NEAR(band.outer, width->outer, 1e-15);
+    EXPECT_NEAR(band.inner, width->inner, ulps(160, 0.03));
+    EXPECT_NEAR(band.outer, width->outer, ulps(160, 0.03));
     EXPECT_NEAR((loaded_cuts(footprint)[0].back().radius - 0.03) / deviation, 5.1517 / 2, 0.05);
     EXPECT_NEAR(measures_of(footprint).mean, 9e4 * 0.99 * 2.5066 / 5.1517, 1e3);
   }
 }
 
-/// A land that is loaded up to its end at some azimuths and not at all at others, with a point alone at its
-/// end: nothing is divided by nothing. The pressure is 60 kPa on the outer half of the land, on half of the
-/// rim.
-TEST(Footprint, AtTheEndOfTheLandHasAMean)
+/// Pressure of 60 kPa on the outer half of the land over half the rim, with a single loaded point at the end
+/// of the land: no division of zero by zero.
+TEST(Footprint, HasAMeanAtTheEndOfTheLand)
 {
   PressureMap footprint;
   footprint.is_grid = true;
@@ -89,13 +89,13 @@ TEST(Footprint, AtTheEndOfTheLandHasAMean)
   {
     footprint.cuts.emplace_back();
     for (unsigned int i = 0; i < 33; ++i)
-      // Radii whose sum with a share of their difference rounds to beyond them.
+      // Interpolation between these radii rounds to a value outside them.
       footprint.cuts.back().push_back({ 0.0292807 + 0.0008256591 * i / 32, full_turn * c / 36,
                                         c < 18 ? (i >= 16 ? 6e4 : 0.) : (c == 30 && i == 32 ? 6e4 : 0.) });
   }
   const FootprintMeasures measures = measures_of(footprint);
   EXPECT_NEAR(measures.mean, 6e4 * 16.25 / 16.5,
-              300); // half of the first interval is taken for the fall to zero
+              300); // the pressure falls to zero over half of the first interval
   EXPECT_EQ(measures.narrowest, 0);
   EXPECT_NEAR(measures.widest, 426e-6, 1e-6);
   const auto cuts = loaded_cuts(footprint);
@@ -109,14 +109,13 @@ TEST(Footprint, AtTheEndOfTheLandHasAMean)
   EXPECT_TRUE(std::isnan(measures_of(footprint).mean));
 }
 
-/// The pressure p_0 (1 - x^2)^a on a line is found from its moments. A law that makes it of the depth 1 -
-/// x^2.
-TEST(PressureProfile, IsFoundFromTheMomentsOfALine)
+/// The parameters of p_0 (1 - x^2)^a follow from its moments on a line.
+TEST(PressureProfile, FollowsFromTheMomentsOfALine)
 {
   const double middle = 0.03, half_width = 2e-6, peak = 14e6, azimuth_width = 0.1;
   for (const double exponent : { 0.5, 0.8, 1. })
   {
-    // Many short lines along x, since the pressure is integrated by few points on each.
+    // Many short lines along x, because each is integrated by few points.
     ContactSurface surface;
     surface.lines_are_radial = true;
     std::vector<Eigen::Vector3d> depths;
@@ -149,9 +148,9 @@ TEST(PressureProfile, IsFoundFromTheMomentsOfALine)
   }
 }
 
-/// A map of Hertz's pressures ends at their edges, between its points: the square of the pressure is
-/// interpolated.
-TEST(PressureProfile, MapEndsAtTheEdges)
+/// The map of Hertz pressures ends at the contact edges between its points, because the square of the
+/// pressure is interpolated.
+TEST(PressureProfile, MapEndsAtTheContactEdges)
 {
   const auto half_width = [](double azimuth) { return 1e-6 * (2 + std::cos(azimuth)); };
   std::vector<PressureProfile> profiles;

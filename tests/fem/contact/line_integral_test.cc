@@ -1,4 +1,5 @@
 #include "fem/contact/line_integral.h"
+#include "tests/ulps.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@ using namespace stemware::fem;
 
 namespace
 {
-/// A line from x = 0.028 to x = 0.032 along a ray at @p azimuth, one radian-thousandth wide.
+/// A radial line from 28 to 32 mm at @p azimuth, 1e-3 rad wide.
 ContactLine radial_line(double azimuth)
 {
   ContactLine line;
@@ -24,30 +25,31 @@ ContactLine radial_line(double azimuth)
 }
 } // namespace
 
-TEST(LineIntegral, FindsWhereAQuadraticIsPositive)
+TEST(LineIntegral, FindsTheIntervalsOfAPositiveQuadratic)
 {
   // (xi - 0.5)(xi + 0.25) at -1, 0, 1.
   const PositiveSegments two(Eigen::Vector3d(1.125, -0.125, 0.625));
   ASSERT_EQ(two.n_segments, 2u);
-  EXPECT_NEAR(two.segments[0].end, -0.25, 1e-15);
-  EXPECT_NEAR(two.segments[1].begin, 0.5, 1e-15);
+  EXPECT_NEAR(two.segments[0].end, -0.25, stemware::ulps(18, 0.25));
+  EXPECT_NEAR(two.segments[1].begin, 0.5, stemware::ulps(9, 0.5));
 
   const PositiveSegments inner(Eigen::Vector3d(-1.125, 0.125, -0.625));
   ASSERT_EQ(inner.n_segments, 1u);
-  EXPECT_NEAR(inner.segments[0].begin, -0.25, 1e-15);
-  EXPECT_NEAR(inner.segments[0].end, 0.5, 1e-15);
+  EXPECT_NEAR(inner.segments[0].begin, -0.25, stemware::ulps(18, 0.25));
+  EXPECT_NEAR(inner.segments[0].end, 0.5, stemware::ulps(9, 0.5));
 
   EXPECT_EQ(PositiveSegments(Eigen::Vector3d(1, 1, 1)).n_segments, 1u);
   EXPECT_EQ(PositiveSegments(Eigen::Vector3d(-1, -1, -1)).n_segments, 0u);
   EXPECT_EQ(PositiveSegments(Eigen::Vector3d::Zero()).n_segments, 0u);
 
-  // A linear function, and one so nearly linear that the textbook formula would cancel.
-  EXPECT_NEAR(PositiveSegments(Eigen::Vector3d(-1, 0.5, 2)).segments[0].begin, -1. / 3, 1e-15);
+  // A linear function, and a nearly linear one for which the textbook formula cancels.
+  EXPECT_NEAR(PositiveSegments(Eigen::Vector3d(-1, 0.5, 2)).segments[0].begin, -1. / 3,
+              stemware::ulps(14, 0.33));
   EXPECT_NEAR(PositiveSegments(Eigen::Vector3d(-1 + 1e-14, 0.5, 2 + 1e-14)).segments[0].begin, -1. / 3,
               1e-13);
 }
 
-TEST(LineIntegral, AgreesWithBruteForceOnRandomPenetrations)
+TEST(LineIntegral, AgreesWithTheMidpointRuleOnRandomPenetrations)
 {
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -72,7 +74,7 @@ TEST(LineIntegral, AgreesWithBruteForceOnRandomPenetrations)
       const double radius = 0.030 + 0.002 * xi;
       brute += shape * std::max(0., shape.dot(depth)) * radius * 1e-3 * 0.004 / n_points;
     }
-    // The midpoint rule loses h^2 at kinks: 1e-10 of the integrals, whose size is about 1e-7.
+    // Error of the midpoint rule at kinks: 1e-10 of the integrals, which are about 1e-7.
     EXPECT_LT((exact - brute).norm(), 2e-10 * 1.2e-7) << "sample " << sample;
   }
 }

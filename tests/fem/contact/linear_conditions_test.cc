@@ -1,4 +1,4 @@
-// Conditions L'f = t with L != Q, as a moment balance with a friction arm has them, against fixed-point
+// Conditions L'f = t with L != Q, as in a moment balance with a friction arm. Reference: fixed-point
 // iteration over prescribed resultants.
 #include "fem/contact/rigid_foot.h"
 #include "fem/contact/sliding_traction.h"
@@ -27,7 +27,7 @@ Eigen::MatrixX2d friction_per_force(const ContactSurface &surface)
   return result;
 }
 
-/// Height of the centre of mass, by which the friction tilts the glass [m].
+/// Arm of the friction force [m].
 constexpr double arm = 0.05;
 
 /// Sum x f + arm T_x(f) and sum y f + arm T_y(f) [N m].
@@ -40,13 +40,13 @@ LinearConditions friction_arm_conditions(const ContactSurface &surface)
   return LinearConditions(surface, weights, { weight, prescribed(0), prescribed(1) });
 }
 
-/// Of nodal forces on all parts of the surface.
+/// Norm of the nodal forces on all parts of the surface.
 double norm(const ContactSurface &surface, const Eigen::VectorXd &forces)
 {
   return std::sqrt(surface.parts.sum(forces.squaredNorm()));
 }
 
-/// The solution that prescribed resultants, corrected by the friction of the solution before, tend to.
+/// Limit of solutions under prescribed resultants, corrected by the friction of the previous solution.
 ContactSolution by_fixed_point(ElasticBody &body, TableLaw &law)
 {
   const ContactSurface &surface = body.contact_surface();
@@ -78,7 +78,7 @@ void expect_fixed_point(ElasticBody &body, TableLaw &law)
   EXPECT_LT(norm(surface, solution.forces - expected.forces), 1e-8 * norm(surface, expected.forces));
   EXPECT_LT((solution.motion - expected.motion).norm(), 1e-8 * expected.motion.norm());
   EXPECT_LE(solution.n_iterations, 12u);
-  // The friction's moment is not small: without it the contact would be another one.
+  // The moment of the friction changes the contact noticeably.
   const ContactSolution without =
     solve_contact(body, law, Resultants{ weight, prescribed(1), -prescribed(0) }, 0.03);
   EXPECT_GT(norm(surface, solution.forces - without.forces), 0.1 * norm(surface, expected.forces));
@@ -112,12 +112,12 @@ TEST(LinearConditions, FrictionArmUnderABodyOfRevolution)
   RevolutionCase foot(profile, foot_compliance(profile, graded_cells(), MeridianOptions{ 2, 16 }), 64);
   const auto law = make_law(WinklerInterface(1e11), foot.body.contact_surface());
   expect_fixed_point(foot.body, *law);
-  // Friction that also deforms the foot: the matrix is unsymmetric twice over.
+  // Friction also deforms the foot.
   foot.body.set_sliding(SlidingTraction{ 0.25, -11. });
   expect_fixed_point(foot.body, *law);
 }
 
-TEST(LinearConditions, RefusesWhatIsNone)
+TEST(LinearConditions, RefusesInvalidConditions)
 {
   const FootCase foot(GlassProfile(), { 12, 2, 1 });
   RigidFoot rigid(foot.body->contact_surface());
@@ -128,7 +128,7 @@ TEST(LinearConditions, RefusesWhatIsNone)
   EXPECT_THROW(LinearConditions(surface, 2 * modes, { 1, 0, 0 }), std::invalid_argument);
   EXPECT_THROW(LinearConditions(surface, modes, { 0, 0, 0 }), std::invalid_argument);
   EXPECT_THROW(LinearConditions(surface, modes, { 1, std::nan(""), 0 }), std::invalid_argument);
-  // No pushing forces have a weighted mean beyond the largest weight.
+  // Compressive forces have no weighted mean beyond the largest weight.
   const auto law = make_law(WinklerInterface(1e10), surface);
   Eigen::MatrixX3d shifted = modes;
   shifted.col(1).array() += 0.1;

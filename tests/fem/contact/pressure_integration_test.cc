@@ -1,5 +1,4 @@
-// The pressure's integration along r: nodal forces against point sums, many thousands to a line, for every
-// interface of a body of revolution.
+// Integration of the pressure along r. Reference: point sums with 30000 points on each line.
 #include "fem/contact/rough_interface.h"
 #include "tests/fem/revolution/revolution_case.h"
 
@@ -10,9 +9,8 @@ using namespace stemware::revolution_tests;
 namespace
 {
 
-/// Nodal forces of a pressure(penetration), int p N_i r dr dtheta, by the midpoint rule with @p n_points on
-/// the part of each line that lies within @p reach of the rim's middle. Errors at the edges of contact fall
-/// with the square of the points' distance.
+/// Nodal forces int p N_i r dr dtheta by the midpoint rule with @p n_points on the part of each line within
+/// @p reach [m] of the middle of the rim. The error at contact edges is quadratic in the spacing.
 template <typename Law>
 Eigen::VectorXd point_sums(const ContactSurface &surface, const Law &law,
                            const Eigen::VectorXd &normal_displacement, unsigned int n_points, double reach)
@@ -40,7 +38,7 @@ Eigen::VectorXd point_sums(const ContactSurface &surface, const Law &law,
   return forces;
 }
 
-/// Displacement of a foot that is pressed in by @p depth, leans and bends.
+/// Displacement of a foot with penetration @p depth, tilt and bending [m].
 Eigen::VectorXd bent(const ContactSurface &surface, double depth)
 {
   Eigen::VectorXd displacement(surface.n_nodes());
@@ -71,7 +69,7 @@ double error_of(const Law &law, const GlassProfile &profile, unsigned int land_c
 
 } // namespace
 
-// Reference: point sums whose own error is about 1e-9, under a rough interface 1e-8.
+// The point sums have an error of about 1e-9, under a rough interface 1e-8.
 TEST(PressureIntegration, WinklerToRounding)
 {
   for (const unsigned int land_cells : { 2u, 8u, 40u })
@@ -81,7 +79,7 @@ TEST(PressureIntegration, WinklerToRounding)
   }
 }
 
-/// The spring that stands for a hard interface: contact within a single cell.
+/// The stiff spring of a hard interface: contact within a single cell.
 TEST(PressureIntegration, StiffSpringToRounding)
 {
   for (const unsigned int land_cells : { 2u, 8u, 40u })
@@ -90,7 +88,7 @@ TEST(PressureIntegration, StiffSpringToRounding)
 
 TEST(PressureIntegration, RoughToRounding)
 {
-  // With the mean planes apart, and pressed through each other.
+  // Mean planes apart, and overlapping.
   for (const double decay_length : { 1e-7, 1e-6, 1e-5 })
     for (const double depth : { -3 * decay_length, 2 * decay_length, 20 * decay_length })
       for (const unsigned int land_cells : { 2u, 8u, 40u })

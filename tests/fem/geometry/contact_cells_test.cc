@@ -1,4 +1,4 @@
-// Contact cells that foot and disc share, whatever the land and its neighbours are like.
+// Contact cells that foot and disc share, for random sections.
 #include "fem/geometry/boundary_ids.h"
 #include "fem/geometry/meridian_mesh.h"
 
@@ -27,8 +27,8 @@ struct RandomSection
   TableDisc disc;
 };
 
-/// Shapes, lands of 0.5 to 4 mm, feet up to six times as thick, a focus of up to twelve halvings anywhere on
-/// the land or none.
+/// Random shape, land of 0.5 to 4 mm, foot up to six times as thick, with or without a focus of up to twelve
+/// halvings on the land.
 RandomSection random_section(unsigned int seed)
 {
   std::mt19937 engine(seed);
@@ -70,7 +70,7 @@ RandomSection random_section(unsigned int seed)
     }
     catch (const std::invalid_argument &)
     {
-      // No glass has this profile: the next one.
+      // Impossible profile: draw another.
     }
 }
 
@@ -93,10 +93,10 @@ std::vector<double> contact_nodes(const dealii::Triangulation<2> &triangulation,
 struct Shape
 {
   double worst = 0;            ///< aspect ratio of all cells
-  double worst_of_contact = 0; ///< of those on the contact zone
+  double worst_of_contact = 0; ///< aspect ratio of the cells on the contact zone
 };
 
-/// Infinite where a cell is inside out.
+/// Largest aspect ratios; infinite if a cell is inverted.
 Shape shape_of(const dealii::Triangulation<2> &triangulation, unsigned int degree)
 {
   const dealii::Vector<double> ratios = dealii::GridTools::compute_aspect_ratio_of_cells(
@@ -115,7 +115,7 @@ Shape shape_of(const dealii::Triangulation<2> &triangulation, unsigned int degre
 
 } // namespace
 
-TEST(ContactCells, AreThoseOfFootAndDisc)
+TEST(ContactCells, AreSharedByFootAndDisc)
 {
   for (unsigned int seed = 1; seed <= 100; ++seed)
   {
@@ -143,15 +143,15 @@ TEST(ContactCells, AreThoseOfFootAndDisc)
       const Shape shape = shape_of(*mesh, section.degree);
       EXPECT_TRUE(std::isfinite(shape.worst));
       if (!section.resolution.has_focus())
-        continue; // a graded land is divided as asked for, whatever lies above it
+        continue; // a graded land may have elongated cells
       EXPECT_LT(shape.worst_of_contact, 5);
-      // Columns of cells run down to the bottom of a disc, where nothing varies along r.
+      // In a disc, narrow columns of cells extend to the bottom, where the solution hardly varies along r.
       EXPECT_LT(shape.worst, mesh == &foot ? 400 : 2000);
     }
   }
 }
 
-TEST(ContactCells, HaveTheAskedSizeAllOverTheFocus)
+TEST(ContactCells, HaveTheRequestedSizeInTheFocus)
 {
   const GlassProfile profile;
   for (const double half_width : { 0.9e-6, 2.5e-6, 1e-5, 1.7e-4 })
@@ -179,12 +179,12 @@ TEST(ContactCells, HaveTheAskedSizeAllOverTheFocus)
       before = size;
     }
     EXPECT_EQ(n_in_focus, 24u) << half_width;
-    // Sizes double, so that the number of cells grows like the logarithm of the land's width over theirs.
+    // Sizes double, so the number of cells grows logarithmically.
     EXPECT_LT(borders.size(), 24 + 6 * std::log2(profile.land_width / resolution.focus_size));
   }
 }
 
-TEST(ContactCells, AreRefusedWhereTheyCannotBeMade)
+TEST(ContactCells, RefuseImpossibleFoci)
 {
   MeridianResolution outside;
   outside.focus_size = 1e-4;

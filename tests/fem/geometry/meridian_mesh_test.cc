@@ -1,6 +1,7 @@
 #include "fem/geometry/foot_mesh.h"
 #include "tests/fem/geometry/profile_oracle.h"
 #include "tests/fem/revolution/revolution_case.h"
+#include "tests/ulps.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
@@ -56,7 +57,7 @@ TEST(MeridianMesh, FillsTheStepProfile)
   }
 }
 
-TEST(MeridianMesh, OfAFootLiesOnTheProfile)
+TEST(MeridianMesh, FollowsTheProfileOfAFoot)
 {
   const GlassProfile profile = foot_profile();
   for (const double size : { 0., 1e-5 })
@@ -68,7 +69,7 @@ TEST(MeridianMesh, OfAFootLiesOnTheProfile)
     make_meridian_mesh(profile, resolution, triangulation);
     for (const unsigned int degree : { 1u, 2u, 3u, 4u })
     {
-      // The points through which the mapping of that degree draws the edges; the ends are the vertices.
+      // Interpolation points of the mapping on the edges, including the vertices.
       const dealii::MappingQ<2> mapping(degree);
       const dealii::QGaussLobatto<1> edge_points(degree + 1);
       dealii::FE_Nothing<2> nothing;
@@ -80,15 +81,16 @@ TEST(MeridianMesh, OfAFootLiesOnTheProfile)
             continue;
           values.reinit(cell, f);
           for (const dealii::Point<2> &point : values.get_quadrature_points())
-            ASSERT_LT(distance_from_profile(profile, point[0], point[1]), 1e-15)
+            ASSERT_LT(distance_from_profile(profile, point[0], point[1]),
+                      stemware::ulps(140, profile.foot_radius))
               << "degree " << degree << " at " << point;
         }
     }
   }
 }
 
-/// Curves drawn through the Gauss-Lobatto points of degree p enclose an area that is right to order 2 p.
-TEST(MeridianMesh, AreaOfAFootConvergesAtTwiceTheGeometrysOrder)
+/// The area enclosed by curves through Gauss-Lobatto points of degree p converges at order 2 p.
+TEST(MeridianMesh, AreaConvergesAtTwiceTheOrderOfTheGeometry)
 {
   const GlassProfile profile = foot_profile();
   const double exact = integral_over_section(profile, [](double) { return 1.; });
@@ -110,9 +112,9 @@ TEST(MeridianMesh, AreaOfAFootConvergesAtTwiceTheGeometrysOrder)
   }
 }
 
-/// The level of a sharp corner between foot and stem is 1 but for rounding, which must not become a row of
+/// The level of a sharp corner between foot and stem is 1 up to rounding, which must not create a row of
 /// cells.
-TEST(MeridianMesh, OfAFootWithASharpCornerHasNoSlivers)
+TEST(MeridianMesh, HasNoSliverCellsAtASharpCorner)
 {
   for (const double stem_radius : { 0.004, 0.0045, 0.005, 0.0061, 0.0074774, 0.00761733 })
   {

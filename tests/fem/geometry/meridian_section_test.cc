@@ -3,6 +3,7 @@
 #include "fem/geometry/section_view.h"
 #include "tests/fem/geometry/profile_oracle.h"
 #include "tests/fem/revolution/revolution_case.h"
+#include "tests/ulps.h"
 
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_tools.h>
@@ -10,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 
+using stemware::ulps;
 using namespace stemware::revolution_tests;
 using namespace stemware::fem_tests;
 
@@ -29,13 +30,13 @@ Polyline in_millimetres(const std::vector<std::pair<double, double>> &points)
   return polyline;
 }
 
-/// A plain foot on a flat land from 28 to 32 mm whose corners bend by more than 0.2 rad; from its axis to its
-/// cut.
+/// A plain foot on a flat land from 28 to 32 mm, corners of more than 0.2 rad, from the axis to the stem cut
+/// [mm].
 const std::vector<std::pair<double, double>> plain_foot = { { 0, 2 },  { 20, 2 }, { 28, 0 }, { 32, 0 },
                                                             { 34, 1 }, { 34, 3 }, { 16, 4 }, { 6, 8 },
                                                             { 4, 16 }, { 0, 16 } };
 
-/// Area between the polyline and the axis, and the volume of the glass: sums over trapezia and frusta.
+/// Area between polyline and axis [m^2] and volume of the glass [m^3]: sums over trapezia and frusta.
 std::pair<double, double> area_and_volume(const Polyline &polyline)
 {
   double area = 0, volume = 0;
@@ -57,7 +58,7 @@ GlassProfile drawn(const Polyline &polyline)
   return profile;
 }
 
-/// Why a polyline is refused; nothing if it is not.
+/// Message that refuses a polyline; empty if the polyline is accepted.
 std::string refusal_of(const std::vector<std::pair<double, double>> &points)
 {
   try
@@ -71,7 +72,7 @@ std::string refusal_of(const std::vector<std::pair<double, double>> &points)
   return {};
 }
 
-/// plain_foot with one point changed.
+/// Message for plain_foot with one changed point.
 std::string refusal_with(std::size_t index, double radius, double height)
 {
   std::vector<std::pair<double, double>> points = plain_foot;
@@ -81,7 +82,7 @@ std::string refusal_with(std::size_t index, double radius, double height)
 
 } // namespace
 
-TEST(MeridianSection, IsTheUndersideTheTopAndTheStem)
+TEST(MeridianSection, HasUndersideTopAndStemOfThePolyline)
 {
   std::vector<std::pair<double, double>> lifted = plain_foot; // heights count from the lowest point
   for (auto &point : lifted)
@@ -92,30 +93,30 @@ TEST(MeridianSection, IsTheUndersideTheTopAndTheStem)
     if (reversed)
       std::reverse(polyline.begin(), polyline.end());
     const MeridianSection section(polyline);
-    EXPECT_NEAR(section.underside(0.010), 0.002, 1e-15);
-    EXPECT_NEAR(section.underside(0.024), 0.001, 1e-15);
-    EXPECT_NEAR(section.underside(0.030), 0, 1e-15);
-    EXPECT_NEAR(section.topside(0.025), 0.0035, 1e-15);
-    EXPECT_NEAR(section.topside(0.011), 0.006, 1e-15);
-    EXPECT_NEAR(section.stem_surface(0.012), 0.005, 1e-15);
-    EXPECT_NEAR(section.middle_radius(), 0.006, 1e-15);
-    EXPECT_NEAR(section.middle_height(), 0.008, 1e-15);
-    EXPECT_NEAR(section.outer_radius(), 0.034, 1e-15);
-    EXPECT_NEAR(section.height(), 0.016, 1e-15);
+    EXPECT_NEAR(section.underside(0.010), 0.002, ulps(15, 0.034));
+    EXPECT_NEAR(section.underside(0.024), 0.001, ulps(15, 0.034));
+    EXPECT_NEAR(section.underside(0.030), 0, ulps(15, 0.034));
+    EXPECT_NEAR(section.topside(0.025), 0.0035, ulps(15, 0.034));
+    EXPECT_NEAR(section.topside(0.011), 0.006, ulps(15, 0.034));
+    EXPECT_NEAR(section.stem_surface(0.012), 0.005, ulps(15, 0.034));
+    EXPECT_NEAR(section.middle_radius(), 0.006, ulps(15, 0.034));
+    EXPECT_NEAR(section.middle_height(), 0.008, ulps(15, 0.034));
+    EXPECT_NEAR(section.outer_radius(), 0.034, ulps(15, 0.034));
+    EXPECT_NEAR(section.height(), 0.016, ulps(15, 0.034));
   }
 }
 
-TEST(MeridianSection, CutsASharpEdgeOffWhereItIsThin)
+TEST(MeridianSection, TruncatesASharpEdge)
 {
-  // The edge is a wedge from a thickness of 3.2 mm at r = 32 mm to none at 36 mm; above the lowest point, at
-  // 30 mm, the foot is 4 mm thick.
+  // The edge is a wedge, 3.2 mm thick at r = 32 mm and sharp at 36 mm. The foot is 4 mm thick at the lowest
+  // point.
   const MeridianSection section(in_millimetres(
     { { 0, 2 }, { 30, 0 }, { 32, 0.8 }, { 36, 2.4 }, { 32, 4 }, { 5, 4 }, { 5, 12 }, { 0, 12 } }));
-  EXPECT_NEAR(section.topside(0.030) - section.underside(0.030), 0.004, 1e-15);
+  EXPECT_NEAR(section.topside(0.030) - section.underside(0.030), 0.004, ulps(16, 0.03));
   EXPECT_NEAR(section.outer_radius(), 0.036 - 0.004 * 0.2 / 3.2, 1e-12);
 }
 
-TEST(MeridianSection, LeavesOutPointsThatSayNothing)
+TEST(MeridianSection, OmitsRedundantPoints)
 {
   Polyline dense;
   const Polyline corners = in_millimetres(plain_foot);
@@ -136,7 +137,7 @@ TEST(MeridianSection, LeavesOutPointsThatSayNothing)
     EXPECT_NEAR(section.topside(radius), plain.topside(radius), 4e-7) << radius;
 }
 
-TEST(MeridianSection, RefusesWhatIsNoFootAndNamesTheLine)
+TEST(MeridianSection, RefusesInvalidPolylinesWithTheLine)
 {
   EXPECT_EQ(refusal_of(plain_foot), "");
   const auto expect_line = [](const std::string &sentence, const std::string &words)
@@ -183,12 +184,12 @@ TEST(DrawnProfile, MeshFillsThePolygon)
   }
   dealii::Triangulation<3> solid;
   make_foot_mesh(profile, { 48, 8, 4 }, solid);
-  // Its cells do not meet the polygon's corners.
+  // The cells do not resolve the corners of the polygon.
   EXPECT_NEAR(dealii::GridTools::volume(solid, dealii::MappingQ<3>(3)) / volume, 1, 5e-3);
 }
 
-/// The half-plane cuts an area out of the solid mesh; without walls of the cells' own the areas add up.
-TEST(DrawnProfile, SectionOfASolidMeshIsWhole)
+/// Areas of the cells cut by a half-plane add up to the section.
+TEST(DrawnProfile, SectionOfASolidMeshHasItsFullArea)
 {
   GlassProfile step;
   dealii::Triangulation<3> solid;
@@ -200,13 +201,13 @@ TEST(DrawnProfile, SectionOfASolidMeshIsWhole)
       const auto &a = cell[i], &b = cell[(i + 1) % cell.size()];
       area += (a[0] * b[1] - b[0] * a[1]) / 2;
     }
-  // Edges are chords of 7.5 degrees: radii are shorter by up to 0.2 %.
+  // Edges are chords of 7.5 degrees, so radii are up to 0.2 % too small.
   EXPECT_NEAR(area, 0.004 * 0.001 + 0.034 * 0.004 + 0.005 * 0.010, 3e-3 * area);
 }
 
-TEST(DrawnProfile, LandIsFlatAndWhatWasLoweredFadesOut)
+TEST(DrawnProfile, LandIsFlattenedWithASmoothTransition)
 {
-  // A round rim of 3 mm about 30 mm, risen by 0.0417 mm at the borders of a land of 1 mm.
+  // A round rim of radius 3 mm at 30 mm, 0.0417 mm above the lowest point at the borders of a land of 1 mm.
   std::vector<std::pair<double, double>> points = { { 0, 3 }, { 20, 3 } };
   for (int i = -10; i <= 10; ++i)
     points.emplace_back(30 + 0.2 * i, 3 - std::sqrt(9 - 0.04 * i * i));
@@ -218,9 +219,9 @@ TEST(DrawnProfile, LandIsFlatAndWhatWasLoweredFadesOut)
   EXPECT_GT(risen, 4e-5);
   EXPECT_EQ(profile.underside(0.0295), 0);
   EXPECT_EQ(profile.underside(0.0305), 0);
-  EXPECT_NEAR(profile.underside(0.03075), profile.section->underside(0.03075) - risen / 2, 1e-15);
-  EXPECT_NEAR(profile.underside(0.031), profile.section->underside(0.031), 1e-15);
-  EXPECT_NEAR(profile.underside(0.025), profile.section->underside(0.025), 1e-15);
+  EXPECT_NEAR(profile.underside(0.03075), profile.section->underside(0.03075) - risen / 2, ulps(16, 0.03));
+  EXPECT_NEAR(profile.underside(0.031), profile.section->underside(0.031), ulps(16, 0.03));
+  EXPECT_NEAR(profile.underside(0.025), profile.section->underside(0.025), ulps(16, 0.03));
 
   // The lowest point has to lie on the land.
   profile.contact_radius = 0.0306;

@@ -30,7 +30,7 @@ std::string message_of(const std::string &file_name)
 
 } // namespace
 
-TEST(MeshFile, OfSecondOrderIsReadByItsCorners)
+TEST(MeshFile, SecondOrderElementsAreReadByTheirCorners)
 {
   dealii::Triangulation<3> drawn;
   make_foot_mesh(flat_profile(), { 24, 2, 1 }, drawn);
@@ -51,7 +51,7 @@ TEST(MeshFile, OfSecondOrderIsReadByItsCorners)
   }
 }
 
-TEST(MeshFile, OfSecondOrderIsRefusedWhereTheRimIsNotRound)
+TEST(MeshFile, SecondOrderElementsNeedARoundRim)
 {
   dealii::Triangulation<3> drawn;
   make_foot_mesh(flat_profile(), { 24, 2, 1 }, drawn);
@@ -65,8 +65,9 @@ TEST(MeshFile, OfSecondOrderIsRefusedWhereTheRimIsNotRound)
   EXPECT_NE(message.find("not round"), std::string::npos) << message;
 }
 
-/// The area that chords cut off follows from the angles between them; a plate has none but its corners.
-TEST(MeshFile, StraightEdgesOfAPlateCutNothingOff)
+/// The area cut off by chords follows from the angles between them. A plate has straight edges and corners
+/// only.
+TEST(MeshFile, APlateHasNoLandAreaDeficit)
 {
   dealii::Triangulation<3> plate;
   dealii::GridGenerator::subdivided_hyper_rectangle(plate, { 8, 4, 1 }, dealii::Point<3>(-0.04, -0.02, 0),

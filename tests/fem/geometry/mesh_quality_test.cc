@@ -1,8 +1,9 @@
-// Looking at meshes, and writing them.
+// Quality measures of meshes and their VTU files.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/mesh_io.h"
 #include "fem/geometry/mesh_quality.h"
 #include "tests/fem/vtu_file.h"
+#include "tests/ulps.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -39,14 +40,14 @@ double sectors_area(const GlassProfile &profile, unsigned int n_sectors)
 
 } // namespace
 
-TEST(MeshCheck, FacesOfTheContactZoneFromAbove)
+TEST(MeshCheck, ContactFacesCoverTheLand)
 {
   const GlassProfile profile;
   FootResolution resolution;
   resolution.azimuthal_cells = 24;
   Triangulation<3> foot;
   make_foot_mesh(profile, resolution, foot);
-  // The shoelace formula, whose sign tells whether corners go round.
+  // Shoelace formula.
   double area = 0;
   for (const Quadrilateral &face : contact_faces(foot))
   {
@@ -58,36 +59,23 @@ TEST(MeshCheck, FacesOfTheContactZoneFromAbove)
   EXPECT_NEAR(area / sectors_area(profile, 24), 1, 1e-12);
 }
 
-TEST(MeshCheck, ScaledJacobianOfSkewCells)
+TEST(MeshCheck, HasTheScaledJacobianOfSkewCells)
 {
   const MeshCheck brick = check_cube([](const Point<3> &x) { return Point<3>(2 * x[0], 3 * x[1], x[2]); });
-  EXPECT_NEAR(brick.min_jacobian, 1, 1e-15);
+  EXPECT_NEAR(brick.min_jacobian, 1, stemware::ulps(5, 1));
   EXPECT_EQ(brick.n_inverted, 0u);
-  // A parallelepiped sheared by 60 degrees: every corner has the sine of the angle left between its edges.
+  // Parallelepiped sheared by 60 degrees: the scaled Jacobian is the sine of the angle between the edges.
   const MeshCheck sheared =
     check_cube([](const Point<3> &x) { return Point<3>(x[0] + std::sqrt(3.) * x[2], x[1], x[2]); });
-  EXPECT_NEAR(sheared.min_jacobian, 0.5, 1e-15);
-  EXPECT_NEAR(sheared.mean_jacobian, 0.5, 1e-15);
-  // One corner is pushed through the opposite one.
+  EXPECT_NEAR(sheared.min_jacobian, 0.5, stemware::ulps(9, 0.5));
+  EXPECT_NEAR(sheared.mean_jacobian, 0.5, stemware::ulps(9, 0.5));
+  // One corner is moved beyond the opposite corner.
   const MeshCheck folded = check_cube([](const Point<3> &x) { return x.norm() > 1.7 ? -1. * x : x; });
   EXPECT_EQ(folded.n_inverted, 1u);
   EXPECT_LT(folded.min_jacobian, 0);
 }
 
-TEST(MeshCheck, ContactZoneOfACube)
-{
-  const MeshCheck upright = check_cube([](const Point<3> &x) { return Point<3>(x[0], 2 * x[1], x[2] + 3); });
-  EXPECT_NEAR(upright.contact_area, 2, 1e-14);
-  EXPECT_EQ(upright.upward_share, 0);
-  EXPECT_NEAR(upright.centre[0], 0.5, 1e-15);
-  EXPECT_NEAR(upright.centre[1], 1, 1e-15);
-  EXPECT_EQ(upright.lowest, 3);
-  EXPECT_EQ(upright.highest, 3);
-  EXPECT_EQ(upright.n_faces, (std::map<unsigned int, unsigned int>{ { 0, 4 }, { 1, 1 }, { 2, 1 } }));
-  EXPECT_EQ(check_cube([](const Point<3> &x) { return Point<3>(x[0], -x[1], -x[2]); }).upward_share, 1);
-}
-
-TEST(MeshCheck, GeneratedFoot)
+TEST(MeshCheck, HasTheMeasuresOfAGeneratedFoot)
 {
   Triangulation<3> foot;
   const GlassProfile profile;

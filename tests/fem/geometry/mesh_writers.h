@@ -15,7 +15,7 @@
 namespace stemware::fem_tests
 {
 
-/// The nodes of a mesh of one level, with those in the middle of its edges for elements of second order.
+/// Nodes of a mesh of one level, with edge midpoints for elements of second order.
 inline std::vector<dealii::Point<3>> nodes_of(const dealii::Triangulation<3> &mesh, bool second_order)
 {
   std::vector<dealii::Point<3>> nodes = mesh.get_vertices();
@@ -42,7 +42,7 @@ inline std::string gmsh_text_of_second_order(const dealii::Triangulation<3> &mes
   const std::vector<dealii::Point<3>> nodes = nodes_of(mesh, true);
   std::ostringstream text;
   text << std::setprecision(17) << "$MeshFormat\n" << (format_4 ? "4.1" : "2.2") << " 0 8\n$EndMeshFormat\n";
-  // For each of the ids 1 and 2 a surface and for the cells a volume, which have their physical ids here.
+  // Surfaces with the physical ids 1 and 2, and a volume for the cells.
   if (format_4)
     text
       << "$Entities\n0 0 2 1\n1 0 0 0 1 1 1 1 1 0\n2 0 0 0 1 1 1 1 2 0\n1 0 0 0 1 1 1 1 0 0\n$EndEntities\n";
@@ -98,8 +98,7 @@ inline std::string gmsh_text_of_second_order(const dealii::Triangulation<3> &mes
   return text.str();
 }
 
-/// A mesh with the cells and boundary ids of @p mesh, which is split along faces: cells of which @p is_second
-/// is true get nodes of their own, moved by @p shift.
+/// Splits @p mesh along faces: cells for which @p is_second is true get separate nodes, moved by @p shift.
 inline void make_split(const dealii::Triangulation<3> &mesh,
                        const std::function<bool(const dealii::Point<3> &centre)> &is_second,
                        const dealii::Tensor<1, 3> &shift, dealii::Triangulation<3> &split)

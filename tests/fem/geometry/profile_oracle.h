@@ -1,4 +1,4 @@
-// What meshes of a GlassShape::foot are measured against: the functions of the profile alone.
+// References for meshes of a GlassShape::foot, computed from the profile functions only.
 #pragma once
 
 #include "fem/geometry/glass_profile.h"

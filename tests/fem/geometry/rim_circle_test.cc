@@ -1,5 +1,5 @@
-// The circle through the points of a rim, against circles that points were drawn from, exactly and with a
-// known scatter.
+// Circle fitted to the points of a rim. Reference: circles from which the points were generated, exact or
+// with a known scatter.
 #include "fem/geometry/rim_circle.h"
 
 #include <gtest/gtest.h>
@@ -15,11 +15,11 @@ namespace
 
 using Polyline = std::vector<SectionVertex>;
 
-/// The underside of a foot [m]: an arc of @p crown about r = 30.012 mm, beside which it rises straight. @p
-/// n_land points lie on the land of that width, others to both sides of it.
+/// Underside of a foot [m]: an arc of radius @p crown at r = 30.012 mm with straight flanks. @p n_land points
+/// are on the land of width @p land, further points on both sides.
 Polyline rounded_rim(double land, unsigned int n_land, double crown)
 {
-  constexpr double arc = 1.1e-3, step = 2e-4; // half of the arc's width, distance of the points beside it
+  constexpr double arc = 1.1e-3, step = 2e-4; // half-width of the arc, spacing of the points on the flanks
   const auto height = [=](double offset)
   {
     const double x = std::min(std::abs(offset), arc), lift = std::sqrt(crown * crown - x * x);
@@ -40,7 +40,7 @@ Polyline rounded_rim(double land, unsigned int n_land, double crown)
   return polyline;
 }
 
-/// The points with Gaussian errors of @p radial and @p vertical [m], other ones for each @p seed.
+/// Points with Gaussian errors of @p radial and @p vertical [m].
 Polyline scattered(Polyline polyline, double radial, double vertical, unsigned int seed)
 {
   std::mt19937 generator(seed);
@@ -53,7 +53,7 @@ Polyline scattered(Polyline polyline, double radial, double vertical, unsigned i
   return polyline;
 }
 
-/// A circle and its points, exactly.
+/// Six exact points of a circle between two other points.
 Polyline arc_of_six_points()
 {
   Polyline polyline = { { 0, 0.503, 1 } };
@@ -63,7 +63,7 @@ Polyline arc_of_six_points()
   return polyline;
 }
 
-TEST(RimCircle, IsTheOneThroughItsPoints)
+TEST(RimCircle, FitsACircleThroughItsPoints)
 {
   Polyline polyline = arc_of_six_points();
   for (unsigned int direction = 0; direction < 2; ++direction)
@@ -78,7 +78,7 @@ TEST(RimCircle, IsTheOneThroughItsPoints)
   }
 }
 
-TEST(RimCircle, IsNotFittedToWhatIsFlatOrTooLittle)
+TEST(RimCircle, IsNotFittedToFlatOrTooFewPoints)
 {
   EXPECT_FALSE(fit_rim_circle({}, 0.004));
   EXPECT_FALSE(
@@ -86,8 +86,8 @@ TEST(RimCircle, IsNotFittedToWhatIsFlatOrTooLittle)
   EXPECT_FALSE(fit_rim_circle({ { 0, 0.002 }, { 0.028, 0 }, { 0.029, 0.0001 }, { 0.036, 0.001 } }, 0.004));
 }
 
-/// The top of a thin foot above its rim is no part of the land.
-TEST(RimCircle, LooksAtTheUndersideOnly)
+/// Points on the top of a thin foot above the rim are not fitted.
+TEST(RimCircle, UsesTheUndersideOnly)
 {
   Polyline polyline = arc_of_six_points();
   for (const double radius : { 0.034, 0.032, 0.031, 0.030, 0.005 })
@@ -98,9 +98,9 @@ TEST(RimCircle, LooksAtTheUndersideOnly)
   EXPECT_NEAR(circle->crown_radius, 0.0021, 1e-12);
 }
 
-/// An arc so shallow that it is a parabola to 2e-4: five points at -2 ... 2 mm with errors e = (1, -4, 6, -4,
-/// 1) u, which are orthogonal to every parabola, have the same fit as without, and sum e^2 = 70 u^2.
-TEST(RimCircle, ErrorsThatNoCircleFollowsAreItsDistances)
+/// A shallow arc, a parabola within 2e-4: five points at -2 ... 2 mm with errors e = (1, -4, 6, -4, 1) u,
+/// which are orthogonal to every parabola, do not change the fit; sum e^2 = 70 u^2.
+TEST(RimCircle, ReportsTheRmsDistanceOfItsPoints)
 {
   constexpr double crown = 0.1, u = 1e-7, mm = 1e-3;
   const double errors[] = { 1, -4, 6, -4, 1 };
@@ -117,9 +117,9 @@ TEST(RimCircle, ErrorsThatNoCircleFollowsAreItsDistances)
   EXPECT_NEAR(circle->rms_distance, u * std::sqrt(70. / 5), 1e-3 * circle->rms_distance);
 }
 
-/// A scatter that grows by 0.1 um from scan to scan, from 20 to 40 um, moves the contact radius little each
-/// time: no point enters or leaves by a jump, although another one becomes the lowest.
-TEST(RimCircle, FollowsItsPointsWithoutJumps)
+/// The scatter grows from 20 to 40 um in steps of 0.1 um. Each step changes the contact radius little,
+/// although another point becomes the lowest: points enter and leave the fit continuously.
+TEST(RimCircle, DependsContinuouslyOnItsPoints)
 {
   const Polyline rim = rounded_rim(1.7e-3, 10, 3e-3);
   double largest = 0;
@@ -139,11 +139,11 @@ TEST(RimCircle, FollowsItsPointsWithoutJumps)
       before = circle->contact_radius;
     }
   }
-  // A point at the land's border that comes in by a jump moves it by 20 um and more.
+  // A point at the border of the land that enters by a jump would change it by 20 um and more.
   EXPECT_LT(largest, 2e-6);
 }
 
-TEST(RimCircle, PointsThatStandTwiceCountOnce)
+TEST(RimCircle, DuplicatePointsCountOnce)
 {
   const Polyline rim = scattered(rounded_rim(1.7e-3, 10, 3e-3), 0, 20e-6, 3);
   Polyline doubled;
