@@ -8,8 +8,8 @@ namespace stemware::fem
 {
 
 // Loops that are compiled for several kinds of processors: from 60 unknowns on 1.5 times as fast as Eigen's
-// PartialPivLU compiled for all of them, 2.5 times from 300 on (tests/benchmark/dense_algebra_benchmark.cc),
-// and safe between threads, which Debian's serial OpenBLAS is not.
+// PartialPivLU compiled for all of them, 2.5 times from 300 on. They are thread-safe, which Debian's serial
+// OpenBLAS is not.
 
 /// Solves the dense systems A X = B by Gaussian elimination with row pivots. @p system is [A, B], shape [n,
 /// n + @p n_columns]. X overwrites B, and A is overwritten. A singular A gives non-finite numbers.

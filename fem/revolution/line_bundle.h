@@ -52,7 +52,7 @@ using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 ///
 /// Elimination without pivoting: D is positive definite and T nearly diagonal with non-negative entries, so
 /// the elimination is as stable as the elimination of D with scaled rows. Eight lines take a quarter to a
-/// sixth of the time of Eigen's PartialPivLU line by line (tests/benchmark/dense_algebra_benchmark.cc).
+/// sixth of the time of Eigen's PartialPivLU line by line.
 class LineBundle
 {
 public:

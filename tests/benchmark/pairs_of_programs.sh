@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# How long two programs take for the same studies, one after the other in turns: user CPU and wall clock.
+# Measures user CPU and wall clock of two programs for the same studies, alternately.
 set -euo pipefail
 
 usage() {
   cat <<'HELP'
-How long two programs take for the same studies, in turns.
+Measures the time of two programs for the same studies, alternately.
 
   pairs_of_programs.sh [OPTIONS] OLD NEW [STUDY...]
 
 OLD and NEW are programs ("stemware", as built from two commits). Prints for each study the medians of user CPU and of
-wall clock in seconds, children included, and NEW over OLD. Machines differ, and one machine differs from hour to hour:
-only the ratios of one run tell.
+wall clock in seconds, children included, and NEW over OLD. Compare only ratios of one run: the speed of a machine
+changes from hour to hour.
 
   --rounds N     how often each runs (default: 3)
   --sweep N      a sweep of N cases on bare hardwood too (default: none)
@@ -23,7 +23,7 @@ source=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
 cookbooks=$source/docs/cookbooks
 rounds=3 sweep=0
 
-# The arguments of a study, one a line.
+# Prints the arguments of a study, one per line.
 arguments_of() { # name
   case $1 in
   mat) printf '%s\n' run "$cookbooks/wine_glass.prm" ;;

@@ -15,7 +15,7 @@ namespace stemware::fem_tests
 
 using namespace stemware::fem;
 
-/// The assembled stiffness with factors of K + B' T B: the oracle of multigrid.
+/// Assembled stiffness with a direct factorisation of K + B' T B, the reference for multigrid.
 class FactorizedStiffness : public BodyStiffness
 {
 public:
@@ -39,7 +39,7 @@ public:
   void vmult(Vector &dst, const Vector &src) const override { stiffness.vmult(dst, src); }
   void set_contact(const Eigen::SparseMatrix<double> &tangent) override
   {
-    factors.reset(); // refer to the sum
+    factors.reset(); // holds a reference to the sum
     sum.copy_from(stiffness);
     for (const ContactNodes::Entry &entry : nodes->owned_rows(tangent))
       sum.add(entry.row, entry.column, entry.value);

@@ -14,7 +14,7 @@
 namespace stemware::fem_tests
 {
 
-/// A generated foot with everything that a contact solve needs.
+/// A generated solid foot and its last contact solution.
 struct FootCase
 {
   FootCase(const GlassProfile &profile, const FootResolution &resolution, const SolidOptions &options = {},

@@ -42,7 +42,7 @@ inline double largest_difference(const ContactLoad &one, const ContactLoad &othe
   return largest;
 }
 
-/// How a contact solve ends.
+/// Outcome of a contact solve.
 template <typename Action>
 ContactOutcome outcome_of(const Action &action)
 {
@@ -57,13 +57,13 @@ ContactOutcome outcome_of(const Action &action)
   return ContactOutcome::converged;
 }
 
-/// Where a contact solve begins that goes on from @p solution.
+/// Warm start from @p solution.
 inline ContactStart from(const ContactSolution &solution)
 {
   return { solution.motion, solution.normal_displacement };
 }
 
-/// An interface that is not hard, and so needs no penalty, on @p surface.
+/// Law of an interface without penalty stiffness on @p surface.
 inline std::unique_ptr<TableLaw> make_law(const InterfaceLaw &interface, const ContactSurface &surface)
 {
   return interface.make(surface, 0);

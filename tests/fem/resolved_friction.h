@@ -8,7 +8,7 @@
 namespace stemware::fem_tests
 {
 
-/// Coulomb friction of the pressure as it lies in the plane, not gathered on a ring.
+/// Resultants of Coulomb friction of point forces in the plane, without projection onto rings.
 struct ResolvedFriction
 {
   double torque = 0;  ///< about the ring's centre, counter-clockwise > 0 [N m]
@@ -16,8 +16,8 @@ struct ResolvedFriction
   double force_y = 0; ///< to the left of it [N]
 };
 
-/// Friction of point forces on a foot that slides at @p speed along x and yaws at @p omega: sum of -mu f
-/// v_rel / |v_rel|, v_rel = (v - omega y, omega x). A point without slip carries no friction here.
+/// Friction of point forces on a foot with velocity @p speed along x and spin @p omega: sum of -mu f v_rel /
+/// |v_rel|, v_rel = (v - omega y, omega x). Points without slip have no friction.
 inline ResolvedFriction resolved_friction(const std::vector<fem::PointForce> &forces,
                                           double friction_coefficient, double omega, double speed)
 {

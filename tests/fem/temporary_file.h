@@ -10,8 +10,7 @@
 namespace stemware::fem_tests
 {
 
-/// A mesh file that lives as long as the test; its own in every process, for tests run side by side and on
-/// several ranks.
+/// A file that is removed with the object. Its name contains the process id, for parallel tests and ranks.
 struct TemporaryFile
 {
   explicit TemporaryFile(const std::string &content, const std::string &extension = ".msh")

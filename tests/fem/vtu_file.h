@@ -11,7 +11,7 @@
 namespace stemware::fem_tests
 {
 
-/// The arrays of a VTU file of one piece: as much of the format as deal.II writes, zlib-compressed base64.
+/// Arrays of a VTU file of one piece, zlib-compressed base64 as written by deal.II.
 class VtuFile
 {
 public:
@@ -78,7 +78,7 @@ private:
     return bytes;
   }
 
-  /// A header of four numbers (blocks, their size, the last one's, compressed size) stands before the data.
+  /// The data follow a header: number of blocks, block size, size of the last block, compressed size.
   static std::string inflated(const std::string &body)
   {
     const std::size_t begin = body.find_first_not_of(" \n\t");

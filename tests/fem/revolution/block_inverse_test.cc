@@ -1,4 +1,4 @@
-// Parts of inverses against Eigen's sparse factorisation, also in several threads at once; counts of threads.
+// Parts of inverses in several threads at once against Eigen's sparse factorisation; numbers of threads.
 #include "fem/revolution/block_inverse.h"
 #include "fem/revolution/single_thread.h"
 
@@ -49,23 +49,9 @@ Eigen::MatrixXd columns_of_inverse(const LowerTriangle &lower, const std::vector
 
 } // namespace
 
-TEST(BlockInverse, HasTheKeptPartOfTheInverse)
-{
-  const unsigned int n = 30;
-  const LowerTriangle lower = membrane(n, 0.5);
-  const std::vector<unsigned int> kept = { 3, 899, 411, 0, 412, 77 };
-  const unsigned int n_columns = 4;
-  const Eigen::MatrixXd whole = columns_of_inverse(lower, kept);
-  const Eigen::MatrixXd part = BlockInverse(lower, kept)(entries_of(lower), n_columns);
-  ASSERT_EQ(part.rows(), static_cast<Eigen::Index>(kept.size()));
-  for (unsigned int j = 0; j < n_columns; ++j)
-    for (std::size_t i = 0; i < kept.size(); ++i)
-      EXPECT_NEAR(part(static_cast<Eigen::Index>(i), j), whole(kept[i], j), 1e-14);
-}
-
-// Large enough to be factorised by blocks, with a BLAS that threads must not enter together: without its lock
-// one in some ten runs of this test fails.
-TEST(BlockInverse, ServesThreadsTogether)
+// The matrix is large enough for a factorisation by blocks with a BLAS that is not thread-safe. Without the
+// lock, about one run in ten fails.
+TEST(BlockInverse, WorksInSeveralThreadsAtOnce)
 {
   const unsigned int n = 110, n_threads = 8, n_rounds = 4, n_kept = 60;
   const LowerTriangle lower = membrane(n, 0.5);
@@ -100,7 +86,7 @@ TEST(BlockInverse, RefusesMatricesThatAreNotPositiveDefinite)
   EXPECT_THROW(BlockInverse(lower, { 3, 50 })(entries_of(lower), 1), std::runtime_error);
 }
 
-TEST(SingleThread, RestoresTheCountsWhenTheLastOfSeveralEnds)
+TEST(SingleThread, RestoresTheThreadLimitsAfterTheLastGuard)
 {
   const int before = omp_get_max_threads(), levels = omp_get_max_active_levels();
   {

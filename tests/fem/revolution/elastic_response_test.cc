@@ -1,7 +1,5 @@
-// What forces on the lines do to a body of revolution, and one Newton step of it: against matrices assembled
-// force by force.
+// Response of a body of revolution to forces on its lines. Reference: matrices assembled force by force.
 #include "fem/contact/rough_interface.h"
-#include "fem/revolution/line_newton.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <Eigen/LU>
@@ -15,9 +13,9 @@ namespace
 constexpr unsigned int few_lines = 20;
 constexpr unsigned int few_harmonics = 6;
 
-/// u_z on the lines under a unit force on circle @p i of line @p j, summed over the harmonics of a point
-/// force: 1 / (2 pi) + sum cos n(theta - theta_j) / pi up to n_max, what is left of it on the line itself.
-/// The harmonics of an azimuthal force, sin n(theta - theta_j) C^ztheta / pi, change sign: cos' = -sin.
+/// u_z on the lines under a unit force on circle @p i of line @p j [m/N], summed over the harmonics of a
+/// point force, 1 / (2 pi) + sum cos n(theta - theta_j) / pi up to n_max, with the remainder on the line
+/// itself. The harmonics of an azimuthal force are -sin n(theta - theta_j) C^ztheta / pi.
 Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::Index i, Eigen::Index j,
                                        const SlidingTraction &traction)
 {
@@ -27,7 +25,7 @@ Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::I
   Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(response.n_radii(), few_lines);
   for (Eigen::Index line = 0; line < few_lines; ++line)
   {
-    double left = line == j ? few_lines / (2 * M_PI) : 0; // of the force's harmonics
+    double left = line == j ? few_lines / (2 * M_PI) : 0; // remainder beyond n_max
     for (unsigned int n = 0; n <= few_harmonics; ++n)
     {
       const double angle = n * (azimuth(line) - azimuth(j));
@@ -42,7 +40,7 @@ Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::I
   return expected;
 }
 
-/// C: u_z at the contact nodes by the force there, friction included [m/N].
+/// Compliance between the contact nodes, with friction [m/N].
 Eigen::MatrixXd dense_compliance(const ElasticResponse &response)
 {
   const Eigen::Index n_nodes = response.n_radii() * response.n_lines();
@@ -115,7 +113,7 @@ public:
   Eigen::Vector3d motion_increment;
 };
 
-/// A small foot on which everything can be assembled, sliding and yawing or not.
+/// A foot small enough for dense matrices, with or without friction.
 class SmallFoot : public testing::TestWithParam<double>
 {
 protected:
@@ -125,7 +123,7 @@ protected:
     foot.body.set_sliding(traction);
   }
 
-  /// A moment that depends on where the load is, and a glass that leans.
+  /// Moment balance with a friction arm and a tilt.
   LinearConditions conditions() const
   {
     const ContactSurface &surface = foot.body.contact_surface();
@@ -147,8 +145,8 @@ INSTANTIATE_TEST_SUITE_P(Friction, SmallFoot, testing::Values(0., 0.4),
 
 } // namespace
 
-// Reference: the sums over the harmonics written out, from the compliances of the circles.
-TEST_P(SmallFoot, RespondsByTheHarmonicsOfAPointForce)
+// Reference: explicit sums over the harmonics of the compliances.
+TEST_P(SmallFoot, ResponseIsTheSumOverTheHarmonicsOfAPointForce)
 {
   const ElasticResponse &response = foot.body.elastic_response();
   ASSERT_EQ(response.has_sliding(), GetParam() > 0);
@@ -162,35 +160,6 @@ TEST_P(SmallFoot, RespondsByTheHarmonicsOfAPointForce)
       EXPECT_LT((response.displacement(unit) - expected).norm(), 1e-12 * expected.norm())
         << "circle " << circle << ", line " << line;
     }
-}
-
-// Reference: dense matrices of the same equations. The step is Newton's to 1e-3, what it leads to exact.
-TEST_P(SmallFoot, StepIsThatOfTheDenseSystem)
-{
-  const auto law = make_law(WinklerInterface(1e11), foot.body.contact_surface());
-  const LinearConditions wanted = conditions();
-  DenseContact dense(foot.body, *law, wanted);
-  const ContactSolution solution =
-    solve_contact(foot.body, *law, load_at(0.5, -0.3), profile.contact_radius); // a neighbour to start from
-  dense.forces = solution.forces;
-  dense.motion = solution.motion;
-  dense.step();
-  ContactForces contact;
-  law->evaluate(solution.normal_displacement, contact);
-  const Eigen::MatrixXd unbalanced =
-    (contact.forces - dense.forces).reshaped(foot.body.forces().rows(), few_lines);
-  LineNewton::Functions functions;
-  const LineNewton::Increment increment =
-    LineNewton(foot.body.elastic_response(), contact.tangent, unbalanced, functions)
-      .solve(wanted, wanted.residual(dense.forces, dense.motion));
-  EXPECT_GT(dense.increment.norm(), 0.1 * dense.forces.norm()); // a step worth looking at
-  EXPECT_LT((increment.forces.reshaped() - dense.increment).norm(), 1e-3 * dense.increment.norm());
-  EXPECT_LT((increment.motion - dense.motion_increment).cwiseProduct(Eigen::Vector3d(1, 0.03, 0.03)).norm(),
-            1e-3 * dense.motion_increment.cwiseProduct(Eigen::Vector3d(1, 0.03, 0.03)).norm());
-  // The conditions are linear: a whole step meets them to rounding.
-  EXPECT_LT(
-    wanted.residual(dense.forces + increment.forces.reshaped(), dense.motion + increment.motion).norm(),
-    1e-12 * weight);
 }
 
 TEST_P(SmallFoot, ConvergesToTheDenseSolution)
@@ -212,7 +181,7 @@ TEST_P(SmallFoot, ConvergesToTheDenseSolution)
   }
 }
 
-TEST(BodyOfRevolution, RefusesWhatItCannotResolve)
+TEST(BodyOfRevolution, RefusesInsufficientLinesAndDegrees)
 {
   const ContactCompliance compliance = foot_compliance(GlassProfile(), graded_cells());
   EXPECT_THROW(RevolutionCase(GlassProfile(), compliance, 32), std::invalid_argument);

@@ -6,9 +6,9 @@
 
 using namespace stemware::revolution_tests;
 
-// Reference: closed form. A rigid annulus on a Winkler mat resists a tilt by kappa = pi k (r2^4 - r1^4) / 4
-// as long as all of it carries.
-TEST(Tilt, AmplifiesTheMomentOfARigidAnnulus)
+// Closed form: in full contact, a rigid annulus on a Winkler mat has the tilt stiffness
+// kappa = pi k (r2^4 - r1^4) / 4.
+TEST(Tilt, AmplifiesTheMomentOfARigidAnnulusByTheClosedForm)
 {
   for (const double modulus : { 1e9, 1e10 })
     for (const double height : { 0., 0.08, 0.3 })
@@ -32,10 +32,10 @@ TEST(Tilt, AmplifiesTheMomentOfARigidAnnulus)
     }
 }
 
-// Reference: contacts under plain moments, which know nothing of the weight. A rim whose contact shrinks
-// leans by theta(M); a glass that leans is in balance where M - N z_CM theta(M) is the moment prescribed: at
-// two moments up to the largest, at none beyond.
-TEST(Tilt, IsThatOfTheFirstOfTwoBalances)
+// Reference: contacts under prescribed moments without tilt moment. A rim under the moment M leans by
+// theta(M). A leaning glass is in balance if M - N z_CM theta(M) equals the prescribed moment, which holds at
+// two moments up to the maximum.
+TEST(Tilt, ReturnsTheFirstOfTwoBalances)
 {
   struct Case
   {

@@ -41,8 +41,8 @@ inline ContactCompliance foot_compliance(const GlassProfile &profile, const Meri
   return compute_compliance(triangulation, ElasticMaterial(), options);
 }
 
-/// int N_i r dr over the quadratic elements between two radii, Simpson's rule on N_i r of degree three: what
-/// a unit pressure puts on the nodes, and the weights of the mean displacement.
+/// Nodal forces per radian of a unit pressure between two radii, int N_i r dr, by Simpson's rule, which is
+/// exact for quadratic elements [m^2].
 inline Eigen::VectorXd nodes_between(const ContactCompliance &compliance, double inner, double outer)
 {
   const Eigen::VectorXd &radii = compliance.radii;
@@ -55,7 +55,7 @@ inline Eigen::VectorXd nodes_between(const ContactCompliance &compliance, double
   return weights;
 }
 
-/// A foot that is a body of revolution with everything that a contact solve needs.
+/// A body of revolution and its last contact solution.
 struct RevolutionCase
 {
   RevolutionCase(const GlassProfile &profile, const ContactCompliance &compliance, unsigned int n_lines = 256)

@@ -1,5 +1,4 @@
-// The picture of a foot of revolution: its fields against the contact solution, the balance of forces, and
-// the solid body's picture.
+// Fields of a foot of revolution. References: contact solution, balance of forces, fields of the solid body.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/foot_case.h"
@@ -27,7 +26,7 @@ VtuFile picture_of(MeshedRevolutionFoot &foot, const ContactState &state)
   const std::vector<FieldFile> files = foot.fields(state);
   EXPECT_EQ(files.size(), 1u);
   EXPECT_EQ(files.front().name, "contact.vtu");
-  // All of it is XML: the parser of ParaView reads on into raw bytes, though VTK's format allows them.
+  // The file is plain XML, because the parser of ParaView fails on raw bytes.
   std::istringstream text(files.front().text);
   boost::property_tree::ptree tree;
   EXPECT_NO_THROW(boost::property_tree::read_xml(text, tree));
@@ -39,12 +38,11 @@ Eigen::Vector3d vector_at(const std::vector<double> &values, std::size_t point)
   return { values[3 * point], values[3 * point + 1], values[3 * point + 2] };
 }
 
-/// Integral of a scalar over a horizontal plane made of the lower faces of quadratic cells: with the weights
-/// 1, x and y.
+/// Integrals of a scalar times 1, x and y over a horizontal plane of lower faces of quadratic cells.
 Eigen::Vector3d integral_over_plane(const VtuFile &file, double height,
                                     const std::function<double(std::size_t point)> &value)
 {
-  // Nodes of a Lagrange hexahedron's lower face, and where they stand in it.
+  // Nodes of the lower face of a Lagrange hexahedron.
   constexpr std::array<unsigned int, 9> nodes = { 0, 8, 1, 11, 24, 9, 3, 10, 2 };
   const double gauss[3] = { -std::sqrt(0.6), 0, std::sqrt(0.6) };
   const double weight[3] = { 5. / 9, 8. / 9, 5. / 9 };
@@ -83,13 +81,13 @@ Eigen::Vector3d integral_over_plane(const VtuFile &file, double height,
 
 } // namespace
 
-/// Elastic displacement and rigid motion together.
+/// Sum of elastic displacement and rigid motion [m].
 Eigen::Vector3d moved(const VtuFile &file, std::size_t point)
 {
   return vector_at(file.array("displacement"), point) + vector_at(file.array("rigid_motion"), point);
 }
 
-TEST(RevolutionFields, ContactNodesMoveAsTheContactSays)
+TEST(RevolutionFields, DisplacementsAgreeWithTheContactSolution)
 {
   for (const double friction : { 0., 0.3 })
   {
@@ -115,7 +113,7 @@ TEST(RevolutionFields, ContactNodesMoveAsTheContactSays)
           ++n_common;
           ASSERT_NEAR(moved(file, point)(2), normal_displacement(node),
                       1e-6 * normal_displacement.cwiseAbs().maxCoeff());
-          // The rigid motion is that of the table on the foot, in axes that do not turn.
+
           const Eigen::Vector3d &motion = state.solution.motion;
           ASSERT_NEAR(vector_at(file.array("rigid_motion"), point)(2),
                       motion(0) + motion(1) * at(0) + motion(2) * at(1), 1e-6 * motion.norm());
@@ -125,10 +123,9 @@ TEST(RevolutionFields, ContactNodesMoveAsTheContactSays)
   }
 }
 
-TEST(RevolutionFields, StressesCarryTheLoadThroughTheFoot)
+TEST(RevolutionFields, StressesBalanceTheLoadOnACut)
 {
-  // On a cut z = 3 mm through the middle of the foot the stresses balance the contact forces below: N, and
-  // the friction mu N along the motion.
+  // On the cut z = 3 mm, the stresses balance the contact forces: N, and the friction mu N along the motion.
   constexpr double friction = 0.3, height = 0.003;
   RevolutionSetup setup;
   setup.friction_coefficient = friction;
@@ -152,7 +149,7 @@ TEST(RevolutionFields, StressesCarryTheLoadThroughTheFoot)
   EXPECT_NEAR(over_cut(1, 2)(0) / drag, 0, 0.01);
 }
 
-TEST(RevolutionFields, PressureCarriesTheLoad)
+TEST(RevolutionFields, PressureIntegratesToTheLoad)
 {
   RevolutionSetup crowned, flat, on_hard_table;
   flat.profile.crown_radius = 0;
@@ -164,8 +161,7 @@ TEST(RevolutionFields, PressureCarriesTheLoad)
       const bool is_hard = setup.table.interface->is_hard();
       if (is_hard && m > 1)
         continue;
-      // Under a hard table the pressure peaks at the land's inner edge, where the picture's points are its
-      // nodes.
+      // On a hard table the pressure peaks at the inner edge of the land.
       const double tolerance = is_hard ? 0.01 : 0.006;
       MeshedRevolutionFoot foot(setup.resolved_for(weight));
       const Resultants load = load_at(m, 0.7);
@@ -197,8 +193,7 @@ TEST(RevolutionFields, AgreeWithTheSolidBody)
   const VtuFile expected(
     solid.body->fields(solid.solution.motion, mat->nodal_pressure(solid.solution)).front().text);
 
-  // Nodes that both pictures have, in micrometres. On the land, half a millimetre away from its corners, the
-  // stresses of both are smooth.
+  // Common nodes, by position [um]. Stresses are compared at r = 30 mm, away from the corners of the land.
   const auto place = [](const VtuFile &picture, std::size_t point)
   {
     const Eigen::Vector3d at = 1e6 * vector_at(picture.array("points"), point);

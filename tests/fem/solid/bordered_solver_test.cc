@@ -10,7 +10,7 @@ using namespace stemware::fem_tests;
 
 namespace
 {
-/// The land as an ellipse, 5 % narrower along y, from a file without the meshes that it was refined from.
+/// A foot with an elliptic land, 5 % narrower along y, on a mesh without coarser levels.
 struct OvalFoot
 {
   OvalFoot(const FootResolution &resolution, TestSolver solver, unsigned int degree)
@@ -31,7 +31,7 @@ struct OvalFoot
     body = make_body(solver, triangulation, flat_land, options);
   }
 
-  /// The answer to a moment, with the whole land on the mat.
+  /// Newton increment under a moment in full contact.
   NewtonIncrement press()
   {
     const ContactSurface &surface = body->contact_surface();
@@ -47,7 +47,7 @@ struct OvalFoot
 };
 } // namespace
 
-TEST(LinearSolver, AMeshFromAFileIsSolvedByAggregation)
+TEST(LinearSolver, SolvesAMeshFromAFileByAggregation)
 {
   const FootResolution resolution = { 48, 4, 4, 0 };
   OvalFoot direct(resolution, TestSolver::factors, 1);
@@ -56,8 +56,8 @@ TEST(LinearSolver, AMeshFromAFileIsSolvedByAggregation)
   expect_equal(multigrid.press(), direct.press());
 }
 
-/// To a residual of 1e-11; what the smoother alone needs doubles with half the cell size.
-TEST(LinearSolver, ItsIterationsHardlyGrow)
+/// Iterations to a residual of 1e-11. Those of the smoother alone double when the cell size is halved.
+TEST(LinearSolver, IterationsHardlyGrowWithRefinement)
 {
   OvalFoot coarse({ 48, 4, 4, 0 }, TestSolver::multigrid, 1);
   OvalFoot fine({ 48, 4, 4, 1 }, TestSolver::multigrid, 1);

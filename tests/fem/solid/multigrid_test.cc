@@ -1,8 +1,6 @@
-// Geometric multigrid without matrices against the assembled system, against deal.II's own transfer between
-// meshes, and against itself on finer meshes.
+// Matrix-free geometric multigrid against the assembled system, and its iterations on refined meshes.
 #include "fem/solid/mesh_hierarchy.h"
 #include "fem/solid/nested_contact.h"
-#include "fem/solid/solid_contact_zone.h"
 #include "fem/solid/stiffness_3d.h"
 #include "tests/fem/foot_case.h"
 
@@ -29,7 +27,7 @@ SolidOptions options_of(unsigned int degree, double tolerance = 0)
   return options;
 }
 
-/// The contact found on coarser meshes first.
+/// Contact by nested iteration from coarser meshes.
 ContactSolution solve_nested(FootCase &foot, const InterfaceLaw &interface, const Resultants &load)
 {
   const std::optional<ContactStart> start =
@@ -39,7 +37,7 @@ ContactSolution solve_nested(FootCase &foot, const InterfaceLaw &interface, cons
   return solve_contact(*foot.body, *law, load, foot.radius, {}, start ? &*start : nullptr);
 }
 
-/// One linear solve under the tangent of a contact that is solved already.
+/// One linear solve with the tangent of a solved contact.
 NewtonIncrement solve_linear(FootCase &foot, const InterfaceLaw &interface, const ContactSolution &contact,
                              const Resultants &load)
 {
@@ -103,36 +101,6 @@ TEST(MatrixFree, OperatorIsTheAssembledMatrix)
   }
 }
 
-TEST(Multigrid, ContactNodesAreInterpolatedLikeTheBody)
-{
-  dealii::parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
-  make_foot_mesh(flat_profile(), { 24, 2, 1, 1, 1 }, mesh);
-  const MeshHierarchy hierarchy(levels_of(mesh, 2), 2, ElasticMaterial());
-  ASSERT_EQ(hierarchy.n_levels(), 4u); // linear elements, quadratic ones, half the cells, finer on the land
-  for (const unsigned int fine : { 1u, 2u, 3u })
-  {
-    const SolidLevel &from = hierarchy.level(fine - 1), &to = hierarchy.level(fine);
-    MeshHierarchy::Vector coarse_vector, fine_vector;
-    make_elastic_operator<double>(from.mapping, from.dof_handler, from.constraints, ElasticMaterial())
-      ->initialize_dof_vector(coarse_vector);
-    make_elastic_operator<double>(to.mapping, to.dof_handler, to.constraints, ElasticMaterial())
-      ->initialize_dof_vector(fine_vector);
-    for (const auto i : from.dof_handler.locally_owned_dofs())
-      if (!from.constraints.is_constrained(i))
-        coarse_vector(i) = std::sin(0.3 * static_cast<double>(i));
-    hierarchy.prolongate(fine, fine_vector, coarse_vector);
-    const ContactNodes nodes(to.dof_handler.locally_owned_dofs(),
-                             contact_dofs(to.dof_handler, to.constraints), MPI_COMM_WORLD);
-    const Eigen::VectorXd expected = nodes.gather(fine_vector); // by deal.II's transfer
-    const ContactInterpolation interpolation = interpolation_between(
-      { from.dof_handler, from.constraints }, { to.dof_handler, to.constraints }, nodes);
-    const Eigen::VectorXd interpolated =
-      interpolation.matrix * interpolation.coarse_nodes->gather(coarse_vector);
-    ASSERT_EQ(interpolated.size(), expected.size());
-    EXPECT_LT((interpolated - expected).lpNorm<Eigen::Infinity>(), 1e-5) << "to level " << fine;
-  }
-}
-
 namespace
 {
 
@@ -149,7 +117,7 @@ void expect_the_increment_of_the_factorisation(const GlassProfile &profile, cons
   expect_equal(found, expected);
 }
 
-/// Linear solves on @p resolution halved up to @p finest times.
+/// Expects bounded linear iterations on @p resolution refined up to @p finest times.
 void expect_iterations_that_do_not_grow(const GlassProfile &profile, FootResolution resolution,
                                         unsigned int degree, unsigned int finest)
 {
@@ -173,8 +141,7 @@ void expect_iterations_that_do_not_grow(const GlassProfile &profile, FootResolut
 
 TEST(Multigrid, AgreesWithTheFactorisation)
 {
-  // The crowned foot with hanging nodes, in the contact too; the flat one with quadratic elements over linear
-  // ones.
+  // Crowned foot with hanging nodes in the contact; flat foot with quadratic elements above linear ones.
   expect_the_increment_of_the_factorisation(GlassProfile(), { 12, 2, 1, 1, 1 }, 1);
   expect_the_increment_of_the_factorisation(flat_profile(), { 12, 2, 1 }, 2);
 }
@@ -186,8 +153,7 @@ TEST(Multigrid, IterationsDoNotGrow)
 
 TEST(Multigrid, IterationsDoNotGrowLong)
 {
-  // More levels, and quadratic elements on them, are for multigrid_benchmark
-  // (docs/method/solid_measurements.md).
+  // More levels: multigrid_benchmark (docs/method/solid_measurements.md).
   for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
   {
     expect_iterations_that_do_not_grow(profile, { 48, 2, 2 }, 1, 2);
@@ -195,7 +161,7 @@ TEST(Multigrid, IterationsDoNotGrowLong)
   }
 }
 
-TEST(Multigrid, ContactFromCoarserMeshesIsTheSame)
+TEST(Multigrid, NestedIterationGivesTheSameContact)
 {
   const WinklerInterface mat(1e11);
   FootCase direct(GlassProfile(), refined(1), options_of(2), TestSolver::factors);
@@ -210,9 +176,9 @@ TEST(Multigrid, ContactFromCoarserMeshesIsTheSame)
   EXPECT_LE(found.equilibrium_residual, 1e-9);
 }
 
-TEST(Multigrid, MomentBalanceIsTheFactorisations)
+TEST(Multigrid, MomentBalanceAgreesWithTheFactorisation)
 {
-  // A friction arm of half the radius, and a weight that leans: the system is not symmetric.
+  // Friction arm of half the radius and tilt moment: the system is not symmetric.
   FootCase direct(GlassProfile(), { 12, 2, 1, 1 }, options_of(2), TestSolver::factors);
   FootCase multigrid(GlassProfile(), { 12, 2, 1, 1 }, options_of(2));
   const auto conditions_on = [](const ContactSurface &surface)

@@ -1,5 +1,4 @@
-// A contact on any number of ranks against the same on each rank alone: other partitions, numberings and
-// sums.
+// A contact on several ranks against the same contact on one rank.
 #include "fem/contact/foot.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/boundary_ids.h"
@@ -24,7 +23,7 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// A foot that leans on a mat, with friction, on the ranks of a communicator.
+/// A foot on a mat under a moment with friction, on the ranks of a communicator.
 struct PressedFoot
 {
   PressedFoot(MPI_Comm communicator, const FootResolution &resolution, unsigned int degree)
@@ -77,7 +76,7 @@ std::map<std::string, std::string> files_of(const std::vector<FieldFile> &own, M
   return all;
 }
 
-/// What stands between quotes behind @p attribute in @p text, sorted.
+/// Sorted values of @p attribute in @p text.
 std::vector<std::string> quoted(const std::string &text, const std::string &attribute)
 {
   std::vector<std::string> values;
@@ -96,10 +95,10 @@ constexpr std::pair<const char *, std::size_t> shown_fields[] = { { "displacemen
                                                                   { "stress", 9 },
                                                                   { "contact_pressure", 1 } };
 
-/// The fields at the nodes of a cell, node by node; by the mean of its nodes [10 nm].
+/// Fields at the nodes of each cell; key: mean position of the nodes [10 nm].
 using ShownCells = std::map<std::array<long, 3>, std::map<std::string, std::vector<double>>>;
 
-/// Adds the cells of a VTU file, none of which may be there.
+/// Adds the cells of a VTU file and expects that none is present already.
 void add_cells(const std::string &text, ShownCells &cells)
 {
   const stemware::fem_tests::VtuFile file(text);
@@ -143,18 +142,18 @@ void expect_the_same_on_all_ranks(const FootResolution &resolution, unsigned int
 
 } // namespace
 
-TEST(Ranks, ContactByMultigridIsThatOfOneRank)
+TEST(Ranks, MultigridContactIsIndependentOfTheRanks)
 {
   expect_the_same_on_all_ranks({ 24, 2, 1, 1 }, 2);
 }
 
-TEST(Ranks, SoIsContactOnAMeshWithoutCoarserOnes)
+TEST(Ranks, ContactWithoutCoarserMeshesIsIndependentOfTheRanks)
 {
   expect_the_same_on_all_ranks({ 24, 4, 2 }, 1);
 }
 
 // Oracle: the whole surface, on one rank.
-TEST(Ranks, EachHasTheContactSurfaceOfItsOwnCells)
+TEST(Ranks, EachRankHasTheContactSurfaceOfItsCells)
 {
   const auto surface_on = [](MPI_Comm communicator)
   {
@@ -175,7 +174,7 @@ TEST(Ranks, EachHasTheContactSurfaceOfItsOwnCells)
   const Eigen::VectorXd pressure = Eigen::VectorXd::Ones(part.n_nodes());
   EXPECT_EQ(part.n_nodes_across(pressure), whole.n_nodes_across(Eigen::VectorXd::Ones(whole.n_nodes())));
 
-  // No rank has more than its share: the nodes of others are those that its lines reach.
+  // Each rank holds ghost nodes of its own lines only.
   std::set<unsigned int> reached;
   for (const ContactLine &line : part.lines)
     reached.insert(line.nodes.begin(), line.nodes.end());
@@ -186,8 +185,8 @@ TEST(Ranks, EachHasTheContactSurfaceOfItsOwnCells)
   EXPECT_EQ(most < static_cast<double>(whole.lines.size()), is_shared);
 }
 
-// Oracle: the file of one rank, whose arrays are read without deal.II.
-TEST(Ranks, PiecesOfThePictureHaveItsCellsOnce)
+// Reference: the file of one rank, read without deal.II.
+TEST(Ranks, FieldFilesHaveEveryCellOnce)
 {
   const auto picture_on = [](MPI_Comm communicator)
   {
@@ -206,8 +205,7 @@ TEST(Ranks, PiecesOfThePictureHaveItsCellsOnce)
   {
     const std::string record = files["contact.pvtu"];
     EXPECT_EQ(quoted(record, "Source"), pieces);
-    EXPECT_EQ(record.find("<!--"), std::string::npos)
-      << "a time of writing, in which equal runs would differ";
+    EXPECT_EQ(record.find("<!--"), std::string::npos) << "a time stamp, which differs between equal runs";
     for (const auto &[name, n] : shown_fields)
       EXPECT_NE(record.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
   }
@@ -237,7 +235,7 @@ TEST(Ranks, PiecesOfThePictureHaveItsCellsOnce)
   }
 }
 
-TEST(Ranks, ThoseWithoutCellsHaveNoPiece)
+TEST(Ranks, RanksWithoutCellsWriteNoFile)
 {
   dealii::parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
   dealii::GridGenerator::hyper_cube(mesh, 0, 0.01);

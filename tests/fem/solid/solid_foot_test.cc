@@ -1,4 +1,4 @@
-// The solid foot as everybody sees it: states that stay valid, and what they say about a foot pressed again.
+// Solid foot: states, linear solvers, mesh files, capabilities.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/mesh_io.h"
@@ -35,7 +35,7 @@ SolidMesh coarse_mesh()
 
 } // namespace
 
-TEST(SolidFoot, StatesOutliveTheNextSolution)
+TEST(SolidFoot, StatesStayValidAfterTheNextSolve)
 {
   const std::shared_ptr<const InterfaceLaw> interfaces[] = { std::make_shared<WinklerInterface>(1e11),
                                                              std::make_shared<HardInterface>() };
@@ -56,7 +56,7 @@ TEST(SolidFoot, StatesOutliveTheNextSolution)
     EXPECT_EQ(foot.fields(first).front().text, fields);
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
     {
-      EXPECT_TRUE(points.empty() && pressure_map.cuts.empty()); // the first rank has all
+      EXPECT_TRUE(points.empty() && pressure_map.cuts.empty()); // gathered on the first rank
       continue;
     }
     EXPECT_NEAR(harmonics_of(later, 1).moment().x() / first.load.moment().x(), 1, 1e-12);
@@ -64,9 +64,8 @@ TEST(SolidFoot, StatesOutliveTheNextSolution)
   }
 }
 
-/// The compliance between the contact nodes against multigrid on the whole body, with friction and a weight
-/// that leans.
-TEST(SolidFoot, CondensedContactsAreThoseOfTheWholeBody)
+/// Compliance between the contact nodes against multigrid on the whole body, with friction and tilt moment.
+TEST(SolidFoot, CondensedSolverAgreesWithMultigrid)
 {
   const std::shared_ptr<const InterfaceLaw> interfaces[] = { std::make_shared<WinklerInterface>(1e11),
                                                              std::make_shared<HardInterface>() };
@@ -92,8 +91,8 @@ TEST(SolidFoot, CondensedContactsAreThoseOfTheWholeBody)
     }
 }
 
-/// A mesh file says all about its rim: an arc in the generated foot, a polygon in the file.
-TEST(SolidFoot, OfAWrittenMeshHasTheLoadOfTheGeneratedOne)
+/// The rim is an arc in the generated foot and a polygon in the file.
+TEST(SolidFoot, AWrittenMeshGivesTheLoadOfTheGeneratedMesh)
 {
   GlassProfile profile;
   profile.land_width = 0.002;
@@ -117,7 +116,7 @@ TEST(SolidFoot, OfAWrittenMeshHasTheLoadOfTheGeneratedOne)
     const auto expected_forces = generated.point_forces(generated.solve(load_at(1.3)));
     const auto forces = read.point_forces(read.solve(load_at(1.3)));
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
-      continue; // the first rank has all forces
+      continue; // forces are gathered on the first rank
     const ContactLoad expected = harmonics_of(expected_forces, 6);
     const ContactLoad load = harmonics_of(forces, 6);
     second_harmonics.push_back(load.a(2) / load.a(0));
@@ -127,13 +126,13 @@ TEST(SolidFoot, OfAWrittenMeshHasTheLoadOfTheGeneratedOne)
       EXPECT_NEAR(load.b(n) / load.a(0), expected.b(n) / expected.a(0), tolerance) << n;
     }
   }
-  if (second_harmonics.size() == 2) // a crown that is lost in the file would be seen
+  if (second_harmonics.size() == 2) // the file preserves the crown
   {
     EXPECT_GT(std::abs(second_harmonics[0] - second_harmonics[1]), 0.03);
   }
 }
 
-TEST(SolidFoot, SaysWhatItIs)
+TEST(SolidFoot, DescribesItsBodyAndCapabilities)
 {
   const SolidMesh mesh = coarse_mesh();
   SolidFoot foot(mesh, coarse_setup(std::make_shared<WinklerInterface>()));
@@ -148,9 +147,8 @@ TEST(SolidFoot, SaysWhatItIs)
   EXPECT_THROW(SolidFoot(mesh, on_wood), std::invalid_argument);
 }
 
-// Oracle: the body of revolution, which takes the first of two balances of a glass that leans; between the
-// two it leans as under plain moments (the test Tilt).
-TEST(SolidFoot, TakesTheFirstOfTwoBalances)
+// Reference: body of revolution (Tilt.ReturnsTheFirstOfTwoBalances).
+TEST(SolidFoot, ReturnsTheFirstOfTwoBalances)
 {
   const auto mat = std::make_shared<WinklerInterface>(1e7);
   const double height = 0.5, second = 1.4; // of the centre of mass [m]; moment ratio of the second balance
@@ -164,7 +162,7 @@ TEST(SolidFoot, TakesTheFirstOfTwoBalances)
   demand.tilt_moment = weight * height;
   const double expected = -oracle.solve(demand).load.moment().y() / scale;
   ASSERT_LT(expected, 1.2);
-  // On one rank the automatic solver condenses so small a foot.
+  // On one rank, the automatic choice for a small foot is the condensed solver.
   for (const LinearSolver solver : { LinearSolver::automatic, LinearSolver::multigrid })
   {
     SolidSetup setup;

@@ -1,5 +1,5 @@
-// A foot that is not of revolution, from a mesh file: its load depends on where the moment points. Oracle:
-// the same gap imposed on the body of revolution.
+// A wavy foot from a mesh file, whose load depends on the direction of the moment. Reference: body of
+// revolution with the same gap.
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/fem/geometry/mesh_writers.h"
@@ -12,11 +12,11 @@
 
 using namespace stemware::fem_tests;
 
-TEST(SolidFoot, AnswersAsAThreeLobedRimDoesInEachDirection)
+TEST(SolidFoot, AgreesWithAWavyBodyOfRevolutionInEveryDirection)
 {
   const WavinessHarmonic lobes = { 3, 1e-6, 0.4 };
   const GlassProfile profile = flat_profile();
-  const auto mat = std::make_shared<WinklerInterface>(1e10); // its penetration is less than the lobes' height
+  const auto mat = std::make_shared<WinklerInterface>(1e10); // the penetration is less than the amplitude
 
   dealii::Triangulation<3> drawn;
   make_foot_mesh(profile, { 72, 2, 1 }, drawn);
