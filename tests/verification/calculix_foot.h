@@ -12,7 +12,7 @@
 namespace stemware::verification
 {
 
-/// a_n / a_0 and b_n / a_0 of a foot of the weight of the reference cases on a table.
+/// Harmonics a_n / a_0 and b_n / a_0 of a foot under the weight of the reference cases.
 struct CalculixLoad
 {
   std::optional<double> modulus; ///< of the mat [Pa/m]; nothing: hard

@@ -1,5 +1,5 @@
-// Convergence of the harmonics in mesh and order. Kinds of reference: another program (calculix_foot.json),
-// the order that theory gives.
+// Convergence of the harmonics with mesh and degree. References: another program (calculix_foot.json),
+// theoretical order.
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/calculix_foot.h"
 
@@ -19,14 +19,14 @@ ContactLoad solve(unsigned int refinements, unsigned int degree)
   return foot.solve_on_winkler(1e10, load_at(1.2));
 }
 
-/// Observed order of @p one, its halved and its twice halved mesh in a_2 / a_0.
+/// Observed order of a_2 / a_0 on three meshes with halved cells.
 double order_of(const ContactLoad &one, const ContactLoad &halved, const ContactLoad &quartered)
 {
   const auto value = [](const ContactLoad &load) { return load.a(2) / load.a(0); };
   return std::log2((value(one) - value(halved)) / (value(halved) - value(quartered)));
 }
 
-/// The least exponent of the displacement in a free re-entrant corner of 270 degrees, sin(3 pi lambda / 2) =
+/// Smallest exponent of the displacement at a free re-entrant corner of 270 degrees, sin(3 pi lambda / 2) =
 /// lambda (Williams 1952): 0.5445.
 double exponent_of_the_corner()
 {
@@ -39,7 +39,7 @@ double exponent_of_the_corner()
   return below;
 }
 
-/// Largest difference of a_n / a_0, n = 2 ... 6, from CalculiX's; 1e10 Pa/m, m = 1.2.
+/// Largest difference of a_n / a_0, n = 2 ... 6, from CalculiX at 1e10 Pa/m, m = 1.2.
 double distance_from_calculix(const ContactLoad &load)
 {
   double largest = -1;
@@ -53,10 +53,10 @@ double distance_from_calculix(const ContactLoad &load)
 
 } // namespace
 
-TEST(Convergence, OfMeshAndOrder)
+TEST(Convergence, HarmonicsConvergeAtTheOrderOfTheCorners)
 {
-  // The step profile's re-entrant right angles carry stresses like r^(lambda - 1), so that harmonics of the
-  // load converge like h^(2 lambda) in the end, whatever the degree, and not slower before.
+  // At the re-entrant corners of the step profile, stresses vary like r^(lambda - 1). The harmonics therefore
+  // converge like h^(2 lambda) asymptotically, for any degree, and not slower before.
   std::vector<std::vector<ContactLoad>> loads;
   for (const unsigned int degree : { 1u, 2u, 3u })
     loads.push_back({ solve(0, degree), solve(1, degree), solve(2, degree) });
@@ -68,16 +68,16 @@ TEST(Convergence, OfMeshAndOrder)
   {
     const double order = order_of(loads[p - 1][0], loads[p - 1][1], loads[p - 1][2]);
     EXPECT_GT(order, order_of_corners) << "degree " << p;
-    EXPECT_LT(order, 2 * p) << "degree " << p; // what a body without corners would give
+    EXPECT_LT(order, 2 * p) << "degree " << p; // order without corners
   }
   EXPECT_NEAR(order_of(loads[2][0], loads[2][1], loads[2][2]), order_of_corners, 0.05);
   const ContactLoad &finest = loads[3][1];
-  // CalculiX's own mesh leaves 2e-5.
+  // The mesh of CalculiX has an error of 2e-5.
   EXPECT_LT(distance_from_calculix(finest), 3e-5);
   EXPECT_LT(distance_from_calculix(loads[1][0]), 6e-5);
   EXPECT_LT(distance_from_calculix(loads[0][0]), 5e-4);
   EXPECT_GT(distance_from_calculix(loads[0][0]), 3 * distance_from_calculix(finest));
-  // One degree more takes the same error away as halving the cells.
+  // Raising the degree by one reduces the error as much as halving the cells.
   for (unsigned int p = 1; p < 3; ++p)
     EXPECT_LT(largest_difference(loads[p + 1][0], loads[p][1]),
               0.3 * largest_difference(loads[p][0], loads[p][1]))

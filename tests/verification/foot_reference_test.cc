@@ -1,5 +1,5 @@
-// The elastic foot against other programs: CalculiX, calculix_foot.json, and spectral elements in numpy,
-// foot_contact.json. Their scripts have the same names.
+// The elastic foot against other programs: CalculiX (calculix_foot.py) and spectral elements in numpy
+// (foot_contact.py).
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/calculix_foot.h"
 
@@ -15,8 +15,8 @@ using stemware::verification::CalculixLoad;
 namespace
 {
 
-/// Every mat and moment of @p foot in the reference file; each a_n / a_0 within its band plus @p tolerance,
-/// the error of the quadratic elements at the corners of the land.
+/// Compares a_n / a_0 for every mat and moment of @p foot in the reference file within its band plus @p
+/// tolerance, the error of the quadratic elements at the corners of the land.
 void compare_with_reference(const std::string &foot, const GlassProfile &profile,
                             const MeridianResolution &resolution, double tolerance)
 {
@@ -47,8 +47,8 @@ void compare_with_calculix(const std::string &kind, const GlassProfile &profile,
   for (unsigned int n = 0; n <= 6; ++n)
   {
     const HarmonicCompliance &here = compliance.harmonics[n];
-    // Harmonics 0 and 1, which the load does not feel, bend the corner at the stem, where CalculiX's cells
-    // are coarse; the part of its 48 sectors round the rim grows with the harmonic.
+    // Harmonics 0 and 1, which do not affect the load, bend the corner at the stem, where the cells of
+    // CalculiX are coarse. The error of its 48 sectors grows with the harmonic.
     const double part = n == 2 || n == 3 ? 3e-3 : 1.2e-2;
     EXPECT_NEAR(nodes.dot(here.normal * nodes) / reference.normal[n], 1, part) << n;
     EXPECT_NEAR(nodes.dot(here.radial * nodes) / reference.radial[n], 1, part) << n;
@@ -77,29 +77,29 @@ void compare_with_calculix(const std::string &kind, const GlassProfile &profile,
 
 } // namespace
 
-// Kind of the reference: other code, other elements. A friction's sign or size turns every a_n and b_n here.
-TEST(FootReference, FlatFootOfAnotherProgram)
+// A wrong sign or size of the friction changes every a_n and b_n.
+TEST(FootReference, FlatFootAgreesWithCalculiX)
 {
   compare_with_calculix("flat", flat_profile(), equal_cells(1), 1e-4);
 }
 
-TEST(FootReference, CrownedFootOfAnotherProgram)
+TEST(FootReference, CrownedFootAgreesWithCalculiX)
 {
   compare_with_calculix("crown", GlassProfile(), graded_cells(1), 6e-5);
 }
 
-TEST(FootReference, CrownedFootOnThreeMats)
+TEST(FootReference, CrownedFootAgreesWithSpectralElements)
 {
   compare_with_reference("crown 0.003, land width 0.004", GlassProfile(), graded_cells(1), 4e-5);
 }
 
-TEST(FootReference, FlatFootOnTwoMats)
+TEST(FootReference, FlatFootAgreesWithSpectralElements)
 {
   compare_with_reference("flat, land width 0.002", flat_profile(), equal_cells(1), 2e-4);
 }
 
-// Friction makes all of it.
-TEST(FrictionCoupling, SecondHarmonicOfTheFlatFoot)
+// The second harmonic is caused by friction only.
+TEST(FrictionCoupling, SecondHarmonicOfTheFlatFootAgreesWithCalculiX)
 {
   RevolutionCase foot(flat_profile(), foot_compliance(flat_profile(), equal_cells(1)));
   // 4.0e-4, 3.45e-3 and 1.43e-2, by CalculiX.

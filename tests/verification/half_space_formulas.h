@@ -1,7 +1,7 @@
 #pragma once
 
-// Elastic half-spaces and layers under rings of load: published kernels and plain quadrature, nothing of the
-// program but the moduli of a material.
+// Elastic half-spaces and layers under ring loads: published kernels and plain quadrature. Shares only the
+// elastic constants with the program.
 #include "fem/geometry/elastic_material.h"
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -27,10 +27,9 @@ inline double plane_strain_modulus(const ElasticMaterial &material)
   return material.young_modulus / (1 - material.poisson_ratio * material.poisson_ratio);
 }
 
-/// Surface displacement of a layer on a rigid base, bonded, over that of a half-space, under a pressure of
-/// wave number k without friction; @p thickness in units of 1 / k, infinite for the half-space (Johnson,
-/// Contact Mechanics, 1985, section 5.8). Tends to k h (1 - 2 nu) / (2 (1 - nu)^2), the layer that cannot
-/// bulge.
+/// Surface displacement of a layer bonded to a rigid base over the displacement of a half-space, under a
+/// pressure of wave number k without friction. @p thickness in units of 1 / k, infinite for the half-space.
+/// Tends to k h (1 - 2 nu) / (2 (1 - nu)^2) for a thin layer (Johnson, Contact Mechanics, 1985, section 5.8).
 inline double layer_over_half_space(double thickness, double poisson_ratio)
 {
   if (thickness > 300)
@@ -51,8 +50,8 @@ double integral(const Function &f, double from, double to, unsigned int n)
   return sum;
 }
 
-/// int u_z r dr over @p seen under a unit pressure cos(n theta) on @p loaded, at theta = 0 [m^5/N]: Hankel's
-/// transform of both bands, and Boussinesq's 2 / (E* k) between them, or a layer's.
+/// int u_z r dr over @p seen under a unit pressure cos(n theta) on @p loaded, at theta = 0 [m^5/N]: Hankel
+/// transforms of both bands with the kernel 2 / (E* k) of Boussinesq or of a layer.
 inline double normal_compliance(unsigned int n, Band loaded, Band seen, const ElasticMaterial &material,
                                 double thickness = std::numeric_limits<double>::infinity())
 {
@@ -76,8 +75,8 @@ inline double normal_compliance(unsigned int n, Band loaded, Band seen, const El
          integral(integrand, 0, end, static_cast<unsigned int>(end * radius / 6) + 1);
 }
 
-/// Radial and azimuthal tractions: the same displacement under cos(n theta) radially or sin(n theta)
-/// azimuthally.
+/// Integrated normal displacement under radial tractions cos(n theta) and azimuthal tractions sin(n theta)
+/// [m^5/N].
 struct TangentialCompliance
 {
   double radial, azimuthal;

@@ -1,6 +1,6 @@
-// Thick discs and layers against an elastic half-space and a bonded layer. Kinds of reference: closed forms
-// under quadrature (Boussinesq, Cerruti, the layer's transfer function), and the flat annular punch by other
-// code (its harmonics: docs/verification/annular_punch.md).
+// Thick discs and layers against an elastic half-space and a bonded layer. References: closed forms with
+// quadrature (Boussinesq, Cerruti, transfer function of a layer); flat annular punch by other code
+// (docs/verification/annular_punch.md).
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/compute_compliance.h"
 #include "fem/revolution/meshed_revolution_foot.h"
@@ -44,8 +44,8 @@ Eigen::VectorXd nodes_of(const ContactCompliance &compliance, Band band)
 
 } // namespace
 
-// Kind of the reference: closed form. n = 24 is what stands for all harmonics beyond 16.
-TEST(HalfSpace, SinksInUnderRingsOfPressureAsBoussinesqs)
+// Closed form. The compliance of n = 24 represents all harmonics beyond 16.
+TEST(HalfSpace, NormalComplianceAgreesWithBoussinesq)
 {
   const ContactCompliance disc = compliance_of_disc({ 0.3, 0.3 }, wood, strip(0.004), 1, 16);
   const Band whole = { 0.028, 0.032 }, inner = { 0.028, 0.03 }, outer = { 0.03, 0.032 };
@@ -60,10 +60,9 @@ TEST(HalfSpace, SinksInUnderRingsOfPressureAsBoussinesqs)
   }
 }
 
-// Kind of the reference: closed form. A body of revolution answers to harmonic 20 of forces on its lines,
-// which is beyond its 16, as a half-space to harmonic 24; what it does to 5 and to 24 is told apart by a
-// factor.
-TEST(HalfSpace, AnswersToHarmonicsBeyondTheHighestAsAtHalfAnOctaveUp)
+// Closed form. Under harmonic 20 of the line forces, beyond its 16 harmonics, a body of revolution responds
+// like a half-space under harmonic 24. The responses to harmonics 5 and 24 differ by a factor.
+TEST(HalfSpace, HarmonicsBeyondTheHighestUseTheComplianceOfHarmonic24)
 {
   constexpr unsigned int n_lines = 64;
   const ContactCompliance disc = compliance_of_disc({ 0.3, 0.3 }, wood, strip(0.004), 1, 16);
@@ -82,9 +81,9 @@ TEST(HalfSpace, AnswersToHarmonicsBeyondTheHighestAsAtHalfAnOctaveUp)
   }
 }
 
-// Kind of the reference: closed form. A traction outwards lowers what lies outside, and one sense of the
-// azimuthal one raises both sides: with either sign turned, the two bands are not met.
-TEST(HalfSpace, RisesAndSinksUnderTangentialTractionsAsCerrutis)
+// Closed form. An outward traction lowers the surface outside. A wrong sign of either traction exceeds the
+// tolerance.
+TEST(HalfSpace, TangentialComplianceAgreesWithCerruti)
 {
   const ContactCompliance disc = compliance_of_disc({ 0.3, 0.3 }, wood, strip(0.004), 1, 6);
   const Band inner = { 0.028, 0.03 }, outer = { 0.03, 0.032 };
@@ -98,9 +97,9 @@ TEST(HalfSpace, RisesAndSinksUnderTangentialTractionsAsCerrutis)
     }
 }
 
-// Kind of the reference: closed form (the layer's transfer function, Johnson section 5.8). A contact narrower
-// than the layer is thick, one wider, and a layer that bulges.
-TEST(Layer, SinksInUnderRingsOfPressureAsItsTransferFunctionSays)
+// Closed form (Johnson, section 5.8). A contact narrower than the layer thickness, a wider one, and a layer
+// that bulges.
+TEST(Layer, NormalComplianceAgreesWithTheTransferFunction)
 {
   const struct
   {
@@ -122,11 +121,10 @@ TEST(Layer, SinksInUnderRingsOfPressureAsItsTransferFunctionSays)
   }
 }
 
-// Kind of the reference: other code (tests/verification/annular_punch.py, a layer of 100 outer radii). A land
-// that is wide compared with the wavelength of the highest harmonic takes more smooth functions in a Newton
-// step than a narrow one; with ten, the widest did not converge on many cells. The error is that of the
-// singular edges.
-TEST(HalfSpace, WideAnnularPunchesStandOnManyCells)
+// Reference: other code (tests/verification/annular_punch.py, a layer of 100 outer radii). A land that is
+// wide compared with the wavelength of the highest harmonic needs more than ten smooth functions in a Newton
+// step. The remaining error comes from the singular edges.
+TEST(HalfSpace, WideAnnularPunchesConvergeOnManyCells)
 {
   const struct
   {

@@ -1,7 +1,7 @@
-// A rigid flat land on a hard interface and a thin bonded layer: the spring in the place of the hard
-// interface is stiff compared with the layer, so the settlement is that of a strip on the layer. Kind of the
-// reference: other code (tests/verification/strip_on_a_layer.py). The land is a fiftieth of the radius wide:
-// the ring's curvature changes 1e-4.
+// A rigid flat land on a hard interface and a thin bonded layer. The stiff spring of the interface is
+// negligible, so the land settles like a strip on the layer. Reference: other code
+// (tests/verification/strip_on_a_layer.py). The land is a fiftieth of the radius wide, so the curvature of
+// the ring changes the settlement by 1e-4.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/reference_load.h"
@@ -15,7 +15,7 @@
 
 using namespace stemware::fem;
 
-TEST(HardLayer, SettlesAsAStripUnderARigidLand)
+TEST(HardLayer, SettlementAgreesWithAStrip)
 {
   std::ifstream file(STEMWARE_STRIP_ON_A_LAYER);
   const auto cases = nlohmann::json::parse(file)["cases"];
@@ -33,7 +33,7 @@ TEST(HardLayer, SettlesAsAStripUnderARigidLand)
     setup.meridian.n_harmonics = 2;
     setup.n_lines = 16;
     setup.normal_force = force;
-    // Cells that resolve the ends of the pressure, which are as long as the layer is thick.
+    // Cells resolve the edge zones of the pressure, whose length is the thickness of the layer.
     setup.resolution.focus_size = std::min(width / 100, thickness / 2);
     setup.resolution.focus_width = width / 2;
     const MeshedRevolutionFoot foot(setup);

@@ -1,5 +1,4 @@
-// Interfaces against another program and plain sums: hard ones, yielding ones under a rigid foot, bodies that
-// friction does not couple.
+// Hard and compliant interfaces against another program, plain sums and the theorem of Dundurs.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/revolution/compute_compliance.h"
@@ -23,10 +22,10 @@ ContactLoad press_on(const RevolutionSetup &setup, const Resultants &load, doubl
 
 } // namespace
 
-// Reference: CalculiX, with friction too; the pressure is singular at the land's inner edge, where its cells
-// are 60 um. Beyond the sixth harmonic the scatter of three other engines (nodal contact in three
-// dimensions).
-TEST(RigidTable, HarmonicsOfAFlatLandThatLiftsOff)
+// Reference: CalculiX, with and without friction; the pressure is singular at the inner edge of the land,
+// where its cells are 60 um. Harmonics above the sixth: three other finite-element programs with nodal
+// contact, within their scatter.
+TEST(RigidTable, FlatLandWithLiftOffAgreesWithCalculiX)
 {
   unsigned int n_compared = 0;
   for (const CalculixLoad &expected : CalculixFoot("flat").loads)
@@ -53,8 +52,7 @@ TEST(RigidTable, HarmonicsOfAFlatLandThatLiftsOff)
   EXPECT_EQ(n_compared, 4u);
 }
 
-// Reference: plain sums over the points of the land.
-TEST(YieldingTable, CarriesARigidFootAsPlainSumsSay)
+TEST(YieldingTable, RigidFootAgreesWithPlainSums)
 {
   const double modulus = 1e10, pressure_at_touch = 1e9, decay = 1e-6;
   PlainRigidFoot on_mat = PlainRigidFoot::on_mat(modulus), on_rough;
@@ -77,7 +75,7 @@ TEST(YieldingTable, CarriesARigidFootAsPlainSumsSay)
       const ContactLoad load = press_on(setup, demand);
       const Eigen::Vector3d lie = plain->lie_under(weight, demand.moment_x, demand.moment_y, depth);
       const std::vector<PlainPoint> points = plain->forces(lie);
-      const double tolerance = m < 1 ? 2e-6 : 6e-6; // where the load ends between two lines
+      const double tolerance = m < 1 ? 2e-6 : 6e-6; // with lift-off, contact ends between two lines
       for (unsigned int n = 1; n <= 6; ++n)
       {
         EXPECT_NEAR(load.a(n) / load.a(0), harmonic_over_mean(points, n), tolerance) << m << ", " << n;
@@ -86,10 +84,9 @@ TEST(YieldingTable, CarriesARigidFootAsPlainSumsSay)
     }
 }
 
-// Reference: Dundurs. Two half-spaces of one material do not couple normal displacement and tangential
-// traction: under opposite tractions what one surface rises the other does too. A thick foot and a thick
-// disc, by the azimuthal tractions of the harmonics that feel neither its stem nor the disc's bottom; what is
-// left comes from the foot's few rows of cells and falls with them.
+// Dundurs: tangential tractions do not change the gap between two half-spaces of one material. Checked for a
+// thick foot and a thick disc under azimuthal tractions of a harmonic that does not reach the stem or the
+// bottom of the disc. The remainder is the mesh error of the foot and decreases with refinement.
 TEST(Friction, DoesNotCoupleEqualHalfSpaces)
 {
   const ElasticMaterial wood{ 10e9, 0.3 };

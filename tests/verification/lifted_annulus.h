@@ -1,6 +1,6 @@
 #pragma once
 
-// A rigid flat annulus or disc on a Winkler mat that lifts off: closed forms of chords.
+// A rigid flat annulus or disc on a Winkler mat with lift-off: closed forms of circular segments.
 #include <algorithm>
 #include <cmath>
 

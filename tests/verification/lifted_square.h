@@ -1,6 +1,6 @@
 #pragma once
 
-// A rigid square plate on a Winkler mat that lifts off, tilted in any direction: exact up to rounding.
+// A rigid square plate on a Winkler mat with lift-off, tilted in any direction; exact up to rounding.
 #include <Eigen/Dense>
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -13,12 +13,12 @@
 namespace stemware::verification
 {
 
-/// Square plate [-1, 1]^2 [m] whose depth is d = motion . (1, x, y) where it is positive, with unit force per
-/// depth and area. The load is 1 N with its centre at a given place.
+/// Square plate [-1, 1]^2 [m] with the penetration max(0, motion . (1, x, y)) on a mat of 1 N/m^3, under 1 N
+/// at a given point.
 class LiftedSquare
 {
 public:
-  /// Finds the balance by Newton's method, from full contact with the load in the middle.
+  /// Solves the balance by Newton's method, with the load moved from the middle in steps.
   explicit LiftedSquare(const Eigen::Vector2d &centre)
   {
     const Eigen::Vector3d demand(1, centre(0), centre(1));
@@ -32,7 +32,7 @@ public:
     }
   }
 
-  /// Depth (1, x, y) coefficients [m].
+  /// Coefficients of the penetration in (1, x, y) [m].
   Eigen::Vector3d motion = { 0.25, 0, 0 };
 
   double share() const
@@ -72,8 +72,8 @@ private:
     return corners;
   }
 
-  /// Integral of @p of(1, x, y) over the loaded part: triangles from the origin to its edges, with sign. The
-  /// integrand along a ray is a polynomial of degree 2 times a function of the azimuth.
+  /// Integral of @p of(1, x, y) over the loaded part, by signed triangles from the origin to its edges. Along
+  /// a ray the integrand is a polynomial of degree 2 times a function of the azimuth.
   double integral(const std::function<double(const Eigen::Vector3d &)> &of) const
   {
     using Gauss = boost::math::quadrature::gauss<double, 30>;

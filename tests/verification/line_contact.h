@@ -1,7 +1,7 @@
 #pragma once
 
-// A rigid crowned ring pressed into a half-space by hard contact, as a line contact whose width
-// follows the load: the leading order in width / radius, all harmonics that the lines resolve.
+// Hard contact of a rigid crowned ring with a half-space, as a line contact whose width depends on the load:
+// leading order in width / radius, all harmonics that the lines resolve.
 #include "tests/verification/half_space_formulas.h"
 
 #include <Eigen/Dense>
@@ -12,10 +12,10 @@
 namespace stemware::verification
 {
 
-/// What a line load cos(n theta) of Hertz's half-width b around a ring moves its middle by, in units of line
-/// load over pi E*, less 2 ln(16 R / b) + 1: -4 sum_{k <= n} 1 / (2k - 1) as long as n b << R, where the
-/// straight line's 2 int p K_0(n |x| / R) dx differs from its logarithm, that difference too. @p slenderness:
-/// b / R.
+/// Displacement at the middle of a line load cos(n theta) with Hertz half-width b around a ring, in units of
+/// line load / (pi E*), minus 2 ln(16 R / b) + 1. For n b << R it is -4 sum_{k <= n} 1 / (2k - 1); the second
+/// term is the difference between 2 int p K_0(n |x| / R) dx of a straight line and its logarithm. @p
+/// slenderness: b / R.
 inline double half_space_eigenvalue(unsigned int n, double slenderness)
 {
   double sum = 0;
@@ -33,8 +33,8 @@ inline double half_space_eigenvalue(unsigned int n, double slenderness)
   return -4 * sum + 2 * integral(beyond_logarithm, 0, M_PI / 2, 4);
 }
 
-/// x = q / mean q on the azimuth lines with x (L - ln x) + S[x] = w_0 + w_1 cos(theta) where x > 0, L = 2
-/// ln(16 R / b_0) + 1, S the eigenvalues of the harmonics. Newton's method on the lines that carry load.
+/// Solves x (L - ln x) + S[x] = w_0 + w_1 cos(theta) for the relative line load x = q / mean q > 0, with
+/// L = 2 ln(16 R / b_0) + 1 and the eigenvalues S of the harmonics, by Newton's method on the loaded lines.
 class LineContact
 {
 public:

@@ -1,6 +1,5 @@
-// A rigid crowned ring pressed into a thick elastic disc by a hard interface, against line contact on a
-// half-space whose width follows the load: the leading order in width / radius, with and without lift-off.
-// Kind of the reference: closed form, solved with all harmonics of its own lines (line_contact.h).
+// Hard contact of a rigid crowned ring with a thick elastic disc, with and without lift-off. Reference: line
+// contact on a half-space to leading order in width / radius (line_contact.h).
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/meshed_revolution_foot.h"
@@ -21,8 +20,8 @@ namespace
 constexpr double slenderness = 0.01;
 constexpr unsigned int n_harmonics = 16;
 
-/// A rigid ring whose rounding makes the Hertz contact on a disc of ten times its radius slenderness * radius
-/// wide.
+/// Solves a rigid ring whose crown gives the Hertz half-width slenderness * radius, on a disc of ten times
+/// its radius.
 ContactLoad press_ring(double moment_ratio, unsigned int n_lines)
 {
   Substrate substrate;
@@ -38,48 +37,49 @@ ContactLoad press_ring(double moment_ratio, unsigned int n_lines)
   setup.meridian.n_harmonics = n_harmonics;
   setup.n_lines = n_lines;
   setup.fineness = 4; // cells of b / 16: a_2 is 0.7 % of a_0, and cells of b / 4 leave 2e-4 a_0 of noise
-  static ComplianceCache cache; // the same bodies in every test
+  static ComplianceCache cache; // all tests use the same bodies
   MeshedRevolutionFoot foot(setup.resolved_for(weight), cache);
   return foot.solve(load_at(moment_ratio)).load;
 }
 
 } // namespace
 
-TEST(LineContact, OracleReproducesTheTable)
+TEST(LineContact, OracleAgreesWithPublishedValues)
 {
-  // Values for L = 15.7555, here 15.75552; the weakly nonlinear a_2 is m^2 / (4 (L - 19/3)) = 0.0066.
+  // Published values for L = 15.7555 (here 15.75552). Weakly nonlinear limit: a_2 = m^2 / (4 (L - 19/3)) =
+  // 0.0066.
   const LineContact contact(0.5, 33, slenderness);
   EXPECT_NEAR(contact.harmonic(2), .006875214728468, 3e-7);
   EXPECT_NEAR(contact.harmonic(3), -4.504165011245e-4, 3e-8);
   EXPECT_NEAR(contact.harmonic(4), 5.06792626489e-5, 6e-9);
 }
 
-TEST(LineContact, CrownedRingCarriesAllRound)
+TEST(LineContact, CrownedRingInFullContactAgrees)
 {
   const LineContact expected(0.5, 256, slenderness);
   const ContactLoad load = press_ring(0.5, 65); // an odd number of lines
   EXPECT_EQ(load.contact_fraction, 1);
-  // 0.0069 to a hundredth, the ratio of width and radius; the others to the noise of the edges that pass from
-  // cell to cell.
+  // a_2 = 0.0069 within 1 %, the ratio of width and radius; the other harmonics within the noise of contact
+  // edges that cross cell borders.
   EXPECT_NEAR(load.a(2) / load.a(0), expected.harmonic(2), 6e-5);
   for (unsigned int n = 3; n <= 6; ++n)
     EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), 1.5e-5) << "n = " << n;
 }
 
-TEST(LineContact, CrownedRingLiftsOff)
+TEST(LineContact, CrownedRingWithLiftOffAgrees)
 {
   const LineContact expected(1.3, 512, slenderness);
   const unsigned int n_lines = 128;
   const ContactLoad load = press_ring(1.3, n_lines);
   EXPECT_NEAR(load.contact_fraction, expected.loaded_share(), 1.5 / n_lines);
-  // 0.2099, -0.0924, 0.0279, 0.0084, -0.0189, to the ratio of width and radius of the largest.
+  // 0.2099, -0.0924, 0.0279, 0.0084, -0.0189; tolerance: ratio of width and radius times the largest.
   for (unsigned int n = 2; n <= 6; ++n)
     EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), n == 2 ? 1.2e-3 : 5e-4) << "n = " << n;
 }
 
-/// Published: NAFEMS R0094, contact benchmark 1. A steel cylinder of radius 50 mm on aluminium under 35 kN/mm
-/// touches on a half-width of 6.21 mm with 3585.37 MPa.
-TEST(LineContact, HalfWidthOfTheMeshIsHertzs)
+/// NAFEMS R0094, contact benchmark 1: a steel cylinder of radius 50 mm on aluminium under 35 kN/mm has a
+/// half-width of 6.21 mm and a peak pressure of 3585.37 MPa.
+TEST(LineContact, HalfWidthAgreesWithHertz)
 {
   RevolutionSetup setup;
   setup.profile.crown_radius = 0.05;

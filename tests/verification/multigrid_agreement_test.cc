@@ -1,5 +1,5 @@
-// The solid body by geometric multigrid against the body of revolution: other elements, another linear
-// solver, the same interface law.
+// The solid body with geometric multigrid against the body of revolution (other elements and linear solver,
+// same interface law) and other programs.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/nested_contact.h"
@@ -29,9 +29,9 @@ ContactLoad solid_load(const GlassProfile &profile, const FootResolution &resolu
 
 } // namespace
 
-TEST(MultigridAgreement, CrownedFeetOnAStiffMat)
+TEST(MultigridAgreement, CrownedFeetAgreeWithTheBodyOfRevolution)
 {
-  // A foot's profile is smooth but for its edge; a step has corners of 270 degrees, where elements of any
+  // The foot profile is smooth except at its edge. The step has corners of 270 degrees, where elements of any
   // degree converge slowly.
   for (const auto &[shape, tolerance] : { std::pair(GlassShape::foot, 1e-5), { GlassShape::step, 3e-5 } })
   {
@@ -46,9 +46,9 @@ TEST(MultigridAgreement, CrownedFeetOnAStiffMat)
   }
 }
 
-TEST(MultigridAgreement, HangingNodesInTheContact)
+TEST(MultigridAgreement, HangingNodesInTheContactReduceTheError)
 {
-  // Finer cells on the land end in it and round it. The foot has a fillet, so that no corner hides an error.
+  // The finer cells end inside and around the land. The foot has a fillet, so that no corner error dominates.
   GlassProfile profile;
   profile.shape = GlassShape::foot;
   MeridianOptions options;
@@ -63,7 +63,8 @@ TEST(MultigridAgreement, HangingNodesInTheContact)
   EXPECT_LT(finer, 3e-5) << "uniform: " << uniform;
 }
 
-// Reference: CalculiX up to the sixth harmonic, then the scatter of three other finite-element programs.
+// Reference: CalculiX up to the sixth harmonic, then three other finite-element programs within their
+// scatter.
 TEST(MultigridAgreement, HardFlatLandAgreesWithOtherPrograms)
 {
   SolidSetup setup;
@@ -82,9 +83,9 @@ TEST(MultigridAgreement, HardFlatLandAgreesWithOtherPrograms)
     EXPECT_NEAR(load.a(n) / load.a(0), expected[n], n <= 3 ? 2e-3 : 4e-3) << "n = " << n;
 }
 
-// As a study has it, on cells halved five times, against elements of degree 3 on cells of half the usual
-// size, graded to the corners from there on, twice the lines and half as many harmonics again.
-TEST(MultigridAgreement, HardFlatLandUnderASmoothFootLong)
+// Cells halved five times towards the edges, against a body of revolution with halved cells of degree 3
+// graded to the corners, twice the lines and 1.5 times the harmonics.
+TEST(MultigridAgreement, HardFlatLandAgreesWithTheBodyOfRevolutionLong)
 {
   RevolutionSetup setup;
   setup.profile = flat_profile();

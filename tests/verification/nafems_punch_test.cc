@@ -1,15 +1,15 @@
-// A punch with rounded edges pressed into a disc, contact through the axis and without friction. Kind of the
-// reference: published (NAFEMS R0094, contact benchmark 2, axisymmetric; numbers of Code_Aster SSNA122).
+// A punch with rounded edges pressed into a disc, with contact on the axis and without friction. Reference:
+// NAFEMS R0094, contact benchmark 2, axisymmetric; values of Code_Aster SSNA122.
 //
-// The contact is the program's own: its elements, lines and Newton method. Contact through the axis is
-// possible for n = 0 alone, so every harmonic is given the compliance of n = 0 and each azimuth line is the
-// axisymmetric contact by itself.
+// The test uses the elements, contact lines and Newton method of the program. Contact on the axis is possible
+// for n = 0 only, so every harmonic gets the compliance of n = 0 and each azimuth line is an axisymmetric
+// contact.
 //
-// What the published numbers are good for: SSNA122 meshes both bodies with 671 cells, 6 mm long, and gives at
-// M, on the axis of the disc's top, u_z = -0.130734 mm and sigma_zz = -91.1006 MPa with linear elements,
-// -0.132941 mm and -94.1221 MPa with quadratic ones; it calls its uncertainty important. Cells of 0.5, 0.25
-// and 0.125 mm at the edge of the contact give -0.13402, -0.13396 and -0.13396 mm, -87.28, -87.21 and -87.21
-// MPa: 2.5 % and 4.3 % from the first pair, 0.8 % and 7 % from the second.
+// Accuracy of the published values: SSNA122 uses 671 cells of 6 mm. At M, on the axis of the top of the disc,
+// it gives u_z = -0.130734 mm and sigma_zz = -91.1006 MPa with linear elements, -0.132941 mm and -94.1221 MPa
+// with quadratic elements, and calls the uncertainty important. Here, cells of 0.5, 0.25 and 0.125 mm at the
+// contact edge give -0.13402, -0.13396 and -0.13396 mm, -87.28, -87.21 and -87.21 MPa: 2.5 % and 4.3 % from
+// the first pair, 0.8 % and 7 % from the second.
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/boundary_ids.h"
@@ -58,8 +58,8 @@ double underside(double radius)
   return edge_radius - std::sqrt(std::max(edge_radius * edge_radius - x * x, 0.));
 }
 
-/// Lengths of cells that fill @p length: @p smallest at its beginning, each @p growth times the one before at
-/// most, none longer than @p largest.
+/// Lengths of cells that fill @p length, starting with @p smallest, growing by @p growth up to @p largest
+/// [m].
 std::vector<double> graded_lengths(double length, double smallest, double growth, double largest)
 {
   std::vector<double> cells;
@@ -85,7 +85,7 @@ void append(std::vector<double> &cells, const std::vector<double> &more)
   cells.insert(cells.end(), more.begin(), more.end());
 }
 
-/// Equal cells that fill @p length, each @p about so long.
+/// Lengths of equal cells of about @p about that fill @p length [m].
 std::vector<double> equal_lengths(double length, double about)
 {
   const long n = std::lround(length / about);
@@ -113,7 +113,7 @@ struct PunchCells
   }
 };
 
-/// PunchCells @p smallest [m] long at the edge of the contact, which grow away from it.
+/// Cells of length @p smallest [m] at the contact edge that grow away from it.
 PunchCells fine_cells_of_punch(const PunchParameters &parameters, double smallest)
 {
   constexpr double growth = 1.25;
@@ -132,8 +132,8 @@ PunchCells fine_cells_of_punch(const PunchParameters &parameters, double smalles
   return cells;
 }
 
-/// A section 0 <= r <= radius of columns and rows of cells, whose contact zone are the first @p n_contact
-/// faces of its side z = 0. @p held says which other faces are held; @p shape moves the vertices.
+/// A section 0 <= r <= radius of columns and rows of cells. The contact zone is the first @p n_contact faces
+/// at z = 0. @p held marks the clamped faces, @p shape moves the vertices.
 void make_section(const std::vector<double> &columns, const std::vector<double> &rows, bool downward,
                   std::size_t n_contact, const std::function<bool(const Point<2> &)> &held,
                   const std::function<Point<2>(const Point<2> &)> &shape, Triangulation<2> &triangulation)
@@ -160,8 +160,8 @@ void make_section(const std::vector<double> &columns, const std::vector<double> 
   GridTools::transform(shape, triangulation);
 }
 
-/// The punch with its rounding as chords between the nodes. A spot on the axis of the top keeps it in place:
-/// it holds no force, since pressure and contact are in equilibrium.
+/// The punch with its rounding as chords between the nodes. A spot on the axis of the top is fixed; its
+/// reaction vanishes, because pressure and contact are in equilibrium.
 void make_punch(const PunchCells &cells, Triangulation<2> &triangulation)
 {
   const double spot = cells.on_punch.front();
@@ -220,11 +220,10 @@ ContactCompliance axisymmetric_compliance(const MeridianSpace &space)
   return compliance;
 }
 
-/// The punch pressed on the disc, and what comes of it at M, on the axis of the disc's top.
+/// Contact of punch and disc, with displacement and stress at M on the axis of the top of the disc.
 struct PressedPunch
 {
-  /// Cells @p smallest long at the edge of the contact; a spring of @p modulus [Pa/m] stands for the hard
-  /// interface, as in the program.
+  /// @p smallest: cell length at the contact edge [m]. @p modulus: stiff spring of the hard interface [Pa/m].
   explicit PressedPunch(double smallest, double modulus = 1e17)
   {
     const PunchParameters parameters;
@@ -284,8 +283,7 @@ double deviation(double value, double reference)
 
 } // namespace
 
-/// Published, and under refinement.
-TEST(NafemsPunch, FineMeshesAgreeAndLieNearTheBenchmark)
+TEST(NafemsPunch, FineMeshesConvergeToTheBenchmark)
 {
   const PressedPunch coarser = PressedPunch(5e-4);
   const PressedPunch punch = PressedPunch(2.5e-4);

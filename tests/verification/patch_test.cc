@@ -1,5 +1,4 @@
-// A cylinder with nu = 0 under a central load: uniform vertical stress solves it exactly, whatever presses on
-// its flat end.
+// A cylinder with nu = 0 under a central load: uniform vertical stress is the exact solution.
 #include "fem/contact/hard_interface.h"
 #include "tests/fem/foot_case.h"
 
@@ -15,8 +14,8 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Cylinder of radius 0.02 and height 0.03 standing on z = 0, its top clamped (with nu = 0 that disturbs
-/// nothing).
+/// Cylinder of radius 0.02 and height 0.03 on z = 0 with a clamped top, which does not disturb the solution
+/// for nu = 0.
 void make_cylinder(Triangulation<3> &triangulation)
 {
   Triangulation<3> lying;
@@ -67,19 +66,18 @@ protected:
 
 } // namespace
 
-TEST_P(Patch, MatCarriesUniformPressure)
+TEST_P(Patch, PressureOnAMatIsUniform)
 {
   const auto mat = make_law(WinklerInterface(1e10), body->contact_surface());
   const ContactSolution solution = solve_contact(*body, *mat, load_at(0), 0.02);
   EXPECT_LT(nonuniformity(solution), 1e-12);
-  // Shortening p h / E of the cylinder and penetration p / k of the mat add up to the table's motion.
+  // Motion of the table: shortening p h / E of the cylinder plus penetration p / k of the mat.
   const double pressure = weight / body->contact_surface().area();
   EXPECT_NEAR(solution.motion(0) / (-pressure * (0.03 / 70e9 + 1 / 1e10)), 1, 1e-10);
 }
 
-/// The gap is exactly 0 everywhere: the case in which contact dofs recognised by a non-zero constraint value
-/// would all be missed.
-TEST_P(Patch, RigidTableCarriesUniformPressure)
+/// The gap is exactly 0, so that contact dofs cannot be identified by a non-zero constraint value.
+TEST_P(Patch, PressureOnAHardTableIsUniform)
 {
   const auto table = HardInterface().make(body->contact_surface(), 70e9 / body->contact_cell_size());
   const ContactSolution solution = solve_contact(*body, *table, load_at(0), 0.02);

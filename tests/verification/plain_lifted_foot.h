@@ -1,7 +1,7 @@
 #pragma once
 
-// A rigid crowned foot on a Winkler mat, with or without lift-off, by plain quadrature that ends at the edges
-// of the contact: no rings, no harmonics, no kernels, nothing of the program.
+// A rigid crowned foot on a Winkler mat, with or without lift-off, by plain quadrature up to the contact
+// edges. It shares no code with the program and uses no rings, harmonics or kernels.
 #include "tests/verification/plain_rigid_foot.h"
 
 #include <Eigen/Dense>
@@ -11,13 +11,11 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 namespace stemware::verification
 {
 
-/// A glass of the default study on a rigid foot; SI units. A counter-clockwise orbit at constant speed,
-/// Coulomb friction.
+/// The default glass on a rigid foot, counter-clockwise orbit at constant speed, Coulomb friction; SI units.
 struct LiftedFoot
 {
   double contact_radius = 0.030, crown_radius = 0.003, foundation_modulus = 1e10;
@@ -27,8 +25,8 @@ struct LiftedFoot
 
   double weight() const { return mass * gravity; }
 
-  /// Penetration d0 + d1 x + d2 y - (r - R)^2 / (2 crown) [m] of a foot that is pressed in by lie(0) [m] and
-  /// leans by lie(1), lie(2) [rad]; in polar coordinates of the plane.
+  /// Penetration d0 + d1 x + d2 y - (r - R)^2 / (2 crown) [m] of a foot with the position lie = (d0 [m], d1,
+  /// d2 [rad]), in polar coordinates.
   class Contact
   {
   public:
@@ -47,7 +45,7 @@ struct LiftedFoot
       return lie(0) + slope * foot.contact_radius + foot.crown_radius * slope * slope / 2;
     }
 
-    /// Angle from the direction of the lean to the edge of the contact [rad]; pi without lift-off.
+    /// Angle from the direction of the lean to the contact edge [rad]; pi without lift-off.
     double edge() const
     {
       const double R = foot.contact_radius, crown = foot.crown_radius;
@@ -66,8 +64,9 @@ struct LiftedFoot
              (foot.contact_radius + foot.crown_radius * lean * std::cos(phi));
     }
 
-    /// Calls visit(phi, weight [rad]) over the loaded arc, with panels that end at its edges and at the angle
-    /// @p split. Equidistant without lift-off and without a split in the contact.
+    /// Calls visit(phi, weight [rad]) over the loaded arc, with panels that end at the contact edges and at
+    /// the angle
+    /// @p split; equidistant points without lift-off.
     template <typename Visitor>
     void for_each_azimuth(double split, const Visitor &visit) const
     {
@@ -83,8 +82,8 @@ struct LiftedFoot
       }
     }
 
-    /// Calls visit(x, y, force) for points of the contact, for a glass at @p omega: quadrature in two
-    /// dimensions, split at the place without slip.
+    /// Calls visit(x, y, force) for quadrature points of the contact, split at the point without slip at @p
+    /// omega.
     template <typename Visitor>
     void for_each_force(double omega, const Visitor &visit) const
     {
@@ -124,8 +123,8 @@ struct LiftedFoot
       return sum / force;
     }
 
-    /// Calls visit(x, y, force) for the first harmonic of the pressure at every radius: closed forms of its
-    /// integrals round the rim.
+    /// Calls visit(x, y, force) for the first harmonic of the pressure at every radius, from closed forms of
+    /// the azimuthal integrals.
     template <typename Visitor>
     void for_each_force_of_first_harmonic(const Visitor &visit) const
     {
@@ -164,7 +163,7 @@ struct LiftedFoot
   private:
     static constexpr unsigned int n_azimuths = 1440;
 
-    /// Gauss points whose distances from both ends are graded like x^3, for roots and kinks there.
+    /// Gauss points graded like x^3 towards both ends, for roots and kinks there.
     template <typename Visitor>
     static void for_graded(double from, double to, const Visitor &visit)
     {
@@ -180,7 +179,7 @@ struct LiftedFoot
     }
   };
 
-  /// Which part of the pressure has friction.
+  /// Part of the pressure that has friction.
   enum class Friction
   {
     whole,
@@ -193,7 +192,7 @@ struct LiftedFoot
     double force = 0;                                   ///< [N]
     Eigen::Vector2d moment = Eigen::Vector2d::Zero();   ///< (sum y f, -sum x f) [N m]
     Eigen::Vector2d friction = Eigen::Vector2d::Zero(); ///< [N]
-    double torque = 0;                                  ///< of the friction and of the lean [N m]
+    double torque = 0;                                  ///< of the friction [N m]
   };
 
   Resultants resultants(const Eigen::Vector3d &lie, double omega, Friction part) const
@@ -224,7 +223,7 @@ struct LiftedFoot
     return sum;
   }
 
-  /// Lie under the moment ratio @p m in the direction @p direction: force and moment are those asked for.
+  /// Position under the weight and the moment ratio @p m in the direction @p direction [rad].
   Eigen::Vector3d lie_at_moment(double m, double direction) const
   {
     const auto residual = [&](double ratio, const Eigen::Vector3d &lie)
@@ -243,8 +242,8 @@ struct LiftedFoot
     return lie;
   }
 
-  /// Lie in which the glass keeps upright at the spin @p omega, from @p lie close to it. Throws
-  /// std::runtime_error if none is found.
+  /// Position in moment balance at the spin @p omega, with the initial guess @p lie. Throws
+  /// std::runtime_error if Newton's method does not converge.
   Eigen::Vector3d lie_in_balance(double omega, const Eigen::Vector3d &lie, Friction part) const
   {
     const double arm = centre_of_mass_height + force_offset, scale = weight() * contact_radius;
@@ -262,7 +261,7 @@ struct LiftedFoot
       lie);
   }
 
-  /// Lie without a lean.
+  /// Position without a lean.
   Eigen::Vector3d flat_lie() const
   {
     const double per_depth =
@@ -281,13 +280,13 @@ private:
   }
 };
 
-/// The glass as it spins: its torque by spin, with the lie followed from one spin to the next.
+/// Torque of the glass over the spin, with the position continued from one spin to the next.
 class LiftedGlass
 {
   using Friction = LiftedFoot::Friction;
 
 public:
-  /// Under a given moment.
+  /// Prescribed moment.
   LiftedGlass(const LiftedFoot &foot, double moment_ratio, double direction, Friction part = Friction::whole)
       : foot(foot)
       , part(part)
@@ -296,7 +295,7 @@ public:
       , lie(at_rest)
   {
   }
-  /// In balance at every spin.
+  /// Moment balance at every spin.
   explicit LiftedGlass(const LiftedFoot &foot, Friction part = Friction::whole)
       : foot(foot)
       , part(part)
@@ -340,7 +339,7 @@ public:
 private:
   static Eigen::Vector3d standing(const LiftedFoot &foot, Friction part)
   {
-    // The moment of the acceleration grows with the friction.
+    // Friction and acceleration are increased in steps.
     LiftedFoot partly = foot;
     Eigen::Vector3d lie = foot.flat_lie();
     lie(1) = 1e-3 * lie(0) / foot.contact_radius;

@@ -1,7 +1,7 @@
 #pragma once
 
-// A rigid, crowned or flat, possibly wavy foot on an interface that yields, by plain sums over points of its
-// land: no rings, no harmonics, no kernels, nothing of the program.
+// A rigid, crowned or flat, possibly wavy foot on a compliant interface, by plain sums over points of its
+// land. It shares no code with the program and uses no rings, harmonics or kernels.
 #include <Eigen/Dense>
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -19,8 +19,8 @@ struct PlainPoint
   double x, y, force; ///< [m], [N]
 };
 
-/// The lie where @p residual(lie) vanishes, by Newton's method with differences; the lie's entries are
-/// measured in units of @p scale. Throws std::runtime_error if none is found.
+/// Zero of @p residual(lie) by damped Newton's method with difference quotients; entries in units of @p
+/// scale. Throws std::runtime_error if it does not converge.
 template <typename Residual>
 Eigen::Vector3d lie_where(const Residual &residual, Eigen::Vector3d lie, const Eigen::Vector3d &scale)
 {
@@ -43,20 +43,20 @@ Eigen::Vector3d lie_where(const Residual &residual, Eigen::Vector3d lie, const E
     if (change.norm() < 1e-10)
       return lie;
   }
-  throw std::runtime_error("no lie of the plain foot");
+  throw std::runtime_error("Newton's method of the plain foot did not converge");
 }
 
 /// Penetration d(r, theta) = d0 + d1 x + d2 y - (r - R)^2 / (2 crown) - wave(theta) on r_inner < r < r_outer,
-/// pressure(d) where it is positive; a foot that is d1 deeper per metre along x leans that way.
+/// with the pressure pressure(d).
 struct PlainRigidFoot
 {
   double contact_radius = 0.030, inner_radius = 0.028, outer_radius = 0.032;
   double crown_radius = 0.003; ///< 0: flat
   std::function<double(double)> wave = [](double) { return 0.; };
   std::function<double(double)> pressure; ///< of the penetration [Pa]
-  bool pulls_apart = true;                ///< no pressure where the penetration is negative
+  bool pulls_apart = true;                ///< true: no pressure at negative penetration
   unsigned int n_azimuths = 720;
-  unsigned int n_pieces = 1; ///< of each ray, where the pressure is no polynomial
+  unsigned int n_pieces = 1; ///< of each ray, for a pressure that is not a polynomial
 
   static PlainRigidFoot on_mat(double modulus)
   {
@@ -103,7 +103,7 @@ struct PlainRigidFoot
     return points;
   }
 
-  /// The lie under a normal force and a moment (sum y f, -sum x f).
+  /// Position under a normal force and a moment (sum y f, -sum x f).
   Eigen::Vector3d lie_under(double force, double moment_x, double moment_y, double depth) const
   {
     const auto residual = [&](const Eigen::Vector3d &lie)
@@ -114,7 +114,7 @@ struct PlainRigidFoot
       return Eigen::Vector3d(sum / force);
     };
     const double tilt = depth / contact_radius;
-    // The moment grows from none, so that each step is small.
+    // The moment is increased in steps.
     Eigen::Vector3d lie(depth, 0, 0);
     const double full_x = moment_x, full_y = moment_y;
     for (unsigned int part = 0; part <= 8; ++part)
@@ -140,15 +140,15 @@ inline double harmonic_over_mean(const std::vector<PlainPoint> &points, unsigned
   return sum / force;
 }
 
-/// How a glass is led: counter-clockwise at constant speed, Coulomb friction; SI units.
+/// Counter-clockwise orbit at constant speed with Coulomb friction; SI units.
 struct PlainMotion
 {
   double mass, inertia, centre_of_mass_height, force_offset, orbit_radius, speed, friction, gravity;
 };
 
-/// All that acts on a glass that stands on point forces, as vectors in three dimensions, and their moment
-/// about its centre of mass. The axis leans with the foot, the hand acts on it force_offset beyond the centre
-/// of mass with what mass and acceleration ask for beside the friction.
+/// Forces on a glass on point forces and their moment about the centre of mass, in three dimensions. The axis
+/// leans with the foot. The force of the hand, m a - T, acts on the axis at force_offset above the centre of
+/// mass.
 struct PlainGlass
 {
   PlainGlass(const std::vector<PlainPoint> &points, const Eigen::Vector3d &lie, double omega,
@@ -176,11 +176,11 @@ struct PlainGlass
   Eigen::Vector3d contact_moment = Eigen::Vector3d::Zero(); ///< of the normal forces about the ring's centre
   double friction_torque = 0;                               ///< about the vertical through it
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< of all, about the centre of mass
-  double axial_torque = 0;                                  ///< that about the leaning axis
+  double axial_torque = 0;                                  ///< moment about the leaning axis
 };
 
-/// The lie at which a glass on @p foot, at the spin @p omega, keeps upright: its weight is carried and
-/// nothing turns it about a horizontal axis.
+/// Position of a glass on @p foot in balance at the spin @p omega: vertical force and horizontal moments
+/// vanish.
 inline Eigen::Vector3d lie_in_balance(const PlainRigidFoot &foot, const PlainMotion &motion, double omega,
                                       const Eigen::Vector3d &start, double depth)
 {

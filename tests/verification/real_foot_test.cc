@@ -1,5 +1,4 @@
-// The foot of a wine glass: what its smooth section does to the accuracy, and the two bodies beside each
-// other.
+// The foot of a wine glass: convergence on its smooth section, and agreement of the two bodies.
 #include "tests/fem/foot_case.h"
 #include "tests/fem/geometry/profile_oracle.h"
 #include "tests/fem/revolution/revolution_case.h"
@@ -13,8 +12,8 @@ using namespace stemware::revolution_tests;
 using stemware::fem_tests::foot_profile;
 using stemware::fem_tests::FootCase;
 
-/// Order of a_2 ... a_4 between the meridional mesh and the same halved, quadratic elements, against cubic
-/// ones on the halved mesh.
+/// Observed order of a_2 ... a_4 of quadratic elements under one halving, against cubic elements on the
+/// halved mesh.
 double observed_order(const GlassProfile &profile)
 {
   const auto solve = [&](unsigned int refinements, unsigned int degree)
@@ -30,12 +29,13 @@ double observed_order(const GlassProfile &profile)
 
 TEST(RealFoot, HarmonicsConvergeFasterThanOnTheStep)
 {
-  // The step's corners, 270 degrees of glass, leave a displacement like the power 0.54 of the distance.
+  // At the corners of the step (270 degrees of glass), the displacement varies like the power 0.54 of the
+  // distance.
   EXPECT_GT(observed_order(foot_profile()), 3.4);
   EXPECT_LT(observed_order(GlassProfile()), 2.2);
 }
 
-TEST(RealFoot, SolidBodyAgrees)
+TEST(RealFoot, SolidBodyAgreesWithTheBodyOfRevolution)
 {
   GlassProfile profile = flat_profile();
   profile.shape = GlassShape::foot;
