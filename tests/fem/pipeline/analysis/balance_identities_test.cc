@@ -1,5 +1,5 @@
-// Identities of contact, friction and moments in balance that hold whatever the pressure. Kinds of reference:
-// symmetry, the moment balance written out, point quadrature.
+// Identities of contact, friction and moment balance that hold for any pressure. References: symmetry, moment
+// balance in three dimensions, point quadrature.
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "ring_model/friction_functionals.h"
@@ -22,7 +22,7 @@ namespace
 
 using test::SolvedStudy;
 
-/// Whether the load of rest presses on every place of the land, in r and theta.
+/// Returns true if the load at rest has a positive pressure on the whole land.
 bool is_loaded_everywhere(const SolvedStudy &solved)
 {
   const fem::PressureMap map = solved.foot->body().pressure_map(*solved.load.contact(0));
@@ -34,7 +34,7 @@ bool is_loaded_everywhere(const SolvedStudy &solved)
                      });
 }
 
-TEST(Balance, AFlatLandOnALinearSupportHasNoEffectOfHarmonicsInTheBudget)
+TEST(Balance, HarmonicsHaveNoEffectOnAFlatLandOnAMat)
 {
   for (const LoadCoupling coupling : { LoadCoupling::one_way, LoadCoupling::two_way })
   {
@@ -86,10 +86,9 @@ Study study_on(const Surface &surface)
   return study;
 }
 
-TEST_P(BalanceOnTables, TorqueAtRestIsThatOfTheMoment)
+TEST_P(BalanceOnTables, TorqueAtRestIsMuTimesTheMoment)
 {
-  // tau_z(0) = mu M_Nx, with M_N written out in three dimensions from the hand's force, the friction and the
-  // tilt: -dz k x F + z_CM k x T + N z_CM (-q2, q1).
+  // tau_z(0) = mu M_Nx with M_N = -dz k x F + z_CM k x T + N z_CM (-q2, q1).
   for (const bool tilt : { true, false })
   {
     Study study = study_on(GetParam());
@@ -112,7 +111,7 @@ TEST_P(BalanceOnTables, TorqueAtRestIsThatOfTheMoment)
   }
 }
 
-/// mu at a slip speed, written out.
+/// Friction coefficient at a slip speed [m/s].
 double coefficient_at(const ring::Motion &motion, double slip_speed)
 {
   if (motion.friction_law == ring::FrictionLawKind::coulomb)
@@ -123,9 +122,8 @@ double coefficient_at(const ring::Motion &motion, double slip_speed)
          motion.viscous_friction * slip_speed;
 }
 
-/// Without tilt. The hand's force F = m a - T on a glass at constant speed has the power -T_x v; what the
-/// spin takes of it is I omega^2 / 2, the rest is int mu p |v_rel|, here by quadrature of the pressure where
-/// it lies.
+/// Energy balance without tilt: the work of the hand, with the power -T_x v at constant speed, equals I
+/// omega^2 / 2 plus the time integral of int mu p |v_rel| dA, by quadrature of the pressure.
 void expect_energy_balance(Study study)
 {
   study.motion.tilt = false;
@@ -165,12 +163,12 @@ void expect_energy_balance(Study study)
   EXPECT_NEAR(work, motion.yaw_inertia * omega * omega / 2 + heat, 1e-7 * work);
 }
 
-TEST_P(BalanceOnTables, WorkOfTheHandIsKineticEnergyAndFriction)
+TEST_P(BalanceOnTables, WorkOfTheHandIsKineticEnergyPlusFriction)
 {
   expect_energy_balance(study_on(GetParam()));
 }
 
-TEST(BalanceWithStribeck, WorkOfTheHandIsKineticEnergyAndFriction)
+TEST(BalanceWithStribeck, WorkOfTheHandIsKineticEnergyPlusFriction)
 {
   for (const Surface &surface : { surfaces[0], surfaces[3] })
   {

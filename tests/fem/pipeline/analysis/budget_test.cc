@@ -1,5 +1,4 @@
-// The budget of effects: which rows a study has, what their differences are, and what a row that fails
-// leaves.
+// Budget of effects: rows of a study, their differences, and failed rows.
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/ring_quantities.h"
@@ -10,6 +9,7 @@
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/matchers.h"
+#include "tests/ulps.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ StudyRows rows_of(const Study &study, const ring::RingStack &load, const Executo
                            budget_variants(own_variant(study, nullptr), false));
 }
 
-/// The budget of a load that the test gives.
+/// Budget of a given load.
 Budget budget_of(const Study &study, const ring::RingStack &load)
 {
   fem::ComplianceCache cache;
@@ -63,7 +63,7 @@ Budget budget_of(const Study &study)
   return test::whole_budget(study, ThreadedExecutor(cache));
 }
 
-/// The rows of a contact: the first ones, and one for each number of harmonics.
+/// Rows of a contact: @p rows, followed by one for each number of harmonics.
 Texts contact_rows(const Study &study, Texts rows)
 {
   fem::ComplianceCache cache;
@@ -75,28 +75,28 @@ Texts contact_rows(const Study &study, Texts rows)
   return rows;
 }
 
-TEST(Budget, AnEffectIsRelativeToASpinOnly)
+TEST(Budget, RelativeEffectsNeedASpin)
 {
   const double unit = 0.35 / 0.03;
   const HarmonicEffect effect = harmonic_effect(-3.5, -3.43, unit);
-  EXPECT_NEAR(*effect.absolute, 0.07, 1e-15);
-  EXPECT_NEAR(*effect.relative, -0.02, 1e-15);
+  EXPECT_NEAR(*effect.absolute, 0.07, ulps(2, 3.5));
+  EXPECT_NEAR(*effect.relative, -0.02, ulps(5, 1));
   EXPECT_TRUE(harmonic_effect(1.1e-9 * unit, 1, unit).relative);
   const HarmonicEffect of_rounding = harmonic_effect(0.9e-9 * unit, 1e-12, unit);
   EXPECT_TRUE(of_rounding.absolute);
   EXPECT_FALSE(of_rounding.relative);
-  // A difference of rounding is none; a glass that is at rest, or turns the other way, has no per cent.
+  // A difference within rounding is zero. A glass at rest, or with the opposite spin, has no relative effect.
   EXPECT_EQ(relative_to(-3.5, 0.9e-9 * unit, unit), 0.);
   EXPECT_FALSE(harmonic_effect(-10.55, 0.9e-9 * unit, unit).relative);
   EXPECT_NEAR(*harmonic_effect(-10.55, 0.9e-9 * unit, unit).absolute, 10.55, 1e-7);
   EXPECT_FALSE(relative_to(-1, 1.5, unit));
-  EXPECT_NEAR(*relative_to(-1, 0.5, unit), -0.5, 1e-15);
+  EXPECT_NEAR(*relative_to(-1, 0.5, unit), -0.5, ulps(5, 1));
   EXPECT_FALSE(harmonic_effect(std::nullopt, -3, unit).absolute);
   EXPECT_FALSE(harmonic_effect(-3, std::nullopt, unit).absolute);
   EXPECT_FALSE(harmonic_effect(-3, std::nullopt, unit).relative);
 }
 
-TEST(Budget, RoundingIsMeasuredByTheSpinThatTheMomentLeadsTo)
+TEST(Budget, SpinScaleFollowsFromTheMoment)
 {
   // 2 |M_Nx| / (N R) v/R with M_Nx = -dz m v^2/rho of a hand dz above the centre of mass.
   Study study = test::mat_study();
@@ -114,13 +114,13 @@ TEST(Budget, RoundingIsMeasuredByTheSpinThatTheMomentLeadsTo)
     EXPECT_NEAR(spin_scale(study), expected(), 1e-12 * expected()) << speed;
   }
   study.motion.orbit.orbit_speed = 1e-4;
-  EXPECT_NEAR(spin_scale(study), 1e-6 * spin_unit(study), 1e-18);
-  study.motion.orbit.force_offset = 0; // nothing to measure by
+  EXPECT_NEAR(spin_scale(study) / (1e-6 * spin_unit(study)), 1, 1e-13);
+  study.motion.orbit.force_offset = 0; // no moment
   EXPECT_EQ(spin_scale(study), spin_unit(study));
   EXPECT_EQ(spin_scale(study_of_given_load()), spin_unit(study_of_given_load()));
 }
 
-TEST(Budget, AFilledGlassIsAnEmptyOneOfItsMassWithTheMetacentreOfTheLiquid)
+TEST(Budget, AFilledGlassEqualsAnEmptyOneWithTheMetacentre)
 {
   Study filled = test::quick_contact_study();
   ring::Motion &motion = filled.motion.orbit;
@@ -128,7 +128,7 @@ TEST(Budget, AFilledGlassIsAnEmptyOneOfItsMassWithTheMetacentreOfTheLiquid)
   motion.liquid = { 0.15, 1000, 0.03, 0.09 };
   const double level = 0.15 / (1000 * M_PI * 0.03 * 0.03), up = 0.03 * 0.03 / (4 * level),
                slope = 0.35 * 0.35 / 0.15 / motion.gravity, middle = 0.09 + level / 2;
-  const auto empty = [&](double of_liquid) // at which height the liquid acts
+  const auto empty = [&](double of_liquid) // height at which the liquid acts [m]
   {
     Study study = test::quick_contact_study();
     study.motion.orbit.mass = 0.3;
@@ -182,7 +182,7 @@ TEST(Budget, RowsOfAFirstHarmonic)
   EXPECT_EQ(rows_of(budget), (Texts{ "1 paper 1", "2 moment balance 1", "2a grip 1" }));
   EXPECT_NEAR(*budget.rows[1].omega_terminal, -3.67874799852576, 1e-10);
   const ring::SelfConsistentRing ring(ring::Closure::full, study.motion.orbit, 0.03);
-  EXPECT_NEAR(ring.torque(*budget.rows[2].omega_terminal), -2e-4, 1e-12); // the grip turns it back
+  EXPECT_NEAR(ring.torque(*budget.rows[2].omega_terminal), -2e-4, 1e-12); // balances the grip
 }
 
 TEST(Budget, RowsOfContacts)
@@ -204,7 +204,7 @@ TEST(Budget, RowsOfContacts)
             contact_rows(study, { "1 paper 1", "2 given moment 1", "3 where the foot touches 1" }));
 }
 
-TEST(Truncation, FirstHarmonicOfAThinStiffRingIsTheClosedForm)
+TEST(Truncation, FirstHarmonicOfAThinStiffRingHasItsClosedForm)
 {
   Study study = quick_contact_study();
   study.glass.profile.land_width = 2e-4;
@@ -217,7 +217,7 @@ TEST(Truncation, FirstHarmonicOfAThinStiffRingIsTheClosedForm)
   EXPECT_NEAR(*row.omega_terminal, -3.67874799852576, 1e-4); // docs/theory/closures.md
 }
 
-TEST(Budget, LeavesOutWhatAStudyHas)
+TEST(Budget, HasARowWithoutEachEffectOfTheStudy)
 {
   Study study = test::mat_study(); // a Winkler interface on a rigid substrate
   EXPECT_EQ(names_without(study), (Texts{ "friction in the foot", "elasticity of the foot",
@@ -232,7 +232,7 @@ TEST(Budget, LeavesOutWhatAStudyHas)
     EXPECT_EQ(names_without(variant.study, variant.model).size(),
               7u -
                 (variant.name == "elasticity of the foot" || variant.name == "elasticity of the substrate"))
-      << variant.name; // each of them is gone, with the friction in a body that has gone rigid
+      << variant.name; // without the effect itself, and without friction in a rigid body
   study = test::mat_study();
   study.table.interface = TableInterface::hard;
   study.contact.friction_coupling = FrictionCoupling::none;
@@ -244,7 +244,7 @@ TEST(Budget, LeavesOutWhatAStudyHas)
   EXPECT_TRUE(names_without(study).empty());
 }
 
-TEST(Budget, WithoutAnyComplianceThereIsNoPressure)
+TEST(Budget, NeedsAtLeastOneCompliance)
 {
   Study study = test::mat_study();
   study.table.interface = TableInterface::hard;
@@ -256,7 +256,7 @@ TEST(Budget, WithoutAnyComplianceThereIsNoPressure)
   EXPECT_TRUE(has_compliance(study, test::rigid_foot())); // of the Winkler interface
 }
 
-TEST(Budget, DifferencesAddUpToTheWholeWay)
+TEST(Budget, DifferencesAddUpToTheTotal)
 {
   const Budget budget = budget_of(quick_contact_study());
   EXPECT_FALSE(budget.rows.front().difference);
@@ -277,7 +277,7 @@ TEST(Budget, DifferencesAddUpToTheWholeWay)
   }
 }
 
-TEST(Budget, TorquesOfEveryRowAtTheSpinsOfTheStudy)
+TEST(Budget, HasTheTorquesOfEveryRow)
 {
   const Study study = study_of_given_load();
   const ring::Motion &motion = study.motion.orbit;
@@ -291,7 +291,7 @@ TEST(Budget, TorquesOfEveryRowAtTheSpinsOfTheStudy)
         const double omega = terminal * static_cast<double>(i) / 2;
         EXPECT_NEAR(*row.torques[i],
                     ring::coulomb_wrench(motion.friction_coefficient, kept, omega, motion.orbit_speed).torque,
-                    1e-16)
+                    ulps(17, 0.028))
           << row.name << " " << i;
       }
   EXPECT_NEAR(*budget.rows.front().torques[0],
@@ -299,18 +299,7 @@ TEST(Budget, TorquesOfEveryRowAtTheSpinsOfTheStudy)
               1e-14);
 }
 
-TEST(Budget, HarmonicEffectIsThatOfRowAllAgainstTheFirstHarmonic)
-{
-  const Study study = study_of_given_load();
-  const Budget budget = budget_of(study, rich_load());
-  const double all = ring::terminal_spin(rich_load(), study.motion.orbit).omega;
-  const double first = ring::terminal_spin(rich_load().truncated(1), study.motion.orbit).omega;
-  EXPECT_GT(std::abs(all / first - 1), 0.01);
-  EXPECT_NEAR(*budget.harmonics.absolute, all - first, 1e-9);
-  EXPECT_NEAR(*budget.harmonics.relative, all / first - 1, 1e-9);
-}
-
-TEST(Budget, SaysWhereTheFingersHoldTheGlass)
+TEST(Budget, ReportsAGlassHeldByTheGrip)
 {
   Study study = test::mat_study();
   study.load.source = LoadSource::first_harmonic;
@@ -323,7 +312,7 @@ TEST(Budget, SaysWhereTheFingersHoldTheGlass)
   EXPECT_EQ(budget.rows.front().reason, "");
 }
 
-TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
+TEST(Budget, AFailedRowDoesNotStopTheOthers)
 {
   const Study study = study_of_given_load();
   fem::ComplianceCache cache;
@@ -342,19 +331,19 @@ TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
   EXPECT_EQ(failed.status, ring::Status::tips);
   EXPECT_EQ(failed.reason, "it tips");
   EXPECT_TRUE(budget.rows[3].omega_terminal);
-  EXPECT_FALSE(budget.rows[3].difference); // to nothing
+  EXPECT_FALSE(budget.rows[3].difference); // the previous row failed
   EXPECT_TRUE(budget.rows[4].difference);
   EXPECT_TRUE(budget.rows[4].reason.empty());
-  // Without the first harmonic alone there is nothing that the others could change.
+  // Without the first harmonic, the effect of the others is undefined.
   rows.by_harmonics[0] = rows.by_harmonics[1];
   const Budget without_first = find_budget(study, rows);
   EXPECT_FALSE(without_first.harmonics.absolute);
 }
 
-TEST(Budget, LoadsThatWouldHaveToPullAreFormal)
+TEST(Budget, TensileLoadsAreFormal)
 {
   Study study = quick_contact_study();
-  study.load.moment_ratio = 1.4; // a rim that lifts off
+  study.load.moment_ratio = 1.4; // lift-off
   const Budget budget = budget_of(study);
   for (const BudgetRow &row : budget.rows)
   {
@@ -362,14 +351,14 @@ TEST(Budget, LoadsThatWouldHaveToPullAreFormal)
     EXPECT_TRUE(!is_cut || row.status == ring::Status::formal) << row.name;
   }
   EXPECT_EQ(budget.rows.front().status, ring::Status::full_contact);
-  EXPECT_EQ(budget.rows.back().status, ring::Status::lift_off); // a pressure does not pull
-  // A load from a file is what its series says.
+  EXPECT_EQ(budget.rows.back().status, ring::Status::lift_off);
+  // A load from a file is its Fourier series.
   EXPECT_EQ(budget_of(study_of_given_load(), { { 0.47, 0, 0.5 }, { 0, -0.3, 0 }, 0.03 }).rows.back().status,
             ring::Status::formal);
 }
 
 } // namespace
-TEST(Budget, LeavesOutTheInterfaceUnderAWavyRimToo)
+TEST(Budget, HasARowWithoutTheInterfaceOfAWavyRim)
 {
   Study study = quick_contact_study();
   study.glass.waviness = { { 3, 1e-7, 0 } };

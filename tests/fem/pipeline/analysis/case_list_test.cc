@@ -21,7 +21,7 @@ Values values_of(const std::string &varied)
   return cases_of_grid({ varied }).entries.at(0).values;
 }
 
-TEST(CaseList, RangesHaveTheNumbersThatOneWouldWriteDown)
+TEST(CaseList, RangesHaveDecimalValues)
 {
   EXPECT_EQ(values_of("Load/Moment ratio=0.1:1.9:7"),
             (Values{ "0.1", "0.4", "0.7", "1", "1.3", "1.6", "1.9" }));
@@ -52,7 +52,7 @@ TEST(CaseList, AGridIsTheProductOfItsEntries)
   EXPECT_EQ(study.motion.orbit.friction_coefficient, 0.7);
 }
 
-TEST(CaseList, ATableHasUnitsAndDecimalCommas)
+TEST(CaseList, ReadsATableWithUnitsAndDecimalCommas)
 {
   const test::ScratchFolder scratch;
   for (const std::string text : { "Motion/Mass (g),Glass/Rim waviness,Motion/Closure\n302.5,\"3: 2e-6, 5: "
@@ -70,7 +70,7 @@ TEST(CaseList, ATableHasUnitsAndDecimalCommas)
   }
 }
 
-TEST(CaseList, ACaseWhoseValuesDoNotGoTogetherSaysSoItself)
+TEST(CaseList, InconsistentCasesFailIndividually)
 {
   const CaseList list = cases_of_grid({ "Contact/Load harmonics=8,200" });
   EXPECT_EQ(list.study_of(0).contact.load_harmonics, 8u);
@@ -84,7 +84,7 @@ void expect_refused(const std::function<void()> &action, const std::string &word
   EXPECT_THAT(sentence.back(), testing::AnyOf('.', ')')) << sentence;
 }
 
-TEST(CaseList, BadGridsAreRefusedInOneSentence)
+TEST(CaseList, RefusesBadGridsInOneSentence)
 {
   for (const auto &[varied, words] : std::vector<std::pair<Values, std::string>>{
          { { "Motion/Mass" }, "is not of the form" },
@@ -107,7 +107,7 @@ TEST(CaseList, BadGridsAreRefusedInOneSentence)
     expect_refused([&, &varied = varied] { cases_of_grid(varied); }, words);
 }
 
-TEST(CaseList, BadTablesAreRefusedWithLineAndColumn)
+TEST(CaseList, RefusesBadTablesWithLineAndColumn)
 {
   const test::ScratchFolder scratch;
   for (const auto &[text, words] : std::vector<std::pair<std::string, std::string>>{

@@ -1,5 +1,4 @@
-// Points of the section of a glass whose shape is foot, read as a drawing, against that shape: another
-// description of the same glass.
+// A drawn section with points of the shape "foot" against that shape.
 #include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -48,7 +47,7 @@ std::string forty_points()
   return points;
 }
 
-TEST(DrawnFoot, SpinsAsTheFootThatItIsDrawnFrom)
+TEST(DrawnFoot, SpinsLikeTheFootItWasDrawnFrom)
 {
   const test::ScratchFolder scratch;
   const std::string points = forty_points();
@@ -61,7 +60,7 @@ TEST(DrawnFoot, SpinsAsTheFootThatItIsDrawnFrom)
     const test::SolvedStudy drawn(read_study(
       "", { interface, "Glass/Shape=profile", "Glass/Profile file=" + file, "Glass/Crown radius=0.003" }));
     EXPECT_NEAR(drawn.omega() / foot.omega(), 1, 1e-4) << table;
-    // Not because the shape does not matter: that of a thinner foot is told apart.
+    // The shape matters: a thinner foot has a different spin.
     const test::SolvedStudy thinner(read_study("", { interface, "Glass/Foot thickness=0.003" }));
     EXPECT_GT(std::abs(thinner.omega() / foot.omega() - 1), 2 * std::abs(drawn.omega() / foot.omega() - 1))
       << table;

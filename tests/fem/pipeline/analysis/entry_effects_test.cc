@@ -1,7 +1,6 @@
-// Every entry of a study does something: the terminal spin must change with it, in the first of the usual
-// studies in which it says that it has an effect. The list below names what is not so: another base study, a
-// value, and the number of summary.json that must change. An entry that is read, checked and echoed, but not
-// passed on, fails here.
+// Every entry of a study has an effect: the terminal spin must change with it in the first of the base
+// studies in which the entry has an effect. The list below states exceptions: base study, value, and the
+// number of summary.json that must change. An entry that is read and checked but not used fails here.
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/base/numbers.h"
@@ -29,14 +28,14 @@ namespace
 using Json = nlohmann::ordered_json;
 using EntryValues = std::vector<std::pair<std::string, std::string>>;
 
-/// What a change of one entry does.
+/// Expected effect of a change of one entry.
 struct Effect
 {
   std::string entry; ///< Section/Entry
   std::string value;
-  std::string changed; ///< place in summary.json of what must change, or "/spin_up.csv" for that file; empty
-                       ///< where the entry has no effect, as its help says
-  EntryValues base = {};  ///< other entries, if they are not those of the quick study
+  std::string changed; ///< place in summary.json that must change, or "/spin_up.csv" for that file; empty if
+                       ///< the entry has no effect
+  EntryValues base = {};  ///< entries that differ from the quick study
   std::string stays = {}; ///< place of a number that must not change
 };
 
@@ -62,7 +61,7 @@ const EntryValues solid = { { "Contact/Body", "solid" },
                             { "Contact/Radial cells", "2" },
                             { "Contact/Foot layers", "1" } };
 
-/// All of @p values, on a drawn foot.
+/// Returns @p values with the entries of a drawn foot.
 EntryValues drawn(EntryValues values)
 {
   values.insert(values.end(), { { "Glass/Shape", "profile" },
@@ -71,7 +70,7 @@ EntryValues drawn(EntryValues values)
   return values;
 }
 
-/// All of @p values, and one more.
+/// Returns @p values with one more entry.
 EntryValues with(EntryValues values, const std::string &entry, const std::string &value)
 {
   values.emplace_back(entry, value);
@@ -82,27 +81,19 @@ const EntryValues solid_rough = with(solid, "Table/Interface", "rough");
 const EntryValues crowned_mesh = with(solid, "Contact/Mesh file", STEMWARE_MESHES "/crowned_foot.msh");
 const EntryValues quadratic_solid = with(solid, "Contact/Degree", "2");
 
-/// Whose mesh is fine enough.
+/// A solid foot whose mesh meets its goal.
 const EntryValues solid_for_a2 = with(with(solid, "Contact/Goal", "a2"), "Contact/Goal tolerance", "1");
 
 const std::string nothing, second_harmonic = "/load/a/2", unknowns = "/contact/unknowns";
 
 const std::vector<Effect> effects = {
-  { "Motion/Mass", "0.4", "/load/normal_force" },
   { "Motion/Yaw inertia", "6e-4", "/ring/time_constant", {}, "/ring/omega_terminal" },
-  { "Motion/Centre of mass height", "0.09", "/load/moment_ratio" },
   { "Motion/Hand height", "0.04", "/load/moment_ratio" },
-  { "Motion/Force offset", "-0.04", "/load/moment_ratio" },
   { "Motion/Liquid mass", "0.1", "/load/normal_force" },
   { "Motion/Bowl depth", "0.1", nothing, filled, "/ring/omega_terminal" },
-  { "Motion/Orbit radius", "0.2", "/load/moment/0" },
   { "Motion/Orbit speed file", "speeds.csv", "/ring/driven", two_way },
   { "Motion/Breakaway friction", "0.5", "/ring/driven/breakaway/force", from_rest, "/ring/omega_terminal" },
-  { "Motion/Friction coefficient", "0.2", "/ring/tau_at_rest" },
   { "Motion/Friction law", "Stribeck", "/ring/omega_terminal", slow_decay },
-  { "Motion/Gravity", "9", "/load/normal_force" },
-  { "Motion/Closure", "paper", "/load/moment/1" },
-  { "Motion/Tilt", "neglected", "/load/moment_ratio" },
   { "Motion/End time", "1", "/spin_up.csv", {}, "/ring/omega_terminal" },
   { "Motion/Euler step", "0.01", "/spin_up.csv", {}, "/ring/omega_terminal" },
   { "Motion/Step limit", "1e7", nothing, {}, "/ring/omega_terminal" },
@@ -133,7 +124,7 @@ const std::vector<Effect> effects = {
   { "Table/Foundation modulus", "1e9", second_harmonic },
   { "Table/Foundation modulus", "1e9", second_harmonic, solid },
   { "Table/Layer thickness", "0.005", nothing, {}, second_harmonic },
-  // A factor of the pressure is an offset of the distance: only the table moves.
+  // A factor of the pressure is an offset of the distance, so only the table motion changes.
   { "Table/Reference pressure", "2e9", "/contact/table_motion/0", rough, "/ring/omega_terminal" },
   { "Table/Reference pressure", "2e9", "/contact/table_motion/0", solid_rough, "/ring/omega_terminal" },
   { "Table/Decay length", "2e-6", second_harmonic, rough },
@@ -173,7 +164,7 @@ const std::vector<Effect> effects = {
   { "Load/File", "two.dat", "/load/a/1", from_file },
 };
 
-/// The summary of a study, with the spin-up's table beside its parts.
+/// Summary of a study, with the table of the spin-up under "spin_up.csv".
 Json results_of(const Study &study)
 {
   fem::ComplianceCache cache;
@@ -187,8 +178,7 @@ Json results_of(const Study &study)
   return all;
 }
 
-/// The study of an effect's base, or with its value too: one that is solved in no time, but for what the base
-/// changes.
+/// The base study of an effect, with or without the value of the entry; fast to solve.
 Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder &scratch)
 {
   EntryValues values = { { "Glass/Shape", "step" },
@@ -205,7 +195,7 @@ Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder 
   return with_values(test::mat_study(), "the list of effects", values);
 }
 
-/// The files that studies name, and the results of all bases: most effects have one of a few.
+/// Input files of the studies, and cached results of the base studies.
 class EntryEffects : public testing::TestWithParam<Effect>
 {
 protected:
@@ -244,11 +234,11 @@ void EntryEffects::SetUpTestSuite()
   scratch.write("thin.csv", plate + "0.034,0.004\n0.006,0.004\n0.006,0.02\n0,0.02\n");
 }
 
-TEST_P(EntryEffects, ChangeWhatTheyAreFor)
+TEST_P(EntryEffects, ChangeTheirQuantity)
 {
   const Json before = results_of_base();
   const Json after = results_with_the_value();
-  // Of a number: more than what the solvers leave, 1e-9, and less than what Stem height does, 8e-6.
+  // Relative change: above the solver tolerance, 1e-9, and below the effect of the stem height, 8e-6.
   constexpr double least = 1e-7;
   if (const Json::json_pointer changed(GetParam().changed); changed.empty())
     EXPECT_EQ(after, before);
@@ -275,8 +265,8 @@ std::string name_of(const testing::TestParamInfo<Effect> &info)
   return name;
 }
 
-/// A value for a trial: a tenth more, twice as many, or the next one of the words that are allowed; nothing
-/// where there is none to guess, which the entry refuses.
+/// Another value of an entry: 10 % more, twice the count, or the next allowed word; empty, which the entry
+/// refuses, if no value can be guessed.
 std::string another_value(const StudyEntry &entry)
 {
   if (entry.quantity != nullptr)
@@ -292,8 +282,7 @@ std::string another_value(const StudyEntry &entry)
   return place == words.end() ? "" : place + 1 == words.end() ? words.front() : *(place + 1);
 }
 
-/// The list, and for each entry that is not in it the terminal spin of the first study in which it has an
-/// effect.
+/// The list, and for each other entry the terminal spin of the first base study in which it has an effect.
 std::vector<Effect> all_effects()
 {
   std::vector<Effect> all = effects;
@@ -311,7 +300,7 @@ std::vector<Effect> all_effects()
 
 INSTANTIATE_TEST_SUITE_P(List, EntryEffects, testing::ValuesIn(all_effects()), name_of);
 
-TEST(EntryEffectsList, EveryEntryIsTried)
+TEST(EntryEffectsList, CoversEveryEntry)
 {
   std::set<std::string> tried, existing;
   for (const Effect &effect : all_effects())

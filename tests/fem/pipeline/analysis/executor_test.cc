@@ -16,7 +16,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// For a while without the limit to which whoever runs the tests may hold them.
+/// Removes the limit of threads in the environment during its lifetime.
 class WithoutThreadLimit
 {
 public:
@@ -45,7 +45,7 @@ void on_threads(unsigned int n_threads, std::size_t n, const std::function<void(
 
 } // namespace
 
-TEST(Executor, DoesEachOnceWithAsManyThreadsAsToldAtMost)
+TEST(Executor, CallsEachOnceOnAtMostTheGivenThreads)
 {
   const WithoutThreadLimit unlimited;
   for (const unsigned int n_threads : { 1u, 2u, 3u })
@@ -70,23 +70,21 @@ TEST(Executor, DoesEachOnceWithAsManyThreadsAsToldAtMost)
   on_threads(4, 0, [](std::size_t) { FAIL(); });
 }
 
-TEST(Executor, DoesTwoAtATime)
+TEST(Executor, RunsTwoCallsSimultaneously)
 {
   const WithoutThreadLimit unlimited;
   std::atomic<unsigned int> n_begun = 0;
   on_threads(2, 2,
              [&](std::size_t)
              {
-               // Each waits for the other to begin, which one thread alone would never see.
+               // Each call waits for the start of the other, so that a single thread would never return.
                ++n_begun;
-               const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-               while (n_begun < 2 && std::chrono::steady_clock::now() < end)
+               while (n_begun < 2)
                  std::this_thread::sleep_for(std::chrono::milliseconds(1));
-               EXPECT_EQ(n_begun, 2u);
              });
 }
 
-TEST(Executor, PassesOnWhatIsThrownAndStops)
+TEST(Executor, RethrowsAndStops)
 {
   std::atomic<unsigned int> n_calls = 0;
   const auto work = [&](std::size_t)
@@ -98,10 +96,10 @@ TEST(Executor, PassesOnWhatIsThrownAndStops)
   EXPECT_LE(n_calls, 2u);
 }
 
-TEST(Executor, LoopsWithinDoNotMix)
+TEST(Executor, NestedLoopsDoNotInterleave)
 {
-  // A thread that waits for its inner loop must not begin another outer call: it would find itself at work.
-  // With calls of unequal length on eight threads that would happen every twentieth time.
+  // A thread that waits for its inner loop must not start another outer call. Without isolation, every
+  // twentieth call of unequal length on eight threads would.
   constexpr std::size_t n_outer = 200, n_inner = 8;
   thread_local bool at_work = false;
   std::atomic<std::size_t> n_mixed = 0, n_done = 0;

@@ -1,5 +1,5 @@
-// Largest pressure and width of contacts with hard tables, with their bands: random crowned rims against
-// Hertz's line contact at the local line load (Johnson, Contact Mechanics, 1985, section 4.2).
+// Largest pressure and contact width on hard tables within their bands: random crowned rims against Hertz
+// line contact at the local line load (Johnson, Contact Mechanics, 1985, section 4.2).
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
@@ -30,8 +30,8 @@ double log_uniform(std::mt19937 &random, double from, double to)
   return std::exp(value_between(random, std::log(from), std::log(to)));
 }
 
-/// A glass on a hard table: rigid, or a thick disc that yields more or less than the glass. A third lifts
-/// off.
+/// A glass on a hard table: rigid, or a thick disc stiffer or softer than the glass. A third of the studies
+/// has lift-off.
 Study random_hard_study(std::mt19937 &random)
 {
   Study study = test::mat_study();
@@ -91,7 +91,7 @@ void expect_pressures_of_random_rims(unsigned int n_studies, unsigned int seed)
     {
       const BandedQuantity &banded = bands[index_of(bands, key)];
       const double value = banded.quantity.value, band = banded.band;
-      // The largest load lies between two lines.
+      // Allows for a maximum between two lines.
       EXPECT_LE(std::abs(value - right), band + 5e-4 * right)
         << key << " of study " << i << ": " << value << ", Hertz " << right << ", m "
         << study.load.moment_ratio;
@@ -108,12 +108,12 @@ void expect_pressures_of_random_rims(unsigned int n_studies, unsigned int seed)
   }
 }
 
-TEST(HardPressure, OfThreeRandomRimsIsHertzs)
+TEST(HardPressure, OfThreeRandomRimsAgreesWithHertz)
 {
   expect_pressures_of_random_rims(3, 1);
 }
 
-TEST(HardPressure, OfSixtyRandomRimsIsHertzsLong)
+TEST(HardPressure, OfSixtyRandomRimsAgreesWithHertzLong)
 {
   expect_pressures_of_random_rims(60, 2);
 }

@@ -1,6 +1,5 @@
-// Do error bands hold with lift-off, and on flat lands? Random states of a rigid crowned foot on a mat, each
-// beside other code that includes nothing of fem/: quadrature over the plane that ends at the edges of the
-// contact (tests/verification/plain_lifted_foot.h).
+// Error bands with lift-off and on flat lands. Reference for random states of a rigid crowned foot on a mat:
+// quadrature up to the contact edges by other code (tests/verification/plain_lifted_foot.h).
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/spin/answer.h"
@@ -29,7 +28,7 @@ using test::SolvedStudy;
 using verification::LiftedFoot;
 using verification::LiftedGlass;
 
-/// A given moment (ratio and direction), or a balance at a height of the centre of mass.
+/// A given moment, or a moment balance at a height of the centre of mass.
 struct LiftedState
 {
   double moment_ratio = 0, direction = 0; ///< 1, [rad]
@@ -62,7 +61,7 @@ struct LiftedState
 /// fixed spins.
 constexpr double largest_height = 0.134575746;
 
-/// Ratios of error and band by quantity, of states in which the azimuth lines make the band.
+/// Ratios of error and band by quantity, for states whose band is dominated by the azimuth lines.
 class Ratios
 {
 public:
@@ -89,7 +88,8 @@ public:
       }
   }
 
-  /// Prints worst and median ratio of each quantity, and expects medians that are neither wide nor narrow.
+  /// Prints worst and median ratio of each quantity, and expects a median that shows neither wide nor narrow
+  /// bands.
   void expect_fair_medians() const
   {
     std::vector<double> all;
@@ -100,7 +100,7 @@ public:
                   values[values.size() / 2]);
       all.insert(all.end(), values.begin(), values.end());
     }
-    ASSERT_FALSE(all.empty()) << "no quantity has the key of a truth";
+    ASSERT_FALSE(all.empty()) << "no quantity has a reference";
     std::sort(all.begin(), all.end());
     const double median = all[all.size() / 2];
     std::printf("%-22s %3zu  worst %.3f  median %.3f\n", "all", all.size(), all.back(), median);
@@ -124,7 +124,7 @@ private:
       truth["a" + std::to_string(n)] = at_rest.harmonic(n, false);
       truth["b" + std::to_string(n)] = at_rest.harmonic(n, true);
     }
-    constexpr double reach = 2e-3; // of the program's spin, in which the right one is
+    constexpr double reach = 2e-3; // relative search interval around the spin of the program
     const auto near = [&](LiftedGlass &of, double spin)
     { return of.terminal_spin((1 - reach) * spin, (1 + reach) * spin); };
     truth["omega_terminal"] = near(glass, omega);
@@ -146,30 +146,25 @@ double uniform(std::mt19937 &random, double from, double to)
   return from + (to - from) * static_cast<double>(random()) / 4294967296.;
 }
 
-void expect_bands_of_random_moments_hold(unsigned int n_states)
+/// Random moment ratio and direction, with lift-off.
+LiftedState random_moment(std::mt19937 &random)
 {
-  std::mt19937 random(42);
-  Ratios ratios;
-  for (unsigned int i = 0; i < n_states; ++i)
-  {
-    LiftedState state;
-    state.moment_ratio = uniform(random, 1.21, 1.96);
-    state.direction = uniform(random, -2.2, -0.9);
-    ratios.add(state);
-  }
-  ratios.expect_fair_medians();
+  const double ratio = uniform(random, 1.21, 1.96);
+  return { ratio, uniform(random, -2.2, -0.9) };
 }
 
-void expect_bands_of_random_heights_hold(unsigned int n_states)
+/// Random height of the centre of mass, with lift-off.
+LiftedState random_height(std::mt19937 &random)
 {
-  std::mt19937 random(43);
+  return { 0, 0, uniform(random, 0.109, 0.134) };
+}
+
+void expect_bands_hold(LiftedState (*draw)(std::mt19937 &), unsigned int seed, unsigned int n_states)
+{
+  std::mt19937 random(seed);
   Ratios ratios;
   for (unsigned int i = 0; i < n_states; ++i)
-  {
-    LiftedState state;
-    state.height = uniform(random, 0.109, 0.134);
-    ratios.add(state);
-  }
+    ratios.add(draw(random));
   ratios.expect_fair_medians();
 }
 
@@ -190,36 +185,36 @@ void expect_limit_at_right_height(unsigned int n_steps)
 
 TEST(LiftedBands, OfRandomMomentsHoldLong)
 {
-  expect_bands_of_random_moments_hold(30);
+  expect_bands_hold(random_moment, 42, 30);
 }
 
 TEST(LiftedBands, OfTwoRandomMomentsHold)
 {
-  expect_bands_of_random_moments_hold(2);
+  expect_bands_hold(random_moment, 42, 2);
 }
 
 TEST(LiftedBands, OfRandomHeightsInBalanceHoldLong)
 {
-  expect_bands_of_random_heights_hold(20);
+  expect_bands_hold(random_height, 43, 20);
 }
 
 TEST(LiftedBands, OfTwoRandomHeightsInBalanceHold)
 {
-  expect_bands_of_random_heights_hold(2);
+  expect_bands_hold(random_height, 43, 2);
 }
 
-TEST(LiftedBands, OfHeightsUpToTheFallHoldLong)
+TEST(LiftedBands, OfHeightsUpToTippingHoldLong)
 {
   expect_limit_at_right_height(20);
 }
 
-TEST(LiftedBands, OfTwoHeightsBesideTheFallHold)
+TEST(LiftedBands, OfTwoHeightsNextToTippingHold)
 {
   expect_limit_at_right_height(1);
 }
 
-/// Moments at which a part of the contact has the slip ratio 1 at the terminal spin: there the error of the
-/// rings falls slowly.
+/// Moments at which a part of the contact has slip ratio 1 at the terminal spin, so that the error of the
+/// rings decreases slowly.
 void expect_bands_with_vanishing_slip_hold(double smallest_moment, unsigned int n_states)
 {
   Ratios ratios;
@@ -243,8 +238,8 @@ TEST(LiftedBands, WithVanishingSlipInOneContactHold)
   expect_bands_with_vanishing_slip_hold(1.95, 1);
 }
 
-// ---- rigid flat lands: on a mat closed forms of chords, on a hard bonded layer an annular punch by other
-// code (tests/verification/annular_punch.py)
+// Rigid flat lands. References: closed forms on a mat; annular punch by other code on a hard bonded layer
+// (tests/verification/annular_punch.py).
 
 /// A flat land under a given moment in the direction @p direction [rad].
 Study flat_study(double width, double moment_ratio, double direction)
@@ -275,7 +270,7 @@ void expect_within_bands(const Study &study, const std::map<std::string, double>
   }
 }
 
-TEST(FlatLandBands, ThatLiftsOffAMatHold)
+TEST(FlatLandBands, WithLiftOffOnAMatHold)
 {
   struct Row
   {
@@ -289,7 +284,7 @@ TEST(FlatLandBands, ThatLiftsOffAMatHold)
     const double radius = study.glass.profile.contact_radius, outer = radius + row.width / 2;
     const verification::LiftedAnnulus exact(radius - row.width / 2, outer, row.moment_ratio * radius / 2);
     const double slope = study.motion.orbit.normal_force() / exact.per_slope, tilt = -slope / 1e9;
-    // An azimuth leaves the table last at the outer border, or at the inner one on the lifted side.
+    // An azimuth loses contact last at the outer border, or at the inner border on the lifted side.
     const double last = exact.zero < 0 ? radius - row.width / 2 : outer;
     expect_within_bands(
       study,

@@ -6,7 +6,7 @@
 namespace stemware::test
 {
 
-/// A load with harmonics up to 9, all of which matter.
+/// A load with harmonics up to 9.
 inline ring::RingStack rich_load()
 {
   return { { 0.47, 0.1, 0.09, 0, -0.02, 0, 0.004, 0, -0.001, 0 },
@@ -14,7 +14,7 @@ inline ring::RingStack rich_load()
            0.03 };
 }
 
-/// A study that follows a load which the test gives it, as if from a file.
+/// A study of a given load, as from a file.
 inline pipeline::Study study_of_given_load()
 {
   pipeline::Study study = mat_study();
@@ -35,8 +35,8 @@ inline pipeline::Study quick_contact_study()
   return study;
 }
 
-/// A flat land on a linear foundation, all of which carries load, without friction that deforms the foot: by
-/// symmetry its pressure has no harmonics beyond the first (docs/theory/load_models.md).
+/// A flat land on a mat in full contact without friction coupling, whose pressure has no harmonics above the
+/// first (docs/theory/load_models.md).
 inline pipeline::Study flat_land_on_a_mat(pipeline::LoadCoupling coupling)
 {
   pipeline::Study study = quick_contact_study();

@@ -1,5 +1,4 @@
-// Terminal spins on wood and cork. Reference: an independent prototype of contact, friction and moments in
-// one system (stated to 1e-3).
+// Terminal spins on wood and cork. Reference: an independent prototype with an accuracy of 1e-3.
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/mat_study.h"
 
@@ -50,7 +49,7 @@ TEST(RealTable, FrictionInTheFootOnHardwood)
   const ByFriction spin(study);
   EXPECT_NEAR(spin.neither, -3.678, 1e-3 * 3.678);
   EXPECT_NEAR(spin.foot, -3.632, 1e-3 * 3.632);
-  // Wood and glass do almost the same under friction: the substrate's part is about 1e-4.
+  // Wood and glass deform similarly under friction, so the effect of the substrate is about 1e-4.
   EXPECT_GT(std::abs(spin.both / spin.foot - 1), 5e-5);
   EXPECT_LT(std::abs(spin.both / spin.foot - 1), 2e-4);
 

@@ -1,5 +1,4 @@
-// Which levels a study is refined on, and whether the bands that they make hold: beside the same study with
-// much finer meshes.
+// Levels of a refinement study, and error bands against the same study on much finer meshes.
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/refinement_study.h"
@@ -24,7 +23,7 @@ namespace
 
 using Sizes = std::vector<unsigned int>;
 
-TEST(RefinementAxes, KeepToWhatIsAllowed)
+TEST(RefinementAxes, StayWithinTheAllowedRanges)
 {
   Study study = test::mat_study();
   study.contact.degree = 4;
@@ -45,7 +44,7 @@ TEST(RefinementAxes, KeepToWhatIsAllowed)
   EXPECT_EQ(refinement_axes(study, 3).size(), 4u); // hard tables have lines of their own too
 }
 
-/// Half the cell size twice over, four times the lines; the harmonics, which matter least, doubled.
+/// Returns @p study with quartered cells, four times the lines and twice the harmonics.
 Study much_finer(Study study)
 {
   study.contact.refinements += 2;
@@ -59,7 +58,7 @@ BalancedLoad load_of(const Study &study, fem::ComplianceCache &cache)
   return find_load(study, study_foot(study, cache));
 }
 
-/// Quantities of the study itself and of a finer one, with the bands of `run`.
+/// Quantities of a study with the bands of `run`, and of a finer study.
 struct Levels
 {
   Levels(const Study &study, const Study &finer_study)
@@ -91,7 +90,7 @@ struct Levels
   std::vector<QuantityOfInterest> finer;
 };
 
-TEST(ErrorBands, OfThePaperHoldAFourTimesFinerRun)
+TEST(ErrorBands, OfThePaperContainAFourTimesFinerRun)
 {
   const Study study = read_study(STEMWARE_COOKBOOKS "/paper.prm", {});
   Levels comparison(study, four_times_finer(study));
@@ -102,10 +101,9 @@ TEST(ErrorBands, OfThePaperHoldAFourTimesFinerRun)
   }
   const BandedQuantity &spin = comparison.band("omega_terminal");
   EXPECT_GT(spin.band, std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value));
-  EXPECT_LT(spin.band, 1e-5); // rad/s: a band that says nothing would hold too
+  EXPECT_LT(spin.band, 1e-5); // rad/s; not too wide
 
-  // What `converge` does: three levels, and an order between that of the re-entrant corners and that of a
-  // smooth section.
+  // `converge`: three levels, with an order between re-entrant corners and a smooth section.
   std::vector<RefinementAxis> axes = refinement_axes(study, 3);
   const ErrorBands full =
     refine(quantities_of_load(study, comparison.load, spins_of_interest(comparison.omega), comparison.omega),
@@ -143,7 +141,7 @@ void expect_band_of_spin_holds(const Study &study)
   EXPECT_LT(spin.band, 2e-3 * std::abs(spin.quantity.value));
 }
 
-// The share over many random studies: tests/benchmark/error_band_coverage.cc, docs/method/error_bands.md.
+// Coverage over many random studies: tests/benchmark/error_band_coverage.cc, docs/method/error_bands.md.
 
 TEST(ErrorBands, OfARandomStudyHoldsLong)
 {
@@ -158,8 +156,8 @@ TEST(ErrorBands, OfARandomStudyOnFewLinesHolds)
   expect_band_of_spin_holds(study);
 }
 
-/// Under a hard table the contact's cells are small, and the error is that of the corners of a step: a band
-/// from the contact's cells alone misses it.
+/// On a hard table the contact cells are small, and the error comes from the corners of the step. A band from
+/// the contact cells only would miss it.
 void expect_band_holds_corners(unsigned int n_harmonics, unsigned int n_lines)
 {
   Study study = test::mat_study();
@@ -178,17 +176,17 @@ void expect_band_holds_corners(unsigned int n_harmonics, unsigned int n_lines)
   EXPECT_LT(spin.parts.at("mesh") + spin.parts.at("degree"), 10 * error);
 }
 
-TEST(ErrorBands, HoldWhatCornersFarFromTheContactAddLong)
+TEST(ErrorBands, IncludeCornersFarFromTheContactLong)
 {
   expect_band_holds_corners(test::mat_study().contact.harmonics, test::mat_study().contact.azimuth_lines);
 }
 
-TEST(ErrorBands, HoldWhatCornersAddOnFewLines)
+TEST(ErrorBands, IncludeCornersOnFewLines)
 {
   expect_band_holds_corners(6, 64);
 }
 
-TEST(ErrorBands, OfOneRingHoldManyRings)
+TEST(ErrorBands, OfOneRingContainManyRings)
 {
   Study study = test::mat_study();
   study.contact.rings = 1;
@@ -198,11 +196,11 @@ TEST(ErrorBands, OfOneRingHoldManyRings)
   const Levels comparison(study, finer);
   const BandedQuantity &spin = comparison.band("omega_terminal");
   const double error = std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value);
-  EXPECT_GT(error, 0.5 * spin.band); // the rings are what the band is made of
+  EXPECT_GT(error, 0.5 * spin.band); // the band is dominated by the rings
   EXPECT_LT(error, spin.band);
 }
 
-/// A foot under which no balance is found.
+/// A foot without a moment balance.
 class FootWithoutBalance : public fem::Foot
 {
 public:
@@ -223,8 +221,8 @@ public:
   fem::PressureMap pressure_map(const fem::ContactState &) const override { return {}; }
 };
 
-/// A changed contact that is not in balance, as next to tipping, leaves no band and does not end the run.
-TEST(ErrorBands, NoneWhereAChangedContactHasNoBalance)
+/// If a changed contact has no balance, as next to tipping, there are no bands and the run continues.
+TEST(ErrorBands, AreEmptyIfAChangedContactHasNoBalance)
 {
   const test::SolvedStudy solved(test::quick_contact_study());
   const Executor executor([](const Study &, const Discretisation &, const Model &, const fem::Foot *)
@@ -232,8 +230,8 @@ TEST(ErrorBands, NoneWhereAChangedContactHasNoBalance)
   EXPECT_TRUE(estimate_bands(solved.study, solved.foot, solved.row, std::nullopt, executor).empty());
 }
 
-/// Every row of the contact has a band, however many there are; the closed forms have none.
-TEST(ErrorBands, OfEveryRowOfTheContact)
+/// Every row of the contact has a band; the closed forms have none.
+TEST(ErrorBands, ExistForEveryRowOfTheContact)
 {
   Study study = test::quick_contact_study();
   study.contact.harmonics = 16;
@@ -262,7 +260,7 @@ TEST(ErrorBands, OfEveryRowOfTheContact)
   EXPECT_NEAR(*rows[rows.size() - 2].band, *all, 1e-9);
 }
 
-TEST(ErrorBands, OfARowIsNoWiderThanWhatItDiffersBy)
+TEST(ErrorBands, OfARowAreLimitedByItsDifference)
 {
   const auto row = [](unsigned int number, double omega) { return BudgetRow{ { number }, "", {}, omega }; };
   std::vector<BudgetRow> rows = { row(1, -3),      row(2, -3.6),   row(3, -3.7),   row(4, -3.6),
@@ -283,7 +281,7 @@ TEST(ErrorBands, OfARowIsNoWiderThanWhatItDiffersBy)
   EXPECT_FALSE(without_first.front().band);
 }
 
-TEST(ErrorBands, SayWhichLevelFailed)
+TEST(ErrorBands, NameTheFailedLevel)
 {
   Study study = test::mat_study();
   study.load.moment_ratio = 0.5;

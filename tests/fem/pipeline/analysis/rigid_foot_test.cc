@@ -1,5 +1,5 @@
-// A rigid foot on a Winkler mat, from the study to its terminal spin. Reference: other code, quadrature in
-// two dimensions without rings, harmonics or kernels (tests/verification/rigid_foot.py, plain_rigid_foot.h).
+// Terminal spin of a rigid foot on a Winkler mat. Reference: quadrature in two dimensions by other code,
+// without rings, harmonics or kernels (tests/verification/rigid_foot.py, plain_rigid_foot.h).
 #include "fem/pipeline/analysis/error_bands.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/spin/answer.h"
@@ -36,7 +36,8 @@ Study rigid_foot_study(double foundation_modulus)
   return study;
 }
 
-/// With m given, its maximum to the right of the motion.
+/// Returns @p study with the moment ratio @p moment_ratio and the maximum of the load to the right of the
+/// motion.
 Study with_moment(Study study, double moment_ratio)
 {
   study.load.moment_ratio = moment_ratio;
@@ -44,7 +45,7 @@ Study with_moment(Study study, double moment_ratio)
   return study;
 }
 
-TEST(RigidFoot, AFlatAnnulusInTheClosurePaper)
+TEST(RigidFoot, FlatAnnulusInTheClosurePaperAgrees)
 {
   Study study = rigid_foot_study(1e10);
   study.glass.profile.crown_radius = 0; // a land from 28 to 32 mm
@@ -58,17 +59,16 @@ TEST(RigidFoot, AFlatAnnulusInTheClosurePaper)
   }
 }
 
-/// A state on the default mat: a given moment, or a balance at a height of the centre of mass; what other
-/// code finds, by the keys of bands.
+/// A state on the default mat, given moment or balance at a height of the centre of mass, with reference
+/// values by the keys of the bands.
 struct ReferenceState
 {
   double moment_ratio, height; ///< [m]; one of them is 0
   std::map<std::string, double> expected;
 };
 
-// Reference: other code, quadrature of pressure and friction over the land, balance with tilt at every spin,
-// differences of the torque with steps from 0.003 to 0.03 rad/s that agree to 6e-10. Numbers with nine digits
-// or more.
+// Reference: quadrature of pressure and friction over the land, balance with tilt at every spin, differences
+// of the torque with steps from 0.003 to 0.03 rad/s that agree to 6e-10. At least nine digits.
 TEST(RigidFoot, NumbersOfOtherCodeAreWithinTheBands)
 {
   const std::vector<ReferenceState> states = {
@@ -166,7 +166,7 @@ TEST(RigidFoot, NumbersOfOtherCodeAreWithinTheBands)
       ThreadedExecutor(solved.cache));
     for (const auto &[key, expected] : state.expected)
     {
-      const bool is_torque = key == "half"; // the torque at half the right terminal spin
+      const bool is_torque = key == "half"; // torque at half the reference terminal spin
       const auto found = find_quantity(bands, is_torque ? "tau_at_spin_1" : key);
       ASSERT_NE(found, bands.end()) << key;
       const double value =
@@ -184,8 +184,8 @@ TEST(RigidFoot, NumbersOfOtherCodeAreWithinTheBands)
   }
 }
 
-// The same other code: without tilt, and the state at the terminal spin with tilt.
-TEST(RigidFoot, WithoutTiltAndAtTheTerminalSpin)
+// Same reference: terminal spin without tilt, and state at the terminal spin with tilt.
+TEST(RigidFoot, AgreesWithoutTiltAndAtTheTerminalSpin)
 {
   struct Row
   {
@@ -202,7 +202,7 @@ TEST(RigidFoot, WithoutTiltAndAtTheTerminalSpin)
     study.motion.orbit.centre_of_mass_height = row.height;
     const SolvedStudy solved(study, test::rigid_foot());
     EXPECT_NEAR(solved.row.at_terminal->moment_ratio, row.moment_ratio, 1e-5) << row.height;
-    // The azimuth lines are 1/128 apart; the edge lies on a straight line between two of them.
+    // The edge is interpolated between azimuth lines 1/128 apart.
     EXPECT_NEAR(solved.load.contact(solved.omega())->load.contact_fraction, row.share, 2e-3) << row.height;
     study.motion.tilt = false;
     EXPECT_NEAR(SolvedStudy(study, test::rigid_foot()).omega(), row.omega_without_tilt,
@@ -211,7 +211,7 @@ TEST(RigidFoot, WithoutTiltAndAtTheTerminalSpin)
   }
 }
 
-TEST(RigidFoot, InTheClosureFullWithTiltAndGrip)
+TEST(RigidFoot, AgreesInTheClosureFullWithTiltAndGrip)
 {
   for (const auto &expected : reference()["closure_full"])
   {
@@ -225,7 +225,7 @@ TEST(RigidFoot, InTheClosureFullWithTiltAndGrip)
   }
 }
 
-/// A wavy foot on a soft mat, which carries all round, and the same by plain sums.
+/// A wavy foot on a soft mat in full contact, and its reference by plain sums.
 struct WavyFoot
 {
   static constexpr unsigned int n_waves = 3;
@@ -264,7 +264,7 @@ struct WavyFoot
   Eigen::Vector3d lie = { depth, 0, 0 };
 };
 
-TEST(RigidFoot, WavyInBalanceAtEveryPhase)
+TEST(RigidFoot, WavyFootAgreesAtEveryPhase)
 {
   WavyFoot foot;
   const SolvedStudy solved(foot.study, test::rigid_foot());

@@ -1,4 +1,4 @@
-// Slip and friction round the rim, as a picture shows them.
+// Slip and friction around the rim, as shown in the figure.
 #include "ring_model/rim_slip.h"
 
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@ namespace stemware::pipeline
 namespace
 {
 
-/// As much load as sin theta adds to the mean; it would pull at 270 degrees.
+/// 1 + 1.5 sin theta, tensile at 270 degrees.
 const ring::RingStack load({ 1, 0 }, { 0, 1.5 }, 0.03);
 
-TEST(RimSlip, AtRestFrictionIsAgainstTheMotionAndAsLargeAsTheLoad)
+TEST(RimSlip, AtRestFrictionOpposesTheMotionWithTheLoad)
 {
   ring::Motion motion;
   const std::vector<ring::RimSlip> places = ring::rim_slip(motion, 0.03, load, 0);
@@ -28,12 +28,12 @@ TEST(RimSlip, AtRestFrictionIsAgainstTheMotionAndAsLargeAsTheLoad)
   EXPECT_EQ(places[18].friction_x, 0); // where the series is negative
 }
 
-TEST(RimSlip, ATurningRimCarriesItsPlacesAlong)
+TEST(RimSlip, ASpinningRimHasTheSlipOfItsPoints)
 {
   ring::Motion motion;
   const double radius = 0.03, omega = motion.orbit_speed / radius; // the slip ratio is 1
   const std::vector<ring::RimSlip> places = ring::rim_slip(motion, radius, load, omega);
-  EXPECT_NEAR(places[6].slip_x, 0, 1e-12); // on the left it stands still
+  EXPECT_NEAR(places[6].slip_x, 0, 1e-12); // no slip on the left
   EXPECT_NEAR(places[0].slip_x, 1, 1e-12);
   EXPECT_NEAR(places[0].slip_y, 1, 1e-12);
   EXPECT_NEAR(places[0].friction_y, -std::sqrt(0.5), 1e-12);

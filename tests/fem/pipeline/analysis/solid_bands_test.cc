@@ -1,5 +1,5 @@
-// The error bands of a solid foot. Oracle: the body of revolution on the same profile, refined, with its own
-// bands; for a mesh that is not round a rigid plate. With MPI.
+// Error bands of a solid foot. References: refined body of revolution with its own bands; rigid plate for a
+// mesh that is not round. With MPI.
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/coupling/make_foot.h"
@@ -14,7 +14,6 @@
 #include <map>
 #include <random>
 #include <string>
-#include <utility>
 
 namespace stemware::pipeline
 {
@@ -33,7 +32,7 @@ ErrorBands bands_of(const Study &study)
                         ThreadedExecutor(cache));
 }
 
-/// The study of a solid foot as one of revolution, finer than usual where @p refinements says so.
+/// The study of a solid foot with a body of revolution, refined @p refinements times.
 Study revolved(Study study, unsigned int refinements = 1)
 {
   study.contact.body = BodyKind::revolution;
@@ -43,8 +42,8 @@ Study revolved(Study study, unsigned int refinements = 1)
   return study;
 }
 
-/// Expects the two values of @p key within the sum of their bands. @p widest: how many times the difference
-/// the band may be; 0: any number, where the difference may vanish by chance.
+/// Expects that the two values of @p key agree within the sum of their bands. @p widest: largest ratio of
+/// band and difference; 0: unlimited, if the difference may vanish by chance.
 void expect_within_both(const ErrorBands &solid, const ErrorBands &revolution, const std::string &key,
                         double widest = 0)
 {
@@ -52,7 +51,7 @@ void expect_within_both(const ErrorBands &solid, const ErrorBands &revolution, c
   const double difference = std::abs(own.quantity.value - other.quantity.value);
   ::testing::Test::RecordProperty(key, std::to_string(own.band / difference));
   EXPECT_LE(difference, own.band + other.band) << key;
-  EXPECT_LT(other.band, own.band) << key; // else the oracle is none
+  EXPECT_LT(other.band, own.band) << key; // the reference must be more accurate
   if (widest > 0)
   {
     EXPECT_LT(own.band, widest * difference) << key;
@@ -69,7 +68,7 @@ Study solid_study(fem::GlassShape shape, const fem::FootResolution &resolution)
   return study;
 }
 
-/// A section with re-entrant corners that lifts off a mat, under a given moment.
+/// A section with re-entrant corners and lift-off on a mat, under a given moment.
 Study step_on_mat(double foundation_modulus)
 {
   Study study = solid_study(fem::GlassShape::step, { 24, 2, 1 });
@@ -102,7 +101,7 @@ void expect_band_of_flat_land(double moment_ratio)
   EXPECT_LT(solid[index_of(solid, "a4")].band, 1e-2); // of a_0
 }
 
-/// The foot of a mesh file with linear elements on a mat, without friction that deforms it.
+/// The foot of a mesh file with linear elements on a mat, without friction coupling.
 Study study_of_mesh(const std::string &file)
 {
   Study study = test::mat_study();
@@ -114,8 +113,8 @@ Study study_of_mesh(const std::string &file)
   return study;
 }
 
-/// The square plate of docs/verification on a mat, with the centre of its load at @p eccentricity [m] in the
-/// direction @p direction [rad]: as good as rigid.
+/// The practically rigid square plate of docs/verification on a mat, with the load at @p eccentricity [m] in
+/// the direction @p direction [rad].
 Study plate_on_mat(double eccentricity, double direction)
 {
   Study study = study_of_mesh("square_plate.msh");
@@ -168,9 +167,9 @@ double mean_spin(const Study &study)
 
 } // namespace
 
-// The loads on the other mesh are found at rest and at one spin only. Oracle: the study on that mesh, solved
-// at every spin.
-TEST(SolidBands, OfAnOvalMeshAreTheChangeOfTheTerminalSpin)
+// The band uses loads on the other mesh at rest and at one spin. Reference: the study on that mesh, solved at
+// every spin.
+TEST(SolidBands, OfAnOvalMeshContainTheChangeOfTheTerminalSpin)
 {
   Study study = study_of_mesh("oval_foot.msh");
   study.table.foundation_modulus = 2e9;
@@ -183,9 +182,9 @@ TEST(SolidBands, OfAnOvalMeshAreTheChangeOfTheTerminalSpin)
   EXPECT_LE(part, 1.5 * change);
 }
 
-// The line of lift-off crosses the faces of a plate in any direction, where the table law is not smooth. A
-// rigid plate does not bend, so that only lines of another number show the error.
-TEST(SolidBands, OfAPlateThatLiftsOffAMat)
+// The edge of lift-off crosses the faces of the plate, where the table law is not smooth. A rigid plate does
+// not bend, so only another number of contact lines shows the error.
+TEST(SolidBands, OfAPlateWithLiftOffHold)
 {
   for (const double eccentricity : { 0.62, 0.55 })
     expect_bands_of_plate(eccentricity, std::acos(0.));
@@ -198,9 +197,9 @@ TEST(SolidBands, OfAPlateThatLiftsOffAMat)
   }
 }
 
-// In balance with friction and tilt, the mesh being the coarsest that there is: its band is that of halved
-// cells. The contact is a twentieth of a cell wide, so that more rings would be extrapolated to its nodes.
-TEST(SolidBands, OfAFootOnAMatLong)
+// In balance with friction and tilt on the coarsest possible mesh, whose band comes from halved cells. The
+// contact is a twentieth of a cell wide, so that more rings would extrapolate to its nodes.
+TEST(SolidBands, OfAFootOnAMatHoldLong)
 {
   Study study = solid_study(fem::GlassShape::foot, { 24, 2, 1 });
   study.table.foundation_modulus = 1e12;
@@ -210,8 +209,8 @@ TEST(SolidBands, OfAFootOnAMatLong)
   expect_within_both(solid, revolution, "tau_at_spin_1");
 }
 
-// The same of linear elements, under a given moment: in seconds.
-TEST(SolidBands, OfALinearFootOnAMat)
+// Short form with linear elements and a given moment.
+TEST(SolidBands, OfALinearFootOnAMatHold)
 {
   Study study = solid_study(fem::GlassShape::foot, { 16, 2, 1 });
   study.contact.degree = 1;
@@ -224,8 +223,8 @@ TEST(SolidBands, OfALinearFootOnAMat)
     expect_within_both(solid, revolution, key, 30);
 }
 
-// Counts of cells that have no half: the coarser mesh has cells 1.5 times as large across the land.
-TEST(SolidBands, OfCountsOfCellsThatDoNotHalve)
+// The coarser mesh has cells 1.5 times as large across the land.
+TEST(SolidBands, OfCellCountsThatCannotBeHalvedHold)
 {
   Study study = solid_study(fem::GlassShape::foot, { 16, 6, 2 });
   study.load.moment_ratio = 0.6;
@@ -236,9 +235,8 @@ TEST(SolidBands, OfCountsOfCellsThatDoNotHalve)
   expect_within_both(solid, revolution, "tau_at_spin_1");
 }
 
-// With re-entrant corners, where the error falls with the first order; its band is that of cells twice as
-// large.
-TEST(SolidBands, OfAStepOnAMatLong)
+// At re-entrant corners the error is of first order. The band comes from doubled cells.
+TEST(SolidBands, OfAStepOnAMatHoldLong)
 {
   const Study study = step_on_mat(1e11);
   const ErrorBands solid = bands_of(study), revolution = bands_of(revolved(study));
@@ -247,8 +245,8 @@ TEST(SolidBands, OfAStepOnAMatLong)
   expect_within_both(solid, revolution, "tau_at_spin_1");
 }
 
-// The contact is a hundredth of a cell wide: what halving the cells changes is a small part of the error.
-TEST(SolidBands, OfAContactThatIsNarrowerThanItsCellsLong)
+// The contact is a hundredth of a cell wide, so halving the cells shows only a small part of the error.
+TEST(SolidBands, OfAContactNarrowerThanItsCellsHoldLong)
 {
   Study study = step_on_mat(1e15);
   study.contact.friction_coupling = FrictionCoupling::none;
@@ -258,8 +256,8 @@ TEST(SolidBands, OfAContactThatIsNarrowerThanItsCellsLong)
   expect_within_both(solid, revolution, "tau_at_spin_1");
 }
 
-// Of linear elements, in seconds.
-TEST(SolidBands, OfALinearFlatLandOnAHardTable)
+// Short form with linear elements.
+TEST(SolidBands, OfALinearFlatLandOnAHardTableHold)
 {
   Study study = flat_land(0.5);
   study.contact.resolution = { 16, 2, 1 };
@@ -273,12 +271,12 @@ TEST(SolidBands, OfALinearFlatLandOnAHardTable)
   EXPECT_LT(solid[index_of(solid, "a2")].band, 0.1); // of a_0
 }
 
-TEST(SolidBands, OfAFlatLandOnAHardTableLong)
+TEST(SolidBands, OfAFlatLandOnAHardTableHoldLong)
 {
   expect_band_of_flat_land(0.5);
 }
 
-TEST(SolidBands, OfAFlatLandThatLiftsOffAHardTableLong)
+TEST(SolidBands, OfAFlatLandWithLiftOffOnAHardTableHoldLong)
 {
   expect_band_of_flat_land(1.2);
 }

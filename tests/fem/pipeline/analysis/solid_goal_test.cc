@@ -1,4 +1,4 @@
-// Contact/Goal of a solid foot, whose estimates and meshes are judged by the body of revolution. With MPI.
+// Contact/Goal of a solid foot. Reference: body of revolution. With MPI.
 #include "fem/pipeline/analysis/goal_mesh.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/coupling/make_foot.h"
@@ -16,7 +16,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// A foot that lifts off; few lines and load harmonics, which are not the mesh's.
+/// A foot with lift-off, on few lines and load harmonics, which do not depend on the mesh.
 Study lifting_foot()
 {
   Study study = test::mat_study();
@@ -50,8 +50,8 @@ GoalError error_of(const Study &study, const Discretisation &discretisation = {}
 
 } // namespace
 
-// On one mesh, under a given moment, in seconds.
-TEST(SolidGoal, EstimatesAreTheErrorsOnACoarseMesh)
+// Short form: one mesh, given moment.
+TEST(SolidGoal, EstimatesEqualTheErrorsOnACoarseMesh)
 {
   for (const Goal goal : { Goal::a2, Goal::terminal_spin })
   {
@@ -74,7 +74,7 @@ TEST(SolidGoal, EstimatesAreTheErrorsOnACoarseMesh)
   }
 }
 
-TEST(SolidGoal, LeavesAStudyWithoutAGoalAlone)
+TEST(SolidGoal, KeepsTheMeshOfAStudyWithoutAGoal)
 {
   Study study = lifting_foot();
   study.contact.body = BodyKind::solid;
@@ -84,9 +84,8 @@ TEST(SolidGoal, LeavesAStudyWithoutAGoalAlone)
   EXPECT_FALSE(meshed.outcome);
 }
 
-// Oracle: the body of revolution on a mesh that leaves a tenth of the smallest error judged, by the next
-// coarser one.
-TEST(SolidGoal, EstimatesAreTheErrorsAgainstTheBodyOfRevolutionLong)
+// Reference: body of revolution, whose error is below a tenth of the smallest error compared.
+TEST(SolidGoal, EstimatesEqualTheErrorsLong)
 {
   Study study = lifting_foot();
   const Study of_revolution = study;

@@ -20,7 +20,7 @@ namespace
 
 using namespace stemware::test;
 
-/// Spins of the budget, of the study without each of its effects and on one ring, and bands; 0 for none.
+/// Spins of the budget, without each effect and on one ring, and bands; 0 for missing values.
 std::vector<double> digits_on(unsigned int n_threads)
 {
   const SolvedStudy solved(quick_contact_study());
@@ -38,7 +38,7 @@ std::vector<double> digits_on(unsigned int n_threads)
   return digits;
 }
 
-TEST(Solve, DigitsDoNotDependOnTheThreads)
+TEST(Solve, ResultsDoNotDependOnTheThreads)
 {
   const std::vector<double> one = digits_on(1);
   EXPECT_GT(one.size(), 30u);
@@ -46,7 +46,7 @@ TEST(Solve, DigitsDoNotDependOnTheThreads)
     EXPECT_EQ(digits_on(n_threads), one) << n_threads;
 }
 
-TEST(Solve, StartsDoNotDependOnTheOtherVariants)
+TEST(Solve, InitialGuessesDoNotDependOnOtherVariants)
 {
   const SolvedStudy solved(quick_contact_study());
   std::vector<Variant> variants = variants_without(own_variant(solved.study, solved.foot.get()));
@@ -61,7 +61,7 @@ TEST(Solve, StartsDoNotDependOnTheOtherVariants)
       << variants[rows.size() - 1 - i].name;
 }
 
-TEST(Solve, AVariantThatFailsSaysWhyAndTheOthersGoOn)
+TEST(Solve, AFailedVariantGivesItsReasonAndTheOthersContinue)
 {
   const Study study = quick_contact_study();
   std::vector<Variant> variants(3, { VariantKind::study, "", study });
@@ -79,7 +79,7 @@ TEST(Solve, AVariantThatFailsSaysWhyAndTheOthersGoOn)
   EXPECT_EQ(solved[2].value(), study.glass.profile.contact_radius);
 }
 
-TEST(Solve, AnyFailureIsOfItsVariantUnlessRanksWouldWait)
+TEST(Solve, FailuresBelongToTheirVariantExceptOnSeveralRanks)
 {
   const std::vector<Variant> variants(2, { VariantKind::study, "", quick_contact_study() });
   const auto question = [](const Variant &, const std::shared_ptr<ElasticFoot> &) -> int

@@ -11,7 +11,7 @@
 namespace stemware::test
 {
 
-/// A study with its foot, its load and its terminal spin. Throws what these throw.
+/// A study with foot, load and terminal spin. Throws if one of them fails.
 struct SolvedStudy
 {
   explicit SolvedStudy(const pipeline::Study &given, const pipeline::Model &model = {})

@@ -26,9 +26,9 @@ SpinStudy study_spin_of(const ring::RingStack &load, const Study &study = study_
   return study_spin(study, nullptr, given_load(load), ThreadedExecutor(cache));
 }
 
-TEST(SpinStudy, EveryCurveIsOfTheLoadThatItIsNamedAfter)
+TEST(SpinStudy, SpinUpCurvesAgreeWithIndependentIntegrations)
 {
-  // Each against an integration of its own; the four differ by percents.
+  // The four curves differ by percents.
   const Study study = study_of_given_load();
   const ring::Motion &motion = study.motion.orbit;
   const SpinUpCurves curves = study_spin_of(rich_load(), study).spin_up;
@@ -48,13 +48,13 @@ TEST(SpinStudy, EveryCurveIsOfTheLoadThatItIsNamedAfter)
   };
   EXPECT_NEAR(curves.adaptive.back(), follow(rich_load()), 1e-6);
   EXPECT_NEAR(curves.first_harmonic.back(), follow(rich_load().truncated(1)), 1e-6);
-  // Without the moment of friction the paper's load is the same at every spin.
+  // In the model of the paper the load does not depend on the spin.
   EXPECT_NEAR(curves.paper.back(),
               follow(ring::RingStack::first_harmonic(
                 motion.normal_force(), ring::required_moment_at_rest(ring::Closure::paper, motion), 0.03)),
               1e-6);
   EXPECT_GT(std::abs(curves.euler.back() - curves.adaptive.back()),
-            1e-6); // the paper's method, not the exact one
+            1e-6); // Euler's method has a visible error
   EXPECT_NEAR(curves.euler.back(), curves.adaptive.back(), 1e-2);
 }
 
@@ -81,7 +81,7 @@ TEST(SpinStudy, RowsAreInBalanceWithTheirOwnHarmonics)
   EXPECT_FALSE(study_spin(study, foot, find_load(study, foot), ThreadedExecutor(cache)).one_ring);
 }
 
-TEST(SpinStudy, TellsItsProgressWhileTheSpinIsFollowed)
+TEST(SpinStudy, ReportsProgressDuringTheSpinUp)
 {
   struct Listener : Progress
   {
@@ -108,7 +108,7 @@ TEST(SpinStudy, TellsItsProgressWhileTheSpinIsFollowed)
   EXPECT_THROW(followed(), std::domain_error);
 }
 
-/// rich_load() up to @p last [rad/s], beyond which it tips.
+/// rich_load() up to @p last [rad/s], tipping above.
 BalancedLoad tipping_beyond(double last)
 {
   const auto load = [last](double omega) -> ring::Sample
@@ -120,10 +120,9 @@ BalancedLoad tipping_beyond(double last)
   return { ring::Load(load), report_of(rich_load()) };
 }
 
-// Upright, led at the height of its centre of mass, with friction that falls with the slip: rest is a
-// balance, and the least disturbance grows. Reference: the same glass with the hand 1e-6 m lower, which
-// starts.
-TEST(SpinStudy, SaysThatARestIsUnstable)
+// With the hand at the centre of mass and friction that decreases with the slip, rest is an unstable balance.
+// Reference: the same glass with the hand 1e-6 m lower spins up.
+TEST(SpinStudy, ReportsUnstableRest)
 {
   Study study = test::mat_study();
   study.load.source = LoadSource::first_harmonic;
@@ -145,9 +144,9 @@ TEST(SpinStudy, SaysThatARestIsUnstable)
   EXPECT_NEAR(started, -2.4364, 1e-4);
 }
 
-// A load that is the same up to the fall: the moment ratio follows from its first harmonic, the time of the
-// fall from dt = I d omega / tau(omega), by Simpson's rule.
-TEST(SpinStudy, AGlassThatFallsOverOnTheWay)
+// Constant load up to tipping. The moment ratio follows from the first harmonic, the time of tipping from
+// dt = I d omega / tau(omega) by Simpson's rule.
+TEST(SpinStudy, ReportsTippingDuringTheSpinUp)
 {
   const Study study = study_of_given_load();
   const ring::Motion &motion = study.motion.orbit;
@@ -188,9 +187,9 @@ TEST(SpinStudy, AGlassThatFallsOverOnTheWay)
   EXPECT_GT(*most, 0);
 }
 
-TEST(Answer, SaysWhyThereIsNone)
+TEST(Answer, GivesTheReasonWithoutATerminalSpin)
 {
-  // A load model that tips, one without a balance, and a torque that keeps its sign.
+  // Tipping, no balance, and a torque without a zero.
   const auto refusing = [](auto failure)
   {
     return ring::Load(
@@ -210,9 +209,9 @@ TEST(Answer, SaysWhyThereIsNone)
   const ring::Answer none = ring::answer(refusing(ring::NoBalance("none")), question);
   EXPECT_EQ(none.status, ring::Status::no_balance);
   EXPECT_THAT(none.reason, testing::HasSubstr("none"));
-  // A fault of the program is no property of the load.
+  // Program errors are not answers.
   EXPECT_THROW(ring::answer(refusing(std::runtime_error("a fault")), question), std::runtime_error);
-  // A first harmonic whose moment grows faster than K_1 falls off, like eps^-3, drives the ring for ever.
+  // A moment that grows faster than K_1 decreases, like eps^-3, gives a torque without a zero.
   const auto with_ratio = [](double m) {
     return ring::RingStack::first_harmonic(2.943, { m * 2.943 * 0.03 / 2, 0 }, 0.03);
   };

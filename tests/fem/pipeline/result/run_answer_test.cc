@@ -5,8 +5,8 @@
 #include "fem/pipeline/result/run_answer.h"
 #include "fem/pipeline/result/sentences.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
+#include "tests/fem/pipeline/analysis/solved_run.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
-#include "tests/fem/pipeline/result/hand_made_studies.h"
 
 #include <gtest/gtest.h>
 
@@ -19,16 +19,26 @@ namespace
 
 using namespace test;
 
-/// A study of two rows with a budget and bands.
-struct SpunStudy : RunByHand
+/// Answer with the terminal spin @p omega [rad/s].
+ring::Answer answer_with(unsigned int harmonics, double omega)
+{
+  ring::Answer row;
+  row.harmonics = harmonics;
+  row.at_rest = row.at_terminal = ring::RingState{ {}, ring::RingStack({ 0.5, 0.1 }, { 0, 0.2 }, 0.03) };
+  row.at_rest->moment_ratio = 1.2;
+  row.at_rest->friction.torque = -1e-3;
+  row.terminal = ring::TerminalSpin{ omega, -1e-3, 0.3, true };
+  row.status = ring::Status::lift_off;
+  row.relative_change = 0;
+  return row;
+}
+
+/// A default study with two answers, a budget and the band of its terminal spin.
+struct SpunStudy
 {
   SpunStudy()
   {
-    Numbers next;
-    study = Study();
-    spin.budget = Budget();
-    spin.rows = { hand_made_row(next, 1), hand_made_row(next, 2) };
-    spin.rows.back().terminal->omega = -3.25;
+    spin.rows = { answer_with(1, -3.4), answer_with(2, -3.25) };
     spin.budget.rows = { { { 1 }, "paper", 1, -3. },
                          { { 2 }, "moment balance", 1, -3.5, -0.5 },
                          { { 3 }, "where the foot touches", 1, -3.4, 0.1 },
@@ -38,10 +48,14 @@ struct SpunStudy : RunByHand
                             { "grip", -3.3, -0.05, "" },
                             { "compliance of the interface", {}, {}, "not defined" } };
     spin.budget.inputs = { { "0.05 more friction", 0.0801 } };
-    bands.back() = { { "omega_terminal", "terminal spin", "rad/s", -3.25, 1e-9 }, 0.00123, -3.25 };
+    bands = { { { "omega_terminal", "terminal spin", "rad/s", -3.25, 1e-9 }, 0.00123, -3.25 } };
   }
 
   std::string answer() const { return run_answer(study, spin, bands); }
+
+  Study study;
+  SpinStudy spin;
+  ErrorBands bands;
 };
 
 void expect_all(const std::string &text, const std::vector<std::string> &numbers)
@@ -50,9 +64,9 @@ void expect_all(const std::string &text, const std::vector<std::string> &numbers
     EXPECT_NE(text.find(number), std::string::npos) << number << " in " << text;
 }
 
-TEST(RunAnswer, HasTheNumbersOfItsRows)
+TEST(RunAnswer, HasTheNumbersOfTheAnalysis)
 {
-  // A turn takes 2 pi over the spin; the largest step is from -3 to -3.5 rad/s.
+  // One turn takes 2 pi / omega. The largest step of the budget is from -3 to -3.5 rad/s.
   expect_all(SpunStudy().answer(), { " 1.93 s", " 2.09 s", "-3.250 rad/s (± 1.3e-03 rad/s by", "-3.000 rad/s",
                                      "0.05 more friction by +0.08 rad/s", "4.41 % slower", "+0.15 rad/s",
                                      "-0.5 rad/s (16.7 % faster)" });
@@ -68,9 +82,9 @@ TEST(RunAnswer, HasTheNumbersOfItsRows)
   expect_all(falling.answer(), { "9.12 rad/s", "1.68", "1.432", "-0.001234 N m", "2.09 s" });
 }
 
-TEST(RunAnswer, SentenceAndTableSayTheSameAtEverySpeed)
+TEST(RunAnswer, SentenceAndTableAgreeAtEverySpeed)
 {
-  // The moment goes like v^2, so does the spin over v / R: at 0.1 mm/s it is 8e-9 of that.
+  // The moment and the slip ratio are proportional to v^2: at 0.1 mm/s the slip ratio is 8e-9.
   Study study = quick_contact_study();
   std::optional<double> usual;
   for (const double speed : { 1e-2, 1e-4 })
@@ -85,16 +99,16 @@ TEST(RunAnswer, SentenceAndTableSayTheSameAtEverySpeed)
     usual = effect.relative;
     const std::string sentence = harmonic_effect_sentence(study, effect);
     EXPECT_NE(sentence.find("% slower ("), std::string::npos) << sentence;
-    EXPECT_TRUE(is_spin(study, *effect.absolute)); // the table shows it too
+    EXPECT_TRUE(is_spin(study, *effect.absolute)); // shown by the table
     EXPECT_TRUE(is_spin(study, value("omega_terminal")));
   }
-  // Below rounding there is no per cent, and the sentence says how little.
+  // A change below rounding has an upper bound instead of a percentage.
   const HarmonicEffect none = harmonic_effect(-1e-11, -1e-11 - 1e-19, spin_scale(study));
   const std::string nothing = harmonic_effect_sentence(study, none);
   EXPECT_NE(nothing.find("less than 3.3e-18 rad/s."), std::string::npos) << nothing;
 }
 
-TEST(RunAnswer, NoPerCentWhereTheSpinChangesItsSign)
+TEST(RunAnswer, HasNoPercentageIfTheSpinChangesSign)
 {
   SpunStudy turned;
   turned.spin.budget.rows[1].omega_terminal = 3.5;
@@ -105,7 +119,7 @@ TEST(RunAnswer, NoPerCentWhereTheSpinChangesItsSign)
   EXPECT_NE(turned.answer().find("\"moment balance\": +6.5 rad/s."), std::string::npos) << turned.answer();
 }
 
-TEST(RunAnswer, SenseIsSeenFromAboveAndComparedWithTheOrbit)
+TEST(RunAnswer, StatesTheSenseOfTheSpin)
 {
   SpunStudy spun;
   const auto begins = [&](double omega, ring::OrbitSense sense)
@@ -123,7 +137,7 @@ TEST(RunAnswer, SenseIsSeenFromAboveAndComparedWithTheOrbit)
   EXPECT_EQ(begins(2, OrbitSense::clockwise), "counter-clockwise, against its orbit");
 }
 
-TEST(RunAnswer, AGlassThatDoesNotSpinHasNoPercentages)
+TEST(RunAnswer, HasNoPercentageWithoutASpin)
 {
   SpunStudy resting;
   resting.spin.rows.back().terminal->omega = 1e-13;
@@ -131,9 +145,9 @@ TEST(RunAnswer, AGlassThatDoesNotSpinHasNoPercentages)
   expect_all(resting.answer(), { "not spin" });
 }
 
-TEST(RunAnswer, PrintedBandsContainTheWholeBand)
+TEST(RunAnswer, PrintedBandsContainTheBand)
 {
-  // Value and band are rounded: what is printed must contain value -/+ band.
+  // Value and band are rounded such that the printed interval contains value -/+ band.
   for (const double band : { 0.00123, 0.000996, 9.99e-5, 0.12, 3. })
     for (const double value : { -3.2549, -3.25451, 1.000049 })
     {
@@ -145,20 +159,16 @@ TEST(RunAnswer, PrintedBandsContainTheWholeBand)
     }
 }
 
-TEST(Remarks, ALayerThickerThanTheContactIsNoWinklerInterface)
+TEST(Remarks, WarnOfALayerThickerThanTheContact)
 {
-  RunByHand run;
-  run.study.table.interface = TableInterface::winkler;
-  run.study.table.substrate = TableSubstrate::rigid;
+  SolvedRun run(quick_contact_study());
   const auto remark = [&](double half_width)
   {
     run.report.load.inner_radius = 0.03 - half_width;
     run.report.load.outer_radius = 0.03 + half_width;
-    return make_document(run.study, run.report, run.spin, run.bands)
-             .console.front()
-             .text.find("(Table/Layer thickness)") != std::string::npos;
+    return run.results().console.front().text.find("(Table/Layer thickness)") != std::string::npos;
   };
-  EXPECT_FALSE(remark(2e-4)); // no layer is named
+  EXPECT_FALSE(remark(2e-4)); // no layer thickness is given
   run.study.table.layer_thickness = 5e-3;
   EXPECT_TRUE(remark(2e-4));
   EXPECT_FALSE(remark(6e-3));
@@ -166,16 +176,16 @@ TEST(Remarks, ALayerThickerThanTheContactIsNoWinklerInterface)
   EXPECT_FALSE(remark(2e-4));
 }
 
-TEST(Remarks, ScatterOfAProfileIsInNoBand)
+TEST(Remarks, NameTheScatterOfAProfile)
 {
-  RunByHand run;
-  const auto answer = [&] { return profile_remark(run.study); };
+  Study study;
+  const auto answer = [&] { return profile_remark(study); };
   const std::string page = "docs/cookbooks/own_profile.md";
   EXPECT_EQ(answer().find(page), std::string::npos);
-  run.study.glass.rim_circle = fem::RimCircle{ 0.03, 0.003, 19e-6, 10 };
+  study.glass.rim_circle = fem::RimCircle{ 0.03, 0.003, 19e-6, 10 };
   EXPECT_NE(answer().find("19 µm rms"), std::string::npos) << answer();
   EXPECT_NE(answer().find(page), std::string::npos) << answer();
-  run.study.glass.rim_circle->rms_distance = 1e-11; // rounding
+  study.glass.rim_circle->rms_distance = 1e-11; // rounding
   EXPECT_EQ(answer().find(page), std::string::npos);
 }
 

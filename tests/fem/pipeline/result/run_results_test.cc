@@ -1,167 +1,257 @@
-// The results of `run` from a study made by hand, whose numbers are all different: each heading, unit and
-// digit of every table stands beside the values that belong there.
+// Files and summaries of results against the analysis of a solved study.
+#include "fem/pipeline/analysis/ring_quantities.h"
 #include "fem/pipeline/result/run_results.h"
-#include "tests/fem/pipeline/result/hand_made_studies.h"
+#include "fem/pipeline/result/table_renderers.h"
+#include "fem/pipeline/result/truncation_results.h"
+#include "tests/fem/pipeline/analysis/quick_studies.h"
+#include "tests/fem/pipeline/analysis/solved_run.h"
+#include "tests/fem/pipeline/csv_table.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
 
 namespace stemware::pipeline
 {
 namespace
 {
 
-using namespace test;
+using test::CsvTable;
+using test::SolvedRun;
 
-TEST(RunByHand, Truncations)
+/// Solved once. Tests change copies of its parts.
+const SolvedRun &solved_run()
 {
-  const Results results = made_run();
-  EXPECT_EQ(file_lines(results, "truncation.csv"),
-            R"(harmonics (1): 1 | 2
-tau_z at rest (N m): 1.4601234567 | 1.8301234567
-change of tau_z at half the terminal spin (N m): 0 | 0.25
-change of tau_z at half the terminal spin over |tau_z| at rest (1): 0 | 0.125
-change of tau_z at the terminal spin (N m): 0 | 0.375
-change of tau_z at the terminal spin over |tau_z| at rest (1): 0 | 0.1875
-largest change of tau_z from rest to the terminal spin (N m): 0 | 0.5
-omega of the largest change (rad/s): 0 | -3
-tau_z of all harmonics minus tau_z(n) at half the terminal spin (N m): 0.25 | 0
-a-priori bound on that rest at half the terminal spin (N m): 0.3125 | 0
-tau_z of all harmonics minus tau_z(n) at the terminal spin (N m): 0.375 | 0
-a-priori bound on the rest of tau_z at the terminal spin (N m): 0.4375 | 0
-terminal omega (rad/s): -1.5201234567 | -1.8901234567
-relative change of terminal omega to all harmonics, nan where that is 0 (1): 0.017101234567000002 | 0.020801234567
-minimum of the load at rest (N/rad): -1.5001234567 | -1.8701234567
-)");
+  static const SolvedRun run(test::quick_contact_study());
+  return run;
 }
 
-TEST(RunByHand, EffectOnTheTorque)
+/// The results file @p name. Throws std::out_of_range if it does not exist.
+CsvTable file_of(const Results &results, const std::string &name)
 {
-  const Results results = made_run();
-  EXPECT_EQ(results.findings.summary["torque_effect"].dump(),
-            R"({"half":0.25,"half_relative":0.125,"terminal":0.375,"terminal_relative":0.1875,"largest":0.5,)"
-            R"("largest_relative":0.25,"largest_at":-3.0})");
-  EXPECT_EQ(results.findings.summary["truncation"][0]["torque_rest"].dump(),
-            R"({"half":0.25,"terminal":0.375})");
+  for (const ResultFile &file : results.files)
+    if (file.name == name)
+      return CsvTable(csv_table(std::get<Table>(file.content)));
+  throw std::out_of_range("no file " + name);
 }
 
-TEST(RunByHand, OneRing)
+TEST(RunResults, TruncationFileHasTheRowsOfTheAnalysis)
 {
-  RunByHand by_hand;
-  Numbers next;
-  by_hand.spin.one_ring = hand_made_row(next, 2);
-  const Results results = make_document(by_hand.study, by_hand.report, by_hand.spin, {});
-  EXPECT_EQ(
-    results.findings.summary["one_ring"].dump(),
-    R"({"tau_at_rest":1.0701234567,"omega_terminal":-1.1301234567,"relative_change":0.013201234567})");
-  EXPECT_EQ(results.findings.summary["truncation"].size(), 2u);
-  EXPECT_TRUE(made_run().findings.summary["one_ring"].is_null());
+  const SpinStudy &spin = solved_run().spin;
+  const CsvTable table = file_of(solved_run().results(), "truncation.csv");
+  ASSERT_EQ(table.n_rows(), spin.rows.size());
+  ASSERT_EQ(spin.torque_effects.rows.size(), spin.rows.size());
+  for (std::size_t i = 0; i < spin.rows.size(); ++i)
+  {
+    const ring::Answer &row = spin.rows[i];
+    const ring::TorqueEffect &effect = spin.torque_effects.rows[i];
+    EXPECT_EQ(table.number(i, "harmonics (1)"), row.harmonics);
+    EXPECT_EQ(table.number(i, "tau_z at rest (N m)"), row.at_rest->friction.torque);
+    EXPECT_EQ(table.number(i, "terminal omega (rad/s)"), row.omega_terminal());
+    EXPECT_EQ(table.number(i, "minimum of the load at rest (N/rad)"), row.at_rest->minimum);
+    EXPECT_EQ(table.number(i, "change of tau_z at half the terminal spin (N m)"), effect.half->change);
+    EXPECT_EQ(table.number(i, "change of tau_z at the terminal spin (N m)"), effect.terminal->change);
+    EXPECT_EQ(table.number(i, "largest change of tau_z from rest to the terminal spin (N m)"),
+              effect.largest);
+    EXPECT_EQ(table.number(i, "omega of the largest change (rad/s)"), effect.largest_at);
+  }
 }
 
-TEST(RunByHand, NoLiftOffIsDecidedByTheLoadItself)
+TEST(RunResults, ContactFilesHaveTheNumbersOfTheContact)
 {
-  RunByHand by_hand;
+  const Results results = solved_run().results();
+  const FootReport &foot = *solved_run().report.foot;
+  const CsvTable history = file_of(results, "contact_history.csv");
+  ASSERT_EQ(history.n_rows(), foot.at_rest.history.size());
+  for (std::size_t i = 0; i < history.n_rows(); ++i)
+  {
+    const fem::ContactIteration &step = foot.at_rest.history[i];
+    EXPECT_EQ(history.number(i, "step (1)"), step.number);
+    EXPECT_EQ(history.number(i, "loaded places (1)"), step.n_loaded);
+    EXPECT_EQ(history.number(i, "changed places (1)"), step.n_changed);
+    EXPECT_EQ(history.number(i, "relative imbalance of forces (1)"), step.residual);
+    EXPECT_EQ(history.number(i, "share of the step taken (1)"), step.step_length);
+  }
+  const CsvTable footprint = file_of(results, "footprint.csv");
+  std::size_t row = 0;
+  for (const auto &cut : foot.footprint.cuts)
+    for (const fem::PressurePoint &point : cut)
+    {
+      EXPECT_EQ(footprint.number(row, "r (m)"), point.radius);
+      EXPECT_EQ(footprint.number(row, "theta (rad)"), point.azimuth);
+      EXPECT_EQ(footprint.number(row++, "pressure (Pa)"), point.pressure);
+    }
+  EXPECT_EQ(footprint.n_rows(), row);
+}
+
+TEST(RunResults, RingsFileHasEveryCoefficientOfEveryRing)
+{
+  const ring::RingStack &load = solved_run().report.load.rings;
+  const CsvTable table = file_of(solved_run().results(), "rings.csv");
+  std::size_t row = 0;
+  for (std::size_t j = 0; j < load.rings().size(); ++j)
+    for (std::size_t n = 0; n <= load.n_harmonics(); ++n, ++row)
+    {
+      EXPECT_EQ(table.number(row, "ring j (1)"), static_cast<double>(j + 1));
+      EXPECT_EQ(table.number(row, "n (1)"), static_cast<double>(n));
+      EXPECT_EQ(table.number(row, "r_j (m)"), load.radii()[j]);
+      EXPECT_EQ(table.number(row, "a_n (N/rad)"), load.rings()[j].a[n]);
+      EXPECT_EQ(table.number(row, "b_n (N/rad)"), load.rings()[j].b[n]);
+    }
+  EXPECT_EQ(table.n_rows(), row);
+}
+
+TEST(RunResults, SummaryHasTheBudgetOfTheAnalysis)
+{
+  const Budget &budget = solved_run().spin.budget;
+  const Json summary = solved_run().summary(), &rows = summary["budget"], &without = summary["without"];
+  ASSERT_EQ(rows.size(), budget.rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    const BudgetRow &row = budget.rows[i];
+    EXPECT_EQ(rows[i]["step"], label_of(row.step));
+    EXPECT_EQ(rows[i]["name"], row.name);
+    EXPECT_EQ(rows[i]["omega_terminal"], row.omega_terminal.value());
+    EXPECT_EQ(rows[i]["difference"], row.difference ? Json(*row.difference) : Json());
+    EXPECT_EQ(rows[i]["band"], row.band ? Json(*row.band) : Json());
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(rows[i]["torques"][k], row.torques[k].value());
+    EXPECT_EQ(rows[i]["state"], to_string(row.status));
+  }
+  ASSERT_EQ(without.size(), budget.without.size());
+  for (std::size_t i = 0; i < without.size(); ++i)
+    EXPECT_EQ(without[i]["omega_terminal"], budget.without[i].omega_terminal.value());
+  EXPECT_EQ(summary["harmonic_effect"]["relative"], budget.harmonics.relative.value());
+  EXPECT_EQ(summary["torque_effect"]["largest"],
+            solved_run().spin.torque_effects.rows.back().largest.value());
+}
+
+TEST(RunResults, TorqueAtRestHasItsClosedForm)
+{
+  // tau_z(0) = mu M_Nx.
+  const SolvedRun &run = solved_run();
+  EXPECT_NEAR(run.summary()["ring"]["tau_closed_form"].get<double>(),
+              run.study.motion.orbit.friction_coefficient * run.report.load.moment.x(), 1e-12);
+}
+
+TEST(RunResults, NoLiftOffIsDecidedByTheLoad)
+{
+  const SolvedRun &run = solved_run();
+  ContactReport report = run.report;
   const auto decided = [&]
   {
-    return make_document(by_hand.study, by_hand.report, by_hand.spin, {})
-      .findings.summary["ring"]["no_lift_off"]
-      .get<bool>();
+    return make_document(run.study, report, run.spin, {}).findings.summary["ring"]["no_lift_off"].get<bool>();
   };
-  for (LoadReport *load : { &by_hand.report.load, &by_hand.report.load_at_end })
+  for (LoadReport *load : { &report.load, &report.load_at_end })
   {
     load->contact_fraction = 1;
     load->minimum = 0.1;
-    load->moment_ratio = 0.9;
   }
   EXPECT_TRUE(decided());
-  by_hand.report.load.minimum = -1e-3; // it pulls, whatever its moment ratio
+  report.load.minimum = -1e-3; // tensile
   EXPECT_FALSE(decided());
-  by_hand.report.load.minimum = 0;
+  report.load.minimum = 0;
   EXPECT_TRUE(decided());
-  by_hand.report.load_at_end.contact_fraction = 0.99;
+  report.load_at_end.contact_fraction = 0.99;
   EXPECT_FALSE(decided());
 }
 
-TEST(RunByHand, Contact)
+TEST(RunResults, WithoutAContactHaveNoContactFiles)
 {
-  const Results results = made_run();
-  EXPECT_EQ(file_lines(results, "contact_history.csv"), R"(step (1): 1 | 2
-loaded places (1): 201 | 204
-changed places (1): 202 | 205
-relative imbalance of forces (1): 1.3001234567 | 1.3201234567
-share of the step taken (1): 1.3101234567 | 1.3301234567
-iterations of the linear solver (1): 203 | 206
-)");
-  EXPECT_EQ(file_text(results, "footprint.csv"), "r (m),theta (rad),pressure (Pa)\r\n"
-                                                 "1.3401234567,0.25,1.3501234567\r\n"
-                                                 "1.3601234567,0.25,1.3701234567\r\n");
-}
-
-TEST(RunByHand, RingOfTheSummary)
-{
-  // Closed form of the mean over the phases, as the torque beside it: mu pi r b_1 = 0.3
-  // pi 1.8201234567 1.7901234567, not mu times the moment 1.1401234567 at the phase of t = 0.
-  const Results results = made_run();
-  EXPECT_EQ(results.findings.summary["ring"].dump(1), R"({
- "omega_terminal": -1.8901234567,
- "tau_at_rest": 1.8301234567,
- "lean_torque_at_rest": 0.0,
- "fall": null,
- "tau_at_terminal": 1.9801234567,
- "lean_torque_at_terminal": 0.0,
- "grip_torque_at_terminal": 0.0,
- "time_constant": 1.9101234567,
- "force_at_terminal": [
-  1.9901234567,
-  2.0001234567
- ],
- "moment_ratio_at_terminal": 2.0101234567,
- "tau_closed_form": 3.0708242206909597,
- "standing": "lift-off",
- "terminal_spins": [],
- "driven": null,
- "no_lift_off": false,
- "tilt_at_terminal": [
-  2.7301234567,
-  2.7401234567
- ],
- "phase_dependent": true,
- "spin_ripple": 2.3201234567
-})");
-}
-
-TEST(RunByHand, ErrorBands)
-{
-  const Results results = made_run();
-  EXPECT_EQ(
-    results.findings.summary["error_bands"]["omega_terminal"].dump(),
-    R"({"value":2.4901234567,"band":0.0025001234567,"parts":{"mesh":0.00031901234567,"degree":null,)"
-    R"("harmonics":null,"lines":null,"interface":null,"load_harmonics":null,"rings":0.00032001234567,)"
-    R"("interpolation":null,"solver":null},"unit":"rad/s"})");
-}
-
-TEST(RunByHand, Rings)
-{
-  const Results results = made_run();
-  EXPECT_EQ(file_lines(results, "rings.csv"),
-            R"(ring j (1): 1 | 1 | 1 | 2 | 2 | 2
-r_j (m): 1.0101234567 | 1.0101234567 | 1.0101234567 | 1.0701234567 | 1.0701234567 | 1.0701234567
-n (1): 0 | 1 | 2 | 0 | 1 | 2
-a_n (N/rad): 1.0201234567 | 1.0301234567 | 1.0501234567 | 1.0801234567 | 1.0901234567 | 1.1101234567
-b_n (N/rad): 0 | 1.0401234567 | 1.0601234567 | 0 | 1.1001234567 | 1.1201234567
-)");
-}
-
-TEST(RunByHand, WithoutAContactThereIsNothingAboutOne)
-{
-  const RunByHand by_hand;
-  ContactReport report = by_hand.report;
+  const SolvedRun &run = solved_run();
+  ContactReport report = run.report;
   report.foot.reset();
   report.coupling.reset();
-  const Results without = make_document(by_hand.study, report, by_hand.spin, {});
+  const Results without = make_document(run.study, report, run.spin, {});
   for (const char *key : { "contact", "coupling" })
     EXPECT_TRUE(without.findings.summary[key].is_null()) << key;
-  EXPECT_THROW(file_text(without, "contact_history.csv"), std::out_of_range);
+  EXPECT_THROW(file_of(without, "contact_history.csv"), std::out_of_range);
   EXPECT_FALSE(without.tables.contains("contact"));
+}
+
+TEST(RunResults, SummaryHasTheGoalOfTheMesh)
+{
+  const SolvedRun &run = solved_run();
+  Study study = run.study;
+  study.contact.goal = Goal::terminal_spin;
+  study.contact.goal_tolerance = 2e-5;
+  GoalOutcome outcome;
+  outcome.value = -3.5;
+  outcome.estimated_error = 3e-5;
+  outcome.n_meshes = 4;
+  outcome.n_cells = 1000;
+  ErrorBands bands = run.bands;
+  bands[index_of(bands, "omega_terminal")].parts["mesh"] = 6e-5;
+  const Json goal = make_document(study, run.report, run.spin, bands, outcome).findings.summary["goal"];
+  EXPECT_EQ(goal["name"], "terminal spin");
+  EXPECT_EQ(goal["value"], -3.5);
+  EXPECT_EQ(goal["estimated_error"], 3e-5);
+  EXPECT_EQ(goal["band_of_mesh"], 6e-5);
+  EXPECT_EQ(goal["tolerance"], 2e-5);
+  EXPECT_EQ(goal["meshes"], 4);
+  EXPECT_EQ(goal["cells"], 1000);
+  EXPECT_FALSE(run.summary().contains("goal"));
+}
+
+TEST(TruncationResults, CountTheHarmonicsForATolerance)
+{
+  const SolvedRun &run = solved_run();
+  std::vector<ring::Answer> rows(run.spin.rows.end() - 3, run.spin.rows.end());
+  ring::TorqueEffects effects = run.spin.torque_effects;
+  effects.rows.assign(effects.rows.end() - 3, effects.rows.end());
+  rows[0].relative_change = 2e-2;
+  rows[1] = {};
+  rows[1].harmonics = effects.rows[1].harmonics;
+  rows[1].reason = "No balance of moments was found";
+  rows[2].relative_change = 0;
+  const Results results = make_truncation_document(run.study, run.report.load, rows, effects);
+  EXPECT_EQ(results.findings.key_figures["harmonics_for_1e-4"], rows[2].harmonics);
+  EXPECT_EQ(results.findings.summary["truncation"][1]["message"], rows[1].reason);
+}
+
+const std::vector<BudgetRow> budget_rows = { { { 1 }, "paper", 1, -3. },
+                                             { { 3 }, "where the foot touches", 1, -3.4, -0.4 },
+                                             { { 4 }, "harmonics", 2, -3.2, 0.2 },
+                                             { { 5 }, "harmonics", 3, -3.3, -0.1 },
+                                             { { 6 }, "harmonics", {}, -3.25, 0.05 } };
+
+TEST(BudgetTable, OmitsHarmonicsWithoutEffect)
+{
+  std::vector<BudgetRow> rows = budget_rows;
+  rows[3].difference = 1e-13;
+  const std::vector<BudgetRow> shown = shown_chain(rows, 1e-9);
+  ASSERT_EQ(shown.size(), rows.size() - 1);
+  // Differences refer to the previous row of the table.
+  EXPECT_NEAR(shown.back().difference.value(), -3.25 + 3.2, 1e-14);
+  rows.back().difference = 0; // the complete model is always shown
+  EXPECT_EQ(shown_chain(rows, 1e-9).size(), rows.size() - 1);
+}
+
+TEST(BudgetTable, HasNoPercentagesOfAGlassAtRest)
+{
+  std::vector<BudgetRow> rows = budget_rows;
+  rows[0].omega_terminal = 0;
+  rows[1].difference = rows[1].omega_terminal;
+  const Table table = chain_fields().table(rows, Face::page);
+  const auto column =
+    std::find_if(table.columns.begin(), table.columns.end(),
+                 [](const Column &one) { return one.quantity.key == "relative_difference"; });
+  ASSERT_NE(column, table.columns.end());
+  EXPECT_TRUE(column->cells[0].is_null());
+  EXPECT_TRUE(column->cells[1].is_null());
+  EXPECT_FALSE(column->cells[2].is_null());
+}
+
+TEST(BudgetTable, NamedStepsCombineAllHarmonics)
+{
+  const std::vector<BudgetRow> rows = named_steps(budget_rows);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(title_of(rows[2]), "harmonics, all");
+  EXPECT_NEAR(rows[2].difference.value(), -3.25 + 3.4, 1e-14);
+  std::vector<BudgetRow> with_a_failure = budget_rows;
+  with_a_failure[2].difference.reset();
+  EXPECT_FALSE(named_steps(with_a_failure).back().difference);
 }
 
 } // namespace

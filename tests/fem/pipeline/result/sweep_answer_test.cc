@@ -1,4 +1,4 @@
-// The answer of a sweep from results made by hand.
+// The answer of a sweep from given case results.
 #include "fem/pipeline/analysis/case_list.h"
 #include "fem/pipeline/analysis/sweep_case.h"
 #include "fem/pipeline/result/answers.h"
@@ -10,7 +10,7 @@ namespace stemware::test
 namespace
 {
 
-TEST(SweepAnswer, NamesNoCaseWhereAllCasesHaveTheSameValue)
+TEST(SweepAnswer, NamesNoCaseIfAllCasesAreEqual)
 {
   const pipeline::CaseList list = pipeline::cases_of_grid({ "Motion/Mass=0.2,0.3" });
   const auto solved = [](double spin, double torque)

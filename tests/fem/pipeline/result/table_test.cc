@@ -1,4 +1,4 @@
-// One table in its forms: every kind of cell, what does not exist, and who sees which digits.
+// Data file, CSV, console and page formats of one table with every kind of cell.
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/result/number_format.h"
 #include "fem/pipeline/result/schema.h"
@@ -32,7 +32,7 @@ struct Everything
 const std::vector<Everything> rows = { { "a, \"b\"", 100000, -1.23456789, 0.25, true, { 1.5, 3.5 } },
                                        { "c < d", 7, 1e-15, std::nullopt, false, { 2.5, 4.5 } } };
 
-/// All of them, for each face.
+/// All fields, for each format.
 Fields<Everything> all_fields()
 {
   return Fields<Everything>{
@@ -48,7 +48,7 @@ Fields<Everything> all_fields()
   };
 }
 
-TEST(Table, AsDataTable)
+TEST(Table, PrintsAsADataTable)
 {
   Table table = all_fields().table(rows, Face::file, "Numbers");
   table.columns.erase(table.columns.begin());
@@ -64,14 +64,14 @@ TEST(Table, AsDataTable)
 )");
 }
 
-TEST(Table, AsCsv)
+TEST(Table, PrintsAsCsv)
 {
   EXPECT_EQ(csv_table(all_fields().table(rows, Face::file)),
             "who,cells (1),terminal omega (rad/s),half (rad/s),pulls,at 1 (s),at 2 (s)\r\n"
             "\"a, \"\"b\"\"\",100000,-1.23456789,0.25,1,1.5,3.5\r\nc < d,7,1e-15,,0,2.5,4.5\r\n");
 }
 
-TEST(Table, OnTheConsole)
+TEST(Table, PrintsOnTheConsole)
 {
   std::vector<Everything> shown = rows;
   shown[1].spin = 0;
@@ -95,7 +95,7 @@ Table texts(const std::vector<std::pair<std::string, Json>> &cells)
   return table;
 }
 
-TEST(Table, ConsoleCountsLettersNotBytes)
+TEST(Table, ConsoleWidthCountsCharacters)
 {
   EXPECT_EQ(console_table(texts({ { "τ", 1 }, { "ω", 10 } })), "  τ   ω\n  1  10\n");
 }
@@ -105,7 +105,7 @@ TEST(Table, CsvQuotesLineEnds)
   EXPECT_EQ(csv_table(texts({ { "a", "two\nlines" }, { "b", "" } })), "a,b\r\n\"two\nlines\",\r\n");
 }
 
-TEST(Table, TooWideForTheConsoleGoesOnBelow)
+TEST(Table, WrapsWideTablesOnTheConsole)
 {
   const auto wide = [](char letter) { return Json(std::string(40, letter)); };
   const std::string blanks(39, ' ');
@@ -114,19 +114,19 @@ TEST(Table, TooWideForTheConsoleGoesOnBelow)
               "\n\n  n  c\n  1  " + std::string(40, 'c') + "\n");
 }
 
-TEST(Table, OneRowAsAList)
+TEST(Table, ShowsOneRowAsAList)
 {
   const Table list = as_list(all_fields().table({ rows[0] }, Face::page));
   EXPECT_EQ(Json(list.columns[0].cells).dump(), R"=(["who","ω_∞ (rad/s)","first (s)"])=");
   EXPECT_EQ(Json(list.columns[1].cells).dump(), R"(["a, \"b\"","-1.2346","1.5"])");
 }
 
-TEST(Table, ANumberThatIsNotFiniteIsNoneForPeople)
+TEST(Table, ConsoleShowsADashForNonFiniteNumbers)
 {
   EXPECT_EQ(console_table(texts({ { "x", nothing } })), "  x\n  -\n");
 }
 
-TEST(Quantities, WithADescriptionAreInTheSummaryWithTheirTypes)
+TEST(Quantities, WithADescriptionAreInTheSummary)
 {
   EXPECT_EQ(all_fields().json(rows[1]).dump(), R"({"who":"c < d","spin":1e-15,"half":null,"at":[2.5,4.5]})");
   const Json schema = all_fields().schema();
@@ -136,7 +136,7 @@ TEST(Quantities, WithADescriptionAreInTheSummaryWithTheirTypes)
   EXPECT_EQ(schema["required"].dump(), R"(["who","spin","half","at"])");
 }
 
-TEST(Quantities, OfAPartAreItsMembersOrNull)
+TEST(Quantities, OfAMissingPartAreNull)
 {
   using Row = std::optional<Everything>;
   const auto all_rows = [](const Row &row) { return row ? &rows : nullptr; };
@@ -151,7 +151,7 @@ TEST(Quantities, OfAPartAreItsMembersOrNull)
   EXPECT_EQ(fields.schema()["required"].dump(), R"(["part","all"])");
 }
 
-TEST(Quantities, TheSchemaOfTheSummaryIsTheCommittedOne)
+TEST(Quantities, GiveTheCommittedSchema)
 {
   const std::string written = "summary.schema.json", schema = summary_schema();
   if (schema == test::read_text(STEMWARE_SCHEMA))
@@ -168,7 +168,7 @@ TEST(NumberFormat, BandsAreRoundedUp)
   EXPECT_EQ(format::number(0, "band"), "0");
 }
 
-TEST(NumberFormat, ANumberThatDoesNotExistIsADash)
+TEST(NumberFormat, NonFiniteNumbersAreADash)
 {
   const double infinite = std::numeric_limits<double>::infinity();
   for (const double none : { std::nan(""), -std::nan(""), infinite, -infinite })
@@ -177,12 +177,12 @@ TEST(NumberFormat, ANumberThatDoesNotExistIsADash)
       EXPECT_EQ(format::number(none, digits), "–") << digits;
   }
   EXPECT_EQ(format::number(-std::nan(""), "band"), "–");
-  // Data files and pictures have one spelling.
+  // Data files and figures.
   EXPECT_EQ(to_text(-std::nan("")), "nan");
   EXPECT_EQ(to_short_text(-std::nan("")), "nan");
 }
 
-TEST(NumberFormat, DigitsOfPeople)
+TEST(NumberFormat, FormatsDigits)
 {
   EXPECT_EQ(format::number(-3.1290926, ".6g"), "-3.12909");
   EXPECT_EQ(format::number(-3.12, "#.6g"), "-3.12000");
