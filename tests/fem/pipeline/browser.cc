@@ -84,7 +84,7 @@ std::string hostile_text()
 
 nlohmann::json found_in_browser(const ScratchFolder &scratch, const std::string &script, bool forbids)
 {
-  // The page is not loaded before the script has ended: a frame in it that nobody closes holds it open.
+  // An open frame delays the load event until the script has ended.
   const std::string page =
     R"(<!DOCTYPE html><meta charset="utf-8"><link rel="icon" href="data:,"><body><script>
 const holder = document.createElement("iframe");

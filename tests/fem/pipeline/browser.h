@@ -8,44 +8,43 @@
 namespace stemware::test
 {
 
-/// A text as a string of a script within a page.
+/// Returns @p text as a string literal of a script within a page.
 std::string script_string(const std::string &text);
 
-/// Returns a script that defines `serious(window)`: a promise of the accessibility violations that axe-core
-/// finds serious or critical, a string for each. Without axe-core the promise is an empty list; the test
-/// Reports.AxeCoreIsInstalledLong fails then.
+/// Returns a script that defines `serious(window)`: a promise of the serious and critical accessibility
+/// violations found by axe-core, as strings. Without axe-core the list is empty and the test
+/// Reports.AxeCoreIsInstalledLong fails.
 std::string axe_script();
 
-/// Returns a script that defines `troubles(document)`: a sentence for each text of a figure that is cut off
-/// or lies on another, each axis with one number only, and each element that is wider than the page.
+/// Returns a script that defines `troubles(document)`: a sentence for each figure text that is cut off or
+/// overlaps another text, each axis with a single number, and each element that is wider than the page.
 std::string troubles_script();
 
-/// A text that would run a script or a command, end an element or a string, or be taken for a mark of a
-/// template, if anything but its characters were looked at. A script that it runs sets data-ran of the page's
-/// root element. It is a path without the name of its file: folders parted by the slashes of its tags.
+/// Text that contains scripts, commands, closing tags, quotes and template marks. A script in it that runs
+/// sets data-ran of the root element. As a path, its slashes separate folders.
 std::string hostile_text();
 
-/// Opens a page in Chromium that runs @p script, the body of an async function, and returns what the script
-/// returns. Fails the test if the browser prints anything else, unless a policy @p forbids something, which
-/// the browser prints. Files next to @p scratch's page are of one origin with it.
+/// Runs @p script, the body of an async function, in a page in Chromium and returns its result. Fails the
+/// test if the browser prints anything else; @p forbids: a policy forbids something, which the browser
+/// prints. Files in
+/// @p scratch have the same origin.
 nlohmann::json found_in_browser(const ScratchFolder &scratch, const std::string &script,
                                 bool forbids = false);
 
-/// Opens pages, addresses relative to @p scratch, each in a frame of its own, until it has its answer or half
-/// a minute has passed. Returns by address its "answer", all its "words", and whether a script of
-/// hostile_text() "ran".
+/// Opens pages, addresses relative to @p scratch, each in its own frame. Returns by address its "answer", all
+/// its "words", and whether a script of hostile_text() "ran".
 nlohmann::json opened_in_browser(const ScratchFolder &scratch, const std::vector<std::string> &addresses);
 
 /// Opens reports, addresses relative to @p scratch, with all folds open. Returns by address: "answer";
-/// "flaws", a sentence for each thing that no page may have (a script that has not ended, a number that is
-/// none, a file of a picture that is no SVG, serious findings of axe-core, troubles at 1100 and 400 px, a
-/// request); "figures", by id the rows of its CSV file; "tables", by title its rows of texts.
+/// "flaws", a sentence for each defect (unfinished script, NaN, invalid SVG file, serious finding of
+/// axe-core, layout trouble at 1100 and 400 px, network request); "figures", by id the rows of the CSV file;
+/// "tables", by title the rows.
 nlohmann::json reports_in_browser(const ScratchFolder &scratch, const std::vector<std::string> &addresses);
 
-/// The page without its Content-Security-Policy: what it runs then has to be harmless by itself.
+/// The page without its Content-Security-Policy, which must be harmless too.
 std::string without_policy(const std::string &page);
 
-/// Runs Chromium without a window in the folder.
+/// Runs headless Chromium in the folder.
 Ended chromium(const ScratchFolder &scratch, const std::vector<std::string> &arguments);
 
 } // namespace stemware::test

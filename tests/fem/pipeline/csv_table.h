@@ -10,8 +10,8 @@
 namespace stemware::test
 {
 
-/// The fields of a table as RFC 4180 has them, line by line without those that begin with #. Throws
-/// std::runtime_error for a text that does not end with a line end.
+/// Fields of a table in the format of RFC 4180, line by line; lines that start with # are skipped. Throws
+/// std::runtime_error if the text does not end with a line end.
 inline std::vector<std::vector<std::string>> parse_csv(const std::string &text)
 {
   std::vector<std::vector<std::string>> rows = { { "" } };
@@ -41,8 +41,8 @@ inline std::vector<std::vector<std::string>> parse_csv(const std::string &text)
   return rows;
 }
 
-/// Lines of sweep.csv in the order of their cases, without those that begin with #: rows are written in the
-/// order in which cases finish.
+/// Lines of sweep.csv sorted by case, without lines that start with #. The program writes rows in the order
+/// in which cases finish.
 inline std::string sorted_by_case(const std::string &text)
 {
   std::istringstream stream(text);
@@ -58,7 +58,7 @@ inline std::string sorted_by_case(const std::string &text)
   return headings;
 }
 
-/// A table whose columns are found by their titles.
+/// A table with access by column title.
 class CsvTable
 {
 public:

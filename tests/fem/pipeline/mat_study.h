@@ -5,7 +5,7 @@
 namespace stemware::test
 {
 
-/// Returns the default glass on a stiff Winkler mat over a rigid table, whose contact is solved the fastest.
+/// Returns the default glass on a stiff Winkler mat on a rigid table, the fastest contact.
 inline pipeline::Study mat_study()
 {
   pipeline::Study study;

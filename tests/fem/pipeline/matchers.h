@@ -1,7 +1,6 @@
 #pragma once
 
-// GoogleMock's matchers, also behind deal.II, whose macro Assert has the name of one of GoogleMock's
-// functions.
+// Includes GoogleMock after deal.II, whose macro Assert has the name of a function of GoogleMock.
 #pragma push_macro("Assert")
 #undef Assert
 #include <gmock/gmock.h>

@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Starts a command with its standard output and error in files of the folder in which it runs.
+/// Starts a command in @p folder with standard output and error in the files .out and .err.
 pid_t start(const std::vector<std::string> &command, const fs::path &folder)
 {
   std::vector<char *> arguments;
@@ -57,7 +57,7 @@ pid_t start(const std::vector<std::string> &command, const fs::path &folder)
   return process;
 }
 
-/// Waits for the end of a child, which is killed when it hangs for five minutes. Returns what waitpid() says.
+/// Waits for the end of a child and kills it after five minutes. Returns the status of waitpid().
 int status_of(pid_t process)
 {
   int status = 0;
@@ -97,7 +97,7 @@ RunningProgram::RunningProgram(const std::vector<std::string> &command, const fs
 
 bool RunningProgram::wait_for_output(const std::string &text) const
 {
-  for (unsigned int i = 0; i < 6000; ++i)
+  for (;;)
   {
     if (read_text(folder / ".out").find(text) != std::string::npos)
       return true;
@@ -107,7 +107,6 @@ bool RunningProgram::wait_for_output(const std::string &text) const
       return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  return false;
 }
 
 void RunningProgram::send(int signal) const
@@ -194,7 +193,7 @@ nlohmann::json read_summary(const fs::path &results)
   return summary;
 }
 
-/// The columns of a table under one line of names; not a number where a field is empty.
+/// Columns of a table with one line of names; NaN for empty fields.
 std::vector<std::vector<double>> csv_columns(const std::string &text)
 {
   const auto rows = parse_csv(text);

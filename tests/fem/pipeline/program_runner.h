@@ -13,7 +13,7 @@
 namespace stemware::test
 {
 
-/// What a program has left behind when it has ended.
+/// Exit code and output of a program.
 struct Ended
 {
   int exit_code = -1; ///< 128 + number for a signal that killed it
@@ -21,20 +21,20 @@ struct Ended
   std::string err;    ///< standard error
 };
 
-/// A program that runs in its own folder, which holds its standard output and error as the files .out and
-/// .err.
+/// A running program, whose standard output and error are the files .out and .err in its folder.
 class RunningProgram
 {
 public:
   RunningProgram(const std::vector<std::string> &command, const std::filesystem::path &folder);
 
-  /// Waits until the program has printed @p text on standard output; false when it ends, or a minute passes,
-  /// before that.
+  /// Waits until the program has printed @p text on standard output. Returns false if the program ends
+  /// before.
   bool wait_for_output(const std::string &text) const;
 
   void send(int signal) const;
 
-  /// Waits for the end; to be called once. A program that hangs for five minutes is killed.
+  /// Waits for the end; to be called once. Kills the program after five minutes, so that no hanging process
+  /// is left.
   Ended end();
 
 private:
@@ -45,48 +45,48 @@ private:
 /// Runs the program `stemware` in the folder with these arguments.
 Ended stemware(const ScratchFolder &scratch, const std::vector<std::string> &arguments);
 
-/// A command with --set before each of @p settings.
+/// Returns @p command with --set before each of @p settings.
 std::vector<std::string> with_settings(std::vector<std::string> command,
                                        const std::vector<std::string> &settings);
 
-/// Runs a command with settings, which has to succeed, into the folder @p results; returns its summary.
+/// Runs a command with settings and output in the folder @p results, expects success, and returns its
+/// summary.
 nlohmann::json solved(const ScratchFolder &scratch, const std::vector<std::string> &command,
                       const std::vector<std::string> &settings = {}, const std::string &results = "results");
 
 std::string read_text(const std::filesystem::path &file);
 
-/// What stands between @p begin and the next @p end in @p text; empty where there is no such place.
+/// Returns the text between @p begin and the next @p end in @p text; empty if @p begin is missing.
 std::string between(const std::string &text, const std::string &begin, const std::string &end);
 
-/// The same after every @p begin.
+/// Returns the texts between every @p begin and the next @p end.
 std::vector<std::string> all_between(const std::string &text, const std::string &begin,
                                      const std::string &end);
 
-/// Lines that are too wide for the console, or hold escape codes.
+/// Returns lines that are too wide for the console or contain escape codes.
 std::string bad_lines(const std::string &text);
 
-/// What is not as fem/pipeline/result/summary.schema.json says in a summary, one sentence each.
+/// Returns the violations of fem/pipeline/result/summary.schema.json in a summary, one sentence each.
 std::vector<std::string> departures_from_schema(const nlohmann::json &summary);
 
-/// The summary of a folder of results; a departure from the schema fails the test that reads it.
+/// Returns the summary of a results folder; a violation of the schema fails the test.
 nlohmann::json read_summary(const std::filesystem::path &results);
 
-/// Columns of a table of results by position, as numbers: of CSV or of columns parted by blanks.
+/// Returns the columns of a results table as numbers; CSV, or columns separated by blanks.
 std::vector<std::vector<double>> read_columns(const std::filesystem::path &table);
 
-/// Contents of all files below a folder by relative path, without timings.json, which differs from run to
-/// run.
+/// Returns the contents of all files below a folder by relative path, without timings.json, which differs
+/// between runs.
 std::map<std::string, std::string> all_files(const std::filesystem::path &folder);
 
-/// Names of everything in a folder, hidden files too, without .stemware and the runner's own .out
-/// and .err.
+/// Returns the sorted names in a folder, including hidden files, without .stemware, .out and .err.
 std::vector<std::string> names_in(const std::filesystem::path &folder);
 
-/// A study that runs in a second: a step profile that friction does not deform and that does not tilt, the
-/// load of rest at every spin. @p further lines are appended.
+/// A study that runs in a second: step profile, no friction coupling, no tilt, load at rest for every spin.
+/// @p further lines are appended.
 std::string plain_study(const std::string &further = "");
 
-/// The plain study of a solid body, on a mesh so coarse that it runs in a fraction of a second.
+/// The plain study with a solid body on a coarse mesh.
 std::string coarse_study(const std::string &further = "");
 
 } // namespace stemware::test

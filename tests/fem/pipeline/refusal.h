@@ -7,7 +7,7 @@
 namespace stemware::test
 {
 
-/// Sentence with which @p action refuses its input; empty if it does not.
+/// Message with which @p action refuses its input; empty if the input is accepted.
 template <typename Action>
 std::string sentence_of(const Action &action)
 {

@@ -9,7 +9,7 @@
 namespace stemware::test
 {
 
-/// A new folder for one test, removed with the object.
+/// A temporary folder, removed with the object.
 class ScratchFolder
 {
 public:

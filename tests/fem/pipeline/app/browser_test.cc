@@ -1,4 +1,4 @@
-// The report of every verb and state in a real browser, on a desk and on a phone, and on paper.
+// Reports of every verb and state in a browser, in desktop and phone widths and printed.
 #include "tests/fem/pipeline/browser.h"
 #include "tests/fem/pipeline/matchers.h"
 
@@ -17,7 +17,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// A report by the verb and the arguments that make it.
+/// A report and the arguments that write it.
 struct Opened
 {
   std::string name;
@@ -45,7 +45,7 @@ const std::vector<Opened> &opened()
   return reports;
 }
 
-/// Words with one blank between them, with the hyphens of the console for minus signs.
+/// Words separated by single blanks, with ASCII minus signs as on the console.
 std::string in_one_line(const std::string &text)
 {
   std::istringstream words(
@@ -56,7 +56,7 @@ std::string in_one_line(const std::string &text)
   return line;
 }
 
-/// Verbs and states of a study, each with a picture or a sentence of its own.
+/// State of a study with its expected answer and figures.
 struct State : Opened
 {
   std::string answer;                                  ///< words in it
@@ -132,7 +132,7 @@ const std::vector<State> &states()
   return all;
 }
 
-/// Opens a state in the browser, whose answer is that of the console.
+/// Opens a state in the browser and expects the answer of the console.
 nlohmann::json opened_state(const ScratchFolder &scratch, const State &state)
 {
   std::vector<std::string> arguments = state.arguments;
@@ -145,8 +145,7 @@ nlohmann::json opened_state(const ScratchFolder &scratch, const State &state)
   return page;
 }
 
-/// Sums of the distances from the rim [µm] of the pressures in the picture @p rows, and their number, by
-/// azimuth.
+/// Sum of the distances of pressure points from the rim [um], and their number, by azimuth.
 std::map<std::string, std::pair<double, int>> distances_of(const nlohmann::json &rows)
 {
   std::map<std::string, std::pair<double, int>> found;
@@ -163,7 +162,7 @@ class BrowserStates : public testing::TestWithParam<State>
 {
 };
 
-TEST_P(BrowserStates, HaveTheirPicturesAndNoFlaw)
+TEST_P(BrowserStates, HaveTheirFiguresWithoutDefects)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", plain_study());
@@ -180,7 +179,7 @@ TEST_P(BrowserStates, HaveTheirPicturesAndNoFlaw)
     EXPECT_TRUE(page["figures"].contains(figure)) << figure;
   for (const std::string &figure : GetParam().missing)
     EXPECT_FALSE(page["figures"].contains(figure)) << figure;
-  // A rounded rim presses on both sides of its radius alike, also where the foot begins to lift off.
+  // The pressure of a rounded rim is symmetric about its radius, also at the onset of lift-off.
   if (GetParam().name == "falling")
   {
     const double width = read_summary(scratch / "results")["load"]["contact_width"].get<double>() * 1e6;
@@ -214,7 +213,7 @@ TEST(Reports, Print)
   EXPECT_GT(printed.size(), 20000u); // pictures and text, not an empty page
 }
 
-/// Points of the curve @p name in the CSV file of a picture, whose rows stand together.
+/// Points of the curve @p name in the CSV file of a figure.
 std::vector<std::pair<double, double>> points_of(const nlohmann::json &rows, const std::string &name)
 {
   std::vector<std::pair<double, double>> points;
@@ -226,7 +225,8 @@ std::vector<std::pair<double, double>> points_of(const nlohmann::json &rows, con
   return points;
 }
 
-/// Whether each point is a row of the columns, values times @p factor, to the six digits of a picture.
+/// Expects that each point is a row of the columns, with values times @p factor, to the six digits of a
+/// figure.
 void expect_rows(const std::vector<std::pair<double, double>> &points, const std::vector<double> &x,
                  const std::vector<double> &y, double factor)
 {
@@ -244,7 +244,7 @@ void expect_rows(const std::vector<std::pair<double, double>> &points, const std
   }
 }
 
-TEST(Reports, PicturesAndTablesShowTheNumbersOfTheFiles)
+TEST(Reports, FiguresAndTablesShowTheNumbersOfTheFiles)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", plain_study());
@@ -261,7 +261,7 @@ TEST(Reports, PicturesAndTablesShowTheNumbersOfTheFiles)
   const auto summary = read_summary(scratch / "results");
   expect_rows(points_of(figures["line_load"], "first harmonic"), degrees, load[2],
               1 / summary["load"]["ring_radius"].get<double>());
-  // Steps of the budget: the picture's bars end at the rows' spins.
+  // The bars of the budget end at the spins of the rows.
   const nlohmann::json &budget = summary["budget"];
   const nlohmann::json &bars = figures["waterfall"];
   const auto ends_at = [&](double omega)
@@ -275,7 +275,7 @@ TEST(Reports, PicturesAndTablesShowTheNumbersOfTheFiles)
     {
       EXPECT_TRUE(ends_at(budget[i]["omega_terminal"])) << budget[i];
     }
-  // What a reader sees of the table without one thing at a time, digit by digit.
+  // The table without one effect at a time has the numbers of the summary.
   const nlohmann::json &rows = page["tables"]["The complete model without one effect at a time"];
   const nlohmann::json &without = summary["without"];
   ASSERT_EQ(rows.size(), without.size() + 1);
@@ -293,9 +293,9 @@ TEST(Reports, PicturesAndTablesShowTheNumbersOfTheFiles)
   }
 }
 
-TEST(Reports, NumbersReadBackAreTheirValues)
+TEST(Reports, FormattedNumbersParseToTheirValues)
 {
-  // Every exponent in every kind of digits, read back by its marks: 9.3 · 10⁻¹⁰.
+  // Parses every exponent in every format, such as 9.3 · 10⁻¹⁰.
   const std::string script = "const { shown } = await import(" +
                              script_string("file://" + fs::path(STEMWARE_DOCS).parent_path().string() +
                                            "/fem/pipeline/page/js/words.js") +
@@ -320,8 +320,8 @@ TEST(Reports, NumbersReadBackAreTheirValues)
   EXPECT_EQ(found_in_browser(scratch, script), nlohmann::json::array());
 }
 
-/// Reports with hostile text in every place that takes any: those of all verbs, of a study of that
-/// name, and one for each other file that a study reads; a sweep has a case that fails, too.
+/// Reports with hostile text in every text input: the name of the study for all verbs, and each file that a
+/// study reads.
 std::vector<Opened> hostile_reports(const std::string &place)
 {
   std::vector<Opened> reports = opened();
@@ -351,7 +351,7 @@ std::vector<Opened> hostile_reports(const std::string &place)
   return reports;
 }
 
-TEST(Reports, HostileTextRunsNoScriptAndNoCommand)
+TEST(Reports, HostileTextExecutesNothing)
 {
   const ScratchFolder scratch;
   const std::string place = hostile_text();
@@ -362,7 +362,7 @@ TEST(Reports, HostileTextRunsNoScriptAndNoCommand)
   scratch.write(place + " speeds.csv", "t (s), v (m/s)\n0, 0.3\n100, 0.35\n");
   scratch.write(place + ".msh", read_text(fs::path(STEMWARE_DOCS) / "../meshes/flat_foot.msh"));
   std::vector<std::string> pages;
-  std::set<std::string> with_an_entry; // the text of an entry is shown, the name of the study is not
+  std::set<std::string> with_an_entry; // reports show texts of entries, not the name of the study
   for (const Opened &report : hostile_reports(place))
   {
     SCOPED_TRACE(report.name);

@@ -1,4 +1,4 @@
-// Every column of every file of results has a key, a unit and a label in summary.schema.json.
+// Every column of every results file has a key, a unit and a label in summary.schema.json.
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/program_runner.h"
 
@@ -13,7 +13,7 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// True if @p text is @p pattern with a number in the place of its *.
+/// Returns true if @p text is @p pattern with a number in place of the *.
 bool matches(const std::string &text, const std::string &pattern)
 {
   const auto star = pattern.find('*');
@@ -27,7 +27,7 @@ bool matches(const std::string &text, const std::string &pattern)
   return number.find_first_not_of("0123456789+-.e") == number.npos;
 }
 
-/// Keys of the columns that have this heading, "name (unit)".
+/// Keys of the columns with the heading @p heading, "name (unit)".
 std::vector<std::string> keys_of(const Json &columns, const std::string &heading)
 {
   std::vector<std::string> keys;
@@ -37,13 +37,13 @@ std::vector<std::string> keys_of(const Json &columns, const std::string &heading
     const Json names = column.value("name", Json(key));
     for (const Json &name : names.is_array() ? names : Json::array({ names }))
       if (matches(heading, name.get<std::string>() + (unit.empty() ? "" : " (" + unit + ")")) ||
-          (unit == "1" && matches(heading, name.get<std::string>()))) // sweep.csv leaves out a unit of 1
+          (unit == "1" && matches(heading, name.get<std::string>()))) // sweep.csv omits the unit 1
         keys.push_back(key);
   }
   return keys;
 }
 
-TEST(ColumnKeys, EachColumnOfEachFileIsDeclaredOnce)
+TEST(ColumnKeys, EveryColumnOfEveryFileIsDeclaredOnce)
 {
   const Json files = Json::parse(read_text(STEMWARE_SCHEMA))["definitions"]["files"];
   const ScratchFolder scratch;

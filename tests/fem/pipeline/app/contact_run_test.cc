@@ -1,4 +1,4 @@
-// The whole pipeline on a coarse mesh: contact, load, ring, results.
+// Complete runs with contact on coarse meshes.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/page_document.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -18,7 +18,7 @@ namespace stemware::test
 namespace
 {
 
-/// summary.json of a coarse contact study, without budget and bands.
+/// Summary of a quick run of a coarse contact study.
 nlohmann::json run(const ScratchFolder &scratch, const std::vector<std::string> &settings,
                    const std::string &results = "results")
 {
@@ -26,7 +26,7 @@ nlohmann::json run(const ScratchFolder &scratch, const std::vector<std::string> 
                 results);
 }
 
-/// Harmonics of the load over a_0, cosines and sines one after the other.
+/// Harmonics of the load over a_0, cosines followed by sines.
 std::vector<double> relative_harmonics(const nlohmann::json &summary)
 {
   std::vector<double> harmonics;
@@ -50,7 +50,7 @@ TEST(ContactRun, EqualStudiesGiveEqualFiles)
   const ScratchFolder scratch;
   const std::string study = scratch.write("coarse.prm", coarse_study());
   solved(scratch, { "run", study }, { "Glass/Crown radius=0.00312345678" }, "one");
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // a time stamp in seconds would show
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // detects time stamps in seconds
   solved(scratch, { "run", study }, { "Glass/Crown radius=0.00312345678" }, "other");
   const auto one = all_files(scratch / "one"), other = all_files(scratch / "other");
   ASSERT_EQ(one.size(), other.size());
@@ -73,10 +73,10 @@ TEST(ContactRun, LoadFileContinuesFromHarmonics)
   EXPECT_EQ(ring["truncation"], contact["truncation"]);
 }
 
-TEST(ContactRun, UnitsDoNotMatter)
+TEST(ContactRun, ResultsDoNotDependOnTheUnits)
 {
   const ScratchFolder scratch;
-  // t, mm, s, and so N, MPa, N mm: the same glass in other numbers.
+  // The same glass in t, mm, s, N, MPa.
   const std::vector<std::string> in_millimetres = {
     "Motion/Mass=3e-4",         "Motion/Yaw inertia=0.3",      "Motion/Centre of mass height=80",
     "Motion/Force offset=-50",  "Motion/Orbit radius=150",     "Motion/Orbit speed=350",
@@ -105,7 +105,7 @@ TEST(ContactRun, ReadsMeshFiles)
   const auto flat = run(scratch, { "Contact/Mesh file=" STEMWARE_MESHES "/flat_foot.msh" });
   EXPECT_TRUE(flat["contact"]["mesh"]["round_rim"].get<bool>());
   EXPECT_NEAR(flat["contact"]["mesh"]["rim_radius"].get<double>(), 0.03, 1e-8);
-  // A body of revolution on a linear support: nothing beyond the first harmonic.
+  // A flat land on a mat has no harmonics above the first.
   const auto harmonics = relative_harmonics(flat);
   const std::size_t n_all = flat["load"]["a"].size();
   for (std::size_t n = 2; n <= 8; ++n)
@@ -113,7 +113,7 @@ TEST(ContactRun, ReadsMeshFiles)
 
   const auto oval = run(scratch, { "Contact/Mesh file=" STEMWARE_MESHES "/oval_foot.msh" });
   EXPECT_FALSE(oval["contact"]["mesh"]["round_rim"].get<bool>());
-  EXPECT_TRUE(oval["ring"]["phase_dependent"].get<bool>()); // the foot turns under the moment
+  EXPECT_TRUE(oval["ring"]["phase_dependent"].get<bool>()); // the foot rotates under the moment
   EXPECT_FALSE(flat["ring"]["phase_dependent"].get<bool>());
   EXPECT_GT(oval["ring"]["spin_ripple"].get<double>(), 0);
   EXPECT_GT(oval["contact"]["mesh"]["land_area_deficit"].get<double>(), 0);
@@ -123,8 +123,8 @@ TEST(ContactRun, ReadsMeshFiles)
             oval["load"]);
 }
 
-/// Writes a plate of 80 x 40 mm, the square plate of 2 m compressed, and returns the settings of a study
-/// whose foot is rigid under @p eccentricity [m] from the axis in the direction @p angle [deg].
+/// Writes the mesh of a plate of 80 x 40 mm, scaled from the square plate of 2 m, and returns settings for a
+/// rigid plate with the load at @p eccentricity [m] in the direction @p angle [deg].
 std::vector<std::string> plate_settings(const ScratchFolder &scratch, double eccentricity, double angle)
 {
   std::istringstream square(read_text(STEMWARE_MESHES "/square_plate.msh"));
@@ -141,7 +141,7 @@ std::vector<std::string> plate_settings(const ScratchFolder &scratch, double ecc
     else
       plate << line << '\n';
   }
-  const double radius = (0.02 + std::hypot(0.04, 0.02)) / 2; // mean of the border's distances
+  const double radius = (0.02 + std::hypot(0.04, 0.02)) / 2; // mean distance of the border
   const auto text = [](double value) { return fmt::format(FMT_STRING("{:.12g}"), value); };
   return { "Contact/Mesh file=" + scratch.write("plate.msh", plate.str()),
            "Contact/Degree=1",
@@ -154,7 +154,7 @@ std::vector<std::string> plate_settings(const ScratchFolder &scratch, double ecc
            "Load/Moment direction=" + text(angle) + " deg" };
 }
 
-TEST(ContactRun, OfAPlateTakesTheMeanDistanceOfItsBorderAsRadius)
+TEST(ContactRun, RadiusOfAPlateIsTheMeanDistanceOfItsBorder)
 {
   const ScratchFolder scratch;
   // Beyond the kern of L/6 = 13.3 mm: 3 (L/2 - e) of the length are under pressure.
@@ -167,10 +167,10 @@ TEST(ContactRun, OfAPlateTakesTheMeanDistanceOfItsBorderAsRadius)
   EXPECT_NEAR(summary["load"]["peak_pressure"].get<double>() / (2 * 2.943 / (3 * 0.022 * 0.04)), 1, 1e-3);
 }
 
-TEST(ContactRun, AFallOnASoftMatIsRefusedLikeAFallOfARigidGlass)
+TEST(ContactRun, RefusesAGlassThatTipsOnASoftMat)
 {
   const ScratchFolder scratch;
-  // On so soft a mat the glass leans until it falls.
+  // On a soft mat the glass leans until it tips.
   const Ended ended =
     stemware(scratch, { "run", "--quick", "--set", "Motion/Tilt=included", "--set",
                         "Motion/Centre of mass height=0.14", "--set", "Motion/Force offset=-0.05", "--set",
@@ -195,7 +195,7 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
   expect_same_harmonics(alone, read_summary(scratch / "together"), 1e-9);
   // Printed once, not once per rank.
   EXPECT_EQ(ended.out.find("Results"), ended.out.rfind("Results"));
-  // Each rank has written the fields of its own cells, and the report names the file that names them all.
+  // Each rank writes the fields of its cells. The report names the .pvtu file.
   const std::vector<std::string> pieces = { "contact_0.vtu", "contact_1.vtu" };
   EXPECT_EQ(names_in(scratch / "together/fields"),
             (std::vector<std::string>{ "contact.pvtu", pieces[0], pieces[1] }));
@@ -212,7 +212,7 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
                        page_of_one = page_document(scratch / "alone");
   EXPECT_THAT(page["files"].dump(), testing::HasSubstr("fields/contact.pvtu"));
   EXPECT_THAT(page["files"].dump(), testing::Not(testing::HasSubstr("fields/contact.vtu")));
-  // The pictures of one process.
+  // The tables agree with one rank.
   const auto tables_of = [](const nlohmann::json &document)
   {
     std::set<std::string> names;
@@ -225,12 +225,12 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
   EXPECT_EQ(tables_of(page), tables_of(page_of_one));
 }
 
-TEST(ContactRun, ARankThatCannotWriteEndsAllOfThem)
+TEST(ContactRun, ARankThatCannotWriteEndsAllRanks)
 {
   const ScratchFolder scratch;
   scratch.write("coarse.prm", coarse_study());
-  // Only its fields are written by the second rank. The ranks talk by TCP: shared memory is a file that is
-  // larger.
+  // The second rank writes only its fields. The ranks communicate by TCP, because shared memory needs a
+  // larger file.
   const std::string command = std::string("[ \"$OMPI_COMM_WORLD_RANK\" = 0 ] || ulimit -f 4; exec ") +
                               STEMWARE_PROGRAM + " run coarse.prm --quick";
   const Ended ended = RunningProgram({ STEMWARE_MPIRUN, "--mca", "btl", "self,tcp", "--mca",

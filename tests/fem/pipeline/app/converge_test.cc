@@ -28,12 +28,12 @@ TEST(ConvergeRun, WritesOrdersAndBands)
   EXPECT_EQ(mesh["own_level"], 0);
   const auto &spin = mesh["figures"]["omega_terminal"];
   const std::vector<double> values = spin["values"];
-  // The order and the limit are those of these three values.
+
   const double order = std::log2((values[1] - values[0]) / (values[2] - values[1]));
   EXPECT_NEAR(spin["order"].get<double>(), order, 1e-9);
   EXPECT_NEAR(spin["limit"].get<double>(), values[2] + (values[2] - values[1]) / (std::exp2(order) - 1),
               1e-9);
-  // Between re-entrant corners, where two errors may partly cancel, and a smooth section.
+  // Between the order of re-entrant corners and the order of a smooth section.
   EXPECT_GT(order, 0.5);
   EXPECT_LT(order, 2.05);
 
@@ -55,7 +55,7 @@ TEST(ConvergeRun, WritesOrdersAndBands)
   EXPECT_THAT(ended.out, testing::HasSubstr(" ± "));
 }
 
-TEST(ConvergeRun, SolidBody)
+TEST(ConvergeRun, RefinesASolidBody)
 {
   const ScratchFolder scratch;
   const Ended ended = stemware(scratch, { "converge", scratch.write("study.prm", coarse_study()), "--levels",

@@ -1,4 +1,4 @@
-// The committed page in a real browser, on a desk and on a phone: five moves of sliders beside the program.
+// The live page in a browser, in desktop and phone widths, against the program.
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
@@ -9,7 +9,6 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <map>
@@ -30,7 +29,7 @@ const std::vector<std::pair<std::string, std::string>> moves = { { "Motion/Frict
                                                                  { "Motion/Centre of mass height", "0.1" },
                                                                  { "Table/Foundation modulus", "1e11" } };
 
-/// A script that opens @p page in a frame of each width and makes the moves there one after the other.
+/// Script that opens @p page in a frame of each width and makes the moves in turn.
 std::string moving_script(const std::string &page)
 {
   return axe_script() + R"(
@@ -61,7 +60,7 @@ std::string moving_script(const std::string &page)
   return found;)";
 }
 
-TEST(ExplorePage, MovesInABrowserGiveTheProgramsSpins)
+TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgram)
 {
   const ScratchFolder scratch;
   const nlohmann::json found =
@@ -91,7 +90,7 @@ TEST(ExplorePage, MovesInABrowserGiveTheProgramsSpins)
   }
 }
 
-/// The begin of a script: @p page in a frame of the width @p width [px].
+/// Start of a script: opens @p page in a frame of width @p width [px].
 std::string framed(const std::string &page, int width)
 {
   return "const frame = document.createElement('iframe');\nframe.style = 'border:0;height:900px;width:" +
@@ -99,9 +98,8 @@ std::string framed(const std::string &page, int width)
          ";\ndocument.body.append(frame);\n";
 }
 
-/// A script that opens @p page, makes the first move, and goes through the lesson: the spin, the errors, and
-/// the text of each step of the lesson; "told": answer and notice of a study that tips, of an unusual value
-/// and of a value that is not allowed.
+/// Script that opens @p page, makes the first move and goes through the lesson. Result: spin, errors, texts
+/// of the lesson; "told": answer and notice for a tipping study, an unusual value and a forbidden value.
 std::string lesson_script(const std::string &page)
 {
   return framed(page, 1100) + R"(
@@ -152,7 +150,7 @@ TEST(ExplorePage, ASavedPageOpensWithItsValues)
   EXPECT_EQ(found["table"], "mat");
 }
 
-/// How hard the rim presses at an angle [N/m], as people read it: the Fourier series of "load" of a summary.
+/// Line load at an angle [N/m] as text, from the Fourier series of "load" of a summary.
 std::string pressing(const nlohmann::json &load, double angle)
 {
   double value = 0;
@@ -164,7 +162,7 @@ std::string pressing(const nlohmann::json &load, double angle)
   return text.str();
 }
 
-TEST(ExplorePage, ThePageOfAStudySolvesItAgainAndTeaches)
+TEST(ExplorePage, APageOfAStudySolvesItAndTeaches)
 {
   const ScratchFolder scratch;
   const auto with = [&](std::vector<std::string> arguments)
@@ -180,7 +178,7 @@ TEST(ExplorePage, ThePageOfAStudySolvesItAgainAndTeaches)
   const double omega = moved["ring"]["omega_terminal"].get<double>();
   const std::string page = read_text(scratch / "page.html");
   EXPECT_LT(page.size(), 1'300'000u);
-  // Where workers from blob: are forbidden, the page solves by itself.
+  // If workers from blob: are forbidden, the page solves in its own thread.
   for (const std::string policy : { "worker-src blob:", "worker-src 'none'" })
   {
     SCOPED_TRACE(policy);
@@ -206,18 +204,18 @@ TEST(ExplorePage, ThePageOfAStudySolvesItAgainAndTeaches)
   EXPECT_EQ(falls.exit_code, 0) << falls.err;
 }
 
-/// A state of the page, with the right option of each step of its lesson, and words of the last step.
+/// State of the page with the correct option of each step of the lesson and words of the last step.
 struct Taught
 {
   std::string name;
   std::vector<std::pair<std::string, std::string>> changes; ///< entries; "table": a button
-  std::vector<int> right;                                   ///< empty: the glass tips over
+  std::vector<int> right;                                   ///< empty: the glass tips
   std::string words;
 };
 
-/// A script that opens @p page in each of @p states and tries all options of the lesson: "right", the options
-/// that are called right in each step; the "texts" after the first option; "torque", the arrow of the scene;
-/// and all "words" beside pictures.
+/// Script that opens @p page in each of @p states and tries all options of the lesson. Result: "right", the
+/// accepted options of each step; "texts" after the first option; "torque", the arrow of the scene; "words"
+/// outside figures.
 std::string states_script(const std::string &page, const std::vector<Taught> &states)
 {
   nlohmann::ordered_json wanted;
@@ -259,10 +257,10 @@ std::string states_script(const std::string &page, const std::vector<Taught> &st
   return found;)";
 }
 
-TEST(ExplorePage, TheLessonIsTrueInEveryState)
+TEST(ExplorePage, LessonIsCorrectInEveryState)
 {
   const std::string hand = "Motion/Hand height", centre = "Motion/Centre of mass height";
-  // By hand: a hand below the centre of mass presses the outside, whose friction turns the glass against its
+  // A hand below the centre of mass loads the outside of the rim, whose friction turns the glass against its
   // orbit.
   const std::vector<int> below = { 0, 1, 1, 0, 1 };
   const std::vector<Taught> states = {
@@ -298,7 +296,7 @@ TEST(ExplorePage, TheLessonIsTrueInEveryState)
       EXPECT_THAT(text.get<std::string>(),
                   testing::Not(testing::ContainsRegex("NaN|undefined|\u2013|\u207b|-0 |\u22120 ")));
   }
-  // Rounding errors are no torque and no spin.
+  // Rounding errors are not shown as torque or spin.
   EXPECT_EQ(found["level"]["torque"], "");
   EXPECT_NE(found["default"]["torque"], "");
   const std::string words = found["level"]["words"].get<std::string>();
@@ -306,7 +304,7 @@ TEST(ExplorePage, TheLessonIsTrueInEveryState)
   EXPECT_THAT(words, testing::Not(testing::HasSubstr("\u22120.0")));
 }
 
-TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)
+TEST(ExplorePage, HostileTextExecutesNothing)
 {
   const ScratchFolder scratch;
   const Ended made = stemware(scratch, { "explore", "--output", "page.html" });
@@ -338,8 +336,8 @@ TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)
       << one << ": " << shown[one]["answer"];
 }
 
-/// A script that opens @p page and gives it @p tables, texts of files by name, one after the other: for each
-/// the status, the columns on offer, and the points over the computed spin-up with the first of @p units.
+/// Script that opens @p page and loads @p tables, texts of files by name. Result for each: status, offered
+/// columns, and points in the unit @p units over the computed spin-up.
 std::string measured_script(const std::string &page, const nlohmann::ordered_json &tables,
                             const std::map<std::string, std::string> &units)
 {
@@ -376,16 +374,16 @@ std::string measured_script(const std::string &page, const nlohmann::ordered_jso
   return found;)";
 }
 
-TEST(ExplorePage, AMeasuredRunIsDrawnOverTheComputedCurve)
+TEST(ExplorePage, DrawsMeasuredRunsOverTheComputedCurve)
 {
   using Points = std::vector<std::pair<double, double>>;
   const std::string hostile = "<img src=x onerror=parent.ran=1>.csv";
   const nlohmann::ordered_json tables = {
-    // phyphox with decimal commas: the axis with the largest range is the first on offer
+    // phyphox with decimal commas; the axis with the largest range is offered first
     { "phone.csv", "\"Time (s)\";\"x (rad/s)\";\"y (rad/s)\";\"z (rad/s)\"\n"
                    "2,00;0,1;0,0;0\n2,50;0,2;0,1;-1,5\n3,00;0,1;0,0;-2,25E0\n" },
     { "degrees.csv", "t,omega\n0,0\n1,-180\n" },
-    // a film: an angle, with a line before the names and an incomplete line
+    // angles from a film, with a line before the names and an incomplete line
     { "film.txt", "mass_A\nt\ttheta\n0\t0\n0.5\t-90\n1\t-270\n1.5\t\n2\t-810\n" },
     { "radians.txt", "0 0\n0.5 -1\n1 -4\n" },
     { hostile, "no numbers\nhere\n" }

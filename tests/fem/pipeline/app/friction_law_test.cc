@@ -1,10 +1,9 @@
-// Friction that depends on the slip speed, in every verb that asks for a spin.
+// Friction that depends on the slip speed, in every verb that computes a spin.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace stemware::test
@@ -43,7 +42,7 @@ double spin_without(const nlohmann::json &summary, const std::string &name)
 
 } // namespace
 
-TEST(FrictionLawStudy, EqualCoefficientsGiveCoulombsNumbers)
+TEST(FrictionLawStudy, EqualCoefficientsGiveCoulombFriction)
 {
   const nlohmann::json coulomb = quick_run({});
   const auto expect_equal = [&](const nlohmann::json &stribeck)
@@ -58,7 +57,7 @@ TEST(FrictionLawStudy, EqualCoefficientsGiveCoulombsNumbers)
           << part << n;
   };
   expect_equal(quick_run(with_law("0.3", "0.3", "0.1")));
-  // Not equal, and so by quadrature, with the friction in the foot place by place.
+  // Slightly different coefficients use quadrature, with pointwise friction in the foot.
   expect_equal(quick_run(with_law("0.3", "0.300000000000001", "0.1")));
 }
 
@@ -94,18 +93,18 @@ TEST(FrictionLawStudy, ViscousFrictionHasAClosedForm)
   EXPECT_NEAR(spin_of(quick_run(viscous)) / omega, 1, 1e-9);
 }
 
-TEST(FrictionLawStudy, EveryVerbKnowsTheLaw)
+TEST(FrictionLawStudy, EveryVerbUsesTheLaw)
 {
   const Settings law = with_law("0.2", "0.5", "0.3 m/s");
   const nlohmann::json run = solved(ScratchFolder(), { "run" }, law);
   const double spin = spin_of(run), mu = 0.2 + 0.3 * std::exp(-std::pow(0.35 / 0.3, 2));
-  // At rest every place slips with v.
+  // At rest every point slips with v.
   EXPECT_NEAR(run["ring"]["tau_at_rest"].get<double>() / (mu * run["load"]["moment"][0].get<double>()), 1,
               1e-9);
   const nlohmann::json truncated = solved(ScratchFolder(), { "truncate" }, law);
   EXPECT_NEAR(truncated["truncation"].back()["omega_terminal"].get<double>(), spin, 1e-9 * std::abs(spin));
 
-  // Without it: the coefficient at the orbit speed.
+  // The model without the law uses the coefficient at the orbit speed.
   const nlohmann::json constant =
     solved(ScratchFolder(), { "run" }, { "Motion/Friction coefficient=" + nlohmann::json(mu).dump() });
   EXPECT_NEAR(spin_without(run, "dependence of friction on slip"), spin_of(constant), 1e-8);

@@ -25,7 +25,7 @@ std::vector<std::string> all_verbs(const std::string &help)
   return verbs;
 }
 
-TEST(Help, OfEachVerbFitsTheConsoleAndNamesPagesThatExist)
+TEST(Help, FitsTheConsoleAndNamesExistingPages)
 {
   const ScratchFolder scratch;
   const std::string help = stemware(scratch, { "--help" }).out;
@@ -51,7 +51,7 @@ TEST(Help, OfEachVerbFitsTheConsoleAndNamesPagesThatExist)
   EXPECT_EQ(stemware(scratch, { "help", "run" }).out, stemware(scratch, { "run", "--help" }).out);
 }
 
-TEST(Help, DefaultsOfOneSectionAreAStudyToo)
+TEST(Help, DefaultsOfOneSectionAreAStudy)
 {
   const ScratchFolder scratch;
   const Ended table = stemware(scratch, { "defaults", "table" });
@@ -62,7 +62,7 @@ TEST(Help, DefaultsOfOneSectionAreAStudyToo)
   EXPECT_EQ(stemware(scratch, { "run", "table.prm", "--set", "Load/Source=first harmonic" }).exit_code, 0);
 }
 
-TEST(Help, AStudyMayComeFromStandardInput)
+TEST(Help, ReadsAStudyFromStandardInput)
 {
   const ScratchFolder scratch;
   const std::string study = "subsection Load\n  set Source = first harmonic\nend\nsubsection Motion\n"
@@ -79,7 +79,7 @@ TEST(Help, AStudyMayComeFromStandardInput)
   }
 }
 
-TEST(Help, VersionNamesTheProgram)
+TEST(Help, PrintsTheVersion)
 {
   const ScratchFolder scratch;
   const Ended ended = stemware(scratch, { "--version" });
@@ -87,7 +87,7 @@ TEST(Help, VersionNamesTheProgram)
   EXPECT_EQ(ended.out.rfind("stemware " STEMWARE_VERSION " (", 0), 0u) << ended.out;
 }
 
-TEST(DefaultStudy, IsWhatRunsWithoutAStudy)
+TEST(DefaultStudy, RunsWithoutAStudyFile)
 {
   const ScratchFolder scratch;
   const std::string source = "Load/Source=first harmonic";
@@ -105,7 +105,7 @@ TEST(DefaultStudy, IsWhatRunsWithoutAStudy)
             (std::vector<std::string>{ "default", "default-sweep", "default-truncate", "empty" }));
 }
 
-TEST(Container, WithoutSshOrAnyOtherProgramAContactIsSolved)
+TEST(Container, SolvesAContactWithoutOtherPrograms)
 {
   const ScratchFolder scratch;
   scratch.write("coarse.prm", coarse_study());

@@ -1,5 +1,5 @@
-// Signals, full disks, two runs at once: a folder of results is whole, older ones stay until then, and the
-// next run gives the same bytes.
+// Signals, full disks, simultaneous runs: a results folder is complete at any time, and the next run gives
+// the same files.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -27,17 +27,16 @@ void write_study(const ScratchFolder &scratch)
   scratch.write("study.prm", "subsection Load\n  set Source = first harmonic\nend\n");
 }
 
-TEST(Interruption, EndsTheProgramAndLeavesOlderResults)
+TEST(Interruption, SignalsKeepOlderResults)
 {
   const ScratchFolder scratch;
   write_study(scratch);
   ASSERT_EQ(RunningProgram(run_with({}), scratch.path()).end().exit_code, 0);
   const auto before = all_files(scratch / "results");
-  const auto hang_up =
-    std::signal(SIGHUP, SIG_DFL); // a test under nohup ignores it, and so would the program
+  const auto hang_up = std::signal(SIGHUP, SIG_DFL); // under nohup, the program would inherit SIG_IGN
   for (const int signal : { SIGINT, SIGTERM, SIGHUP })
   {
-    // Nearly all of the time goes into one factorisation.
+    // Most of the run is one factorisation.
     RunningProgram program(run_with({ "--set", "Load/Source=contact", "--set", "Contact/Body=solid", "--set",
                                       "Table/Substrate=rigid", "--set", "Contact/Linear solver=condensed" }),
                            scratch.path());
@@ -50,7 +49,7 @@ TEST(Interruption, EndsTheProgramAndLeavesOlderResults)
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "results", "study.prm" }));
 }
 
-TEST(Interruption, AtTenMomentsTheFolderHoldsTheOldResultsOrTheNew)
+TEST(Interruption, AtAnyMomentTheFolderHoldsOldOrNewResults)
 {
   const ScratchFolder scratch, reference;
   write_study(scratch);
@@ -79,7 +78,7 @@ TEST(Interruption, AtTenMomentsTheFolderHoldsTheOldResultsOrTheNew)
   EXPECT_EQ(all_files(scratch / "results"), fresh);
 }
 
-TEST(Interruption, TwoRunsIntoOneFolderAreEachWhole)
+TEST(Interruption, TwoRunsIntoOneFolderStayComplete)
 {
   const ScratchFolder scratch, other;
   for (const ScratchFolder *folder : { &scratch, &other })
@@ -93,7 +92,7 @@ TEST(Interruption, TwoRunsIntoOneFolderAreEachWhole)
             names_in(scratch / "results"));
 }
 
-TEST(Interruption, AFullDiskLeavesOlderResults)
+TEST(Interruption, AFullDiskKeepsOlderResults)
 {
   const ScratchFolder scratch;
   write_study(scratch);
@@ -110,7 +109,7 @@ TEST(Interruption, AFullDiskLeavesOlderResults)
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "results", "study.prm" }));
 }
 
-TEST(Interruption, SignalsIgnoredFromTheStartStayIgnored)
+TEST(Interruption, IgnoredSignalsStayIgnored)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", coarse_study());

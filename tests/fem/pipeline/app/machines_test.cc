@@ -1,4 +1,4 @@
-// Machines with a scheduler: what starts MPI, and what does without.
+// Job steps of a scheduler without PMI: MPI is initialised only for solid feet.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@ namespace
 
 using namespace test;
 
-/// Runs the program in a job step of Slurm whose Open MPI was built without Slurm's PMI: the variables of
-/// such a step (open-mpi issue 10286), with which MPI_Init() ends a process.
+/// Runs the program with the environment of a Slurm job step whose Open MPI lacks Slurm's PMI, in which
+/// MPI_Init() ends the process (open-mpi issue 10286).
 Ended in_slurm_step(const ScratchFolder &scratch, const std::vector<std::string> &arguments)
 {
   std::vector<std::string> command = { "/usr/bin/env" };
@@ -26,7 +26,7 @@ Ended in_slurm_step(const ScratchFolder &scratch, const std::vector<std::string>
   return RunningProgram(command, scratch.path()).end();
 }
 
-TEST(SlurmStep, VerbsWorkWithoutItsRanks)
+TEST(SlurmStep, VerbsRunInAJobStepWithoutPmi)
 {
   const ScratchFolder scratch;
   const std::string study = scratch.write("study.prm", plain_study());
@@ -40,7 +40,7 @@ TEST(SlurmStep, VerbsWorkWithoutItsRanks)
   }
 }
 
-TEST(SlurmStep, ASolidFootStartsMpiByItself)
+TEST(SlurmStep, ASolidFootInitialisesMpi)
 {
   const ScratchFolder scratch;
   const Ended ended = in_slurm_step(

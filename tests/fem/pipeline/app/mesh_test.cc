@@ -1,4 +1,4 @@
-// `stemware mesh`: what it writes can be read, and what cannot be used is refused.
+// `stemware mesh`: measures of mesh files, and refusals.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
@@ -15,7 +15,7 @@ const std::string meshes = STEMWARE_MESHES;
 
 } // namespace
 
-TEST(MeshVerb, CheckSaysWhatIsThere)
+TEST(MeshVerb, CheckReportsTheMeasuresOfAMesh)
 {
   const ScratchFolder scratch;
   const Ended ended = stemware(
@@ -39,7 +39,7 @@ TEST(MeshVerb, CheckSaysWhatIsThere)
   EXPECT_GT(found["scaled_jacobian"]["least"].get<double>(), 0.2);
 }
 
-TEST(MeshVerb, ComparesAFileInItsUnitWithTheStudy)
+TEST(MeshVerb, ComparesAFileWithTheStudyInItsUnit)
 {
   const ScratchFolder scratch;
   const std::vector<std::string> in_centimetres = { "mesh",   "--check", meshes + "/flat_foot.msh",
@@ -52,19 +52,6 @@ TEST(MeshVerb, ComparesAFileInItsUnitWithTheStudy)
   const Ended refused = stemware(scratch, compared);
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.err, testing::HasSubstr("set Contact/Mesh unit = m,"));
-}
-
-TEST(MeshVerb, WithoutAStudyItIsTheDefaultStudysMesh)
-{
-  const ScratchFolder scratch;
-  const std::string empty = scratch.write("empty.prm", "# defaults\n");
-  const Ended alone = stemware(scratch, { "mesh", "--json", "--quiet" }),
-              named = stemware(scratch, { "mesh", empty, "--json", "--quiet" });
-  EXPECT_EQ(alone.exit_code, 0) << alone.err;
-  EXPECT_EQ(alone.out, named.out);
-  const std::vector<std::string> finer = { "mesh", "--json", "--quiet", "--set",
-                                           "Contact/Azimuthal cells=32" };
-  EXPECT_NE(stemware(scratch, finer).out, named.out);
 }
 
 } // namespace stemware::test

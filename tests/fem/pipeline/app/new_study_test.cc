@@ -1,5 +1,4 @@
-// `stemware new`: twelve entries with a comment each, ready to run; nothing is overwritten; every preset
-// gives a result.
+// `stemware new`: studies of twelve commented entries from every preset, and copies of the cookbooks.
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/study/study_checks.h"
@@ -9,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <regex>
 
 namespace stemware::test
@@ -21,7 +19,7 @@ using pipeline::glass_presets;
 using pipeline::Preset;
 using pipeline::table_presets;
 
-/// Lines "set ..." that follow a comment, and those that do not.
+/// Number of lines "set ..." with and without a preceding comment.
 std::pair<unsigned int, unsigned int> count_entries(const std::string &text)
 {
   std::pair<unsigned int, unsigned int> n;
@@ -36,7 +34,7 @@ std::pair<unsigned int, unsigned int> count_entries(const std::string &text)
   return n;
 }
 
-TEST(NewStudy, IsTheDefaultStudyInTwelveCommentedEntries)
+TEST(NewStudy, WritesTheDefaultStudyInTwelveCommentedEntries)
 {
   const ScratchFolder scratch;
   const Ended ended = stemware(scratch, { "new", "my_glass.prm" });
@@ -47,7 +45,7 @@ TEST(NewStudy, IsTheDefaultStudyInTwelveCommentedEntries)
             pipeline::study_as_json(pipeline::Study()));
 }
 
-TEST(NewStudy, EveryPairOfPresetsIsAStudyWithoutIdleOrStrangeEntries)
+TEST(NewStudy, EveryPairOfPresetsIsAPlausibleStudy)
 {
   const ScratchFolder scratch;
   for (const Preset &glass : glass_presets())
@@ -63,13 +61,13 @@ TEST(NewStudy, EveryPairOfPresetsIsAStudyWithoutIdleOrStrangeEntries)
     }
 }
 
-TEST(NewStudy, NamesAreTakenInAnyCaseAndWithHyphens)
+TEST(NewStudy, AcceptsNamesInAnyCaseAndWithHyphens)
 {
   EXPECT_EQ(pipeline::preset_of(table_presets(), "--table", "Cork-Mat").name, "cork mat");
   EXPECT_EQ(pipeline::preset_of(glass_presets(), "--glass", "bordeaux").name, "Bordeaux");
 }
 
-TEST(NewCookbook, IsTheCookbooksStudyWithTheFilesThatItReads)
+TEST(NewCookbook, CopiesTheStudyWithItsFiles)
 {
   const std::filesystem::path source = STEMWARE_COOKBOOKS;
   std::vector<std::string> names;
@@ -98,7 +96,7 @@ TEST(NewCookbook, IsTheCookbooksStudyWithTheFilesThatItReads)
   }
 }
 
-TEST(NewCookbook, MayHaveAnotherNameAndPlace)
+TEST(NewCookbook, AcceptsAnotherNameAndFolder)
 {
   const ScratchFolder scratch;
   std::filesystem::create_directory(scratch / "mine");

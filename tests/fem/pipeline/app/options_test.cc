@@ -1,4 +1,4 @@
-// Options that every verb working on a study has: --quiet, --json, --output, --set.
+// Options of all verbs that take a study: --quiet, --json, --output, --set.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
@@ -16,7 +16,7 @@ TEST(StudyOptions, QuietPrintsNothing)
   EXPECT_EQ(read_summary(scratch / "results/default")["verb"], "run");
 }
 
-TEST(StudyOptions, JsonLeavesStandardOutputToPrograms)
+TEST(StudyOptions, JsonPrintsOneLine)
 {
   const ScratchFolder scratch;
   const Ended ended =
@@ -33,7 +33,7 @@ TEST(StudyOptions, JsonLeavesStandardOutputToPrograms)
   EXPECT_THAT(ended.err, testing::HasSubstr("Results   there"));
 }
 
-TEST(StudyOptions, TextFitsTheConsoleWithoutEscapeCodes)
+TEST(StudyOptions, TextFitsTheConsole)
 {
   const ScratchFolder scratch;
   const Ended ended = stemware(

@@ -1,4 +1,4 @@
-// The body of revolution, and contact in balance with friction at every spin, through the program.
+// Runs with a body of revolution, one-way and two-way.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace stemware::test
 namespace
 {
 
-/// Runs the default glass; the spin-up is cut short, which nothing else depends on.
+/// Runs the default glass with a short spin-up.
 nlohmann::json glass_run(const ScratchFolder &scratch, const std::vector<std::string> &settings)
 {
   return solved(scratch,
@@ -21,7 +21,7 @@ nlohmann::json glass_run(const ScratchFolder &scratch, const std::vector<std::st
 
 } // namespace
 
-TEST(RevolutionRun, WhereTheSpinDoesNotMatterOneContactSolutionIsEnough)
+TEST(RevolutionRun, SolvesOneContactIfTheSpinDoesNotMatter)
 {
   const ScratchFolder scratch;
   const auto one_way = glass_run(scratch, { "Motion/Closure=paper" });
@@ -33,10 +33,10 @@ TEST(RevolutionRun, WhereTheSpinDoesNotMatterOneContactSolutionIsEnough)
   {
     const auto &one = one_way["truncation"][i]["omega_terminal"],
                &two = two_way["truncation"][i]["omega_terminal"];
-    ASSERT_EQ(one.is_null(), two.is_null()); // a quick run solves the first and the last row
+    ASSERT_EQ(one.is_null(), two.is_null()); // a quick run solves the first and the last row only
     EXPECT_TRUE(one.is_null() || std::abs(two.get<double>() - one.get<double>()) < 1e-10);
   }
-  // Friction that deforms the foot turns with the spin.
+  // Friction that deforms the foot rotates with the spin.
   const auto turning =
     glass_run(scratch, { "Motion/Closure=paper", "Load/Coupling=two-way", "Contact/Friction coupling=elastic",
                          "Contact/Harmonics=4", "Contact/Azimuth lines=32" });
@@ -45,7 +45,7 @@ TEST(RevolutionRun, WhereTheSpinDoesNotMatterOneContactSolutionIsEnough)
   EXPECT_GT(turning["coupling"]["balanced_spins"].get<int>(), 10);
 }
 
-TEST(RevolutionRun, PointwiseLoadAndFootprintShowTheLoad)
+TEST(RevolutionRun, PointwiseLoadAndFootprintIntegrateToTheLoad)
 {
   const double pi = std::acos(-1.);
   const ScratchFolder scratch;
@@ -59,7 +59,7 @@ TEST(RevolutionRun, PointwiseLoadAndFootprintShowTheLoad)
     force += lines[1][i] * 2 * pi / static_cast<double>(n_lines);
     moment += lines[1][i] * std::sin(lines[0][i]) * 2 * pi / static_cast<double>(n_lines);
     loaded += lines[1][i] > 0 ? 1 : 0;
-    // The crest lies at -pi/2; pi/2 is in the air.
+    // The maximum is at -pi/2; the rim has lifted off at pi/2.
     if (std::abs(lines[0][i] - pi / 2) < 0.2)
     {
       EXPECT_EQ(lines[1][i], 0) << lines[0][i];
@@ -72,7 +72,7 @@ TEST(RevolutionRun, PointwiseLoadAndFootprintShowTheLoad)
               1. / static_cast<double>(n_lines));
   EXPECT_EQ(summary["load"]["contact_fraction"], summary["load"]["azimuth_fraction"]);
 
-  // The footprint is a grid of lines and radii; its pressure adds up to the load of each line.
+  // The footprint is a grid over azimuth and radius, whose pressure integrates to the load of each line.
   const auto print = read_columns(scratch / "results/footprint.csv");
   const std::size_t n_radii = print[0].size() / n_lines;
   ASSERT_EQ(n_radii * n_lines, print[0].size());

@@ -1,4 +1,4 @@
-// The report of `run`: the answer with the numbers of summary.json, every file, nothing from outside.
+// The report of `run`: answer with the numbers of summary.json, list of files, changed entries.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/page_document.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -17,7 +17,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// The run of a glass as a body of revolution whose foot lifts off, with a short spin-up; no test changes it.
+/// Run of a body of revolution with lift-off and a short spin-up. Not changed by the tests.
 struct LiftedRun
 {
   const ScratchFolder scratch;
@@ -84,7 +84,7 @@ TEST(RunReport, ListsTheFilesOfItsFolder)
   EXPECT_EQ(read_summary(results)["files"].get<std::vector<std::string>>(), names_in(results));
 }
 
-TEST(RunReport, SaysWhichParametersDiffer)
+TEST(RunReport, MarksEntriesThatDifferFromTheirDefaults)
 {
   const nlohmann::json page = page_document(lifted_run().results);
   std::map<std::string, bool> differs;

@@ -1,5 +1,4 @@
-// Studies with a solid foot in balance with its friction. Oracle: the body of revolution, whose friction is a
-// column of compliances.
+// Studies with a solid foot in balance with its friction. Reference: body of revolution.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +11,7 @@ namespace stemware::test
 namespace
 {
 
-/// A flat land of 2 mm on a mat; full moment balance, tilt and friction in the foot are the defaults.
+/// A flat land of 2 mm on a mat, with full moment balance, tilt and friction in the foot.
 const std::vector<std::string> flat_land = {
   "Motion/Friction coefficient=0.3", "Motion/End time=0.2",           "Glass/Shape=step",
   "Glass/Land width=0.002",          "Glass/Crown radius=0",          "Table/Interface=Winkler",
@@ -20,7 +19,7 @@ const std::vector<std::string> flat_land = {
   "Contact/Azimuth lines=64",        "Contact/Radial cells=2",        "Contact/Foot layers=1"
 };
 
-/// The terminal spin with all harmonics, by the verb that asks for no more than that.
+/// Terminal spin with all harmonics, by the verb `truncate` [rad/s].
 double truncated_spin(const std::string &setting)
 {
   const ScratchFolder scratch;
@@ -29,11 +28,11 @@ double truncated_spin(const std::string &setting)
     .back()["omega_terminal"];
 }
 
-TEST(SolidRun, OnOneCircleOfNodesTheBalanceIsThatOfARing)
+TEST(SolidRun, OnOneCircleOfNodesAgreesWithARing)
 {
-  // A thick foot of linear elements on a hard table touches with the nodes at the contact radius alone.
-  // Without tilt the balance is then that of a first harmonic on the ring, a closed form: the second row of
-  // the budget.
+  // A thick foot of linear elements on a hard table is in contact only at the nodes on the contact radius.
+  // Without tilt the balance equals the closed form of a first harmonic on a ring, the second row of the
+  // budget.
   const std::vector<std::string> thick_foot = { "Motion/Mass=0.566464",
                                                 "Motion/Centre of mass height=0.0531084",
                                                 "Motion/Force offset=-0.05",
@@ -70,16 +69,16 @@ TEST(SolidRun, OnOneCircleOfNodesTheBalanceIsThatOfARing)
   EXPECT_NEAR(budget[2]["omega_terminal"].get<double>(), ring, 1e-7 * ring); // n <= 1 of the contact
 }
 
-TEST(SolidRun, TerminalSpinIsThatOfTheBodyOfRevolution)
+TEST(SolidRun, TerminalSpinAgreesWithTheBodyOfRevolution)
 {
   const double expected = truncated_spin("Contact/Body=revolution");
   EXPECT_NEAR(truncated_spin("Contact/Body=solid") / expected, 1, 1e-4);
-  // What friction in the foot does.
+  // Effect of the friction in the foot.
   const double without = truncated_spin("Contact/Friction coupling=none");
   EXPECT_GT(std::abs(without / expected - 1), 1e-3);
 }
 
-/// Settings of a solid foot that is so coarse that an estimate of its error takes a second.
+/// Settings of a coarse solid foot, whose error estimate takes a second.
 const std::vector<std::string> coarse_with_goal = { "Contact/Body=solid",
                                                     "Contact/Degree=1",
                                                     "Contact/Azimuthal cells=12",
@@ -90,7 +89,7 @@ const std::vector<std::string> coarse_with_goal = { "Contact/Body=solid",
                                                     "Load/Coupling=one-way",
                                                     "Motion/Tilt=neglected" };
 
-/// Runs @p verb on such a foot, behind @p launcher.
+/// Runs @p verb on the coarse foot with the prefix @p launcher.
 Ended run_with_goal(const ScratchFolder &scratch, const std::vector<std::string> &verb,
                     std::vector<std::string> launcher = {})
 {
@@ -101,7 +100,7 @@ Ended run_with_goal(const ScratchFolder &scratch, const std::vector<std::string>
     .end();
 }
 
-TEST(SolidRun, EveryVerbTakesAGoal)
+TEST(SolidRun, EveryVerbAcceptsAGoal)
 {
   for (const std::vector<std::string> &verb :
        { std::vector<std::string>{ "truncate" }, { "sweep", "--vary", "Motion/Mass=0.31" } })
@@ -113,7 +112,7 @@ TEST(SolidRun, EveryVerbTakesAGoal)
   }
 }
 
-TEST(SolidRun, SaysWhatItsMeshLeavesOfTheGoal)
+TEST(SolidRun, ReportsTheMeshErrorOfItsGoal)
 {
   const auto summary_on = [](const std::vector<std::string> &launcher)
   {

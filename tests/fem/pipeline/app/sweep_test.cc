@@ -1,5 +1,4 @@
-// The verb `sweep` as the real program: the digits of single runs, the same rows for any number of threads
-// and kills, and refusals.
+// The verb `sweep`: agreement with single runs, independence of threads and interruptions, refusals.
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -8,7 +7,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <fstream>
 #include <sstream>
@@ -19,7 +17,7 @@ namespace stemware::test
 namespace
 {
 
-/// A body of revolution that is solved in a few milliseconds.
+/// A study of a body of revolution that is solved in milliseconds.
 std::string quick_study()
 {
   return plain_study(
@@ -47,7 +45,7 @@ CsvTable table_in(const ScratchFolder &scratch)
   return CsvTable(sorted_by_case(rows_in(scratch)));
 }
 
-/// Lines of a sweep.csv in alphabetical order: rows stand in the order in which cases finish.
+/// Lines of a sweep.csv in alphabetical order; rows are written in the order in which cases finish.
 std::vector<std::string> sorted_lines(const std::string &text)
 {
   std::istringstream stream(text);
@@ -80,7 +78,7 @@ void expect_refused(const Ended &ended, int exit_code, const std::string &words)
 
 } // namespace
 
-TEST(Sweep, HasTheDigitsOfSeparateRuns)
+TEST(Sweep, AgreesWithSeparateRuns)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", quick_study());
@@ -98,7 +96,7 @@ TEST(Sweep, HasTheDigitsOfSeparateRuns)
     const nlohmann::json one = read_summary(scratch / "one");
     const double mean = one["load"]["a"][0];
     EXPECT_EQ(table.number(row, "omega_terminal (rad/s)"), one["ring"]["omega_terminal"]);
-    // `run` starts the search for the first harmonic from the spin of all harmonics, `sweep` from nothing.
+    // `run` starts the search for the first harmonic from the spin of all harmonics, `sweep` from rest.
     EXPECT_NEAR(table.number(row, "harmonic_effect (rad/s)"), one["harmonic_effect"]["absolute"], 1e-8);
     EXPECT_EQ(table.number(row, "tau_at_rest (N m)"), one["ring"]["tau_at_rest"]);
     EXPECT_EQ(table.number(row, "moment_ratio"), one["load"]["moment_ratio"]);
@@ -112,7 +110,7 @@ TEST(Sweep, HasTheDigitsOfSeparateRuns)
   }
 }
 
-TEST(Sweep, ThreadsDoNotChangeADigit)
+TEST(Sweep, DoesNotDependOnTheThreads)
 {
   std::vector<std::string> one = forty_cases, three = forty_cases;
   one.insert(one.end(), { "--threads", "1" });
@@ -120,7 +118,7 @@ TEST(Sweep, ThreadsDoNotChangeADigit)
   EXPECT_EQ(unbroken(quick_study(), one), unbroken(quick_study(), three));
 }
 
-TEST(Sweep, KilledTwiceItEndsWithTheTableOfAnUnbrokenRun)
+TEST(Sweep, ResumesAfterTwoKills)
 {
   const std::vector<std::string> many = { "--vary", "Load/Moment ratio=0.1:1.8:300" };
   const ScratchFolder scratch;
@@ -135,14 +133,14 @@ TEST(Sweep, KilledTwiceItEndsWithTheTableOfAnUnbrokenRun)
     std::vector<std::string> command = sweep(many);
     command.insert(command.begin(), STEMWARE_PROGRAM);
     RunningProgram program(command, scratch.path());
-    for (unsigned int i = 0; i < 12000 && n_lines(rows_in(scratch)) < n_head + n; ++i)
+    while (n_lines(rows_in(scratch)) < n_head + n)
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     program.send(SIGKILL);
     EXPECT_EQ(program.end().exit_code, 128 + SIGKILL);
     const std::string rows = rows_in(scratch);
     ASSERT_GE(n_lines(rows), n_head + n);
     ASSERT_LT(n_lines(rows), n_head + 300);
-    // Rows of the program that was killed before stand there as they were; a half-written one may be gone.
+    // Rows of the killed program are kept; an incomplete row may be removed.
     EXPECT_EQ(rows.compare(0, before.rfind('\n') + 1, before, 0, before.rfind('\n') + 1), 0);
     std::ofstream(scratch / "results/sweep.csv", std::ios::app) << "299,1.79"; // half a row
     before = rows;
@@ -151,12 +149,12 @@ TEST(Sweep, KilledTwiceItEndsWithTheTableOfAnUnbrokenRun)
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_THAT(ended.out, testing::HasSubstr(std::to_string(n_lines(before) - n_head) + " of them are in"));
   EXPECT_EQ(sorted_lines(rows_in(scratch)), expected);
-  // Nothing is left to solve.
+  // A further run solves no case.
   EXPECT_EQ(stemware(scratch, sweep(many)).exit_code, 0);
   EXPECT_EQ(sorted_lines(rows_in(scratch)), expected);
 }
 
-TEST(Sweep, AKillBeforeTheFirstRowCostsNothing)
+TEST(Sweep, ResumesAfterAKillBeforeTheFirstRow)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", rigid_study);
@@ -168,7 +166,7 @@ TEST(Sweep, AKillBeforeTheFirstRowCostsNothing)
   EXPECT_EQ(sorted_lines(rows_in(scratch)), sorted_lines(whole));
 }
 
-TEST(Sweep, RefusesAFolderOfAnythingElse)
+TEST(Sweep, RefusesAFolderOfOtherFiles)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", rigid_study);
@@ -184,13 +182,13 @@ TEST(Sweep, RefusesAFolderOfAnythingElse)
   refused({ "--vary", "Motion/Mass=0.3,0.32" }, "case 2 has Motion/Mass = 0.31 there, 0.32 now");
   refused({ "--vary", "Motion/Mass=0.3" }, "there are 1 cases, but this is case 2");
   EXPECT_EQ(rows_in(scratch), rows);
-  // Another version: its first line.
+  // Another version in the first line.
   const std::string older = "# stemware 0.1 (unknown)" + rows.substr(rows.find('\n'));
   scratch.write("results/sweep.csv", older);
   refused(two, "line 1: ");
   EXPECT_EQ(rows_in(scratch), older);
   scratch.write("results/sweep.csv", rows);
-  // More cases of the same sweep are welcome.
+  // Further cases of the same sweep are appended.
   EXPECT_EQ(stemware(scratch, sweep({ "--vary", "Motion/Mass=0.3,0.31,0.32" })).exit_code, 0);
   EXPECT_EQ(table_in(scratch).n_rows(), 3u);
   scratch.write("results/note.txt", "precious");
@@ -203,7 +201,7 @@ TEST(Sweep, RefusesAFolderOfAnythingElse)
   expect_refused(stemware(scratch, sweep(two, "file")), 3, "is not a folder");
 }
 
-TEST(Sweep, RefusesFinishedCasesThatReadAnotherFile)
+TEST(Sweep, RefusesFinishedCasesWithAChangedFile)
 {
   const ScratchFolder scratch;
   const std::string load = "# ring radius: 0.03 (m)\n0 0.46 0\n1 0 ";
@@ -216,7 +214,7 @@ TEST(Sweep, RefusesFinishedCasesThatReadAnotherFile)
   expect_refused(stemware(scratch, arguments), 3, "reads ../b.dat");
 }
 
-TEST(Sweep, ABadCaseIsARowAndDoesNotStopTheOthers)
+TEST(Sweep, AFailedCaseIsARow)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", quick_study());
@@ -235,7 +233,7 @@ TEST(Sweep, ABadCaseIsARowAndDoesNotStopTheOthers)
                 testing::HasSubstr("Contact/Load harmonics = 900 needs more than 1800"));
   }
   EXPECT_EQ(read_summary(scratch / "results")["sweep"]["failed"], 2);
-  // Finished is finished, and a sweep without a single answer has failed.
+  // Failed cases are not repeated. A sweep without any answer fails.
   EXPECT_THAT(stemware(scratch, sweep(cases)).out, testing::HasSubstr("4 of them are in"));
   expect_refused(
     stemware(scratch, sweep({ "--vary", "Contact/Load harmonics=900:903:4", "--quiet" }, "failed")), 2,
@@ -243,9 +241,9 @@ TEST(Sweep, ABadCaseIsARowAndDoesNotStopTheOthers)
   EXPECT_NE(rows_in(scratch, "failed"), "");
 }
 
-TEST(Sweep, AFallAtRestIsNoFailure)
+TEST(Sweep, TippingAtRestIsNoFailure)
 {
-  // On a mat as soft as jelly the glass leans until it falls.
+  // On a very soft mat the glass leans until it tips.
   const ScratchFolder scratch;
   scratch.write("study.prm", quick_study());
   const Ended ended =
@@ -261,7 +259,7 @@ TEST(Sweep, AFallAtRestIsNoFailure)
   EXPECT_EQ(table.text(1, "status"), "ok");
 }
 
-TEST(Sweep, SolidBodiesAndOthersInOneTable)
+TEST(Sweep, ComparesSolidAndRevolutionInOneTable)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", coarse_study());
@@ -275,7 +273,7 @@ TEST(Sweep, SolidBodiesAndOthersInOneTable)
   EXPECT_NE(solid, revolution);
 }
 
-TEST(Sweep, UnderMpirunItNamesPython)
+TEST(Sweep, RefusesSeveralRanksAndNamesPython)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", rigid_study);
@@ -288,7 +286,7 @@ TEST(Sweep, UnderMpirunItNamesPython)
   EXPECT_FALSE(std::filesystem::exists(scratch / "results"));
 }
 
-TEST(Sweep, ProgramsReadOneLineAndPeopleNothing)
+TEST(Sweep, QuietJsonPrintsOneLine)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", rigid_study);
@@ -302,7 +300,7 @@ TEST(Sweep, ProgramsReadOneLineAndPeopleNothing)
   EXPECT_EQ(line["omega_terminal"].size(), 2u);
 }
 
-TEST(Sweep, RequestsThatCannotBeMetAreRefusedInOneSentence)
+TEST(Sweep, RefusesBadRequestsInOneSentence)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", rigid_study);

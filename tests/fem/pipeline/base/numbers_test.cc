@@ -11,7 +11,7 @@ namespace stemware::pipeline
 namespace
 {
 
-TEST(Numbers, IsTheShortestThatReadsBackExactly)
+TEST(Numbers, TextIsTheShortestThatParsesExactly)
 {
   EXPECT_EQ(to_text(0.03), "0.03");
   EXPECT_EQ(to_text(70e9), "7e10");
@@ -29,7 +29,7 @@ TEST(Numbers, ShortTextHasSixDigits)
   EXPECT_EQ(to_short_text(1.23456789e-7), "1.23457e-7");
 }
 
-TEST(Numbers, ThatAreComparedHaveTheDigitsThatTellThemApart)
+TEST(Numbers, DistinctTextsHaveEnoughDigits)
 {
   using Texts = std::pair<std::string, std::string>;
   EXPECT_EQ(distinct_texts(2.5, 2), Texts("2.5", "2"));
@@ -49,7 +49,7 @@ TEST(Numbers, RoundsToSignificantDigits)
   EXPECT_EQ(rounded(0, 5), 0);
 }
 
-TEST(Numbers, ReadsWholeFiniteNumbersOnly)
+TEST(Numbers, ParsesCompleteFiniteNumbersOnly)
 {
   EXPECT_EQ(parse_number("0.0312345678901234"), 0.0312345678901234);
   EXPECT_EQ(parse_number(" +7e10 "), 7e10);
@@ -58,7 +58,7 @@ TEST(Numbers, ReadsWholeFiniteNumbersOnly)
     EXPECT_FALSE(parse_number(text)) << text;
 }
 
-TEST(Numbers, ReadsWholeCountsOnly)
+TEST(Numbers, ParsesCompleteCountsOnly)
 {
   EXPECT_EQ(parse_count("48"), 48u);
   for (const char *text : { "", "-8", "4.0", "1e2", "12a", "99999999999" })

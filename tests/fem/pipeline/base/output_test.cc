@@ -35,7 +35,7 @@ void publish(const fs::path &target, const std::string &mark)
   folder.publish();
 }
 
-/// Sentence with which a place is refused for results, before any work; empty if it is not refused.
+/// Message that refuses a place for results before the computation; empty if it is accepted.
 std::string refusal_of_folder(const fs::path &target)
 {
   try
@@ -55,7 +55,7 @@ void expect_sentence(const std::string &sentence, const std::string &part)
   EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
 }
 
-TEST(ResultsFolder, AppearsWholeOrNotAtAll)
+TEST(ResultsFolder, AppearsCompleteOrNotAtAll)
 {
   const ScratchFolder scratch;
   {
@@ -77,7 +77,7 @@ TEST(ResultsFolder, AppearsWholeOrNotAtAll)
   EXPECT_EQ(names_in(scratch / "results"), Names{ "paper" });
 }
 
-TEST(ResultsFolder, ReplacesTheFilesOfItsStampAndCarriesHiddenFilesOver)
+TEST(ResultsFolder, ReplacesItsOwnFilesAndKeepsHiddenFiles)
 {
   const ScratchFolder scratch;
   fs::create_directory(scratch / "paper");
@@ -105,10 +105,10 @@ TEST(ResultsFolder, ReplacesTheFilesOfItsStampAndCarriesHiddenFilesOver)
   EXPECT_EQ(names_in(scratch / "paper/fields"), Names{ ".DS_Store" });
   EXPECT_EQ(read_text(scratch / "paper/.ipynb_checkpoints/note"), "mine");
   EXPECT_EQ(names_in(scratch.path()), Names{ "paper" });
-  publish(scratch / "paper", "newest"); // the folder with a hidden file only is in the stamp
+  publish(scratch / "paper", "newest"); // a folder with hidden files only is still listed as Stemware's
 }
 
-TEST(ResultsFolder, ANameWithoutRoomForItsPartialFolderIsRefusedBeforeTheWork)
+TEST(ResultsFolder, RefusesANameTooLongForItsPartialFolder)
 {
   const ScratchFolder scratch;
   const std::size_t longest = 255 - std::string(".partial-" + std::to_string(::getpid())).size();
@@ -130,7 +130,7 @@ class ChangedResults : public testing::TestWithParam<Change>
 {
 };
 
-TEST_P(ChangedResults, AreRefusedBeforeTheWorkAndAfterIt)
+TEST_P(ChangedResults, AreRefusedBeforeAndAfterTheComputation)
 {
   const ScratchFolder scratch;
   scratch.write("elsewhere", "years of work");
@@ -146,7 +146,7 @@ TEST_P(ChangedResults, AreRefusedBeforeTheWorkAndAfterIt)
     folder.publish();
     ADD_FAILURE();
   }
-  catch (const OutputFailure &failure) // and says where the new results are
+  catch (const OutputFailure &failure) // names the folder with the new results
   {
     expect_sentence(failure.what(), folder.final_folder().string() + ".partial-");
   }
@@ -196,7 +196,7 @@ INSTANTIATE_TEST_SUITE_P(
             "holds fields, which" }),
   [](const auto &info) { return info.param.name; });
 
-TEST(ResultsFolder, RefusesPlacesThatAreNone)
+TEST(ResultsFolder, RefusesInvalidPlaces)
 {
   const ScratchFolder scratch;
   scratch.write("file", "mine");
@@ -222,10 +222,10 @@ TEST(ResultsFolder, RefusesPlacesThatAreNone)
   EXPECT_EQ(names_in(scratch / "folder"), Names{ "it's \"odd\"\n$(x)" });
 }
 
-TEST(ResultsFolder, LeavesPartialFoldersOfOtherRuns)
+TEST(ResultsFolder, KeepsPartialFoldersOfOtherRuns)
 {
   const ScratchFolder scratch;
-  const std::string own = "paper.partial-" + std::to_string(::getpid()); // of a process of the same number
+  const std::string own = "paper.partial-" + std::to_string(::getpid()); // of a process with the same id
   fs::create_directory(scratch / own);
   scratch.write(own + "/load.csv", "half");
   publish(scratch / "paper", "new");
@@ -233,7 +233,7 @@ TEST(ResultsFolder, LeavesPartialFoldersOfOtherRuns)
   EXPECT_EQ(names_in(scratch / own), Names{ "load.csv" });
 }
 
-TEST(ResultsFolder, OfTwoAtOnceTheLaterOneStays)
+TEST(ResultsFolder, TheLaterOfTwoRunsStays)
 {
   const ScratchFolder scratch;
   ResultsFolder one(scratch / "paper"), two(scratch / "paper");
@@ -247,7 +247,7 @@ TEST(ResultsFolder, OfTwoAtOnceTheLaterOneStays)
   EXPECT_EQ(names_in(scratch.path()), Names{ "paper" });
 }
 
-TEST(OutputFile, ReplacesOnlyFilesWithItsMark)
+TEST(OutputFile, ReplacesOnlyFilesWrittenByStemware)
 {
   const ScratchFolder scratch;
   const std::string page = std::string("<!-- ") + written_by_stemware + " -->\n";
@@ -275,7 +275,7 @@ TEST(OutputFile, ReplacesOnlyFilesWithItsMark)
   EXPECT_EQ(read_text(scratch / "page.html"), page + "newer");
 }
 
-TEST(TextFile, TellsWhenItCannotBeWritten)
+TEST(TextFile, ThrowsIfItCannotBeWritten)
 {
   EXPECT_THROW(write_text_file("/dev/full", "text"), OutputFailure);
   EXPECT_THROW(write_text_file("/proc/stemware", "text"), OutputFailure);

@@ -6,7 +6,7 @@
 namespace stemware::pipeline
 {
 
-TEST(Text, WrapsAtTheConsolesWidth)
+TEST(Text, WrapsAtTheWidthOfTheConsole)
 {
   const std::string word(49, 'x');
   EXPECT_EQ(wrapped(word + " " + word + "x  y"), word + " " + word + "x\ny"); // exactly 100 columns
@@ -15,7 +15,7 @@ TEST(Text, WrapsAtTheConsolesWidth)
   EXPECT_EQ(wrapped(""), "");
 }
 
-TEST(Text, LikeliestWordIsTheClosest)
+TEST(Text, ClosestMatchToleratesTypingErrors)
 {
   const std::vector<std::string> words = { "run", "truncate", "converge", "sweep" };
   EXPECT_EQ(closest_match("rum", words), "run");
@@ -25,7 +25,7 @@ TEST(Text, LikeliestWordIsTheClosest)
   EXPECT_EQ(closest_match(std::string(10000000, 'r'), words), std::nullopt);
 }
 
-TEST(Text, MessagesRepeatEightyCharactersAtMost)
+TEST(Text, ShortensTextsToEightyCharacters)
 {
   EXPECT_EQ(shortened(std::string(80, 'x')), std::string(80, 'x'));
   EXPECT_EQ(shortened(std::string(81, 'x')), std::string(80, 'x') + "...");

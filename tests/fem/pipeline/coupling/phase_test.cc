@@ -1,5 +1,4 @@
-// A load that depends on where the marks of glass and table stand: entries, interpolation, and the spin that
-// follows.
+// Loads that depend on the orientation of glass and table: waviness entries and interpolation over the phase.
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/no_balance.h"
@@ -11,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace
 {
@@ -24,7 +22,7 @@ namespace ring = stemware::ring;
 
 constexpr double two_pi = boost::math::double_constants::two_pi;
 
-/// A load of made-up smooth dependence on both phases and the spin.
+/// A load with an arbitrary smooth dependence on both phases and the spin.
 ring::RingStack made_up_load(double omega, const ring::Orientation &phase)
 {
   const double wave = std::exp(0.3 * std::cos(3 * phase.glass + 0.4)) / (1.5 + std::sin(2 * phase.table));
@@ -42,7 +40,7 @@ double torque(const ring::RingStack &load, double eps)
 
 } // namespace
 
-TEST(Waviness, IsReadAndWrittenWithAllDigits)
+TEST(Waviness, IsReadAndWrittenExactly)
 {
   const auto waviness = parse_waviness(" 2 : 5e-6 @ 0.3,3:-2.000000000000001e-6 ");
   ASSERT_TRUE(waviness);
@@ -58,16 +56,16 @@ TEST(Waviness, IsReadAndWrittenWithAllDigits)
   EXPECT_EQ(waviness_text({}), "");
 }
 
-TEST(Waviness, TakesNothingElse)
+TEST(Waviness, RefusesOtherTexts)
 {
   for (const char *text : { "0: 1e-6", "1: 1e-6", "2", "2:", "2: x", "2: 1e-6 @", "2: 1e-6 @ y", "2.5: 1e-6",
                             "-2: 1e-6", "2: 1e-6,", "2: 1e-6; 3: 1e-6", "2: inf", "2: 1e-6 @ 1 @ 2" })
     EXPECT_FALSE(parse_waviness(text)) << text;
 }
 
-TEST(Marks, StandWhereTheOrbitAndTheYawPutThem)
+TEST(Marks, RotateWithOrbitAndYaw)
 {
-  // At t = 0 azimuth 0 points away from the orbit's centre: to the right of a counter-clockwise motion.
+  // At t = 0, azimuth 0 points away from the centre of the orbit, to the right of a counter-clockwise motion.
   ring::Motion motion;
   const double orbit = motion.orbit_speed / motion.orbit_radius;
   const ring::Orientation start = orientation_of_marks(motion, 0, 0);
@@ -99,7 +97,7 @@ const PhasePeriods periods = { two_pi / 3, two_pi / 2 };
 
 } // namespace
 
-TEST(PhaseSampledLoad, InterpolateWithinTheStatedError)
+TEST(PhaseSampledLoad, InterpolatesWithinTheStatedError)
 {
   const PhaseSamples at_rest = sample_phases(made_up_load, periods, { 1024 });
   EXPECT_LE(at_rest.error().mean, 1e-5);
@@ -114,10 +112,10 @@ TEST(PhaseSampledLoad, InterpolateWithinTheStatedError)
           off, std::abs(torque(loads.at(omega, phase), eps) - torque(made_up_load(omega, phase), eps)));
   EXPECT_LE(off, 2 * loads.error().between);
   EXPECT_LE(loads.error().between, 1e-3);
-  EXPECT_GT(loads.n_spins(), 1u + 4u * 3u); // rest, and more than three to begin with in each interval
+  EXPECT_GT(loads.n_spins(), 1u + 4u * 3u); // rest, and more than three initial spins in each interval
 }
 
-TEST(PhaseSampledLoad, HaveTheMeanOfPlainQuadrature)
+TEST(PhaseSampledLoad, MeanAgreesWithQuadrature)
 {
   std::vector<double> a(3, 0.), b(3, 0.);
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
@@ -147,7 +145,7 @@ TEST(PhaseSampledLoad, HaveTheMeanOfPlainQuadrature)
 namespace
 {
 
-/// First harmonic of the ring over its mean, on the side that friction turns: @p jump at half of the phases.
+/// A load whose b_1 has the value @p jump for about half of the phases, else 0.
 LoadAtPhase jumping_load(double jump)
 {
   return [jump](double, const ring::Orientation &phase) {
@@ -157,9 +155,9 @@ LoadAtPhase jumping_load(double jump)
 
 } // namespace
 
-// Between two phases a jump may lie anywhere; its mean is known to a share of their distance. Reference: the
-// share of the phases with sin > 0.1.
-TEST(PhaseSampledLoad, KnowTheMeanOfAJump)
+// The error of the mean of a jump is proportional to the spacing of the phases. Reference: share of the
+// phases with sin > 0.1.
+TEST(PhaseSampledLoad, MeanOfAJumpIsWithinTheStatedError)
 {
   const double jump = 0.1, share = 0.5 - std::asin(0.1) / M_PI;
   const PhasePeriods of_glass = { two_pi / 2, 0 };
@@ -172,9 +170,9 @@ TEST(PhaseSampledLoad, KnowTheMeanOfAJump)
   EXPECT_LT(loads.error().mean, 0.05 * jump);
 }
 
-// A kink in the spin is not met by polynomials; the mean is off by as much as each phase. Reference: the load
-// itself, whose dependence on the phase has no mean.
-TEST(PhaseSampledLoad, HaveWhatIsBetweenSpinsInTheErrorOfTheMean)
+// Polynomials do not resolve a kink in the spin, so the mean has the same error as each phase. Reference: the
+// load itself, whose phase-dependent part has zero mean.
+TEST(PhaseSampledLoad, ErrorOfTheMeanIncludesInterpolationInTheSpin)
 {
   const auto kinked = [](double omega, double phase)
   {
@@ -193,21 +191,8 @@ TEST(PhaseSampledLoad, HaveWhatIsBetweenSpinsInTheErrorOfTheMean)
   EXPECT_LE(loads.error().mean, 1e-2);
 }
 
-// A bound just above the error of the mean of 16 phases passes, one just below is refused.
-TEST(PhaseSampledLoad, RefuseAMeanBeyondTheGivenError)
-{
-  const PhasePeriods of_glass = { two_pi / 2, 0 };
-  const auto sampled = [&](double max_error) {
-    return sample_phases(jumping_load(0.3), of_glass, { 16, max_error });
-  };
-  const double error = sampled(HUGE_VAL).error().mean;
-  EXPECT_GT(error, 1e-3);
-  EXPECT_EQ(sampled(1.001 * error).phases().size(), 16u);
-  EXPECT_THROW(sampled(0.999 * error), ring::NoBalance);
-}
-
-// Spins of as many intervals as are allowed are sampled, those of one more are refused; what is known stays.
-TEST(PhaseSampledLoad, SampleNoMoreIntervalsThanAllowed)
+// Spins in the allowed number of intervals are sampled, spins in further intervals are refused.
+TEST(PhaseSampledLoad, RefusesMoreIntervalsThanAllowed)
 {
   const PhasePeriods of_glass = { two_pi / 2, 0 };
   const PhaseSamples at_rest = sample_phases(jumping_load(0.1), of_glass, { 16 });
@@ -218,29 +203,7 @@ TEST(PhaseSampledLoad, SampleNoMoreIntervalsThanAllowed)
   EXPECT_NO_THROW(loads.mean(1.));
 }
 
-TEST(PhaseSampledLoad, SayThatALargeJumpIsNotResolved)
+TEST(PhaseSampledLoad, RefusesAnUnresolvedJump)
 {
   EXPECT_THROW(sample_phases(jumping_load(2.), { two_pi / 2, 0 }, { 128 }), ring::NoBalance);
-}
-
-// A search for a spin asks again; contacts that fail take the longest.
-TEST(PhaseSampledLoad, FailAgainWithoutSolvingAgain)
-{
-  unsigned int n_failed = 0;
-  const LoadAtPhase load = [&](double omega, const ring::Orientation &phase) -> Sample
-  {
-    if (omega > 4)
-    {
-      ++n_failed;
-      throw std::runtime_error("no contact");
-    }
-    return made_up_load(omega, phase);
-  };
-  const PhasePeriods of_glass = { two_pi / 3, 0 };
-  const PhaseSampledLoad loads(load, of_glass, sample_phases(load, of_glass, { 128 }), { 3. });
-  EXPECT_NO_THROW(loads.mean(2.));
-  for (const double omega : { 3.5, 4.5, 3.2 })
-    EXPECT_THROW(loads.mean(omega), std::runtime_error) << omega;
-  EXPECT_EQ(n_failed, 1u);
-  EXPECT_NO_THROW(loads.mean(1.));
 }

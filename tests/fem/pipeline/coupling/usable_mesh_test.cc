@@ -1,4 +1,4 @@
-// Meshes of other programs, good and bad: what they are, or the one sentence that says what is wrong.
+// Meshes of other programs: accepted, or refused in one sentence.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "tests/fem/geometry/mesh_writers.h"
@@ -37,7 +37,7 @@ protected:
   }
   std::string text() const { return gmsh_text(mesh); }
 
-  /// The sentence about @p text as a mesh file; empty where it can be used.
+  /// Message that refuses @p text as a mesh file; empty if the mesh is usable.
   static std::string sentence(const std::string &text, const fem::MeshFileOptions &marks = {})
   {
     const TemporaryFile file(text);
@@ -61,7 +61,7 @@ protected:
   Mesh mesh;
 };
 
-TEST_F(ForeignMesh, TakesItsContactZoneByIdOrByHeight)
+TEST_F(ForeignMesh, TakesTheContactZoneByIdOrHeight)
 {
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary())
@@ -78,29 +78,9 @@ TEST_F(ForeignMesh, TakesItsContactZoneByIdOrByHeight)
   EXPECT_EQ(sentence(text(), { 2, 1, 1e-4 }), "");
 }
 
-TEST_F(ForeignMesh, IsRefusedWithASentenceWhereItIsBroken)
+TEST_F(ForeignMesh, RefusesInvertedCells)
 {
-  const std::string whole = text();
-  expect_sentence("", "is empty");
-  expect_sentence("this is no mesh at all\n", "is not a");
-  expect_sentence(whole.substr(0, whole.size() / 3), "Mesh file");
-  std::string letters = whole;
-  std::replace(letters.begin() + static_cast<long>(letters.size() / 4),
-               letters.begin() + static_cast<long>(letters.size() / 4) + 40, '0', 'x');
-  expect_sentence(letters, "Mesh file");
-}
-
-TEST_F(ForeignMesh, IsRefusedWhereItHasOtherElements)
-{
-  const std::string tetrahedron =
-    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
-    "$Elements\n1\n1 4 2 0 0 1 2 3 4\n$EndElements\n";
-  expect_sentence(tetrahedron, "hexahedra");
-}
-
-TEST_F(ForeignMesh, IsRefusedWhereItIsInsideOut)
-{
-  // One vertex of the top is pushed through the cells below it.
+  // One vertex of the top is moved through the cells below.
   const dealii::Point<3> place = mesh.begin_active()->vertex(7);
   move([&](const dealii::Point<3> &x)
        { return x.distance(place) < 1e-9 ? dealii::Point<3>(x[0], x[1], x[2] - 0.02) : x; });
@@ -123,14 +103,14 @@ TEST_F(ForeignMesh, IsReadInItsUnit)
   EXPECT_EQ(sentence(text(), { 2, 1, 1e-4, 1e-3 }), ""); // the height is in m
 }
 
-TEST_F(ForeignMesh, IsRefusedUpsideDown)
+TEST_F(ForeignMesh, RefusesAnUpsideDownFoot)
 {
   move([](const dealii::Point<3> &x) { return dealii::Point<3>(x[0], -x[1], -x[2]); });
   expect_sentence(text(), "facing up");
   expect_sentence(text(), "rotate the mesh");
 }
 
-TEST_F(ForeignMesh, IsRefusedWithSwappedIds)
+TEST_F(ForeignMesh, RefusesSwappedIds)
 {
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary() && face->boundary_id() != 0)
@@ -139,7 +119,7 @@ TEST_F(ForeignMesh, IsRefusedWithSwappedIds)
   EXPECT_EQ(sentence(text(), { 1, 2, 0 }), "");
 }
 
-TEST_F(ForeignMesh, IsRefusedOnAWall)
+TEST_F(ForeignMesh, RefusesAContactZoneOnAWall)
 {
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary() && face->boundary_id() != 1)
@@ -150,8 +130,8 @@ TEST_F(ForeignMesh, IsRefusedOnAWall)
   expect_sentence(text(), "100 % faces sideways");
 }
 
-/// A thousandth of the radius is allowed, 0.03 mm.
-TEST_F(ForeignMesh, IsRefusedOffTheAxis)
+/// 0.03 mm, a thousandth of the radius, is allowed.
+TEST_F(ForeignMesh, RefusesAnOffAxisMesh)
 {
   move([](const dealii::Point<3> &x) { return dealii::Point<3>(x[0] + 0.0003, x[1], x[2]); });
   expect_sentence(text(), "round (0.0003, 0) m; move the mesh by (-0.0003, 0) m");
@@ -159,7 +139,7 @@ TEST_F(ForeignMesh, IsRefusedOffTheAxis)
   EXPECT_EQ(sentence(text()), "");
 }
 
-TEST_F(ForeignMesh, IsRefusedWithNodesThatAreNotShared)
+TEST_F(ForeignMesh, RefusesUnsharedNodes)
 {
   std::set<unsigned int> sides[2];
   for (const auto &cell : mesh.active_cell_iterators())
@@ -177,7 +157,7 @@ TEST_F(ForeignMesh, IsRefusedWithNodesThatAreNotShared)
   }
 }
 
-TEST_F(ForeignMesh, IsRefusedWithPiecesThatNothingHolds)
+TEST_F(ForeignMesh, RefusesLoosePieces)
 {
   const auto is_outside = [](const dealii::Point<3> &x) { return std::hypot(x[0], x[1]) > 0.0305; };
   unsigned int n_outside = 0;
@@ -185,7 +165,7 @@ TEST_F(ForeignMesh, IsRefusedWithPiecesThatNothingHolds)
     n_outside += is_outside(cell->center());
   ASSERT_GT(n_outside, 0u);
   Mesh pieces;
-  // The small shift across keeps the nodes off the edges of the other piece.
+  // The small lateral shift keeps the nodes off the edges of the other piece.
   fem_tests::make_split(mesh, is_outside, dealii::Point<3>(1e-6, 2e-6, 1e-3), pieces);
   expect_sentence(gmsh_text(pieces), "has " + std::to_string(n_outside) + " of " +
                                        std::to_string(mesh.n_active_cells()) + " cells");

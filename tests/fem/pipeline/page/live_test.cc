@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,7 +24,7 @@ namespace
 
 using Values = std::vector<std::pair<std::string, std::string>>;
 
-/// The study of these values as the program has it.
+/// The default study with @p values.
 Study study_of(const Values &values)
 {
   Study study;
@@ -34,7 +33,7 @@ Study study_of(const Values &values)
   return study;
 }
 
-/// Gives the page a study and its compliances.
+/// Initialises the page with a study and its compliances.
 void open_page(const Values &values, const LiveBodies &bodies)
 {
   explore_begin();
@@ -51,13 +50,13 @@ nlohmann::json solved(unsigned int n_harmonics = 0, bool cold = true)
   return nlohmann::json::parse(explore_solve(n_harmonics, cold));
 }
 
-/// The terminal spin of an answer, or of another @p row of its summary.
+/// Terminal spin in the part @p row of the summary of an answer [rad/s].
 double omega_of(const nlohmann::json &answer, const char *row = "ring")
 {
   return answer.at("document").at("summary").at(row).at("omega_terminal").get<double>();
 }
 
-/// The spin by the program: the same study on a foot with meshes of its own.
+/// Terminal spin of the program for the same study [rad/s].
 double spin_by_the_program(const Study &study, unsigned int n_harmonics = all_harmonics)
 {
   fem::ComplianceCache cache;
@@ -66,7 +65,7 @@ double spin_by_the_program(const Study &study, unsigned int n_harmonics = all_ha
     .terminal->omega;
 }
 
-/// Moves one entry after the other, each back before the next, and compares cold answers with the program's.
+/// Changes one entry at a time and compares cold starts of the page with the program.
 void expect_the_programs_spins(const Values &base, const Values &moves, const std::string &fit)
 {
   fem::ComplianceCache cache;
@@ -91,7 +90,7 @@ const Values hard = { { "Table/Interface", "hard" }, { "Table/Substrate", "rigid
              mat = { { "Table/Interface", "Winkler" }, { "Table/Substrate", "rigid" } };
 const Values bare_wood = { { "Table/Interface", "hard" }, { "Table/Substrate", "elastic" } };
 
-TEST(Live, TwentyChangedEntriesHaveTheProgramsSpins)
+TEST(Live, TwentyChangedEntriesAgreeWithTheProgram)
 {
   expect_the_programs_spins(mat,
                             { { "Motion/Friction coefficient", "0.2" },
@@ -117,13 +116,13 @@ TEST(Live, TwentyChangedEntriesHaveTheProgramsSpins)
                             "same");
 }
 
-TEST(Live, OnHardAndElasticTablesToo)
+TEST(Live, AgreesOnHardAndElasticTables)
 {
   expect_the_programs_spins(hard, { { "Motion/Friction coefficient", "0.2" } }, "same");
   expect_the_programs_spins(bare_wood, { { "Motion/Force offset", "-30 mm" } }, "same");
 }
 
-TEST(Live, OnRoughTablesToo)
+TEST(Live, AgreesOnRoughTables)
 {
   expect_the_programs_spins({ { "Table/Interface", "rough" }, { "Table/Substrate", "elastic" } },
                             { { "Motion/Friction coefficient", "0.2" },
@@ -132,7 +131,7 @@ TEST(Live, OnRoughTablesToo)
                             "same");
 }
 
-TEST(Live, OnAMeshOfAnotherWidthWithinTheBand)
+TEST(Live, AgreesWithinTheBandOnACloseMesh)
 {
   for (const Values &base : { hard, bare_wood })
   {
@@ -155,7 +154,7 @@ TEST(Live, OnAMeshOfAnotherWidthWithinTheBand)
   }
 }
 
-TEST(Live, ASimilarFootHasTheProgramsSpin)
+TEST(Live, ASimilarFootAgreesWithTheProgram)
 {
   const double ratio = 1.1;
   fem::ComplianceCache cache;
@@ -172,7 +171,7 @@ TEST(Live, ASimilarFootHasTheProgramsSpin)
   }
 }
 
-TEST(Live, TheFirstHarmonicsAlone)
+TEST(Live, AgreesForTheFirstHarmonics)
 {
   fem::ComplianceCache cache;
   open_page({}, live_bodies(Study(), cache));
@@ -180,7 +179,7 @@ TEST(Live, TheFirstHarmonicsAlone)
     EXPECT_NEAR(omega_of(solved(n), "first_n"), spin_by_the_program(Study(), n), 1e-9) << n;
 }
 
-TEST(Live, MovesOneAfterTheOtherEndWhereColdOnesDo)
+TEST(Live, WarmStartsAgreeWithColdStarts)
 {
   fem::ComplianceCache cache;
   const LiveBodies bodies = live_bodies(Study(), cache);
@@ -189,7 +188,7 @@ TEST(Live, MovesOneAfterTheOtherEndWhereColdOnesDo)
     const char *path;
     std::vector<const char *> values;
   };
-  // Onwards, back and in leaps; into the grip that holds the glass, and out of it.
+  // Small, backward and large moves; into and out of the range in which the grip holds the glass.
   for (const auto &[path, values] :
        { Moves{ "Motion/Friction coefficient", { "0.29", "0.27", "0.35", "0.36", "0.37", "0.36", "0.2" } },
          Moves{ "Motion/Force offset", { "-0.048", "-0.046", "-0.044", "-0.042" } },
@@ -217,7 +216,7 @@ TEST(Live, MovesOneAfterTheOtherEndWhereColdOnesDo)
   }
 }
 
-TEST(Live, AMoveTakesContactsNextToTheSpinAlone)
+TEST(Live, AMoveSolvesContactsNextToTheSpinOnly)
 {
   fem::ComplianceCache cache;
   open_page({}, live_bodies(Study(), cache));
@@ -230,7 +229,7 @@ TEST(Live, AMoveTakesContactsNextToTheSpinAlone)
   EXPECT_EQ(document["tables"]["motion"].size(), 1u);
 }
 
-TEST(Live, WhatThePageDoesNotResolveIsRefused)
+TEST(Live, RefusesUnresolvedChanges)
 {
   fem::ComplianceCache cache;
   const LiveBodies bodies = live_bodies(study_of(mat), cache);
@@ -245,25 +244,25 @@ TEST(Live, WhatThePageDoesNotResolveIsRefused)
   open_page(hard, live_bodies(study_of(hard), cache));
   EXPECT_NE(refusal("Motion/Mass", "1 kg").find("width"), std::string::npos);
 
-  // A part of the land so narrow that the contact comes to its border.
+  // On a narrow part of the land, the contact reaches the border.
   LiveBodies narrow = bodies;
   narrow.foot = bodies.foot.part(6, 5);
   open_page(mat, narrow);
   EXPECT_NE(solved().value("error", "").find("leaves the part of the land"), std::string::npos);
 }
 
-TEST(Live, AGlassThatTipsSaysSo)
+TEST(Live, ReportsTipping)
 {
   fem::ComplianceCache cache;
   open_page({}, live_bodies(Study(), cache));
   explore_set("Motion/Force offset", "300 mm"); // at rest
   EXPECT_TRUE(solved().value("tips", false));
   explore_set("Motion/Force offset", "-50 mm");
-  explore_set("Motion/Centre of mass height", "138 mm"); // on its way
+  explore_set("Motion/Centre of mass height", "138 mm"); // during the spin-up
   EXPECT_FALSE(solved()["document"]["summary"]["ring"]["fall"].is_null());
 }
 
-TEST(Live, CurvesAndBudget)
+TEST(Live, CurvesAndBudgetAgreeWithTheAnswer)
 {
   fem::ComplianceCache cache;
   open_page({}, live_bodies(Study(), cache));
@@ -280,17 +279,16 @@ TEST(Live, CurvesAndBudget)
   const nlohmann::json budget = tables(explore_budget());
   EXPECT_NEAR(budget["waterfall"].back()["omega_terminal"].get<double>(), omega, 1e-9);
   EXPECT_GT(tables(explore_pressure())["foot"]["footprint"]["theta"].size(), 60u);
-  // The instants go from rest to the terminal spin: the torque ends at a few per cent of that at rest.
+  // The instants range from rest to the terminal spin, where the torque is below 2 % of the initial torque.
   const nlohmann::json &motion = curves["motion"];
   EXPECT_EQ(motion[0]["omega"], 0);
   EXPECT_NEAR(motion.back()["omega"].get<double>(), omega, 0.006 * std::abs(omega));
   EXPECT_LT(motion.back()["torque"].get<double>() / motion[0]["torque"].get<double>(), 0.02);
 }
 
-TEST(Live, FrictionOfAnInstantAddsUpToItsTorqueAndForce)
+TEST(Live, FrictionOfAnInstantIntegratesToTorqueAndForce)
 {
-  // Sums over the places of the rim by the trapezoidal rule, exact for the harmonics at rest; tilt and grip
-  // are off.
+  // Trapezoidal rule over the points of the rim, exact for the harmonics at rest; no tilt, no grip.
   fem::ComplianceCache cache;
   open_page({ { "Motion/Tilt", "neglected" } }, live_bodies(Study(), cache));
   solved();
@@ -308,7 +306,7 @@ TEST(Live, FrictionOfAnInstantAddsUpToItsTorqueAndForce)
   }
   const double mean = motion.friction_at_rest() * motion.normal_force() / static_cast<double>(n);
   EXPECT_NEAR(torque * mean * study.glass.profile.contact_radius, rest["torque"].get<double>(),
-              0.01 * std::abs(rest["torque"].get<double>())); // the contact is next to the radius R
+              0.01 * std::abs(rest["torque"].get<double>())); // the contact is close to the radius R
   EXPECT_NEAR(force * mean, -rest["hand"][0].get<double>(), 1e-3 * std::abs(force * mean));
 }
 

@@ -1,5 +1,5 @@
-// The solver of the page on the command line, for tests: on the feet of the default study each argument, such
-// as "Motion/Mass=0.25", is set as the page sets it. Prints the answer of the page, or its error.
+// Command-line program for tests of the page's solver: sets each argument, such as "Motion/Mass=0.25", in the
+// default study and prints the answer of the page, or its error.
 #include "fem/pipeline/page/explore_api.h"
 #include "fem/pipeline/page/explorer.h"
 #include "fem/pipeline/page/live_bodies.h"

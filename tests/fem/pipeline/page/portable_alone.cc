@@ -1,4 +1,4 @@
-// The portable libraries by themselves: whatever they call is part of them.
+// Links the portable libraries only, to detect missing symbols.
 #include "fem/pipeline/page/explore_api.h"
 
 #include <string>

@@ -1,4 +1,4 @@
-// Columns of numbers: units of angles, doubtful and broken tables.
+// Columns of numbers: units of angles, ambiguous and broken tables.
 #include "fem/pipeline/study/column_table.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
@@ -25,7 +25,7 @@ std::string column_text_refusal(const std::string &text)
   return test::sentence_of([&] { read(text); });
 }
 
-TEST(ColumnTable, SpinsAreTakenInTurnsAndDegrees)
+TEST(ColumnTable, ReadsSpinsInTurnsAndDegrees)
 {
   for (const auto &[unit, factor] : { std::pair("rpm", M_PI / 30), std::pair("rev/s", 2 * M_PI),
                                       std::pair("°/s", M_PI / 180), std::pair("deg/s", M_PI / 180) })
@@ -34,7 +34,7 @@ TEST(ColumnTable, SpinsAreTakenInTurnsAndDegrees)
       << unit;
 }
 
-TEST(ColumnTable, DoubtIsToldWithItsLine)
+TEST(ColumnTable, RefusesAmbiguousNumbersWithTheLine)
 {
   for (const auto &[text, words] : std::vector<std::pair<std::string, std::string>>{
          { "t (s),omega (rad/s)\n1,\"-1,500\"\n", "line 2, column 2" },          // -1.5 or -1500
@@ -43,7 +43,7 @@ TEST(ColumnTable, DoubtIsToldWithItsLine)
          { "t (s),omega (rad/s),ω (rad/s)\n1,2,3\n", "line 1" },
          { "frame,omega (rad/s)\n1,2\n", "line 1" },
          { "t (s),omega (rad/s)\n1,2\nend of record,-\n3,x\n", "line 3, column" },
-         { "t omega theta\n1 2\n", "line 2" }, // which one is missing?
+         { "t omega theta\n1 2\n", "line 2" },
          { "t,omega\n1,2\n3,\n", "line 3, column 2" } })
   {
     const std::string sentence = column_text_refusal(text);

@@ -1,4 +1,4 @@
-// Files of numbers in columns: what may be written, and the files that are refused with one sentence.
+// Files of numbers in columns: accepted formats, and refusals in one sentence.
 #include "fem/pipeline/study/data_files.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -22,13 +22,13 @@ std::vector<FileRow> rows_of(const std::string &file)
   return read_column_file("Entry = my.csv", file, time_and_speed);
 }
 
-/// The sentence with which a file is refused.
+/// Message that refuses a file.
 std::string column_refusal(const std::string &file)
 {
   return test::sentence_of([&] { rows_of(file); });
 }
 
-TEST(ColumnFile, MayBeWrittenInManyWays)
+TEST(ColumnFile, ReadsManyFormats)
 {
   const ScratchFolder scratch;
   for (const std::string text :
@@ -49,7 +49,7 @@ TEST(ColumnFile, MayBeWrittenInManyWays)
   EXPECT_EQ(rows_of(scratch.write("my.csv", "\n# one\n\n1 2\n")).front().line, 4u);
 }
 
-TEST(ColumnFile, EachBadTextIsRefusedWithItsLine)
+TEST(ColumnFile, RefusesBadTextWithTheLine)
 {
   const ScratchFolder scratch;
   const std::string header = "t (s), v (m/s)\n";
@@ -84,8 +84,8 @@ TEST(ColumnFile, EachBadTextIsRefusedWithItsLine)
   }
 }
 
-/// What is no file is not read: a pipe or a device would never end.
-TEST(ColumnFile, WhatIsNoFileIsRefusedUnread)
+/// Pipes and devices, which may never end, are not opened.
+TEST(ColumnFile, RefusesFoldersPipesAndLargeFiles)
 {
   const ScratchFolder scratch;
   const std::string pipe = scratch / "pipe.csv";

@@ -1,4 +1,4 @@
-// Mesh files as other programs write them and as they break: the mesh, or at once the one sentence.
+// Mesh files of other programs, valid and broken: the mesh, or one sentence without delay.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
@@ -38,7 +38,7 @@ std::string written()
   return fem_tests::gmsh_text(mesh);
 }
 
-/// Returns the sentence that refuses a mesh file; empty if it is read.
+/// Returns the message that refuses a mesh file; empty if the file is read.
 std::string mesh_refusal(const std::string &text, const std::string &extension)
 {
   const TemporaryFile file(text, extension);
@@ -58,8 +58,7 @@ void expect_refused(const std::string &text, const std::string &part, const std:
   EXPECT_LT(sentence.size(), 330u) << sentence;
 }
 
-/// Vertices, contact faces and volume are those of the mesh that was written, to the last digit that the file
-/// has.
+/// Expects the vertices, contact faces and stem faces of the written mesh, exactly.
 void expect_the_small_foot(const std::string &text)
 {
   Mesh mesh, read;
@@ -79,7 +78,7 @@ void expect_the_small_foot(const std::string &text)
   EXPECT_EQ(n_stem, n_stem_expected);
 }
 
-TEST(GmshMesh, CountsAndVersionsAreNotBelieved)
+TEST(GmshMesh, ChecksCountsAndVersions)
 {
   const std::string text = written();
   expect_the_small_foot(text);
@@ -99,7 +98,7 @@ TEST(GmshMesh, CountsAndVersionsAreNotBelieved)
   expect_refused(boost::replace_first_copy(text, " 3 2 1 1 ", " 4 2 1 1 "), "Gmsh's type 4");
 }
 
-/// Returns @p text with @p elements of Gmsh's format 2.2 (without their numbers) behind its own.
+/// Returns @p text with @p elements of Gmsh format 2.2 (without numbers) appended to its elements.
 std::string with_elements(const std::string &text, const std::vector<std::string> &elements)
 {
   const std::size_t count = text.find("$Elements\n") + 10;
@@ -111,7 +110,7 @@ std::string with_elements(const std::string &text, const std::vector<std::string
                                    more + "$EndElements");
 }
 
-/// Returns @p text with more nodes behind its own.
+/// Returns @p text with @p nodes appended to its nodes.
 std::string with_nodes(const std::string &text, const std::vector<std::string> &nodes)
 {
   const std::size_t count = text.find("$Nodes\n") + 7;
@@ -120,10 +119,10 @@ std::string with_nodes(const std::string &text, const std::vector<std::string> &
                                    boost::join(nodes, "\n") + "\n$EndNodes");
 }
 
-TEST(GmshMesh, SectionsSurfacesAndNodesThatConcernNoCellAreIgnored)
+TEST(GmshMesh, IgnoresUnusedSectionsSurfacesAndNodes)
 {
   const std::string text = written();
-  // Two nodes of no element, one of them far away.
+  // Two unused nodes, one of them far away.
   expect_the_small_foot(with_nodes(text, { "900001 1e9 0 0", "900002 0 0 0.5" }));
   // A physical surface inside the body, and triangles, lines and points.
   Mesh mesh;
@@ -143,8 +142,8 @@ TEST(GmshMesh, SectionsSurfacesAndNodesThatConcernNoCellAreIgnored)
                         "\n1\n1 20\n$EndNodeData\n$NodeData\n$EndNodeData\n");
 }
 
-/// Mesh.SaveParametric: dimension, entity and parameters stand behind the coordinates.
-TEST(GmshMesh, NodesMayHaveParameters)
+/// Mesh.SaveParametric: dimension, entity and parameters follow the coordinates.
+TEST(GmshMesh, ReadsParametricNodes)
 {
   std::istringstream lines(written());
   std::string text;
@@ -162,8 +161,8 @@ TEST(GmshMesh, NodesMayHaveParameters)
   expect_the_small_foot(text);
 }
 
-/// Cells that are halved and their neighbours that are not only seem to be joined.
-TEST(GmshMesh, HangingNodesAreCounted)
+/// Refined cells and their coarser neighbours are not connected in a file.
+TEST(GmshMesh, RefusesAMeshWithHangingNodes)
 {
   Mesh mesh;
   dealii::GridGenerator::subdivided_hyper_rectangle(mesh, { 3, 3, 2 }, {}, { 3, 3, 2 });
@@ -181,7 +180,7 @@ TEST(GmshMesh, HangingNodesAreCounted)
             hanging.insert(cell->face(f)->vertex_index(v));
   expect_refused(fem_tests::gmsh_text(mesh),
                  "has " + std::to_string(hanging.size()) + " nodes in the middle");
-  // On a curved rim the nodes lie beside the straight edges of the neighbours.
+  // On a curved rim the hanging nodes are off the straight edges of the neighbours.
   mesh.clear();
   make_small_foot(mesh);
   mesh.begin_active()->set_refine_flag();
@@ -189,14 +188,14 @@ TEST(GmshMesh, HangingNodesAreCounted)
   expect_refused(fem_tests::gmsh_text(mesh), "nodes in the middle");
 }
 
-TEST(GmshMesh, CellsThatCollapseOnTheAxisAreRefusedWithTheRemedy)
+TEST(GmshMesh, RefusesCollapsedCellsWithARemedy)
 {
   expect_refused(with_elements(written(), { "6 2 0 0 1 2 3 4 5 6" }), "has wedges; recombine");
   expect_refused(with_elements(written(), { "6 2 0 0 1 2 3 4 5 6" }), "O-grid");
   expect_refused(with_elements(written(), { "5 2 0 0 1 2 3 3 4 5 6 6" }), "a corner twice; recombine");
 }
 
-TEST(GmshMesh, AFaceHasOneId)
+TEST(GmshMesh, RefusesTwoIdsOfOneFace)
 {
   const std::string text = written();
   const std::size_t begin = text.find(" 3 2 1 1 ");
@@ -204,7 +203,7 @@ TEST(GmshMesh, AFaceHasOneId)
   expect_refused(with_elements(text, { "3 2 7 7 " + nodes }), "the ids 1 and 7");
 }
 
-TEST(GmshMesh, OwnIdsAreNamedWithTheEntriesThatTakeThem)
+TEST(GmshMesh, NamesForeignIdsAndTheirEntries)
 {
   Mesh mesh;
   make_small_foot(mesh);
@@ -220,7 +219,7 @@ TEST(GmshMesh, OwnIdsAreNamedWithTheEntriesThatTakeThem)
   expect_refused(text, "Contact/Mesh stem id = 5");
 }
 
-TEST(GmshMesh, PartitionsAndBinaryFilesAreRefusedWithTheLineThatConverts)
+TEST(GmshMesh, RefusesPartitionedAndBinaryFilesWithACommand)
 {
   Mesh mesh;
   make_small_foot(mesh);
@@ -233,7 +232,7 @@ TEST(GmshMesh, PartitionsAndBinaryFilesAreRefusedWithTheLineThatConverts)
   expect_refused(boost::replace_first_copy(text, "4.1 0", "5.0 0"), line);
 }
 
-TEST(AnyMesh, InAnotherFormatIsRefusedWithTheLineThatConverts)
+TEST(AnyMesh, RefusesOtherFormatsWithACommand)
 {
   for (const char *extension : { ".inp", ".vtu", ".unv", ".stl", "" })
   {
@@ -243,8 +242,8 @@ TEST(AnyMesh, InAnotherFormatIsRefusedWithTheLineThatConverts)
   }
 }
 
-/// A file of 3 GB that takes no room on the disk.
-TEST(AnyMesh, OfAnySizeIsBoundedBeforeItIsRead)
+/// A sparse file of 3 GB.
+TEST(AnyMesh, RefusesLargeFilesUnread)
 {
   const TemporaryFile file("");
   std::filesystem::resize_file(file.name, 3000000000);
@@ -262,7 +261,7 @@ TEST(AnyMesh, OfAnySizeIsBoundedBeforeItIsRead)
   EXPECT_THROW(require_affordable(study), BadInput);
 }
 
-TEST(AnyMesh, ThatIsNoBodyIsRefused)
+TEST(AnyMesh, RefusesMeshesThatAreNoBody)
 {
   const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n9\n1 0 0 0\n2 1 0 0\n3 1 1 0\n"
                            "4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n9 0 0 2\n$EndNodes\n$Elements\n";

@@ -1,4 +1,4 @@
-// Entries without effect are named.
+// Given entries without effect on the study.
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_file.h"
@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <tuple>
 
 namespace stemware::pipeline
 {
@@ -23,7 +22,7 @@ Names idle_with(const Settings &settings)
   return unused_entries(with_values(test::mat_study(), "the test", settings));
 }
 
-TEST(IdleEntries, FollowTheChoicesOfTheStudy)
+TEST(IdleEntries, DependOnTheChoicesOfTheStudy)
 {
   const Settings table = { { "Table/Foundation modulus", "1e9" },
                            { "Table/Decay length", "2e-6" },
@@ -86,7 +85,7 @@ TEST(IdleEntries, FollowTheChoicesOfTheStudy)
   }
 }
 
-TEST(IdleEntries, AFileOfAllEntriesGivesThoseThatDifferFromTheirDefaults)
+TEST(IdleEntries, OfACompleteFileAreThoseDifferentFromDefaults)
 {
   const test::ScratchFolder scratch;
   const std::string all = scratch.write("all.prm", commented_defaults());
@@ -102,7 +101,7 @@ TEST(IdleEntries, AFileOfAllEntriesGivesThoseThatDifferFromTheirDefaults)
     Names({ "Table/Foundation modulus" }));
 }
 
-TEST(IdleEntries, ThereAreNoneInTheCookbooks)
+TEST(IdleEntries, DoNotOccurInCookbooks)
 {
   unsigned int n_studies = 0;
   for (const auto &item : std::filesystem::directory_iterator(STEMWARE_COOKBOOKS))

@@ -13,7 +13,7 @@ namespace
 
 using test::ScratchFolder;
 
-TEST(LoadFile, ReadsWhatItWrites)
+TEST(LoadFile, IsReadAsWritten)
 {
   const ScratchFolder scratch;
   const ring::RingStack load({ 0.47, 0.1 / 3, -1e-7 }, { 0, -0.13, 2e-300 }, 0.0300007);
@@ -28,7 +28,7 @@ TEST(LoadFile, ReadsWhatItWrites)
   EXPECT_EQ(again.radius(), load.radius());
 }
 
-TEST(LoadFile, MayBeWrittenByASpreadsheet)
+TEST(LoadFile, ReadsSpreadsheetFormats)
 {
   const ScratchFolder scratch;
   const ring::RingStack load =
@@ -38,7 +38,7 @@ TEST(LoadFile, MayBeWrittenByASpreadsheet)
   EXPECT_EQ(load.b(1), 0.25);
 }
 
-TEST(LoadFile, RefusesWhatIsNotALoad)
+TEST(LoadFile, RefusesInvalidLoads)
 {
   const ScratchFolder scratch;
   const std::string radius = "# ring radius: 0.03 (m)\n";

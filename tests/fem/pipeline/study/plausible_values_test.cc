@@ -1,5 +1,4 @@
-// Values that no glass has are computed after a warning; sizes that no machine has are refused before the
-// work.
+// Warnings for implausible values, and refusals of studies that exceed the memory.
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
@@ -30,7 +29,7 @@ std::string why_refused(const Settings &settings)
   return test::sentence_of([&] { with_values(test::mat_study(), "the test", settings); });
 }
 
-TEST(PlausibleValues, GramsTakenForKilogramsAreNamed)
+TEST(PlausibleValues, WarnOfProbableUnitErrors)
 {
   EXPECT_EQ(notes_with({ { "Motion/Mass", "300 g" } }), Texts());
   for (const auto &[entry, value, meant] : { std::tuple("Motion/Mass", "300", "write 300 g"),
@@ -46,13 +45,13 @@ TEST(PlausibleValues, GramsTakenForKilogramsAreNamed)
   }
 }
 
-TEST(PlausibleValues, WhatHasNoEffectOrIsLeftOutIsNotLookedAt)
+TEST(PlausibleValues, IgnoreUnusedEntries)
 {
   EXPECT_EQ(notes_with({ { "Table/Disc thickness", "8" } }), Texts());
   EXPECT_EQ(notes_with({ { "Glass/Crown radius", "0" } }), Texts());
 }
 
-TEST(PlausibleValues, StandInTheTableOfThePage)
+TEST(PlausibleValues, AreInTheTableOfThePage)
 {
   const std::string page = test::read_text(STEMWARE_DOCS "/values.md");
   for (const StudyEntry &entry : entries_of(Study()))
@@ -86,7 +85,7 @@ TEST(PlausibleValues, DefaultsAndRangesAreThemselvesPlausible)
   EXPECT_GE(n_ranges, 35u);
 }
 
-TEST(StudySize, OfWhatPeopleAskForIsAllowed)
+TEST(StudySize, AllowsOrdinaryStudies)
 {
   for (const auto &setting : Settings{ { "Contact/Refinements", "3" },
                                        { "Contact/Harmonics", "64" },
@@ -97,7 +96,7 @@ TEST(StudySize, OfWhatPeopleAskForIsAllowed)
     EXPECT_EQ(why_refused({ setting }), "") << setting.first;
 }
 
-TEST(StudySize, TheEntryThatAsksForMostIsNamedAndALimitCanBeLifted)
+TEST(StudySize, NamesTheCostliestEntryAndTheLimit)
 {
   const auto expect_refusal =
     [](const std::string &entry, const std::string &value, const Settings &base = {})
@@ -107,9 +106,7 @@ TEST(StudySize, TheEntryThatAsksForMostIsNamedAndALimitCanBeLifted)
     settings.emplace_back(entry, value);
     EXPECT_EQ(why_refused(settings).rfind(entry + " = " + value + " would take about ", 0), 0u)
       << why_refused(settings);
-    settings.emplace_back("Contact/Memory limit", "100 TB");
-    EXPECT_THAT(why_refused(settings), testing::HasSubstr("unknown unit")); // no prefix T is known
-    settings.back().second = "1e15";
+    settings.emplace_back("Contact/Memory limit", "1e15");
     EXPECT_EQ(why_refused(settings), "");
   };
   expect_refusal("Contact/Refinements", "6");
@@ -126,7 +123,7 @@ TEST(StudySize, TheEntryThatAsksForMostIsNamedAndALimitCanBeLifted)
   EXPECT_EQ(why_refused({ { "Motion/End time", "5000" }, { "Motion/Step limit", "1e7" } }), "");
 }
 
-TEST(StudySize, AMeshFileIsCountedBeforeItIsRead)
+TEST(StudySize, CountsAMeshFileBeforeReadingIt)
 {
   const test::ScratchFolder scratch;
   const auto size_with = [&](const std::string &mesh, const std::string &refinements = "0")
@@ -151,11 +148,11 @@ TEST(StudySize, AMeshFileIsCountedBeforeItIsRead)
   EXPECT_THAT(refusal, testing::HasSubstr("give a coarser mesh, or allow more with Contact/Memory limit = "));
 }
 
-TEST(StudySize, MemoryIsThatOfMeasuredRuns)
+TEST(StudySize, MemoryAgreesWithMeasuredRuns)
 {
-  // Peak of `stemware truncate`, resident, of version 0.2: default 189 MB, Refinements = 2 454 MB, Azimuth
-  // lines = 4000 411 MB; of `stemware run --quick` of version 0.4, a condensed solid of 38 139 unknowns 858
-  // MB. An estimate that only protects may be off by a factor of two.
+  // Measured resident peaks. `stemware truncate` of version 0.2: default 189 MB, Refinements = 2 454 MB,
+  // Azimuth lines = 4000 411 MB. `stemware run --quick` of version 0.4, condensed solid with 38 139 unknowns:
+  // 858 MB. The estimate must be within a factor of two.
   const auto megabytes = [](const Settings &settings)
   { return size_of(with_values(test::mat_study(), "the test", settings)).memory / 1e6; };
   for (const auto &[found, measured] :

@@ -1,4 +1,4 @@
-// Sections of a glass that are read from a file of points, and the files that are refused: one sentence each.
+// Sections of a glass from a file of points: fitted rims and refusals in one sentence.
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_checks.h"
@@ -23,7 +23,7 @@ using test::ScratchFolder;
 const std::string plain_foot = "0, 2\n20, 2\n28, 0\n32, 0\n34, 1\n34, 3\n16, 4\n6, 8\n4, 16\n0, 16\n";
 const std::string millimetres = "r (mm), z (mm)\n";
 
-/// The study of a drawn foot whose crown is given.
+/// Study of a drawn foot.
 Study study_of(const ScratchFolder &scratch, const std::string &points, const std::vector<std::string> &more)
 {
   std::vector<std::string> overrides = { "Glass/Shape=profile",
@@ -38,14 +38,14 @@ Study study_of(const std::string &points,
   return study_of(ScratchFolder(), points, more);
 }
 
-/// The sentence with which a file is refused, nothing where it is not.
+/// Message that refuses a file; empty if the file is accepted.
 std::string profile_refusal(const std::string &points,
                             const std::vector<std::string> &more = { "Glass/Crown radius=0.003" })
 {
   return test::sentence_of([&] { study_of(points, more); });
 }
 
-TEST(ProfileFile, RimFollowsFromItsPointsUnlessItIsGiven)
+TEST(ProfileFile, FitsTheRimUnlessItIsGiven)
 {
   std::string points = "0,3\n20,3\n";
   for (int i = -5; i <= 5; ++i)
@@ -69,8 +69,8 @@ TEST(ProfileFile, RimFollowsFromItsPointsUnlessItIsGiven)
   EXPECT_EQ(profile_note(Study()), "");
 }
 
-/// A rim of 2.5 mm about r = 29.5 mm with ten points of the land, whose heights have errors of @p error mm
-/// with alternating signs.
+/// A rim of radius 2.5 mm at r = 29.5 mm with ten points on the land, whose heights have errors of @p error
+/// mm with alternating signs.
 std::string scattered_foot(double error)
 {
   std::string points = millimetres + "0,3\n20,3\n";
@@ -83,7 +83,7 @@ std::string scattered_foot(double error)
   return points + "34,2\n34,4\n6,8\n5,16\n0,16\n";
 }
 
-TEST(ProfileFile, EachBadOneIsRefusedInOneSentence)
+TEST(ProfileFile, RefusesBadFilesInOneSentence)
 {
   const std::vector<std::pair<std::string, std::string>> bad = {
     { "", "has no rows" },
@@ -106,7 +106,7 @@ TEST(ProfileFile, EachBadOneIsRefusedInOneSentence)
   EXPECT_THROW(read_study("", { "Glass/Shape=profile", "Glass/Profile file=missing.csv" }), BadInput);
 }
 
-TEST(ProfileFile, EntriesOfOtherShapesAreIdle)
+TEST(ProfileFile, IgnoresEntriesOfOtherShapes)
 {
   const Study study =
     study_of(millimetres + plain_foot,
@@ -116,15 +116,15 @@ TEST(ProfileFile, EntriesOfOtherShapesAreIdle)
             std::vector<std::string>{ "Glass/Profile file" });
 }
 
-/// Folders of results state every entry: those of the rim are then given, at their defaults too.
-TEST(ProfileFile, StudyIsRunAgainAsItWas)
+/// Results folders state every entry, so that a repeated study has a given rim.
+TEST(ProfileFile, RepeatedStudyIsIdentical)
 {
   const ScratchFolder scratch;
   const Study study = study_of(scratch, millimetres + plain_foot, { "Glass/Crown radius=0.003" });
   const Study again = read_study(scratch.write("again.prm", study_as_prm(study)), {});
   EXPECT_EQ(study_as_prm(again), study_as_prm(study));
 
-  // A rim that was fitted stays one, although its values are given in the repeated study.
+  // A fitted rim stays fitted, although its values are given in the repeated study.
   const Study fitted = study_of(scratch, scattered_foot(0.001), { "Glass/Land width=0.0021" });
   const Study repeated = read_study(scratch.write("again.prm", study_as_prm(fitted)), {});
   EXPECT_EQ(study_as_prm(repeated), study_as_prm(fitted));

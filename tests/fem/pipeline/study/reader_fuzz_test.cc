@@ -1,6 +1,6 @@
-// Mutated files through every reader of the program: what comes out is what was read, or one of its own
-// sentences; no crash, no foreign exception, no hang. The mutations come from a fixed seed, so that a finding
-// can be had again; under the preset `sanitize` the readers run with the address sanitizer.
+// Mutated files for every reader of the program. Each is read or refused in one sentence, without crash,
+// foreign exception or hang. The seed is fixed, so that failures are reproducible. The preset `sanitize` adds
+// the address sanitizer.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/analysis/case_list.h"
 #include "fem/pipeline/base/failures.h"
@@ -34,7 +34,7 @@ public:
   {
   }
 
-  /// @p text after one to four changes, large and small.
+  /// Returns @p text after one to four random changes.
   std::string operator()(std::string text)
   {
     for (std::size_t i = 1 + below(4); i > 0; --i)
@@ -91,7 +91,7 @@ private:
         text.replace(begin, text.find_first_not_of("0123456789.e-", begin) - begin, word());
       break;
     }
-    case 6: // a line away, or twice
+    case 6: // a line removed or doubled
     {
       const std::size_t end = text.find('\n', at),
                         next = end == std::string::npos ? end : text.find('\n', end + 1);
@@ -99,7 +99,7 @@ private:
         below(2) == 0 ? text.erase(end, next - end) : text.insert(end, text.substr(end, next - end));
       break;
     }
-    default: // many times
+    default: // a part repeated many times
     {
       const std::string part = below(2) == 0 ? word() : text.substr(at, std::min<std::size_t>(n, 20));
       for (std::size_t i = below(3000); i > 0 && text.size() < 300000; --i)
@@ -111,7 +111,7 @@ private:
   std::mt19937 random;
 };
 
-/// A reader, the files that it is tried with, and how often.
+/// A reader, its seed files, and the number of trials.
 struct FuzzedReader
 {
   std::string name, extension;
@@ -150,7 +150,6 @@ void read_mesh(const fs::path &file)
 
 const std::string case_table = "Motion/Mass (g);Motion/Closure\r\n302,5;\"full\"\r\n0,29 kg;paper\r\n";
 
-/// Made once.
 std::vector<FuzzedReader> made_readers()
 {
   const auto read_given_study = [](const fs::path &file) { read_study(file.string()); };
@@ -187,7 +186,7 @@ class ReaderFuzz : public testing::TestWithParam<std::size_t>
 {
 };
 
-TEST_P(ReaderFuzz, EndsInWhatWasReadOrInOneSentence)
+TEST_P(ReaderFuzz, MutatedFilesAreReadOrRefusedInOneSentence)
 {
   const FuzzedReader &reader = all_readers().at(GetParam());
   const fs::path folder = testing::TempDir() + "stemware_fuzz_" + std::to_string(::getpid());

@@ -1,4 +1,4 @@
-// Values that do not go together, that no glass has, and choices that one entry makes for another.
+// Inconsistent and impossible values, and choices that one entry makes for another.
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/mat_study.h"
@@ -19,9 +19,9 @@ std::string refusal_of(const Settings &settings)
   return test::sentence_of([&] { with_values(test::mat_study(), "the test", settings); });
 }
 
-TEST(StudyChecks, WithoutAContactThereIsNoFootToCheck)
+TEST(StudyChecks, WithoutAContactIgnoreTheFoot)
 {
-  // A ring of 65 mm, to which the default foot of 34 mm does not belong.
+  // A ring of 65 mm is larger than the default foot of 34 mm.
   const Settings ring = { { "Glass/Contact radius", "65 mm" } };
   EXPECT_THAT(refusal_of(ring), testing::HasSubstr("Glass/Foot radius"));
   Settings paper = ring;
@@ -31,19 +31,19 @@ TEST(StudyChecks, WithoutAContactThereIsNoFootToCheck)
   EXPECT_NE(refusal_of(paper), "");
 }
 
-/// Settings, and the entry with its value that a refusal names first; empty if they are allowed.
+/// Settings, and the entry with value that the refusal names first; empty if the settings are allowed.
 struct Check
 {
   Settings settings;
   std::string named;
 };
 
-TEST(StudyChecks, RefuseValuesThatDoNotGoTogether)
+TEST(StudyChecks, RefuseInconsistentValues)
 {
   const std::pair<std::string, std::string> elastic = { "Table/Substrate", "elastic" },
                                             solid = { "Contact/Body", "solid" };
   const std::vector<Check> checks = {
-    // Lengths in another unit; those that nothing is made from are not looked at.
+    // Lengths in another unit; unused lengths are not checked.
     { { { "Glass/Foot radius", "34" } }, "Glass/Foot radius = 34 m" },
     { { { "Glass/Stem height", "10" } }, "Glass/Stem height = 10 m" },
     { { { "Glass/Land width", "1e-12" } }, "Glass/Land width = 1e-12 m" },
@@ -54,7 +54,7 @@ TEST(StudyChecks, RefuseValuesThatDoNotGoTogether)
     { { elastic, { "Table/Disc thickness", "50" } }, "Table/Disc thickness = 50 m" },
     { { { "Table/Disc radius", "150" } }, "" },
     { { { "Load/Source", "first harmonic" }, { "Glass/Stem height", "10" } }, "" },
-    // Thin layers and large discs are allowed, sizes that would run without end are not.
+    // Thin layers and large discs are allowed up to computable sizes.
     { { elastic, { "Table/Disc thickness", "5e-5" } }, "" },
     { { elastic, { "Table/Disc radius", "3" }, { "Table/Disc thickness", "3" } }, "" },
     { { elastic, { "Table/Disc thickness", "20 um" } }, "Table/Disc thickness = 2e-5 m" },
@@ -87,7 +87,7 @@ TEST(StudyChecks, RefuseValuesThatDoNotGoTogether)
   }
 }
 
-TEST(StudyChecks, AGoalNeedsAFootWhoseErrorIsEstimated)
+TEST(StudyChecks, AGoalNeedsAnErrorEstimate)
 {
   EXPECT_EQ(refusal_of({ { "Contact/Goal", "torque" }, { "Contact/Body", "solid" } }), "");
   for (const auto &[settings, needs] :
@@ -104,7 +104,7 @@ TEST(StudyChecks, AGoalNeedsAFootWhoseErrorIsEstimated)
   }
 }
 
-TEST(StudyChoices, AGivenMomentIsOneWayAndDoesNotTilt)
+TEST(StudyChoices, AGivenMomentIsOneWayWithoutTilt)
 {
   Study study;
   EXPECT_TRUE(study.load.is_in_balance());
@@ -114,7 +114,7 @@ TEST(StudyChoices, AGivenMomentIsOneWayAndDoesNotTilt)
   EXPECT_FALSE(study.tilts());
 }
 
-TEST(StudyChoices, TiltActsInTheClosureFullOnAContact)
+TEST(StudyChoices, TiltNeedsTheClosureFullAndAContact)
 {
   const auto tilts = [](const Settings &settings)
   { return with_values(test::mat_study(), "the test", settings).tilts(); };
@@ -125,7 +125,7 @@ TEST(StudyChoices, TiltActsInTheClosureFullOnAContact)
   EXPECT_FALSE(tilts({ { "Load/Source", "first harmonic" } }));
 }
 
-TEST(StudyChecks, NamesInAMessageOfALibraryBecomeEntries)
+TEST(StudyChecks, LibraryMessagesNameEntries)
 {
   EXPECT_EQ(with_entries("Foot radius = -1 m is no length; change the foot radius or the disc radius."),
             "Glass/Foot radius = -1 m is no length; change the Glass/Foot radius or the Table/Disc radius.");

@@ -14,21 +14,13 @@ namespace
 
 using test::ScratchFolder;
 
-/// Sentence with which a study is refused; empty when it is not.
+/// Message that refuses a study; empty if the study is accepted.
 std::string study_refusal(const std::string &file, const std::vector<std::string> &overrides = {})
 {
   return test::sentence_of([&] { read_study(file, overrides); });
 }
 
-TEST(StudyFile, EveryDefaultIsAnAllowedValue)
-{
-  Study study;
-  for (const StudyEntry &entry : study_entries(study))
-    EXPECT_TRUE(entry.assign(entry.text())) << entry.path();
-  EXPECT_NO_THROW(check_study(study));
-}
-
-TEST(StudyFile, EchoGivesTheSameStudyAgain)
+TEST(StudyFile, WrittenStudyIsReadIdentically)
 {
   const ScratchFolder scratch;
   const std::string file = scratch.write("first.prm", "# defaults\n");
@@ -74,7 +66,7 @@ TEST(StudyFile, TheHandStaysUnlessItsOffsetIsGiven)
   EXPECT_EQ(lower.motion.orbit.force_offset, -0.1875);
 }
 
-TEST(StudyFile, JsonSaysTheSameAsPrm)
+TEST(StudyFile, JsonAndPrmAgree)
 {
   const ScratchFolder scratch;
   const Study prm = read_study(scratch.write("a.prm", "subsection Table\n  set Interface = hard\nend\n"
@@ -84,7 +76,7 @@ TEST(StudyFile, JsonSaysTheSameAsPrm)
   EXPECT_EQ(study_as_json(json), study_as_json(prm));
 }
 
-TEST(StudyFile, OverridesWinOverTheFileAndStandOnce)
+TEST(StudyFile, OverridesReplaceFileValues)
 {
   const ScratchFolder scratch;
   const std::string file = scratch.write("a.prm", "subsection Motion\n  set Mass = 0.2\nend\n");
@@ -93,7 +85,7 @@ TEST(StudyFile, OverridesWinOverTheFileAndStandOnce)
   EXPECT_THROW(read_study(file, { "Motion/Mass=0.4", "Motion/Mass=0.5" }), BadInput);
 }
 
-TEST(StudyFile, PathsStartAtTheStudyFile)
+TEST(StudyFile, PathsAreRelativeToTheStudyFile)
 {
   const ScratchFolder scratch;
   for (const char *folder : { "meshes", "studies", "results" })
@@ -107,7 +99,7 @@ TEST(StudyFile, PathsStartAtTheStudyFile)
   EXPECT_EQ(study.contact.mesh_file, mesh);
   EXPECT_EQ(study.load.file, "");
   EXPECT_EQ(with_paths_from(scratch / "results", study).contact.mesh_file, "../meshes/foot.msh");
-  // On the command line a path is what the shell's completion makes of it.
+  // On the command line, paths are relative to the working directory.
   EXPECT_EQ(read_study(file, { "Contact/Mesh file=" + mesh }).contact.mesh_file, mesh);
   EXPECT_NE(study_refusal(file, { "Contact/Mesh file=../meshes/foot.msh" }), "");
   // Each entry of a file is a path.
@@ -116,7 +108,7 @@ TEST(StudyFile, PathsStartAtTheStudyFile)
     EXPECT_EQ(entry.name.rfind("ile") + 3 == entry.name.size(), entry.path_value != nullptr) << entry.path();
 }
 
-TEST(StudyFile, GuessesTheSymbolsOfTheField)
+TEST(StudyFile, SuggestsEntriesForCommonSymbols)
 {
   for (const auto &[word, meant] : {
          std::pair("Glass/E", "Glass/Young modulus"),
@@ -133,9 +125,9 @@ TEST(StudyFile, GuessesTheSymbolsOfTheField)
       << word;
 }
 
-TEST(StudyFile, FieldWordsAreGuessesAtEntries)
+TEST(StudyFile, SuggestsExistingEntriesOnly)
 {
-  // A guess that names no entry would be found by nobody else.
+  // Every suggestion must name an existing entry.
   for (const char *word :
        { "E",     "nu", "mu", "mu_k", "mu_s", "v_s", "c", "R",   "m",  "g", "v",        "rho",
          "rho_c", "z",  "h",  "hand", "dz",   "I",   "k", "p_0", "p0", "l", "Thickness" })
@@ -148,7 +140,7 @@ TEST(StudyFile, FieldWordsAreGuessesAtEntries)
     }
 }
 
-TEST(StudyFile, TakesAnEntryByItsNameAlone)
+TEST(StudyFile, AcceptsAnEntryWithoutItsSection)
 {
   const ScratchFolder scratch;
   EXPECT_EQ(read_study("", { "Mass=250 g" }).motion.orbit.mass, 0.25);
@@ -161,7 +153,7 @@ TEST(StudyFile, TakesAnEntryByItsNameAlone)
   EXPECT_THAT(study_refusal("", { "Mas=1" }), testing::HasSubstr("did you mean Motion/Mass?"));
 }
 
-TEST(StudyFile, LeavesQuotesOut)
+TEST(StudyFile, RefusesQuotesWithAHint)
 {
   for (const char *value : { "\"300 g\"", "'300 g'", "\u201c300 g\u201d" })
     EXPECT_THAT(study_refusal("", { "Motion/Mass=" + std::string(value) }), testing::HasSubstr("quotes"))
@@ -170,7 +162,7 @@ TEST(StudyFile, LeavesQuotesOut)
               testing::HasSubstr("blanks between its digits"));
 }
 
-TEST(StudyFile, LinesMayGoOnAndSectionsComeBack)
+TEST(StudyFile, ReadsContinuedLinesAndRepeatedSections)
 {
   const ScratchFolder scratch;
   const std::string file = scratch.write("a.prm", "# a comment\n"
@@ -187,7 +179,7 @@ TEST(StudyFile, LinesMayGoOnAndSectionsComeBack)
   EXPECT_EQ(waviness_text(study.glass.waviness), "2: 1e-6, 3: 2e-6");
 }
 
-TEST(StudyFile, NamesTheLineOfWhatIsWrong)
+TEST(StudyFile, NamesTheLineOfAnError)
 {
   const ScratchFolder scratch;
   for (const auto &[text, line, entry] :

@@ -1,4 +1,4 @@
-// Text tables as spreadsheets, phones and instruments write them.
+// Text tables of spreadsheets, phones and instruments.
 #include "fem/pipeline/study/table_file.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
@@ -12,7 +12,7 @@ namespace
 
 using Cells = std::vector<std::string>;
 
-TEST(TableFile, SeparatorsAreThoseOfTheFirstRow)
+TEST(TableFile, TakesTheSeparatorOfTheFirstRow)
 {
   for (const std::string text :
        { "a,b c\n1,2.5\n", "a;b c\r\n1;2,5\r\n", "a\tb c\n1\t2,5", "# by hand\n\n a , b c \n1 ,2.5\n" })
@@ -28,7 +28,7 @@ TEST(TableFile, SeparatorsAreThoseOfTheFirstRow)
   EXPECT_EQ(parse_table("", "Motion/Force offset\n-0,05\n").rows[0].cells, Cells{ "Motion/Force offset" });
 }
 
-TEST(TableFile, ASpreadsheetsFirstLineNamesTheSeparator)
+TEST(TableFile, ReadsTheSeparatorLineOfSpreadsheets)
 {
   for (const std::string text :
        { "sep=;\nt (s), of video;v\n1;2,5\n", "SEP=;\r\nt (s), of video;v\r\n1;2,5" })
@@ -55,12 +55,12 @@ TEST(TableFile, QuotesFollowRfc4180)
   EXPECT_EQ(table.rows[1].line, 2u);
   EXPECT_EQ(table.rows[2].line, 4u);
   EXPECT_EQ(table.with_point(table.rows[2].cells[0]),
-            "1,000"); // commas separate: this one is no decimal comma
+            "1,000"); // the separator is a comma, so this is no decimal comma
   EXPECT_THAT(test::sentence_of([] { parse_table("cases.csv", "a,b\n1,\"2\n"); }),
               testing::HasSubstr("cases.csv, line 2: "));
 }
 
-TEST(TableFile, EmptyCellsCountAndDecimalCommasStandAlone)
+TEST(TableFile, ReadsEmptyCellsAndDecimalCommas)
 {
   const TextTable table = parse_table("", "a;b;c\n;1,5;\n1.000,5;2,000,3;2\n");
   EXPECT_EQ(table.rows[1].cells, (Cells{ "", "1,5", "" }));
@@ -69,7 +69,7 @@ TEST(TableFile, EmptyCellsCountAndDecimalCommasStandAlone)
   EXPECT_EQ(table.with_point("2,000,3"), "2,000,3");
 }
 
-TEST(TableFile, HeadingsHaveUnits)
+TEST(TableFile, SeparatesNameAndUnitOfAHeading)
 {
   for (const auto &[cell, name, unit] :
        { std::tuple("Motion/Mass (g)", "Motion/Mass", "g"),

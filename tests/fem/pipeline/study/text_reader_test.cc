@@ -1,5 +1,5 @@
-// Text files from other programs and editors: byte order marks, decimal commas, broken and deep JSON, numbers
-// that no glass has. Each is read, or refused with one sentence that names the place.
+// Text files from other programs and editors: byte order marks, broken and deeply nested JSON, impossible
+// numbers. Each is read, or refused in one sentence with the place.
 #include "fem/pipeline/base/json_text.h"
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
@@ -38,7 +38,7 @@ std::string repeated(const std::string &text, unsigned int n)
   return all;
 }
 
-TEST(TextReader, SkipsAByteOrderMarkAndNamesUtf16)
+TEST(TextReader, SkipsAByteOrderMarkAndRefusesUtf16)
 {
   const std::string mark = "\xEF\xBB\xBF", study = "subsection Motion\n  set Mass = 0.3\nend\n";
   EXPECT_EQ(read_study(TemporaryFile(mark + study, ".prm").name).motion.orbit.mass, 0.3);
@@ -57,7 +57,7 @@ TEST(TextReader, SkipsAByteOrderMarkAndNamesUtf16)
   }
 }
 
-TEST(TextReader, SaysWhereJsonIsBroken)
+TEST(TextReader, NamesThePlaceOfAJsonError)
 {
   expect_refused_study("{\"Glass\": {\n  \"Contact radius\": 0.03,\n", ".json",
                        "line 3, column 1: the JSON ends");
@@ -66,7 +66,7 @@ TEST(TextReader, SaysWhereJsonIsBroken)
   expect_refused_study("{\"Motion\": {\"Mass\": 1e999}}", ".json", "double precision");
 }
 
-TEST(TextReader, RefusesJsonThatIsNestedDeeply)
+TEST(TextReader, RefusesDeeplyNestedJson)
 {
   expect_refused_study("{\"Motion\": {\"Mass\": " + repeated("[", 490000) + "}}", ".json",
                        "nested more than 100");
@@ -76,7 +76,7 @@ TEST(TextReader, RefusesJsonThatIsNestedDeeply)
     1002u); // not within strings
 }
 
-TEST(TextReader, NamesTheNumbersThatNoGlassHas)
+TEST(TextReader, RefusesImpossibleNumbers)
 {
   const auto refuse = [](const std::string &assignment, const std::string &part)
   { expect_sentence_of([&] { read_study("", { assignment }); }, part); };
@@ -86,7 +86,7 @@ TEST(TextReader, NamesTheNumbersThatNoGlassHas)
   EXPECT_EQ(read_study("", { "Motion/Grip torque=0" }).motion.grip_torque, 0);
 }
 
-TEST(TextReader, AProfileOfTooManyPointsIsRefusedAtOnce)
+TEST(TextReader, RefusesAProfileWithTooManyPoints)
 {
   std::string zigzag = "r (mm), z (mm)\n0, 2\n";
   for (int i = 1; i < 60000; ++i)
