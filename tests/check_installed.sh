@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What is installed with the program: cookbooks, meshes, licence.
+# Checks that cookbooks, meshes and licence are installed with the program.
 #
 #   check_installed.sh PREFIX
 set -euo pipefail

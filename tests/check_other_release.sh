@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What other_release.sh takes for equal numbers, and that it says so where it cannot work.
+# Checks the comparison of numbers in other_release.sh, and its messages if it cannot work.
 #
 #   check_other_release.sh SOURCE_FOLDER
 # shellcheck disable=SC2317 # functions are called through expect()

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What ./quickstart does and says, with stand-ins for apt, CMake and the program that note their calls.
+# Checks the calls and messages of ./quickstart, with stand-ins for apt, CMake and the program that log their calls.
 #
 #   check_quickstart.sh SOURCE_FOLDER
 # shellcheck disable=SC2016 # the stand-ins expand their arguments
@@ -26,7 +26,7 @@ stand_in npm ''
 stand_in cmake 'seq 200; [[ $* != *--build* ]] || { mkdir -p build/release; printf "%s\n" "#!/bin/sh" "echo \"stemware \$*\" >>\"\$CALLS\"" >build/release/stemware; chmod +x build/release/stemware; }'
 
 troubles=0
-# The command ends with an exit code, and each further argument is found in what it says or calls.
+# Checks the exit code of the command, and that each further argument occurs in its output or calls.
 ends() { # exit code, command, patterns
   local status=0 pattern
   : >"$CALLS"

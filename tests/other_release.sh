@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
-# Stemware in a bare root of a Debian release, by default the one of Debian 12 and 13 that this machine is not.
-# shellcheck disable=SC2016,SC2317
-# (What shells and apt in the root are to expand is not expanded here; traps call functions.)
+# Runs Stemware in a bare root of another Debian release (12 or 13).
+# shellcheck disable=SC2016,SC2317 # the root's shell and apt expand the texts; traps call functions
 set -euo pipefail
 
 usage() {
   cat <<'HELP'
-Stemware in a bare root of a Debian release: what somebody gets who has nothing but that.
+Runs Stemware in a bare root of a Debian release, without any other software.
 
   other_release.sh [OPTIONS] source [CTEST_ARGUMENT...]   in a clone of the commit: ./quickstart run, ./quickstart test
   other_release.sh [OPTIONS] package FILE.deb...          installs packages of Stemware and runs the default study
@@ -14,23 +13,23 @@ Stemware in a bare root of a Debian release: what somebody gets who has nothing 
   other_release.sh [OPTIONS] in COMMAND...                runs a command in the root of the last time
   other_release.sh compare FILE FILE                      compares the numbers that two runs have printed
 
-  --release bookworm|trixie   the release (default: the one that this machine is not)
-  --folder DIR                works and leaves everything there (default: a folder that is removed in the end)
-  --again                     goes on in the root of the last time, not in a bare one
+  --release bookworm|trixie   the release (default: not the release of this machine)
+  --folder DIR                works in DIR and keeps it (default: a folder that is removed at the end)
+  --again                     reuses the root of the last run instead of a bare one
   --run-only                  without ./quickstart test
-  --commit COMMIT             what is cloned (default: HEAD)
+  --commit COMMIT             the commit that is cloned (default: HEAD)
   --program FILE              the stemware of this machine (default: build/release/stemware); the numbers that both
                               print for three studies must be equal to one unit of the last digit
 
 "source" and "package" report packages, megabytes, minutes and the answer. The root comes from the Debian mirror of
-this machine's apt, through its proxy. It needs root and debootstrap; where these or the mirror are missing, it says so
-and ends with 77, which ctest takes for "skipped". STEMWARE_PRESET, CMAKE_BUILD_PARALLEL_LEVEL and CTEST_PARALLEL_LEVEL
-reach ./quickstart.
+this machine's apt, through its proxy. It needs root and debootstrap; if these or the mirror are missing, it says so
+and exits with 77 ("skipped" in ctest). STEMWARE_PRESET, CMAKE_BUILD_PARALLEL_LEVEL and CTEST_PARALLEL_LEVEL are passed
+to ./quickstart.
 HELP
 }
 
 source=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
-# Compared are the glass on a mat and two solid feet.
+# Studies that are compared: the glass on a mat and two solid feet.
 studies=(
   "docs/cookbooks/mat.prm"
   "docs/cookbooks/oval_foot.prm"
@@ -46,29 +45,29 @@ skip() { stop "$1" 77; }
 
 # ---- the root
 
-# Lines "URI SUITE" of the Debian archives that this machine's apt reads.
+# Prints the Debian archives of this machine's apt, one "URI SUITE" per line.
 mirrors_of_this_machine() {
   apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Packages' 2>/dev/null |
     grep -E " $this_release(-updates|-security)?\$" | sort -u || true
 }
 
-# The same for the release asked for.
+# Prints the same lines for the requested release.
 mirrors() {
   local found
   found=$(mirrors_of_this_machine)
   printf '%s\n' "${found// $this_release/ $release}"
 }
 
-# What apt has been told of proxies, as lines of an apt.conf.
+# Prints the proxy settings of apt, as lines of an apt.conf.
 proxies() { apt-config dump 2>/dev/null | grep -E '^Acquire::[a-zA-Z]+::Proxy ' || true; }
 
-# Runs a command in the root. Its mounts and processes are in namespaces of their own: they end with it, however it ends.
+# Runs a command in the root, with private namespaces: its mounts and processes end when the command ends or is killed.
 in_root() {
   local status=0 variable environment=()
   for variable in STEMWARE_PRESET CMAKE_BUILD_PARALLEL_LEVEL CTEST_PARALLEL_LEVEL; do
     [[ -z ${!variable:-} ]] || environment+=("$variable=${!variable}")
   done
-  # The shell in there stays, to look after orphans.
+  # The inner shell stays alive and reaps orphans.
   unshare --mount --pid --fork --kill-child bash -c '
     set -e
     root=$1
@@ -109,7 +108,7 @@ make_bare_root() {
   mv -- "$bare.part" "$bare"
 }
 
-# What the verbs with a root need. Sets release, folder and root.
+# Checks the tools that a root needs. Sets release, folder and root.
 prepare() {
   ((EUID == 0)) || skip "making a root of another release needs root."
   local command
@@ -155,13 +154,13 @@ n_packages() { in_root dpkg-query --show --showformat='.\n' | wc -l; }
 megabytes() { du -smx -- "$root" | cut -f 1; }
 minutes_since() { awk -v s=$((SECONDS - $1)) 'BEGIN { printf "%.1f minutes", s / 60 }'; }
 
-# Runs a command in the root with its output on the terminal and in a file of the folder; adds its packages, size and time
-# to the report.
+# Runs a command in the root, copies its output to a file of the folder, and adds its packages, size and time to the
+# report.
 reported() { # name, command...
   local start=$SECONDS packages size status=0
   packages=$(n_packages) size=$(megabytes)
   echo "==== $1"
-  # Not through a pipe: a signal must find the child.
+  # Not through a pipe: a signal must reach the child.
   local screen copier
   exec {screen}> >(tee -- "$folder/$1.txt")
   copier=$!
@@ -176,13 +175,13 @@ reported() { # name, command...
 
 # ---- numbers
 
-# The results in what a run has printed: behind the progress, before the paths.
+# Prints the results in the output of a run, without the progress before and the paths after them.
 results_in() { sed -e '1,/^$/d' -e '/^Results  /,$d' -- "$1"; }
 
-# Each number on a line of its own, in ASCII.
+# Prints each number on its own line, in ASCII.
 tokens() { sed -E -e 's/−/-/g' -e 's/[-+]?[0-9]+(\.[0-9]+)?([eE][-+]?[0-9]+)?/\n&\n/g'; }
 
-# Fails unless two runs print the same, but for one unit in the last digit of a number.
+# Fails if the outputs of two runs differ by more than one unit in the last digit of a number.
 compare() { # file, file
   local first second
   first=$(results_in "$1" | tokens) second=$(results_in "$2" | tokens)
@@ -206,7 +205,7 @@ compare() { # file, file
     }'
 }
 
-# Runs the studies here and there, and compares.
+# Runs the studies on this machine and in the root, and compares the outputs.
 compare_studies() { # stemware of the root, folder of the cookbooks' parent in the root
   local n study words name result
   for ((n = 0; n < ${#studies[@]}; n++)); do

@@ -1,16 +1,15 @@
 #!/usr/bin/env bash
-# Runs the examples of a page or of a --help text as they stand there, but with few cases, few ranks and coarse solid
-# meshes, and expects exit code 0 of each.
+# Runs the examples of a page or of a --help text, with few cases, few ranks and coarse solid meshes; each must exit with
+# code 0.
 #
 #   run_examples.sh SOURCE_FOLDER STEMWARE PAGE.md RESULTS            the code blocks and the `stemware ...` of a page
 #   run_examples.sh SOURCE_FOLDER STEMWARE "help [VERB]" RESULTS      the examples of stemware [VERB] --help
 #
-# A page is read in a clone; the examples of --help run in an empty folder, with the installed program and nothing else.
-# A command that is one of docs/studies.txt is not run again: its results are in the folder RESULTS, from the same
-# program and studies.
+# Examples of a page run in a clone; examples of --help run in an empty folder with only the installed program. A command
+# that is in docs/studies.txt is not rerun: the folder RESULTS has its results from the same program and studies.
 #
-# Commands of one code block share a shell; lines of blocks that begin with another word are not commands of a user of
-# results, and are left to other tests. ./quickstart is not run: its verb and its study must exist.
+# Commands of one code block share a shell. Lines that begin with an unknown word are left to other tests. ./quickstart is
+# not run; its verb and its study must exist.
 set -euo pipefail
 
 source=$1
@@ -23,14 +22,14 @@ home=$scratch/home
 mkdir -p "$scratch/bin" "$home"
 ln -s -- "$program" "$scratch/bin/stemware"
 ln -s -- "$source/tests/mpirun" "$scratch/bin/mpirun"
-# Without jq, the whole line is shown.
+# Without jq, the whole line is printed.
 command -v jq >/dev/null || { printf '#!/bin/sh\ncat\n' >"$scratch/bin/jq" && chmod +x "$scratch/bin/jq"; }
 # shellcheck disable=SC2016 # for the script that is written
 printf '#!/bin/sh\ntest -f "$1"\n' >"$scratch/bin/xdg-open"
 chmod +x "$scratch/bin/xdg-open"
 export PATH=$scratch/bin:$PATH
 cd -- "$home"
-# Files that the examples call the reader's own.
+# Files that the examples expect from the reader.
 if [[ $what == help* ]]; then
   stemware new my_glass.prm >/dev/null
   [[ $what != *mesh ]] || stemware mesh --write my_foot.msh >/dev/null
@@ -49,14 +48,14 @@ if [[ ${own_cases:-} ]]; then
   { echo "Load/Source,Motion/Mass (g)" && seq -f "first harmonic,%g" 201 204; } >cases.csv
 fi
 
-# The commands in a text of lines "BLOCK<tab>LINE": one line "BLOCK<tab>COMMAND" each, continued lines joined, remarks
-# in --help (after three blanks) taken off.
+# Converts lines "BLOCK<tab>LINE" to lines "BLOCK<tab>COMMAND": joins continued lines and removes the remarks of --help
+# (after three blanks).
 commands_of() {
   sed -E -e ':join' -e '/\\$/{N;s/ *\\\n[^\t]*\t */ /;b join' -e '}' -e 's/\t +/\t/' -e 's/ {3,}[^-" ].*$//' |
     grep -E $'\t'"(stemware|build/release/stemware|mpirun|\./quickstart|cd|cat|xdg-open) " || true
 }
 
-# The code blocks of a page, indented or fenced, and its inline commands that can be run as they stand.
+# Prints the code blocks of a page, indented or fenced, and its complete inline commands.
 # shellcheck disable=SC2016 # backticks of Markdown
 examples_of_page() {
   {
@@ -75,15 +74,15 @@ examples_of_help() {
   stemware ${verb# } --help | sed -n '/^Examples:/,/^$/p' | sed '1d;/^$/d' | awk '{ print "help\t" $0 }' | commands_of
 }
 
-# The same command with less work.
+# Prints the command with cheaper settings.
 reduced() {
   local command
   command=$(sed -E -e 's/:[0-9]+(:log)?"/:2\1"/g' -e 's/--samples [0-9]+/--samples 4/' -e 's/mpirun -n [0-9]+/mpirun -n 2/' \
     -e 's|build/release/stemware|stemware|' -e 's/(Azimuthal cells)=[0-9]+/\1=24/' -e 's/--levels [0-9]+/--levels 3/' \
     -e 's/(Refinements|Foot layers|Degree)=2/\1=1/' <<<"$1")
-  # The answer tells whether a command works; budget and bands are those of the studies in docs/studies.txt.
+  # The answer shows whether a command works; budget and bands are tested by the studies in docs/studies.txt.
   [[ $command == *--quick* || $examples == *budget.dat* ]] || command=$(sed -E 's/stemware run( |$)/stemware run --quick\1/' <<<"$command")
-  # One contact does too; a balance at every spin takes hundreds.
+  # One contact is enough; a balance at every spin takes hundreds.
   local of_the_page=$source/docs/cookbooks/none
   [[ $command == *snippet.prm* ]] && of_the_page=docs/cookbooks/snippet.prm
   if [[ $command == *"stemware run"*"Contact/Body=solid"* ]] || grep -qs "Body *= *solid" "$of_the_page"; then
@@ -101,7 +100,7 @@ reduced() {
   printf '%s' "$command"
 }
 
-# Takes the results of a command from those of docs/studies.txt; fails where there are none of this program.
+# Copies the results of a command from RESULTS; fails if this program has no results there.
 take_results() {
   [[ $1 != *--output* ]] || return 1
   local name verb study
@@ -123,7 +122,7 @@ check_quickstart() {
 }
 
 if [[ $what == help* ]]; then examples=$(examples_of_help); else examples=$(examples_of_page); fi
-# A study in a page is run from where the cookbooks are.
+# Runs the studies of a page in the folder of the cookbooks.
 if [[ $what != help* ]]; then
   awk '/^    subsection/ { inside = 1 } inside { print substr($0, 5) } /^    end$/ { inside = 0 }' "$source/$what" >docs/cookbooks/snippet.prm
   [[ ! -s docs/cookbooks/snippet.prm ]] || examples+=$'\n'$'snippet\tstemware run docs/cookbooks/snippet.prm'
@@ -138,7 +137,7 @@ while IFS=$'\t' read -r next command; do
   start=$SECONDS
   if [[ $command == "stemware new "* ]]; then
     read -r _ _ study _ <<<"$command"
-    rm -f -- "$study" # the file of an earlier example is not overwritten
+    rm -f -- "$study"     # an existing file is not overwritten
   fi
   # Examples of one study in the same folder are alternatives.
   if [[ $command == "stemware sweep "* && $command != *--output* ]]; then rm -rf -- results/*-sweep; fi

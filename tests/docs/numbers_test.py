@@ -3,7 +3,7 @@
 
     numbers_test.py STEMWARE SOURCE_FOLDER RESULTS_FOLDER
 
-A row of docs/numbers.csv: a page; a text that stands once in the page, with {} for the number and {*} for any other number; a
+A row of docs/numbers.csv: a page; a text that occurs once in the page, with {} for the number and {*} for any other number; a
 study; a Python expression of the keys of its summary.json; a printf format. An element of a list has its index or its name. In
 an expression, case("Mass=0.3, Orbit speed=0.25") is the row of sweep.csv with these values, study("paper") another study.
 
@@ -77,7 +77,7 @@ class Results:
 
 
 def shows(shown, expected, value):
-    """True if @p shown is the value to its last digit; another processor may round a number on the border the other way."""
+    """True if @p shown is the value rounded to the printed digits; a tie may round either way on another processor."""
     if shown == expected:
         return True
     digits, _, exponent = shown.replace("−", "-").partition("e")
@@ -91,7 +91,7 @@ def pattern(text):
 
 
 def run(program, source, folder, name, command):
-    shutil.rmtree(folder / name, ignore_errors=True)  # a sweep continues only with the program that began it
+    shutil.rmtree(folder / name, ignore_errors=True)  # only the same program continues a sweep
     done = subprocess.run([program, *shlex.split(command)[1:], "--quiet", "--output", folder / name], cwd=source,
                           capture_output=True, text=True)
     return [] if done.returncode == 0 else [f"{name} ended with {done.returncode}: {done.stderr.strip()}"]

@@ -45,7 +45,7 @@ def panels(lower, upper, eps, edges):
     """Points and weights of (lower, upper) for integrands with the singularities of D at the slip ratio eps."""
     distance = abs(log(abs(eps))) if eps not in (0, 1, -1) else mpf(0)
     centre = pi / 2 if eps >= 0 else -pi / 2
-    cuts = {lower, (lower + upper) / 2, upper}  # no panel reaches from one end to near the other
+    cuts = {lower, (lower + upper) / 2, upper}  # no panel extends from one end to near the other
     for turn in range(-2, 3):
         singular = centre + 2 * pi * turn
         cuts.add(singular)
@@ -87,7 +87,7 @@ def kernels(eps, n_max):
 
 
 def friction(load, eps, support=None):
-    """(T_par, T_perp, tau) over mu and mu R, and the dissipation over mu v, of load(theta); support: where the rim is loaded."""
+    """(T_par, T_perp, tau) over mu and mu R, and the dissipation over mu v, of load(theta); support: interval of the load."""
     lower, upper = support or (-pi / 2, 3 * pi / 2)
     sums = [mpf(0)] * 4
     for theta, w in panels(lower, upper, eps, support is not None):
@@ -127,26 +127,26 @@ class Foundation:
 
     @classmethod
     def of_moment(cls, p, ratio):
-        """The foundation with a_1/a_0 = ratio."""
+        """Foundation with a_1/a_0 = ratio."""
         if p == 1 and ratio <= 1:
             return cls(p, -1 / ratio)
         onset = 2 * p / (p + 1)
         if abs(ratio - onset) < mpf(10)**-18:
             return cls(p, mpf(-1))
-        if ratio < onset:  # c from -1 on down; 2 p / (-c) bounds a_1/a_0 from above far away
+        if ratio < onset:  # c <= -1; 2 p / (-c) is an upper bound of a_1/a_0 for large -c
             bracket = (-1 / mpf("0.99999"), -4 * p / ratio)
         else:
             bracket = (mpf("-0.99999"), mpf("0.99999"))
         return cls(p, root_between(lambda c: cls(p, c).harmonic(1) - ratio, *bracket))
 
     def friction(self, eps, beta):
-        """Friction over mu N and mu N R of the load turned by beta."""
+        """Friction over mu N and mu N R of the load rotated by beta."""
         load = lambda theta: self.shape(theta - beta) / (2 * pi * self.mean)
         return friction(load, eps, (beta - self.edge, beta + self.edge) if self.c > -1 else None)
 
 
 class Paper:
-    """The motion of the paper's glass."""
+    """Motion of the paper's glass."""
 
     mass, radius, orbit_radius, speed, offset, mu = mpf("0.3"), mpf("0.03"), mpf("0.15"), mpf("0.35"), mpf("-0.05"), mpf("0.3")
 
@@ -155,7 +155,7 @@ class Paper:
         self.centripetal = self.mass * self.speed**2 / self.orbit_radius
 
     def moment(self, T):
-        """M that the normal forces must have for the friction T, for a glass that does not tip, about its centre of mass."""
+        """Moment M of the normal forces that balances the friction T about the centre of mass of a glass that does not tip."""
         if self.closure == "A":
             return self.offset * self.centripetal, mpf(0)
         hand = -T[0], self.centripetal - T[1]
@@ -166,7 +166,7 @@ class Paper:
         return -2 * M[1] / (self.weight * self.radius), 2 * M[0] / (self.weight * self.radius)
 
     def first_harmonic(self, eps):
-        """a_1/a_0, b_1/a_0, T_par, T_perp, tau of a load without other harmonics; T and M are linear in each other."""
+        """a_1/a_0, b_1/a_0, T_par, T_perp, tau of a load with the first harmonic only; T and M are linear in each other."""
         parts = [friction(part, eps)[:3] for part in (lambda theta: 1 / (2 * pi), lambda theta: cos(theta) / (2 * pi), lambda theta: sin(theta) / (2 * pi))]
         force = self.mu * self.weight
         T = lambda a, b: [force * (p + a * q + b * r) for p, q, r in zip(*parts)]
@@ -229,7 +229,7 @@ def unilateral_row(p, z_cm):
 
 
 def radial_row(ratio):
-    """Terminal slip ratio of a load that is largest at theta = pi/2 and stays as it is."""
+    """Terminal slip ratio of a fixed load with its maximum at theta = pi/2."""
     row = {"ratio": float(ratio)}
     torque = lambda eps: friction(lambda theta: 1 + mpf(ratio) * sin(theta), eps)[2]
     row["eps_first_harmonic"] = root_between(torque, mpf("0.1"), mpf("0.99"))
@@ -350,7 +350,7 @@ def general_load(theta):
 
 
 def rows(function, cases):
-    """The rows of a section, each a function without arguments."""
+    """Rows of a section, each a function without arguments."""
     return [lambda case=case: function(*case) if isinstance(case, tuple) else function(case) for case in cases]
 
 
@@ -370,7 +370,7 @@ sections = {
 
 
 def everything(all_rows):
-    """The file as nested dictionaries; without all_rows the first and the last row of each section, None between."""
+    """Contents of the file as nested dictionaries; without all_rows only the first and the last row of each section."""
     ring_eps = [mpf(x) for x in "0 0.1 0.25 0.5 0.75 0.9 1 1.1 1.5 2 4 10".split()]
     even = [friction(lambda theta: 1 / (2 * pi), eps) for eps in ring_eps]
     spins = [mpf(x) for x in range(-10, 11, 2)]

@@ -1,10 +1,10 @@
-"""Flat annular punches on a half-space and on a bonded layer, by spectral collocation: no finite elements, no modes of a body.
+"""Flat annular punches on a half-space and on a bonded layer, by spectral collocation. No code of Stemware.
 
     u(r) cos(n theta) = w (r/a)^[n = 1] cos(n theta) on b < r < a,   u = (1/(pi E*)) int p dA / distance, less the layer's part
 
 The pressure is p(s) s = g(x) / sqrt(1 - x^2), s = m + h x. The kernel over the azimuth is Q_{n-1/2}(chi) of Legendre, whose
-logarithm is integrated by the trigonometric rule for ln 4 sin^2 (Kress), the rest by Gauss and Chebyshev's. A layer of the
-thickness H, bonded below and without end, sinks in less by int (1 - T(kH)) J_n(kr) J_n(ks) dk, a smooth kernel.
+logarithm is integrated by the trigonometric rule for ln 4 sin^2 (Kress), the rest by the Gauss-Chebyshev rule. An infinite
+layer of thickness H, bonded below, subtracts the smooth kernel int (1 - T(kH)) J_n(kr) J_n(ks) dk.
 Loads are over E* a w: P/(2 E* a w) and 3 M/(4 E* a^2 w) for n = 0, 1, and lambda_n / (E* a w) for all n, with w cos(n theta)
 throughout. Needs numpy and scipy; prints the JSON file beside it: python3 annular_punch.py > annular_punch.json (seconds).
 """
@@ -29,7 +29,7 @@ def legendre(n_max, chi_less_1):
 
 
 def transfer(alpha, poisson):
-    """Displacement of a bonded layer over that of a half-space, at the wave number alpha / H."""
+    """Ratio of the displacements of a bonded layer and a half-space, at the wave number alpha / H."""
     kappa, e = 3 - 4 * poisson, np.exp(-2 * alpha)
     return (kappa * (1 - e * e) - 4 * alpha * e) / (kappa * (1 + e * e) + (4 * alpha**2 + 1 + kappa**2) * e)
 
@@ -51,7 +51,7 @@ def punch(n, ratio, n_points, thickness=None, poisson=0.3, bending=False):
     A = -P[n] / np.sqrt(r * s)  # of ln |x - y|
     with np.errstate(divide="ignore", invalid="ignore"):
         rest = Q[n] / np.sqrt(r * s) - A * np.log(np.abs(x - y))
-    # Where the two meet: Q = -ln(chi - 1)/2 + ln(2)/2 - psi(n + 1/2) - gamma, with chi - 1 = (r - s)^2 / (2 r s).
+    # For chi -> 1: Q = -ln(chi - 1)/2 + ln(2)/2 - psi(n + 1/2) - gamma, with chi - 1 = (r - s)^2 / (2 r s).
     digamma = -2 * np.log(2) + 2 * sum(1 / (2 * j - 1) for j in range(1, n + 1))
     rest = np.where(near, (np.log(2 * r / h) - digamma) / r, rest)
     half = np.pi / N * 0.5  # a whole turn counts every x twice
@@ -62,7 +62,7 @@ def punch(n, ratio, n_points, thickness=None, poisson=0.3, bending=False):
         less = 20 / thickness * v * (1 - transfer(wave * thickness, poisson))
         J = lambda radius: jv(n, wave[:, None] * radius.ravel())
         kernel -= 2 * h * half * (J(r).T * less) @ J(s)
-    # One value of g a node of half a turn.
+    # g has one value per node of half a turn.
     folded = kernel[:, :N + 1].copy()
     folded[:, 1:N] += kernel[:, :N:-1]
     g = np.linalg.solve(folded, r.ravel() if bending else np.ones(N + 1))

@@ -72,7 +72,7 @@ def mesh(foot, n_sectors):
 
 def condensed(foot, n_sectors):
     """u_z of the land's nodes under unit forces there along z, x and y, three matrices [n, n], the nodes' positions and the
-    faces. CalculiX solves for forces on one sector's nodes (*GREEN); the others' are these turned."""
+    faces. CalculiX solves for forces on the nodes of one sector (*GREEN); the other sectors are rotations of it."""
     points, hexahedra, wedges, faces, places = mesh(foot, n_sectors)
     on_land = np.unique(faces)
     clamped = 1 + np.flatnonzero(np.abs(points[:, 2] - z_lines[-1]) < 1e-9)
@@ -133,7 +133,7 @@ def shapes(s, t):
 
 class Foot:
     def __init__(self, kind, n_sectors, pieces=(1, 4)):
-        """Each face is cut into `pieces` along r and theta, with three Gauss points in each direction of a piece."""
+        """Divides each face into `pieces` along r and theta, with three Gauss points in each direction of a piece."""
         self.kind = kind
         self.compliance, self.nodes, self.faces = condensed(kind, n_sectors)
         self.n = len(self.nodes)

@@ -1,7 +1,7 @@
 """CB-glass by CalculiX: the states of docs/verification/cb_glass.json, with calculix_foot.py. No code of the program.
 
 The foot "crown" of calculix_foot.py on a mat of 1e10 Pa/m, the moment at -90 degrees. Harmonics and the largest pressure are
-those at its Gauss points; share: the azimuths of the Gauss points that carry a force. The terminal spin is the zero of
+taken at its Gauss points; share: the azimuths of the Gauss points in contact. The terminal spin is the zero of
 tau_z = sum f (x t_y - y t_x), t = -mu (v - omega y, omega x) / |v_rel|, over the same points. torque_change: tau_z at half
 the terminal spin of the harmonics up to 6, on a ring of radius R, minus that of the first only, over |tau_z| at rest.
 
@@ -55,7 +55,7 @@ def main():
     for m in (0.5, 1.225, 1.52):
         load = foot.press(K, m, direction=-np.pi / 2)
         force = foot.forces
-        # The mesh is even round the axis: every azimuth of Gauss points stands for the same angle.
+        # The mesh is uniform round the axis: every azimuth of Gauss points has the same angular weight.
         azimuths = np.round(foot.theta % (2 * np.pi), 9)
         loaded = np.unique(azimuths[force > 0]).size / np.unique(azimuths).size
         spin = terminal_spin(foot, force)

@@ -46,7 +46,7 @@ class Basis:
 
 
 def layers(length, n, first):
-    """Lines from 0 to length, each step a third of the next, or at most first long."""
+    """Lines from 0 to length: n steps shrink by 3 towards 0, the others are at most `first`."""
     steps = [min(first, length / 2) / 3**i for i in range(n, -1, -1)]
     lines = np.cumsum([0, steps[0], *[b - a for a, b in zip(steps, steps[1:])]])
     rest = max(1, int(np.ceil((length - lines[-1]) / first)))
@@ -54,7 +54,7 @@ def layers(length, n, first):
 
 
 def between(a, b, n, first, at):
-    """Lines from a to b with layers at the ends that `at` names."""
+    """Lines from a to b with layers at the ends in `at`."""
     if at == "both":
         half = layers((b - a) / 2, n, first)
         return np.concatenate([a + half, b - half[-2::-1]])
@@ -200,7 +200,7 @@ class Foot:
             harmonics = weighted[:n_max + 1] @ forces
             residual = np.concatenate([(amplitudes - np.array([C @ f for C, f in zip(self.compliance, harmonics)]) / scale[:, None]).ravel(),
                                        [harmonics[0].sum() - N, (harmonics[1] @ self.land_r - moment) / R]])
-            # Sums of the tangents with cos k theta give those with cos n theta cos m theta.
+            # Sums of the tangents with cos k theta give the sums with cos n theta cos m theta.
             sums = np.zeros((2 * n_max + 2, n_land, n_land))
             for e, (a, _, _) in enumerate(self.elements):
                 s = slice(a, a + degree + 1)
@@ -208,7 +208,7 @@ class Foot:
             orders = np.arange(n_max + 1)
             products = (sums[abs(orders[:, None] - orders)] + sums[orders[:, None] + orders]) / 2
             tilt = np.array([(sums[abs(n - 1)] + sums[n + 1]) @ self.land_r / 2 for n in orders])
-            # Only nodes of elements in contact have columns but the identity's.
+            # Columns of nodes outside the contact equal columns of the identity.
             active = np.flatnonzero(sums[0].diagonal() > 0)
             n_active = (n_max + 1) * len(active)
             forward = np.zeros((n_max + 1, n_land, n_active + 2))

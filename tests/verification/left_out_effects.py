@@ -31,7 +31,7 @@ from scipy.special import roots_gegenbauer, roots_legendre
 MASS, INERTIA, G, MU, V, RHO, R, LAND, CROWN, K, Z_CM, DZ = 0.30, 3e-4, 9.81, 0.3, 0.35, 0.15, 0.03, 0.004, 0.003, 1e10, 0.08, -0.05
 ARM = Z_CM + DZ  # height of the hand above the table
 
-# Change of the mean spin and swing, in per cent of the terminal spin: what this script prints.
+# Change of the mean spin and swing, in per cent of the terminal spin, as printed by this script.
 SIZES = {
     ("falling", 0.05): (-3.35, None),
     ("falling", 0.1): (-6.70, None),
@@ -177,7 +177,7 @@ def size(effect, value, **resolution):
 
 
 def check():
-    """Compares as the head of this file says; a failure raises AssertionError."""
+    """Makes the comparisons of --check; a failure raises AssertionError."""
     def agree(found, right, tolerance, what):
         assert abs(found - right) <= tolerance, f"{what}: {found} instead of {right} within {tolerance}"
 
@@ -186,7 +186,7 @@ def check():
     foot = Foot()
     omega = foot.terminal_spin()
     agree(omega, right["omega"], 1e-11, "terminal spin without an effect")
-    # At rest every point slides along x: tau_z = mu M_Nx, whatever the load is.
+    # Without spin, every point slides along x: tau_z = mu M_Nx for any load.
     for effects, moment in (({}, DZ * MASS * V**2 / RHO), ({"push": 0.09}, DZ * MASS * V**2 / RHO)):
         foot = Foot(**effects)
         d = foot.solve(0.0, 0.0)
@@ -198,7 +198,7 @@ def check():
     d = foot.solve(0.0, np.pi / 2)
     agree(foot.resultants(d, 0.0, np.pi / 2)[1] - MASS * G * Z_CM * d[2], DZ * MASS * V**2 / RHO + MASS * G * 3e-4, 1e-12,
           "moment at rest of a centre of mass at the inside")
-    # The long run by the balance itself, without a grid.
+    # Long run that solves the balance at each step, without a grid.
     foot = Foot(slope=np.radians(0.3), n_theta=48, n_r=8)
     for found, right in zip(foot.long_run(omega), foot.long_run(omega, foot.domega_dt, 1e-6)):
         agree(found, right, 1e-5, "long run on a slope")

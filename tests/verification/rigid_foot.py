@@ -1,4 +1,4 @@
-"""Terminal spins of rigid feet on Winkler mats by two-dimensional quadrature: no rings, no harmonics, no kernels.
+"""Terminal spins of rigid feet on Winkler mats by two-dimensional quadrature. No code of Stemware.
 
     p(r, theta) = k (d0 + d1 x + d2 y - g(r))_+ on the land, g = (r - R)^2 / (2 crown) or 0 (flat),
     t = -mu p v_rel / |v_rel|,  v_rel = (v - omega y, omega x).
@@ -74,7 +74,7 @@ def solve(f, x, scale):
 
 
 def contact_band(crown, d0, slope):
-    """Where depth = d0 + slope r - g(r) is positive along a radius: (r_inner, r_outer)."""
+    """Interval (r_inner, r_outer) of a radius with depth = d0 + slope r - g(r) > 0."""
     inner, outer = R - land / 2, R + land / 2
     if crown:
         D = (crown * slope) ** 2 + 2 * crown * (d0 + R * slope)
@@ -113,16 +113,16 @@ def annulus(n_r=20, n_theta=256):
 def one_sided_torque(crown, k, d0, d2, omega, n):
     """|tau_z| for contact in |phi| < phi_c; also N and |M_Nx|. omega > 0 stands for -omega. Intervals shrink
     towards phi = 0, r = v / omega, where the slip may vanish."""
-    if crown:  # contact ends where the largest depth along the radius is zero
+    if crown:  # at the end of the contact, the largest depth along the radius is zero
         ends = [math.acos((-R + math.sqrt(R * R - 2 * crown * d0)) / (crown * d2))]
-    else:  # where that of one edge of the land and then that of the other is
+    else:  # at the zeros of the depth at one edge of the land, then at the other
         ends = sorted(math.acos(-d0 / (d2 * r)) for r in (R - land / 2, R + land / 2))
     end = ends[-1]
     marks = sorted([ends[0] * 2.0**-j for j in range(30, -1, -1)] + ends[1:])
     force = moment = torque = 0.0
     for a, b in zip([0.0] + marks[:-1], marks):
         for x, w in gauss(n):
-            if b == end:  # depth vanishes there: the integrand has the power 3/2 (or a kink) of end - phi
+            if b == end:  # the depth vanishes: the integrand has the power 3/2 (or a kink) of end - phi
                 phi, weight = end - (end - a) * (1 - x) ** 2, w * 2 * (1 - x) * (end - a)
             else:
                 phi, weight = a + (b - a) * x, w * (b - a)

@@ -6,7 +6,7 @@ Bessel functions, so that u(x) = delta on the strip becomes
     delta [m = 0] = (2 a / E*) sum_n (-1)^((m+n)/2) c_n int_0^inf T(k h) J_m(k a) J_n(k a) dk/k,   E* = E / (1 - nu^2)
 
 with the layer's displacement over that of a half-space, T. The force per length is pi a c_0. Where T = 1 the integral is known,
-1 / (2 n) for m = n > 0 and 0 for other pairs of even order; the rest, 1 - T, ends within some layers' thickness. For m = n = 0
+1 / (2 n) for m = n > 0 and 0 for other pairs of even order; the rest, 1 - T, vanishes for k h > 25. For m = n = 0
 1 - T is compared with exp(-k h), whose integral is a mean of asinh(h / (2 a sin phi)).
 
 Prints the JSON file beside it: python3 strip_on_a_layer.py > strip_on_a_layer.json (seconds; numpy and scipy). `settlement` is
@@ -19,7 +19,7 @@ from scipy.special import jv
 
 
 def transfer(alpha, nu):
-    """Displacement of a bonded layer over that of a half-space, at the wave number alpha / h."""
+    """Ratio of the displacements of a bonded layer and a half-space, at the wave number alpha / h."""
     kappa, e = 3 - 4 * nu, np.exp(-2 * alpha)
     return (kappa * (1 - e * e) - 4 * alpha * e) / (kappa * (1 + e * e) + (4 * alpha**2 + 1 + kappa**2) * e)
 

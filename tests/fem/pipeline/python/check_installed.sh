@@ -1,6 +1,6 @@
 #!/bin/sh
-# Installs the program and the Python package into a folder and solves a study there. Given: CMake, Python, the build, the
-# folder.
+# Installs the program and the Python package into a folder and solves a study there. Arguments: CMake, Python, build
+# folder, target folder.
 set -eu
 rm -rf -- "$4"
 for component in program python; do

@@ -1,9 +1,9 @@
 #!/bin/sh
-# Builds an sdist and from it, with pip, the package without finite elements in a folder; runs the test of the ring on it.
-# Given: Python, the sources, the folder.
+# Builds an sdist, installs the package without finite elements from it with pip, and runs the test of the ring on it.
+# Arguments: Python, sources, target folder.
 set -eu
 rm -rf -- "$3" && mkdir -p -- "$3/fem/pipeline"
-cp -r -- "$2/ring_model" "$3/ring_model" # a build leaves its folder beside the sources
+cp -r -- "$2/ring_model" "$3/ring_model"   # pip builds inside the source folder
 cp -rL -- "$2/fem/pipeline/python" "$3/fem/pipeline/python"
 cp -- "$2/CMakeLists.txt" "$2/LICENSE" "$3"
 cd -- "$3/fem/pipeline/python"

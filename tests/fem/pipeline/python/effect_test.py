@@ -7,7 +7,7 @@ import stemware
 
 
 def torque(load, n, omega, mu, speed):
-    """tau_z of friction [N m] of the load of summary.json cut after the harmonic n, by the midpoint rule."""
+    """tau_z [N m] of the load of summary.json truncated after the harmonic n, by the midpoint rule."""
     theta = (np.arange(20000) + 0.5) * 2 * np.pi / 20000
     total = 0.0
     for r, ring in zip(load["radii"], load["rings"]):
@@ -29,7 +29,7 @@ class EffectOfHarmonics(unittest.TestCase):
         self.assertEqual(orders[:5], [1, 2, 3, 4, 6])
         for row in summary["truncation"]:
             cut = torque(load, row["harmonics"], omega, mu, speed)
-            # 1e-10 of the torque at rest: rounding of 20000 terms, and the digits of the load in the summary.
+            # 1e-10 of the torque at rest: rounding of 20000 terms and of the printed load.
             self.assertAlmostEqual(row["torque_change"][state], cut - first, delta=1e-10 * at_rest)
             self.assertAlmostEqual(row["torque_rest"][state], whole - cut, delta=1e-10 * at_rest)
             self.assertAlmostEqual(

@@ -1,4 +1,4 @@
-"""Runs the examples of docs/python, and compares what pages say that they print. Given: the sources, names to be run (all)."""
+"""Runs the examples of docs/python and compares their output with the pages. Arguments: sources, names of examples (all)."""
 import os
 import re
 import subprocess
@@ -13,7 +13,7 @@ arguments = {"monte_carlo": ["24"]}  # studies
 
 
 def run(name, *arguments, launcher=(sys.executable,)):
-    """Lines that an example prints; it has drawn its picture and complained of nothing."""
+    """Lines that an example prints. Checks that it draws its picture and prints no warning."""
     with tempfile.TemporaryDirectory() as results:
         picture = os.path.join(results, "picture.svg")
         done = subprocess.run([*launcher, os.path.join(source, "docs/python", name + ".py"), picture, *arguments],
@@ -41,7 +41,7 @@ class Examples(unittest.TestCase):
 
 @unittest.skipIf(names, "no studies without the finite elements")
 class Executors(unittest.TestCase):
-    """Each engine for many studies has the numbers and sentences of one process."""
+    """Each engine for many studies gives the same numbers and messages as one process."""
 
     @classmethod
     def setUpClass(cls):

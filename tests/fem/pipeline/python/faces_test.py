@@ -1,5 +1,5 @@
-"""The three faces of a study, command line, page and Python: the same digits, sentences, presets and units. Given: the program,
-the solver of the page."""
+"""Command line, page and Python give the same digits, messages, presets and units. Arguments: the program, the solver of the
+page."""
 import json
 import os
 import re
@@ -49,12 +49,12 @@ class Faces(unittest.TestCase):
                 self.assertEqual((python.omega, python["ring/tau_at_rest"]), (shown["omega_terminal"], shown["tau_at_rest"]))
                 answer = by_page(entries)
                 self.assertEqual((answer.get("error"), answer.get("fit")), (None, "same"))
-                # A cold answer of the page has the contacts of the program; its search steps differ.
+                # A cold start of the page gives the contacts of the program; only the search steps differ.
                 ring = answer["document"]["summary"]["ring"]
                 self.assertLess(abs(ring["omega_terminal"] - python.omega), 1e-10)
                 self.assertLess(abs(ring["tau_at_rest"] - python["ring/tau_at_rest"]), 1e-13)
 
-    def test_sentences(self):
+    def test_messages_are_equal(self):
         for entries in REFUSED:
             with self.subTest(entries):
                 done = by_program(entries)
@@ -63,7 +63,7 @@ class Faces(unittest.TestCase):
                 with self.assertRaises((stemware.BadInput, stemware.NoBalance)) as caught:
                     stemware.Study(entries=entries).run(quick=True)
                 self.assertEqual(str(caught.exception), sentence)
-                # The program says before it which values are unusual for a glass.
+                # The program first prints its warnings on values unusual for a glass.
                 self.assertRegex(sentence.rstrip("."), re.escape(by_page(entries)["error"].rstrip(".")) + "$")
 
     def test_presets(self):

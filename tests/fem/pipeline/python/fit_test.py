@@ -1,5 +1,5 @@
-"""stemware.fit against synthetic runs of another integrator, and the recipes of docs/measure.md. Given: the sources, and the number
-of runs whose truths are counted."""
+"""stemware.fit against synthetic runs of another integrator, and the recipes of docs/measure.md. Arguments: the sources, and the
+number of runs for the coverage of the intervals."""
 import os
 import re
 import sys
@@ -18,8 +18,8 @@ friction, grip, height = "Motion/Friction coefficient", "Motion/Grip torque", "M
 
 
 class Truth:
-    """A rigid ring under a first harmonic, closure full: Coulomb friction by the midpoint rule round the ring, moments by fixed-point
-    iteration, the spin-up by scipy."""
+    """Rigid ring with a first harmonic, closure full: Coulomb friction by the midpoint rule round the ring, moments by fixed-point
+    iteration, spin-up by scipy."""
     mass, inertia, centre, radius, gravity, speed, orbit = 0.3, 3e-4, 0.08, 0.03, 9.81, 0.35, 0.15
 
     def __init__(self, mu=0.3, grip=2e-4, offset=-0.05):
@@ -48,7 +48,7 @@ class Truth:
         raise ArithmeticError("no balance")
 
     def at(self, time):
-        """Spin and yaw angle; the glass begins to slide at 0."""
+        """Spin and yaw angle; sliding starts at time 0."""
         angle, spin = self.motion(np.clip(time, 0, 6))
         return np.where(time > 0, spin, 0), np.where(time > 0, angle, 0)
 
@@ -58,7 +58,7 @@ def study(**entries):
 
 
 def fitted(*arguments, **named):
-    """A fit whose warnings are those of the result."""
+    """Fits and checks that the issued warnings equal the warnings of the result."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         found = stemware.fit(*arguments, **named)
@@ -67,13 +67,13 @@ def fitted(*arguments, **named):
 
 
 def film(seed, noise=0.05, **truth):
-    """150 spins of a glass that begins to slide at 0.2 s."""
+    """150 samples of the spin; the glass starts to slide at 0.2 s."""
     time = np.linspace(0, 1.5, 150)
     return time, Truth(**truth).at(time - 0.2)[0] + np.random.default_rng(seed).normal(0, noise, time.size)
 
 
 class Intervals(unittest.TestCase):
-    def test_truths_lie_in_their_intervals_as_often_as_stated(self):
+    def test_intervals_have_the_stated_coverage(self):
         random, missed = np.random.default_rng(20261128), []
         for k in range(n_runs):
             truth = Truth(random.uniform(0.2, 0.35), random.uniform(2e-4, 1e-3))
@@ -90,14 +90,14 @@ class Intervals(unittest.TestCase):
                 missed.append(abs(found.values[path] - value) / found.standard_errors[path])
         share = {level: np.mean(np.array(missed) < reach) for level, reach in ((0.68, 0.9945), (0.95, 1.96))}
         print(f"{n_runs} runs, {len(missed)} truths: {100 * share[0.68]:.0f} % in 68 %, {100 * share[0.95]:.0f} % in 95 %")
-        # The two truths of a run count once: their errors are correlated by 0.99.
+        # The two parameters of a run count once: the correlation of their errors is 0.99.
         margin = 3 * np.sqrt(0.68 * 0.32 / n_runs) if n_runs < 60 else 0
         self.assertTrue(0.55 - margin <= share[0.68] <= 0.80 + margin, share)
         self.assertTrue(0.88 - margin <= share[0.95], share)
 
 
 class Fits(unittest.TestCase):
-    def test_truth_without_noise_comes_back(self):
+    def test_parameters_are_recovered_without_noise(self):
         truth, time = Truth(mu=0.3, grip=2e-4), np.linspace(0, 1.2, 120)
         spin, angle = truth.at(time - 0.1)
         for run in ({"omega": spin + 0.02}, {"angle": angle - 3}):
@@ -109,7 +109,7 @@ class Fits(unittest.TestCase):
             self.assertEqual(found.study[friction], found.values[friction])
             self.assertLess(found.reduced_chi2, 1e-3)
 
-    def test_what_is_known_is_held_or_widens(self):
+    def test_known_parameters_are_held_or_widen_the_interval(self):
         time, spin = film(1)
         held = fitted(study(), time, spin, [friction], start=0.2, zero=0.0)
         self.assertEqual(held.names, [friction])
@@ -128,12 +128,12 @@ class Fits(unittest.TestCase):
         self.assertEqual(len(both.runs), 2)
         self.assertIn("start of run 2", fitted([study()] * 2, [time, time], [low, low], [friction]).names)
 
-    def test_a_stated_sigma_is_taken_and_a_larger_noise_shows(self):
+    def test_a_stated_sigma_is_used_and_larger_noise_warns(self):
         time, spin = film(4)
         for sigma, chi in ((0.05, 1), (0.025, 4)):
             self.assertAlmostEqual(fitted(study(), time, spin, [friction], sigma=sigma).reduced_chi2, chi, delta=0.35 * chi)
 
-    def test_points_without_a_number_are_left_out(self):
+    def test_missing_values_are_skipped(self):
         time, spin = film(5)
         gaps = np.insert(spin, 50, np.nan)
         found = fitted(study(), np.insert(time, 50, time[50] - 1e-3), gaps, [friction])
@@ -147,7 +147,7 @@ class Fits(unittest.TestCase):
 
 
 class Warnings(unittest.TestCase):
-    """What a model that misses the data says; a good run says nothing."""
+    """A model that misses the data gives a warning; a good run gives none."""
 
     def words(self, time, spin, **named):
         return "\n".join(fitted(study(), time, spin, [friction], **named).warnings)
@@ -177,7 +177,7 @@ class Warnings(unittest.TestCase):
 
 
 class Refusals(unittest.TestCase):
-    def test_each_names_its_cure(self):
+    def test_each_warning_names_a_remedy(self):
         time, spin = film(12)
         angle = Truth().at(time - 0.2)[1]
         slow = np.linspace(0, 20, 40)
@@ -218,7 +218,7 @@ class SpinUp(unittest.TestCase):
 
 
 class Measure(unittest.TestCase):
-    """The recipes of docs/measure.md, with files of the programs' forms, find the friction of the glass."""
+    """The recipes of docs/measure.md find the friction of the glass from files in each program's format."""
 
     def test_recipes(self):
         truth, random = Truth(), np.random.default_rng(3)

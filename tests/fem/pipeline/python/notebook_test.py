@@ -1,4 +1,4 @@
-"""Runs docs/python/tour.ipynb: every cell works and prints what the notebook shows. Given: the sources.
+"""Runs docs/python/tour.ipynb: every cell runs and prints the stored output. Argument: the sources.
 
 notebook_test.py SOURCES --write puts the outputs of this run into the notebook.
 """
@@ -20,7 +20,7 @@ def printed(cells):
 shown = nbformat.read(notebook, as_version=4)
 found = nbformat.read(notebook, as_version=4)
 with tempfile.TemporaryDirectory() as folder:
-    os.environ["IPYTHONDIR"] = os.environ["JUPYTER_RUNTIME_DIR"] = folder  # nothing of the user's
+    os.environ["IPYTHONDIR"] = os.environ["JUPYTER_RUNTIME_DIR"] = folder  # no settings of the user
     client = nbclient.NotebookClient(found, kernel_name="python3", timeout=300, record_timing=False, resources={"metadata": {"path": folder}})
     client.execute()  # raises the error of a cell
 found.metadata.pop("language_info", None)

@@ -1,5 +1,5 @@
-"""Random studies by Python and by the program: the same digits to the last bit, the same sentences. Given: the program, the
-writer of random studies, their number."""
+"""Random studies in Python and in the program give the same numbers to the last bit and the same messages. Arguments: the
+program, the writer of random studies, their number."""
 import json
 import os
 import subprocess
@@ -13,7 +13,7 @@ program, writer, number = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv
 
 
 def by_program(file):
-    """Document of the program or its sentence, and its exit code."""
+    """Document of the program, or its message, and its exit code."""
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run([program, "run", file, "--quick", "--quiet", "--threads", "1", "--output", folder + "/r"],
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

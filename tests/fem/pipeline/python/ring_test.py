@@ -22,18 +22,18 @@ N, mu, R, v = 3.0, 0.3, 0.03, 0.35
 
 
 def elliptic(eps):
-    """(1 + eps) E and (1 - eps) K of the modulus of a ring at the slip ratio eps, without cancellation near 1."""
+    """(1 + eps) E and (1 - eps) K of a ring at the slip ratio eps, without cancellation near eps = 1."""
     complement = ((1 - eps) / (1 + eps))**2
     return (1 + eps) * ellipe(1 - complement), 0.0 if complement == 0 else (1 - eps) * ellipkm1(complement)
 
 
 def drag(eps):
-    """Share of mu N that drags a ring at the slip ratio eps."""
+    """Drag of a ring at the slip ratio eps, over mu N."""
     return sum(elliptic(eps)) / np.pi
 
 
 def twist(eps):
-    """Share of mu N r that brakes the spin of that ring."""
+    """Braking torque of a ring at the slip ratio eps, over mu N r."""
     if eps == 0:
         return 0.0
     E, K = elliptic(eps)
@@ -41,7 +41,7 @@ def twist(eps):
 
 
 def integrals(p, inner, outer, omega, speed):
-    """Force and torque over mu N of p(r) by adaptive quadrature over r, in the root of the distance to either end."""
+    """Force and torque over mu N of p(r) by adaptive quadrature; the variable is the root of the distance to either end."""
     ends = sorted({inner, outer} | ({speed / omega} if inner < speed / omega < outer else set()))
     pieces = []
     for a, b in zip(ends, ends[1:]):
@@ -96,7 +96,7 @@ class ClosedForms(unittest.TestCase):
         load = ring.RingStack.first_harmonic(normal_force=N, moment=(0.02, 0.01), radius=R)
         self.assertLess(abs(ring.wrench(load, v, 0.0, mu=mu).torque / (mu * 0.02) - 1), 1e-14)
 
-    def test_a_stack_converges_to_the_annulus_and_says_how_far_it_is(self):
+    def test_a_stack_converges_to_the_annulus_within_its_stated_error(self):
         exact = ring.wrench(ring.Pressure.annulus(0.7 * R, R), v, np.linspace(-30, 30, 200), mu=mu, normal_force=N).torque
         theta = np.arange(32) * 2 * np.pi / 32
         torques = []
@@ -146,7 +146,7 @@ class LimitSurface(unittest.TestCase):
         other = ring.limit_surface(load, direction=np.pi / 2)
         self.assertGreater(np.abs(other.force - ring.limit_surface(load).force).max(), 0.05)
 
-    def test_slip_is_normal_to_it(self):
+    def test_slip_is_normal_to_the_limit_surface(self):
         for s in (ring.limit_surface(ring.Pressure.disc(R), n=4001), ring.limit_surface(self.stack, n=4001, direction=0.4, about=(0.002, 0.001))):
             rate = np.cos(s.angle) * np.gradient(s.force, s.angle) + np.sin(s.angle) * s.arm / s.radius * np.gradient(s.torque, s.angle)
             self.assertLess(np.abs(rate[5:-5]).max(), 1e-3)  # torques are singular like x ln x
@@ -174,7 +174,7 @@ class LimitSurface(unittest.TestCase):
 
 
 def of_points(x, y, force, velocity, omega, point):
-    """Force and torque about a point that moves, of points with these normal forces and mu = 1."""
+    """Force and torque about a moving point, of contact points with the given normal forces and mu = 1."""
     arm_x, arm_y = x - point[0], y - point[1]
     slip = np.array([velocity[0] - omega * arm_y, velocity[1] + omega * arm_x])
     pull = -force * slip / np.hypot(*slip)
@@ -204,19 +204,19 @@ class AnyLoad(unittest.TestCase):
             expected = of_points(x, y, force, (0.1, -0.2), 3.0, point)
             got = ring.wrench(patch, np.hypot(0.1, 0.2), 3.0, mu=1.0, direction=np.arctan2(-0.2, 0.1), about=point)
             np.testing.assert_allclose([got.force_x, got.force_y, got.torque], [*expected[0], expected[1]], rtol=1e-13)
-        self.assertEqual(float(ring.wrench(ring.Patch(0.0, 0.0, 2.0), 0.0, 1.0, mu=mu).torque), 0)  # a point that only turns
+        self.assertEqual(float(ring.wrench(ring.Patch(0.0, 0.0, 2.0), 0.0, 1.0, mu=mu).torque), 0)  # a point that only rotates
         theta = np.arange(2000) * 2 * np.pi / 2000
         circle, thin = ring.Patch(R * np.cos(theta), R * np.sin(theta), N / 2000), ring.Pressure.ring(R)
         self.assertAlmostEqual(circle.radius / R, 1, delta=1e-12)
         one, other = ring.limit_surface(circle, n=9), ring.limit_surface(thin, n=9)
-        np.testing.assert_allclose(one.force[1:-1], other.force[1:-1], atol=1e-3)  # nothing moves at one of the points
+        np.testing.assert_allclose(one.force[1:-1], other.force[1:-1], atol=1e-3)  # one point is at rest
         np.testing.assert_allclose(one.torque[1:-1], other.torque[1:-1], atol=1e-3)
-        # A plank that turns about its end: mu N L / 2.
+        # Plank that rotates about its end: mu N L / 2.
         plank = ring.Patch(0.2 * (np.arange(1000) + 0.5) / 1000, 0.0, N / 1000)
         self.assertAlmostEqual(float(-ring.wrench(plank, 0.0, 1.0, mu=mu, about=(0, 0)).torque) / (mu * N * 0.1), 1, delta=1e-12)
         self.assertAlmostEqual(ring.limit_surface(plank, about="centre of pressure").arm, 0.05, delta=1e-12)
 
-    def test_forms_outside_their_range_warn(self):
+    def test_formulas_outside_their_range_warn(self):
         for surface, form, warns in (
             (ring.limit_surface(ring.Pressure.disc(R)), lambda s: s.ellipsoid(), False),
             (ring.limit_surface(ring.Pressure.ring(R)), lambda s: s.ellipsoid(), False),
@@ -233,7 +233,7 @@ class AnyLoad(unittest.TestCase):
 
 class Motions(unittest.TestCase):
     def test_a_glass_that_tips_has_no_spin(self):
-        # |M| > N R: -dz m v^2 / rho and the friction's moment, far beyond what a rim carries.
+        # |M| > N R: -dz m v^2 / rho plus the moment of the friction tip the glass.
         tall = ring.Motion(force_offset=0.03)
         with self.assertRaises(ring.Tipping):
             ring.answer(ring.SelfConsistentRing(motion=tall, closure="full"))
@@ -245,7 +245,7 @@ class Motions(unittest.TestCase):
                 self.assertGreater(ring.answer(load, tall).omega, 0)
 
     def test_fingers_that_hold_the_glass_for_a_while(self):
-        # tau = A cos(nu t) - c omega: at rest while A |cos(nu t)| < grip, from the stop on.
+        # tau = A cos(nu t) - c omega: after it stops, the glass stays at rest while A |cos(nu t)| < grip.
         found = ring.yaw_motion(lambda t, psi, w: 4e-3 * np.cos(4.6 * t) - 1.2e-3 * w, yaw_inertia=1e-9, times=[0.1, 0.341, 0.45],
                                 spin_scale=3.0, grip_torque=2.5e-3)
         self.assertAlmostEqual(found["omega"][0], (4e-3 * np.cos(0.46) - 2.5e-3) / 1.2e-3, delta=1e-5)
@@ -264,7 +264,7 @@ class Motions(unittest.TestCase):
         own = ring.yaw_motion(lambda t, psi, w: -1e-4 * (w - 2), yaw_inertia=m.yaw_inertia, times=np.array([0, 3.0]), spin_scale=10.0)
         self.assertAlmostEqual(own["omega"][-1], 2 * (1 - np.exp(-1)), delta=1e-7)
 
-    def test_the_lean_comes_with_the_load(self):
+    def test_the_lean_follows_from_the_load(self):
         load = ring.RingStack(radii=[R], a=[[0.47, 0]], b=[[0, 0.1]], tilt=(0.01, 0.02))
         self.assertAlmostEqual(load.lean_torque, -0.01 * load.moment[0] - 0.02 * load.moment[1], delta=1e-16)
         motion = ring.Motion()
@@ -282,7 +282,7 @@ class Motions(unittest.TestCase):
 
 
 class Manners(unittest.TestCase):
-    def test_sentences(self):
+    def test_refusals(self):
         for wrong, kind, words in (
             (lambda: ring.Motion(mass=-1), ring.BadInput, "mass"),
             (lambda: ring.Pressure(lambda r: -r, 0, R), ring.BadInput, "not negative"),
@@ -319,7 +319,7 @@ class Manners(unittest.TestCase):
             self.assertIn(words, str(caught.exception))
         self.assertTrue(issubclass(ring.BadInput, ValueError) and issubclass(ring.Tipping, ring.NoBalance))
 
-    def test_an_exception_of_a_function_comes_out(self):
+    def test_exceptions_of_a_function_propagate(self):
         with self.assertRaises(ZeroDivisionError):
             ring.answer(lambda w: 1 / 0, ring.Motion())
 
@@ -328,7 +328,7 @@ class Manners(unittest.TestCase):
         self.assertEqual(ring.wrench(ring.Pressure.disc(R), v, 1.0, mu=mu, normal_force=N).torque.shape, ())
         self.assertEqual(ring.kernels(np.ones((2, 3)), 1.0, 4)[1].shape, (2, 3, 5))
 
-    def test_arrays_keep_what_they_are(self):
+    def test_shapes_and_types_of_arrays_are_kept(self):
         load, disc = LimitSurface.stack, ring.Pressure.disc(R)
         masked = ring.wrench(load, v, np.ma.masked_array([1.0, 2.0, 3.0], [False, True, False]), mu=mu).torque
         np.testing.assert_array_equal(np.isnan(masked), [False, True, False])
@@ -348,14 +348,14 @@ class Manners(unittest.TestCase):
         with self.assertRaises(ZeroDivisionError):
             ring.Pressure(lambda r: 1 / 0, 0, R)
 
-    def test_numbers_in_the_words(self):
+    def test_texts_contain_the_numbers(self):
         for one, words in ((LimitSurface.stack, "2 rings"), (ring.Pressure.disc(R), "0.03"), (ring.Patch([0, 1], 0, 1), "2 points"),
                            (ring.limit_surface(ring.Pressure.disc(R)), "arm = 0.02 m"), (ring.coulomb(0.3), "0.3"),
                            (ring.SelfConsistentRing(motion=ring.Motion(), closure="hand"), "hand")):
             self.assertIn(words, repr(one))
 
     def test_liquid(self):
-        """A filled glass beside the empty one of its mass whose centre of mass is the liquid's metacentre."""
+        """A filled glass equals an empty one of the same mass with the liquid's centre of mass at its metacentre."""
         glass = dict(liquid_mass=0.15, liquid_density=1000.0, bowl_radius=0.03, bowl_height=0.09)
         filled = ring.Motion(mass=0.15, centre_of_mass_height=0.08, **glass)
         h = 0.15 / (1000 * np.pi * 0.03**2)

@@ -1,4 +1,4 @@
-"""stemware.Study against the program: the same digits, the same sentences. Given: the program, the sources."""
+"""stemware.Study and the program give the same digits and messages. Arguments: the program, the sources."""
 import concurrent.futures
 import doctest
 import json
@@ -26,7 +26,7 @@ def stemware_run(*arguments):
 
 
 def summary_of(verb, *arguments):
-    """Document that the program writes, without what depends on its folder."""
+    """Document that the program writes, without the entries that depend on its folder."""
     with tempfile.TemporaryDirectory() as folder:
         done = stemware_run(verb, *arguments, "--threads", "1", "--quiet", "--output", folder + "/r")
         if done.returncode:
@@ -39,7 +39,7 @@ def without_folder(document):
     return {key: value for key, value in document.items() if key not in ("files", "parameters")}
 
 
-# A contact that is solved in a tenth of the time of the default one.
+# A contact ten times cheaper than the default one.
 few_lines = {"Contact/Azimuth lines": 64, "Contact/Harmonics": 8}
 
 
@@ -65,7 +65,7 @@ class SameDigits(unittest.TestCase):
         self.assertIn("<table>", result._repr_html_())
         self.assertGreater(result.bands().loc["omega_terminal", "band"], 0)
 
-    def test_a_case_is_that_of_sweep(self):
+    def test_a_case_equals_the_case_of_sweep(self):
         with tempfile.TemporaryDirectory() as folder:
             done = stemware_run("sweep", "--vary", "Motion/Mass=250,300 g", "--threads", "1", "--quiet", "--output", folder + "/s")
             self.assertEqual(done.returncode, 0, done.stderr)
@@ -115,7 +115,7 @@ class SameDigits(unittest.TestCase):
         sets = [word for key, value in self.solid.items() for word in ("--set", f"{key}={value}")]
         self.assertEqual(without_folder(json.loads(done.stdout)), summary_of("run", "--quick", *sets))
 
-    def test_the_thread_counts_of_the_process_stay(self):
+    def test_the_thread_counts_of_the_process_do_not_change(self):
         code = """
 import ctypes, numpy, stemware
 gomp, blas = ctypes.CDLL("libgomp.so.1"), ctypes.CDLL("libblas.so.3")
@@ -141,7 +141,7 @@ assert counts() == before, (before, counts())
 
 class TerminalSpin(unittest.TestCase):
     def test_friction_lean_and_grip_add_up_to_zero(self):
-        """The lean torque belongs to the tilt, which only the closure full has; friction by a quadrature over the rings."""
+        """Only the closure full has a tilt and so a lean torque. Reference: friction by quadrature over the rings."""
         theta = np.arange(1024) * 2 * np.pi / 1024
         for closure in ("paper", "hand", "full"):
             with self.subTest(closure):
@@ -161,7 +161,7 @@ class TerminalSpin(unittest.TestCase):
 
 
 class SameSentences(unittest.TestCase):
-    def test_ten_refusals(self):
+    def test_refusals_equal_the_refusals_of_the_program(self):
         for entries, code in (
             ({"Motion/Mass": "30 cm"}, 1), ({"Motion/Mas": "1"}, 1), ({"Motion/Mass": "-1"}, 1), ({"Motion/Closure": "open"}, 1),
             ({"Table/Kind": "mat"}, 1), ({"Load/Source": "given", "Load/Moment ratio": "2.5"}, 1),
@@ -199,12 +199,12 @@ class SameSentences(unittest.TestCase):
         with self.assertRaisesRegex(ring.BadInput, "is empty"):
             stemware.Study(text="")
 
-    def test_a_failure_is_a_row(self):
+    def test_a_failed_case_gives_a_row(self):
         found = stemware.solve([{"Motion/Mass": "30 cm"}, {}])
         self.assertIn("length", found["failure"][0])
         self.assertEqual(found["failure"][1], "")
 
-    def test_what_a_listener_raises_comes_out(self):
+    def test_exceptions_of_a_listener_propagate(self):
         def listener(what, done, every):
             raise LookupError(what)
         with self.assertRaises(LookupError):
@@ -245,7 +245,7 @@ class Results(unittest.TestCase):
         moment = (np.trapz(p["p"] * p["r"]**2, p["r"], axis=1) * np.sin(p["theta"])).mean() * 2 * np.pi
         self.assertAlmostEqual(moment / self.result.load().moment[0], 1, delta=0.02)
 
-    def test_numbers_in_the_words(self):
+    def test_texts_contain_the_numbers(self):
         self.assertIn("-3.59", repr(self.result))
         self.assertNotIn("e-16", self.result._repr_html_())
         with self.assertRaisesRegex(stemware.BadInput, "without quick"):
@@ -282,7 +282,7 @@ class Results(unittest.TestCase):
 
 
 class Manners(unittest.TestCase):
-    def test_memory_stays(self):
+    def test_memory_does_not_grow(self):
         def resident():
             with open("/proc/self/status") as file:
                 return next(int(line.split()[1]) for line in file if line.startswith("VmRSS")) / 1024
