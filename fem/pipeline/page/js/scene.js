@@ -107,11 +107,11 @@ export class Scene {
     const by_hand = event.target === this.drawing.grip;
     const { clientX, clientY } = event;
     const { drawing, given } = this;
-    const { camera, looked } = drawing;
-    const per_mm = (this.svg.clientWidth / width) * (camera.focus / camera.distance) * Math.cos(camera.elevation);
+    const [{ camera, looked }, { hand }] = [drawing, given];
+    const per_mm = Math.min(this.svg.clientWidth / width, this.svg.clientHeight / height) * (camera.focus / camera.distance) * Math.cos(camera.elevation);
     const move = e => {
       if (by_hand) {
-        const at = given.hand - 1e-3 * ((e.clientY - clientY) / per_mm);
+        const at = hand - 1e-3 * ((e.clientY - clientY) / per_mm);
         this.dragged(Math.max(0.002, Math.min(2.4 * given.height, at)));
       } else {
         drawing.looked = looked - (e.clientX - clientX) / 150;

@@ -154,7 +154,7 @@ TEST(Live, AgreesWithinTheBandOnACloseMesh)
   }
 }
 
-TEST(Live, ASimilarFootHasTheProgramsSpin)
+TEST(Live, ASimilarFootAgreesWithTheProgram)
 {
   const double ratio = 1.1;
   fem::ComplianceCache cache;
