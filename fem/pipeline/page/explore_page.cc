@@ -3,7 +3,6 @@
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/base/failures.h"
-#include "fem/pipeline/base/json.h"
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/base/program.h"
 #include "fem/pipeline/base/shared_files.h"
@@ -138,8 +137,7 @@ Study study_of(const PageOptions &options, const Preset *glass, const Preset *ta
   return study;
 }
 
-/// Returns the values of @p study that differ from the defaults. The height of the hand determines its
-/// offset.
+/// Returns the values of a study that differ from the defaults. The height of the hand determines its offset.
 std::vector<std::pair<std::string, std::string>> values_of(const std::vector<StudyEntry> &own)
 {
   std::vector<std::pair<std::string, std::string>> values;

@@ -10,16 +10,17 @@
 namespace stemware::pipeline
 {
 
-/// sweep.csv in the folder of a sweep: lines that begin with # (version and base study), the headings (case,
-/// varied entries, sweep_columns(), contact_outcome, status, message with their units), and a row for each
-/// finished case, in the order in which cases finish. Each row is flushed: a killed program leaves at most an
-/// incomplete last line, which is dropped when the sweep goes on.
+/// sweep.csv in the folder of a sweep: lines that begin with # (version, base study, size and time of the
+/// files that cases read), the headings (case, varied entries, sweep_columns(), contact_outcome, status,
+/// message with their units), and a row for each finished case, in the order in which cases finish. Each row
+/// is flushed: a killed program leaves at most an incomplete last line, which is dropped when the sweep goes
+/// on.
 class SweepFile
 {
 public:
   /// Creates the file, or reads the finished cases of an earlier run of the same sweep. Throws OutputFailure,
-  /// with nothing changed, for a folder that require_replaceable() rejects, for another version, base study
-  /// or column, and for a row that is no case of the list.
+  /// with nothing changed, for a folder that require_replaceable() rejects, for another version, base study,
+  /// input file or column, and for a row that is no case of the list.
   SweepFile(const std::filesystem::path &wanted, const CaseList &list);
 
   const FinishedCases &finished() const { return cases; }

@@ -34,7 +34,7 @@ constexpr double largest_number = 1e12;
 /// Maximum ratio of a coefficient to a_0. A load without tension has none above 2.
 constexpr double largest_share = 1000;
 
-/// Returns the ring radius in a comment of a load file; std::nullopt for other comments.
+/// Returns the ring radius in a comment of a load file; std::nullopt without such a comment.
 std::optional<double> ring_radius_in(const std::string &setting, const std::string &text)
 {
   const std::string key = "# ring radius:";

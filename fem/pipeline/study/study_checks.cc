@@ -24,7 +24,7 @@ bool is_implausible(const StudyEntry &entry, double value)
   return entry.plausible && value != 0 && !entry.plausible->contains(value);
 }
 
-/// Returns the given entries of @p study that have an effect and an implausible value.
+/// Returns the given entries that have an effect and an implausible value.
 std::vector<StudyEntry> implausible_entries(const std::vector<StudyEntry> &entries)
 {
   std::vector<StudyEntry> implausible;
