@@ -99,6 +99,7 @@ const std::vector<Effect> effects = {
   { "Motion/Step limit", "1e7", nothing, {}, "/ring/omega_terminal" },
   { "Glass/Profile file", "thin.csv", second_harmonic, drawn({}) },
   { "Glass/Profile file", "thin.csv", second_harmonic, drawn(solid) },
+  { "Glass/Contact radius", "0.031", "/load/ring_radius" },
   { "Glass/Foot radius", "0.036", second_harmonic },
   { "Glass/Foot radius", "0.036", second_harmonic, foot },
   { "Glass/Foot thickness", "0.005", second_harmonic },
