@@ -245,7 +245,7 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     others.erase(others.begin() + 1, others.end()); // the paper's model alone
   else if (const std::optional<Variant> one_ring = variant_on_one_ring(study))
     others.push_back(*one_ring);
-  // The curve may meet a fall that the search has stepped over, and that of the next one another.
+  // The curve may reach a fall that the search for the terminal spin has missed. The rows are then solved again.
   constexpr unsigned int max_falls = 8;
   StudyRows solved;
   CurveOfAll curve = { {}, load };
