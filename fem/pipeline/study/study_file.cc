@@ -16,6 +16,7 @@
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -387,7 +388,11 @@ Json study_as_json(const Study &study)
 
 std::string study_as_prm(const Study &study)
 {
-  return prm_text(entries_of(study), false);
+  Study copy = study;
+  const double hand = copy.motion.orbit.centre_of_mass_height + copy.motion.orbit.force_offset;
+  if (std::abs(copy.motion.hand_height - hand) > 1e-12) // a study made in code has only the offset
+    copy.motion.hand_height = hand;
+  return prm_text(entries_of(copy), false);
 }
 
 std::string study_identity(Study study)
