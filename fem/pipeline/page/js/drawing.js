@@ -108,9 +108,22 @@ export class Drawing {
     write('centre', centre, `\u2002\u2002${t.centre}`, given.hand > 0.9 * given.height ? 18 : -6);
     this.draw_hand(row, travel, set, write);
     this.draw_torque(row, set, write);
+    this.part_names();
     const share = Math.round((100 * Math.abs(row.torque)) / this.most);
     const instant = say(t.instant, shown(row.time, '.2f'), shown(row.omega, '.2f'));
     this.number.textContent = shows('torque') && row.load.length ? `${instant}, ${this.most > 0 ? say(t.share, share) : t.no_torque}` : ''; // prettier-ignore
+  }
+
+  /** Moves names that overlap a higher one below it. */
+  part_names() {
+    const names = Object.values(this.words).filter(word => word.textContent).map(word => ({ word, box: word.getBBox() })); // prettier-ignore
+    names.sort((a, b) => a.box.y - b.box.y).forEach(({ word, box }, i) => {
+      for (const { box: above } of names.slice(0, i))
+        if (Math.abs(2 * (box.x - above.x) + box.width - above.width) < box.width + above.width && box.y < above.y + above.height) {
+          word.setAttribute('y', (Number(word.getAttribute('y')) + above.y + above.height - box.y).toFixed(1));
+          box.y = above.y + above.height;
+        }
+    });
   }
 
   draw_table({ orbit }, set) {

@@ -96,7 +96,7 @@ export function spin_up(doc) {
     title: 'Spin-up from rest',
     words: `to ${shown(ring.omega_terminal ?? ring.fall?.omega, '.4g')} rad/s`,
     caption:
-      `${known ? `The terminal spin is ${shown(ring.omega_terminal, '.5g')} rad/s, ${shown(Math.abs(ring.omega_terminal) / (2 * Math.PI), '.3g')} turns per second.` : ''}` +
+      `${known ? `The terminal spin is ${shown(ring.omega_terminal, '#.4g')} rad/s, ${shown(Math.abs(ring.omega_terminal) / (2 * Math.PI), '.3g')} turns per second.` : ''}` +
       (settles ? ' Dotted: time constant of the approach to the terminal spin.' : '') +
       one_way(doc),
     x: { label: 'time', symbol: 't =', unit: 's', room: 0, range: measured ? [0, last] : undefined },
