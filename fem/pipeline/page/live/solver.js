@@ -141,8 +141,8 @@ export class Queue {
     if (!reply.was_cold) return this.solve(true);
     for (const name of ['curves', 'pressure', 'budget']) {
       const asked = await this.ask({ do: name }, 4 * patience);
-      if (this.next() || !asked) return;
-      if (!asked.reply.error) this.told.use(name, asked.reply);
+      if (this.next()) return;
+      if (asked && !asked.reply.error) this.told.use(name, asked.reply); // else its pictures stay grey
     }
     document.body.dataset.rested = String(this.times.length);
   }
