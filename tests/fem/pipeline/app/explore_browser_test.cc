@@ -140,8 +140,9 @@ TEST(ExplorePage, ASavedPageOpensWithItsValues)
   let saved;
   shown.URL.createObjectURL = blob => ((saved = blob), "#");
   shown.document.getElementById("as-page").click();
+  const text = await saved.text(); // as long as its page lives
   frame.removeAttribute("srcdoc");
-  frame.srcdoc = await saved.text();
+  frame.srcdoc = text;
   await wait(() => frame.contentWindow !== shown || !frame.contentWindow.started || frame.contentDocument.body.dataset.rested);
   await wait(() => frame.contentWindow?.started && frame.contentDocument.body.dataset.rested);
   const page = frame.contentDocument;
