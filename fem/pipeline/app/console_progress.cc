@@ -66,11 +66,12 @@ void note_load_source(const Study &study, Progress &progress)
   const double ratio = moment_ratio(demand, study.glass.profile.contact_radius);
   const double crest = std::atan2(demand.moment_x, -demand.moment_y) / boost::math::double_constants::degree;
   const std::string origin =
-    study.load.is_static() ? "given" : "at rest, moment balance " + ring::to_string(study.motion.closure);
+    study.load.is_static() ? "given"
+                           : "moment balance " + ring::to_string(study.motion.closure) + ", upright at rest";
   std::string text =
-    fmt::format(FMT_STRING("N = {:.6g} N, moment ratio {:.4g} ({})"), demand.normal_force, ratio, origin);
+    fmt::format(FMT_STRING("{:.6g} N, moment ratio {:.4g} ({})"), demand.normal_force, ratio, origin);
   if (ratio > 0)
-    text += fmt::format(FMT_STRING(", largest at {:.4g} deg"), crest);
+    text += fmt::format(FMT_STRING(", largest at {:.3g} deg"), crest);
   progress.note("Load", text);
 }
 
