@@ -114,15 +114,19 @@ export class Drawing {
     this.number.textContent = shows('torque') && row.load.length ? `${instant}, ${this.most > 0 ? say(t.share, share) : t.no_torque}` : ''; // prettier-ignore
   }
 
-  /** Moves names that overlap a higher one below it. */
+  /** Moves names that overlap a higher one below it, with estimated sizes: the drawing may not be shown yet. */
   part_names() {
-    const names = Object.values(this.words).filter(word => word.textContent).map(word => ({ word, box: word.getBBox() })); // prettier-ignore
-    names.sort((a, b) => a.box.y - b.box.y).forEach(({ word, box }, i) => {
-      for (const { box: above } of names.slice(0, i))
-        if (Math.abs(2 * (box.x - above.x) + box.width - above.width) < box.width + above.width && box.y < above.y + above.height) {
-          word.setAttribute('y', (Number(word.getAttribute('y')) + above.y + above.height - box.y).toFixed(1));
-          box.y = above.y + above.height;
-        }
+    const [wide, high] = [8, 18]; // of a letter
+    const number = (word, name) => Number(word.getAttribute(name));
+    const boxes = Object.values(this.words).filter(word => word.textContent).map(word => {
+      const size = wide * word.textContent.length;
+      const left = { end: size, middle: size / 2 }[word.getAttribute('text-anchor')] || 0;
+      return { word, x: number(word, 'x') - left, y: number(word, 'y'), size };
+    }); // prettier-ignore
+    boxes.sort((a, b) => a.y - b.y).forEach((box, i) => {
+      for (const above of boxes.slice(0, i))
+        if (box.x < above.x + above.size && above.x < box.x + box.size && box.y < above.y + high) box.y = above.y + high;
+      box.word.setAttribute('y', box.y.toFixed(1));
     });
   }
 
