@@ -6,6 +6,7 @@ rm -rf -- "$3" && mkdir -p -- "$3/fem/pipeline"
 cp -r -- "$2/ring_model" "$3/ring_model"   # pip builds inside the source folder
 cp -rL -- "$2/fem/pipeline/python" "$3/fem/pipeline/python"
 cp -- "$2/CMakeLists.txt" "$2/LICENSE" "$3"
+cp -- "$2/fem/portable.cmake" "$3/fem"
 cd -- "$3/fem/pipeline/python"
 "$1" -c "from setuptools import build_meta; build_meta.build_sdist('$3')" >/dev/null
 export STEMWARE_CMAKE_ARGUMENTS="-D STEMWARE_FEM=OFF"
