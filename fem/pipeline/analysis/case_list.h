@@ -47,9 +47,9 @@ struct CaseList
 /// Throws BadInput for other texts, unknown entries, inadmissible values and repeated values.
 CaseList cases_of_grid(const std::vector<std::string> &varied);
 
-/// Reads cases from a table (parse_table()): one column per entry, "Motion/Mass" or "Motion/Mass (g)", one row
-/// per case. Cells may have their own units, and decimal commas unless commas separate them. Throws BadInput
-/// that names line and column.
+/// Reads cases from a table (parse_table()): one column per entry, "Motion/Mass" or "Motion/Mass (g)", one
+/// row per case. Cells may have their own units, and decimal commas unless commas separate them. Throws
+/// BadInput that names line and column.
 CaseList cases_from_file(const std::string &file);
 
 } // namespace stemware::pipeline

@@ -245,7 +245,8 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     others.erase(others.begin() + 1, others.end()); // the paper's model alone
   else if (const std::optional<Variant> one_ring = variant_on_one_ring(study))
     others.push_back(*one_ring);
-  // The curve may reach a fall that the search for the terminal spin has missed. The rows are then solved again.
+  // The curve may reach a fall that the search for the terminal spin has missed. The rows are then solved
+  // again.
   constexpr unsigned int max_falls = 8;
   StudyRows solved;
   CurveOfAll curve = { {}, load };
@@ -277,8 +278,8 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   result.curve_error = curve.load.interpolation_error();
   result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time, observer);
   if (depth != Depth::full)
-    result.budget.harmonics =
-      harmonic_effect(result.rows.front().omega_terminal(), result.all().omega_terminal(), study.spin_scale());
+    result.budget.harmonics = harmonic_effect(result.rows.front().omega_terminal(),
+                                              result.all().omega_terminal(), study.spin_scale());
   return result;
 }
 

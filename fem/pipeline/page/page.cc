@@ -36,8 +36,7 @@ constexpr auto no_script =
 
 } // namespace
 
-std::string page_of(const Json &document, const std::string &title,
-                    const std::string &answer)
+std::string page_of(const Json &document, const std::string &title, const std::string &answer)
 {
   const CompiledTexts &texts = page_texts();
   const std::string content =

@@ -12,14 +12,13 @@ namespace stemware::pipeline
 /// Solver and compliances of a page that solves again at every move of a slider.
 struct LivePart
 {
-  Json data; ///< pairs of glass and table with their studies
-  std::string bodies, wasm;    ///< compliances and solver, gzip in base64
+  Json data;                ///< pairs of glass and table with their studies
+  std::string bodies, wasm; ///< compliances and solver, gzip in base64
 };
 
 /// Returns a self-contained page of @p document. @p title and @p answer are also included as text, for
 /// browsers without scripts.
-std::string page_of(const Json &document, const std::string &title,
-                    const std::string &answer);
+std::string page_of(const Json &document, const std::string &title, const std::string &answer);
 
 /// Returns a self-contained page that solves @p live.
 std::string live_page(const LivePart &live, const std::string &title, const std::string &answer);
