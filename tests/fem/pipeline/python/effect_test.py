@@ -46,5 +46,40 @@ class EffectOfHarmonics(unittest.TestCase):
         self.compare(summary, summary["load"], summary["ring"]["omega_terminal"] / 2, "half")
 
 
+def ring_torque(spin, centre=0.08, mu=0.3, hand=0.03, mass=0.3, radius=0.03, speed=0.35, orbit=0.15):
+    """tau_z [N m] of a rigid ring with a first harmonic in full balance: midpoint rule, moments by fixed-point iteration."""
+    theta, normal = 2 * np.pi * (np.arange(720) + 0.5) / 720, 9.81 * mass
+    x, y = np.cos(theta), np.sin(theta)
+    u, w = speed - spin * radius * y, spin * radius * x
+    tx, ty = -mu * normal, 0.0
+    for _ in range(100):
+        moment_x = (hand - centre) * mass * speed**2 / orbit - hand * ty
+        share = mu * (normal + 2 / radius * (moment_x * y - hand * tx * x)) / 720 / np.hypot(u, w)
+        tx, ty = -np.sum(share * u), -np.sum(share * w)
+    return -radius * np.sum(share * (x * w - y * u))
+
+
+def ring_spin(grip=0.0, **changed):
+    """Zero of tau_z + grip for a clockwise spin [rad/s], by bisection."""
+    fast, slow = -8.0, -1e-3
+    for _ in range(50):
+        middle = (fast + slow) / 2
+        fast, slow = (fast, middle) if ring_torque(middle, **changed) + grip < 0 else (middle, slow)
+    return slow
+
+
+class EffectOfInputs(unittest.TestCase):
+    def test_on_the_rigid_ring(self):
+        found = {row["name"]: row["difference"] for row in stemware.Study().run().document["inputs"]}
+        expected = {
+            "1 cm more height of the centre of mass": ring_spin(centre=0.09) - ring_spin(),
+            "0.05 more friction": ring_spin(mu=0.35) - ring_spin(),
+            "1.4 mN m more grip": ring_spin(grip=1.4e-3) - ring_spin(),
+        }
+        self.assertEqual(found.keys(), expected.keys())
+        for name, difference in expected.items():  # 1e-8 rad/s: the search for the terminal spin stops at 1e-9 of it
+            self.assertAlmostEqual(found[name], difference, delta=1e-8, msg=name)
+
+
 if __name__ == "__main__":
     unittest.main()
