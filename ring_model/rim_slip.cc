@@ -1,6 +1,6 @@
 #include "ring_model/rim_slip.h"
 
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ std::vector<RimSlip> rim_slip(const Motion &motion, double radius, const RingSta
   std::vector<RimSlip> places;
   for (unsigned int i = 0; i < n_places; ++i)
   {
-    const double theta = boost::math::double_constants::two_pi * i / n_places;
+    const double theta = 2 * pi * i / n_places;
     const double slip_x = motion.orbit_speed - omega * radius * std::sin(theta),
                  slip_y = omega * radius * std::cos(theta), slip = std::hypot(slip_x, slip_y);
     const double share = slip > 0 ? -motion.friction_at(slip) * std::max(0., load(theta)) / (mean * slip) : 0;

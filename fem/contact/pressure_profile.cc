@@ -2,8 +2,7 @@
 
 #include "fem/contact/azimuthal_density.h"
 #include "fem/contact/line_integral.h"
-
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +19,7 @@ PressureProfile PressureProfile::with(const PressureMoments &moments, double exp
   // (1 - x^2)^a has the variance 1 / (2 a + 3) and the kurtosis 3 (2 a + 3) / (2 a + 5).
   profile.half_width = std::sqrt(moments.variance * (2 * exponent + 3));
   profile.peak = moments.force / profile.half_width * std::tgamma(exponent + 1.5) /
-                 std::tgamma(exponent + 1) * boost::math::double_constants::one_div_root_pi;
+                 std::tgamma(exponent + 1) / std::sqrt(ring::pi);
   return profile;
 }
 

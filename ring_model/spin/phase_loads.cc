@@ -1,10 +1,9 @@
 #include "ring_model/spin/phase_loads.h"
 
+#include "ring_model/load/constants.h"
 #include "ring_model/load/require.h"
 #include "ring_model/no_balance.h"
 #include "ring_model/spin/to_precision.h"
-
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +28,7 @@ constexpr unsigned int max_phases = 128; ///< per angle
 
 PeriodicGrid first_grid(double period, unsigned int n_phases)
 {
-  return period > 0 ? PeriodicGrid(period, n_phases) : PeriodicGrid(boost::math::double_constants::two_pi, 1);
+  return period > 0 ? PeriodicGrid(period, n_phases) : PeriodicGrid(2 * pi, 1);
 }
 
 void require_resolved(unsigned int n_phases, const SampleError &error, double max_mean = largest_allowed.mean)

@@ -3,8 +3,6 @@
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
 
-#include <boost/math/constants/constants.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -14,8 +12,7 @@ namespace stemware::ring
 
 Orientation orientation_of_marks(const Motion &motion, double time, double yaw_angle)
 {
-  const double behind =
-    motion.orbit_rate() * time + motion.sense_sign() * boost::math::double_constants::half_pi;
+  const double behind = motion.orbit_rate() * time + motion.sense_sign() * pi / 2;
   return { yaw_angle - behind, -behind };
 }
 

@@ -1,5 +1,6 @@
 // Answers of the ring model for loads that a lambda returns. Reference: closed form of the first harmonic.
 #include "ring_model/friction_functionals.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/spin/answer.h"
 #include "ring_model/spin/curves.h"
@@ -89,7 +90,7 @@ TEST(Answer, ReportsTheHarmonicsOfATruncatedLoad)
 
 TEST(Answer, GivesTheTensileShareOfANegativeLoad)
 {
-  constexpr double m = 1.3, pi = 3.14159265358979323846;
+  constexpr double m = 1.3;
   const Load load([](double) -> Sample { return RingStack({ 1., 0. }, { 0., m }, radius); });
   const Answer found = answer(load, { Motion() }).value();
   ASSERT_TRUE(found.at_rest);

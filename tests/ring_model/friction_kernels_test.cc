@@ -1,4 +1,5 @@
 #include "ring_model/friction_kernels.h"
+#include "ring_model/load/constants.h"
 #include "tests/ring_model/reference.h"
 #include "tests/taylor_remainder.h"
 
@@ -134,7 +135,7 @@ TEST(FrictionKernels, ReachSmallSlipLimitsWithAllDigits)
   // K_n -> kappa_n eps^{n-1}, P_n -> -kappa_n eps^n / n, U_n -> (n-1)/n kappa_n eps^n, next terms of relative
   // order eps^2.
   const auto &kappa = reference()["kernel_small_eps"]["kappa"];
-  const double eps = 1e-8, pi = boost::math::constants::pi<double>();
+  const double eps = 1e-8;
   const auto kernels = FrictionKernels(eps, 1., 12);
   expect_relative(kernels.K(0), -pi * eps, 1e-15, "K_0");
   expect_relative(kernels.U(0), 2. * pi, 1e-15, "U_0");

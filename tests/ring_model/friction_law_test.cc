@@ -1,10 +1,9 @@
 #include "ring_model/friction_functionals.h"
+#include "ring_model/load/constants.h"
 #include "tests/ring_model/quadrature.h"
 #include "tests/ring_model/reference.h"
 #include "tests/taylor_remainder.h"
 #include "tests/ulps.h"
-
-#include <boost/math/constants/constants.hpp>
 
 #include <limits>
 #include <stdexcept>
@@ -75,8 +74,7 @@ TEST(FrictionLaw, ViscousFrictionIsLinearInTheSlip)
 {
   // mu = c |v_rel|: force = -c int lambda v_rel, a polynomial in the coefficients of the load.
   const RingStack load = some_load();
-  const double c = 0.4, omega = 9., speed = 0.35, R = load.radius(),
-               pi = boost::math::constants::pi<double>();
+  const double c = 0.4, omega = 9., speed = 0.35, R = load.radius();
   const Wrench found = friction_functionals(StribeckLaw({ 0., 0., 0.1, c, 2. }), load.radii(),
                                             load.n_harmonics(), omega, speed)(load);
   expect_relative(found.force_x, -c * pi * (2. * load.a(0) * speed - omega * R * load.b(1)), 1e-12, "T_x");
@@ -117,7 +115,7 @@ TEST(FrictionLaw, StribeckAgreesWithATrapezoidalSum)
 /// int_0^s mu ds' of a law whose exponent is 1 or 2, in closed form [m/s].
 double potential_of(const StribeckLaw::Parameters &law, double slip_speed)
 {
-  const double x = slip_speed / law.decay_speed, pi = boost::math::constants::pi<double>();
+  const double x = slip_speed / law.decay_speed;
   const double decayed = law.decay_exponent == 1. ? 1. - std::exp(-x) : std::sqrt(pi) / 2. * std::erf(x);
   return law.kinetic_coefficient * slip_speed +
          (law.static_coefficient - law.kinetic_coefficient) * law.decay_speed * decayed +
@@ -129,7 +127,7 @@ double potential_of(const StribeckLaw::Parameters &law, double slip_speed)
 TEST(FrictionLaw, FrictionIsMinusTheDerivativeOfAPotential)
 {
   const RingStack load = some_load();
-  const double R = load.radius(), pi = boost::math::constants::pi<double>();
+  const double R = load.radius();
   const StribeckLaw::Parameters laws[] = {
     { 0.3, 0.3, 0.1, 0., 2. }, { 0.5, 0.3, 0.1, 0., 2. }, { 0.5, 0.2, 0.3, 0.4, 1. }, { 0., 0., 0.1, 0.4, 2. }
   };

@@ -1,5 +1,6 @@
 // Oracle: the liquid as vertical columns on the bottom of the bowl, whose weights and moments are summed in
 // three dimensions. It shares no formula with the code.
+#include "ring_model/load/constants.h"
 #include "ring_model/moment_balance.h"
 #include "tests/ring_model/reference.h"
 #include "tests/ulps.h"
@@ -24,7 +25,7 @@ std::pair<double, Vector3d> columns(const Liquid &liquid, const Eigen::Vector2d 
   const double node = std::sqrt(0.6) / 2, points[3] = { 0.5 - node, 0.5, 0.5 + node },
                weights[3] = { 5. / 18, 8. / 18, 5. / 18 };
   constexpr unsigned int n_angles = 16;
-  const double turn = 2 * std::acos(-1.), radius = liquid.bowl_radius,
+  const double turn = 2 * pi, radius = liquid.bowl_radius,
                depth = liquid.mass / (liquid.density * turn / 2 * radius * radius);
   double mass = 0;
   Vector3d moment = Vector3d::Zero();

@@ -1,4 +1,5 @@
 // Table of the torque over phase and spin. Reference: plain quadrature over the rim.
+#include "ring_model/load/constants.h"
 #include "ring_model/spin/curves.h"
 #include "ring_model/spin/phase_loads.h"
 #include "tests/ring_model/quadrature.h"
@@ -23,7 +24,7 @@ RingStack wavy_load(const Orientation &phase)
 Load load_by_phase()
 {
   const LoadAtPhase exact = [](double, const Orientation &phase) -> Sample { return wavy_load(phase); };
-  const PhasePeriods periods = { 2. * M_PI / 3., M_PI };
+  const PhasePeriods periods = { 2. * pi / 3., pi };
   return Load(std::make_shared<PhaseSampledLoad>(exact, periods, sample_phases(exact, periods, { 256 })));
 }
 
@@ -42,7 +43,7 @@ TEST(TabulatedTorque, InterpolatesBetweenPhasesAndSpins)
 {
   const Load load = load_by_phase();
   const Motion motion;
-  const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * M_PI * 0.03;
+  const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * pi * 0.03;
   const PhasedTorqueFunction torque = tabulated_torque(load, motion, 0.4 * scale, 0.05 * scale, 1e-9 * size);
   for (int i = 0; i < 20; ++i)
   {
@@ -56,7 +57,7 @@ TEST(TabulatedTorque, UsesTheLoadItselfOutsideItsTable)
 {
   const Load load = load_by_phase();
   const Motion motion;
-  const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * M_PI * 0.03;
+  const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * pi * 0.03;
   const PhasedTorqueFunction torque = tabulated_torque(load, motion, 0.4 * scale, 0.01 * scale, 1e-9 * size);
   for (const double share : { -0.7, 0., 0.2, 0.6 })
     EXPECT_NEAR(torque(0.3, 0.7, share * scale), plain_torque(motion, 0.3, 0.7, share * scale), 1e-9 * size)
@@ -67,7 +68,7 @@ TEST(TabulatedTorque, IsExactAcrossTheKinkAtSlipRatioOne)
 {
   const Load load = load_by_phase();
   const Motion motion;
-  const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * M_PI * 0.03;
+  const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * pi * 0.03;
   const PhasedTorqueFunction torque = tabulated_torque(load, motion, scale, 0.05 * scale, 1e-9 * size);
   for (const double share : { 0.97, 0.999, 1.01 }) // quadrature error 1e-5 next to the kink
     EXPECT_NEAR(torque(0.3, 0.7, share * scale), plain_torque(motion, 0.3, 0.7, share * scale), 1e-5 * size)

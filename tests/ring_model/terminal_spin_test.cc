@@ -1,10 +1,9 @@
 #include "ring_model/friction_functionals.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/terminal_spin.h"
 #include "tests/ring_model/reference.h"
 #include "tests/ring_model/unilateral_rim.h"
-
-#include <boost/math/constants/constants.hpp>
 
 #include <cmath>
 #include <stdexcept>
@@ -52,7 +51,7 @@ TEST(TerminalSpin, FrictionBrakesAnyLoadAtSlipRatiosAboveOne)
 {
   // Fejer kernels: compressive loads close to a point force at any azimuth.
   constexpr unsigned int n_most = 400;
-  constexpr double turn = boost::math::double_constants::two_pi;
+  constexpr double turn = 2 * ring::pi;
   const Motion motion;
   const double radius = 0.03, unit = motion.friction_at_rest() * motion.normal_force() * radius;
   double least = 1e9;

@@ -1,3 +1,4 @@
+#include "ring_model/load/constants.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/spin/hand_drive.h"
 #include "ring_model/yaw_motion.h"
@@ -119,7 +120,7 @@ struct HandByRows
   /// Torque without the grip, @p since seconds after the start of interval @p i [N m].
   double torque(std::size_t i, double since, double omega) const
   {
-    static const double turn = 2. * std::acos(-1.);
+    static const double turn = 2. * pi;
     constexpr double radius = 0.03, mass = 0.3, offset = -0.05, arm = 0.08 + offset;
     const std::vector<double> at_rows = slopes();
     const double h = times[i + 1] - times[i], s = since / h, a = speeds[i], b = speeds[i + 1],

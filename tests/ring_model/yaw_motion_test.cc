@@ -1,3 +1,4 @@
+#include "ring_model/load/constants.h"
 #include "ring_model/yaw_motion.h"
 
 #include <boost/math/special_functions/ellint_1.hpp>
@@ -37,7 +38,7 @@ struct MarkedRing
 /// angle of the mark: d omega / d angle = tau / (I (omega - orbit)), d t / d angle = 1 / (omega - orbit).
 std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns, unsigned int n_steps)
 {
-  const double step = -2. * M_PI / n_steps; // the mark lags behind the orbit
+  const double step = -2. * pi / n_steps; // the mark lags behind the orbit
   const auto rates = [&](double angle, double omega)
   {
     return std::array{ ring(0., angle, omega) / (ring.inertia * (omega - ring.orbit)),
@@ -61,7 +62,7 @@ std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns
       least = std::min(least, omega);
     }
   }
-  return { ring.orbit - 2. * M_PI / period, (most - least) / 2. };
+  return { ring.orbit - 2. * pi / period, (most - least) / 2. };
 }
 } // namespace
 
@@ -81,7 +82,7 @@ TEST(YawMotion, TurnsLikeAPendulum)
   }
 
   const LongTimeSpin turning = long_time_spin(torque, inertia, spin, 20., 1e-9, spin);
-  EXPECT_NEAR(turning.mean, M_PI * spin / (2. * boost::math::ellint_1(modulus)), 1e-7);
+  EXPECT_NEAR(turning.mean, pi * spin / (2. * boost::math::ellint_1(modulus)), 1e-7);
   EXPECT_NEAR(turning.ripple, spin * (1. - std::sqrt(1. - modulus * modulus)) / 2., 1e-4);
 }
 
@@ -201,7 +202,7 @@ TEST(YawMotion, AGripHoldsAndReleasesTheGlassAtEvents)
     std::vector<double> times, expected;
     for (unsigned int half = 0; half < 6; ++half, turns = -turns)
     {
-      double turned = began + 1e-3, stopped = began + M_PI / nu;
+      double turned = began + 1e-3, stopped = began + pi / nu;
       while (stopped - turned > 1e-15 * stopped && turned < (turned + stopped) / 2. &&
              (turned + stopped) / 2. < stopped)
         (turns * turning((turned + stopped) / 2.) > 0. ? turned : stopped) = (turned + stopped) / 2.;
@@ -210,7 +211,7 @@ TEST(YawMotion, AGripHoldsAndReleasesTheGlassAtEvents)
         times.push_back(began + share * (stopped - began));
         expected.push_back(turning(times.back()));
       }
-      began = ((half + 1) * M_PI - std::acos(grip / force)) / nu;
+      began = ((half + 1) * pi - std::acos(grip / force)) / nu;
       ASSERT_GT(began, stopped);
       for (const double share : { 0.01, 0.5, 0.99 })
       {

@@ -1,5 +1,6 @@
 // Convergence of the harmonics with mesh and degree. References: another program (calculix_foot.json),
 // theoretical order.
+#include "ring_model/load/constants.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/calculix_foot.h"
 
@@ -7,6 +8,7 @@
 
 #include <vector>
 
+using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 
 namespace
@@ -34,7 +36,7 @@ double exponent_of_the_corner()
   for (int i = 0; i < 60; ++i)
   {
     const double middle = (below + above) / 2;
-    (std::sin(1.5 * M_PI * middle) > middle ? below : above) = middle;
+    (std::sin(1.5 * pi * middle) > middle ? below : above) = middle;
   }
   return below;
 }

@@ -4,11 +4,13 @@
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/compute_compliance.h"
 #include "fem/revolution/meshed_revolution_foot.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/half_space_formulas.h"
 
 #include <gtest/gtest.h>
 
+using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 using namespace stemware::verification;
 
@@ -74,7 +76,7 @@ TEST(HalfSpace, HarmonicsBeyondTheHighestUseTheComplianceOfHarmonic24)
   {
     Eigen::MatrixXd forces(nodes.size(), n_lines);
     for (unsigned int j = 0; j < n_lines; ++j)
-      forces.col(j) = nodes * (2 * M_PI / n_lines * std::cos(2 * M_PI * n * j / n_lines));
+      forces.col(j) = nodes * (2 * pi / n_lines * std::cos(2 * pi * n * j / n_lines));
     body.set_forces(forces.reshaped());
     const Eigen::VectorXd ahead = body.contact_displacement().head(nodes.size()); // on the line theta = 0
     EXPECT_NEAR(nodes.dot(ahead) / normal_compliance(answers_as, whole, whole, wood), 1, 3e-3) << n;

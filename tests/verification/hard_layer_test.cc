@@ -4,6 +4,7 @@
 // the ring changes the settlement by 1e-4.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/reference_load.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <fstream>
 
+using stemware::ring::pi;
 using namespace stemware::fem;
 
 TEST(HardLayer, SettlementAgreesWithAStrip)
@@ -37,7 +39,7 @@ TEST(HardLayer, SettlementAgreesWithAStrip)
     setup.resolution.focus_size = std::min(width / 100, thickness / 2);
     setup.resolution.focus_width = width / 2;
     const MeshedRevolutionFoot foot(setup);
-    const double line_load = force / (2 * M_PI * setup.profile.contact_radius);
+    const double line_load = force / (2 * pi * setup.profile.contact_radius);
     const double settlement = std::abs(foot.solve({ force, 0, 0 }).solution.motion(0));
     EXPECT_NEAR(settlement * 5e6 / (1 - nu * nu) / line_load / strip["settlement"].get<double>(), 1, 3e-3)
       << "w/h = " << ratio << ", nu = " << nu;

@@ -1,6 +1,8 @@
 #pragma once
 
 // A rigid flat annulus or disc on a Winkler mat with lift-off: closed forms of circular segments.
+#include "ring_model/load/constants.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,8 +44,8 @@ struct LiftedAnnulus
       (centre((low + high) / 2) < eccentricity ? low : high) = (low + high) / 2;
     zero = low;
     centre(zero);
-    share = beyond(zero, [](const Segment &s) { return s.area; }) /
-            (std::acos(-1.) * (outer * outer - inner * inner));
+    share =
+      beyond(zero, [](const Segment &s) { return s.area; }) / (ring::pi * (outer * outer - inner * inner));
   }
   double zero, share;
   double per_slope; ///< force per slope of the pressure [m^3]

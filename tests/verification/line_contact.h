@@ -2,6 +2,7 @@
 
 // Hard contact of a rigid crowned ring with a half-space, as a line contact whose width depends on the load:
 // leading order in width / radius, all harmonics that the lines resolve.
+#include "ring_model/load/constants.h"
 #include "tests/verification/half_space_formulas.h"
 
 #include <Eigen/Dense>
@@ -27,10 +28,10 @@ inline double half_space_eigenvalue(unsigned int n, double slenderness)
   const auto beyond_logarithm = [&](double angle)
   {
     const double distance = z * std::sin(angle);
-    return 4 / M_PI * std::pow(std::cos(angle), 2) *
+    return 4 / ring::pi * std::pow(std::cos(angle), 2) *
            (boost::math::cyl_bessel_k(0, distance) + std::log(distance / 2) + euler);
   };
-  return -4 * sum + 2 * integral(beyond_logarithm, 0, M_PI / 2, 4);
+  return -4 * sum + 2 * integral(beyond_logarithm, 0, ring::pi / 2, 4);
 }
 
 /// Solves x (L - ln x) + S[x] = w_0 + w_1 cos(theta) for the relative line load x = q / mean q > 0, with
@@ -73,7 +74,7 @@ public:
   double loaded_share() const { return static_cast<double>((load.array() > 0).count()) / n_lines; }
 
 private:
-  double azimuth(unsigned int line) const { return 2 * M_PI * line / n_lines; }
+  double azimuth(unsigned int line) const { return 2 * ring::pi * line / n_lines; }
 
   void solve(double moment_ratio)
   {

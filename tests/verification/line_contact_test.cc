@@ -3,6 +3,7 @@
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/meshed_revolution_foot.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/reference_load.h"
 #include "tests/verification/line_contact.h"
 
@@ -10,6 +11,7 @@
 
 #include <cmath>
 
+using stemware::ring::pi;
 using namespace stemware::fem_tests;
 using stemware::verification::LineContact;
 
@@ -31,8 +33,8 @@ ContactLoad press_ring(double moment_ratio, unsigned int n_lines)
   RevolutionSetup setup;
   setup.foot_is_rigid = true;
   const double half_width = slenderness * setup.profile.contact_radius;
-  const double line_load = weight / (2 * M_PI * setup.profile.contact_radius);
-  setup.profile.crown_radius = half_width * half_width * M_PI * modulus / (4 * line_load);
+  const double line_load = weight / (2 * pi * setup.profile.contact_radius);
+  setup.profile.crown_radius = half_width * half_width * pi * modulus / (4 * line_load);
   setup.table = { std::make_shared<HardInterface>(), substrate };
   setup.meridian.n_harmonics = n_harmonics;
   setup.n_lines = n_lines;
@@ -86,7 +88,7 @@ TEST(LineContact, HalfWidthAgreesWithHertz)
   setup.material = { 210e9, 0.3 };
   setup.table = { std::make_shared<HardInterface>(), Substrate{ {}, { 70e9, 0.3 } } };
   const double line_load = 35e6;
-  const double half_width = hertz_half_width(setup, line_load * 2 * M_PI * setup.profile.contact_radius);
+  const double half_width = hertz_half_width(setup, line_load * 2 * pi * setup.profile.contact_radius);
   EXPECT_NEAR(half_width, 6.21e-3, 5e-6);
-  EXPECT_NEAR(2 * line_load / (M_PI * half_width) / 3585.37e6, 1, 1e-5);
+  EXPECT_NEAR(2 * line_load / (pi * half_width) / 3585.37e6, 1, 1e-5);
 }

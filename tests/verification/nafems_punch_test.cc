@@ -14,6 +14,7 @@
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/boundary_ids.h"
 #include "fem/revolution/meridian_field.h"
+#include "ring_model/load/constants.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -28,6 +29,7 @@
 #include <functional>
 #include <numeric>
 
+using stemware::ring::pi;
 using namespace dealii;
 using namespace stemware::fem;
 
@@ -48,7 +50,7 @@ struct PunchParameters
   double disc_height = 0.200;     ///< [m]
   double pressure_on_top = 100e6; ///< [Pa]
 
-  double normal_force() const { return pressure_on_top * M_PI * punch_radius * punch_radius; }
+  double normal_force() const { return pressure_on_top * pi * punch_radius * punch_radius; }
 };
 
 /// Height of the punch's lower side above the disc, 0 up to the rounded edge.
@@ -103,9 +105,9 @@ struct PunchCells
   {
     double radius = std::accumulate(on_contact.begin(), on_contact.end(), 0.);
     double at = std::asin((radius - flat_radius) / edge_radius);
-    while (at < M_PI / 2 - 1e-6)
+    while (at < pi / 2 - 1e-6)
     {
-      at = std::min(at + angle, M_PI / 2);
+      at = std::min(at + angle, pi / 2);
       const double next = flat_radius + edge_radius * std::sin(at);
       on_punch.push_back(next - radius);
       radius = next;
@@ -124,7 +126,7 @@ PunchCells fine_cells_of_punch(const PunchParameters &parameters, double smalles
   append(cells.on_contact, equal_lengths(fine, smallest));
   append(cells.on_contact, graded_lengths(end - flat_radius - fine, smallest, growth, 1e-3));
   cells.on_punch = cells.on_disc = cells.on_contact;
-  cells.add_edge(M_PI / 18);
+  cells.add_edge(pi / 18);
   append(cells.on_disc, graded_lengths(parameters.disc_radius - end, cells.on_contact.back(), growth,
                                        parameters.disc_radius / 16));
   cells.upward = graded_lengths(punch_height, smallest, growth, 6e-3);

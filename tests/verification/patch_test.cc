@@ -1,5 +1,6 @@
 // A cylinder with nu = 0 under a central load: uniform vertical stress is the exact solution.
 #include "fem/contact/hard_interface.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/foot_case.h"
 
 #include <deal.II/grid/grid_generator.h>
@@ -7,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+using stemware::ring::pi;
 using namespace dealii;
 using namespace stemware::fem;
 using namespace stemware::fem_tests;
@@ -20,7 +22,7 @@ void make_cylinder(Triangulation<3> &triangulation)
 {
   Triangulation<3> lying;
   GridGenerator::cylinder(lying, 0.02, 0.015);
-  GridTools::rotate(Point<3>::unit_vector(1), numbers::PI_2, lying);
+  GridTools::rotate(Point<3>::unit_vector(1), pi / 2, lying);
   GridTools::shift(Point<3>(0, 0, 0.015), lying);
   triangulation.copy_triangulation(lying);
   triangulation.set_manifold(0, CylindricalManifold<3>(2));

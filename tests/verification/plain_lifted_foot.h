@@ -2,6 +2,7 @@
 
 // A rigid crowned foot on a Winkler mat, with or without lift-off, by plain quadrature up to the contact
 // edges. It shares no code with the program and uses no rings, harmonics or kernels.
+#include "ring_model/load/constants.h"
 #include "tests/verification/plain_rigid_foot.h"
 
 #include <Eigen/Dense>
@@ -50,10 +51,10 @@ struct LiftedFoot
     {
       const double R = foot.contact_radius, crown = foot.crown_radius;
       const double cosine = (std::sqrt(R * R - 2 * crown * lie(0)) - R) / (crown * lean);
-      return cosine <= -1 || !(lean > 0) ? pi : std::acos(std::min(1., cosine));
+      return cosine <= -1 || !(lean > 0) ? ring::pi : std::acos(std::min(1., cosine));
     }
 
-    double azimuth_share() const { return edge() / pi; }
+    double azimuth_share() const { return edge() / ring::pi; }
     double largest_pressure() const { return foot.foundation_modulus * deepest(0); }
 
     /// Line load at @p phi [N/rad]: closed form of the parabola across the rim.
@@ -71,9 +72,9 @@ struct LiftedFoot
     void for_each_azimuth(double split, const Visitor &visit) const
     {
       const double end = edge();
-      if (end == pi)
+      if (end == ring::pi)
         for (unsigned int i = 0; i < n_azimuths; ++i)
-          visit(split + 2 * pi * (i + 0.5) / n_azimuths, 2 * pi / n_azimuths);
+          visit(split + 2 * ring::pi * (i + 0.5) / n_azimuths, 2 * ring::pi / n_azimuths);
       else
       {
         const double between = std::abs(split) < end ? split : 0;
@@ -88,7 +89,7 @@ struct LiftedFoot
     void for_each_force(double omega, const Visitor &visit) const
     {
       const double still_radius = foot.speed / std::abs(omega);
-      const double still = std::remainder((omega < 0 ? -pi : pi) / 2 - direction, 2 * pi);
+      const double still = std::remainder((omega < 0 ? -ring::pi : ring::pi) / 2 - direction, 2 * ring::pi);
       for_each_azimuth(still,
                        [&](double phi, double arc)
                        {
@@ -140,15 +141,16 @@ struct LiftedFoot
       const auto at = [&](double r, double width)
       {
         const double mean = lie(0) - (r - R) * (r - R) / (2 * crown), swing = lean * r;
-        const double end = mean >= swing ? pi : std::acos(std::clamp(-mean / swing, -1., 1.));
+        const double end = mean >= swing ? ring::pi : std::acos(std::clamp(-mean / swing, -1., 1.));
         const double per_radian = foot.foundation_modulus * r * width;
-        const double a0 = per_radian / pi * (mean * end + swing * std::sin(end));
+        const double a0 = per_radian / ring::pi * (mean * end + swing * std::sin(end));
         const double a1 =
-          per_radian * 2 / pi * (mean * std::sin(end) + swing * (end / 2 + std::sin(2 * end) / 4));
+          per_radian * 2 / ring::pi * (mean * std::sin(end) + swing * (end / 2 + std::sin(2 * end) / 4));
         for (unsigned int i = 0; i < n_azimuths; ++i)
         {
-          const double phi = 2 * pi * i / n_azimuths, theta = direction + phi;
-          visit(r * std::cos(theta), r * std::sin(theta), (a0 + a1 * std::cos(phi)) * 2 * pi / n_azimuths);
+          const double phi = 2 * ring::pi * i / n_azimuths, theta = direction + phi;
+          visit(r * std::cos(theta), r * std::sin(theta),
+                (a0 + a1 * std::cos(phi)) * 2 * ring::pi / n_azimuths);
         }
       };
       for_graded(whole.first, all_round.first, at);
@@ -265,13 +267,11 @@ struct LiftedFoot
   Eigen::Vector3d flat_lie() const
   {
     const double per_depth =
-      2 * pi * contact_radius * 4 / 3 * std::sqrt(2 * crown_radius) * foundation_modulus;
+      2 * ring::pi * contact_radius * 4 / 3 * std::sqrt(2 * crown_radius) * foundation_modulus;
     return { std::pow(weight() / per_depth, 2. / 3), 0, 0 };
   }
 
 private:
-  static constexpr double pi = 3.14159265358979323846;
-
   template <typename Residual>
   Eigen::Vector3d solve(const Residual &residual, const Eigen::Vector3d &lie) const
   {

@@ -2,6 +2,8 @@
 
 // A rigid, crowned or flat, possibly wavy foot on a compliant interface, by plain sums over points of its
 // land. It shares no code with the program and uses no rings, harmonics or kernels.
+#include "ring_model/load/constants.h"
+
 #include <Eigen/Dense>
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -71,7 +73,7 @@ struct PlainRigidFoot
     std::vector<PlainPoint> points;
     for (unsigned int j = 0; j < n_azimuths; ++j)
     {
-      const double theta = 2 * M_PI * j / n_azimuths, c = std::cos(theta), s = std::sin(theta);
+      const double theta = 2 * ring::pi * j / n_azimuths, c = std::cos(theta), s = std::sin(theta);
       const double slope = lie(1) * c + lie(2) * s, lift = wave(theta);
       const auto depth = [&](double r)
       {
@@ -96,7 +98,7 @@ struct PlainRigidFoot
           for (const double side : { -1., 1. })
           {
             const double r = from + piece * (k + (1 + side * Gauss::abscissa()[i]) / 2);
-            const double area = piece / 2 * Gauss::weights()[i] * r * 2 * M_PI / n_azimuths;
+            const double area = piece / 2 * Gauss::weights()[i] * r * 2 * ring::pi / n_azimuths;
             points.push_back({ r * c, r * s, pressure(depth(r)) * area });
           }
     }

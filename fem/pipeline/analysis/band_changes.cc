@@ -3,8 +3,7 @@
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/study/study_size.h"
-
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,8 +59,7 @@ constexpr unsigned int usual_rings = 5;
 std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned int n_rings)
 {
   const double middle = (radii.back() + radii.front()) / 2, reach = (radii.back() - radii.front()) / 2;
-  const double half =
-    reach / std::cos(boost::math::double_constants::half_pi / static_cast<double>(radii.size()));
+  const double half = reach / std::cos(ring::pi / 2 / static_cast<double>(radii.size()));
   return chebyshev_radii(middle - half, middle + half, n_rings);
 }
 
@@ -202,9 +200,8 @@ double softening_by_narrow_contact(const Study &study, const LoadReport &load, d
 {
   const double b = load.half_width(), nu = study.glass.material.poisson_ratio;
   const double pressure = load.rings.a(0) / load.rings.radius() / (2 * b);
-  const double indentation = 2 * (1 - nu * nu) /
-                             (boost::math::double_constants::pi * study.glass.material.young_modulus) *
-                             std::log(cell / b);
+  const double indentation =
+    2 * (1 - nu * nu) / (ring::pi * study.glass.material.young_modulus) * std::log(cell / b);
   return 1 + indentation * 2 * b * study.table.make().interface->stiffness_at(pressure);
 }
 

@@ -1,8 +1,7 @@
 #include "fem/pipeline/app/console_progress.h"
 
 #include "fem/contact/contact_newton.h"
-
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -64,7 +63,7 @@ void note_load_source(const Study &study, Progress &progress)
   }
   const fem::Resultants demand = study.required_resultants();
   const double ratio = moment_ratio(demand, study.glass.profile.contact_radius);
-  const double crest = std::atan2(demand.moment_x, -demand.moment_y) / boost::math::double_constants::degree;
+  const double crest = std::atan2(demand.moment_x, -demand.moment_y) / (ring::pi / 180);
   const std::string origin =
     study.load.is_static() ? "given"
                            : "moment balance " + ring::to_string(study.motion.closure) + ", upright at rest";

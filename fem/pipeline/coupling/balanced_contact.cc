@@ -2,9 +2,8 @@
 
 #include "fem/pipeline/base/numbers.h"
 #include "ring_model/friction_functionals.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/no_balance.h"
-
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -122,8 +121,7 @@ ring::Sample BalancedContact::sample_of(const fem::ContactState &state) const
     sample.tilt = state.solution.motion.tail<2>();
   // Near lift-off the load decreases like 1 + cos.
   const double share = load.azimuth_fraction.value_or(load.contact_fraction);
-  sample.lift_off_margin =
-    share < 1 ? -std::pow(boost::math::double_constants::pi * (1 - share), 2) / 2 : load.least / load.a(0);
+  sample.lift_off_margin = share < 1 ? -std::pow(ring::pi * (1 - share), 2) / 2 : load.least / load.a(0);
   sample.stability_margin = state.solution.stability_margin;
   return sample;
 }

@@ -1,6 +1,6 @@
 #include "fem/pipeline/coupling/balanced_load.h"
 
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace
 /// Returns @p pointwise with azimuths in [0, 2 pi), sorted.
 std::vector<fem::AzimuthLoad> by_azimuth(std::vector<fem::AzimuthLoad> pointwise)
 {
-  constexpr double turn = boost::math::double_constants::two_pi;
+  constexpr double turn = 2 * ring::pi;
   for (fem::AzimuthLoad &place : pointwise)
     place.azimuth -= turn * std::floor(place.azimuth / turn);
   std::sort(pointwise.begin(), pointwise.end(),
@@ -37,7 +37,7 @@ LoadReport report_of(const ring::RingStack &load)
   constexpr unsigned int n_azimuths = 3600;
   unsigned int n_loaded = 0;
   for (unsigned int i = 0; i < n_azimuths; ++i)
-    n_loaded += load(boost::math::double_constants::two_pi * (i + 0.5) / n_azimuths) > 0 ? 1 : 0;
+    n_loaded += load(2 * ring::pi * (i + 0.5) / n_azimuths) > 0 ? 1 : 0;
   LoadReport report = { load };
   report.normal_force = load.normal_force();
   report.moment = load.moment();

@@ -1,6 +1,6 @@
 #include "fem/pipeline/coupling/elastic_foot.h"
 
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,8 +98,7 @@ std::vector<double> chebyshev_radii(double inner, double outer, unsigned int n_r
   std::vector<double> radii;
   for (unsigned int j = 0; j < n_rings; ++j)
     radii.push_back((inner + outer) / 2 -
-                    (outer - inner) / 2 *
-                      std::cos(boost::math::double_constants::pi * (2 * j + 1) / (2. * n_rings)));
+                    (outer - inner) / 2 * std::cos(ring::pi * (2 * j + 1) / (2. * n_rings)));
   return radii;
 }
 

@@ -4,10 +4,9 @@
 #include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/ring_choice.h"
 #include "fem/pipeline/coupling/study_balance.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/no_balance.h"
 #include "ring_model/spin/phase_loads.h"
-
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <map>
@@ -56,7 +55,7 @@ fem::ContactState contact_at_phase(ElasticFoot &foot, const ring::Orientation &p
       throw;
     const ring::Orientation &start = at_start.slip.orientation;
     const auto degrees = [](double angle)
-    { return to_short_text(std::remainder(angle / boost::math::double_constants::degree, 360.)); };
+    { return to_short_text(std::remainder(angle / (ring::pi / 180), 360.)); };
     const std::string turned = phase.glass != start.glass
                                  ? "glass is turned by " + degrees(phase.glass - start.glass)
                                  : "table is turned by " + degrees(phase.table - start.table);

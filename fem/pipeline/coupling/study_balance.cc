@@ -1,8 +1,7 @@
 #include "fem/pipeline/coupling/study_balance.h"
 
 #include "fem/pipeline/coupling/revolution_setup.h"
-
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <numeric>
 #include <vector>
@@ -18,7 +17,7 @@ double period_of(const std::vector<fem::WavinessHarmonic> &harmonics)
   unsigned int divisor = 0;
   for (const fem::WavinessHarmonic &harmonic : harmonics)
     divisor = std::gcd(divisor, harmonic.n);
-  return divisor > 0 ? boost::math::double_constants::two_pi / divisor : 0;
+  return divisor > 0 ? 2 * ring::pi / divisor : 0;
 }
 
 } // namespace

@@ -4,8 +4,6 @@
 #include "fem/geometry/section_view.h"
 #include "fem/pipeline/result/pictures.h"
 
-#include <boost/math/constants/constants.hpp>
-
 #include <algorithm>
 #include <cmath>
 

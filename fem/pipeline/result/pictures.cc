@@ -1,9 +1,8 @@
 #include "fem/pipeline/result/pictures.h"
 
 #include "fem/contact/footprint.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/rim_slip.h"
-
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +16,7 @@ namespace
 
 using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
 
-using boost::math::double_constants::degree;
+constexpr double degree = ring::pi / 180;
 
 /// Every k-th value and the last, so that at most @p max_size are left: a picture shows no more.
 std::vector<double> thinned(const std::vector<double> &values, std::size_t max_size = 200)
@@ -82,7 +81,7 @@ void add_load_lines(const LoadReport &report, Results &results)
   if (!(report.contact_fraction < 1) || report.pointwise.empty())
     return;
   std::vector<fem::AzimuthLoad> lines = report.pointwise;
-  lines.push_back({ lines.front().azimuth + boost::math::double_constants::two_pi, lines.front().density });
+  lines.push_back({ lines.front().azimuth + 2 * ring::pi, lines.front().density });
   const double mean = report.rings.a(0);
   results.add_columns(
     "load_lines", { { "theta", column_of(lines, [](const auto &line) { return line.azimuth / degree; }) },
@@ -113,8 +112,7 @@ void add_motion(const Study &study, const std::vector<ring::Instant> &instants, 
     const ring::RingState &state = instant.state;
     std::vector<double> load, friction_x, friction_y, turns;
     for (unsigned int i = 0; i < n_places; ++i)
-      load.push_back(
-        std::max(0., state.load(boost::math::double_constants::two_pi * i / n_places) / state.load.a(0)));
+      load.push_back(std::max(0., state.load(2 * ring::pi * i / n_places) / state.load.a(0)));
     for (const ring::RimSlip &place :
          ring::rim_slip(motion, study.glass.profile.contact_radius, state.load, instant.omega))
     {

@@ -1,8 +1,7 @@
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/result/common_sections.h"
 #include "fem/pipeline/result/table_renderers.h"
-
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <cmath>
 
@@ -41,7 +40,7 @@ Table load_table(const ring::RingStack &load)
   const ring::RingStack first = load.truncated(1);
   std::vector<double> angles;
   for (unsigned int i = 0; i <= n_intervals; ++i)
-    angles.push_back(boost::math::double_constants::two_pi * i / n_intervals);
+    angles.push_back(2 * ring::pi * i / n_intervals);
   Table table = { "",
                   { column_of("theta", "theta", "rad", azimuth, angles),
                     column_of("load", "lambda, all harmonics", "N/rad", "load at rest, all harmonics", angles,

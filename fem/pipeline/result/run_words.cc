@@ -2,8 +2,7 @@
 #include "fem/pipeline/result/number_format.h"
 #include "fem/pipeline/result/sentences.h"
 #include "fem/pipeline/result/study_words.h"
-
-#include <boost/math/constants/constants.hpp>
+#include "ring_model/load/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +18,7 @@ namespace
 /// Duration of one turn [s].
 double seconds_a_turn(double omega)
 {
-  return boost::math::double_constants::two_pi / std::abs(omega);
+  return 2 * ring::pi / std::abs(omega);
 }
 
 /// One sentence for each of @p states (name of the state, load) with lift-off or a tensile load.

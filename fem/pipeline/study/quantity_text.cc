@@ -3,6 +3,7 @@
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/base/text.h"
+#include "ring_model/load/constants.h"
 
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/replace.hpp>
@@ -55,9 +56,9 @@ const std::map<std::string, Unit> other_units = { { "1", {} },
                                                   { "%", { {}, -2 } },
                                                   { "byte", { memory } },
                                                   { "bytes", { memory } },
-                                                  { "deg", { angle, 0, M_PI / 180 } },
-                                                  { "degrees", { angle, 0, M_PI / 180 } },
-                                                  { "°", { angle, 0, M_PI / 180 } },
+                                                  { "deg", { angle, 0, ring::pi / 180 } },
+                                                  { "degrees", { angle, 0, ring::pi / 180 } },
+                                                  { "°", { angle, 0, ring::pi / 180 } },
                                                   { "min", { duration, 0, 60 } },
                                                   { "h", { duration, 2, 36 } },
                                                   { "inch", { length, -4, 254 } },
@@ -66,8 +67,8 @@ const std::map<std::string, Unit> other_units = { { "1", {} },
                                                   { "oz", { mass, -12, 28349523125. } },
                                                   { "lb", { mass, -8, 45359237 } },
                                                   { "bar", { pressure, 5 } },
-                                                  { "rev", { angle, 0, 2 * M_PI } },
-                                                  { "rpm", { { 0, 0, -1, 1 }, 0, M_PI / 30 } } };
+                                                  { "rev", { angle, 0, 2 * ring::pi } },
+                                                  { "rpm", { { 0, 0, -1, 1 }, 0, ring::pi / 30 } } };
 const std::map<std::string, int> prefixes = {
   { "", 0 },   { "n", -9 }, { "u", -6 }, { "µ", -6 }, { "μ", -6 },
   { "m", -3 }, { "c", -2 }, { "k", 3 },  { "M", 6 },  { "G", 9 }

@@ -1,10 +1,12 @@
 // Pointwise load over the azimuth, from contact lines and from nodes.
 #include "fem/contact/azimuthal_density.h"
+#include "ring_model/load/constants.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+using stemware::ring::pi;
 using namespace stemware::fem;
 
 namespace
@@ -22,8 +24,8 @@ ContactSurface lines_round_the_rim(unsigned int n_lines, double first)
   for (unsigned int j = 0; j < n_lines; ++j)
   {
     ContactLine line;
-    line.azimuth_width = 2 * M_PI / n_lines;
-    line.azimuth = std::remainder(first + j * line.azimuth_width, 2 * M_PI);
+    line.azimuth_width = 2 * pi / n_lines;
+    line.azimuth = std::remainder(first + j * line.azimuth_width, 2 * pi);
     surface.lines.push_back(line);
   }
   return surface;
@@ -52,11 +54,11 @@ TEST(AzimuthalDensity, OfRadialLinesIsTheDensityAtTheirAzimuths)
 TEST(AzimuthalDensity, OfOtherLinesIsTheSectorMean)
 {
   // The mean of a first harmonic over a sector is its value at the middle times sin(h) / h, h half a sector.
-  ContactSurface surface = lines_round_the_rim(4000, M_PI / 4000);
+  ContactSurface surface = lines_round_the_rim(4000, pi / 4000);
   surface.n_sectors = 10;
   const std::vector<AzimuthLoad> density = density_of_lines(surface, forces_on(surface));
   ASSERT_EQ(density.size(), 10u);
-  const double half = M_PI / 10;
+  const double half = pi / 10;
   for (const AzimuthLoad &place : density)
     EXPECT_NEAR(place.density, 1 + (density_at(place.azimuth) - 1) * std::sin(half) / half, 1e-6)
       << place.azimuth;
@@ -73,12 +75,12 @@ TEST(AzimuthalDensity, OfNodesIsTheSectorMean)
   Eigen::VectorXd forces(n_nodes);
   for (unsigned int i = 0; i < n_nodes; ++i)
   {
-    const double azimuth = 0.05 + 2 * M_PI * i / n_nodes;
+    const double azimuth = 0.05 + 2 * pi * i / n_nodes;
     surface.node_position.row(i) << 0.03 * std::cos(azimuth), 0.03 * std::sin(azimuth);
-    forces(i) = density_at(azimuth) * 2 * M_PI / n_nodes;
+    forces(i) = density_at(azimuth) * 2 * pi / n_nodes;
   }
   const double mean =
-    std::cos(M_PI / n_nodes); // mean of a first harmonic at two nodes over its value between them
+    std::cos(pi / n_nodes); // mean of a first harmonic at two nodes over its value between them
   for (const AzimuthLoad &place : density_of_nodes(surface, forces))
     EXPECT_NEAR(place.density, 1 + (density_at(place.azimuth) - 1) * mean, 1e-12) << place.azimuth;
 }

@@ -2,6 +2,7 @@
 // of annuli and plates, quadrature of a rigid ring by other code.
 #include "fem/contact/line_integral.h"
 #include "fem/contact/rigid_foot.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/ulps.h"
 #include "tests/verification/lifted_annulus.h"
@@ -21,7 +22,7 @@ namespace verification = stemware::verification;
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
+using stemware::ring::pi;
 
 /// A plane land of straight contact lines.
 class PlaneLand

@@ -1,4 +1,5 @@
 #include "fem/contact/contact_load.h"
+#include "ring_model/load/constants.h"
 #include "tests/ulps.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ using namespace stemware::fem;
 
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
+using stemware::ring::pi;
 
 /// lambda(theta) = 0.5 + 0.3 cos + 0.1 sin + 0.05 cos 2 - 0.02 sin 3, sampled as @p n forces on a circle.
 std::vector<PointForce> ring_of_forces(unsigned int n, double radius)

@@ -5,6 +5,7 @@
 #include "fem/contact/rigid_foot.h"
 #include "fem/contact/rough_interface.h"
 #include "ring_model/friction_functionals.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/taylor_remainder.h"
 #include "tests/ulps.h"
@@ -13,6 +14,7 @@
 
 #include <random>
 
+using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 using stemware::taylor::is_derivative;
 
@@ -164,7 +166,7 @@ TEST(Derivatives, ConditionsEqualTheMomentBalance)
       moment += forces(i) * Eigen::Vector2d(y, -x);
       for (std::size_t j = 0; j < rings.size(); ++j)
       {
-        double share = forces(i) / M_PI;
+        double share = forces(i) / pi;
         for (std::size_t k = 0; k < rings.size(); ++k)
           if (k != j)
             share *= (r - rings[k].radius) / (rings[j].radius - rings[k].radius);

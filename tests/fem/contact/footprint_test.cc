@@ -1,6 +1,7 @@
 // Width and mean pressure of the contact from pressure maps with known edges.
 #include "fem/contact/footprint.h"
 #include "fem/contact/pressure_profile.h"
+#include "ring_model/load/constants.h"
 #include "tests/ulps.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ namespace stemware::fem
 namespace
 {
 
-const double full_turn = 2 * std::acos(-1.);
+const double full_turn = 2 * ring::pi;
 
 /// 72 cuts of 33 points up to @p reach [m] on both sides of r = 30 mm; @p pressure(azimuth, r - 30 mm).
 PressureMap map_of(double reach, const std::function<double(double, double)> &pressure)

@@ -1,3 +1,4 @@
+#include "ring_model/load/constants.h"
 #include "tests/fem/foot_case.h"
 #include "tests/fem/geometry/profile_oracle.h"
 #include "tests/ulps.h"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 using stemware::ulps;
+using stemware::ring::pi;
 using namespace dealii;
 using namespace stemware::fem;
 using namespace stemware::fem_tests;
@@ -22,8 +24,8 @@ double land_area_error(GlassShape shape, unsigned int n_sectors, unsigned int de
   SolidOptions options;
   options.degree = degree;
   const FootCase foot(profile, { n_sectors, 2, 1 }, options);
-  const double exact = numbers::PI * (profile.land_outer_radius() * profile.land_outer_radius() -
-                                      profile.land_inner_radius() * profile.land_inner_radius());
+  const double exact = pi * (profile.land_outer_radius() * profile.land_outer_radius() -
+                             profile.land_inner_radius() * profile.land_inner_radius());
   return 1 - foot.body->contact_surface().area() / exact;
 }
 } // namespace
@@ -31,7 +33,7 @@ double land_area_error(GlassShape shape, unsigned int n_sectors, unsigned int de
 TEST(FootMesh, FollowsTheProfileOfAFoot)
 {
   const GlassProfile profile = foot_profile();
-  const double exact = integral_over_section(profile, [](double radius) { return 2 * numbers::PI * radius; });
+  const double exact = integral_over_section(profile, [](double radius) { return 2 * pi * radius; });
   std::array<double, 2> before{};
   for (const unsigned int refinements : { 0u, 1u, 2u })
   {
@@ -63,7 +65,7 @@ TEST(FootMesh, LandIsRoundToTheOrderOfTheElements)
   // Chords between 24 points cut off 1 - sin(15 deg) / (15 deg in radians) = 1.138 % of the land.
   for (const GlassShape shape : { GlassShape::step, GlassShape::foot })
   {
-    EXPECT_NEAR(land_area_error(shape, 24, 1), 1 - std::sin(numbers::PI / 12) / (numbers::PI / 12), 1e-12);
+    EXPECT_NEAR(land_area_error(shape, 24, 1), 1 - std::sin(pi / 12) / (pi / 12), 1e-12);
     EXPECT_LT(std::abs(land_area_error(shape, 24, 2)), 2e-5);
   }
 }

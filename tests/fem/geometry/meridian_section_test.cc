@@ -1,6 +1,7 @@
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/meridian_section.h"
 #include "fem/geometry/section_view.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/geometry/profile_oracle.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/ulps.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 
 using stemware::ulps;
+using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 using namespace stemware::fem_tests;
 
@@ -45,7 +47,7 @@ std::pair<double, double> area_and_volume(const Polyline &polyline)
     const double a = polyline[i - 1].radius, b = polyline[i].radius;
     const double rise = polyline[i].height - polyline[i - 1].height;
     area += rise * (a + b) / 2;
-    volume += rise * M_PI * (a * a + a * b + b * b) / 3;
+    volume += rise * pi * (a * a + a * b + b * b) / 3;
   }
   return { area, volume };
 }

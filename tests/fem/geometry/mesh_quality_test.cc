@@ -2,6 +2,7 @@
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/mesh_io.h"
 #include "fem/geometry/mesh_quality.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/vtu_file.h"
 #include "tests/ulps.h"
 
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <sstream>
 
+using stemware::ring::pi;
 using namespace dealii;
 using namespace stemware::fem;
 using namespace stemware::fem_tests;
@@ -35,7 +37,7 @@ MeshCheck check_cube(const Move &move)
 double sectors_area(const GlassProfile &profile, unsigned int n_sectors)
 {
   const double inner = profile.land_inner_radius(), outer = profile.land_outer_radius();
-  return 0.5 * n_sectors * std::sin(2 * numbers::PI / n_sectors) * (outer * outer - inner * inner);
+  return 0.5 * n_sectors * std::sin(2 * pi / n_sectors) * (outer * outer - inner * inner);
 }
 
 } // namespace

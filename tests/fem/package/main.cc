@@ -17,8 +17,7 @@ int main()
   for (unsigned int n = 0; n <= 6; ++n)
     std::printf("a_%u = %9.6f N/rad\n", n, load.a(n));
 
-  const double pi = std::acos(-1.);
-  const bool is_balanced = std::abs(2 * pi * load.a(0) / weight - 1) < 1e-8 &&
-                           std::abs(pi * load.a(1) * load.radius() / moment - 1) < 1e-8;
+  const bool is_balanced = std::abs(2 * stemware::ring::pi * load.a(0) / weight - 1) < 1e-8 &&
+                           std::abs(stemware::ring::pi * load.a(1) * load.radius() / moment - 1) < 1e-8;
   return is_balanced ? 0 : 1;
 }

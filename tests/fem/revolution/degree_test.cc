@@ -1,11 +1,13 @@
 // Elements of degree 1 to 4 against the same references.
 #include "fem/contact/rigid_foot.h"
 #include "fem/revolution/meshed_revolution_foot.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/ulps.h"
 
 #include <gtest/gtest.h>
 
+using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 
 namespace
@@ -33,7 +35,7 @@ TEST_P(EveryDegree, LinesCoverTheLandOnce)
   const ContactSurface &surface = foot.body.contact_surface();
   const double inner = profile.land_inner_radius();
   const double outer = profile.land_outer_radius();
-  EXPECT_NEAR(surface.node_area.sum() / (M_PI * (outer * outer - inner * inner)), 1, 1e-12);
+  EXPECT_NEAR(surface.node_area.sum() / (pi * (outer * outer - inner * inner)), 1, 1e-12);
 
   for (const ContactLine &line : surface.lines)
     for (unsigned int sample = 0; sample < 3; ++sample)

@@ -1,10 +1,12 @@
 // Response of a body of revolution to forces on its lines. Reference: matrices assembled force by force.
 #include "fem/contact/rough_interface.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 
 namespace
@@ -20,19 +22,19 @@ Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::I
                                        const SlidingTraction &traction)
 {
   const ContactCompliance &circles = response.compliance();
-  const auto azimuth = [&](Eigen::Index line) { return 2 * M_PI * static_cast<double>(line) / few_lines; };
+  const auto azimuth = [&](Eigen::Index line) { return 2 * pi * static_cast<double>(line) / few_lines; };
   const Eigen::Vector2d slide = traction.direction(circles.radii(i), azimuth(j));
   Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(response.n_radii(), few_lines);
   for (Eigen::Index line = 0; line < few_lines; ++line)
   {
-    double left = line == j ? few_lines / (2 * M_PI) : 0; // remainder beyond n_max
+    double left = line == j ? few_lines / (2 * pi) : 0; // remainder beyond n_max
     for (unsigned int n = 0; n <= few_harmonics; ++n)
     {
       const double angle = n * (azimuth(line) - azimuth(j));
-      const double even = std::cos(angle) / (n == 0 ? 2 * M_PI : M_PI);
+      const double even = std::cos(angle) / (n == 0 ? 2 * pi : pi);
       const HarmonicCompliance &harmonic = circles.harmonics[n];
       expected.col(line) += even * (harmonic.normal.col(i) + slide(0) * harmonic.radial.col(i)) -
-                            std::sin(angle) / M_PI * slide(1) * harmonic.azimuthal.col(i);
+                            std::sin(angle) / pi * slide(1) * harmonic.azimuthal.col(i);
       left -= even;
     }
     expected.col(line) += left * (circles.tail.normal.col(i) + slide(0) * circles.tail.radial.col(i));

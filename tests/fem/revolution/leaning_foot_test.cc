@@ -1,9 +1,11 @@
 // A glass that leans under its own weight.
 #include "fem/revolution/meshed_revolution_foot.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <gtest/gtest.h>
 
+using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 
 // Closed form: in full contact, a rigid annulus on a Winkler mat has the tilt stiffness
@@ -25,7 +27,7 @@ TEST(Tilt, AmplifiesTheMomentOfARigidAnnulusByTheClosedForm)
       const ContactLoad load = foot.solve(demand).load;
       ASSERT_EQ(load.contact_fraction, 1);
       const double inner = setup.profile.land_inner_radius(), outer = setup.profile.land_outer_radius();
-      const double kappa = M_PI * modulus * (std::pow(outer, 4) - std::pow(inner, 4)) / 4;
+      const double kappa = pi * modulus * (std::pow(outer, 4) - std::pow(inner, 4)) / 4;
       const double amplified = 1 / (1 - weight * height / kappa);
       EXPECT_NEAR(load.moment().x() / demand.moment_x / amplified, 1, 1e-9) << modulus << ", " << height;
       EXPECT_NEAR(load.moment().y() / demand.moment_y / amplified, 1, 1e-9) << modulus << ", " << height;

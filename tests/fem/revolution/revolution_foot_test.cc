@@ -1,11 +1,13 @@
 // Foot of revolution: crests on hard tables, imperfections, warm starts.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/ulps.h"
 
 #include <gtest/gtest.h>
 
+using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 
 /// Hertz's ellipse by quadrature: R_y / R_x = (k^2 E - K) / (K - E), b^3 = 3 P E(e) R' / (pi k E*).
@@ -16,10 +18,10 @@ TEST(HardTable, CrestsHaveTheWidthOfTheHertzEllipse)
   double first = 0, second = 0; // complete elliptic integrals K, E
   for (int i = 0; i < n_points; ++i)
   {
-    const double angle = (i + 0.5) / n_points * M_PI_2;
+    const double angle = (i + 0.5) / n_points * pi / 2;
     const double root = std::sqrt(std::pow(std::cos(angle), 2) + std::pow(std::sin(angle) / slenderness, 2));
-    first += M_PI_2 / n_points / root;
-    second += M_PI_2 / n_points * root;
+    first += pi / 2 / n_points / root;
+    second += pi / 2 / n_points * root;
   }
   const double across = 0.003;
   const double along = across * (slenderness * slenderness * second - first) / (first - second);
@@ -29,8 +31,8 @@ TEST(HardTable, CrestsHaveTheWidthOfTheHertzEllipse)
   setup.imperfection.glass = { { 3, 0.6 * 0.03 * 0.03 / along / 9, 0.1 } };
   setup.imperfection.table = { { 5, 0.8 * 0.03 * 0.03 / along / 25, 0 } };
   const double compliance = (1 - 0.22 * 0.22) / 70e9;
-  const double cube = weight * second * compliance /
-                      (M_PI * slenderness * (1 / across + 1 / along)); // of a third of the weight
+  const double cube =
+    weight * second * compliance / (pi * slenderness * (1 / across + 1 / along)); // of a third of the weight
   EXPECT_NEAR(crest_half_width(setup, weight) / std::cbrt(cube), 1, 1e-6);
   const double even = hertz_half_width(setup, weight), crest = crest_half_width(setup, weight);
   EXPECT_GT(crest, even);
@@ -66,8 +68,8 @@ TEST(Imperfection, HasItsCrestsAtTheStatedAzimuths)
   const RimImperfection rim = { { { 3, 2e-6, 0.4 } }, {} };
   for (const unsigned int crest : { 0u, 1u, 2u })
   {
-    EXPECT_NEAR(rim.gap(1, 0.4 + 2 * M_PI * crest / 3, 0, 0), 2e-6, stemware::ulps(30, 2e-6));
-    EXPECT_NEAR(rim.gap(1, 0.4 + 2 * M_PI * (crest + 0.5) / 3, 0, 0), -2e-6, stemware::ulps(30, 2e-6));
+    EXPECT_NEAR(rim.gap(1, 0.4 + 2 * pi * crest / 3, 0, 0), 2e-6, stemware::ulps(30, 2e-6));
+    EXPECT_NEAR(rim.gap(1, 0.4 + 2 * pi * (crest + 0.5) / 3, 0, 0), -2e-6, stemware::ulps(30, 2e-6));
   }
 }
 
@@ -94,7 +96,7 @@ TEST(Imperfection, RotatesWithGlassAndTable)
   setup.imperfection.table = { { 2, 3e-7, 0 } };
   setup.imperfection.glass.clear();
   MeshedRevolutionFoot table(setup);
-  const double angle = 2 * M_PI * 21 / 256;
+  const double angle = 2 * pi * 21 / 256;
   const ContactLoad still = glass.solve(load_at(0.4)).load;
   EXPECT_GT(std::abs(still.a(2) / still.a(0)), 1e-3);
   // Glass and demand rotated together: the load is rotated.

@@ -6,6 +6,7 @@
 #include "fem/solid/cell_numbers.h"
 #include "fem/solid/conforming_mapping.h"
 #include "fem/solid/solid_foot.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/reference_load.h"
 #include "tests/fem/temporary_file.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <set>
 
+using stemware::ring::pi;
 using namespace stemware::fem_tests;
 
 namespace
@@ -33,7 +35,7 @@ ContactDemand demand_of(double m)
 /// a_2 / a_0 of both rings together.
 ContactGoal second_harmonic()
 {
-  const double mean = weight / (2 * dealii::numbers::PI);
+  const double mean = weight / (2 * pi);
   ContactGoal goal;
   goal.ring_radii = demand_of(0).ring_radii;
   goal.of_load = { { { 0, 0 }, { 0, 0 }, { 1 / mean, 1 / mean } }, Eigen::ArrayXXd::Zero(3, 2) };

@@ -2,6 +2,7 @@
 // revolution with the same gap.
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/reference_load.h"
 #include "tests/fem/temporary_file.h"
@@ -10,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+using stemware::ring::pi;
 using namespace stemware::fem_tests;
 
 TEST(SolidFoot, AgreesWithAWavyBodyOfRevolutionInEveryDirection)
@@ -37,7 +39,7 @@ TEST(SolidFoot, AgreesWithAWavyBodyOfRevolutionInEveryDirection)
   setup.table.interface = mat;
   setup.friction_coefficient = 0.3;
   SolidFoot solid(read_solid_mesh(file.name), setup);
-  EXPECT_NEAR(solid.capabilities().glass_period, 2 * M_PI / 3, 1e-12);
+  EXPECT_NEAR(solid.capabilities().glass_period, 2 * pi / 3, 1e-12);
 
   RevolutionSetup of_revolution;
   of_revolution.profile = profile;

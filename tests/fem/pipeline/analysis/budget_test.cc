@@ -4,6 +4,7 @@
 #include "fem/pipeline/analysis/ring_quantities.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/self_consistent_ring.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
@@ -126,7 +127,7 @@ TEST(Budget, AFilledGlassEqualsAnEmptyOneWithTheMetacentre)
   ring::Motion &motion = filled.motion.orbit;
   motion.mass = 0.15;
   motion.liquid = { 0.15, 1000, 0.03, 0.09 };
-  const double level = 0.15 / (1000 * M_PI * 0.03 * 0.03), up = 0.03 * 0.03 / (4 * level),
+  const double level = 0.15 / (1000 * ring::pi * 0.03 * 0.03), up = 0.03 * 0.03 / (4 * level),
                slope = 0.35 * 0.35 / 0.15 / motion.gravity, middle = 0.09 + level / 2;
   const auto empty = [&](double of_liquid) // height at which the liquid acts [m]
   {

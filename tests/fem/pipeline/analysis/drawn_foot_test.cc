@@ -1,5 +1,6 @@
 // A drawn section with points of the shape "foot" against that shape.
 #include "fem/pipeline/study/study_file.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/program_runner.h"
 
@@ -38,7 +39,7 @@ std::string forty_points()
   for (unsigned int i = 0; i < n_arc; ++i)
   {
     // Angle from straight down, towards the stem.
-    const double angle = begin + (-std::acos(-1) / 2 - begin) * i / (n_arc - 1);
+    const double angle = begin + (-ring::pi / 2 - begin) * i / (n_arc - 1);
     add(fillet.centre_radius + fillet.radius * std::sin(angle),
         fillet.centre_height - fillet.radius * std::cos(angle));
   }

@@ -2,6 +2,7 @@
 // line contact at the local line load (Johnson, Contact Mechanics, 1985, section 4.2).
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/mat_study.h"
 
@@ -63,8 +64,8 @@ struct LineContact
     double sum = compliance(study.glass.material);
     if (study.table.substrate == TableSubstrate::elastic)
       sum += compliance(study.table.disc_material);
-    half_width = std::sqrt(4 * line_load * study.glass.profile.crown_radius * sum / M_PI);
-    peak = 2 * line_load / (M_PI * half_width);
+    half_width = std::sqrt(4 * line_load * study.glass.profile.crown_radius * sum / ring::pi);
+    peak = 2 * line_load / (ring::pi * half_width);
   }
 
   double half_width, peak; ///< [m], [Pa]

@@ -2,6 +2,7 @@
 // quadrature up to the contact edges by other code (tests/verification/plain_lifted_foot.h).
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/spin/answer.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/mat_study.h"
@@ -118,7 +119,7 @@ private:
     std::map<std::string, double> truth = { { "contact_fraction", at_rest.azimuth_share() },
                                             { "azimuth_fraction", at_rest.azimuth_share() },
                                             { "peak_pressure", at_rest.largest_pressure() },
-                                            { "minimum", at_rest.line_load(std::acos(-1.)) } };
+                                            { "minimum", at_rest.line_load(ring::pi) } };
     for (unsigned int n = 1; n <= 6; ++n)
     {
       truth["a" + std::to_string(n)] = at_rest.harmonic(n, false);
@@ -222,7 +223,7 @@ void expect_bands_with_vanishing_slip_hold(double smallest_moment, unsigned int 
   {
     LiftedState state;
     state.moment_ratio = smallest_moment + 0.01 * i;
-    state.direction = -std::acos(-1.) / 2;
+    state.direction = -ring::pi / 2;
     ratios.add(state);
   }
   ratios.expect_fair_medians();
@@ -286,15 +287,14 @@ TEST(FlatLandBands, WithLiftOffOnAMatHold)
     const double slope = study.motion.orbit.normal_force() / exact.per_slope, tilt = -slope / 1e9;
     // An azimuth loses contact last at the outer border, or at the inner border on the lifted side.
     const double last = exact.zero < 0 ? radius - row.width / 2 : outer;
-    expect_within_bands(
-      study,
-      { { "contact_fraction", exact.share },
-        { "azimuth_fraction", std::acos(std::max(-1., exact.zero / last)) / std::acos(-1.) },
-        { "peak_pressure", slope * (outer - exact.zero) },
-        { "table_motion_0", -tilt * exact.zero },
-        { "table_motion_1", tilt * std::cos(row.direction) },
-        { "table_motion_2", tilt * std::sin(row.direction) } },
-      0.02);
+    expect_within_bands(study,
+                        { { "contact_fraction", exact.share },
+                          { "azimuth_fraction", std::acos(std::max(-1., exact.zero / last)) / ring::pi },
+                          { "peak_pressure", slope * (outer - exact.zero) },
+                          { "table_motion_0", -tilt * exact.zero },
+                          { "table_motion_1", tilt * std::cos(row.direction) },
+                          { "table_motion_2", tilt * std::sin(row.direction) } },
+                        0.02);
   }
 }
 

@@ -2,6 +2,7 @@
 // without rings, harmonics or kernels (tests/verification/rigid_foot.py, plain_rigid_foot.h).
 #include "fem/pipeline/analysis/error_bands.h"
 #include "ring_model/friction_functionals.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/spin/answer.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/mat_study.h"
@@ -41,7 +42,7 @@ Study rigid_foot_study(double foundation_modulus)
 Study with_moment(Study study, double moment_ratio)
 {
   study.load.moment_ratio = moment_ratio;
-  study.load.moment_direction = -std::acos(-1.) / 2;
+  study.load.moment_direction = -ring::pi / 2;
   return study;
 }
 

@@ -1,4 +1,5 @@
 // Reports of every verb and state in a browser, in desktop and phone widths and printed.
+#include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/browser.h"
 #include "tests/fem/pipeline/matchers.h"
 
@@ -257,7 +258,7 @@ TEST(Reports, FiguresAndTablesShowTheNumbersOfTheFiles)
   expect_rows(points_of(figures["spin_up"], "all harmonics"), spin_up[0], spin_up[1], 1);
   std::vector<double> degrees = load[0];
   for (double &angle : degrees)
-    angle *= 180 / M_PI;
+    angle *= 180 / ring::pi;
   const auto summary = read_summary(scratch / "results");
   expect_rows(points_of(figures["line_load"], "first harmonic"), degrees, load[2],
               1 / summary["load"]["ring_radius"].get<double>());

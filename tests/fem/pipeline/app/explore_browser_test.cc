@@ -3,6 +3,7 @@
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_entries.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/browser.h"
 #include "tests/fem/pipeline/matchers.h"
 
@@ -194,7 +195,7 @@ TEST(ExplorePage, APageOfAStudySolvesItAndTeaches)
                 testing::HasSubstr("Not available in this page: Motion/Orbit speed"));
     ASSERT_EQ(found["lesson"].size(), 5u);
     const std::string pressed = boost::replace_all_copy(found["lesson"][1].get<std::string>(), "\u00a0", " ");
-    for (const double angle : { M_PI / 2, -M_PI / 2 })
+    for (const double angle : { ring::pi / 2, -ring::pi / 2 })
       EXPECT_THAT(pressed, testing::HasSubstr(pressing(moved["load"], angle))) << "at rest";
     for (const nlohmann::json &step : found["lesson"])
       EXPECT_THAT(step.get<std::string>(), testing::Not(testing::ContainsRegex("NaN|undefined|\u2013")));
@@ -394,11 +395,12 @@ TEST(ExplorePage, DrawsMeasuredRunsOverTheComputedCurve)
   const std::map<std::string, std::string> units = {
     { "phone.csv", "rad/s" }, { "degrees.csv", "°/s" }, { "film.txt", "°" }, { "radians.txt", "rad" }
   };
-  const std::map<std::string, Points> expected = { { "phone.csv", { { 0, 0 }, { 0.5, -1.5 }, { 1, -2.25 } } },
-                                                   { "degrees.csv", { { 0, 0 }, { 1, -M_PI } } },
-                                                   { "film.txt",
-                                                     { { 0.5, -1.5 * M_PI }, { 1, -8. / 3 * M_PI } } },
-                                                   { "radians.txt", { { 0.5, -4 } } } };
+  const std::map<std::string, Points> expected = {
+    { "phone.csv", { { 0, 0 }, { 0.5, -1.5 }, { 1, -2.25 } } },
+    { "degrees.csv", { { 0, 0 }, { 1, -ring::pi } } },
+    { "film.txt", { { 0.5, -1.5 * ring::pi }, { 1, -8. / 3 * ring::pi } } },
+    { "radians.txt", { { 0.5, -4 } } }
+  };
   const ScratchFolder scratch;
   ASSERT_EQ(stemware(scratch, { "explore", "--output", "page.html" }).exit_code, 0);
   const nlohmann::json found =

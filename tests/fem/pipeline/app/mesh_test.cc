@@ -1,4 +1,5 @@
 // `stemware mesh`: measures of mesh files, and refusals.
+#include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
@@ -31,7 +32,7 @@ TEST(MeshVerb, CheckReportsTheMeasuresOfAMesh)
   EXPECT_NEAR(found["rim"]["land_area_deficit"].get<double>(), 0.0114, 5e-4);
   // A land of 24 sides from 29 to 31 mm, 5 % narrower along y.
   const auto &zone = found["contact_zone"];
-  EXPECT_NEAR(zone["area"].get<double>(), 0.95 * 12 * std::sin(std::acos(-1) / 12) * 0.002 * 0.06, 1e-14);
+  EXPECT_NEAR(zone["area"].get<double>(), 0.95 * 12 * std::sin(ring::pi / 12) * 0.002 * 0.06, 1e-14);
   EXPECT_NEAR(zone["radii"][0].get<double>(), 0.95 * 0.029, 1e-12);
   EXPECT_NEAR(zone["radii"][1].get<double>(), 0.031, 1e-12);
   EXPECT_NEAR(found["rim"]["radius"].get<double>(), (0.95 * 0.029 + 0.031) / 2, 1e-12);

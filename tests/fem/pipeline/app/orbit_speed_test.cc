@@ -1,5 +1,6 @@
 // Spin-up with a varying speed of the hand (Motion/Orbit speed file).
 #include "fem/pipeline/study/study_file.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/page_document.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -36,8 +37,8 @@ std::vector<std::vector<double>> driven(const std::string &speeds, const std::ve
 /// sums over the rim, a linear system for a_1 and b_1, classical Runge-Kutta scheme.
 std::vector<double> ramp_by_hand(double v0, double a, double end)
 {
-  const double pi = std::acos(-1.), m = 0.3, R = 0.03, mu = 0.3, offset = -0.05, h = 0.03, inertia = 3e-4;
-  const double a0 = m * 9.81 / (2 * pi);
+  const double m = 0.3, R = 0.03, mu = 0.3, offset = -0.05, h = 0.03, inertia = 3e-4;
+  const double a0 = m * 9.81 / (2 * ring::pi);
   const unsigned int n = 720;
   const auto torque = [&](double t, double omega)
   {
@@ -46,9 +47,9 @@ std::vector<double> ramp_by_hand(double v0, double a, double end)
     std::array<std::array<double, 3>, 3> unit = {};
     for (unsigned int i = 0; i < n; ++i)
     {
-      const double theta = 2 * pi * (i + 0.5) / n;
+      const double theta = 2 * ring::pi * (i + 0.5) / n;
       const double x = v - omega * R * std::sin(theta), y = omega * R * std::cos(theta);
-      const double f = mu * 2 * pi / n / std::hypot(x, y);
+      const double f = mu * 2 * ring::pi / n / std::hypot(x, y);
       const std::array<double, 3> shape = { 1, std::cos(theta), std::sin(theta) };
       for (unsigned int k = 0; k < 3; ++k)
       {
@@ -59,7 +60,7 @@ std::vector<double> ramp_by_hand(double v0, double a, double end)
     }
     // M_N = -offset m k x acceleration + h k x T; pi R (b_1, -a_1) = M_N.
     const double ax = a, ay = v * v / 0.15;
-    const double mx = offset * m * ay, my = -offset * m * ax, p = pi * R;
+    const double mx = offset * m * ay, my = -offset * m * ax, p = ring::pi * R;
     // a_1 (p + h ux1) + b_1 h ux2 = -my - h a0 ux0;  a_1 h uy1 + b_1 (p + h uy2) = mx - h a0 uy0
     const double c11 = p + h * unit[1][0], c12 = h * unit[2][0], c21 = h * unit[1][1],
                  c22 = p + h * unit[2][1];

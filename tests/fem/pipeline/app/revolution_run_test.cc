@@ -1,4 +1,5 @@
 // Runs with a body of revolution, one-way and two-way.
+#include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +48,6 @@ TEST(RevolutionRun, SolvesOneContactIfTheSpinDoesNotMatter)
 
 TEST(RevolutionRun, PointwiseLoadAndFootprintIntegrateToTheLoad)
 {
-  const double pi = std::acos(-1.);
   const ScratchFolder scratch;
   const auto summary = glass_run(scratch, { "Load/Moment ratio=1.5" });
   const auto lines = read_columns(scratch / "results/load_lines.csv");
@@ -56,17 +56,17 @@ TEST(RevolutionRun, PointwiseLoadAndFootprintIntegrateToTheLoad)
   double force = 0, moment = 0, loaded = 0;
   for (std::size_t i = 0; i < n_lines; ++i)
   {
-    force += lines[1][i] * 2 * pi / static_cast<double>(n_lines);
-    moment += lines[1][i] * std::sin(lines[0][i]) * 2 * pi / static_cast<double>(n_lines);
+    force += lines[1][i] * 2 * ring::pi / static_cast<double>(n_lines);
+    moment += lines[1][i] * std::sin(lines[0][i]) * 2 * ring::pi / static_cast<double>(n_lines);
     loaded += lines[1][i] > 0 ? 1 : 0;
     // The maximum is at -pi/2; the rim has lifted off at pi/2.
-    if (std::abs(lines[0][i] - pi / 2) < 0.2)
+    if (std::abs(lines[0][i] - ring::pi / 2) < 0.2)
     {
       EXPECT_EQ(lines[1][i], 0) << lines[0][i];
     }
   }
   EXPECT_NEAR(force, 2.943, 1e-9);
-  EXPECT_NEAR(moment / pi, summary["load"]["b"][1].get<double>(), 1e-9);
+  EXPECT_NEAR(moment / ring::pi, summary["load"]["b"][1].get<double>(), 1e-9);
   // The contact ends between two lines.
   EXPECT_NEAR(loaded / static_cast<double>(n_lines), summary["load"]["contact_fraction"].get<double>(),
               1. / static_cast<double>(n_lines));

@@ -1,11 +1,11 @@
 // Loads that depend on the orientation of glass and table: waviness entries and interpolation over the phase.
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/friction_functionals.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/no_balance.h"
 #include "ring_model/spin/phase_loads.h"
 #include "tests/ring_model/quadrature.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using stemware::pipeline::Waviness;
 using stemware::pipeline::waviness_text;
 namespace ring = stemware::ring;
 
-constexpr double two_pi = boost::math::double_constants::two_pi;
+constexpr double two_pi = 2 * ring::pi;
 
 /// A load with an arbitrary smooth dependence on both phases and the spin.
 ring::RingStack made_up_load(double omega, const ring::Orientation &phase)
@@ -159,7 +159,7 @@ LoadAtPhase jumping_load(double jump)
 // phases with sin > 0.1.
 TEST(PhaseSampledLoad, MeanOfAJumpIsWithinTheStatedError)
 {
-  const double jump = 0.1, share = 0.5 - std::asin(0.1) / M_PI;
+  const double jump = 0.1, share = 0.5 - std::asin(0.1) / ring::pi;
   const PhasePeriods of_glass = { two_pi / 2, 0 };
   const PhaseSampledLoad loads(jumping_load(jump), of_glass,
                                sample_phases(jumping_load(jump), of_glass, { 128 }));

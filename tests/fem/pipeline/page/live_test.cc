@@ -5,6 +5,7 @@
 #include "fem/pipeline/page/explorer.h"
 #include "fem/pipeline/page/live_bodies.h"
 #include "fem/pipeline/study/study_entries.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/spin/answer.h"
 
 #include <gtest/gtest.h>
@@ -300,7 +301,7 @@ TEST(Live, FrictionOfAnInstantIntegratesToTorqueAndForce)
   const auto n = friction[0].size();
   for (std::size_t i = 0; i < n; ++i)
   {
-    const double theta = 2 * M_PI * static_cast<double>(i) / static_cast<double>(n);
+    const double theta = 2 * ring::pi * static_cast<double>(i) / static_cast<double>(n);
     torque += friction[1][i].get<double>() * std::cos(theta) - friction[0][i].get<double>() * std::sin(theta);
     force += friction[0][i].get<double>();
   }

@@ -1,5 +1,6 @@
 // Columns of numbers: units of angles, ambiguous and broken tables.
 #include "fem/pipeline/study/column_table.h"
+#include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 
@@ -27,8 +28,8 @@ std::string column_text_refusal(const std::string &text)
 
 TEST(ColumnTable, ReadsSpinsInTurnsAndDegrees)
 {
-  for (const auto &[unit, factor] : { std::pair("rpm", M_PI / 30), std::pair("rev/s", 2 * M_PI),
-                                      std::pair("°/s", M_PI / 180), std::pair("deg/s", M_PI / 180) })
+  for (const auto &[unit, factor] : { std::pair("rpm", ring::pi / 30), std::pair("rev/s", 2 * ring::pi),
+                                      std::pair("°/s", ring::pi / 180), std::pair("deg/s", ring::pi / 180) })
     EXPECT_NEAR(read(std::string("t (s), omega (") + unit + ")\n1,-60\n").at(0).values[1], -60 * factor,
                 60 * factor * 1e-15)
       << unit;
