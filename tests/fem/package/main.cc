@@ -1,5 +1,6 @@
 // The elastic foot of a wine glass on a mat, its weight off the axis: the harmonics of the load on its rim.
 #include <fem/revolution/meshed_revolution_foot.h>
+#include <ring_model/load/constants.h>
 
 #include <cmath>
 #include <cstdio>
