@@ -2,13 +2,12 @@
 // and files. A picture is data: { id, title, caption, words, x, y, marks, height, equal, aspect, colours, edge }.
 import { same_step, scale, widest } from './axes.js';
 import { colour_bar, names_of } from './legend.js';
-import { buttons, standalone } from './files.js';
+import { buttons, svg_text } from './files.js';
 import { hover, key, drag } from './pointer.js';
 import { h, rich, rich_svg, s, width_of } from './dom.js';
-import { heading_of } from './words.js';
+import { label_of } from './words.js';
 
 const clip_ids = { last: 0 };
-export const label_of = axis => heading_of({ heading: axis.label || '', unit: axis.unit });
 
 /** Returns a text in two lines if it is wider than `room`. */
 function lines_of(text, room) {
@@ -173,6 +172,11 @@ export class Figure {
 
   /** Returns the picture for a file: light colours, `width` wide. */
   alone(width) {
-    return standalone(this, width);
+    const { width: present, picture } = this;
+    const nodes = this.draw(width);
+    const { height } = this;
+    const text = svg_text(picture.title, picture.words || picture.caption || '', nodes, width, height);
+    this.redraw(present);
+    return { text, width, height };
   }
 }

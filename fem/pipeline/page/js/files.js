@@ -1,6 +1,6 @@
-// Export of a picture as SVG, PNG and CSV.
-import { csv, heading_of } from './words.js';
-import { download, font, h, s } from './dom.js';
+// Drawings, and export of pictures as SVG, PNG and CSV.
+import { csv, heading_of, label_of } from './words.js';
+import { download, font, h, rich, s } from './dom.js';
 
 /** Returns a colour of the page's light style. */
 const colour = name => document.styleSheets[0].cssRules[0].style.getPropertyValue(name).trim();
@@ -20,16 +20,20 @@ export function svg_text(title, description, nodes, width, height) {
     .serializeToString(svg)
     .replace(/\u00a0/g, ' ')
     .replace(/var\((--[a-z0-9]+)\)/g, (_, name) => colour(name))
-    .replace(/ (?:role|tabindex|aria-pressed|data-name|pointer-events|class)="(?!soft)[^"]*"/g, '');
+    .replace(/ (?:role|tabindex|aria-pressed|data-name|pointer-events|class)="(?!soft|round)[^"]*"/g, '');
 }
 
-export function standalone(figure, width = 480) {
-  const { width: present, picture } = figure;
-  const nodes = figure.draw(width);
-  const height = figure.height;
-  const text = svg_text(picture.title, picture.words || picture.caption || '', nodes, width, height);
-  figure.redraw(present);
-  return { text, width, height };
+/** Returns a drawing with its caption: { id, node, alone() }. `style`: rules that its file needs. */
+export function drawing({ id, heading, caption, title, svg, style = '' }) {
+  const text = h('figcaption', {}, h('b', {}, `${heading}. `), rich(caption));
+  return { id, node: h('figure', { id, class: 'drawing' }, svg, text), alone: () => copy_of(svg, title, caption, style) };
+}
+
+/** Returns the file of a drawn SVG: { text, width, height }. */
+export function copy_of(svg, title, description, style) {
+  const { width, height } = svg.viewBox.baseVal;
+  const nodes = [...svg.childNodes].map(child => child.cloneNode(true));
+  return { text: svg_text(title, description, [style && s('style', {}, style), nodes], width, height), width, height };
 }
 
 /** Returns further numbers of the rows of a mark, by heading with unit. */
@@ -39,19 +43,18 @@ export const extra_of = (mark, axes) =>
   );
 
 function table_of({ x = {}, y = {}, marks }) {
-  const label = axis => heading_of({ heading: axis.label || '', unit: axis.unit });
   const further = [...new Set(marks.filter(m => m.rows().length).flatMap(m => Object.keys(extra_of(m, { x, y }))))];
   const rows_of = mark => {
     const extra = extra_of(mark, { x, y });
     return mark.rows().map((row, i) => [...row, ...further.map(heading => extra[heading]?.[i])]);
   };
-  return csv([['curve', label(x) || 'x', label(y) || (y.rows ? 'row' : 'y'), ...further], ...marks.flatMap(rows_of)]);
+  return csv([['curve', label_of(x) || 'x', label_of(y) || (y.rows ? 'row' : 'y'), ...further], ...marks.flatMap(rows_of)]);
 }
 
 function save(figure, kind) {
   const { id } = figure.picture;
   if (kind === 'CSV') return download(`${id}.csv`, table_of(figure.picture), 'text/csv');
-  const { text, width, height } = standalone(figure);
+  const { text, width, height } = figure.alone(480);
   if (kind === 'SVG') return download(`${id}.svg`, text, 'image/svg+xml');
   const image = new Image();
   const canvas = h('canvas', { width: 3 * width, height: 3 * height });

@@ -95,6 +95,9 @@ export const dots = ({ x, y, name, colour = 'c1', size = 4, hollow, band, across
   extra: band && [{ heading: '±', axis: across ? 'x' : 'y', values: band }]
 });
 
+/** Returns a curve whose points are marked. */
+export const marked = look => [line(look), { ...dots(look), swatch: undefined, rows: () => [] }];
+
 /** Returns bars from `from` to `to` along the numbered rows of a named vertical axis. */
 export const bars = ({ from, to, texts, name, colour = 'c1', rows: at, words, pale }) => ({
   name,

@@ -1,7 +1,7 @@
 // Glasses on their orbits, seen from above in real time.
-import { h, rich, s } from './dom.js';
+import { drawing } from './files.js';
+import { s } from './dom.js';
 import { say, shown } from './words.js';
-import { svg_text } from './files.js';
 import { texts } from '../live/texts.js';
 
 const t = texts.above_words;
@@ -9,20 +9,21 @@ const turn = 2 * Math.PI;
 const reach = 130; // radius of an orbit with its glass, on the page
 const panel = 270;
 
+const style =
+  '@keyframes round{to{transform:rotate(-360deg)}}.round{animation:round linear infinite}' +
+  '@media(prefers-reduced-motion:reduce){.round{animation:none}}';
+
 /** Returns sizes on the page: to scale, except for a glass that would be too small. */
-function sizes({ Motion: motion, Glass: glass }) {
-  const R = glass['Contact radius'];
-  const rho = motion['Orbit radius'];
-  const true_rim = (reach * R) / (rho + 1.9 * R);
+function sizes({ radius, foot, orbit_radius, speed, sense }) {
+  const true_rim = (reach * radius) / (orbit_radius + 1.9 * radius);
   const rim = Math.max(true_rim, 15);
-  const foot = Math.min(1.4 * R, Math.max(R, glass['Foot radius'] || R));
   return {
     rim,
-    foot: (rim * foot) / R,
-    orbit: Math.min(reach - 1.9 * rim, (true_rim / R) * rho),
+    foot: (rim * Math.min(1.4 * radius, Math.max(radius, foot || radius))) / radius,
+    orbit: Math.min(reach - 1.9 * rim, (true_rim / radius) * orbit_radius),
     larger: rim > 1.05 * true_rim ? rim / true_rim : 0,
-    sense: motion['Orbit sense'] === 'clockwise' ? -1 : 1,
-    rate: motion['Orbit speed'] / rho
+    sense,
+    rate: speed / orbit_radius
   };
 }
 
@@ -97,11 +98,11 @@ function glass_nodes({ title, omega, load }, x, size) {
   ];
 }
 
-/** Returns the drawing of glasses { title, omega, load }; `parameters`: parameters of the summary. */
-export function orbits(glasses, parameters) {
-  const size = sizes(parameters);
+/** Returns the drawing of glasses { title, omega, load } on an orbit: lengths_of() the scene. */
+export function orbits(glasses, lengths) {
+  const size = sizes(lengths);
   const width = panel * Math.max(2, glasses.length);
-  const nodes = () => glasses.map((glass, i) => glass_nodes(glass, ((i + 0.5) * width) / glasses.length, size));
+  const drawn = (glass, i) => glass_nodes(glass, ((i + 0.5) * width) / glasses.length, size);
   const seconds = shown(turn / size.rate, '#.3g');
   const title = glasses.map(({ title, omega }) => `${title}: ${turns_of(omega, omega)}`).join('. ');
   const caption = [
@@ -109,22 +110,6 @@ export function orbits(glasses, parameters) {
     ...(glasses.some(({ load }) => load) ? [t.band] : []),
     size.larger ? say(t.larger, shown(size.larger, '.2g')) : t.to_scale
   ].join(' ');
-  const node = h(
-    'figure',
-    { id: 'orbits', class: 'drawing' },
-    s('svg', { viewBox: `0 0 ${width} 330`, role: 'img', 'aria-label': title }, nodes()),
-    h('figcaption', {}, h('b', {}, `${t.title}. `), rich(caption))
-  );
-  const motion =
-    '@keyframes round{to{transform:rotate(-360deg)}}.round{animation:round linear infinite}' +
-    '@media(prefers-reduced-motion:reduce){.round{animation:none}}';
-  const alone = () => ({
-    text: svg_text(title, caption, [s('style', {}, motion), nodes()], width, 330).replace(
-      /<g style/g,
-      '<g class="round" style'
-    ),
-    width,
-    height: 330
-  });
-  return { id: 'orbits', node, alone };
+  const svg = s('svg', { viewBox: `0 0 ${width} 330`, role: 'img', 'aria-label': title }, glasses.map(drawn));
+  return drawing({ id: 'orbits', heading: t.title, caption, title, svg, style });
 }

@@ -76,6 +76,15 @@ export function key(figure, event) {
   figure.said.textContent = show_point(figure, mark, i).join(', ');
 }
 
+/** Calls `move(event)` while a pressed pointer moves, and `end(event)` when it is released. */
+export function follow(svg, event, move, end = () => {}) {
+  const ended = new AbortController();
+  const listen = (name, act) => svg.addEventListener(name, act, { signal: ended.signal });
+  svg.setPointerCapture(event.pointerId);
+  listen('pointermove', move);
+  for (const name of ['pointerup', 'pointercancel']) listen(name, e => (ended.abort(), end(e)));
+}
+
 /** Zooms into a frame dragged over the picture. */
 export function drag(figure, event) {
   const { box, svg, picture } = figure;
@@ -96,8 +105,6 @@ export function drag(figure, event) {
     ['width', 'height'].forEach((name, k) => frame.setAttribute(name, Math.abs(begin[k] - to[k])));
   };
   const end = e => {
-    svg.removeEventListener('pointermove', move);
-    for (const name of ['pointerup', 'pointercancel']) svg.removeEventListener(name, end);
     figure.dragging = false;
     frame.remove();
     const to = inside(e);
@@ -106,9 +113,7 @@ export function drag(figure, event) {
     if (e.type === 'pointerup' && Math.abs(to[0] - begin[0]) > 12)
       figure.zoom({ x: sorted(figure.X, 0), y: is_tall && !touch ? sorted(figure.Y, 1) : undefined });
   };
-  svg.setPointerCapture(event.pointerId);
   figure.dragging = true;
   svg.append(frame);
-  svg.addEventListener('pointermove', move);
-  for (const name of ['pointerup', 'pointercancel']) svg.addEventListener(name, end);
+  follow(svg, event, move, end);
 }

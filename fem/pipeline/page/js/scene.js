@@ -1,9 +1,11 @@
 // Why the glass turns: the glass in perspective with the pressure round its rim, friction, the hand and the net
 // torque, in slow motion. Every instant is a row of the document.
 import { Drawing, height, width } from './drawing.js';
+import { copy_of } from './files.js';
+import { follow } from './pointer.js';
 import { h } from './dom.js';
-import { say, shown } from './words.js';
-import { svg_text } from './files.js';
+import { is_tumbler } from './space.js';
+import { shown } from './words.js';
 import { texts } from '../live/texts.js';
 
 const t = texts.scene_words;
@@ -24,6 +26,18 @@ function still_of(rows) {
   const most = Math.abs(rows[0].torque);
   return rows.find(row => Math.abs(row.torque) <= 0.67 * most) || rows[rows.length - 1];
 }
+
+/** Returns the lengths [m], the speed [m/s] and the sense, 1 or -1, of a glass on its orbit; `value(path)`: the number of an entry. */
+export const lengths_of = (value, sense) => ({
+  radius: value('Glass/Contact radius'),
+  foot: value('Glass/Foot radius'),
+  tumbler: is_tumbler(value('Glass/Stem radius'), value('Glass/Contact radius')),
+  height: value('Motion/Centre of mass height'),
+  hand: value('Motion/Hand height'),
+  orbit_radius: value('Motion/Orbit radius'),
+  speed: value('Motion/Orbit speed'),
+  sense
+});
 
 export class Scene {
   /** `dragged(height)` is called when the hand is moved [m above the table]. */
@@ -118,13 +132,7 @@ export class Scene {
         this.go_to(this.time);
       }
     };
-    const end = () => {
-      this.svg.removeEventListener('pointermove', move);
-      for (const name of ['pointerup', 'pointercancel']) this.svg.removeEventListener(name, end);
-    };
-    this.svg.setPointerCapture(event.pointerId);
-    this.svg.addEventListener('pointermove', move);
-    for (const name of ['pointerup', 'pointercancel']) this.svg.addEventListener(name, end);
+    follow(this.svg, event, move);
     event.preventDefault();
   }
 
@@ -143,7 +151,6 @@ export class Scene {
   }
 
   alone() {
-    const copies = [...this.svg.childNodes].map(child => child.cloneNode(true));
-    return { text: svg_text(t.title, this.given.why, copies, width, height), width, height };
+    return copy_of(this.svg, t.title, this.given.why);
   }
 }

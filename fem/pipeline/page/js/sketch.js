@@ -1,9 +1,9 @@
 // Sketch of the study, not to scale: the glass seen along its path, with its parameters.
-import { h, s, rich } from './dom.js';
+import { drawing } from './files.js';
+import { s } from './dom.js';
 import { is_tumbler } from './space.js';
 import { pressing } from './series.js';
 import { shown } from './words.js';
-import { svg_text } from './files.js';
 
 const axis = 190; // axis of the drawn glass
 const table = 341; // height of the table on the page
@@ -111,15 +111,5 @@ export function sketch(doc) {
     'Seen along the path of the glass; a sketch, not to scale.' +
     (presses ? ' The blue arrows are how hard the rim presses at rest.' : '');
   const svg = s('svg', { viewBox: '0 0 480 420', role: 'img', 'aria-label': title }, nodes);
-  const node = h(
-    'figure',
-    { id: 'glass', class: 'drawing' },
-    svg,
-    h('figcaption', {}, h('b', {}, 'What was computed. '), rich(caption))
-  );
-  const alone = () => {
-    const copies = [...svg.childNodes].map(child => child.cloneNode(true));
-    return { text: svg_text(title, caption, copies, 480, 420), width: 480, height: 420 };
-  };
-  return { id: 'glass', node, alone };
+  return drawing({ id: 'glass', heading: 'What was computed', caption, title, svg });
 }

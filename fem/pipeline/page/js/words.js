@@ -46,6 +46,7 @@ export const is_number = text => /^[-−+]?\d/.test(text) || text === missing ||
 export const say = (text, ...values) => with_units(text.replace(/\{(\d)\}/g, (_, i) => values[i]));
 
 export const heading_of = q => q.heading + (q.unit && q.unit !== '1' ? ` (${q.unit.replace(/ /g, '\u00a0')})` : '');
+export const label_of = ({ label = '', unit }) => heading_of({ heading: label, unit });
 
 /** Joins numbers and units by non-breaking spaces, with superscript exponents. */
 const with_units = text =>

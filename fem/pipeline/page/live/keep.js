@@ -1,9 +1,8 @@
 // What can be taken along.
 import { data, doc, pair, parts_of_state, state } from './state.js';
-import { csv } from '../js/words.js';
+import { csv, label_of } from '../js/words.js';
 import { download } from '../js/dom.js';
 import { extra_of } from '../js/files.js';
-import { label_of } from '../js/figure.js';
 
 /** Points of all curves: picture, curve, meaning of x and y, x, y, and the heading and value of a colour or band. */
 export function save_curves(drawn) {

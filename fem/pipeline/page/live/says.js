@@ -79,7 +79,7 @@ export function facts(ms) {
   const f = texts.facts;
   const number = (value, n, unit) => (Number.isFinite(value) ? digits(value, n) + unit : '–');
   const rows = [
-    [f.omega, number(ring.omega_terminal, 6, ' rad/s')],
+    [f.omega, number(ring.omega_terminal, undefined, ' rad/s')],
     [f.time_constant, number(ring.time_constant || NaN, 3, ' s')],
     [f.moment_ratio, number(load?.moment_ratio, 4, '')],
     [f.fraction, number(load && 100 * load.contact_fraction, 1, ' %')],

@@ -1,4 +1,5 @@
 // State of the live page: glass, table, number of harmonics, changes of the study, and answer.
+import { shown } from '../js/words.js';
 import { without_rounding } from '../js/rounding.js';
 
 export const $ = id => document.getElementById(id);
@@ -37,7 +38,8 @@ const rounded = metres => Number(metres.toFixed(9));
 export const errors = [];
 let entries = {};
 
-export const digits = (x, n = 4) => (Number.isFinite(x) ? x.toFixed(n).replace('-', '−') : '–');
+/** Returns a number with four significant digits, or with `n` decimals. */
+export const digits = (x, n) => shown(x, n === undefined ? '#.4g' : `.${n}f`);
 
 export const pair_name = () => `${state.glass}|${state.table}`;
 export const pair = () => data.pairs[pair_name()];

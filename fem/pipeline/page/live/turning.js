@@ -1,12 +1,11 @@
 // The scene of the live page: the hand is dragged up and down, and the sense of the orbit switched.
-import { $, at_end, centre, doc, found, hand, hand_offset, remember, sense, state, value_of } from './state.js';
-import { Scene } from '../js/scene.js';
+import { $, at_end, doc, found, hand, hand_offset, remember, sense, state, value_of } from './state.js';
+import { Scene, lengths_of } from '../js/scene.js';
 import { h } from '../js/dom.js';
 import { shows } from './lesson.js';
 import { orbits } from '../js/motion.js';
 import { pressing } from '../js/series.js';
 import { texts } from './texts.js';
-import { is_tumbler } from '../js/space.js';
 import { why } from '../views/common.js';
 
 let scene = null;
@@ -35,21 +34,15 @@ export function make_scene(solve, stand) {
   $('scene').replaceChildren(scene.node);
 }
 
-function parameters() {
-  const of = (section, ...names) => Object.fromEntries(names.map(name => [name, value_of(`${section}/${name}`)]));
-  const Motion = { ...of('Motion', 'Orbit radius', 'Orbit speed'), 'Orbit sense': sense() < 0 ? 'clockwise' : '' };
-  return { Motion, Glass: of('Glass', 'Contact radius', 'Foot radius') };
-}
-
 /** Shows the glass from above next to the paper's ring. */
-function draw_above() {
+function draw_above(lengths) {
   const { ring, paper } = doc.summary;
   const load = doc.tables.motion[doc.tables.motion.length - 1].load;
   const glasses = [
     { title: texts.elastic, omega: ring.omega_terminal, load },
     { title: texts.ring, omega: paper.omega_terminal }
   ];
-  above.replaceChildren(orbits(glasses, parameters()).node);
+  above.replaceChildren(orbits(glasses, lengths).node);
 }
 
 export function draw_scene() {
@@ -60,18 +53,14 @@ export function draw_scene() {
   const falls = tips || Boolean(doc.summary.ring.fall);
   $('stand').hidden = !falls;
   const held = value_of('Motion/Grip torque') > 0 && doc.summary.ring?.omega_terminal === 0;
+  const lengths = lengths_of(value_of, sense());
   scene.set({
+    ...lengths,
     rows: rows || [fallen],
-    radius: value_of('Glass/Contact radius'),
-    height: value_of(centre),
-    hand: value_of(hand),
-    orbit_radius: value_of('Motion/Orbit radius'),
-    sense: sense(),
     normal_force: doc.summary.load_at_terminal?.normal_force,
-    tumbler: is_tumbler(value_of('Glass/Stem radius'), value_of('Glass/Contact radius')),
     falls,
     most: Math.abs(doc.summary.ring?.tau_at_rest || 0),
     why: why({ falls, held }, pressing(at_end()), found.is_last ? hand_offset() : undefined)
   });
-  if (rows) draw_above();
+  if (rows) draw_above(lengths);
 }

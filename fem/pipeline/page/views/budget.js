@@ -1,9 +1,9 @@
 // Pictures of the chain of models: from the paper's terminal spin to the study's.
 import { bars, dots, rule } from '../js/marks.js';
 import { missing, shown } from '../js/words.js';
+import { one_way } from './spin.js';
 
 const spin = value => `${shown(value, '#.4g')} rad/s`;
-const one_way = ({ words }) => (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
 const rounded = (value, rounding) => (Math.abs(value) < rounding ? 0 : value);
 
 /** Returns the steps of the budget with their titles; the study is the last. */

@@ -1,8 +1,7 @@
 // Common parts of all pages.
 import { h } from '../js/dom.js';
 import { orbits } from '../js/motion.js';
-import { Scene } from '../js/scene.js';
-import { is_tumbler } from '../js/space.js';
+import { Scene, lengths_of } from '../js/scene.js';
 import { pressing } from '../js/series.js';
 import { shown } from '../js/words.js';
 import { sketch } from '../js/sketch.js';
@@ -33,22 +32,19 @@ export function ending({ summary: { ring, parameters }, words }) {
 /** Why the glass turns, beside how `glasses` turn, seen from above; without rows of its motion the latter alone. */
 function turning(doc, glasses) {
   const { parameters } = doc.summary;
-  const above = orbits(glasses, parameters);
+  const sense = parameters.Motion['Orbit sense'] === 'clockwise' ? -1 : 1;
+  const lengths = lengths_of(path => path.split('/').reduce((part, key) => part[key], parameters), sense);
+  const above = orbits(glasses, lengths);
   const { motion } = doc.tables;
   if (!motion) return above;
-  const { Glass: glass, Motion: given, Load: load } = parameters;
+  const { Motion: given, Load: load } = parameters;
   const is_given = load.Source === 'file' || load['Moment ratio'] >= 0;
   const end = ending(doc);
   const scene = new Scene();
   scene.set({
+    ...lengths,
     rows: motion,
-    radius: glass['Contact radius'],
-    height: given['Centre of mass height'],
-    hand: given['Hand height'],
     normal_force: doc.summary.load.normal_force,
-    tumbler: is_tumbler(glass['Stem radius'], glass['Contact radius']),
-    orbit_radius: given['Orbit radius'],
-    sense: given['Orbit sense'] === 'clockwise' ? -1 : 1,
     falls: end.falls,
     why: why(end, pressing(doc), is_given ? undefined : given['Force offset'])
   });

@@ -1,6 +1,6 @@
 // Page of `stemware converge`.
 import { bands, beginning, files, study } from './common.js';
-import { dots, line } from '../js/marks.js';
+import { marked } from '../js/marks.js';
 import { shown } from '../js/words.js';
 
 /** Shows the relative distance of the terminal spin from its limit, by axis and level. */
@@ -28,10 +28,7 @@ function convergence(doc) {
       'solver are not drawn.',
     x: { label: 'level, finer to the right', symbol: 'level', ticks: levels, room: 0.08 },
     y: { label: 'relative error', log: true, digits: '.3g' },
-    marks: curves.flatMap(({ name, level, error }, i) => [
-      line({ x: level, y: error, name, colour: colours[i % 6] }),
-      { ...dots({ x: level, y: error, name, colour: colours[i % 6] }), swatch: undefined, rows: () => [] }
-    ])
+    marks: curves.flatMap(({ name, level, error }, i) => marked({ x: level, y: error, name, colour: colours[i % 6] }))
   };
 }
 

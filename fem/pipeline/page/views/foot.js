@@ -1,11 +1,10 @@
 // Pictures of the foot: pressures, stresses, its section and its rim.
-import { arrows, outline, patches, strokes } from '../js/shapes.js';
-import { circle, degrees } from './load.js';
+import { outline, patches, strokes } from '../js/shapes.js';
+import { circle, degrees, radians, travel } from './load.js';
 import { note } from '../js/marks.js';
 import { shown } from '../js/words.js';
 
 const length = mm => (mm < 0.1 ? `${shown(1e3 * mm, '.3g')} µm` : `${shown(mm, '.3g')} mm`);
-const radians = degrees => (degrees * Math.PI) / 180;
 
 /**
  * Quadrilaterals between neighbouring cuts of a map of pressures that both have load, with their mean values; squares of points
@@ -95,8 +94,7 @@ export function foot_from_above({ foot }, { sketch }) {
       mark,
       circle(section.edge, { colour: 'glass' }),
       circle(R, { colour: 'c8', width: 0.6 }),
-      arrows({ x: [0], y: [0], u: [0.45 * R], v: [0], colour: 'ink' }),
-      note({ x: 0.52 * R, y: 0, text: 'v' }),
+      ...travel(0, 0, 0.45 * R),
       strokes({ lines: [[0, 0, 0, 0.36 * side * R]], colour: 'ink', dash: '6 4', heads: 1 }),
       note({ x: 0, y: side * 0.4 * R, dy: side > 0 ? -24 : 16, text: 'to the orbit’s centre,' }),
       note({ x: 0, y: side * 0.4 * R, dy: side > 0 ? -6 : 34, text: `${sketch.orbit_radius} from here` })

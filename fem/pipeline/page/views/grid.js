@@ -1,9 +1,10 @@
 // Pictures of a sweep over one or two entries: curves, or maps over two numerical entries.
-import { dots, line } from '../js/marks.js';
+import { dots, line, marked } from '../js/marks.js';
 import { grid, patches } from '../js/shapes.js';
-import { heading_of, shown } from '../js/words.js';
+import { label_of, shown } from '../js/words.js';
+import { one_way } from './spin.js';
 
-const colours = ['c1', 'c2', 'c3', 'c4', 'c5', 'c6', 'c7', 'c8'];
+const colours = ['c1', 'c2', 'c3', 'c4', 'c5', 'c6', 'ink', 'c8'];
 const dashes = [undefined, '8 4', '9 3 2 3', '3 3', '12 3', '9 3 2 3 2 3', '6 3', '2 2'];
 
 /**
@@ -36,12 +37,8 @@ function curves(axis, y, list) {
     x: axis,
     y: { ...y, digits: '.5g' },
     marks: list.flatMap(({ name, values }, i) => {
-      const look = { ...broken(axis.values, values), name, colour: colours[i % 8] };
-      const few = look.x.length <= 40;
-      return [
-        line({ ...look, dash: dashes[i % 8] }),
-        ...(few ? [{ ...dots({ ...look, size: 3 }), swatch: undefined, rows: () => [] }] : [])
-      ];
+      const look = { ...broken(axis.values, values), name, colour: colours[i % 8], dash: dashes[i % 8], size: 3 };
+      return look.x.length > 40 ? [line(look)] : marked(look);
     })
   };
 }
@@ -62,7 +59,7 @@ function map([x, y], shows, values) {
   if (both_signs) [low, high] = [-Math.max(-low, high), Math.max(-low, high)];
   const edges = [edges_of(x), edges_of(y)];
   const range = k => [edges[k][0], edges[k][edges[k].length - 1]].sort((a, b) => a - b);
-  const scale = { range: [low, high], label: heading_of({ heading: shows.label, unit: shows.unit }), both_signs };
+  const scale = { range: [low, high], label: label_of(shows), both_signs };
   const say = ({ label, unit }, v) => `${label} ${shown(v, '.5g')} ${unit === '1' ? '' : unit}`.trim();
   const words = k => {
     const [i, j] = [k % x.values.length, Math.floor(k / x.values.length)];
@@ -90,7 +87,8 @@ const max_curves = 7;
 const min_of_map = 4;
 
 /** Returns the pictures of the grid of a document; none for texts and for constant quantities. */
-export function grid_pictures({ tables, words }) {
+export function grid_pictures(doc) {
+  const { tables } = doc;
   if (!tables.grid) return [];
   const { quantities } = tables.grid;
   const entries = tables.grid.entries.map(entry => ({
@@ -111,9 +109,7 @@ export function grid_pictures({ tables, words }) {
       .map((name, c) => ({ name, values: axis.values.map((_, i) => values[by_second ? c * m + i : i * m + c]) }))
       .filter(curve => curve.values.some(Number.isFinite));
   const falls = quantities.omega_fall.values.some(Number.isFinite);
-  const notes =
-    (falls ? ' In cases without a terminal spin the glass tips over while it spins up.' : '') +
-    (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
+  const notes = (falls ? ' In cases without a terminal spin the glass tips over while it spins up.' : '') + one_way(doc);
   const of = key => quantities[key].values;
   const drawn = key => {
     if (is_map) return map(entries, quantities[key], of(key));
@@ -129,7 +125,7 @@ export function grid_pictures({ tables, words }) {
     const known = of(key).filter(Number.isFinite);
     const [low, high] = [Math.min(...known), Math.max(...known)];
     if (!(high - low > 1e-9 * Math.max(Math.abs(low), Math.abs(high)))) return [];
-    const by = other && !is_map ? `By ${heading_of({ heading: other.label, unit: other.unit })}.` : '';
+    const by = other && !is_map ? `By ${label_of(other)}.` : '';
     const alone =
       'Of all harmonics of the load, the first harmonic only, and a first harmonic on a ring of the contact radius. No line ' +
       'is drawn over a jump.';

@@ -7,7 +7,7 @@ import { pressing, truncated, value_of } from '../js/series.js';
 import { shown } from '../js/words.js';
 
 const turn = Array.from({ length: 121 }, (_, i) => (2 * Math.PI * i) / 120);
-const radians = degrees => (degrees * Math.PI) / 180;
+export const radians = degrees => (degrees * Math.PI) / 180;
 export const circle = (radius, more) =>
   outline({ x: turn.map(t => radius * Math.cos(t)), y: turn.map(t => radius * Math.sin(t)), ...more });
 export const degrees = {
@@ -18,6 +18,11 @@ export const degrees = {
   ticks: [0, 90, 180, 270, 360],
   range: [0, 360]
 };
+/** Returns an arrow in the direction of travel from (x, y). */
+export const travel = (x, y, size) => [
+  arrows({ x: [x], y: [y], u: [size], v: [0], colour: 'ink' }),
+  note({ x: x + 1.18 * size, y, text: 'v' })
+];
 const sense_of = ({ words }) => (words.sketch.clockwise ? -1 : 1);
 const angles = Array.from({ length: 181 }, (_, i) => 2 * i);
 
@@ -101,8 +106,7 @@ export function load_polar(doc) {
       }),
       { ...circle(1.5, { colour: 'c8', width: 1 }), name: 'mean', dash: '2 3' },
       ...parts.map(curve),
-      arrows({ x: [0], y: [0], u: [0.4], v: [0], colour: 'ink' }),
-      note({ x: 0.47, y: 0, text: 'v' }),
+      ...travel(0, 0, 0.4),
       strokes({ lines: [[0, 0, 0, 0.3 * sense]], colour: 'ink', dash: '6 4', heads: 1 }),
       note({ x: 0, y: 0.44 * sense, text: 'orbit’s centre' }),
       ...sense_arrow
@@ -247,24 +251,9 @@ export function slip(doc, name, state) {
     marks: [
       circle(1, { colour: 'c8', width: 1.4 }),
       part('slip', 'c8', 0.42, ['slip_x', 'slip_y'], all, { width: 1, head: 4 }),
-      part(
-        'turns clockwise',
-        'c1',
-        0.5,
-        friction,
-        all.filter(i => t.torque[i] < 0),
-        { width: 2 }
-      ),
-      part(
-        'turns counter-clockwise',
-        'c2',
-        0.5,
-        friction,
-        all.filter(i => t.torque[i] >= 0),
-        { width: 2 }
-      ),
-      arrows({ x: [-0.25], y: [1.62], u: [0.45], v: [0], colour: 'ink' }),
-      note({ x: 0.3, y: 1.62, text: 'v' })
+      part('turns clockwise', 'c1', 0.5, friction, all.filter(i => t.torque[i] < 0), { width: 2 }), // prettier-ignore
+      part('turns counter-clockwise', 'c2', 0.5, friction, all.filter(i => t.torque[i] >= 0), { width: 2 }), // prettier-ignore
+      ...travel(-0.25, 1.62, 0.45)
     ]
   };
 }

@@ -1,6 +1,6 @@
 // Pictures of torque, spin-up and harmonics.
 import { columns } from '../js/tables.js';
-import { dots, line, rule } from '../js/marks.js';
+import { dots, line, marked, rule } from '../js/marks.js';
 import { shown } from '../js/words.js';
 
 const looks = {
@@ -15,7 +15,8 @@ export const look_of = key => looks[key] || [key.replace('up_to_', 'n ≤ '), 'c
 /** Keys of the curves in a table, the answer last. */
 const curve_keys = t =>
   ['paper', ...Object.keys(t).filter(key => key.startsWith('up_to_')), 'all'].filter(key => t[key]);
-const one_way = ({ words }) => (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
+/** Returns a sentence on one-way coupling for captions. */
+export const one_way = ({ words }) => (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
 const in_millinewton = list => list.map(v => (v === null ? NaN : 1e3 * v));
 
 /** Returns the terminal spins to draw: [key of the curve, spin]. */
@@ -52,14 +53,12 @@ export function torque(doc) {
         const words = [[name || 'all harmonics', `ω = ${shown(omega, '#.4g')} rad/s`]];
         return dots({ x: [omega], y: [0], colour, name, words });
       }),
-      ...[-1, 1].map(side => inside_rule(side * spin_unit, t, side > 0 ? 'v/R' : '−v/R'))
+      ...[-spin_unit, spin_unit]
+        .filter(x => (x - t.omega[0]) * (x - t.omega[t.omega.length - 1]) <= 0)
+        .map(x => rule({ x, text: x > 0 ? 'v/R' : '−v/R', dash: '2 3' }))
     ]
   };
 }
-const inside_rule = (x, { omega }, text) => {
-  const [low, high] = [omega[0], omega[omega.length - 1]].sort((a, b) => a - b);
-  return x >= low && x <= high ? rule({ x, text, dash: '2 3' }) : rule({});
-};
 
 /** Returns factor and unit for short numbers of torques of this size. */
 const torque_unit = size => (size >= 1e-4 ? [1e3, 'mN m'] : size >= 1e-7 ? [1e6, 'µN m'] : [1e9, 'nN m']);
@@ -102,25 +101,14 @@ export function spin_up(doc) {
     x: { label: 'time', symbol: 't =', unit: 's', room: 0, range: measured ? [0, last] : undefined },
     y: { label: 'spin ω', unit: 'rad/s', zero: true },
     marks: [
-      ...(measured
-        ? [dots({ x: measured.time, y: measured.omega, name: 'measured', colour: 'ink', hollow: true })]
-        : []),
+      measured && dots({ x: measured.time, y: measured.omega, name: 'measured', colour: 'ink', hollow: true }),
       ...curve_keys(t).map(key => {
         const [name, colour, dash] = look_of(key);
         return line({ x: t.time, y: t[key].map(v => v ?? NaN), name, colour, dash });
       }),
-      ...(known ? [rule({ y: ring.omega_terminal, colour: 'c8', dash: '1 3' })] : []),
-      ...(settles
-        ? [
-            rule({
-              x: ring.time_constant,
-              text: `${shown(ring.time_constant, '.3g')} s`,
-              dash: '2 3',
-              low: ring.omega_terminal > 0
-            })
-          ]
-        : [])
-    ]
+      known && rule({ y: ring.omega_terminal, colour: 'c8', dash: '1 3' }),
+      settles && rule({ x: ring.time_constant, text: `${shown(ring.time_constant, '.3g')} s`, dash: '2 3', low: ring.omega_terminal > 0 }) // prettier-ignore
+    ].filter(Boolean)
   };
 }
 
@@ -215,6 +203,6 @@ export function truncation(doc) {
     caption: 'Change without the harmonics beyond n, relative to the spin with all harmonics.' + one_way(doc),
     x: { label: 'harmonics kept', symbol: 'n =', ticks: Math.max(...x) <= 8 ? x : undefined },
     y: { label: '|Δω / ω|', log: true, digits: '.3g' },
-    marks: [line({ x, y }), dots({ x, y })]
+    marks: marked({ x, y })
   };
 }
