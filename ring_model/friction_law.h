@@ -62,13 +62,11 @@ public:
 /// Returns the friction law of @p motion.
 StribeckLaw friction_law_of(const Motion &motion);
 
-/// Returns the integrals over a ring of friction under @p law per unit of load, for a ring whose rim turns
-/// with
-/// @p rim_speed = omega r [m/s] and slides with @p speed [m/s]. Shape [n_max + 1, 3], the columns torque over
-/// r, drag and side: mu (K_n, U_n, -n P_n) by the exact FrictionKernels for a constant coefficient, else by
+/// Returns the integrals of friction under @p law over a ring, per unit of load. The rim turns with @p
+/// rim_speed = omega r [m/s] and slides with @p speed [m/s]. Shape [n_max + 1, 3], the columns torque over r,
+/// drag and side: mu (K_n, U_n, -n P_n) by the exact FrictionKernels for a constant coefficient, else by
 /// quadrature of all harmonics at once, refined until the columns agree to 1e-12 of the largest value.
 /// docs/theory/friction_laws.md.
-///
 /// @throws std::invalid_argument as FrictionKernels, std::runtime_error if the refinement does not end.
 Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, double speed, unsigned int n_max);
 } // namespace stemware::ring

@@ -28,12 +28,12 @@ inline bool has_less_push(const Push &one, const Push &other)
 struct Estimate
 {
   double spin;  ///< by the polynomial spin(push) through at most four samples
-  double error; ///< its difference to the one without the sample farthest away
+  double error; ///< difference to the estimate without the farthest sample
 };
 
-/// Returns the estimate by the at most four @p samples with the least |push| whose push falls with the spin;
-/// of error HUGE_VAL by one sample. More samples add rounding, not accuracy. Precondition: @p samples not
-/// empty.
+/// Returns the estimate from at most four of @p samples, those with the least |push| for which the push
+/// decreases with the spin; a single sample has the error HUGE_VAL. More samples would add rounding, not
+/// accuracy. Precondition: @p samples is not empty.
 inline Estimate inverse_interpolation(std::vector<Push> samples)
 {
   std::sort(samples.begin(), samples.end(), has_less_push);
@@ -50,7 +50,7 @@ inline Estimate inverse_interpolation(std::vector<Push> samples)
     --n;
   const auto through = [&](std::size_t n_used)
   {
-    Eigen::VectorXd pushes(n_used), ways(n_used); // from the spin of the least push, for the digits
+    Eigen::VectorXd pushes(n_used), ways(n_used); // relative to the spin of the least push
     for (std::size_t i = 0; i < n_used; ++i)
     {
       pushes(i) = samples[i].push;

@@ -57,7 +57,7 @@ std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, doub
                                         double initial_spin, double time_step, unsigned int n_steps,
                                         double grip = 0.);
 
-/// Spin of a ring whose torque depends on the phase, after the transient.
+/// Spin after the transient of a ring whose torque depends on the phase.
 struct LongTimeSpin
 {
   double mean;        ///< [rad/s]

@@ -144,7 +144,7 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
   deepest = surface.parts.max(deepest);
   ContactExtent extent;
   extent.peak_pressure = pressure(deepest);
-  // Penetration at the edge of the contact. A hard law never comes here: it has no lines.
+  // Penetration at the edge of the contact. Hard laws have no lines and do not reach this point.
   const double edge = law.penetration_at(rounding_share * extent.peak_pressure);
 
   std::vector<CutValue> cuts;

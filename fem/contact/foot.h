@@ -31,7 +31,7 @@ struct ContactState
   double inner_radius = 0;
   double outer_radius = 0;
 
-  // For the foot itself:
+  // Internal data of the foot:
   unsigned int zone = 0;                        ///< index of the foot's contact zone of the solution
   bool start_rotated_with_waviness = false;     ///< true if the initial guess was rotated with the waviness
   std::shared_ptr<const std::string> body = {}; ///< state of a solid body, this rank's part

@@ -84,14 +84,14 @@ struct RoughInterface : PressureInterface<RoughInterface>, Roughness
     if (highest < unloaded * decay_length)
       return for_each_point(area, LineSegment{ -1, 1 }, visit);
 
-    // Where the exponential is largest: the highest place, or where the mean planes meet.
+    // Depth of the largest pressure: the largest depth, or the depth at which the mean planes touch.
     const double level = std::min(highest, 0.);
     const double slope_at_level =
       std::sqrt(std::max(0., std::pow(slope + top * curvature, 2) - 2 * curvature * (highest - level)));
     const double panels_per_length =
       std::max(std::sqrt(std::abs(curvature) / decay_length), slope_at_level / (2 * decay_length));
     const PositiveSegments loaded((depth.array() - level + rounding * decay_length).matrix());
-    const PositiveSegments beyond(depth); // mean planes met
+    const PositiveSegments beyond(depth); // touching mean planes
     for (unsigned int s = 0; s < loaded.n_segments; ++s)
     {
       double begin = loaded.segments[s].begin;

@@ -119,9 +119,9 @@ struct MeshFileFacts
 
 /// Reads the hexahedra of a file of Gmsh (.msh in format 2 or 4, ASCII) and the physical ids of their faces.
 /// Coordinates are multiplied by @p unit [m]. Time and memory grow with the size of the file. Throws
-/// std::invalid_argument with one sentence for any other file, for a damaged one, and if nodes coincide that
-/// are not shared or hang, in the middle of edges or faces of other cells. Faces inside the body, nodes of no
-/// cell and other sections of the file are ignored.
+/// std::invalid_argument with one sentence for any other or damaged file, for separate nodes at one position,
+/// and for hanging nodes (in the middle of an edge or face of another cell). Faces inside the body, unused
+/// nodes and other sections of the file are ignored.
 MeshFileFacts read_hexahedra(const std::string &file_name, double unit,
                              dealii::Triangulation<3, 3> &triangulation);
 

@@ -13,7 +13,7 @@ namespace stemware::ring
 struct CurveSource
 {
   std::function<Eigen::VectorXd(double x)> value;
-  /// Size of the error of an interpolated value at x, compared with CurveTolerance.
+  /// Returns the error of an interpolated value at x, to be compared with CurveTolerance.
   std::function<double(double x, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)> error;
   std::vector<double> known = {}; ///< x at which value() costs nothing
   /// x at which the function has a half power (or a logarithm) of the distance, ascending.
@@ -45,7 +45,7 @@ public:
   Eigen::VectorXd operator()(double x) const;
 
   std::size_t n_pieces() const { return pieces.size(); }
-  /// Ends of the sampled interval.
+  /// Returns an end of the sampled interval.
   double lower() const { return pieces.front().begin; }
   double upper() const { return pieces.back().end; }
   bool covers(double x) const { return lower() <= x && x <= upper(); }

@@ -20,7 +20,7 @@ std::vector<Torques> torque_curve(const Load &load, const Question &question,
 std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &question, const Answer &found);
 
 /// Returns the spin-up from rest at the equally spaced @p times [s] with error control; NaN after @p fall,
-/// the spin at which the glass tips under @p load. Throws as @p load and Question::observer.
+/// the tipping of the glass under @p load. Throws as @p load and Question::observer.
 std::vector<YawSample> spin_up(const Load &load, const Question &question, const std::vector<double> &times,
                                const std::optional<Fall> &fall = {});
 

@@ -24,11 +24,10 @@ using DrivenLoad = std::function<Sample(const Motion &now, double time, double o
 PhasedTorqueFunction driven_torque(const Motion &motion, OrbitSpeedTable speeds, DrivenLoad load);
 
 /// Integrates yaw_motion() from rest while the hand follows @p speeds, also from rest, and the fingers resist
-/// with up to
-/// @p grip [N m] in addition to @p torque: the spin stays 0 until v is (accuracy / 10)^(1/3) of the largest
-/// speed. Until then a free spin would be smaller than @p accuracy, because a spin that follows its torque
-/// grows with v^3 (docs/theory/dynamics.md). @p motion: its inertia, and v / R with @p radius [m] as the
-/// scale of spins.
+/// with up to @p grip [N m] in addition to @p torque: the spin stays 0 until v is (accuracy / 10)^(1/3) of
+/// the largest speed. Until then a free spin would be smaller than @p accuracy, because a spin that follows
+/// its torque grows with v^3 (docs/theory/dynamics.md). @p motion: its inertia, and v / R with @p radius [m]
+/// as the scale of spins.
 std::vector<YawSample> driven_motion(const PhasedTorqueFunction &torque, const OrbitSpeedTable &speeds,
                                      const Motion &motion, double grip, double radius,
                                      const std::vector<double> &times, double accuracy);

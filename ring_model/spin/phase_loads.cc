@@ -54,7 +54,8 @@ PhaseSamples sampled_at(const LoadAtPhase &load, double omega, const PhaseGrids 
   const unsigned int n_table = grids.table.size();
   for (unsigned int step = 0; step < grids.size(); ++step)
   {
-    // Alternating direction in the table's angle: each contact starts from the neighbouring phase.
+    // Sweeps the table's angle in alternating direction, so that each contact starts from a neighbouring
+    // phase.
     const unsigned int row = step / n_table, place = step % n_table;
     const unsigned int i = row * n_table + (row % 2 == 0 ? place : n_table - 1 - place);
     const Sample exact = load(omega, grids.phase(i));

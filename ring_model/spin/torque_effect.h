@@ -7,9 +7,9 @@
 
 namespace stemware::ring
 {
-/// Effect of the harmonics 2 ... n of one load on tau_z of friction. At each spin the load is the complete
-/// one at that spin, cut after n harmonics; neither contact nor balance of moments is solved again. With
-/// waviness all values are means over the phases. (docs/theory/budget.md)
+/// Effect of the harmonics 2 ... n of one load on tau_z of friction. At each spin, the complete load is
+/// truncated after n harmonics; neither contact nor balance of moments is solved again. With waviness all
+/// values are means over the phases. (docs/theory/budget.md)
 struct TorqueEffect
 {
   /// Values at one spin [N m].
@@ -24,7 +24,7 @@ struct TorqueEffect
   std::optional<AtSpin> half;     ///< at half the terminal spin; std::nullopt without a terminal spin
   std::optional<AtSpin> terminal; ///< at the terminal spin; std::nullopt without one
   /// Delta tau_z(n) of largest absolute value between rest and the terminal spin, or tipping [N m], and its
-  /// spin [rad/s]; std::nullopt if no curve was asked for.
+  /// spin [rad/s]; std::nullopt if no curve was requested.
   std::optional<double> largest, largest_at;
   std::vector<double> curve; ///< Delta tau_z(n) at TorqueEffects::spins [N m]; NaN without a balance
 };

@@ -1,4 +1,4 @@
-// Trilinos objects must die before MPI_Finalize, so MPI lives longer than the tests.
+// MPI must outlive the tests, because Trilinos objects have to be destroyed before MPI_Finalize.
 #include <deal.II/base/mpi.h>
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace
 {
 
-/// Ranks other than the first say only what failed.
+/// Prints failures on ranks other than the first.
 class FailurePrinter : public testing::EmptyTestEventListener
 {
   void OnTestPartResult(const testing::TestPartResult &result) override
@@ -25,8 +25,8 @@ class FailurePrinter : public testing::EmptyTestEventListener
 
 int main(int argc, char **argv)
 {
-  // A process that mpirun did not start needs no daemon of Open MPI beside it, nor the ssh that the daemon
-  // asks for, nor a folder in /tmp that has the same name for all such processes, nor a network.
+  // Settings of Open MPI for a process without mpirun: no daemon (which needs ssh), no folder in /tmp (its
+  // name would be the same for all such processes), no network.
   if (std::getenv("OMPI_COMM_WORLD_RANK") == nullptr)
   {
     ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
@@ -40,7 +40,7 @@ int main(int argc, char **argv)
   {
     testing::TestEventListeners &listeners = testing::UnitTest::GetInstance()->listeners();
     delete listeners.Release(listeners.default_result_printer());
-    listeners.Append(new FailurePrinter); // the list owns it
+    listeners.Append(new FailurePrinter); // owned by the list
   }
   return RUN_ALL_TESTS();
 }

@@ -17,14 +17,15 @@ using namespace stemware::fem;
 /// The weight of the reference cases, 0.30 kg at 9.81 m/s^2 [N].
 constexpr double weight = 2.943;
 
-/// Resultants of a load with moment ratio @p m (of N R / 2) whose maximum lies at azimuth @p direction.
+/// Returns the resultants of a load with moment ratio @p m (of N R / 2) whose maximum lies at azimuth @p
+/// direction.
 inline Resultants load_at(double m, double direction = 0, double radius = 0.03)
 {
   const double moment = m * weight * radius / 2;
   return { weight, moment * std::sin(direction), -moment * std::cos(direction) };
 }
 
-/// The flat foot of the reference: land 2 mm wide, no crown.
+/// Returns the flat foot of the reference: land 2 mm wide, no crown.
 inline GlassProfile flat_profile()
 {
   GlassProfile profile;
@@ -33,7 +34,7 @@ inline GlassProfile flat_profile()
   return profile;
 }
 
-/// Largest difference of a_n / a_0, n = 2 ... @p highest.
+/// Returns the largest difference of a_n / a_0, n = 2 ... @p highest.
 inline double largest_difference(const ContactLoad &one, const ContactLoad &other, unsigned int highest = 8)
 {
   double largest = 0;
@@ -42,7 +43,7 @@ inline double largest_difference(const ContactLoad &one, const ContactLoad &othe
   return largest;
 }
 
-/// Outcome of a contact solve.
+/// Returns the outcome of a contact solve.
 template <typename Action>
 ContactOutcome outcome_of(const Action &action)
 {
@@ -57,13 +58,13 @@ ContactOutcome outcome_of(const Action &action)
   return ContactOutcome::converged;
 }
 
-/// Warm start from @p solution.
+/// Returns a warm start from @p solution.
 inline ContactStart from(const ContactSolution &solution)
 {
   return { solution.motion, solution.normal_displacement };
 }
 
-/// Law of an interface without penalty stiffness on @p surface.
+/// Returns the law of an interface without penalty stiffness on @p surface.
 inline std::unique_ptr<TableLaw> make_law(const InterfaceLaw &interface, const ContactSurface &surface)
 {
   return interface.make(surface, 0);

@@ -16,8 +16,8 @@ struct ResolvedFriction
   double force_y = 0; ///< to the left of it [N]
 };
 
-/// Friction of point forces on a foot with velocity @p speed along x and spin @p omega: sum of -mu f v_rel /
-/// |v_rel|, v_rel = (v - omega y, omega x). Points without slip have no friction.
+/// Returns the friction of point forces on a foot with velocity @p speed along x and spin @p omega: sum of
+/// -mu f v_rel / |v_rel|, v_rel = (v - omega y, omega x). Points without slip have no friction.
 inline ResolvedFriction resolved_friction(const std::vector<fem::PointForce> &forces,
                                           double friction_coefficient, double omega, double speed)
 {

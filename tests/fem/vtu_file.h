@@ -78,7 +78,8 @@ private:
     return bytes;
   }
 
-  /// The data follow a header: number of blocks, block size, size of the last block, compressed size.
+  /// Returns the decompressed data of @p body. A header precedes the data: number of blocks, block size, size
+  /// of the last block, compressed size.
   static std::string inflated(const std::string &body)
   {
     const std::size_t begin = body.find_first_not_of(" \n\t");

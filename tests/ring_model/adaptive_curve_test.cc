@@ -16,7 +16,7 @@ namespace
 constexpr double weight = 2.943; // N
 constexpr double rim = 0.03;     // m
 
-/// Loads of the rim over the moment ratio.
+/// Returns the load of the rim at @p moment_ratio.
 ring::RingStack rim_load(double moment_ratio)
 {
   return ring::test::UnilateralFoundation(rim, 1.5).rings(weight, { 0, -moment_ratio * weight * rim / 2 });
@@ -32,7 +32,7 @@ ring::CurveTolerance to(double wanted)
   return { wanted, wanted, wanted, 20, 1000 };
 }
 
-/// Load of the rim over the moment ratio. @p kinks: the onset of lift-off, if known.
+/// Returns the load of the rim over the moment ratio. @p kinks: the onset of lift-off, if known.
 ring::CurveSource rim_source(const std::vector<double> &kinks = {})
 {
   const auto load_of = [](const Eigen::VectorXd &row) { return ring::Sample::from_coefficients(row, 1); };

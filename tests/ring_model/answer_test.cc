@@ -26,7 +26,7 @@ Motion paper_motion()
   return motion;
 }
 
-/// Load of the paper's glass, in moment balance at every spin.
+/// Returns the load of the paper's glass, in moment balance at every spin.
 Load balanced_load(const Motion &motion)
 {
   return Load([ring = SelfConsistentRing(Closure::full, motion, radius)](double omega) -> Sample

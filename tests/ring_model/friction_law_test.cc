@@ -112,7 +112,7 @@ TEST(FrictionLaw, StribeckAgreesWithATrapezoidalSum)
   }
 }
 
-/// int_0^s mu ds' of a law whose exponent is 1 or 2, in closed form [m/s].
+/// Returns int_0^s mu ds' of a law whose exponent is 1 or 2, in closed form [m/s].
 double potential_of(const StribeckLaw::Parameters &law, double slip_speed)
 {
   const double x = slip_speed / law.decay_speed;

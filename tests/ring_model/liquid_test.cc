@@ -75,7 +75,7 @@ TEST(Liquid, MomentAgreesWithASumOverColumns)
     const Eigen::Vector2d moment = required_moment(Closure::full, motion, friction);
     EXPECT_NEAR((moment + others.head<2>()).norm(), 0, ulps(500, others.norm())) << seed;
 
-    // The closure `hand` omits the moment of the friction about the common centre of mass.
+    // The moment balance `hand` omits the moment of the friction about the common centre of mass.
     const double rise = Vector3d(columns(motion.liquid, -a / motion.gravity, { 1, 0, 0 }).second).y();
     const double centre = (rise + motion.mass * z) / (liquid_mass + motion.mass);
     const Eigen::Vector2d of_hand = required_moment(Closure::hand, motion, friction);

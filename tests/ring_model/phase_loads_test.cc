@@ -14,7 +14,7 @@ namespace
 
 using namespace stemware::ring;
 
-/// Load of three harmonics. The second rotates with the table, the third with the glass.
+/// Returns a load of three harmonics. The second rotates with the table, the third with the glass.
 RingStack wavy_load(const Orientation &phase)
 {
   return RingStack({ 1., 0.2, 0.1 * std::cos(2. * phase.table), 0.05 * std::cos(3. * phase.glass) },
@@ -28,7 +28,7 @@ Load load_by_phase()
   return Load(std::make_shared<PhaseSampledLoad>(exact, periods, sample_phases(exact, periods, { 256 })));
 }
 
-/// Torque [N m] at a time, yaw angle and spin by the trapezoidal rule.
+/// Returns the torque [N m] at a time, yaw angle and spin by the trapezoidal rule.
 double plain_torque(const Motion &motion, double time, double yaw_angle, double omega)
 {
   const RingStack load = wavy_load(orientation_of_marks(motion, time, yaw_angle));

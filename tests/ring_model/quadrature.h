@@ -10,8 +10,8 @@
 
 namespace stemware::ring::test
 {
-/// Mirror image of @p load about the direction of motion, lambda'(theta) = lambda(-theta): all b_n change
-/// sign.
+/// Returns the mirror image of @p load about the direction of motion, lambda'(theta) = lambda(-theta): all
+/// b_n change sign.
 inline RingStack mirrored(const RingStack &load)
 {
   std::vector<RingStack::Ring> reversed = load.rings();
@@ -21,9 +21,9 @@ inline RingStack mirrored(const RingStack &load)
   return RingStack(std::move(reversed));
 }
 
-/// Friction of a load with the coefficient @p coefficient(slip speed), by the periodic trapezoidal rule on
-/// @p n_points angles. It shares no code with kernels and functionals, and converges slowly near |eps| = 1.
-/// Points without slip have no friction.
+/// Returns the friction of a load with the coefficient @p coefficient(slip speed), by the periodic
+/// trapezoidal rule on @p n_points angles. It shares no code with kernels and functionals, and converges
+/// slowly near |eps| = 1. Points without slip have no friction.
 inline Wrench wrench_by_quadrature(const std::function<double(double)> &coefficient, const RingStack &load,
                                    double omega, double speed, unsigned int n_points)
 {
@@ -52,7 +52,7 @@ inline Wrench wrench_by_quadrature(const std::function<double(double)> &coeffici
   return sum;
 }
 
-/// Coulomb friction with the coefficient @p mu, by the same rule.
+/// Returns Coulomb friction with the coefficient @p mu, by the same rule.
 inline Wrench wrench_by_quadrature(double mu, const RingStack &load, double omega, double speed,
                                    unsigned int n_points)
 {

@@ -15,8 +15,8 @@
 
 namespace stemware::ring::test
 {
-/// Reference numbers (ring_cases.json) with 20 digits, from ring_cases.py, which shares no code with this
-/// library.
+/// Returns the reference numbers (ring_cases.json) with 20 digits, from ring_cases.py, which shares no code
+/// with this library.
 inline const nlohmann::json &reference()
 {
   static const nlohmann::json cases = []
@@ -35,7 +35,7 @@ inline void expect_relative(double actual, double expected, double tolerance, co
     << ::testing::PrintToString(expected);
 }
 
-/// Terminal spin under the load of @p ring, to rounding [rad/s].
+/// Returns the terminal spin under the load of @p ring, to rounding [rad/s].
 template <typename Ring>
 TerminalSpin terminal_spin_of(const Ring &ring, const Motion &motion = {}, double radius = 0.03)
 {
@@ -59,7 +59,7 @@ public:
     return std::uniform_real_distribution<double>(lower, upper)(engine);
   }
 
-  /// Coefficients of a compressive load with @p n_harmonics harmonics.
+  /// Returns the coefficients of a compressive load with @p n_harmonics harmonics.
   std::pair<std::vector<double>, std::vector<double>> nonnegative_load(unsigned int n_harmonics)
   {
     std::vector<double> a{ 1. }, b{ 0. };

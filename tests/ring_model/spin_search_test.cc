@@ -16,7 +16,7 @@ using test::expect_relative;
 const double radius = 0.03;
 const double scale = 0.35 / radius; ///< v / R [rad/s]
 
-/// Last spin with a moment balance in a search that ends with the failure @p Cause [rad/s].
+/// Returns the last spin with a moment balance in a search that ends with the failure @p Cause [rad/s].
 template <typename Cause = Tipping>
 double last_spin(const TorqueFunction &torque, const SpinSearch &search)
 {
@@ -82,7 +82,7 @@ TEST(SpinSearch, FindsTheFirstZeroOfRandomLoads)
 TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorque)
 {
   // Closed form, first harmonic: a_0 K_0(eps) + b_1(eps) K_1(eps) = tau_g sgn(omega) / (mu R), b_1 = k_0 in
-  // the closure `paper`. Zeros with 40 digits (mpmath, kernels by quadrature).
+  // the moment balance `paper`. Zeros with 40 digits (mpmath, kernels by quadrature).
   struct Row
   {
     Closure closure;

@@ -16,8 +16,8 @@ namespace
 using test::expect_relative;
 using test::reference;
 
-/// Terminal slip ratio under a load that does not change with the spin and drives the ring counter-clockwise;
-/// R = 1 m, v = 1 m/s.
+/// Returns the terminal slip ratio under a load that does not change with the spin and drives the ring
+/// counter-clockwise; R = 1 m, v = 1 m/s.
 template <typename LoadOfMoment>
 double terminal_slip_ratio(const LoadOfMoment &load, double moment_ratio)
 {
@@ -114,8 +114,8 @@ TEST(TerminalSpin, ReportsARootOnASampleOnce)
 
 TEST(TerminalSpin, UprightSlidingLosesStabilityOnlyByANegativeLoad)
 {
-  // Hand at the height of the centre of mass, closure full: the first harmonic has the damping 1/2 - (mu
-  // h/R)^2, negative for mu h / R > 1/sqrt 2; a load that only pushes has <cos^2> - <cos>^2 >= 0
+  // Hand at the height of the centre of mass, moment balance `full`: the first harmonic has the damping 1/2 -
+  // (mu h/R)^2, negative for mu h / R > 1/sqrt 2; a compressive load has <cos^2> - <cos>^2 >= 0
   // (docs/theory/closures.md).
   Motion motion;
   motion.force_offset = 0.;

@@ -13,7 +13,7 @@ namespace
 {
 constexpr double radius = 0.03;
 
-/// Load of three rings whose moment and higher harmonics change with the spin @p omega [rad/s].
+/// Returns a load of three rings whose moment and higher harmonics change with the spin @p omega [rad/s].
 RingStack load_at(double omega)
 {
   const double s = 1. + 0.02 * omega;
@@ -24,7 +24,7 @@ RingStack load_at(double omega)
 
 const Load the_load([](double omega) -> Sample { return load_at(omega); });
 
-/// tau_z of the load at @p omega truncated after harmonic @p n, by the trapezoidal rule [N m].
+/// Returns tau_z of the load at @p omega truncated after harmonic @p n, by the trapezoidal rule [N m].
 double torque_by_quadrature(double omega, unsigned int n)
 {
   const Motion motion;

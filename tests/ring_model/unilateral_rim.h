@@ -17,7 +17,8 @@
 
 namespace stemware::ring::test
 {
-/// Double exponential quadrature, for integrands that vanish like a root at an end of the interval.
+/// Returns the integral by double exponential quadrature, for integrands that vanish like a root at an end of
+/// the interval.
 template <typename Integrand>
 double integral(const Integrand &integrand, double upper)
 {
@@ -25,15 +26,15 @@ double integral(const Integrand &integrand, double upper)
   return rule.integrate(integrand, 0., upper, 1e-11);
 }
 
-/// 1 + kappa cos theta at theta = pi - t, without cancellation near the minimum 1 - kappa.
+/// Returns 1 + kappa cos theta at theta = pi - t, without cancellation near the minimum 1 - kappa.
 inline double full_pressure(double kappa, double t)
 {
   const double s = std::sin(0.5 * t);
   return (1. - kappa) + 2. * kappa * s * s;
 }
 
-/// (cos theta - c)^p dtheta/dv, up to a factor, with sin(theta/2) = sqrt(s) cos v, s = (1 - c)/2: there
-/// cos theta - c = 2 s sin^2 v.
+/// Returns (cos theta - c)^p dtheta/dv, up to a factor, with sin(theta/2) = sqrt(s) cos v, s = (1 - c)/2:
+/// there cos theta - c = 2 s sin^2 v.
 inline double partial_pressure(double s, double p, double v)
 {
   const double sine_squared = std::pow(std::sin(v), 2);

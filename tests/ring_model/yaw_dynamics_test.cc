@@ -17,7 +17,7 @@ namespace
 using test::expect_relative;
 using test::reference;
 
-/// Closure `paper`, yaw inertia of the reference.
+/// Moment balance `paper`, yaw inertia of the reference.
 TEST(PaperSpinUp, FollowsTheReferenceRows)
 {
   const nlohmann::json &rows = reference()["time_evolution_A"];
@@ -117,7 +117,7 @@ struct HandByRows
     return slopes;
   }
 
-  /// Torque without the grip, @p since seconds after the start of interval @p i [N m].
+  /// Returns the torque without the grip, @p since seconds after the start of interval @p i [N m].
   double torque(std::size_t i, double since, double omega) const
   {
     static const double turn = 2. * pi;
@@ -147,8 +147,8 @@ struct HandByRows
     return friction.row(2).dot(Eigen::RowVector3d(a_0, a_b.x(), a_b.y()));
   }
 
-  /// Times [s] and spins [rad/s] at the rows and @p n_steps - 1 times between. @p held receives the last time
-  /// at which the glass stops.
+  /// Returns the times [s] and spins [rad/s] at the rows and @p n_steps - 1 times between. @p held receives
+  /// the last time at which the glass stops.
   std::vector<std::pair<double, double>> motion(unsigned int n_steps, double *held = nullptr) const
   {
     constexpr double inertia = 3e-4;
@@ -200,7 +200,7 @@ struct HandByRows
     return found;
   }
 
-  /// Largest difference between driven_motion() and motion() [rad/s].
+  /// Returns the largest difference between driven_motion() and motion() [rad/s].
   double largest_error(double accuracy, unsigned int n_steps) const
   {
     const auto expected = motion(n_steps);

@@ -34,8 +34,9 @@ struct MarkedRing
   }
 };
 
-/// Mean spin and ripple after many revolutions of the mark against the orbit [rad/s], integrated over the
-/// angle of the mark: d omega / d angle = tau / (I (omega - orbit)), d t / d angle = 1 / (omega - orbit).
+/// Returns the mean spin and ripple after many revolutions of the mark against the orbit [rad/s], integrated
+/// over the angle of the mark: d omega / d angle = tau / (I (omega - orbit)), d t / d angle = 1 / (omega -
+/// orbit).
 std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns, unsigned int n_steps)
 {
   const double step = -2. * pi / n_steps; // the mark lags behind the orbit

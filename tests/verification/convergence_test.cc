@@ -21,15 +21,15 @@ ContactLoad solve(unsigned int refinements, unsigned int degree)
   return foot.solve_on_winkler(1e10, load_at(1.2));
 }
 
-/// Observed order of a_2 / a_0 on three meshes with halved cells.
+/// Returns the observed order of a_2 / a_0 on three meshes with halved cells.
 double order_of(const ContactLoad &one, const ContactLoad &halved, const ContactLoad &quartered)
 {
   const auto value = [](const ContactLoad &load) { return load.a(2) / load.a(0); };
   return std::log2((value(one) - value(halved)) / (value(halved) - value(quartered)));
 }
 
-/// Smallest exponent of the displacement at a free re-entrant corner of 270 degrees, sin(3 pi lambda / 2) =
-/// lambda (Williams 1952): 0.5445.
+/// Returns the smallest exponent of the displacement at a free re-entrant corner of 270 degrees, sin(3 pi
+/// lambda / 2) = lambda (Williams 1952): 0.5445.
 double exponent_of_the_corner()
 {
   double below = 0.5, above = 0.6;
@@ -41,7 +41,7 @@ double exponent_of_the_corner()
   return below;
 }
 
-/// Largest difference of a_n / a_0, n = 2 ... 6, from CalculiX at 1e10 Pa/m, m = 1.2.
+/// Returns the largest difference of a_n / a_0, n = 2 ... 6, from CalculiX at 1e10 Pa/m, m = 1.2.
 double distance_from_calculix(const ContactLoad &load)
 {
   double largest = -1;

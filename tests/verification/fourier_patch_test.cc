@@ -86,7 +86,7 @@ struct Cylinder
     return constraints;
   }
 
-  /// Largest force K_n u inside the body over the largest contribution of a single node.
+  /// Returns the largest force K_n u inside the body over the largest contribution of a single node.
   double unbalanced_force(unsigned int harmonic, const Field &field) const
   {
     AffineConstraints<double> none;

@@ -21,15 +21,16 @@ struct Band
   double inner, outer;
 };
 
-/// E / (1 - nu^2) [Pa].
+/// Returns E / (1 - nu^2) [Pa].
 inline double plane_strain_modulus(const ElasticMaterial &material)
 {
   return material.young_modulus / (1 - material.poisson_ratio * material.poisson_ratio);
 }
 
-/// Surface displacement of a layer bonded to a rigid base over the displacement of a half-space, under a
-/// pressure of wave number k without friction. @p thickness in units of 1 / k, infinite for the half-space.
-/// Tends to k h (1 - 2 nu) / (2 (1 - nu)^2) for a thin layer (Johnson, Contact Mechanics, 1985, section 5.8).
+/// Returns the surface displacement of a layer bonded to a rigid base over the displacement of a half-space,
+/// under a pressure of wave number k without friction. @p thickness in units of 1 / k, infinite for the
+/// half-space. Tends to k h (1 - 2 nu) / (2 (1 - nu)^2) for a thin layer (Johnson, Contact Mechanics, 1985,
+/// section 5.8).
 inline double layer_over_half_space(double thickness, double poisson_ratio)
 {
   if (thickness > 300)
@@ -39,7 +40,7 @@ inline double layer_over_half_space(double thickness, double poisson_ratio)
          (2 * kappa * std::cosh(2 * thickness) + 1 + kappa * kappa + 4 * thickness * thickness);
 }
 
-/// Integral of @p f by ten-point Gauss rules on @p n equal pieces.
+/// Returns the integral of @p f by ten-point Gauss rules on @p n equal pieces.
 template <typename Function>
 double integral(const Function &f, double from, double to, unsigned int n)
 {
@@ -50,8 +51,8 @@ double integral(const Function &f, double from, double to, unsigned int n)
   return sum;
 }
 
-/// int u_z r dr over @p seen under a unit pressure cos(n theta) on @p loaded, at theta = 0 [m^5/N]: Hankel
-/// transforms of both bands with the kernel 2 / (E* k) of Boussinesq or of a layer.
+/// Returns int u_z r dr over @p seen under a unit pressure cos(n theta) on @p loaded, at theta = 0 [m^5/N]:
+/// Hankel transforms of both bands with the kernel 2 / (E* k) of Boussinesq or of a layer.
 inline double normal_compliance(unsigned int n, Band loaded, Band seen, const ElasticMaterial &material,
                                 double thickness = std::numeric_limits<double>::infinity())
 {
@@ -82,10 +83,11 @@ struct TangentialCompliance
   double radial, azimuthal;
 };
 
-/// The same under unit tractions, of a half-space *below* the plane, z upwards, n >= 1. Cerruti: a force Q
-/// along x lowers the surface ahead of it, u_z = -(1 - 2 nu) / (4 pi G) Q x / rho^2 (Johnson, eq. 3.7). With
-/// x / rho^2 the gradient of ln rho, whose harmonics are -(pi / n) (smaller / larger radius)^n, the ring of
-/// radius s does (1 - 2 nu) / (4 G s) times (r/s)^n (f_r + f_theta) within, (s/r)^n (f_theta - f_r) outside.
+/// Returns the same compliance under unit tractions, of a half-space *below* the plane, z upwards, n >= 1.
+/// Cerruti: a force Q along x lowers the surface ahead of it, u_z = -(1 - 2 nu) / (4 pi G) Q x / rho^2
+/// (Johnson, eq. 3.7). With x / rho^2 the gradient of ln rho, whose harmonics are -(pi / n) (smaller / larger
+/// radius)^n, the ring of radius s does (1 - 2 nu) / (4 G s) times (r/s)^n (f_r + f_theta) within, (s/r)^n
+/// (f_theta - f_r) outside.
 inline TangentialCompliance tangential_compliance(unsigned int n, Band loaded, Band seen,
                                                   const ElasticMaterial &material)
 {

@@ -19,7 +19,7 @@ namespace
 
 const ElasticMaterial wood{ 10e9, 0.3 };
 
-/// A land of equal cells.
+/// Returns a land of equal cells.
 GlassProfile strip(double width)
 {
   GlassProfile profile;

@@ -40,10 +40,10 @@ public:
     return integral([](const Eigen::Vector3d &) { return 1.; }) / 4;
   }
 
-  /// Largest depth, at a corner [m].
+  /// Returns the largest depth, at a corner [m].
   double peak() const { return motion(0) + std::abs(motion(1)) + std::abs(motion(2)); }
 
-  /// Harmonic a_n / a_0 or b_n / a_0 of the load about the origin, n > 0.
+  /// Returns the harmonic a_n / a_0 or b_n / a_0 of the load about the origin, n > 0.
   double harmonic(unsigned int n, bool of_sine) const
   {
     return 2 * integral(
@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  /// Corners of the part of the square under pressure, counter-clockwise.
+  /// Returns the corners of the part of the square under pressure, counter-clockwise.
   std::vector<Eigen::Vector3d> loaded() const
   {
     const std::vector<Eigen::Vector3d> square = { { 1, -1, -1 }, { 1, 1, -1 }, { 1, 1, 1 }, { 1, -1, 1 } };
@@ -72,8 +72,8 @@ private:
     return corners;
   }
 
-  /// Integral of @p of(1, x, y) over the loaded part, by signed triangles from the origin to its edges. Along
-  /// a ray the integrand is a polynomial of degree 2 times a function of the azimuth.
+  /// Returns the integral of @p of(1, x, y) over the loaded part, by signed triangles from the origin to its
+  /// edges. Along a ray the integrand is a polynomial of degree 2 times a function of the azimuth.
   double integral(const std::function<double(const Eigen::Vector3d &)> &of) const
   {
     using Gauss = boost::math::quadrature::gauss<double, 30>;

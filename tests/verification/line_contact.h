@@ -13,10 +13,10 @@
 namespace stemware::verification
 {
 
-/// Displacement at the middle of a line load cos(n theta) with Hertz half-width b around a ring, in units of
-/// line load / (pi E*), minus 2 ln(16 R / b) + 1. For n b << R it is -4 sum_{k <= n} 1 / (2k - 1); the second
-/// term is the difference between 2 int p K_0(n |x| / R) dx of a straight line and its logarithm. @p
-/// slenderness: b / R.
+/// Returns the displacement at the middle of a line load cos(n theta) with Hertz half-width b around a ring,
+/// in units of line load / (pi E*), minus 2 ln(16 R / b) + 1. For n b << R it is -4 sum_{k <= n} 1 / (2k -
+/// 1); the second term is the difference between 2 int p K_0(n |x| / R) dx of a straight line and its
+/// logarithm. @p slenderness: b / R.
 inline double half_space_eigenvalue(unsigned int n, double slenderness)
 {
   double sum = 0;
@@ -62,7 +62,7 @@ public:
     solve(moment_ratio);
   }
 
-  /// a_n / a_0.
+  /// Returns a_n / a_0.
   double harmonic(unsigned int n) const
   {
     double sum = 0;

@@ -55,7 +55,8 @@ public:
   }
 };
 
-/// L2 error on a cube of n^3 cells whose inner vertices are moved at random (the same ones at every call).
+/// Returns the L2 error on a cube of n^3 cells whose inner vertices are moved at random (the same ones at
+/// every call).
 double l2_error(unsigned int degree, unsigned int n)
 {
   Triangulation<3> triangulation;

@@ -53,15 +53,15 @@ struct PunchParameters
   double normal_force() const { return pressure_on_top * pi * punch_radius * punch_radius; }
 };
 
-/// Height of the punch's lower side above the disc, 0 up to the rounded edge.
+/// Returns the height of the punch's lower side above the disc, 0 up to the rounded edge.
 double underside(double radius)
 {
   const double x = std::max(radius - flat_radius, 0.);
   return edge_radius - std::sqrt(std::max(edge_radius * edge_radius - x * x, 0.));
 }
 
-/// Lengths of cells that fill @p length, starting with @p smallest, growing by @p growth up to @p largest
-/// [m].
+/// Returns the lengths of cells that fill @p length, starting with @p smallest, growing by @p growth up to @p
+/// largest [m].
 std::vector<double> graded_lengths(double length, double smallest, double growth, double largest)
 {
   std::vector<double> cells;
@@ -87,7 +87,7 @@ void append(std::vector<double> &cells, const std::vector<double> &more)
   cells.insert(cells.end(), more.begin(), more.end());
 }
 
-/// Lengths of equal cells of about @p about that fill @p length [m].
+/// Returns the lengths of equal cells of about @p about that fill @p length [m].
 std::vector<double> equal_lengths(double length, double about)
 {
   const long n = std::lround(length / about);
@@ -115,7 +115,7 @@ struct PunchCells
   }
 };
 
-/// Cells of length @p smallest [m] at the contact edge that grow away from it.
+/// Returns the cells of length @p smallest [m] at the contact edge that grow away from it.
 PunchCells fine_cells_of_punch(const PunchParameters &parameters, double smallest)
 {
   constexpr double growth = 1.25;
@@ -182,7 +182,7 @@ void make_disc(const PunchParameters &parameters, const PunchCells &cells, Trian
     [](const Point<2> &x) { return x; }, triangulation);
 }
 
-/// Vertical displacement of the contact nodes under @p pressure on the punch's top [m].
+/// Returns the vertical displacement of the contact nodes under @p pressure on the punch's top [m].
 Eigen::VectorXd displacement_under_top(const MeridianSpace &space, double pressure)
 {
   const FiniteElement<2> &element = space.dof_handler().get_fe();

@@ -49,7 +49,7 @@ protected:
       TestSolver::factors, triangulation, [](double, double) { return 0.; }, options, cork);
   }
 
-  /// Largest deviation of nodal pressure f_i / int N_i dA from N / A, relative.
+  /// Returns the largest deviation of nodal pressure f_i / int N_i dA from N / A, relative.
   double nonuniformity(const ContactSolution &solution) const
   {
     const ContactSurface &surface = body->contact_surface();

@@ -39,14 +39,14 @@ struct LiftedFoot
     {
     }
 
-    /// Largest penetration at the angle @p phi from the direction of the lean [m].
+    /// Returns the largest penetration at the angle @p phi from the direction of the lean [m].
     double deepest(double phi) const
     {
       const double slope = lean * std::cos(phi);
       return lie(0) + slope * foot.contact_radius + foot.crown_radius * slope * slope / 2;
     }
 
-    /// Angle from the direction of the lean to the contact edge [rad]; pi without lift-off.
+    /// Returns the angle from the direction of the lean to the contact edge [rad]; pi without lift-off.
     double edge() const
     {
       const double R = foot.contact_radius, crown = foot.crown_radius;
@@ -57,7 +57,7 @@ struct LiftedFoot
     double azimuth_share() const { return edge() / ring::pi; }
     double largest_pressure() const { return foot.foundation_modulus * deepest(0); }
 
-    /// Line load at @p phi [N/rad]: closed form of the parabola across the rim.
+    /// Returns the line load at @p phi [N/rad]: closed form of the parabola across the rim.
     double line_load(double phi) const
     {
       const double top = std::max(0., deepest(phi)), half_width = std::sqrt(2 * foot.crown_radius * top);
@@ -66,8 +66,7 @@ struct LiftedFoot
     }
 
     /// Calls visit(phi, weight [rad]) over the loaded arc, with panels that end at the contact edges and at
-    /// the angle
-    /// @p split; equidistant points without lift-off.
+    /// the angle @p split; equidistant points without lift-off.
     template <typename Visitor>
     void for_each_azimuth(double split, const Visitor &visit) const
     {
@@ -110,7 +109,7 @@ struct LiftedFoot
                        });
     }
 
-    /// a_n (@p sine: b_n) over a_0.
+    /// Returns a_n (@p sine: b_n) over a_0.
     double harmonic(unsigned int n, bool sine) const
     {
       double sum = 0, force = 0;
@@ -225,7 +224,7 @@ struct LiftedFoot
     return sum;
   }
 
-  /// Position under the weight and the moment ratio @p m in the direction @p direction [rad].
+  /// Returns the position under the weight and the moment ratio @p m in the direction @p direction [rad].
   Eigen::Vector3d lie_at_moment(double m, double direction) const
   {
     const auto residual = [&](double ratio, const Eigen::Vector3d &lie)
@@ -244,7 +243,7 @@ struct LiftedFoot
     return lie;
   }
 
-  /// Position in moment balance at the spin @p omega, with the initial guess @p lie. Throws
+  /// Returns the position in moment balance at the spin @p omega, with the initial guess @p lie. Throws
   /// std::runtime_error if Newton's method does not converge.
   Eigen::Vector3d lie_in_balance(double omega, const Eigen::Vector3d &lie, Friction part) const
   {
@@ -263,7 +262,7 @@ struct LiftedFoot
       lie);
   }
 
-  /// Position without a lean.
+  /// Returns the position without a lean.
   Eigen::Vector3d flat_lie() const
   {
     const double per_depth =
@@ -286,7 +285,7 @@ class LiftedGlass
   using Friction = LiftedFoot::Friction;
 
 public:
-  /// Prescribed moment.
+  /// Creates a glass under a prescribed moment.
   LiftedGlass(const LiftedFoot &foot, double moment_ratio, double direction, Friction part = Friction::whole)
       : foot(foot)
       , part(part)
@@ -295,7 +294,7 @@ public:
       , lie(at_rest)
   {
   }
-  /// Moment balance at every spin.
+  /// Creates a glass in moment balance at every spin.
   explicit LiftedGlass(const LiftedFoot &foot, Friction part = Friction::whole)
       : foot(foot)
       , part(part)
@@ -316,7 +315,7 @@ public:
     return sum.torque + lean;
   }
 
-  /// Terminal spin between two spins [rad/s], in either order.
+  /// Returns the terminal spin between two spins [rad/s], in either order.
   double terminal_spin(double one, double other)
   {
     const double least = std::min(one, other), most = std::max(one, other);

@@ -21,8 +21,8 @@ struct PlainPoint
   double x, y, force; ///< [m], [N]
 };
 
-/// Zero of @p residual(lie) by damped Newton's method with difference quotients; entries in units of @p
-/// scale. Throws std::runtime_error if it does not converge.
+/// Returns the zero of @p residual(lie) by damped Newton's method with difference quotients; entries in units
+/// of @p scale. Throws std::runtime_error if it does not converge.
 template <typename Residual>
 Eigen::Vector3d lie_where(const Residual &residual, Eigen::Vector3d lie, const Eigen::Vector3d &scale)
 {
@@ -105,7 +105,7 @@ struct PlainRigidFoot
     return points;
   }
 
-  /// Position under a normal force and a moment (sum y f, -sum x f).
+  /// Returns the position under a normal force and a moment (sum y f, -sum x f).
   Eigen::Vector3d lie_under(double force, double moment_x, double moment_y, double depth) const
   {
     const auto residual = [&](const Eigen::Vector3d &lie)
@@ -129,7 +129,7 @@ struct PlainRigidFoot
   }
 };
 
-/// a_n (sine: b_n) over a_0 of point forces.
+/// Returns a_n (sine: b_n) over a_0 of point forces.
 inline double harmonic_over_mean(const std::vector<PlainPoint> &points, unsigned int n, bool sine = false)
 {
   double sum = 0, force = 0;
@@ -181,8 +181,8 @@ struct PlainGlass
   double axial_torque = 0;                                  ///< moment about the leaning axis
 };
 
-/// Position of a glass on @p foot in balance at the spin @p omega: vertical force and horizontal moments
-/// vanish.
+/// Returns the position of a glass on @p foot in balance at the spin @p omega: vertical force and horizontal
+/// moments vanish.
 inline Eigen::Vector3d lie_in_balance(const PlainRigidFoot &foot, const PlainMotion &motion, double omega,
                                       const Eigen::Vector3d &start, double depth)
 {

@@ -26,7 +26,7 @@ struct ExploreOptions
   unsigned int max_nodes = 0;
 };
 
-/// A table that yields nothing, for pages alone: `run` has the entries.
+/// Rigid table, for pages only: `run` has the entries.
 const Preset rigid_table = { "rigid",
                              "a table that yields nothing",
                              {},

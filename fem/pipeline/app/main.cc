@@ -1,4 +1,5 @@
-// The program `stemware`: from a study file to what the harmonics of the load do to the spin of the glass.
+// The program `stemware`: computes the effect of the load's harmonics on the spin of the glass from a study
+// file.
 
 #include "fem/pipeline/app/program.h"
 
@@ -7,7 +8,7 @@
 int main(int argc, char *argv[])
 {
   const int exit_code = stemware::pipeline::run_program(argc, argv);
-  // Everything is written. At the end of deal.II's static objects TBB starts threads, and aborts the program
-  // if the memory left has no room for their stacks.
+  // Skips the destruction of deal.II's static objects, during which TBB starts threads and aborts the program
+  // if memory for their stacks is missing. All files are already written.
   std::_Exit(exit_code);
 }

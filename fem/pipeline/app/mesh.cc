@@ -31,18 +31,18 @@ namespace
 struct MeshOptions
 {
   StudyOptions study;
-  std::string check;               ///< a mesh file to look at; empty: the study's own mesh
+  std::string check;               ///< mesh file to check; empty: the study's own mesh
   std::vector<std::string> writes; ///< files to write, .msh or .vtu
 };
 
-/// Whether a study is asked for: its own mesh, or one that says how to read the file and what to compare it
-/// with. Without both it is the default study's.
+/// Returns true if a study is needed: for its own mesh, or for the options and reference lengths of a mesh
+/// file. Without a file and without a study, the default study is used.
 bool has_study(const MeshOptions &options)
 {
   return !options.study.study_file.empty() || options.check.empty() || !options.study.overrides.empty();
 }
 
-/// Refuses what can be refused before any mesh is made.
+/// Throws BadInput for options that are inadmissible with any mesh.
 void check_options(const MeshOptions &options)
 {
   for (const std::string &file : options.writes)
@@ -61,7 +61,7 @@ MeshFindings read_mesh(const std::string &file, const ContactSection &contact, M
   return { file, fem::check_mesh(mesh), report };
 }
 
-/// The study's generated foot as a file has to describe it, with the crown in the mesh.
+/// Generates the foot of @p study with the crown in the mesh, as in a mesh file.
 MeshFindings generate_mesh(const Study &study, Mesh &mesh)
 {
   fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
@@ -82,7 +82,7 @@ void write_mesh(const Mesh &mesh, const std::string &file)
   console() << "Written   " << file << std::endl;
 }
 
-/// The findings on one line of standard output, for programs.
+/// Prints the findings on one line of standard output, for programs.
 void print_json(const MeshFindings &findings, const MeshOptions &options)
 {
   Json line = { { "verb", "mesh" }, { "written", options.writes } };
@@ -90,11 +90,11 @@ void print_json(const MeshFindings &findings, const MeshOptions &options)
   std::cout << line.dump() << std::endl;
 }
 
-/// Looks at a foot mesh, of a study or of a file, prints the findings, and writes the mesh. Throws BadInput
-/// for a mesh that cannot be used, OutputFailure.
+/// Checks the foot mesh of a study or a file, prints the findings, and writes the mesh. Throws BadInput for
+/// an unusable mesh, and OutputFailure.
 void mesh(const MeshOptions &options)
 {
-  // 1. Which mesh?
+  // 1. Input.
   direct_console(options.study.quiet, options.study.json);
   check_options(options);
   std::optional<Study> study;
@@ -103,7 +103,7 @@ void mesh(const MeshOptions &options)
   print_note("Profile   ", study ? profile_note(*study) : "");
   const std::string file = options.check.empty() ? study->contact.mesh_file : options.check;
 
-  // 2. What it is like, and whether it can be used.
+  // 2. Findings, and checks of the mesh.
   Mesh mesh;
   const ContactSection contact = study ? study->contact : ContactSection();
   const MeshFindings findings = file.empty() ? generate_mesh(*study, mesh) : read_mesh(file, contact, mesh);
@@ -115,7 +115,7 @@ void mesh(const MeshOptions &options)
   if (has_glass && findings.report)
     require_same_glass(*findings.report, file, *study);
 
-  // 3. The mesh in files.
+  // 3. Output files.
   for (const std::string &name : options.writes)
     write_mesh(mesh, name);
   if (options.study.json && is_first_rank())

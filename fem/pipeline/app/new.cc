@@ -28,9 +28,9 @@ struct NewOptions
   std::string file, glass = glass_presets().front().name, table = table_presets().front().name, cookbook;
 };
 
-/// Writes a study @p file, the first of @p parts, and the files that it reads beside it, and says so in @p
-/// words. Throws BadInput for a name that no study file has, and OutputFailure where there is a file already;
-/// nothing is written then.
+/// Writes the study @p file, the first of @p parts, and the files that the study reads, and prints their
+/// names with @p words. Throws BadInput for an inadmissible file name, and OutputFailure if a file exists
+/// already; then nothing is written.
 void write_study(const std::string &file, const std::vector<StudyPart> &parts, const std::string &words)
 {
   ensure(file.find_first_not_of(" \t") != std::string::npos,
@@ -108,8 +108,8 @@ void add_new_verb(CLI::App &program, Verb &chosen)
       ->type_name("NAME")
       ->excludes(glass)
       ->excludes(table);
-  verb->footer(""); // else that of the program follows
-  // Cookbooks are looked for when somebody asks for help.
+  verb->footer(""); // otherwise CLI11 prints the program's footer
+  // Evaluated only for --help, because it reads the folder of cookbooks.
   verb->footer(
     []
     {

@@ -31,7 +31,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// An empty name is a mistake (a variable that is not set), not the wish for the default study.
+/// Returns the error of an empty study name; empty for other names. An empty name is an error (an unset shell
+/// variable), not a request for the default study.
 std::string why_no_study(const std::string &text)
 {
   return text.empty()
@@ -39,7 +40,8 @@ std::string why_no_study(const std::string &text)
            : "";
 }
 
-/// An empty name of a folder is a mistake too, and so are blanks, which no listing would show.
+/// Returns the error of an empty or blank folder name, which no directory listing would show; empty for other
+/// names.
 std::string why_no_folder(const std::string &text)
 {
   return text.find_first_not_of(" \t\r\n") == std::string::npos
@@ -47,8 +49,8 @@ std::string why_no_folder(const std::string &text)
            : "";
 }
 
-/// Refuses a study that does not fit into the memory that the limits of the process leave: libraries would
-/// wait for memory for ever, or end the program.
+/// Throws if a study exceeds the memory left by the limits of the process. Otherwise libraries would wait for
+/// memory indefinitely or end the program.
 void require_memory_left(const Study &study, unsigned int n_threads)
 {
   constexpr double buffers = 2e8, // of BLAS and of written fields, in the address space
@@ -150,10 +152,10 @@ Study begin_study(const StudyOptions &options)
                 : options.study_file == "-" ? "standard input"
                                             : options.study_file)
             << std::endl;
-  for (const std::string &note : implausible_notes(study)) // a slip of a unit is behind most of them
+  for (const std::string &note : implausible_notes(study)) // usually caused by a wrong unit
     print_warning("Check     ", note, options);
   print_note("Profile   ", profile_note(study));
-  if (options.verb != "sweep") // its cases have studies of their own
+  if (options.verb != "sweep") // each case of a sweep has its own study
   {
     require_no_tipping_at_rest(study);
     print_warning("Unused    ", unused_entries_note(unused_entries(study)), options);

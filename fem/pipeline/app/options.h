@@ -15,8 +15,7 @@ namespace stemware::pipeline
 /// Declares the argument STUDY, stored in @p options; @p role: purpose of the study, for the help.
 void add_study_option(CLI::App &verb, StudyOptions &options, const std::string &role = "");
 
-/// Declares STUDY, --output, --set, --threads, --quiet and --json on @p verb, to be
-/// stored in @p options.
+/// Declares STUDY, --output, --set, --threads, --quiet and --json on @p verb, to be stored in @p options.
 void add_study_options(CLI::App &verb, StudyOptions &options);
 
 /// Adds a verb that works on studies: add_verb() and add_study_options(), stored in Options (derived from

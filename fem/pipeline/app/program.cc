@@ -23,7 +23,7 @@
 namespace stemware::pipeline
 {
 
-/// The files of help/.
+/// Returns the files of help/.
 const CompiledTexts &compiled_help();
 
 namespace
@@ -46,7 +46,7 @@ std::vector<std::string> options_of(const CLI::App &verb)
   return names;
 }
 
-/// A word that fits nowhere, and what may have been meant; ends with "see".
+/// Returns the error of an unknown @p word, with the closest known word if there is one; ends with "see".
 std::string not_known(const std::string &word, const std::vector<std::string> &known,
                       const std::string &otherwise)
 {
@@ -55,7 +55,7 @@ std::string not_known(const std::string &word, const std::vector<std::string> &k
          (meant ? "; did you mean " + *meant + "? See" : "; see");
 }
 
-/// Description of the error in the command line, up to the word "see".
+/// Returns the description of the error in the command line, up to the word "see".
 std::string trouble_with(const CLI::App &program, const CLI::ParseError &error)
 {
   const auto chosen = program.get_subcommands();
@@ -80,7 +80,7 @@ void describe_program(CLI::App &program)
   program.footer(help_of("stemware"));
 }
 
-/// A sentence that says that there is no verb of that name, and which there are.
+/// Returns the error of an unknown verb @p name, with the list of verbs.
 std::string why_no_verb(const CLI::App &program, const std::string &name)
 {
   const std::vector<std::string> verbs = verbs_of(program);
@@ -88,8 +88,8 @@ std::string why_no_verb(const CLI::App &program, const std::string &name)
          " `stemware --help` for examples.";
 }
 
-/// Parses; an exit code when there is nothing left to do: after --help and --version, and after a usage
-/// error, which is reported in one sentence.
+/// Parses the command line. Returns an exit code if no verb has to be run: after --help and --version, and
+/// after a usage error, which is reported in one sentence.
 std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *argv[])
 {
   for (CLI::App *verb : program.get_subcommands([](CLI::App *) { return true; }))
@@ -115,7 +115,8 @@ std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *ar
   }
 }
 
-/// Words of the command line become names and entries of results, which are UTF-8.
+/// Throws BadInput for arguments that are not UTF-8: they become names and entries of results, which are
+/// UTF-8.
 void require_utf8(int argc, char *argv[])
 {
   for (int i = 1; i < argc; ++i)
@@ -129,7 +130,7 @@ void require_utf8(int argc, char *argv[])
 std::string help_of(const std::string &name)
 {
   const std::string &text = text_of(compiled_help(), name + ".txt");
-  return text.substr(0, text.size() - 1); // the parser of the command line ends the line
+  return text.substr(0, text.size() - 1); // CLI11 adds the final line break
 }
 
 CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, const std::string &words,
@@ -168,13 +169,13 @@ int run_program(int argc, char *argv[])
   open_missing_streams();
   // deal.II's own threads would compete with those of the study and make sums depend on the machine.
   dealii::MultithreadInfo::set_thread_limit(1);
-  std::signal(SIGXFSZ, SIG_IGN); // a file beyond `ulimit -f` is one that cannot be written
-  std::optional<MpiSession> mpi; // ends after everything that uses it
+  std::signal(SIGXFSZ, SIG_IGN); // makes a write beyond `ulimit -f` fail instead of ending the program
+  std::optional<MpiSession> mpi; // destroyed last, after all users of MPI
   try
   {
     mpi.emplace();
     require_utf8(argc, argv);
-    // 1. What is to be done? Each verb declares its options, examples and work.
+    // 1. Command line: each verb declares its options, examples and work.
     CLI::App program("Stemware: the spin of a wine glass on a table, with an elastic foot.", "stemware");
     Verb chosen;
     describe_program(program);
@@ -186,14 +187,14 @@ int run_program(int argc, char *argv[])
       return static_cast<int>(*exit_code);
     }
 
-    // 2. Do it.
+    // 2. Work of the chosen verb.
     chosen();
     require_printed();
     return static_cast<int>(ExitCode::success);
   }
   catch (...)
   {
-    // 3. Whatever goes wrong ends in one sentence and an exit code that says what kind of trouble it was.
+    // 3. Every exception gives one sentence and an exit code for the kind of error.
     return static_cast<int>(report_failure());
   }
 }

@@ -38,7 +38,7 @@ CaseList list_of(const SweepOptions &options)
   return options.cases.empty() ? cases_of_grid(options.varied) : cases_from_file(options.cases);
 }
 
-/// Names implausible values of the cases, the first one of each entry.
+/// Prints a warning for the first implausible value of each entry of the cases.
 void note_implausible_cases(const CaseList &list, const StudyOptions &options)
 {
   for (std::size_t e = 0; e < list.entries.size(); ++e)
@@ -56,7 +56,7 @@ void note_implausible_cases(const CaseList &list, const StudyOptions &options)
 /// OutputFailure, and std::runtime_error if all cases fail.
 void sweep(const SweepOptions &options)
 {
-  // 1. Everything that can be refused is refused here.
+  // 1. Input, with all checks.
   Stopwatch stopwatch;
   ensure(n_ranks() == 1,
          "A sweep runs in one process and not under mpirun; docs/sweep.md shows a sweep on many machines "
@@ -76,7 +76,7 @@ void sweep(const SweepOptions &options)
   note_implausible_cases(list, options);
   stopwatch.finish("input");
 
-  // 2. The cases.
+  // 2. Solution of the cases.
   WorkProgress progress(n_cases);
   std::size_t n_done = n_kept, n_failed = 0;
   solve_cases(list, wanted, n_threads,
@@ -88,7 +88,7 @@ void sweep(const SweepOptions &options)
               });
   stopwatch.finish("cases");
 
-  // 3. What they say together.
+  // 3. Results of all cases together.
   publish_in(options.results_place(), options, sweep_results(list, file.finished()), stopwatch);
   for (const auto &[index, result] : file.finished())
     if (result.status != "failed")

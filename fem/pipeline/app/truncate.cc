@@ -10,8 +10,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Solves a study with fewer and fewer harmonics, as `run` does, and writes the folder of its results.
-/// Collective over all ranks. Throws as run().
+/// Solves a study like `run`, and again with fewer harmonics of the load, and writes the folder of its
+/// results. Collective over all ranks. Throws as run().
 void truncate(const StudyOptions &options)
 {
   StudyWork work(options);

@@ -10,7 +10,7 @@ namespace stemware::pipeline
 enum class ExitCode : int
 {
   success = 0,
-  bad_input = 1,         ///< usage, study file, mesh file, load file, a glass that falls
+  bad_input = 1,         ///< usage, study file, mesh file, load file, a glass that tips
   numerical_failure = 2, ///< no contact solution, no terminal spin, out of memory
   output_failure = 3     ///< the results cannot be written
 };

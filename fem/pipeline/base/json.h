@@ -9,7 +9,7 @@
 namespace nlohmann
 {
 
-/// Serialises std::nullopt as null.
+/// Serialises std::optional; std::nullopt as null.
 template <typename Value>
 struct adl_serializer<std::optional<Value>, void>
 {

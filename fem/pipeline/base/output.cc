@@ -146,7 +146,7 @@ void ResultsFolder::publish()
     write_text_file(whole / stamp_name, stamp);
     while (::rename(whole.c_str(), target.c_str()) != 0)
     {
-      remove_results(older); // of another run that finished earlier
+      remove_results(older); // older results of another run that finished earlier
       fs::rename(target, older);
     }
     remove_results(older);

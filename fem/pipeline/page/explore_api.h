@@ -2,7 +2,7 @@
 
 /// C interface of the live solver, one Explorer. Every function returns UTF-8 JSON, valid until the next
 /// call; failures are {"error": message}. Answers have a "document": "summary", "words" and "tables" with the
-/// keys that the page of `run` has, as far as they are known.
+/// keys of the page of `run`, as far as they are known.
 extern "C"
 {
   /// Resets to the default study without compliances.

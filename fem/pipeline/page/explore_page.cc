@@ -232,7 +232,7 @@ std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
 /// Maximum error of an answer due to quantisation [rad/s]; other settings have ten times this error.
 constexpr double tolerance = 1e-11;
 
-/// Sizes of further feet that a page offers on elastic tables, over the size of the glass.
+/// Sizes of further feet offered by a page on elastic tables, relative to the glass.
 constexpr double similar_feet[] = { 0.8, 0.9, 1.1, 1.2 };
 
 /// Glass and table, solved by the program and with the page's compliances.

@@ -32,7 +32,7 @@ struct PagePair
 {
   std::string glass, table;
   unsigned int n_nodes = 0;
-  std::optional<double> omega; ///< terminal spin by the program [rad/s]; std::nullopt if the glass falls
+  std::optional<double> omega; ///< terminal spin by the program [rad/s]; std::nullopt if the glass tips
   std::optional<double> band;  ///< twice |spin - spin on the page's mesh|, if that mesh is coarser [rad/s]
 };
 
@@ -41,7 +41,7 @@ struct PagePair
 LivePart live_part(const PageOptions &options, const std::string &solver, fem::ComplianceCache &cache,
                    const std::function<void(const PagePair &)> &done);
 
-/// Returns the terminal spin of a pair with its unit, or that the glass falls.
+/// Returns the terminal spin of a pair with its unit, or a text that the glass tips.
 std::string spin_text(const PagePair &pair);
 
 /// Returns the page of @p live, whose pairs are @p pairs.

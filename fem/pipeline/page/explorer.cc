@@ -52,8 +52,8 @@ struct BalanceNearby
   ring::Sample load;
 };
 
-/// Returns the balance of @p study with friction of the load's first @p n_harmonics, on @p foot, whose rings
-/// are chosen, near the spin @p near: by two or three contacts from @p contact, to 1e-8 rad/s. Returns
+/// Returns the balance of @p study near the spin @p near, with friction of the load's first @p n_harmonics,
+/// on @p foot with its rings chosen: two or three contact solutions from @p contact, to 1e-8 rad/s. Returns
 /// std::nullopt if the search leaves the neighbourhood or the study is not in balance at every spin. Throws
 /// ring::NoBalance.
 std::optional<BalanceNearby> balance_near(const ring::ZeroGuess &near, const fem::ContactState &contact,
@@ -225,7 +225,7 @@ void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, Liv
   if (last)
     foot->set_rings(last->ring_radii(), last->n_harmonics());
   ring::Question question = spin_question(present);
-  question.with_slope = !last; // slow parts only for the last move of the slider
+  question.with_slope = !last; // slow parts only when the slider has stopped
   if (last)
     question.near = zero;
   const BalancedLoad load = find_load(present, foot);

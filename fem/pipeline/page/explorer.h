@@ -45,8 +45,8 @@ public:
   void take(std::shared_ptr<const fem::ContactCompliance> compliance, bool is_disc);
 
   /// Sets an entry of the study. Throws BadInput for unknown entries, inadmissible values, and, after
-  /// ready(), for entries on which the compliances depend. Another contact radius is that of a similar foot:
-  /// all lengths of the glass but its crown radius follow; an elastic table needs the disc of that radius.
+  /// ready(), for entries on which the compliances depend. Another contact radius selects a similar foot: all
+  /// lengths of the glass except the crown radius are scaled; an elastic table needs the disc of this radius.
   void set(const std::string &path, const std::string &value);
 
   /// Declares that the compliances belong to the present study and to a mesh of @p fineness
@@ -80,10 +80,10 @@ private:
                                        const Model &model) const;
   Executor executor() const;
   void require_mesh() const;
-  /// Returns the size of the foot over the size of that of the compliances.
+  /// Returns the size of the foot relative to the foot of the compliances.
   double size() const { return present.glass.profile.contact_radius / base.glass.profile.contact_radius; }
-  /// Solves @p answer from the previous balance on the rings of @p last; returns whether that converged.
-  /// Leaves no curve and no budget.
+  /// Solves @p answer from the previous balance on the rings of @p last. Returns true if the solve converged.
+  /// Computes no curves and no budget.
   bool follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAnswer &answer);
   /// Solves @p answer from the predictions of the contacts of @p last, or from a cold start if nullptr.
   void solve_cold(const ElasticFoot *last, unsigned int n_harmonics, LiveAnswer &answer);

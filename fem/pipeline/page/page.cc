@@ -8,7 +8,7 @@
 namespace stemware::pipeline
 {
 
-/// HTML of pages; bundled scripts and styles with checksums.
+/// Returns the HTML of pages, and bundled scripts and styles with checksums.
 const CompiledTexts &page_texts();
 
 namespace

@@ -14,14 +14,14 @@ namespace stemware::pipeline
 Json summary_of(const std::string &verb, const Results &results);
 
 /// Publishes the results of a verb; collective. Each rank writes its fields of @p results into the working
-/// folder, the first rank everything else: the files with content, report.html, and at the end
-/// parameters.prm, summary.json (summary_of() and "files") and
-/// timings.json. It then renames the folder and prints the console's text and the location. With --json the
-/// last line of standard output is {"verb", "results", "summary", "report", key figures}. Throws
-/// OutputFailure, and as summary_of().
+/// folder, the first rank all other files: the files with content, report.html, and at the end
+/// parameters.prm, summary.json (summary_of() and "files") and timings.json. It then renames the folder and
+/// prints the console's text and the location. With --json the last line of standard output is {"verb",
+/// "results", "summary", "report", key figures}. Throws OutputFailure, and as summary_of().
 void publish(const StudyOptions &options, Results results, ResultsFolder &folder, Stopwatch &stopwatch);
 
-/// Writes the same files into the existing @p folder, on one rank: for a sweep, whose rows are already there.
+/// Writes the same files into the existing @p folder, on one rank: for a sweep, whose rows are already
+/// written.
 void publish_in(const std::filesystem::path &folder, const StudyOptions &options, Results results,
                 Stopwatch &stopwatch);
 

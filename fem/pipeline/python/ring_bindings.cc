@@ -182,7 +182,7 @@ std::function<Sample(double)> load_function(const py::object &load)
   return load.cast<std::function<Sample(double)>>();
 }
 
-/// Throws Tipping if no pressure within the outermost ring of @p load has its moment.
+/// Throws Tipping if no compressive pressure within the outermost ring of @p load has the moment of @p load.
 void require_a_pressure(const RingStack &load, double omega)
 {
   double outer = 0;

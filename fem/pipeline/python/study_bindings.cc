@@ -39,7 +39,8 @@ using namespace stemware::pipeline;
 namespace
 {
 
-/// Python exception that ends the work. Not derived from std::exception, which variants catch.
+/// Exception of an interrupted Python call. It is not derived from std::exception, because variants catch
+/// std::exception.
 struct Interrupted
 {
   std::exception_ptr cause;
@@ -89,7 +90,8 @@ struct PythonProgress : Progress
   std::exception_ptr cause; ///< first exception of Python, which ends the other threads too
 };
 
-/// Cache of compliances, shared by equal feet. Never destroyed: threads may outlive the interpreter.
+/// Returns the cache of compliances, shared by equal feet. It is never destroyed, because threads may outlive
+/// the interpreter.
 std::shared_ptr<fem::ComplianceCache> &cache()
 {
   static auto *const one = new auto(std::make_shared<fem::ComplianceCache>(128, &check_signals));
@@ -283,7 +285,8 @@ void translate(const py::object &raised)
     });
 }
 
-/// Translates the program's exceptions into those of stemware.ring. The last matching translation holds.
+/// Translates the program's exceptions into the exceptions of stemware.ring. The last matching translation is
+/// used.
 void bind_failures(py::module_ &m)
 {
   const py::module_ ring = py::module_::import("stemware._ring");

@@ -61,7 +61,7 @@ public:
   ContactSurface surface;
 };
 
-/// The annulus between two radii on @p n_lines azimuths; a disc if @p inner is 0.
+/// Returns the annulus between two radii on @p n_lines azimuths; a disc if @p inner is 0.
 const ContactSurface &annulus(PlaneLand &land, double inner, double outer, unsigned int n_lines)
 {
   for (unsigned int j = 0; j < n_lines; ++j)
@@ -93,13 +93,13 @@ Pressed pressed_at(const ContactSurface &surface, double normal_force, double x,
   return { mat->extent(solution), solution.motion };
 }
 
-/// Contact under 10 N at @p eccentricity in x [m] on 1e9 Pa/m.
+/// Returns the contact under 10 N at @p eccentricity in x [m] on 1e9 Pa/m.
 ContactExtent pressed(const ContactSurface &surface, double eccentricity)
 {
   return pressed_at(surface, 10, eccentricity, 0, 1e9).extent;
 }
 
-/// A plate of @p length along x and @p breadth along y, on lines along y.
+/// Returns a plate of @p length along x and @p breadth along y, on lines along y.
 const ContactSurface &plate(PlaneLand &land, double length, double breadth, unsigned int n_lines)
 {
   for (unsigned int j = 0; j < n_lines; ++j)
@@ -114,7 +114,7 @@ const ContactSurface &plate(PlaneLand &land, double length, double breadth, unsi
   return land.finished();
 }
 
-/// Three short radial lines that end at @p corners; their convex hull is the triangle.
+/// Returns three short radial lines that end at @p corners; their convex hull is the triangle.
 const ContactSurface &tripod(PlaneLand &land, const std::vector<Eigen::RowVector2d> &corners)
 {
   for (const Eigen::RowVector2d &corner : corners)
@@ -127,8 +127,8 @@ const ContactSurface &tripod(PlaneLand &land, const std::vector<Eigen::RowVector
   return land.finished();
 }
 
-/// Distance from the axis to the border of the convex polygon of @p corners, in counter-clockwise order, in
-/// the direction @p angle [m].
+/// Returns the distance from the axis to the border of the convex polygon of @p corners, in counter-clockwise
+/// order, in the direction @p angle [m].
 double distance_to_border(const std::vector<Eigen::RowVector2d> &corners, double angle)
 {
   const Eigen::RowVector2d ray(std::cos(angle), std::sin(angle));

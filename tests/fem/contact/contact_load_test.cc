@@ -14,7 +14,8 @@ namespace
 {
 using stemware::ring::pi;
 
-/// lambda(theta) = 0.5 + 0.3 cos + 0.1 sin + 0.05 cos 2 - 0.02 sin 3, sampled as @p n forces on a circle.
+/// Returns lambda(theta) = 0.5 + 0.3 cos + 0.1 sin + 0.05 cos 2 - 0.02 sin 3, sampled as @p n forces on a
+/// circle.
 std::vector<PointForce> ring_of_forces(unsigned int n, double radius)
 {
   std::vector<PointForce> forces;

@@ -42,7 +42,7 @@ struct LeaningRim
   Eigen::VectorXd direction;          ///< a random step of it [m]
 };
 
-/// Moment balance with friction and tilt, whose conditions are the border of Newton's system.
+/// Returns the moment balance with friction and tilt, whose conditions are the border of Newton's system.
 ContactDemand friction_and_tilt()
 {
   ContactDemand demand(weight, 0.012, -0.01);

@@ -16,7 +16,8 @@ namespace
 
 const double full_turn = 2 * ring::pi;
 
-/// 72 cuts of 33 points up to @p reach [m] on both sides of r = 30 mm; @p pressure(azimuth, r - 30 mm).
+/// Returns 72 cuts of 33 points up to @p reach [m] on both sides of r = 30 mm; @p pressure(azimuth, r - 30
+/// mm).
 PressureMap map_of(double reach, const std::function<double(double, double)> &pressure)
 {
   PressureMap footprint;

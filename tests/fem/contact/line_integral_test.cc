@@ -10,7 +10,7 @@ using namespace stemware::fem;
 
 namespace
 {
-/// A radial line from 28 to 32 mm at @p azimuth, 1e-3 rad wide.
+/// Returns a radial line from 28 to 32 mm at @p azimuth, 1e-3 rad wide.
 ContactLine radial_line(double azimuth)
 {
   ContactLine line;

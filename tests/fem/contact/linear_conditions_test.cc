@@ -12,7 +12,7 @@ using namespace stemware::revolution_tests;
 namespace
 {
 
-/// x and y components of the friction per normal force at the contact nodes, shape [n_nodes, 2].
+/// Returns x and y components of the friction per normal force at the contact nodes, shape [n_nodes, 2].
 Eigen::MatrixX2d friction_per_force(const ContactSurface &surface)
 {
   const SlidingTraction traction{ 0.25, -11. };
@@ -40,13 +40,14 @@ LinearConditions friction_arm_conditions(const ContactSurface &surface)
   return LinearConditions(surface, weights, { weight, prescribed(0), prescribed(1) });
 }
 
-/// Norm of the nodal forces on all parts of the surface.
+/// Returns the norm of the nodal forces on all parts of the surface.
 double norm(const ContactSurface &surface, const Eigen::VectorXd &forces)
 {
   return std::sqrt(surface.parts.sum(forces.squaredNorm()));
 }
 
-/// Limit of solutions under prescribed resultants, corrected by the friction of the previous solution.
+/// Returns the limit of solutions under prescribed resultants, corrected by the friction of the previous
+/// solution.
 ContactSolution by_fixed_point(ElasticBody &body, TableLaw &law)
 {
   const ContactSurface &surface = body.contact_surface();

@@ -9,8 +9,8 @@ using namespace stemware::revolution_tests;
 namespace
 {
 
-/// Nodal forces int p N_i r dr dtheta by the midpoint rule with @p n_points on the part of each line within
-/// @p reach [m] of the middle of the rim. The error at contact edges is quadratic in the spacing.
+/// Returns the nodal forces int p N_i r dr dtheta by the midpoint rule with @p n_points on the part of each
+/// line within @p reach [m] of the middle of the rim. The error at contact edges is quadratic in the spacing.
 template <typename Law>
 Eigen::VectorXd point_sums(const ContactSurface &surface, const Law &law,
                            const Eigen::VectorXd &normal_displacement, unsigned int n_points, double reach)
@@ -38,7 +38,7 @@ Eigen::VectorXd point_sums(const ContactSurface &surface, const Law &law,
   return forces;
 }
 
-/// Displacement of a foot with penetration @p depth, tilt and bending [m].
+/// Returns the displacement of a foot with penetration @p depth, tilt and bending [m].
 Eigen::VectorXd bent(const ContactSurface &surface, double depth)
 {
   Eigen::VectorXd displacement(surface.n_nodes());
@@ -51,7 +51,7 @@ Eigen::VectorXd bent(const ContactSurface &surface, double depth)
   return displacement;
 }
 
-/// Largest error of the law's nodal forces over the largest of them.
+/// Returns the largest error of the law's nodal forces over the largest of them.
 template <typename Law>
 double error_of(const Law &law, const GlassProfile &profile, unsigned int land_cells, double depth,
                 double reach = 1)

@@ -22,7 +22,7 @@ struct SaturatingInterface : PressureInterface<SaturatingInterface>
   {
   }
 
-  // Not called in this test.
+  // not called in this test
   double stiffness_at(double) const override { throw std::logic_error("not asked for"); }
   double half_width(double, double) const override { throw std::logic_error("not asked for"); }
   double penetration_at(double) const override { throw std::logic_error("not asked for"); }

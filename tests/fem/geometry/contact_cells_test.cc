@@ -27,8 +27,8 @@ struct RandomSection
   TableDisc disc;
 };
 
-/// Random shape, land of 0.5 to 4 mm, foot up to six times as thick, with or without a focus of up to twelve
-/// halvings on the land.
+/// Returns a random shape, land of 0.5 to 4 mm, foot up to six times as thick, with or without a focus of up
+/// to twelve halvings on the land.
 RandomSection random_section(unsigned int seed)
 {
   std::mt19937 engine(seed);
@@ -74,7 +74,7 @@ RandomSection random_section(unsigned int seed)
     }
 }
 
-/// Radii of the nodes of elements of @p degree on the contact zone, ascending [m].
+/// Returns the radii of the nodes of elements of @p degree on the contact zone, ascending [m].
 std::vector<double> contact_nodes(const dealii::Triangulation<2> &triangulation, unsigned int degree)
 {
   const dealii::FE_Q<2> element(degree);
@@ -96,7 +96,7 @@ struct Shape
   double worst_of_contact = 0; ///< aspect ratio of the cells on the contact zone
 };
 
-/// Largest aspect ratios; infinite if a cell is inverted.
+/// Returns the largest aspect ratios; infinite if a cell is inverted.
 Shape shape_of(const dealii::Triangulation<2> &triangulation, unsigned int degree)
 {
   const dealii::Vector<double> ratios = dealii::GridTools::compute_aspect_ratio_of_cells(

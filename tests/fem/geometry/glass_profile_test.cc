@@ -18,7 +18,7 @@ using stemware::fem_tests::foot_profile;
 namespace
 {
 
-/// Message that refuses @p profile; empty if the profile is accepted.
+/// Returns the message that refuses @p profile; empty if the profile is accepted.
 std::string refusal(const GlassProfile &profile)
 {
   try

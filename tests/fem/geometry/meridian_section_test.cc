@@ -23,7 +23,7 @@ namespace
 
 using Polyline = std::vector<SectionVertex>;
 
-/// Points (r, z) in mm, the first on line 2 of a file.
+/// Returns points (r, z) in mm, the first on line 2 of a file.
 Polyline in_millimetres(const std::vector<std::pair<double, double>> &points)
 {
   Polyline polyline;
@@ -38,7 +38,8 @@ const std::vector<std::pair<double, double>> plain_foot = { { 0, 2 },  { 20, 2 }
                                                             { 34, 1 }, { 34, 3 }, { 16, 4 }, { 6, 8 },
                                                             { 4, 16 }, { 0, 16 } };
 
-/// Area between polyline and axis [m^2] and volume of the glass [m^3]: sums over trapezia and frusta.
+/// Returns the area between polyline and axis [m^2] and volume of the glass [m^3]: sums over trapezia and
+/// frusta.
 std::pair<double, double> area_and_volume(const Polyline &polyline)
 {
   double area = 0, volume = 0;
@@ -60,7 +61,7 @@ GlassProfile drawn(const Polyline &polyline)
   return profile;
 }
 
-/// Message that refuses a polyline; empty if the polyline is accepted.
+/// Returns the message that refuses a polyline; empty if the polyline is accepted.
 std::string refusal_of(const std::vector<std::pair<double, double>> &points)
 {
   try
@@ -74,7 +75,7 @@ std::string refusal_of(const std::vector<std::pair<double, double>> &points)
   return {};
 }
 
-/// Message for plain_foot with one changed point.
+/// Returns the message for plain_foot with one changed point.
 std::string refusal_with(std::size_t index, double radius, double height)
 {
   std::vector<std::pair<double, double>> points = plain_foot;

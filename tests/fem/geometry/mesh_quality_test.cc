@@ -22,7 +22,7 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// A unit cube on the contact zone, moved point by point.
+/// Returns a unit cube on the contact zone, moved point by point.
 template <typename Move>
 MeshCheck check_cube(const Move &move)
 {

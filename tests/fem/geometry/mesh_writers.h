@@ -15,7 +15,7 @@
 namespace stemware::fem_tests
 {
 
-/// Nodes of a mesh of one level, with edge midpoints for elements of second order.
+/// Returns the nodes of a mesh of one level, with edge midpoints for elements of second order.
 inline std::vector<dealii::Point<3>> nodes_of(const dealii::Triangulation<3> &mesh, bool second_order)
 {
   std::vector<dealii::Point<3>> nodes = mesh.get_vertices();
@@ -35,8 +35,8 @@ inline std::string gmsh_text(const dealii::Triangulation<3> &mesh)
   return text.str();
 }
 
-/// Hexahedra and quadrilaterals of second order (types 17 and 16) in Gmsh's format 2.2, or 4.1 in one block
-/// of each.
+/// Returns the hexahedra and quadrilaterals of second order (types 17 and 16) in Gmsh's format 2.2, or 4.1 in
+/// one block of each.
 inline std::string gmsh_text_of_second_order(const dealii::Triangulation<3> &mesh, bool format_4)
 {
   const std::vector<dealii::Point<3>> nodes = nodes_of(mesh, true);

@@ -14,7 +14,7 @@ namespace stemware::fem_tests
 
 using namespace stemware::fem;
 
-/// The foot of a wine glass with the default lengths.
+/// Returns the foot of a wine glass with the default lengths.
 inline GlassProfile foot_profile()
 {
   GlassProfile profile;
@@ -22,7 +22,7 @@ inline GlassProfile foot_profile()
   return profile;
 }
 
-/// Distance of a boundary point from the nearest surface of the section, along r or z [m].
+/// Returns the distance of a boundary point from the nearest surface of the section, along r or z [m].
 inline double distance_from_profile(const GlassProfile &profile, double radius, double height)
 {
   const Fillet arc = profile.fillet();
@@ -35,7 +35,8 @@ inline double distance_from_profile(const GlassProfile &profile, double radius, 
   return distance;
 }
 
-/// int weight(r) (topside - underside) dr, by quadrature between the radii where the profile is not smooth.
+/// Returns int weight(r) (topside - underside) dr, by quadrature between the radii where the profile is not
+/// smooth.
 inline double integral_over_section(const GlassProfile &profile, const std::function<double(double)> &weight)
 {
   boost::math::quadrature::tanh_sinh<double> quadrature;

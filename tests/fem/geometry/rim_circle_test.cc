@@ -15,8 +15,8 @@ namespace
 
 using Polyline = std::vector<SectionVertex>;
 
-/// Underside of a foot [m]: an arc of radius @p crown at r = 30.012 mm with straight flanks. @p n_land points
-/// are on the land of width @p land, further points on both sides.
+/// Returns the underside of a foot [m]: an arc of radius @p crown at r = 30.012 mm with straight flanks. @p
+/// n_land points are on the land of width @p land, further points on both sides.
 Polyline rounded_rim(double land, unsigned int n_land, double crown)
 {
   constexpr double arc = 1.1e-3, step = 2e-4; // half-width of the arc, spacing of the points on the flanks
@@ -40,7 +40,7 @@ Polyline rounded_rim(double land, unsigned int n_land, double crown)
   return polyline;
 }
 
-/// Points with Gaussian errors of @p radial and @p vertical [m].
+/// Returns points with Gaussian errors of @p radial and @p vertical [m].
 Polyline scattered(Polyline polyline, double radial, double vertical, unsigned int seed)
 {
   std::mt19937 generator(seed);
@@ -53,7 +53,7 @@ Polyline scattered(Polyline polyline, double radial, double vertical, unsigned i
   return polyline;
 }
 
-/// Six exact points of a circle between two other points.
+/// Returns six exact points of a circle between two other points.
 Polyline arc_of_six_points()
 {
   Polyline polyline = { { 0, 0.503, 1 } };

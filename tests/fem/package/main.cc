@@ -1,4 +1,5 @@
-// The elastic foot of a wine glass on a mat, its weight off the axis: the harmonics of the load on its rim.
+// The elastic foot of a wine glass on a mat under its weight with a moment: the harmonics of the load on its
+// rim.
 #include <fem/revolution/meshed_revolution_foot.h>
 #include <ring_model/load/constants.h>
 
@@ -13,7 +14,7 @@ int main()
   setup.profile.shape = GlassShape::foot;
   MeshedRevolutionFoot foot(setup.resolved_for(weight));
 
-  const double moment = 1.2 * weight * radius / 2; // a load a_0 + a_1 cos(theta) would have to pull
+  const double moment = 1.2 * weight * radius / 2; // makes a load a_0 + a_1 cos(theta) partly tensile
   const ContactLoad load = foot.solve({ weight, 0, -moment }).load;
   for (unsigned int n = 0; n <= 6; ++n)
     std::printf("a_%u = %9.6f N/rad\n", n, load.a(n));

@@ -21,7 +21,7 @@ std::string axe_script()
 const serious = async shown => {
   if (!axe_source)
     return [];
-  // A copy of the page as it is, without its scripts and without its policy, which forbids ours.
+  // A copy of the page without its scripts and without its policy, which forbids the test's scripts.
   const copy = shown.document.documentElement.cloneNode(true);
   for (const part of copy.querySelectorAll("script, meta[http-equiv]"))
     part.remove();
@@ -105,7 +105,7 @@ holder.contentDocument.open();
   const Ended ended = chromium(scratch, { "--allow-file-access-from-files", "--dump-dom", "file://" + file });
   if (!forbids)
   {
-    EXPECT_EQ(all_between(ended.err, ":CONSOLE", "\n").size(), 1u) << ended.err; // our own
+    EXPECT_EQ(all_between(ended.err, ":CONSOLE", "\n").size(), 1u) << ended.err; // the test's own output
   }
   const nlohmann::json found = nlohmann::json::parse(between(ended.out, "FOUND", "FOUND"), nullptr, false);
   EXPECT_TRUE(!found.is_discarded() && !found.contains("failed")) << ended.out.substr(0, 500) << ended.err;
@@ -155,7 +155,7 @@ nlohmann::json reports_in_browser(const ScratchFolder &scratch, const std::vecto
     if (!page.body.dataset.complete)
       flaws.push("the script has not ended");
     page.querySelectorAll("details").forEach(fold => fold.open = true);
-    await new Promise(done => setTimeout(done, 100)); // pictures in folds are drawn again
+    await new Promise(done => setTimeout(done, 100)); // pictures in folds are redrawn
     if (no_number.test(page.body.innerText))
       flaws.push("the text has " + page.body.innerText.match(/.{0,60}(NaN|undefined|Infinity|\[object).{0,60}/)[0]);
     const content = async button => {
@@ -183,7 +183,7 @@ nlohmann::json reports_in_browser(const ScratchFolder &scratch, const std::vecto
     flaws.push(...await serious(contentWindow));
     for (const width of [1100, 400]) {
       frame.style.width = width + "px";
-      await new Promise(done => setTimeout(done, 300)); // pictures are drawn again
+      await new Promise(done => setTimeout(done, 300)); // pictures are redrawn
       flaws.push(...troubles(page).map(trouble => trouble + " at " + width + " px"));
     }
     for (const { name } of contentWindow.performance.getEntriesByType("resource"))

@@ -20,14 +20,13 @@ std::string axe_script();
 /// overlaps another text, each axis with a single number, and each element that is wider than the page.
 std::string troubles_script();
 
-/// Text that contains scripts, commands, closing tags, quotes and template marks. A script in it that runs
-/// sets data-ran of the root element. As a path, its slashes separate folders.
+/// Returns a text that contains scripts, commands, closing tags, quotes and template marks. A script in it
+/// that runs sets data-ran of the root element. As a path, its slashes separate folders.
 std::string hostile_text();
 
 /// Runs @p script, the body of an async function, in a page in Chromium and returns its result. Fails the
 /// test if the browser prints anything else; @p forbids: a policy forbids something, which the browser
-/// prints. Files in
-/// @p scratch have the same origin.
+/// prints. Files in @p scratch have the same origin.
 nlohmann::json found_in_browser(const ScratchFolder &scratch, const std::string &script,
                                 bool forbids = false);
 
@@ -41,7 +40,7 @@ nlohmann::json opened_in_browser(const ScratchFolder &scratch, const std::vector
 /// "tables", by title the rows.
 nlohmann::json reports_in_browser(const ScratchFolder &scratch, const std::vector<std::string> &addresses);
 
-/// The page without its Content-Security-Policy, which must be harmless too.
+/// Returns the page without its Content-Security-Policy, which must be harmless too.
 std::string without_policy(const std::string &page);
 
 /// Runs headless Chromium in the folder.

@@ -79,7 +79,7 @@ Ended ended_with(int status, const fs::path &folder)
   return ended;
 }
 
-/// One thread per process.
+/// Sets one thread per process.
 void set_environment()
 {
   for (const char *name : { "OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS" })
@@ -193,7 +193,7 @@ nlohmann::json read_summary(const fs::path &results)
   return summary;
 }
 
-/// Columns of a table with one line of names; NaN for empty fields.
+/// Returns the columns of a table with one line of names; NaN for empty fields.
 std::vector<std::vector<double>> csv_columns(const std::string &text)
 {
   const auto rows = parse_csv(text);

@@ -82,11 +82,11 @@ std::map<std::string, std::string> all_files(const std::filesystem::path &folder
 /// Returns the sorted names in a folder, including hidden files, without .stemware, .out and .err.
 std::vector<std::string> names_in(const std::filesystem::path &folder);
 
-/// A study that runs in a second: step profile, no friction coupling, no tilt, load at rest for every spin.
-/// @p further lines are appended.
+/// Returns a study that runs in a second: step profile, no friction coupling, no tilt, load at rest for every
+/// spin. @p further lines are appended.
 std::string plain_study(const std::string &further = "");
 
-/// The plain study with a solid body on a coarse mesh.
+/// Returns the plain study with a solid body on a coarse mesh.
 std::string coarse_study(const std::string &further = "");
 
 } // namespace stemware::test

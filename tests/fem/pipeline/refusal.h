@@ -7,7 +7,7 @@
 namespace stemware::test
 {
 
-/// Message with which @p action refuses its input; empty if the input is accepted.
+/// Returns the message with which @p action refuses its input; empty if the input is accepted.
 template <typename Action>
 std::string sentence_of(const Action &action)
 {

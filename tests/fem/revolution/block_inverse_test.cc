@@ -16,7 +16,8 @@ using stemware::fem::SingleThread;
 namespace
 {
 
-/// Five-point Laplacian on n x n points inside a square, @p shift added to its diagonal: dense factors.
+/// Returns the five-point Laplacian on n x n points inside a square with @p shift added to the diagonal. Its
+/// factors are dense.
 LowerTriangle membrane(int n, double shift)
 {
   std::vector<Eigen::Triplet<double>> entries;

@@ -15,8 +15,8 @@ namespace
 constexpr unsigned int few_lines = 20;
 constexpr unsigned int few_harmonics = 6;
 
-/// u_z on the lines under a unit force on circle @p i of line @p j [m/N], summed over the harmonics of a
-/// point force, 1 / (2 pi) + sum cos n(theta - theta_j) / pi up to n_max, with the remainder on the line
+/// Returns u_z on the lines under a unit force on circle @p i of line @p j [m/N], summed over the harmonics
+/// of a point force, 1 / (2 pi) + sum cos n(theta - theta_j) / pi up to n_max, with the remainder on the line
 /// itself. The harmonics of an azimuthal force are -sin n(theta - theta_j) C^ztheta / pi.
 Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::Index i, Eigen::Index j,
                                        const SlidingTraction &traction)
@@ -42,7 +42,7 @@ Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::I
   return expected;
 }
 
-/// Compliance between the contact nodes, with friction [m/N].
+/// Returns the compliance between the contact nodes, with friction [m/N].
 Eigen::MatrixXd dense_compliance(const ElasticResponse &response)
 {
   const Eigen::Index n_nodes = response.n_radii() * response.n_lines();
@@ -125,7 +125,7 @@ protected:
     foot.body.set_sliding(traction);
   }
 
-  /// Moment balance with a friction arm and a tilt.
+  /// Returns the moment balance with a friction arm and a tilt.
   LinearConditions conditions() const
   {
     const ContactSurface &surface = foot.body.contact_surface();

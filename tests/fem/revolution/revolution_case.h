@@ -41,8 +41,8 @@ inline ContactCompliance foot_compliance(const GlassProfile &profile, const Meri
   return compute_compliance(triangulation, ElasticMaterial(), options);
 }
 
-/// Nodal forces per radian of a unit pressure between two radii, int N_i r dr, by Simpson's rule, which is
-/// exact for quadratic elements [m^2].
+/// Returns the nodal forces per radian of a unit pressure between two radii, int N_i r dr, by Simpson's rule,
+/// which is exact for quadratic elements [m^2].
 inline Eigen::VectorXd nodes_between(const ContactCompliance &compliance, double inner, double outer)
 {
   const Eigen::VectorXd &radii = compliance.radii;

@@ -81,7 +81,7 @@ Eigen::Vector3d integral_over_plane(const VtuFile &file, double height,
 
 } // namespace
 
-/// Sum of elastic displacement and rigid motion [m].
+/// Returns the sum of elastic displacement and rigid motion [m].
 Eigen::Vector3d moved(const VtuFile &file, std::size_t point)
 {
   return vector_at(file.array("displacement"), point) + vector_at(file.array("rigid_motion"), point);

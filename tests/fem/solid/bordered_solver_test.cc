@@ -31,7 +31,7 @@ struct OvalFoot
     body = make_body(solver, triangulation, flat_land, options);
   }
 
-  /// Newton increment under a moment in full contact.
+  /// Returns the Newton increment under a moment in full contact.
   NewtonIncrement press()
   {
     const ContactSurface &surface = body->contact_surface();

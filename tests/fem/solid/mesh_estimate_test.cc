@@ -32,7 +32,7 @@ ContactDemand demand_of(double m)
   return demand;
 }
 
-/// a_2 / a_0 of both rings together.
+/// Returns a_2 / a_0 of both rings together.
 ContactGoal second_harmonic()
 {
   const double mean = weight / (2 * pi);
@@ -80,7 +80,7 @@ Estimated estimated(const SolidMesh &mesh, const GlassProfile &profile, unsigned
   return { goal.of_load(state.load), foot.mesh_error(state, goal, true).value() };
 }
 
-/// The quantity of interest of the body of revolution, on halved elements of degree 4; error 1e-8.
+/// Returns the quantity of interest of the body of revolution, on halved elements of degree 4; error 1e-8.
 double of_body_of_revolution(const GlassProfile &profile, double friction)
 {
   RevolutionSetup setup;
@@ -119,7 +119,7 @@ TEST(MeshEstimate, EqualsTheErrorOnGoalOrientedMeshesLong)
   }
 }
 
-/// Ratio of estimated and true error on one mesh.
+/// Returns the ratio of estimated and true error on one mesh.
 double ratio_on(const FootResolution &resolution, unsigned int degree, double friction)
 {
   const GlassProfile profile = profile_of(GlassShape::foot);
@@ -220,7 +220,7 @@ TEST(MeshEstimate, RefusesInvertedRefinedCells)
   EXPECT_THROW(map_with(8), std::runtime_error);
 }
 
-/// A mesh file's cells, on the ranks of @p communicator.
+/// Returns the cells of a mesh file, on the ranks of @p communicator.
 SolidMesh mesh_of_file(MPI_Comm communicator, const std::string &file)
 {
   const auto mesh = std::make_shared<dealii::parallel::distributed::Triangulation<3>>(communicator);

@@ -27,7 +27,7 @@ SolidOptions options_of(unsigned int degree, double tolerance = 0)
   return options;
 }
 
-/// Contact by nested iteration from coarser meshes.
+/// Returns the contact solved by nested iteration from coarser meshes.
 ContactSolution solve_nested(FootCase &foot, const InterfaceLaw &interface, const Resultants &load)
 {
   const std::optional<ContactStart> start =
@@ -37,7 +37,7 @@ ContactSolution solve_nested(FootCase &foot, const InterfaceLaw &interface, cons
   return solve_contact(*foot.body, *law, load, foot.radius, {}, start ? &*start : nullptr);
 }
 
-/// One linear solve with the tangent of a solved contact.
+/// Returns the increment of one linear solve with the tangent of a solved contact.
 NewtonIncrement solve_linear(FootCase &foot, const InterfaceLaw &interface, const ContactSolution &contact,
                              const Resultants &load)
 {

@@ -59,7 +59,7 @@ ContactLoad load_on(MPI_Comm communicator, const FootResolution &resolution, uns
   return extract_load(*foot.law, foot.solution, 12);
 }
 
-/// Files of all ranks of @p communicator by name, on each of them; none has a name twice.
+/// Returns the files of all ranks of @p communicator by name, on each of them; none has a name twice.
 std::map<std::string, std::string> files_of(const std::vector<FieldFile> &own, MPI_Comm communicator)
 {
   std::map<std::string, std::string> files;
@@ -76,7 +76,7 @@ std::map<std::string, std::string> files_of(const std::vector<FieldFile> &own, M
   return all;
 }
 
-/// Sorted values of @p attribute in @p text.
+/// Returns the sorted values of @p attribute in @p text.
 std::vector<std::string> quoted(const std::string &text, const std::string &attribute)
 {
   std::vector<std::string> values;

@@ -1,4 +1,4 @@
-// The terminal spin of a glass whose load a lambda gives: the paper's moment balance.
+// The terminal spin of a glass with a user-defined load, under the paper's moment balance.
 #include <ring_model/self_consistent_ring.h>
 #include <ring_model/spin/answer.h>
 
@@ -8,7 +8,7 @@
 int main()
 {
   using namespace stemware::ring;
-  Motion motion; // 0.30 kg, led round a circle of 0.15 m at 0.35 m/s, mu = 0.30
+  Motion motion; // 0.30 kg, moved on a circle of 0.15 m at 0.35 m/s, mu = 0.30
   motion.force_offset = -0.05;
   const SelfConsistentRing ring(Closure::paper, motion, 0.03);
   const Load load([&](double omega) -> Sample { return ring.at(omega).load; });

@@ -38,7 +38,7 @@ function make_parts() {
     torque: path('c2', { 'stroke-width': 4 })
   };
 }
-const beside = ['hand', 'inwards', 'pressure', 'torque']; // names that stand outside their places
+const beside = ['hand', 'inwards', 'pressure', 'torque']; // labels placed beside the scene
 const label = (fill, anchor) => s('text', { fill: `var(--${fill})`, 'text-anchor': anchor });
 
 /**
@@ -47,7 +47,7 @@ const label = (fill, anchor) => s('text', { fill: `var(--${fill})`, 'text-anchor
 export class Drawing {
   constructor() {
     this.camera = new Camera(0, 0.45);
-    this.looked = 0; // turned by hand
+    this.looked = 0; // rotation of the view by the user
     this.parts = make_parts();
     this.words = { hand: label('c3'), inwards: label('c3'), centre: label('ink', 'start'), pressure: label('c1'), friction: label('soft', 'start'), torque: label('ink'), ...Object.fromEntries(['front', 'outside', 'inside'].map(place => [place, label('soft', 'middle')])) }; // prettier-ignore
     this.grip = s('circle', { r: finger, fill: 'transparent' });
@@ -66,7 +66,7 @@ export class Drawing {
     const R = 1e3 * given.radius;
     this.glass = new Glass(R, 1e3 * given.height, given.tumbler);
     this.wall = (wall * given.normal_force) / (turn * given.radius) || 0; // mm of the mean pressure
-    // The friction of all points of the rim adds up to the hand's force.
+    // The friction over the whole rim sums to the force of the hand.
     const sum = first.friction[0].reduce((a, b) => a + b, 0);
     this.rub = sum ? (-2 * rub * first.hand[0]) / sum : 0; // one arrow per two points
     const tops = rows.map(row => this.wall * Math.max(0, ...row.load));

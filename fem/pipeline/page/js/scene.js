@@ -1,5 +1,5 @@
-// Why the glass turns: the glass in perspective with the pressure round its rim, friction, the hand and the net
-// torque, in slow motion. Every instant is a row of the document.
+// Animated scene of the spin-up: the glass in perspective with the pressure round its rim, friction, the hand
+// and the net torque, in slow motion. Every instant is a row of the document.
 import { Drawing, height, width } from './drawing.js';
 import { copy_of } from './files.js';
 import { follow } from './pointer.js';

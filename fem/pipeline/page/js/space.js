@@ -3,8 +3,8 @@ import { place } from './marks.js';
 
 const turn = 2 * Math.PI;
 
-// Half of the outline of the drawn glass over its contact radius and its height, as docs/figures/draw_glass.py has it.
-// prettier-ignore
+// Half of the outline of the drawn glass over its contact radius and its height, as in
+// docs/figures/draw_glass.py.
 const profile = [
   [1, 0], [1.1, 0.008], [1.18, 0.019], [1.1, 0.028], [0.67, 0.042], [0.3, 0.07], [0.17, 0.115],
   [0.13, 0.187], [0.13, 0.42], [0.23, 0.471], [0.45, 0.495], [0.67, 0.522], [0.9, 0.556], [1.07, 0.593],
@@ -12,7 +12,7 @@ const profile = [
 ];
 // prettier-ignore
 const tumbler = [[1, 0], [1.12, 0.03], [1.16, 0.3], [1.26, 1]];
-const height_of_glass = 2.46; // over the height of the centre of mass
+const height_of_glass = 2.46; // relative to the height of the centre of mass
 const height_of_tumbler = 1.9;
 
 /** Returns whether a glass has no stem (tumbler). */

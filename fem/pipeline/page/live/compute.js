@@ -1,5 +1,5 @@
-// The solver: the library of `stemware run` as WebAssembly, one request at a time, called by name. A worker runs it, or the page
-// itself where a site or browser has no workers.
+// The solver: the library of `stemware run` as WebAssembly. It handles one request at a time, in a worker, or
+// in the page if workers are not supported.
 let solver,
   bodies,
   data,
@@ -9,7 +9,7 @@ let solver,
 export async function begin(given) {
   ({ data, bodies } = given);
   const module = await WebAssembly.compile(given.wasm);
-  const imports = {}; // it calls the system to grow and to stop only
+  const imports = {}; // the library uses the system only to grow its memory and to exit
   for (const { module: from, name } of WebAssembly.Module.imports(module)) (imports[from] ||= {})[name] = () => 0;
   solver = (await WebAssembly.instantiate(module, imports)).exports;
   solver._initialize();
@@ -35,7 +35,7 @@ function called(name, ...texts) {
 }
 const set = (path, value) => called('explore_set', path, value);
 
-// A compliance as page.cc writes it: head and steps, then what a prediction by harmonic and neighbours has left, byte by byte.
+// Unpacks a compliance of explore_page.cc: head and steps, then the prediction residuals byte by byte.
 function take(index, is_disc) {
   const at = data.bodies[index],
     doubles = (from, count) => new Float64Array(bodies.slice(from, from + 8 * count).buffer);
@@ -87,7 +87,7 @@ function take_disc(wish) {
   return Boolean(known);
 }
 
-// The study of a glass on a table, and then what somebody has changed of it.
+// Changes of the study relative to the entries of its glass and table.
 let changed = {};
 function choose(name, changes) {
   const stays = pair === name;
@@ -102,7 +102,7 @@ function choose(name, changes) {
     changed = {};
   }
   const own = Object.fromEntries(data.pairs[name].values);
-  let failure = null; // the first reply that refuses
+  let failure = null; // first refusal
   for (const path in { ...changed, ...changes }) {
     const wish = Object.hasOwn(changes, path) ? changes[path] : (own[path] ?? data.entries[path]);
     if (stays && changed[path] === changes[path]) continue;

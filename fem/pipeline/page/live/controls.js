@@ -1,10 +1,10 @@
-// What a hand moves: glasses, tables, sliders and the number of harmonics.
+// Controls of the study: glasses, tables, sliders and the number of harmonics.
 import { $, acts, all_harmonics, base_value, data, drop_changes, is_changed, load_entries, radius, remember, similar, state, value_of } from './state.js'; // prettier-ignore
 import { h } from '../js/dom.js';
 import { say, shown } from '../js/words.js';
 import { texts } from './texts.js';
 
-// Entry, from, to, step, unit shown, factor of the SI value, by powers of ten.
+// Sliders: entry, minimum, maximum, step, displayed unit, displayed over SI value, logarithmic scale.
 const first = [
   ['Motion/Hand height', 5, 150, 1, 'mm', 1000],
   ['Motion/Orbit speed', 0.05, 0.6, 0.01, 'm/s', 1],

@@ -1,4 +1,4 @@
-// What can be taken along.
+// Downloads of the live page: curves, the page itself, the study.
 import { data, doc, pair, parts_of_state, state } from './state.js';
 import { csv, label_of } from '../js/words.js';
 import { download } from '../js/dom.js';

@@ -1,4 +1,4 @@
-// The page that solves again at every move of a slider.
+// The live page: it solves the study again at every move of a slider.
 import { $, all_harmonics, data, digits, doc, errors, forget, found, learn, pair, recall, remember, state } from './state.js'; // prettier-ignore
 import { Queue, start_solver } from './solver.js';
 import { calm, picture } from './pictures.js';

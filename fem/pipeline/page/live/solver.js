@@ -1,12 +1,12 @@
-// The solver in its worker, or in the page where there are no workers. The latest wish is solved; what nobody waits for any more
-// is cancelled where it takes long.
+// The solver in its worker, or in the page if workers are not supported. Only the latest request is solved;
+// older ones are cancelled if they take long.
 import { $, all_harmonics, errors, pair_name, state } from './state.js';
 import { begin, reply_to } from './compute.js';
 
 const longest = 500; // ms that a newer request waits for an older one
 const patience = 15000; // ms, time limit of an answer
 const pause = 180; // ms without a move before curves are drawn
-let parts = null; // of the worker, unpacked
+let parts = null; // script and data of the worker, unpacked
 let worker = null;
 let ready = null;
 let last_id = 0;
@@ -142,7 +142,7 @@ export class Queue {
     for (const name of ['curves', 'pressure', 'budget']) {
       const asked = await this.ask({ do: name }, 4 * patience);
       if (this.next()) return;
-      if (asked && !asked.reply.error) this.told.use(name, asked.reply); // else its pictures stay grey
+      if (asked && !asked.reply.error) this.told.use(name, asked.reply); // otherwise its pictures stay grey
     }
     document.body.dataset.rested = String(this.times.length);
   }

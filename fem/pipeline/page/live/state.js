@@ -50,7 +50,7 @@ export function load_entries() {
   entries = {};
   for (const path in data.entries) entries[path] = { value: data.entries[path], acts: pair().acts.includes(path) };
   for (const [path, value] of pair().values) entries[path].value = value;
-  if (!is_changed(offset)) return; // by the address
+  if (!is_changed(offset)) return; // not changed by the address
   state.changes[hand] = String(rounded(value_of(centre) + value_of(offset)));
   delete state.changes[offset];
 }

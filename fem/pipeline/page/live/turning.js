@@ -1,4 +1,4 @@
-// The scene of the live page: the hand is dragged up and down, and the sense of the orbit switched.
+// The scene of the live page: dragging the hand up and down, and the button for the sense of the orbit.
 import { $, at_end, doc, found, hand, hand_offset, remember, sense, state, value_of } from './state.js';
 import { Scene, lengths_of } from '../js/scene.js';
 import { h } from '../js/dom.js';

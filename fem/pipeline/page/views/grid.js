@@ -104,7 +104,7 @@ export function grid_pictures(doc) {
   const [axis, other] = by_second ? [second, first] : [first, second];
   if (!axis.is_numeric) return [];
   const is_map = all_numbers && Math.min(n, m) >= min_of_map;
-  const along = values => // one list for each value of the other entry, if a case of it is solved
+  const along = values => // one list for each value of the other entry, if any of its cases is solved
     other.names
       .map((name, c) => ({ name, values: axis.values.map((_, i) => values[by_second ? c * m + i : i * m + c]) }))
       .filter(curve => curve.values.some(Number.isFinite));

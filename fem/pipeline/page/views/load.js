@@ -1,4 +1,4 @@
-// Pictures of the load on the table and of the friction that it makes.
+// Pictures of the load on the table and of its friction.
 import { arrows, outline, strokes } from '../js/shapes.js';
 import { columns, table_of } from '../js/tables.js';
 import { dots, line, note, rule } from '../js/marks.js';

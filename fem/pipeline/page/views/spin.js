@@ -165,7 +165,7 @@ export function torque_changes(doc) {
   const orders = Object.keys(t).filter(key => key !== 'omega');
   const all = orders[orders.length - 1];
   if (!all || !(largest(t[all]) > 1e-9 * rest)) return null;
-  // Curves that lie on the one of all harmonics say nothing.
+  // Curves that coincide with the curve of all harmonics are omitted.
   const differs = n => largest(t[n].map((v, i) => v - t[all][i])) > 0.01 * largest(t[all]);
   const shown_orders = [...orders.filter(differs).slice(0, 4), all];
   const colours = ['c2', 'c3', 'c4', 'c5'];
@@ -193,7 +193,7 @@ export function torque_changes(doc) {
 }
 
 export function truncation(doc) {
-  const rows = doc.summary.truncation.filter(row => Math.abs(row.relative_change) > 1e-12); // smaller ones say nothing
+  const rows = doc.summary.truncation.filter(row => Math.abs(row.relative_change) > 1e-12); // omits rounding errors
   if (rows.length < 3) return null;
   const x = rows.map(row => row.harmonics);
   const y = rows.map(row => Math.abs(row.relative_change));

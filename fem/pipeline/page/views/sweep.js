@@ -1,4 +1,4 @@
-// What `stemware sweep` shows.
+// Page of `stemware sweep`.
 import { files, study } from './common.js';
 import { grid_pictures } from './grid.js';
 

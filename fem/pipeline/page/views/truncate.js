@@ -1,4 +1,4 @@
-// What `stemware truncate` shows.
+// Page of `stemware truncate`.
 import { beginning, fewer_harmonics, files, study } from './common.js';
 import { load_polar, spectrum, table_of_harmonics } from './load.js';
 import { shown } from '../js/words.js';

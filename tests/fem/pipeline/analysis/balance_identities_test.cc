@@ -76,7 +76,7 @@ class BalanceOnTables : public testing::TestWithParam<Surface>
 INSTANTIATE_TEST_SUITE_P(Tables, BalanceOnTables, testing::ValuesIn(surfaces),
                          [](const auto &info) { return std::string(info.param.name); });
 
-/// The default glass, friction deforming foot and substrate, on a table.
+/// Returns the study of the default glass, with friction deforming foot and substrate, on a table.
 Study study_on(const Surface &surface)
 {
   Study study = test::mat_study();
@@ -111,7 +111,7 @@ TEST_P(BalanceOnTables, TorqueAtRestIsMuTimesTheMoment)
   }
 }
 
-/// Friction coefficient at a slip speed [m/s].
+/// Returns the friction coefficient at a slip speed [m/s].
 double coefficient_at(const ring::Motion &motion, double slip_speed)
 {
   if (motion.friction_law == ring::FrictionLawKind::coulomb)

@@ -25,7 +25,7 @@ namespace
 using namespace stemware::test;
 using Texts = std::vector<std::string>;
 
-/// "step name n" of every row.
+/// Returns "step name n" of every row.
 Texts rows_of(const Budget &budget)
 {
   Texts rows;
@@ -43,7 +43,7 @@ Texts names_without(const Study &study, const Model &model = {})
   return names;
 }
 
-/// Rows of a study without a foot under @p load.
+/// Returns the rows of a study without a foot under @p load.
 StudyRows rows_of(const Study &study, const ring::RingStack &load, const Executor &executor)
 {
   return rows_by_harmonics(study, nullptr, given_load(load), spin_question(study), executor,
@@ -51,7 +51,7 @@ StudyRows rows_of(const Study &study, const ring::RingStack &load, const Executo
                            budget_variants(own_variant(study, nullptr), false));
 }
 
-/// Budget of a given load.
+/// Returns the budget of a given load.
 Budget budget_of(const Study &study, const ring::RingStack &load)
 {
   fem::ComplianceCache cache;
@@ -64,7 +64,7 @@ Budget budget_of(const Study &study)
   return test::whole_budget(study, ThreadedExecutor(cache));
 }
 
-/// Rows of a contact: @p rows, followed by one for each number of harmonics.
+/// Returns the rows of a contact: @p rows, followed by one for each number of harmonics.
 Texts contact_rows(const Study &study, Texts rows)
 {
   fem::ComplianceCache cache;

@@ -13,7 +13,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Forty points of the default foot: its underside, edge, cone, fillet and stem.
+/// Returns forty points of the default foot: its underside, edge, cone, fillet and stem.
 std::string forty_points()
 {
   const fem::GlassProfile glass = Study().glass.profile;

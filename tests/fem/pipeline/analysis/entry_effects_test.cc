@@ -164,7 +164,7 @@ const std::vector<Effect> effects = {
   { "Load/File", "two.dat", "/load/a/1", from_file },
 };
 
-/// Summary of a study, with the table of the spin-up under "spin_up.csv".
+/// Returns the summary of a study, with the table of the spin-up under "spin_up.csv".
 Json results_of(const Study &study)
 {
   fem::ComplianceCache cache;
@@ -178,7 +178,7 @@ Json results_of(const Study &study)
   return all;
 }
 
-/// The base study of an effect, with or without the value of the entry; fast to solve.
+/// Returns the base study of an effect, with or without the value of the entry; fast to solve.
 Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder &scratch)
 {
   EntryValues values = { { "Glass/Shape", "step" },
@@ -265,8 +265,8 @@ std::string name_of(const testing::TestParamInfo<Effect> &info)
   return name;
 }
 
-/// Another value of an entry: 10 % more, twice the count, or the next allowed word; empty, which the entry
-/// refuses, if no value can be guessed.
+/// Returns another value of an entry: 10 % more, twice the count, or the next allowed word; empty, which the
+/// entry refuses, if no value can be guessed.
 std::string another_value(const StudyEntry &entry)
 {
   if (entry.quantity != nullptr)
@@ -282,7 +282,8 @@ std::string another_value(const StudyEntry &entry)
   return place == words.end() ? "" : place + 1 == words.end() ? words.front() : *(place + 1);
 }
 
-/// The list, and for each other entry the terminal spin of the first base study in which it has an effect.
+/// Returns the listed effects, and for each other entry the terminal spin of the first base study in which it
+/// has an effect.
 std::vector<Effect> all_effects()
 {
   std::vector<Effect> all = effects;

@@ -31,8 +31,8 @@ double log_uniform(std::mt19937 &random, double from, double to)
   return std::exp(value_between(random, std::log(from), std::log(to)));
 }
 
-/// A glass on a hard table: rigid, or a thick disc stiffer or softer than the glass. A third of the studies
-/// has lift-off.
+/// Returns a random study of a glass on a hard table: rigid, or a thick disc stiffer or softer than the
+/// glass. A third of the studies has lift-off.
 Study random_hard_study(std::mt19937 &random)
 {
   Study study = test::mat_study();

@@ -125,7 +125,7 @@ private:
       truth["a" + std::to_string(n)] = at_rest.harmonic(n, false);
       truth["b" + std::to_string(n)] = at_rest.harmonic(n, true);
     }
-    constexpr double reach = 2e-3; // relative search interval around the spin of the program
+    constexpr double reach = 2e-3; // search interval around the program's spin, relative
     const auto near = [&](LiftedGlass &of, double spin)
     { return of.terminal_spin((1 - reach) * spin, (1 + reach) * spin); };
     truth["omega_terminal"] = near(glass, omega);
@@ -147,14 +147,14 @@ double uniform(std::mt19937 &random, double from, double to)
   return from + (to - from) * static_cast<double>(random()) / 4294967296.;
 }
 
-/// Random moment ratio and direction, with lift-off.
+/// Returns a random moment ratio and direction, with lift-off.
 LiftedState random_moment(std::mt19937 &random)
 {
   const double ratio = uniform(random, 1.21, 1.96);
   return { ratio, uniform(random, -2.2, -0.9) };
 }
 
-/// Random height of the centre of mass, with lift-off.
+/// Returns a random height of the centre of mass, with lift-off.
 LiftedState random_height(std::mt19937 &random)
 {
   return { 0, 0, uniform(random, 0.109, 0.134) };
@@ -242,7 +242,7 @@ TEST(LiftedBands, WithVanishingSlipInOneContactHold)
 // Rigid flat lands. References: closed forms on a mat; annular punch by other code on a hard bonded layer
 // (tests/verification/annular_punch.py).
 
-/// A flat land under a given moment in the direction @p direction [rad].
+/// Returns a flat land under a given moment in the direction @p direction [rad].
 Study flat_study(double width, double moment_ratio, double direction)
 {
   Study study = test::mat_study();

@@ -6,7 +6,7 @@
 namespace stemware::test
 {
 
-/// A load with harmonics up to 9.
+/// Returns a load with harmonics up to 9.
 inline ring::RingStack rich_load()
 {
   return { { 0.47, 0.1, 0.09, 0, -0.02, 0, 0.004, 0, -0.001, 0 },
@@ -14,7 +14,7 @@ inline ring::RingStack rich_load()
            0.03 };
 }
 
-/// A study of a given load, as from a file.
+/// Returns a study of a given load, as from a file.
 inline pipeline::Study study_of_given_load()
 {
   pipeline::Study study = mat_study();
@@ -24,7 +24,7 @@ inline pipeline::Study study_of_given_load()
   return study;
 }
 
-/// The default glass on few lines and harmonics: a contact takes milliseconds.
+/// Returns the default glass on few lines and harmonics: a contact takes milliseconds.
 inline pipeline::Study quick_contact_study()
 {
   pipeline::Study study = mat_study();
@@ -35,8 +35,8 @@ inline pipeline::Study quick_contact_study()
   return study;
 }
 
-/// A flat land on a mat in full contact without friction coupling, whose pressure has no harmonics above the
-/// first (docs/theory/load_models.md).
+/// Returns a flat land on a mat in full contact without friction coupling, whose pressure has no harmonics
+/// above the first (docs/theory/load_models.md).
 inline pipeline::Study flat_land_on_a_mat(pipeline::LoadCoupling coupling)
 {
   pipeline::Study study = quick_contact_study();

@@ -13,7 +13,7 @@ namespace
 
 using test::SolvedStudy;
 
-/// The step profile in the closure full without tilt, on a hard disc.
+/// Returns a study of the step profile with the moment balance `full` without tilt, on a hard disc.
 Study hard_disc(double thickness, double young_modulus, double poisson_ratio)
 {
   Study study = test::mat_study();

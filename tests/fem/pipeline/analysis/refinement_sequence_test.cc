@@ -13,7 +13,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// limit + constant * 2^(-order * level), level = 0 ... n_levels - 1.
+/// Returns limit + constant * 2^(-order * level), level = 0 ... n_levels - 1.
 std::vector<double> algebraic(double limit, double constant, double order, unsigned int n_levels)
 {
   std::vector<double> values;

@@ -71,7 +71,7 @@ struct Levels
   {
   }
 
-  /// The band of `run` for a quantity.
+  /// Returns the band of `run` for a quantity.
   const BandedQuantity &band(const std::string &key) const { return quick[index_of(quick, key)]; }
 
   static ring::Question question_of(const Study &study)

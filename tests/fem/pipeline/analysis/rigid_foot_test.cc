@@ -29,7 +29,7 @@ const nlohmann::json &reference()
   return file;
 }
 
-/// A rigid foot on a mat of that modulus [Pa/m].
+/// Returns the study of a rigid foot on a mat of @p foundation_modulus [Pa/m].
 Study rigid_foot_study(double foundation_modulus)
 {
   Study study = test::mat_study();

@@ -32,7 +32,7 @@ ErrorBands bands_of(const Study &study)
                         ThreadedExecutor(cache));
 }
 
-/// The study of a solid foot with a body of revolution, refined @p refinements times.
+/// Returns the study of a solid foot as a body of revolution, refined @p refinements times.
 Study revolved(Study study, unsigned int refinements = 1)
 {
   study.contact.body = BodyKind::revolution;
@@ -68,7 +68,7 @@ Study solid_study(fem::GlassShape shape, const fem::FootResolution &resolution)
   return study;
 }
 
-/// A section with re-entrant corners and lift-off on a mat, under a given moment.
+/// Returns a section with re-entrant corners and lift-off on a mat, under a given moment.
 Study step_on_mat(double foundation_modulus)
 {
   Study study = solid_study(fem::GlassShape::step, { 24, 2, 1 });
@@ -79,7 +79,7 @@ Study step_on_mat(double foundation_modulus)
   return study;
 }
 
-/// A flat land of 2 mm on a hard table, under a given moment.
+/// Returns a flat land of 2 mm on a hard table, under a given moment.
 Study flat_land(double moment_ratio)
 {
   Study study = solid_study(fem::GlassShape::step, { 24, 4, 2 });
@@ -101,7 +101,7 @@ void expect_band_of_flat_land(double moment_ratio)
   EXPECT_LT(solid[index_of(solid, "a4")].band, 1e-2); // of a_0
 }
 
-/// The foot of a mesh file with linear elements on a mat, without friction coupling.
+/// Returns the foot of a mesh file with linear elements on a mat, without friction coupling.
 Study study_of_mesh(const std::string &file)
 {
   Study study = test::mat_study();
@@ -113,8 +113,8 @@ Study study_of_mesh(const std::string &file)
   return study;
 }
 
-/// The practically rigid square plate of docs/verification on a mat, with the load at @p eccentricity [m] in
-/// the direction @p direction [rad].
+/// Returns the nearly rigid square plate of docs/verification on a mat, with the load at @p eccentricity [m]
+/// in the direction @p direction [rad].
 Study plate_on_mat(double eccentricity, double direction)
 {
   Study study = study_of_mesh("square_plate.msh");
@@ -157,7 +157,7 @@ void expect_bands_of_plate(double eccentricity, double direction)
   EXPECT_TRUE(truth.empty()) << truth.begin()->first << " has no band";
 }
 
-/// Terminal spin of the mean torque over the phases [rad/s].
+/// Returns the terminal spin of the mean torque over the phases [rad/s].
 double mean_spin(const Study &study)
 {
   fem::ComplianceCache cache;
@@ -245,7 +245,8 @@ TEST(SolidBands, OfAStepOnAMatHoldLong)
   expect_within_both(solid, revolution, "tau_at_spin_1");
 }
 
-// The contact is a hundredth of a cell wide, so halving the cells shows only a small part of the error.
+// The contact is a hundredth of a cell wide, so the change by halved cells shows only a small part of the
+// error.
 TEST(SolidBands, OfAContactNarrowerThanItsCellsHoldLong)
 {
   Study study = step_on_mat(1e15);

@@ -16,7 +16,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// A foot with lift-off, on few lines and load harmonics, which do not depend on the mesh.
+/// Returns a foot with lift-off, on few lines and load harmonics, which do not depend on the mesh.
 Study lifting_foot()
 {
   Study study = test::mat_study();

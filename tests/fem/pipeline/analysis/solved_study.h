@@ -32,7 +32,7 @@ struct SolvedStudy
   ring::Answer row;
 };
 
-/// A foot without compliance.
+/// Returns a foot without compliance.
 inline pipeline::Model rigid_foot()
 {
   pipeline::Model model;
@@ -40,14 +40,14 @@ inline pipeline::Model rigid_foot()
   return model;
 }
 
-/// The budget of a study.
+/// Returns the budget of a study.
 inline pipeline::Budget whole_budget(const pipeline::Study &study, const pipeline::Executor &executor)
 {
   const auto foot = pipeline::study_foot(study, executor.make_foot);
   return pipeline::study_spin(study, foot, pipeline::find_load(study, foot), executor).budget;
 }
 
-/// The result of a study as a case of a sweep.
+/// Returns the result of a study as a case of a sweep.
 inline pipeline::CaseResult solve_case(const pipeline::Study &study, const pipeline::Executor &executor)
 {
   return pipeline::case_result(study, pipeline::study_foot(study, executor.make_foot), executor);

@@ -108,7 +108,7 @@ TEST(SpinStudy, ReportsProgressDuringTheSpinUp)
   EXPECT_THROW(followed(), std::domain_error);
 }
 
-/// rich_load() up to @p last [rad/s], tipping above.
+/// Returns rich_load() up to @p last [rad/s], tipping above.
 BalancedLoad tipping_beyond(double last)
 {
   const auto load = [last](double omega) -> ring::Sample
@@ -209,7 +209,7 @@ TEST(Answer, GivesTheReasonWithoutATerminalSpin)
   const ring::Answer none = ring::answer(refusing(ring::NoBalance("none")), question);
   EXPECT_EQ(none.status, ring::Status::no_balance);
   EXPECT_THAT(none.reason, testing::HasSubstr("none"));
-  // Program errors are not answers.
+  // Program errors are rethrown.
   EXPECT_THROW(ring::answer(refusing(std::runtime_error("a fault")), question), std::runtime_error);
   // A moment that grows faster than K_1 decreases, like eps^-3, gives a torque without a zero.
   const auto with_ratio = [](double m) {

@@ -31,7 +31,7 @@ void expect_refused(const ScratchFolder &scratch, const std::vector<std::string>
   EXPECT_EQ(names_in(scratch.path()), before);
 }
 
-/// Message with which the program refuses a study before the computation.
+/// Returns the message with which the program refuses a study before the computation.
 std::string study_refusal(const std::string &file, const std::vector<std::string> &overrides = {})
 {
   try

@@ -46,7 +46,7 @@ const std::vector<Opened> &opened()
   return reports;
 }
 
-/// Words separated by single blanks, with ASCII minus signs as on the console.
+/// Returns the words separated by single blanks, with ASCII minus signs as on the console.
 std::string in_one_line(const std::string &text)
 {
   std::istringstream words(
@@ -146,7 +146,7 @@ nlohmann::json opened_state(const ScratchFolder &scratch, const State &state)
   return page;
 }
 
-/// Sum of the distances of pressure points from the rim [um], and their number, by azimuth.
+/// Returns the sum of the distances of pressure points from the rim [um], and their number, by azimuth.
 std::map<std::string, std::pair<double, int>> distances_of(const nlohmann::json &rows)
 {
   std::map<std::string, std::pair<double, int>> found;
@@ -214,7 +214,7 @@ TEST(Reports, Print)
   EXPECT_GT(printed.size(), 20000u); // pictures and text, not an empty page
 }
 
-/// Points of the curve @p name in the CSV file of a figure.
+/// Returns the points of the curve @p name in the CSV file of a figure.
 std::vector<std::pair<double, double>> points_of(const nlohmann::json &rows, const std::string &name)
 {
   std::vector<std::pair<double, double>> points;
@@ -322,8 +322,8 @@ TEST(Reports, FormattedNumbersParseToTheirValues)
   EXPECT_EQ(found_in_browser(scratch, script), nlohmann::json::array());
 }
 
-/// Reports with hostile text in every text input: the name of the study for all verbs, and each file that a
-/// study reads.
+/// Returns the reports with hostile text in every text input: the name of the study for all verbs, and each
+/// file that a study reads.
 std::vector<Opened> hostile_reports(const std::string &place)
 {
   std::vector<Opened> reports = opened();

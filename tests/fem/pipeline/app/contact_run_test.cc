@@ -18,7 +18,7 @@ namespace stemware::test
 namespace
 {
 
-/// Summary of a quick run of a coarse contact study.
+/// Returns the summary of a quick run of a coarse contact study.
 nlohmann::json run(const ScratchFolder &scratch, const std::vector<std::string> &settings,
                    const std::string &results = "results")
 {
@@ -26,7 +26,7 @@ nlohmann::json run(const ScratchFolder &scratch, const std::vector<std::string> 
                 results);
 }
 
-/// Harmonics of the load over a_0, cosines followed by sines.
+/// Returns the harmonics of the load over a_0, cosines followed by sines.
 std::vector<double> relative_harmonics(const nlohmann::json &summary)
 {
   std::vector<double> harmonics;

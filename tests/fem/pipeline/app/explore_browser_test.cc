@@ -30,7 +30,7 @@ const std::vector<std::pair<std::string, std::string>> moves = { { "Motion/Frict
                                                                  { "Motion/Centre of mass height", "0.1" },
                                                                  { "Table/Foundation modulus", "1e11" } };
 
-/// Script that opens @p page in a frame of each width and makes the moves in turn.
+/// Returns a script that opens @p page in a frame of each width and makes the moves one after the other.
 std::string moving_script(const std::string &page)
 {
   return axe_script() + R"(
@@ -51,7 +51,7 @@ std::string moving_script(const std::string &page)
       omega.push(last.omega);
     }
     const errors = [...last.errors], { body } = frame.contentDocument;
-    frame.contentWindow.Worker.prototype.postMessage = () => {}; // the solver answers no more
+    frame.contentWindow.Worker.prototype.postMessage = () => {}; // the solver no longer answers
     frame.contentWindow.move("Motion/Hand height", 0.14);
     await new Promise(r => setTimeout(r, 600));
     found[width] = { omega, errors, waits: body.matches(".busy") && body.querySelector("#answer").textContent, text: last.text, width: frame.contentDocument.documentElement.scrollWidth,
@@ -82,15 +82,15 @@ TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgram)
     EXPECT_TRUE(found[width]["errors"].empty()) << found[width]["errors"];
     EXPECT_EQ(found[width]["serious"], nlohmann::json::array()) << found[width]["serious"].dump(1);
     EXPECT_LE(found[width]["width"].get<int>(), std::stoi(width)) << "the page has to be scrolled sideways";
-    // At rest a ring falls at |M_N| = N R: with k = v^2 / (rho g) = 0.0425 and mu = 0.2 at
-    // h = 0.15 m, where (h - 0.1 m)^2 k^2 + h^2 mu^2 = R^2 to a thousandth.
+    // At rest a ring tips at |M_N| = N R: with k = v^2 / (rho g) = 0.0425 and mu = 0.2 at h = 0.15 m, where
+    // (h - 0.1 m)^2 k^2 + h^2 mu^2 = R^2 to a thousandth.
     EXPECT_THAT(found[width]["waits"].get<std::string>(), testing::HasSubstr("with the hand at about 150"));
     EXPECT_THAT(found[width]["waits"].get<std::string>(), testing::HasSubstr("Solving …"));
     EXPECT_NE(found[width]["text"].get<std::string>().find("rad/s"), std::string::npos);
   }
 }
 
-/// Start of a script: opens @p page in a frame of width @p width [px].
+/// Returns the start of a script: opens @p page in a frame of width @p width [px].
 std::string framed(const std::string &page, int width)
 {
   return "const frame = document.createElement('iframe');\nframe.style = 'border:0;height:900px;width:" +
@@ -98,8 +98,9 @@ std::string framed(const std::string &page, int width)
          ";\ndocument.body.append(frame);\n";
 }
 
-/// Script that opens @p page, makes the first move and goes through the lesson. Result: spin, errors, texts
-/// of the lesson; "told": answer and notice for a tipping study, an unusual value and a forbidden value.
+/// Returns a script that opens @p page, makes the first move and goes through the lesson. Result: spin,
+/// errors, texts of the lesson; "told": answer and notice for a tipping study, an unusual value and a
+/// forbidden value.
 std::string lesson_script(const std::string &page)
 {
   return framed(page, 1100) + R"(
@@ -140,7 +141,7 @@ TEST(ExplorePage, ASavedPageOpensWithItsValues)
   let saved;
   shown.URL.createObjectURL = blob => ((saved = blob), "#");
   shown.document.getElementById("as-page").click();
-  const text = await saved.text(); // as long as its page lives
+  const text = await saved.text(); // while its page exists
   frame.removeAttribute("srcdoc");
   frame.srcdoc = text;
   await wait(() => frame.contentWindow !== shown || !frame.contentWindow.started || frame.contentDocument.body.dataset.rested);
@@ -151,7 +152,7 @@ TEST(ExplorePage, ASavedPageOpensWithItsValues)
   EXPECT_EQ(found["table"], "mat");
 }
 
-/// Line load at an angle [N/m] as text, from the Fourier series of "load" of a summary.
+/// Returns the line load at an angle [N/m] as text, from the Fourier series of "load" of a summary.
 std::string pressing(const nlohmann::json &load, double angle)
 {
   double value = 0;
@@ -214,9 +215,9 @@ struct Taught
   std::string words;
 };
 
-/// Script that opens @p page in each of @p states and tries all options of the lesson. Result: "right", the
-/// accepted options of each step; "texts" after the first option; "torque", the arrow of the scene; "words"
-/// outside figures.
+/// Returns a script that opens @p page in each of @p states and tries all options of the lesson. Result:
+/// "right", the accepted options of each step; "texts" after the first option; "torque", the arrow of the
+/// scene; "words" outside figures.
 std::string states_script(const std::string &page, const std::vector<Taught> &states)
 {
   nlohmann::ordered_json wanted;
@@ -340,8 +341,8 @@ TEST(ExplorePage, HostileTextExecutesNothing)
       << one << ": " << shown[one]["answer"];
 }
 
-/// Script that opens @p page and loads @p tables, texts of files by name. Result for each: status, offered
-/// columns, and points in the unit @p units over the computed spin-up.
+/// Returns a script that opens @p page and loads @p tables, texts of files by name. Result for each: status,
+/// offered columns, and points in the unit @p units over the computed spin-up.
 std::string measured_script(const std::string &page, const nlohmann::ordered_json &tables,
                             const std::map<std::string, std::string> &units)
 {

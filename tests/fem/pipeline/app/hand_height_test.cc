@@ -15,8 +15,8 @@ namespace stemware::test
 namespace
 {
 
-/// Largest difference of successive values of the curve @p name in a figure. @p n_values receives the number
-/// of values.
+/// Returns the largest difference of successive values of the curve @p name in a figure. @p n_values receives
+/// the number of values.
 double longest_line(const nlohmann::json &rows, const std::string &name, std::size_t &n_values)
 {
   double longest = 0;

@@ -10,7 +10,7 @@ namespace stemware::test
 namespace
 {
 
-/// The verbs that `stemware --help` lists.
+/// Returns the verbs that `stemware --help` lists.
 std::vector<std::string> all_verbs(const std::string &help)
 {
   std::istringstream lines(help);

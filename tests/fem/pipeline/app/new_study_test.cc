@@ -19,7 +19,7 @@ using pipeline::glass_presets;
 using pipeline::Preset;
 using pipeline::table_presets;
 
-/// Number of lines "set ..." with and without a preceding comment.
+/// Returns the number of lines "set ..." with and without a preceding comment.
 std::pair<unsigned int, unsigned int> count_entries(const std::string &text)
 {
   std::pair<unsigned int, unsigned int> n;

@@ -21,7 +21,7 @@ namespace stemware::test
 namespace
 {
 
-/// Columns time, v, dv/dt and omega of a run with the speeds @p speeds.
+/// Returns the columns time, v, dv/dt and omega of a run with the speeds @p speeds.
 std::vector<std::vector<double>> driven(const std::string &speeds, const std::vector<std::string> &settings,
                                         std::vector<double> *steady = nullptr)
 {
@@ -33,8 +33,8 @@ std::vector<std::vector<double>> driven(const std::string &speeds, const std::ve
   return read_columns(scratch / "results/driven_spin_up.csv");
 }
 
-/// omega at equally spaced times up to @p end [s] for the first harmonic in moment balance with v = v0 + a t:
-/// sums over the rim, a linear system for a_1 and b_1, classical Runge-Kutta scheme.
+/// Returns omega at equally spaced times up to @p end [s] for the first harmonic in moment balance with v =
+/// v0 + a t: sums over the rim, a linear system for a_1 and b_1, classical Runge-Kutta scheme.
 std::vector<double> ramp_by_hand(double v0, double a, double end)
 {
   const double m = 0.3, R = 0.03, mu = 0.3, offset = -0.05, h = 0.03, inertia = 3e-4;
@@ -196,7 +196,8 @@ TEST(OrbitSpeed, BreakawayForceIsTheStaticFriction)
 
 TEST(OrbitSpeed, ReportsTheEffectOfTheInterpolation)
 {
-  // The rows, and dense rows on the polygon through them, whose cubic interpolation is the polygon.
+  // The given rows, and dense rows on the polygon through them. The cubic interpolation of the dense rows is
+  // the polygon.
   const std::vector<std::pair<double, double>> rows = { { 0, 0.1 },  { 0.3, 0.18 }, { 0.6, 0.29 },
                                                         { 1, 0.35 }, { 1.4, 0.33 }, { 1.7, 0.24 },
                                                         { 2, 0.15 } };

@@ -34,7 +34,7 @@ const LiftedRun &lifted_run()
   return run;
 }
 
-/// Number behind the first @p words in the text @p broken, whose lines may be broken.
+/// Returns the number behind the first @p words in the text @p broken, whose lines may be broken.
 double number_behind(const std::string &words, const std::string &broken)
 {
   const std::string text = std::regex_replace(broken, std::regex("\\s+"), " ");

@@ -19,7 +19,7 @@ const std::vector<std::string> flat_land = {
   "Contact/Azimuth lines=64",        "Contact/Radial cells=2",        "Contact/Foot layers=1"
 };
 
-/// Terminal spin with all harmonics, by the verb `truncate` [rad/s].
+/// Returns the terminal spin with all harmonics, by the verb `truncate` [rad/s].
 double truncated_spin(const std::string &setting)
 {
   const ScratchFolder scratch;

@@ -17,7 +17,7 @@ namespace stemware::test
 namespace
 {
 
-/// A study of a body of revolution that is solved in milliseconds.
+/// Returns a study of a body of revolution that is solved in milliseconds.
 std::string quick_study()
 {
   return plain_study(
@@ -27,7 +27,7 @@ std::string quick_study()
 /// A study without finite elements.
 const std::string rigid_study = "subsection Load\n  set Source = first harmonic\nend\n";
 
-/// `stemware sweep study.prm` with further arguments; the results are in @p folder.
+/// Returns the command `stemware sweep study.prm` with further arguments; the results are in @p folder.
 std::vector<std::string> sweep(const std::vector<std::string> &further, const std::string &folder = "results")
 {
   std::vector<std::string> arguments = { "sweep", "study.prm", "--output", folder };
@@ -45,7 +45,8 @@ CsvTable table_in(const ScratchFolder &scratch)
   return CsvTable(sorted_by_case(rows_in(scratch)));
 }
 
-/// Lines of a sweep.csv in alphabetical order; rows are written in the order in which cases finish.
+/// Returns the lines of a sweep.csv in alphabetical order; rows are written in the order in which cases
+/// finish.
 std::vector<std::string> sorted_lines(const std::string &text)
 {
   std::istringstream stream(text);
@@ -56,7 +57,7 @@ std::vector<std::string> sorted_lines(const std::string &text)
   return lines;
 }
 
-/// sorted_lines() of a sweep in a folder of its own.
+/// Returns sorted_lines() of a sweep in a folder of its own.
 std::vector<std::string> unbroken(const std::string &study, const std::vector<std::string> &further)
 {
   const ScratchFolder scratch;
@@ -233,7 +234,7 @@ TEST(Sweep, AFailedCaseIsARow)
                 testing::HasSubstr("Contact/Load harmonics = 900 needs more than 1800"));
   }
   EXPECT_EQ(read_summary(scratch / "results")["sweep"]["failed"], 2);
-  // Failed cases are not repeated. A sweep without any answer fails.
+  // Failed cases are not solved again. A sweep without a solved case fails.
   EXPECT_THAT(stemware(scratch, sweep(cases)).out, testing::HasSubstr("4 of them are in"));
   expect_refused(
     stemware(scratch, sweep({ "--vary", "Contact/Load harmonics=900:903:4", "--quiet" }, "failed")), 2,

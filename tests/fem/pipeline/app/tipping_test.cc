@@ -13,7 +13,7 @@ namespace
 
 constexpr double land_inner = 0.020, land_outer = 0.040, crest_radius = 0.030, glass_weight = 10;
 
-/// A rigid foot with a land from 20 to 40 mm on a mat, under 10 N.
+/// Returns the study of a rigid foot with a land from 20 to 40 mm on a mat, under 10 N.
 std::string wide_land(const std::string &moment_ratio)
 {
   return "subsection Motion\n  set Mass = 1\n  set Gravity = 10\nend\n"

@@ -13,7 +13,7 @@ namespace
 
 using Json = nlohmann::json;
 
-/// The default glass in balance at every spin.
+/// Returns the default glass in balance at every spin.
 Json summary_of(const std::string &verb, const std::vector<std::string> &settings = {})
 {
   const ScratchFolder scratch;

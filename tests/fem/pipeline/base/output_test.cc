@@ -35,7 +35,7 @@ void publish(const fs::path &target, const std::string &mark)
   folder.publish();
 }
 
-/// Message that refuses a place for results before the computation; empty if it is accepted.
+/// Returns the message that refuses a place for results before the computation; empty if it is accepted.
 std::string refusal_of_folder(const fs::path &target)
 {
   try

@@ -18,7 +18,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The default glass with few harmonics and lines, in balance at every spin.
+/// Returns the default glass with few harmonics and lines, in balance at every spin.
 Study coarse_study_in_balance()
 {
   Study study = test::mat_study();
@@ -45,7 +45,7 @@ struct Described
   ContactReport report;
 };
 
-/// Friction of a contact by point forces, without rings and kernels.
+/// Returns the friction of a contact by point forces, without rings and kernels.
 fem_tests::ResolvedFriction friction_of(const Described &glass, const fem::ContactState &contact,
                                         const Study &study, double omega)
 {
@@ -54,8 +54,8 @@ fem_tests::ResolvedFriction friction_of(const Described &glass, const fem::Conta
                                       study.motion.orbit.orbit_speed);
 }
 
-/// Forces and moments on the glass in three dimensions, from the pressure points. The axis of the glass leans
-/// opposite to the tilt of the table in the frame of the glass.
+/// Returns the forces and moments on the glass in three dimensions, from the pressure points. The axis of the
+/// glass leans opposite to the tilt of the table in the frame of the glass.
 verification::PlainGlass plain_glass(const Described &glass, const fem::ContactState &contact,
                                      const Study &study, double omega)
 {

@@ -22,7 +22,7 @@ namespace ring = stemware::ring;
 
 constexpr double two_pi = 2 * ring::pi;
 
-/// A load with an arbitrary smooth dependence on both phases and the spin.
+/// Returns a load with an arbitrary smooth dependence on both phases and the spin.
 ring::RingStack made_up_load(double omega, const ring::Orientation &phase)
 {
   const double wave = std::exp(0.3 * std::cos(3 * phase.glass + 0.4)) / (1.5 + std::sin(2 * phase.table));
@@ -31,7 +31,7 @@ ring::RingStack made_up_load(double omega, const ring::Orientation &phase)
                          0.03 * (1 + 1e-3 * wave));
 }
 
-/// tau_z over mu N R at a slip ratio, by the trapezoidal rule.
+/// Returns tau_z over mu N R at a slip ratio, by the trapezoidal rule.
 double torque(const ring::RingStack &load, double eps)
 {
   return ring::test::wrench_by_quadrature(1, load, eps, load.radius(), 4096).torque /
@@ -145,7 +145,7 @@ TEST(PhaseSampledLoad, MeanAgreesWithQuadrature)
 namespace
 {
 
-/// A load whose b_1 has the value @p jump for about half of the phases, else 0.
+/// Returns a load whose b_1 has the value @p jump for about half of the phases, else 0.
 LoadAtPhase jumping_load(double jump)
 {
   return [jump](double, const ring::Orientation &phase) {

@@ -37,7 +37,7 @@ protected:
   }
   std::string text() const { return gmsh_text(mesh); }
 
-  /// Message that refuses @p text as a mesh file; empty if the mesh is usable.
+  /// Returns the message that refuses @p text as a mesh file; empty if the mesh is usable.
   static std::string sentence(const std::string &text, const fem::MeshFileOptions &marks = {})
   {
     const TemporaryFile file(text);
@@ -130,7 +130,7 @@ TEST_F(ForeignMesh, RefusesAContactZoneOnAWall)
   expect_sentence(text(), "100 % faces sideways");
 }
 
-/// 0.03 mm, a thousandth of the radius, is allowed.
+/// Allowed: 0.03 mm, a thousandth of the radius.
 TEST_F(ForeignMesh, RefusesAnOffAxisMesh)
 {
   move([](const dealii::Point<3> &x) { return dealii::Point<3>(x[0] + 0.0003, x[1], x[2]); });

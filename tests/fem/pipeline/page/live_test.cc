@@ -25,7 +25,7 @@ namespace
 
 using Values = std::vector<std::pair<std::string, std::string>>;
 
-/// The default study with @p values.
+/// Returns the default study with @p values.
 Study study_of(const Values &values)
 {
   Study study;
@@ -51,13 +51,13 @@ nlohmann::json solved(unsigned int n_harmonics = 0, bool cold = true)
   return nlohmann::json::parse(explore_solve(n_harmonics, cold));
 }
 
-/// Terminal spin in the part @p row of the summary of an answer [rad/s].
+/// Returns the terminal spin in the part @p row of the summary of an answer [rad/s].
 double omega_of(const nlohmann::json &answer, const char *row = "ring")
 {
   return answer.at("document").at("summary").at(row).at("omega_terminal").get<double>();
 }
 
-/// Terminal spin of the program for the same study [rad/s].
+/// Returns the terminal spin of the program for the same study [rad/s].
 double spin_by_the_program(const Study &study, unsigned int n_harmonics = all_harmonics)
 {
   fem::ComplianceCache cache;

@@ -18,7 +18,7 @@ namespace
 
 using namespace test;
 
-/// Answer with the terminal spin @p omega [rad/s].
+/// Returns an answer with the terminal spin @p omega [rad/s].
 ring::Answer answer_with(unsigned int harmonics, double omega)
 {
   ring::Answer row;

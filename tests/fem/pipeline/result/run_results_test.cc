@@ -19,14 +19,14 @@ namespace
 using test::CsvTable;
 using test::SolvedRun;
 
-/// Solved once. Tests change copies of its parts.
+/// Returns a run that is solved once. Tests change copies of its parts.
 const SolvedRun &solved_run()
 {
   static const SolvedRun run(test::quick_contact_study());
   return run;
 }
 
-/// The results file @p name. Throws std::out_of_range if it does not exist.
+/// Returns the results file @p name. Throws std::out_of_range if it does not exist.
 CsvTable file_of(const Results &results, const std::string &name)
 {
   for (const ResultFile &file : results.files)

@@ -32,7 +32,7 @@ struct Everything
 const std::vector<Everything> rows = { { "a, \"b\"", 100000, -1.23456789, 0.25, true, { 1.5, 3.5 } },
                                        { "c < d", 7, 1e-15, std::nullopt, false, { 2.5, 4.5 } } };
 
-/// All fields, for each format.
+/// Returns all fields, for each format.
 Fields<Everything> all_fields()
 {
   return Fields<Everything>{
@@ -84,7 +84,7 @@ TEST(Table, PrintsOnTheConsole)
 )");
 }
 
-/// A table of one row of texts, with these labels.
+/// Returns a table of one row of texts, with these labels.
 Table texts(const std::vector<std::pair<std::string, Json>> &cells)
 {
   Table table;

@@ -22,7 +22,7 @@ std::vector<FileRow> rows_of(const std::string &file)
   return read_column_file("Entry = my.csv", file, time_and_speed);
 }
 
-/// Message that refuses a file.
+/// Returns the message that refuses a file.
 std::string column_refusal(const std::string &file)
 {
   return test::sentence_of([&] { rows_of(file); });

@@ -150,7 +150,7 @@ TEST(StudySize, CountsAMeshFileBeforeReadingIt)
 
 TEST(StudySize, MemoryAgreesWithMeasuredRuns)
 {
-  // Measured resident peaks. `stemware truncate` of version 0.2: default 189 MB, Refinements = 2 454 MB,
+  // Measured resident memory. `stemware truncate` of version 0.2: default 189 MB, Refinements = 2 454 MB,
   // Azimuth lines = 4000 411 MB. `stemware run --quick` of version 0.4, condensed solid with 38 139 unknowns:
   // 858 MB. The estimate must be within a factor of two.
   const auto megabytes = [](const Settings &settings)

@@ -23,7 +23,7 @@ using test::ScratchFolder;
 const std::string plain_foot = "0, 2\n20, 2\n28, 0\n32, 0\n34, 1\n34, 3\n16, 4\n6, 8\n4, 16\n0, 16\n";
 const std::string millimetres = "r (mm), z (mm)\n";
 
-/// Study of a drawn foot.
+/// Returns the study of a drawn foot.
 Study study_of(const ScratchFolder &scratch, const std::string &points, const std::vector<std::string> &more)
 {
   std::vector<std::string> overrides = { "Glass/Shape=profile",
@@ -38,7 +38,7 @@ Study study_of(const std::string &points,
   return study_of(ScratchFolder(), points, more);
 }
 
-/// Message that refuses a file; empty if the file is accepted.
+/// Returns the message that refuses a file; empty if the file is accepted.
 std::string profile_refusal(const std::string &points,
                             const std::vector<std::string> &more = { "Glass/Crown radius=0.003" })
 {
@@ -69,8 +69,8 @@ TEST(ProfileFile, FitsTheRimUnlessItIsGiven)
   EXPECT_EQ(profile_note(Study()), "");
 }
 
-/// A rim of radius 2.5 mm at r = 29.5 mm with ten points on the land, whose heights have errors of @p error
-/// mm with alternating signs.
+/// Returns a rim of radius 2.5 mm at r = 29.5 mm with ten points on the land, whose heights have errors of @p
+/// error mm with alternating signs.
 std::string scattered_foot(double error)
 {
   std::string points = millimetres + "0,3\n20,3\n";

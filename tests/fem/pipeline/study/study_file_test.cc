@@ -14,7 +14,7 @@ namespace
 
 using test::ScratchFolder;
 
-/// Message that refuses a study; empty if the study is accepted.
+/// Returns the message that refuses a study; empty if the study is accepted.
 std::string study_refusal(const std::string &file, const std::vector<std::string> &overrides = {})
 {
   return test::sentence_of([&] { read_study(file, overrides); });
@@ -57,7 +57,7 @@ TEST(StudyFile, TheHandStaysUnlessItsOffsetIsGiven)
   EXPECT_EQ(hand_of("", { centre }), std::pair(0.03, 0.03 - 0.25));
   EXPECT_EQ(hand_of(offset, { centre }), std::pair(0.1875, -0.0625));
   EXPECT_EQ(hand_of("", { "Motion/Force offset=-0.0625", centre }), std::pair(0.1875, -0.0625));
-  // A file of all entries states both, and the hand stays.
+  // A file of all entries gives offset and height, and the height of the hand is unchanged.
   const std::string all = scratch.write("all.prm", study_as_prm(read_study(offset, { centre })));
   EXPECT_EQ(hand_of(all, {}), std::pair(0.1875, -0.0625));
   EXPECT_EQ(hand_of(all, { "Motion/Centre of mass height=0.5" }), std::pair(0.1875, -0.3125));
@@ -102,7 +102,7 @@ TEST(StudyFile, PathsAreRelativeToTheStudyFile)
   // On the command line, paths are relative to the working directory.
   EXPECT_EQ(read_study(file, { "Contact/Mesh file=" + mesh }).contact.mesh_file, mesh);
   EXPECT_NE(study_refusal(file, { "Contact/Mesh file=../meshes/foot.msh" }), "");
-  // Each entry of a file is a path.
+  // An entry is a path exactly if its name ends in "file".
   Study any;
   for (const StudyEntry &entry : study_entries(any))
     EXPECT_EQ(entry.name.rfind("ile") + 3 == entry.name.size(), entry.path_value != nullptr) << entry.path();

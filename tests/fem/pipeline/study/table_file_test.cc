@@ -55,7 +55,7 @@ TEST(TableFile, QuotesFollowRfc4180)
   EXPECT_EQ(table.rows[1].line, 2u);
   EXPECT_EQ(table.rows[2].line, 4u);
   EXPECT_EQ(table.with_point(table.rows[2].cells[0]),
-            "1,000"); // the separator is a comma, so this is no decimal comma
+            "1,000"); // not a decimal comma, because the comma separates columns
   EXPECT_THAT(test::sentence_of([] { parse_table("cases.csv", "a,b\n1,\"2\n"); }),
               testing::HasSubstr("cases.csv, line 2: "));
 }
