@@ -16,14 +16,14 @@ namespace stemware::pipeline
 namespace
 {
 
-/// On what converges faster than any order, or with the first order and more.
+/// Safety factor of changes that converge at least with first order.
 constexpr double usual_factor = 1.25;
 
-/// On the change of contact lines under a load that ends between two of them: the larger of two changes may
-/// be half of the error.
+/// Safety factor of a change of contact lines under a load that ends between two lines: the larger of two
+/// changes may be half of the error.
 constexpr double factor_of_lines = 2.5;
 
-/// Elastic harmonics that a comparison of meshes takes at least.
+/// Minimum number of elastic harmonics in a comparison of meshes.
 constexpr unsigned int min_harmonics = 4;
 
 using Setting = std::function<void(Variant &)>;
@@ -34,7 +34,7 @@ Variant changed(Variant copy, const Setting &change)
   return copy;
 }
 
-/// @p variant for the part @p part of the band, on a foot of its own, compared with @p from.
+/// Returns the change @p variant for the part @p part of the band, on its own foot, compared with @p from.
 BandChange change_of(const std::string &part, double factor, Variant variant, const std::string &from = "",
                      bool compares_over_spins = false)
 {
@@ -52,10 +52,10 @@ void harden(Variant &variant)
   variant.discretisation.hardness *= 10;
 }
 
-/// Number of rings that is enough everywhere but next to slip ratio 1.
+/// Number of rings that suffices except near slip ratio 1.
 constexpr unsigned int usual_rings = 5;
 
-/// @p n_rings radii on the band of @p radii, which are chebyshev_radii(), two at least.
+/// Returns @p n_rings Chebyshev radii on the band whose Chebyshev radii are @p radii, at least two.
 std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned int n_rings)
 {
   const double middle = (radii.back() + radii.front()) / 2, reach = (radii.back() - radii.front()) / 2;
@@ -63,10 +63,10 @@ std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned 
   return chebyshev_radii(middle - half, middle + half, n_rings);
 }
 
-/// Other rings and harmonics that take over the pressure of the same contacts. What the friction force adds
-/// in the balance is of the size of what they change: it counts twice. @p ring_counts: numbers of rings in
-/// the place of the foot's, two at least, whose largest change counts; one ring becomes those of a study that
-/// asks for usual_rings.
+/// Adds other rings and harmonics for the pressure of the same contacts. These changes count twice, because
+/// the friction force in the moment balance adds an error of the same size. @p ring_counts: numbers of rings
+/// in place of the foot's (if that has at least two), of which the largest change counts. A single ring is
+/// replaced by the rings of a study with Contact/Rings = usual_rings.
 void add_gathering(const Variant &own_study, const ElasticFoot &foot,
                    const std::vector<unsigned int> &ring_counts, std::vector<BandChange> &changes)
 {
@@ -90,9 +90,9 @@ void add_gathering(const Variant &own_study, const ElasticFoot &foot,
   }
 }
 
-/// Adds three and four times the lines along which the table law is integrated, set by @p multiply(variant,
-/// factor). The error of N lines under a load that ends between two of them depends on the place of its edge
-/// there, and is of both signs: one other count may agree by chance.
+/// Adds changes to three and four times the contact lines, set by @p multiply(variant, factor). Under a load
+/// that ends between two of N lines, the error depends on the position of the edge between them and has
+/// either sign, so that a single other count may agree by chance.
 void add_lines(const Variant &own, const std::function<void(Variant &, unsigned int factor)> &multiply,
                std::vector<BandChange> &changes)
 {
@@ -119,8 +119,8 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
     fewer = with_harmonics(n_harmonics / 2);
     changes.push_back(change_of(from, 0.5, fewer));
   }
-  // What a mesh changes is told with a quarter of the harmonics: beyond them a mesh changes what all others
-  // share.
+  // Meshes are compared with a quarter of the harmonics: the higher ones are changed by a mesh in the same
+  // way.
   if (n_harmonics >= 4 * min_harmonics)
   {
     from = "few harmonics";
@@ -129,13 +129,13 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
   }
   const Variant coarse = changed(fewer, [](Variant &variant) { variant.discretisation.fineness /= 2; });
   changes.push_back(change_of("mesh", usual_factor, coarse, from));
-  // Where cells are small, a higher degree is tried on the coarse ones: that tells more than enough.
+  // With the small cells of a hard table, a higher degree is tried on coarse cells, which gives an upper
+  // bound.
   if (study.contact.degree < 4 && study.table.is_hard())
     changes.push_back(change_of("degree", usual_factor, changed(coarse, raise_degree), "mesh"));
   else if (study.contact.degree < 4)
     changes.push_back(change_of("degree", usual_factor, changed(fewer, raise_degree), from));
-  // At re-entrant corners, far from the contact, the error falls with the first order: halved cells show half
-  // of it.
+  // At re-entrant corners, far from the contact, the error is of first order: halved cells show half of it.
   if (has_focused_mesh(study, own.discretisation))
     changes.push_back(change_of(
       "mesh", 2, changed(fewer, [](Variant &variant) { ++variant.discretisation.halvings_beyond_zone; }),
@@ -146,24 +146,21 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
       changes);
   if (study.table.is_hard())
     changes.push_back(change_of("interface", 1.5, changed(own, harden)));
-  // Where the slip vanishes between the rings, the error depends on the place between them and is of both
-  // signs: one other number may agree by chance, and those with common radii too.
+  // If the slip vanishes between two rings, the error depends on the position between them and has either
+  // sign. A single other number of rings, or rings with common radii, may agree by chance.
   const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
   add_gathering(own, foot, { 2 * n_rings, 2 * n_rings + 1, 4 * n_rings }, changes);
   return changes;
 }
 
-// ---- solid
-
-/// A study on a coarser mesh, whose cells are @p ratio times as large in the direction in which they grow
-/// least.
+/// Study on a coarser mesh. @p ratio: smallest growth of the cells among the three directions.
 struct CoarserStudy
 {
   Variant variant;
   double ratio = 2;
 };
 
-/// The solid foot of @p study on cells about twice as large. Returns std::nullopt if its mesh has none.
+/// Returns the study of a solid foot on cells about twice as large; std::nullopt if there is no such mesh.
 std::optional<CoarserStudy> on_coarser_mesh(const Variant &own)
 {
   CoarserStudy coarse = { own };
@@ -174,7 +171,7 @@ std::optional<CoarserStudy> on_coarser_mesh(const Variant &own)
     --contact.refinements;
   else if (contact.mesh_file.empty())
   {
-    // Rounded up to what a mesh can have: 6 cells across the land become 4.
+    // Rounded up to an allowed count: 6 cells across the land become 4.
     const auto coarsen = [&](unsigned int &n, unsigned int multiple)
     {
       const unsigned int before = n;
@@ -193,9 +190,10 @@ std::optional<CoarserStudy> on_coarser_mesh(const Variant &own)
   return coarse;
 }
 
-/// How much more an interface yields that has the indentation of the glass which cells of size @p cell do not
-/// know: of a band of half-width b < cell under a line load p, 2 (1 - nu^2) / (pi E) p ln(cell / b), beside
-/// its own p / (2 b k) (the logarithm of a line contact: Johnson, Contact Mechanics, 1985, section 4.2).
+/// Returns the factor on the compliance of the interface that represents the indentation of the glass which
+/// cells of size @p cell do not resolve. Under a line load p on a band of half-width b < cell, this
+/// indentation is 2 (1 - nu^2) / (pi E) p ln(cell / b), and the interface yields by p / (2 b k) (Johnson,
+/// Contact Mechanics, 1985, section 4.2).
 double softening_by_narrow_contact(const Study &study, const LoadReport &load, double cell)
 {
   const double b = load.half_width(), nu = study.glass.material.poisson_ratio;
@@ -210,7 +208,7 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
 {
   const Study &study = own.study;
   const double cell = foot.body().description().contact_cell_size;
-  // A flat land touches with its edges, at which a generated mesh has smaller cells.
+  // A flat land touches with its edges, where a generated mesh has smaller cells.
   const bool is_round = !study.contact.mesh_file.empty() || study.glass.profile.crown_radius > 0;
   const bool is_narrow = is_round && at_rest.half_width() < cell;
   if (is_narrow && study.table.is_hard())
@@ -221,7 +219,7 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
   const std::optional<CoarserStudy> coarse = on_coarser_mesh(own);
   const Variant finer = changed(own, [](Variant &variant) { ++variant.study.contact.refinements; }),
                 quadratic = changed(own, raise_degree);
-  // An error of first order is what halving the cells has taken from it, and twice what halving them will.
+  // First-order error: the change from a coarser mesh, or twice the change to halved cells.
   if (coarse)
     changes.push_back(change_of("mesh", 1.5 / (coarse->ratio - 1), coarse->variant, "", true));
   else if (study.contact.degree == 2 && is_affordable(finer))
@@ -235,7 +233,7 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
     throw BadInput("quadratic elements would exceed Contact/Memory limit");
   const Variant &cheapest = coarse ? coarse->variant : own;
   const std::string as_cheapest = coarse ? "mesh" : "";
-  // Each halving adds as much to a narrow contact's indentation as the one before.
+  // Each halving of the cells adds the same amount to the indentation of a narrow contact.
   if (is_narrow)
     changes.push_back(change_of(
       "mesh", usual_factor,
@@ -246,15 +244,15 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
     changes.push_back(change_of("interface", 2, changed(cheapest, harden), as_cheapest));
   else if (uses_penalty_for_hard_table(study, own.discretisation))
     changes.push_back(change_of("interface", 2, changed(own, harden)));
-  // The edge of the contact crosses faces of a mesh file in any direction, and those of a generated mesh with
+  // The contact edge crosses faces of a mesh file in any direction, and faces of a generated mesh with
   // lift-off. Nodal multipliers have no lines.
   if ((!is_full || !study.contact.mesh_file.empty()) &&
       (!study.table.is_hard() || uses_penalty_for_hard_table(study, own.discretisation)))
     add_lines(
       own, [](Variant &variant, unsigned int factor) { variant.discretisation.line_factor *= factor; },
       changes);
-  // Where the contact is far narrower than the distance of nodes, whose weights in the balance of moments are
-  // those of the rings extrapolated, more rings would show rounding.
+  // More rings would amplify rounding if the contact is far narrower than the spacing of the nodes, because
+  // the rings are extrapolated to the nodes in the moment balance.
   const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
   add_gathering(own, foot, { n_rings == 2 ? usual_rings : n_rings - 1 }, changes);
   return changes;

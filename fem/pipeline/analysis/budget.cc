@@ -16,7 +16,7 @@ std::optional<double> unless_nan(double value)
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-/// Puts the answer to a model under those in @p rows.
+/// Adds the row of a solved model to @p rows.
 void add_row(const ChainStep &step, const std::string &name, const Study &study, const LoadedRow &solved,
              std::vector<BudgetRow> &rows)
 {
@@ -42,7 +42,8 @@ WithoutRow judge_without(const LoadedRow &solved, const ring::Answer &complete)
   return row;
 }
 
-/// Changes of the terminal spin by changed inputs; those that are rounding, or without a spin, are left out.
+/// Returns the changes of the terminal spin due to changed inputs, without those below rounding and without a
+/// spin.
 std::vector<InputRow> judge_inputs(const Study &study, const std::vector<LoadedRow> &others)
 {
   std::optional<double> unchanged;
@@ -105,7 +106,7 @@ std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
       add_row(other.variant.step, other.variant.name, other.variant.study, other, rows);
   if (study.load.source == LoadSource::first_harmonic)
     return rows;
-  // Rows 3 or 3a, 4, 5, ... of a study whose load has harmonics to tell apart.
+  // Rows 3 or 3a, 4, 5, ... of a study whose load has higher harmonics.
   const std::vector<LoadedRow> &by_harmonics = solved.by_harmonics;
   const LoadedRow &first = by_harmonics.front();
   add_row({ 3, study.tilts() }, study.tilts() ? "tilt" : "where the foot touches", study, first, rows);
@@ -115,11 +116,12 @@ std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
     add_row(step, "harmonics", study, by_harmonics[i], rows);
     ++step.number;
   }
-  if (by_harmonics.size() == 1) // a first harmonic from a file is all its harmonics
+  if (by_harmonics.size() == 1) // a file with a single harmonic
     add_row(step, "harmonics", study, first, rows);
   BudgetRow &all = rows.back();
   all.harmonics.reset();
-  // The series of a pressure that ends somewhere dips below zero there; the pressure does not.
+  // The truncated series of a pressure with an edge is slightly negative beyond the edge; the pressure is
+  // not.
   if (study.load.is_from_contact() && all.status == ring::Status::formal)
     all.status = ring::Status::lift_off;
   return rows;

@@ -62,7 +62,7 @@ struct Budget
 {
   std::vector<BudgetRow> rows; ///< the last one is the study itself
   std::vector<WithoutRow> without;
-  std::vector<InputRow> inputs; ///< that have an effect, input_variants()
+  std::vector<InputRow> inputs; ///< inputs with an effect, see input_variants()
   HarmonicEffect harmonics;
 
   /// Spins of BudgetRow::torques: 0, half and all of the study's terminal spin [rad/s]; only 0 if the glass

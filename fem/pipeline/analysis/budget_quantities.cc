@@ -11,7 +11,7 @@ namespace
 
 using Number = std::optional<double>;
 
-/// "formal", or why something is missing; empty for what stands as it is.
+/// Returns "formal", or the reason of a missing value; empty otherwise.
 std::string remark_of(const BudgetRow &row)
 {
   if (!row.reason.empty())
@@ -24,7 +24,7 @@ Number spin_above(const BudgetRow &row)
   return row.difference ? Number(*row.omega_terminal - *row.difference) : std::nullopt;
 }
 
-/// Heading of a column that is shown without one.
+/// Heading of a column without a visible heading.
 constexpr char no_heading[] = " ";
 
 } // namespace
@@ -112,7 +112,7 @@ const Fields<BudgetRow> &chain_torque_fields()
 std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows)
 {
   std::vector<BudgetRow> steps;
-  std::optional<double> first; // terminal spin of the first harmonic alone
+  std::optional<double> first; // terminal spin with the first harmonic only
   for (const BudgetRow &row : rows)
   {
     if (row.name != "harmonics" || steps.empty() || steps.back().name != "harmonics")
@@ -134,7 +134,7 @@ std::vector<BudgetRow> shown_chain(const std::vector<BudgetRow> &rows, double ro
     return {};
   const double smallest = std::max(rows.back().band.value_or(0), rounding),
                torque_at_rest = std::abs(rows.back().torques[0].value_or(0));
-  // A difference is that to the row above among the shown rows.
+  // Each difference refers to the previous row that is shown.
   std::vector<BudgetRow> shown;
   for (BudgetRow row : rows)
   {

@@ -27,9 +27,9 @@ namespace
 /// Largest number of cases whose texts fit into memory.
 constexpr std::size_t max_cases = 1000000;
 
-/// Assigns @p value to @p entry of a study of its own and returns the value as a study file has it, in the
-/// unit of SI. Throws BadInput, which begins with @p origin, if the entry does not take the value or the file
-/// that it names is not there.
+/// Returns @p value of @p entry as a study file states it, in the SI unit, after assigning it to a separate
+/// study. Throws BadInput, beginning with @p origin, if the entry does not accept the value or its file is
+/// missing.
 std::string canonical(const StudyEntry &entry, const std::string &origin, const std::string &value)
 {
   assign(entry, origin, value);
@@ -47,7 +47,7 @@ std::vector<std::string> pieces(const std::string &text, char separator)
   return parts;
 }
 
-/// Rounds @p value of a range to 15 digits of the larger of its ends.
+/// Returns @p value of a range, rounded to 15 digits of the larger end.
 double snapped(double value, double first, double last)
 {
   const double largest = std::max(std::abs(first), std::abs(last));
@@ -129,7 +129,7 @@ void require_different(const CaseList &list)
            list.origin + " varies " + entry.path + " twice; give all its values in one place.");
 }
 
-/// Factor of the unit in a heading, as text to be written behind a number.
+/// Returns the unit in a heading as text to be appended to a number.
 std::string unit_of_heading(const StudyEntry &entry, const ColumnHeading &heading, const std::string &place)
 {
   const bool is_plain = heading.unit.empty() || entry.unit.empty();

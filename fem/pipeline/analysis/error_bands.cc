@@ -25,8 +25,8 @@ namespace
 /// Spins and phases at which a study and its changes are compared.
 struct EvaluationPoints
 {
-  /// Rest, half, once and one and a half times the terminal spin; four close to the terminal spin if these do
-  /// not give the slope there.
+  /// Rest, half, once and one and a half times the terminal spin; then four spins close to the terminal spin
+  /// if the others do not resolve the slope there.
   std::vector<double> spins;
   std::optional<double> first; ///< terminal spin of the first harmonic only
   std::vector<ring::Orientation> phases;
@@ -62,7 +62,7 @@ LoadsAtPhases loads_of(const Study &study, const std::shared_ptr<ElasticFoot> &f
   return loads;
 }
 
-/// Returns @p loads of the same contacts of @p foot, whose pressure is projected onto other rings.
+/// Returns @p loads of the same contacts of @p foot with their pressure projected onto other rings.
 LoadsAtPhases projected(LoadsAtPhases loads, const ElasticFoot &foot, const RingProjection &rings)
 {
   for (auto *list : { &loads.all, &loads.first })
@@ -114,7 +114,8 @@ Evaluation evaluate(const LoadsAtPhases &loads, const ElasticFoot &foot, const r
   return found;
 }
 
-/// The marks of glass and table at equally spaced phases of their periods; one where nothing is out of flat.
+/// Returns the orientations of glass and table at equally spaced phases of their periods; one without
+/// waviness.
 std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &foot)
 {
   const ring::Orientation start = moment_balance(study).orientation;
@@ -124,19 +125,19 @@ std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &
   constexpr unsigned int n_phases = 4;
   std::vector<ring::Orientation> phases;
   for (unsigned int i = 0; i < n_phases; ++i)
-    // Glass and table turn against each other.
+    // Glass and table rotate in opposite directions.
     phases.push_back({ start.glass + periods.glass * i / n_phases,
                        start.table + periods.table * (3 * i % n_phases) / n_phases });
   return phases;
 }
 
-/// The reported numbers of @p row, each changed by what changes from @p own to @p found: at a terminal spin
-/// that differs from the one looked at by what the torque there says.
+/// Returns the reported numbers of @p row, each with the change from @p own to @p found added. If the
+/// terminal spin differs from the evaluated one, the torque there gives its change.
 std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const EvaluationPoints &probe,
                                                 const Evaluation &own, const ring::Answer &row,
                                                 const Study &study)
 {
-  // From the side of rest where the glass tips on the other.
+  // If the glass tips at the upper spin, the slope is taken from the spins up to the terminal spin.
   const auto is_known = [&](std::size_t i)
   { return std::isfinite(own.torques[i].torque()) && std::isfinite(found.torques[i].torque()); };
   const std::size_t end = is_known(3) ? 3 : 2;
@@ -190,9 +191,9 @@ EvaluationPoints probe_of(const Study &study, const ElasticFoot &foot, double om
   return probe;
 }
 
-/// Adds the spins of torque_slope() if those farther away do not tell the slope at the terminal spin: near
-/// |omega| = v / R, where the rim rolls on one side and the torque bends sharply, and with lift-off, where
-/// the edges of the contact move across the azimuth lines.
+/// Adds the spins of torque_slope() if the more distant spins do not resolve the slope at the terminal spin:
+/// near |omega| = v / R, where the torque has a kink, and with lift-off, where the contact edges move across
+/// the azimuth lines.
 void add_slope_spins(bool is_full, double spin_scale, EvaluationPoints &probe)
 {
   const double omega = probe.spins[2];
@@ -202,15 +203,15 @@ void add_slope_spins(bool is_full, double spin_scale, EvaluationPoints &probe)
   probe.spins.insert(probe.spins.end(), { omega - 2 * step, omega - step, omega + step, omega + 2 * step });
 }
 
-/// Returns the loads of a changed foot from few of its contacts: at rest at every phase, and at the terminal
-/// spin at every phase or, of a costly foot, at the first. The change of a load is linear in the spin.
+/// Returns the loads of a changed foot from few contacts: at rest at every phase, and at the terminal spin at
+/// every phase (at the first phase only, if contacts are costly). The change of a load is linear in the spin.
 LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                             const LoadsAtPhases &own_loads, const EvaluationPoints &probe)
 {
   const auto changed = [&](const std::vector<BalancedLoad> &before, unsigned int n_harmonics, double omega)
   {
     std::vector<BalancedLoad> loads;
-    std::optional<Eigen::VectorXd> per_spin; // of the change; empty without a balance at omega
+    std::optional<Eigen::VectorXd> per_spin; // slope of the change; empty without a balance at omega
     for (const BalancedLoad &own : before)
     {
       const BalancedLoad after = find_load_at_phase(study, foot, probe.phases[loads.size()], n_harmonics);
@@ -243,8 +244,8 @@ LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoo
            changed(own_loads.first, 1, probe.first.value_or(0)) };
 }
 
-/// The quantities in the contacts of @p foot, that of a change, on the rings of @p own, the study's own with
-/// its loads @p own_loads, unless they are what changes.
+/// Returns the quantities in the contacts of the changed @p foot, on the rings of the study's foot @p own
+/// with the loads @p own_loads, unless the change concerns the rings.
 Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot> &foot,
                     const ElasticFoot &own, const LoadsAtPhases &own_loads, const EvaluationPoints &probe)
 {
@@ -259,8 +260,8 @@ Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot>
   return evaluate(loads, *foot, change.study.motion.orbit, probe);
 }
 
-/// Adds to the parts of @p bands what @p change moves the quantities by, from @p before to @p after. What it
-/// leaves without a value has no band.
+/// Adds the differences from @p before to @p after of @p change to the parts of @p bands. Quantities without
+/// a value after the change lose their band.
 void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &before,
               const std::vector<QuantityOfInterest> &after, ErrorBands &bands)
 {
@@ -281,8 +282,8 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
 }
 
 /// Widens the part "lines" of harmonics whose errors vanish by chance on the study's lines. All harmonics n >
-/// 1 share the error that comes from the place of an edge between two lines, and its change to four times the
-/// lines, which leave 1/32 of it (order 5/2), tells it to 1/32 of the largest.
+/// 1 share the error due to the position of a contact edge between two lines. Four times the lines leave 1/32
+/// of it (order 5/2), so each part is at least 1/32 of the largest.
 void widen_parts_of_lines(ErrorBands &bands)
 {
   constexpr double rest_on_more_lines = 1. / 32;
@@ -298,8 +299,8 @@ void widen_parts_of_lines(ErrorBands &bands)
     banded->add("lines", std::max(0., rest_on_more_lines * largest - banded->parts.at("lines")));
 }
 
-/// Returns the bands of @p quantities that have a value from the solver's tolerances; values that are in @p
-/// reported come from there.
+/// Returns the bands due to the solver's tolerances, for the @p quantities with a value; values in @p
+/// reported replace computed ones.
 ErrorBands bands_of_solver(const std::vector<QuantityOfInterest> &quantities,
                            const std::vector<QuantityOfInterest> &reported)
 {
@@ -350,7 +351,7 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   const auto done = [&, tell = counting_callback(progress, "error bands", changes.size())](
                       std::size_t i, const Solved<Evaluation> &solved) mutable
   {
-    solved.value(); // one that fails leaves no band
+    solved.value(); // rethrows a failure: then there are no bands
     tell(i, solved);
   };
   const std::vector<Solved<Evaluation>> found = solve(changes, foot, look_at, executor, done);

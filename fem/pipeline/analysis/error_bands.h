@@ -16,18 +16,17 @@ namespace stemware::pipeline
 /// once, by itself, and the resulting change is the part of the band with the parameter's name
 /// (docs/method/error_bands.md):
 ///
-///   mesh            cells twice as large, in the contact where they are smaller there; then also those
-///                   beyond half as large; of a solid foot half as large if larger are not possible
-///   degree          elements of one degree more (on hard tables both on cells twice as large); of a solid
+///   mesh            cells twice as large (in the contact only, if its cells are smaller; then also half as
+///                   large outside); for a solid foot half as large if larger cells are not possible
+///   degree          elements of one degree more (on a hard table with cells twice as large); for a solid
 ///                   foot if they are linear
-///   harmonics       half the elastic harmonics; not of a solid foot
-///   lines           four and three times the azimuth lines, of a solid foot the lines of each face; nothing
-///   in full
-///                   contact, unless the mesh is from a file
+///   harmonics       half the elastic harmonics; not for a solid foot
+///   lines           four and three times the azimuth lines, for a solid foot the lines of each face; nothing
+///                   in full contact, unless the mesh is from a file
 ///   interface       ten times the penalty of a hard interface
 ///   load_harmonics  twice the harmonics of the load, half if the lines or cells resolve no more
-///   rings           2 n, 2 n + 1 and 4 n of n rings, the largest change; under a solid foot one less, five
-///                   instead of two; instead of one those of Contact/Rings = 5
+///   rings           2 n, 2 n + 1 and 4 n instead of n rings, the largest change; for a solid foot n - 1,
+///                   or 5 instead of 2; instead of one ring the rings of Contact/Rings = 5
 ///   interpolation   loads between sampled phases
 ///   solver          tolerances
 ///
@@ -47,15 +46,15 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
                           const Executor &executor, Progress &progress = silent_progress(),
                           const std::vector<QuantityOfInterest> &reported = {});
 
-/// Returns the quantities that the results of a study state: of the load @p at_rest, and of the torque at
-/// half the terminal spin in the last row of @p budget.
+/// Returns the quantities stated in the results of a study: of the load @p at_rest, and the torque at half
+/// the terminal spin in the last row of @p budget.
 std::vector<QuantityOfInterest> reported_quantities(const LoadReport &at_rest, const Budget &budget);
 
 /// Sets the band of each budget row that comes from the contact and has a terminal spin, from the bands @p
-/// of_all of the last row and @p of_first of the first harmonic only [rad/s]: the wider of the two, but at
-/// most either band plus the row's difference to it, because discretisation changes a small difference by a
-/// part of it. Closed forms get no band; without @p of_first only rows that differ from the last row by less
-/// than its band get one; without @p of_all none.
+/// of_all of the last row and @p of_first of the first harmonic only [rad/s]. A row gets the wider of the
+/// two, but at most either band plus the row's difference to its row, because discretisation changes a small
+/// difference by a fraction of it. Closed forms get no band. Without @p of_first only rows that differ from
+/// the last row by less than its band get one; without @p of_all none.
 void add_bands(const std::optional<double> &of_all, const std::optional<double> &of_first,
                std::vector<BudgetRow> &rows);
 

@@ -18,7 +18,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Friction's tau_z at @p omega, @p with_lean the lean torque besides, linearised at @p state.
+/// Returns tau_z of friction at @p omega, plus the lean torque if @p with_lean, linearised at @p state.
 fem::ContactGoal torque_goal(const Study &study, const fem::ContactState &state, double omega, bool with_lean)
 {
   fem::ContactGoal goal;
@@ -34,7 +34,7 @@ fem::ContactGoal torque_goal(const Study &study, const fem::ContactState &state,
   return goal;
 }
 
-/// a_2 / a_0, a_0 being given by the weight.
+/// Returns a_2 / a_0 as a goal; the weight determines a_0.
 fem::ContactGoal second_harmonic_goal(const fem::ContactState &state)
 {
   fem::ContactGoal goal;
@@ -45,7 +45,7 @@ fem::ContactGoal second_harmonic_goal(const fem::ContactState &state)
   return goal;
 }
 
-/// d tau_z / d omega in balance [N m s].
+/// Returns d tau_z / d omega in balance [N m s].
 double slope_at(const BalancedLoad &load, const ring::Motion &motion, double omega)
 {
   const double step = load.spin_scale(motion) / 512;
@@ -59,7 +59,7 @@ void scale(fem::MeshError &error, double factor)
     share *= std::abs(factor);
 }
 
-/// Share of the error whose cells are halved at once.
+/// Fraction of the error in the cells that are halved at once.
 constexpr double marked_share = 0.8;
 
 GoalError error_of(const Study &study, const Discretisation &discretisation, const Executor &executor)
@@ -84,8 +84,8 @@ double sum_of_shares(const fem::MeshError &error)
   return std::accumulate(error.cells.begin(), error.cells.end(), 0.);
 }
 
-/// A mesh for a goal has cells that no size of a study foresees. @p before: of the mesh without the last
-/// cells that @p meshed halves.
+/// Throws if the next mesh for a goal exceeds the memory limit. The size of such a mesh is unknown before. @p
+/// before: error on the mesh before the last halvings of @p meshed.
 void require_memory(const Study &study, const Discretisation &meshed, const GoalError &before)
 {
   constexpr double per_unknown = 10e3; // bytes, most of them in the estimate; measured

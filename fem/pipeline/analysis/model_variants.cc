@@ -10,7 +10,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The study with constant friction, mu at the orbit speed, which keeps the torque at rest.
+/// Returns the study with constant friction, mu at the orbit speed, which keeps the torque at rest.
 Study with_constant_friction(Study study)
 {
   ring::Motion &motion = study.motion.orbit;
@@ -19,7 +19,8 @@ Study with_constant_friction(Study study)
   return study;
 }
 
-/// The study with a first harmonic on a ring of the contact radius, under its moment balance or given moment.
+/// Returns the study with a first harmonic on a ring of the contact radius, under its moment balance or given
+/// moment.
 Study first_harmonic_study(Study study)
 {
   study.load.source = LoadSource::first_harmonic;
@@ -102,7 +103,7 @@ std::vector<Variant> input_variants(const Study &study)
       [&](MotionSection &motion)
       {
         motion.orbit.centre_of_mass_height += higher;
-        if (study.given_entries.count("Motion/Force offset") == 0) // the hand stays
+        if (study.given_entries.count("Motion/Force offset") == 0) // the height of the hand is kept
           motion.orbit.force_offset -= higher;
       });
   add("0.05 more friction", [](MotionSection &motion) { motion.orbit.friction_coefficient += rougher; });
@@ -145,7 +146,7 @@ std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
   add_if(!study.table.is_hard(), "compliance of the interface",
          [](Variant &other)
          {
-           constexpr unsigned int max_degree = 2; // on small cells matters less than the phases left out
+           constexpr unsigned int max_degree = 2; // the omitted phases matter more
            other.study.table.interface = TableInterface::hard;
            if (other.study.has_waviness())
              other.study.contact.degree = std::min(other.study.contact.degree, max_degree);

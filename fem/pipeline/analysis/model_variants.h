@@ -18,8 +18,8 @@ std::vector<Variant> model_chain(const Study &study);
 /// Returns the study without one of its effects at a time; empty for a load without a contact: "friction in
 /// the foot", "friction in the substrate", "elasticity of the foot", "elasticity of the substrate",
 /// "compliance of the interface", "dependence of friction on slip", "tilt", "lean of the liquid", "grip",
-/// "waviness". Variants without any compliance are not defined; variants of a solid foot on a hard table take
-/// too long if the load @p depends_on_phase. These are not to be solved. @p own: the study itself.
+/// "waviness". Two kinds are not to be solved: variants without any compliance are undefined, and variants of
+/// a solid foot on a hard table take too long if the load @p depends_on_phase. @p own: the study itself.
 std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase = false);
 
 /// Returns the first-harmonic model of a study with a moment balance, "unchanged" and with one input changed

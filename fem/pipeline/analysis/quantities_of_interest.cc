@@ -53,7 +53,8 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
                                                        const SpinNumbers &spin)
 {
   const ContactSection &contact = study.contact;
-  // A solid foot counts sectors; a body of revolution finds the edges between its lines.
+  // The contact fraction of a solid foot counts sectors; a body of revolution interpolates the edges between
+  // its lines.
   std::vector<QuantityOfInterest> quantities = load_quantities(
     at_rest,
     abilities(contact.body).is_of_revolution ? relative_noise : 1. / contact.resolution.azimuthal_cells);

@@ -45,7 +45,7 @@ struct BandedQuantity
     band += half_width;
   }
 
-  /// True if the value is zero to rounding (a harmonic that vanishes by symmetry).
+  /// Returns true if the value is zero to rounding (a harmonic that vanishes by symmetry).
   bool is_zero() const;
 };
 
@@ -77,25 +77,25 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
                                                        const Eigen::Vector3d &table_motion,
                                                        const SpinNumbers &spin);
 
-/// Returns the quantities of interest of a study from its @p load, one of a contact, with the torque at @p
-/// spins [rad/s]; empty: spins_of_interest(). @p near: initial guess of the terminal spin. Throws as @p load
-/// and ring::terminal_spin(), and ring::NoBalance if the glass tips.
+/// Returns the quantities of interest of a study from its @p load, which comes from a contact, with the
+/// torque at @p spins [rad/s]; empty: spins_of_interest(). @p near: initial guess of the terminal spin.
+/// Throws as @p load and ring::terminal_spin(), and ring::NoBalance if the glass tips.
 std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
                                                    std::vector<double> spins = {},
                                                    const std::optional<double> &near = {});
 
-/// Default spins at which the torque is evaluated: half and one and a half times
-/// the terminal spin @p omega_terminal.
+/// Returns the default spins at which the torque is evaluated: half and one and a half times the terminal
+/// spin @p omega_terminal.
 std::vector<double> spins_of_interest(double omega_terminal);
 
 /// Returns the quantity @p key. Throws std::out_of_range if there is none.
 const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities,
                                       const std::string &key);
 
-/// Returns the change of the quantity @p key from @p before to @p after. Terminal spin and torques are judged
-/// together, by the largest change of torque at half, one and one and a half times the terminal spin, because
-/// the errors of different harmonics may cancel at one spin; NaN if one of the three has no value. @p
-/// yaw_inertia [kg m^2]. Throws as quantity_of().
+/// Returns the change of the quantity @p key from @p before to @p after. For terminal spin and torques it is
+/// the largest change of torque at half, one and one and a half times the terminal spin, because the errors
+/// of different harmonics may cancel at one spin; NaN if one of the three has no value. @p yaw_inertia [kg
+/// m^2]. Throws as quantity_of().
 double max_change_over_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
                              const std::vector<QuantityOfInterest> &after, double yaw_inertia);
 

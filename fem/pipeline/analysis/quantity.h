@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-/// Quantities of the results. Each is declared once, in a list of Fields: its key, unit and words, and how it
-/// is read from a row. The list makes the members of summary.json with their schema, the columns of data
-/// files, and tables for the page and the console.
+/// Quantities of the results. Each is declared once, in a list of Fields: its key, unit, words, and the
+/// function that reads it from a row. The list gives the members of summary.json with their schema, the
+/// columns of data files, and tables for the page and the console.
 namespace stemware::pipeline
 {
 
@@ -87,25 +87,25 @@ Column column_of(const std::string &key, const std::string &name, const std::str
 
 using Word = std::function<void(Quantity &)>;
 
-/// Heading in data files and description of the column.
+/// Declares the heading in data files and the description of the column.
 Word in_file(const std::string &name, const std::string &column);
-/// Description of a column whose heading is the key.
+/// Declares the description of a column whose heading is the key.
 Word in_column(const std::string &column);
-/// Heading on the page.
+/// Declares the heading on the page.
 Word on_page(const std::string &heading);
-/// Label on the console.
+/// Declares the label on the console.
 Word on_console(const std::string &label);
-/// Heading on the page and label on the console.
+/// Declares the heading on the page, which is also the label on the console.
 Word shown_as(const std::string &word);
-/// Digits on page and console.
+/// Declares the format of digits on page and console.
 Word with_digits(const std::string &digits);
-/// Columns of a list of fixed length.
+/// Declares the columns of a list of fixed length.
 Word with_places(const std::vector<Quantity> &places);
-/// JSON Schema of the values, in addition to that of their type.
+/// Declares the JSON Schema of the values, in addition to the schema of their type.
 Word of_type(const Json &type);
-/// Number in the place of a * in key and name.
+/// Declares the number in place of a * in key and name.
 Word with_number(const std::string &number);
-/// No key in summary.json instead of null.
+/// Declares that a missing value has no key in summary.json, instead of null.
 Word or_absent();
 
 /// Function that returns the key of a row, for members by key.
@@ -119,7 +119,7 @@ ByKey(Key) -> ByKey<Key>;
 
 // ---- C++ types
 
-/// Stands for a type in a call.
+/// Tag of a type, to select an overload.
 template <typename Value>
 struct Type
 {
@@ -128,8 +128,8 @@ struct Type
 /// Returns the JSON Schema @p type with null as a further value.
 Json or_null(Json type);
 
-/// Returns the JSON Schema of a type: of numbers and texts, of what an optional or a pointer points to or
-/// null, of lists. @p part: of a type that is none of these.
+/// Returns the JSON Schema of a type: number, text, list, or the target of an optional or a pointer, or null.
+/// @p part: schema of any other type.
 inline Json schema_of(Type<const char *>, const Json & /*part*/ = {})
 {
   return { { "type", "string" } };
@@ -179,15 +179,15 @@ void add_columns(const Quantity &quantity, const std::vector<Json> &cells, Face 
 template <typename Row>
 class Fields;
 
-/// A quantity and how it is read from a Row.
+/// Quantity with the function that reads it from a Row.
 template <typename Row>
 struct Field
 {
   Quantity quantity;
   std::function<Json(const Row &)> value;
 
-  /// Quantity with its words; @p read is a member of Row, or is called with a row. An empty @p description:
-  /// only in tables.
+  /// Creates a quantity with its words; @p read is a member of Row, or is called with a row. With an empty @p
+  /// description, the quantity is in tables only.
   template <typename Read, typename... Words,
             typename = std::enable_if_t<std::is_invocable_v<Read, const Row &>>>
   Field(const std::string &key, const std::string &unit, const std::string &description, Read read,
@@ -201,15 +201,15 @@ struct Field
     (words(quantity), ...);
   }
 
-  /// Object with the members @p fields of what @p read returns: a row, or a list if it returns a vector; null
-  /// if it returns an optional or a pointer without value.
+  /// Creates an object with the members @p fields of the result of @p read: a row, or a list if it is a
+  /// vector; null for an optional or a pointer without value.
   template <typename Part, typename Read, typename... Words>
   Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,
         Words... words)
       : Field(key, description, fields, read, ByKey{ nullptr }, words...)
   {
   }
-  /// The same; the rows of a vector are members by their key.
+  /// The same with the rows of a vector as members under their keys.
   template <typename Part, typename Read, typename Key, typename... Words>
   Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,
         ByKey<Key> by_key, Words... words);
@@ -226,7 +226,7 @@ public:
   {
   }
 
-  /// Returns this list behind all of @p fields, read from what @p read returns, a row of theirs.
+  /// Returns @p fields, applied to the result of @p read, followed by this list.
   template <typename Part, typename Read>
   Fields include(const Fields<Part> &fields, Read read) const
   {
@@ -253,7 +253,7 @@ public:
     return schema_of_object(quantities);
   }
 
-  /// Returns the quantities that have a description, by key; of a vector of rows the list of these objects.
+  /// Returns the quantities that have a description, by key.
   Json json(const Row &row) const
   {
     Json object = Json::object();

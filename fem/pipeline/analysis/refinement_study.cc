@@ -21,7 +21,7 @@ struct Parameter
   RefinementAxis axis;
   unsigned int &value;
   unsigned int min, max;
-  unsigned int step = 0; ///< sizes are multiples of it and double; 0: they are counted on
+  unsigned int step = 0; ///< sizes are multiples of this and are doubled; 0: sizes are increased by one
 };
 
 std::vector<Parameter> parameters_of(ContactSection &contact)
@@ -95,7 +95,8 @@ RefinementSequence assess_convergence(const std::vector<double> &values, AxisKin
   RefinementSequence sequence = { values, std::nullopt, values.back(), {} };
   double band = rounding;
   if (kind != AxisKind::cells)
-    band += 1.25 * std::max(std::abs(fine_step), std::abs(coarse_step) / 4); // one small step may be chance
+    band +=
+      1.25 * std::max(std::abs(fine_step), std::abs(coarse_step) / 4); // fine_step may be small by chance
   else if (0.5 <= order && order <= 8)
   {
     sequence.order = order;
@@ -106,7 +107,7 @@ RefinementSequence assess_convergence(const std::vector<double> &values, AxisKin
   {
     const auto last_three = values.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(n, 3));
     const auto [least, largest] = std::minmax_element(last_three, values.end());
-    band += (n == 2 ? 1.5 : 3.) * (*largest - *least); // two levels: taken as first order
+    band += (n == 2 ? 1.5 : 3.) * (*largest - *least); // two levels: first order is assumed
   }
   for (const double value : values)
     sequence.bands.push_back(std::abs(value - values.back()) + band);

@@ -22,7 +22,7 @@ enum class AxisKind
 struct RefinementSequence
 {
   std::vector<double> values;
-  std::optional<double> order; ///< observed order p of the last three values; std::nullopt if they show none
+  std::optional<double> order; ///< observed order p of the last three values; std::nullopt if there is none
   double limit = 0;            ///< Richardson value if an order was observed, else the finest value
   std::vector<double> bands;   ///< half-widths: band of the finest value plus the distance from that value
   std::string key = {};        ///< of the quantity

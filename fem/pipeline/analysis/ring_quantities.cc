@@ -14,7 +14,7 @@ namespace
 using Number = std::optional<double>;
 using Effect = ring::TorqueEffect;
 
-/// Reads a number of a state of an answer; null without that state.
+/// Returns a function that reads a number of a state of an answer; null without that state.
 template <typename Read>
 auto in_state(std::optional<ring::RingState> ring::Answer::*state, Read read)
 {
@@ -36,7 +36,8 @@ std::array<double, 2> force_of(const ring::RingState &state)
   return { state.friction.force_x, state.friction.force_y };
 }
 
-/// Reads change, rest or bound of the effect at one of its spins; null without a terminal spin.
+/// Returns a function that reads change, rest or bound of the effect at one of its spins; null without a
+/// terminal spin.
 auto of_effect(std::optional<Effect::AtSpin> Effect::*spin, double Effect::AtSpin::*value)
 {
   return [=](const Truncation &row)
@@ -46,7 +47,7 @@ auto of_effect(std::optional<Effect::AtSpin> Effect::*spin, double Effect::AtSpi
   };
 }
 
-/// Reads a torque over the torque at rest.
+/// Returns a function that reads a torque over the torque at rest.
 template <typename Read>
 auto over_rest(Read read)
 {

@@ -43,7 +43,8 @@ struct Truncation
 std::vector<Truncation> truncations_of(const std::vector<ring::Answer> &rows,
                                        const ring::TorqueEffects &effects, double scale);
 
-/// Returns those whose rest of tau_z exceeds 1e-9 of the torque at rest, and all harmonics; rounding is 0.
+/// Returns the @p rows whose rest of tau_z exceeds 1e-9 of the torque at rest, and the row of all harmonics;
+/// values below rounding become 0.
 std::vector<Truncation> shown_truncations(std::vector<Truncation> rows);
 
 /// Returns "truncation" of summary.json and its tables.
@@ -61,8 +62,8 @@ std::string label_of(const ChainStep &step);
 /// "harmonics, all"; @p at_most replaces the sign "≤".
 std::string title_of(const BudgetRow &row, const std::string &at_most = "≤");
 
-/// Returns the quantities of a row of the budget. @p scale: Study::spin_scale(), whose rounding
-/// is 0. @p shown_spin: terminal spin for people.
+/// Returns the quantities of a row of the budget. Values below the rounding of @p scale, Study::spin_scale(),
+/// are 0. @p shown_spin: format of the terminal spin for display.
 Fields<BudgetRow> chain_fields(double scale = 1, const std::function<Json(double)> &shown_spin = {});
 
 /// Returns step, title and torques of a row of the budget, a table of the page.
@@ -74,11 +75,11 @@ std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows);
 /// Returns the chain for display: rows without effect are omitted, @p rounding of spins and differences is 0.
 std::vector<BudgetRow> shown_chain(const std::vector<BudgetRow> &rows, double rounding);
 
-/// Returns the quantities of a model without one effect; @p complete: terminal spin of the complete model
-/// [rad/s].
-/// Members of a changed input.
+/// Returns the quantities of a changed input.
 const Fields<InputRow> &input_fields();
 
+/// Returns the quantities of a model without one effect; @p complete: terminal spin of the complete model
+/// [rad/s].
 Fields<WithoutRow> without_fields(const std::optional<double> &complete = {}, double scale = 1);
 
 /// Returns "harmonic_effect" of summary.json.

@@ -61,7 +61,8 @@ bool any_is_collective(const std::vector<AnyVariant> &variants)
                      [](const AnyVariant &variant) { return is_collective(variant.study); });
 }
 
-/// Relative cost estimate of a variant, used to start expensive ones first. Zero for lazily created variants.
+/// Returns a relative cost estimate of a variant, used to start expensive ones first. Zero for lazily created
+/// variants.
 template <typename Variants>
 std::pair<int, unsigned int> cost_of(const Variants & /*variants*/, std::size_t /*i*/)
 {
@@ -114,7 +115,7 @@ auto solve(const Variants &variants, const std::shared_ptr<ElasticFoot> &foot, c
   };
   std::vector<std::size_t> order(variants.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  // What takes long is begun first, for others to be solved beside it.
+  // Expensive variants start first, so that others are solved in parallel with them.
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t one, std::size_t other)
                    { return cost_of(variants, one) > cost_of(variants, other); });

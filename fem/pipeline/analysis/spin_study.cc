@@ -47,14 +47,14 @@ PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const PhaseExtremes
   return study;
 }
 
-/// The study on one ring of its foot; nothing where it has no other.
+/// Returns the study on one ring of its foot; std::nullopt if it has one ring already.
 std::optional<Variant> variant_on_one_ring(const Study &study)
 {
   if (!study.load.is_from_contact() || study.contact.rings == 1)
     return std::nullopt;
   Variant one_ring = { VariantKind::one_ring, "one ring", study };
   one_ring.study.contact.rings = 1;
-  one_ring.shared = Shared::contact; // the contact of rest does not depend on the rings
+  one_ring.shared = Shared::contact; // the contact at rest does not depend on the rings
   return one_ring;
 }
 
@@ -74,7 +74,8 @@ std::vector<double> spins_of(const std::vector<ring::YawSample> &samples)
   return spins;
 }
 
-/// The torques of @p all at @p spins, with those of @p first, if any, its first @p n_first harmonics.
+/// Returns the torques at @p spins: @p all of all harmonics, and @p first of the first @p n_first harmonics,
+/// if not empty.
 TorqueCurve torque_curve(const std::vector<double> &spins, double spin_scale,
                          const std::vector<ring::Torques> &all, const std::vector<ring::Torques> &first,
                          unsigned int n_first)
@@ -97,7 +98,7 @@ TorqueCurve torque_curve(const std::vector<double> &spins, double spin_scale,
   return curve;
 }
 
-/// The spins of a spin-up; nothing if the balance is lost on the way.
+/// Returns the spins of a spin-up; empty if the balance is lost on the way.
 std::vector<double> spin_up_of(const ring::Load &load, const ring::Question &question,
                                const std::vector<double> &times, const std::optional<ring::Fall> &fall)
 {
@@ -122,13 +123,13 @@ CurveOfAll curve_of_all(const Study &study, const std::vector<LoadedRow> &rows)
         fastest = *row.row.omega_terminal();
     last = 1.5 * shown_spin(study, all, fastest);
   }
-  if (last == 0) // it falls over as soon as it turns
+  if (last == 0) // the glass tips as soon as it turns
     last = 1e-3 * study.spin_unit();
   int first = -n_intervals / 8;
   if (const ring::PhaseSampledLoad *phases = rows.back().load->phases())
   {
-    // Spins without samples yet take as many contacts as the answer: the curve ends with the samples round
-    // the terminal spin, if they reach beyond it.
+    // Sampling further spins takes as many contacts as the answer. The curve therefore ends with the samples
+    // around the terminal spin, if these reach beyond it.
     constexpr double beyond = 1.1;
     const auto [lower, upper] = phases->polynomial_range(all.last_spin().value_or(0));
     const double terminal = all.last_spin().value_or(0), end = std::clamp(last, lower, upper);
@@ -169,7 +170,7 @@ StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, 
       up.euler = spins_of(ring::euler_spin_up(of_all.load, observed, times, euler_step, fall));
     up.instants = ring::instants_of(adaptive, of_all.load, question);
   };
-  // The curve of the first harmonic is interpolated by its difference to that of all.
+  // The curve of the first harmonic is interpolated by its difference to the curve of all harmonics.
   const auto find_first = [&]
   {
     const auto &[variant, row, load, torques] = rows.front();
@@ -206,7 +207,7 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
   DrivenSpinUp driven;
   if (speeds.starts_from_rest())
     driven.breakaway = find_breakaway(study, foot, speeds);
-  // Each step takes a dozen contacts; speeds that are measured are not known to a millionth.
+  // Each step takes a dozen contacts, and measured speeds are less accurate than 1e-6.
   const double accuracy = study.load.is_from_contact() ? 1e-6 : 1e-10;
   const double radius = study.glass.profile.contact_radius, grip = study.motion.grip_torque;
   const ring::PhasedTorqueFunction torque = ring::observed(driven_torque(study, foot, speeds), observer);
@@ -233,7 +234,7 @@ std::optional<double> driven_band(const SpinStudy &spin, const std::optional<dou
   const auto &driven = spin.spin_up.driven;
   if (!driven || !band || omega.value_or(0) == 0)
     return std::nullopt;
-  // A load at another speed is known as well as that of the terminal spin, relative to its size.
+  // The relative error of the load at another speed equals the relative error at the terminal spin.
   return driven->integration_error + std::abs(driven->omega.back() / *omega) * *band;
 }
 
@@ -242,11 +243,11 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
 {
   std::vector<Variant> others = budget_variants(own_variant(study, foot.get()), load.phases() != nullptr);
   if (depth != Depth::full)
-    others.erase(others.begin() + 1, others.end()); // the paper's model alone
+    others.erase(others.begin() + 1, others.end()); // only the paper's model
   else if (const std::optional<Variant> one_ring = variant_on_one_ring(study))
     others.push_back(*one_ring);
-  // The curve may reach a fall that the search for the terminal spin has missed. The rows are then solved
-  // again.
+  // The curve may detect a spin of tipping that the search for the terminal spin has missed. The rows are
+  // then solved again.
   constexpr unsigned int max_falls = 8;
   StudyRows solved;
   CurveOfAll curve = { {}, load };

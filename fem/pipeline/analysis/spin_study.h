@@ -39,7 +39,7 @@ struct DrivenSpinUp
   /// estimated with a first harmonic on a rigid rim in balance [rad/s].
   double interpolation_change = 0;               ///< largest absolute change over the times
   double interpolation_change_at_end = 0;        ///< change at the last time
-  double integration_error = 0;                  ///< largest error that the integration was asked for [rad/s]
+  double integration_error = 0;                  ///< requested accuracy of the integration [rad/s]
   std::optional<ring::Breakaway> breakaway = {}; ///< breakaway of a hand that starts from rest
 };
 
@@ -75,7 +75,7 @@ struct PhaseStudy
   std::vector<ring::Orientation> phases;
   std::vector<double> torque_at_rest;
   std::vector<double> torque_at_terminal;
-  bool least_is_at_rest = true; ///< least_load is the one at rest
+  bool least_is_at_rest = true; ///< true if least_load occurs at rest
 };
 
 /// Curves of a study: torques over the spin and spin-ups.
@@ -103,13 +103,13 @@ struct SpinStudy : StudyCurves
   std::optional<double> curve_error = {};
 
   const ring::Answer &all() const { return rows.back(); }
-  /// True for Depth::answer: answer and curves only.
+  /// Returns true for Depth::answer: answer and curves only.
   bool is_quick() const { return budget.rows.empty(); }
 };
 
 /// Returns the half-width of the band of the last spin under the speeds of a file: the error of the
-/// integration and the relative
-/// @p band of the terminal spin [rad/s]; std::nullopt without that band or a spin.
+/// integration plus the relative @p band of the terminal spin [rad/s]; std::nullopt without that band or a
+/// spin.
 std::optional<double> driven_band(const SpinStudy &spin, const std::optional<double> &band);
 
 /// Load of all harmonics for curves.

@@ -30,9 +30,9 @@ struct StudyAnswer
 StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, Progress &progress,
                          bool with_fields, std::shared_ptr<ElasticFoot> *start = nullptr);
 
-/// Returns the quantities of a study: each with a description is in "ring" of summary.json, each with a
-/// description of its column is a column of sweep.csv, in this order. The cases' table of ranges has those
-/// with a heading.
+/// Returns the quantities of a study. Each with a description is in "ring" of summary.json; each with a
+/// description of its column is a column of sweep.csv, in this order; each with a heading is in the table of
+/// ranges of a sweep.
 const Fields<StudyAnswer> &study_quantities();
 
 /// Solves @p study on the levels of @p axes, its refinement_axes(). Throws as answer_study() and refine().

@@ -18,7 +18,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Numbers of harmonics of the rows.
+/// Returns the numbers of harmonics of the rows.
 std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Depth depth)
 {
   const bool is_slow =
@@ -28,7 +28,7 @@ std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Dep
   return truncation_orders(n_all);
 }
 
-/// The row of a variant, with its number of harmonics also where the load has fewer or failed.
+/// Returns the row of a variant, with the variant's number of harmonics even if the load has fewer or failed.
 LoadedRow loaded_row(const Variant &variant, ring::Answer row, const std::optional<ring::Load> &load = {})
 {
   if (variant.n_harmonics != all_harmonics)
@@ -72,7 +72,7 @@ ring::TimeObserver motion_observer(Progress &progress)
   using Clock = std::chrono::steady_clock;
   return [&progress, n_torques = std::size_t(0), last = Clock::time_point()](double time) mutable
   {
-    constexpr std::size_t stride = 64; // a torque may be cheaper than to look at the clock
+    constexpr std::size_t stride = 64; // a torque may be cheaper than reading the clock
     if (++n_torques % stride != 0)
       return;
     const Clock::time_point now = Clock::now();
@@ -107,7 +107,7 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
         ? of_study->truncated(variant.n_harmonics)
         : find_load(variant.study, its_foot, silent_progress(), variant.n_harmonics, PhaseSampling::coarse);
     ring::Question question = spin_question(variant.study, asked);
-    if (variant.shared != Shared::load) // solved in parallel
+    if (variant.shared != Shared::load) // these rows are solved in parallel
       question.observer = {};
     LoadedRow row = loaded_row(variant, ring::answer(load, question), load);
     std::string reason;
@@ -117,7 +117,7 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
       row.row.reason = reason;
     return row;
   };
-  // Rows on the study's load share its contacts: one after another, and first.
+  // Rows on the study's load share its contacts, so they are solved first, one after another.
   std::vector<LoadedRow> rows(variants.size());
   std::vector<Variant> others;
   for (std::size_t i = 0; i < variants.size(); ++i)
@@ -192,7 +192,8 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
   }
   question.with_slope = false;
   question.near = whole.row.zero_guess();
-  if (whole.row.fall) // as far as the models with fewer harmonics, or without an effect, are known to stand
+  if (whole.row.fall) // the spin up to which the models with fewer harmonics, or without an effect, are known
+                      // to have a balance
     question.initial_guess = whole.row.fall->omega;
   std::vector<Variant> variants;
   for (std::size_t i = 0; i + 1 < orders.size(); ++i)

@@ -19,7 +19,7 @@ struct LoadedRow
   ring::Answer row = {};
   std::optional<ring::Load> load = {}; ///< std::nullopt if the load failed, see Answer::reason
   std::vector<ring::Torques>
-    torques = {}; ///< at the spins of StudyRows::torque_spins; empty beside the chain
+    torques = {}; ///< torques at the spins of StudyRows::torque_spins; empty for rows outside the chain
 };
 
 /// Answers of one study.
@@ -76,12 +76,12 @@ ring::Answer failed_row(const std::exception_ptr &failure);
 std::vector<unsigned int> truncation_orders(unsigned int n_all);
 
 /// Returns the answer for 1, 2, 3, 4, 6, 8, 12, ... and all harmonics, last row: @p load, find_load() of @p
-/// foot. The others have their own balance if the load is two-way, else the truncated load; each is compared
-/// with the last row. A solid body in balance, whose balances take minutes, and Depth::answer have the rows 1
-/// and all only; Depth::full adds torques at 0, half and all of the terminal spin, or at 0 if the glass tips
-/// on the way. Throws as @p load, and if all harmonics have no answer; if the glass tips on the way, the last
-/// row has a `fall` and nothing is compared with it.
-/// @p others are solved beside the rows, so that no thread waits for the slowest row.
+/// foot. The other rows have their own balance if the load is two-way, else the truncated load; each is
+/// compared with the last row. A solid body in balance, whose balances take minutes, and Depth::answer have
+/// the rows 1 and all only; Depth::full adds torques at 0, half and all of the terminal spin, or at 0 if the
+/// glass tips on the way. Throws as @p load, and if all harmonics have no answer; if the glass tips on the
+/// way, the last row has a `fall` and nothing is compared with it. @p others are solved together with the
+/// rows, so that no thread waits for the slowest row.
 StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                             const ring::Load &load, ring::Question question, const Executor &executor,
                             Progress &progress = silent_progress(), Depth depth = Depth::full,

@@ -21,7 +21,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Some cases of a list as variants, each made when it is asked for.
+/// Some cases of a list as variants, created on demand.
 struct CaseVariants
 {
   std::size_t size() const { return indices.size(); }
@@ -63,7 +63,7 @@ catch (...)
   return { "", "failed", failure_sentence() };
 }
 
-/// True if a case takes all threads. False for one that cannot even be read.
+/// Returns true if a case uses all threads; false for an invalid case.
 bool is_collective_case(const CaseList &list, std::size_t index)
 try
 {

@@ -21,8 +21,8 @@ const std::vector<Quantity> &sweep_columns();
 struct CaseResult
 {
   std::string outcome = {}; ///< of the contact; empty if there was none
-  /// "ok", "formal" if the load, which no contact gives, is negative somewhere, "tips" if the glass tips, at
-  /// rest or on the way, or "failed".
+  /// "ok"; "formal" if the load, not of a contact, is negative somewhere; "tips" if the glass tips, at rest
+  /// or on the way; or "failed".
   std::string status = "ok";
   std::string message = {}; ///< why there are no values, one sentence; empty if the case is solved
   std::map<std::string, double> values = {}; ///< by key of sweep_columns(); missing values are left out
@@ -47,7 +47,7 @@ using FinishedCases = std::map<std::size_t, CaseResult>;
 /// Solves the cases @p wanted, @p n_threads at a time (for a solid body one after another with all threads).
 /// @p finish receives each result when it is available, in any order, from one thread at a time; its
 /// exceptions end the work. A case that fails is a result with a message. Results do not depend on other
-/// cases. Throws std::bad_alloc and OutputFailure, which are no properties of a case.
+/// cases. Throws std::bad_alloc and OutputFailure, which do not depend on a case.
 void solve_cases(const CaseList &list, const std::vector<std::size_t> &wanted, unsigned int n_threads,
                  const std::function<void(std::size_t, const CaseResult &)> &finish);
 

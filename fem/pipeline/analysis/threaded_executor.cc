@@ -34,15 +34,15 @@ private:
   const unsigned int before;
 };
 
-/// Executor::for_each() on @p n_threads.
+/// Implements Executor::for_each() on @p n_threads.
 void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &work)
 {
   const ThreadLimit limit(n_threads);
   tbb::task_arena arena(static_cast<int>(n_threads));
   std::vector<std::exception_ptr> failures(n);
   std::atomic<bool> has_failed = false;
-  // An exception that left the loop would cancel what other calls run in parallel inside themselves, such as
-  // the tables that deal.II fills: they would go on with half of them.
+  // An exception that leaves the loop would cancel parallel loops inside other calls, for example while
+  // deal.II fills tables, which would then stay incomplete.
   const auto guarded = [&](std::size_t i)
   {
     if (has_failed)
@@ -57,9 +57,9 @@ void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &wor
       has_failed = true;
     }
   };
-  // Without the isolation a thread that waits for a loop within one call could begin another call, and then
-  // wait for what it has itself not finished.
-  std::atomic<std::size_t> next = 0; // in their order, whatever the parts that the loop is cut into
+  // Isolation: a thread that waits for a loop within one call must not begin another call, which could then
+  // wait for the first one (deadlock).
+  std::atomic<std::size_t> next = 0; // in ascending order, independent of the division of the loop
   const auto isolated = [&](std::size_t) { tbb::this_task_arena::isolate([&] { guarded(next++); }); };
   arena.execute([&] { tbb::parallel_for(std::size_t(0), n, isolated, tbb::simple_partitioner()); });
   for (const std::exception_ptr &failure : failures)

@@ -10,8 +10,8 @@ namespace stemware::pipeline
 class ThreadedExecutor : public Executor
 {
 public:
-  /// @p cache must outlive the executor.
-  ThreadedExecutor(fem::ComplianceCache &cache, unsigned int n_threads = 1); // a cache alone will do
+  /// Creates an executor with @p n_threads. @p cache must outlive the executor.
+  ThreadedExecutor(fem::ComplianceCache &cache, unsigned int n_threads = 1); // also converts a cache
 };
 
 } // namespace stemware::pipeline

@@ -37,7 +37,7 @@ struct ChainStep
   unsigned int number = 1;  ///< 1 the paper, 2 the study's moment, 3 its contact, 4 ... more harmonics
   bool is_addition = false; ///< addition to the model `number`: 1a, 2a, 3a
 
-  /// True if the terminal spin comes from the study's contact, not from a closed form.
+  /// Returns true if the terminal spin comes from the study's contact, not from a closed form.
   bool is_of_contact() const { return number >= 3; }
 };
 
@@ -59,8 +59,8 @@ struct Variant
   bool is_of_chain() const { return kind == VariantKind::chain || kind == VariantKind::harmonics; }
 };
 
-/// Returns the study itself on @p foot, its foot, of which other variants are changes; nullptr: without a
-/// contact.
+/// Returns the study itself on its foot @p foot; nullptr: without a contact. Other variants are changes of
+/// it.
 inline Variant own_variant(const Study &study, const ElasticFoot *foot)
 {
   return foot ? Variant{ VariantKind::study, "", study, foot->discretisation(), foot->model() }

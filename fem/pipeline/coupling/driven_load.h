@@ -18,8 +18,8 @@ ring::PhasedTorqueFunction driven_torque(const Study &study, const std::shared_p
                                          const ring::OrbitSpeedTable &speeds);
 
 /// Returns the breakaway of a study whose hand starts from rest, with Motion/Breakaway friction or the law's
-/// coefficient at rest: the load is in balance with the static friction. Throws BadInput if the glass falls
-/// over before it slides.
+/// coefficient at rest: the load is in balance with the static friction. Throws BadInput if the glass tips
+/// before it slides.
 ring::Breakaway find_breakaway(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                const ring::OrbitSpeedTable &speeds);
 

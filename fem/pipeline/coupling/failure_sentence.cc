@@ -22,7 +22,7 @@ struct Failure
 {
   std::string sentence;
   ExitCode code = ExitCode::numerical_failure;
-  bool is_everywhere = false; ///< all ranks have it; otherwise the other ranks would wait for ever
+  bool is_everywhere = false; ///< on all ranks; otherwise the other ranks would wait indefinitely
 };
 
 /// Returns the failure of the exception that is being handled.

@@ -8,7 +8,7 @@ namespace stemware::pipeline
 {
 
 /// Chooses the rings of @p foot from the contact @p at_rest: Chebyshev points of its loaded band of radii, as
-/// many as the slip ratio takes at the terminal spin of its load. Without such a spin: Contact/Rings of them.
+/// many as the slip ratio at the terminal spin of its load requires. Without such a spin: Contact/Rings.
 void choose_rings(const ContactSection &contact, const ring::Motion &motion, ElasticFoot &foot,
                   const fem::ContactState &at_rest);
 

@@ -28,7 +28,7 @@ constexpr BandPart band_parts[] = {
   { "solver", "solver", "From the tolerances of the solvers." }
 };
 
-/// Reads a part of the band; nothing where it was not estimated.
+/// Returns a function that reads a part of the band; std::nullopt if the part was not estimated.
 auto part_of(const std::string &key)
 {
   return [key](const BandedQuantity &banded)

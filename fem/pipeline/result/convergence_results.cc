@@ -18,7 +18,7 @@ struct LevelRow
   std::size_t level;
 };
 
-/// Columns of converge.csv for the quantities of @p bands.
+/// Returns the columns of converge.csv for the quantities of @p bands.
 Fields<LevelRow> level_fields(const ErrorBands &bands)
 {
   Fields<LevelRow> fields = {
@@ -95,7 +95,7 @@ Table spin_band_table(const std::vector<SpinBandRow> &rows, Face face)
                       face == Face::console ? "Error band of the terminal spin, axis by axis" : "");
 }
 
-/// Terminal spin with its band, the observed order on the first axis, and the Richardson value.
+/// Returns the terminal spin with its band, the observed order on the first axis, and the Richardson value.
 std::string convergence_answer(const BandedQuantity &spin, const std::string &first_axis,
                                const std::optional<double> &order)
 {

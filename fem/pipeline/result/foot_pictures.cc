@@ -15,20 +15,21 @@ namespace
 
 constexpr double millimetres = 1e3, micrometres = 1e6; ///< of a metre
 
-/// The largest number of two easy digits that is not above @p factor: 1, 1.5, 2, ... 9.5, 10, 15 ...
+/// Returns the largest of the numbers 1, 1.5, 2, ... 9.5, 10, 15 ... that does not exceed @p factor.
 double round_down(double factor)
 {
   const double power = std::pow(10, std::floor(std::log10(factor)));
   return std::floor(2 * factor / power) / 2 * power;
 }
 
-/// A length of a drawing of the whole foot [mm], to a hundredth, a part of a pixel.
+/// Returns a length for a drawing of the whole foot, in hundredths of a millimetre (less than a pixel).
 Json drawn(double length)
 {
   return rounded_number(std::round(1e2 * length * millimetres) / 1e2);
 }
 
-/// Quadrilaterals of a loaded section with displacements drawn larger, and their stresses of von Mises [MPa].
+/// Returns the quadrilaterals of a loaded section with magnified displacements, and their von Mises stresses
+/// [MPa].
 Json stresses(const std::vector<fem::StressedPatch> &section)
 {
   constexpr double share_of_radius = 0.04;
@@ -67,7 +68,7 @@ Json stresses(const std::vector<fem::StressedPatch> &section)
            { "move", move * micrometres } };
 }
 
-/// Cells of a section [mm] with its lengths; @p crown_radius [m] 0: flat, or not known.
+/// Returns the cells of a section [mm] with its lengths; @p crown_radius [m] 0: flat, or unknown.
 Json section_of(const std::vector<fem::SectionPolygon> &cells, double contact_radius, double crown_radius,
                 const fem::ContactWidth &band)
 {
@@ -105,7 +106,7 @@ void add_foot_pictures(const Study &study, const FootReport &foot, const ErrorBa
   Json &pictures = results.tables["foot"];
   double largest = fem::largest_pressure(foot.footprint);
   if (foot.footprint_at_end)
-    largest = std::max(largest, fem::largest_pressure(*foot.footprint_at_end)); // one scale for both
+    largest = std::max(largest, fem::largest_pressure(*foot.footprint_at_end)); // one common scale
   const std::optional<double> band = band_of(bands, "peak_pressure");
   pictures["footprint"] =
     pressure_map(foot.footprint, radius, largest, foot.at_rest.load.peak_pressure, band);
@@ -119,7 +120,7 @@ void add_foot_pictures(const Study &study, const FootReport &foot, const ErrorBa
   const double crown = study.contact.mesh_file.empty() ? study.glass.profile.crown_radius : 0;
   const fem::ContactWidth zone = fem::loaded_band(foot.footprint);
   pictures["section"] = section_of(foot.section, radius, crown, zone);
-  // The pressure seen from above, its distance from the rim drawn larger.
+  // The pressure seen from above, with its distance from the rim magnified.
   const double extent = std::max({ radius - zone.inner, zone.outer - radius, 1e-4 * radius });
   pictures["magnification"] = std::max(1., round_down(share_of_radius * radius / extent));
 }

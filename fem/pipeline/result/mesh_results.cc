@@ -17,7 +17,7 @@ unsigned int n_faces(const fem::MeshCheck &check, fem::FootBoundary id)
   return found == check.n_faces.end() ? 0 : found->second;
 }
 
-/// Faces with ids that mean nothing; they are as free as those without.
+/// Returns the number of faces with unused ids, which are treated as free faces.
 unsigned int n_other_faces(const fem::MeshCheck &check)
 {
   unsigned int n = 0;
@@ -26,7 +26,7 @@ unsigned int n_other_faces(const fem::MeshCheck &check)
   return n;
 }
 
-/// Warnings of properties of a mesh that may make results worse, one sentence each.
+/// Returns warnings about properties of a mesh that may degrade results, one sentence each.
 std::vector<std::string> mesh_remarks(const MeshFindings &findings)
 {
   constexpr double poor = 0.1;
@@ -43,14 +43,14 @@ std::vector<std::string> mesh_remarks(const MeshFindings &findings)
   return remarks;
 }
 
-/// "x -34 to 34", in mm; a single number where both are equal.
+/// Returns a range in mm, "x -34 to 34"; a single number if both ends are equal.
 std::string mesh_range(const std::string &name, double least, double most)
 {
   return fmt::format(FMT_STRING("{} {:.6g}"), name, 1e3 * least) +
          (least == most ? "" : fmt::format(FMT_STRING(" to {:.6g}"), 1e3 * most));
 }
 
-/// "round, middle radius 30 mm: the cells of the land follow the circles"
+/// Returns a description such as "round, middle radius 30 mm: the cells of the land follow the circles".
 std::string rim_text(const fem::MeshReport &report)
 {
   return fmt::format(FMT_STRING("{}round, middle radius {:.6g} mm"), report.round_rim ? "" : "not ",

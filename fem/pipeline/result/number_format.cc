@@ -10,13 +10,13 @@ namespace stemware::pipeline::format
 namespace
 {
 
-/// The place of the second digit of @p value > 0: 0.01 for 0.27.
+/// Returns the unit of the second digit of @p value > 0: 0.01 for 0.27.
 double second_digit(double value)
 {
   return std::pow(10., std::floor(std::log10(value)) - 1);
 }
 
-/// The number of decimals that show two digits of @p spread.
+/// Returns the number of decimals that show two digits of @p spread.
 int decimals_of(double spread)
 {
   constexpr int of_nothing = 6;

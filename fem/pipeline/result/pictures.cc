@@ -18,7 +18,7 @@ using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
 
 constexpr double degree = ring::pi / 180;
 
-/// Every k-th value and the last, so that at most @p max_size are left: a picture shows no more.
+/// Returns every k-th value and the last, at most @p max_size values, the resolution of a picture.
 std::vector<double> thinned(const std::vector<double> &values, std::size_t max_size = 200)
 {
   const std::size_t step = std::max<std::size_t>(1, (values.size() + max_size - 1) / max_size);
@@ -32,7 +32,7 @@ std::vector<double> thinned(const std::vector<double> &values, std::size_t max_s
 
 constexpr double micrometres = 1e6; ///< of a metre
 
-/// Largest and mean pressure, and the width of the contact.
+/// Returns largest and mean pressure, and the width of the contact.
 Json measures_of(const fem::PressureMap &footprint, double pascals, double peak,
                  const std::optional<double> &band)
 {
@@ -49,13 +49,13 @@ Json measures_of(const fem::PressureMap &footprint, double pascals, double peak,
            { "has_edge", footprint.has_edge } };
 }
 
-/// Torque of the friction on a place, over the mean friction and the radius.
+/// Returns the torque of the friction at a point, over the mean friction and the radius.
 double torque_of(const ring::RimSlip &place)
 {
   return place.friction_y * std::cos(place.azimuth) - place.friction_x * std::sin(place.azimuth);
 }
 
-/// Numbers of the size of 1 for a drawing, rounded to thousandths.
+/// Returns numbers of order 1 for a drawing, rounded to thousandths.
 Json thousandths(std::vector<double> values)
 {
   for (double &value : values)
@@ -63,7 +63,7 @@ Json thousandths(std::vector<double> values)
   return rounded_number(values);
 }
 
-/// Values of @p rows by a member or function.
+/// Returns the values of @p rows by a member or function.
 template <typename Rows, typename Value>
 std::vector<double> column_of(const Rows &rows, Value value)
 {

@@ -29,11 +29,11 @@ struct ConsoleBlock
   std::optional<Table> table = {};
 };
 
-/// Results of a verb, in SI units: what summary.json and --json have, the page with its words, tables and
+/// Results of a verb, in SI units: content of summary.json and --json, the page with its words, tables and
 /// pictures, the console's texts, and files.
 struct Results
 {
-  Study study = {};                  ///< what they are about
+  Study study = {};                  ///< study of the results
   Json summary = Json::object();     ///< the verb's own parts of summary.json
   Json key_figures = Json::object(); ///< key figures in the last line of --json
   Json words = Json::object();       ///< texts by name, among them "title", "inputs" and "answer"

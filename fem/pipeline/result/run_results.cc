@@ -25,7 +25,7 @@ struct FrictionRow
   double sum = 0;
 };
 
-/// At rest, then at the terminal spin or where the glass falls over, for people.
+/// Returns the torques at rest and at the terminal spin or the spin of tipping, for display.
 Table friction_table(const Study &study, const ring::Answer &all)
 {
   static const auto fields = Fields<FrictionRow>{
@@ -72,8 +72,8 @@ Json key_figures_of(const SpinStudy &spin, const ErrorBands &bands)
            { "harmonic_effect_relative", spin.budget.harmonics.relative } };
 }
 
-/// Rows of the chain for page and console, without rounding errors, with the digits that the band of the last
-/// row leaves.
+/// Returns the rows of the chain for page and console, without rounding errors, with the digits allowed by
+/// the band of the last row.
 Table shown_chain_table(const Study &study, const std::vector<BudgetRow> &rows, Face face)
 {
   const std::optional<double> band = rows.empty() ? std::nullopt : rows.back().band;
@@ -138,7 +138,7 @@ void add_foot_files(const FootReport &foot, bool has_terminal_spin, std::vector<
   };
   for (const fem::FieldFile &file : foot.fields)
   {
-    if (file.name == "contact.vtu" || file.name == "contact.pvtu") // and not a piece of the latter
+    if (file.name == "contact.vtu" || file.name == "contact.pvtu") // but not a piece of contact.pvtu
       add(file.name, "at rest");
     if (file.name.find("_at_terminal_spin") != std::string::npos)
       add(file.name, "at the terminal spin");

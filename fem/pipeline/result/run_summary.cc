@@ -10,20 +10,21 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns whether the load pushes everywhere, at rest and at the end of the spin-up.
+/// Returns true if the load is positive everywhere, at rest and at the end of the spin-up.
 bool has_no_lift_off(const ContactReport &report)
 {
   const auto pushes = [](const LoadReport &load) { return load.minimum >= 0 && load.contact_fraction >= 1; };
   return pushes(report.load) && pushes(report.load_at_end);
 }
 
-/// State of the contact at the end of the spin-up.
+/// Returns the state of the contact at the end of the spin-up.
 ring::Status status_of(const ContactReport &report, const SpinStudy &spin)
 {
   const ring::Status status = spin.all().status;
   if (status == ring::Status::full_contact && report.load_at_end.contact_fraction < 1)
     return ring::Status::lift_off;
-  // The series of a pressure that ends somewhere dips below zero there; the pressure does not.
+  // The truncated series of a pressure with an edge is slightly negative beyond the edge; the pressure is
+  // not.
   return status == ring::Status::formal && report.foot ? ring::Status::lift_off : status;
 }
 
@@ -95,8 +96,8 @@ const Fields<DrivenRow> &driven_fields()
   return fields;
 }
 
-/// Size of the finite-element system and residuals of the contact at rest; those with a heading are on the
-/// page.
+/// Returns the size of the finite-element system and the residuals of the contact at rest. Quantities with a
+/// heading are on the page.
 const Fields<FootReport> &contact_fields()
 {
   using Foot = FootReport;
@@ -162,8 +163,7 @@ const Fields<FootReport> &contact_fields()
   return fields;
 }
 
-/// M_Nx of the load of which ring::Answer::at_rest is: of a wavy rim or table the mean over the phases, as
-/// its torque.
+/// Returns M_Nx of the load at rest [N m]; with waviness the mean over the phases, like the torque.
 double moment_at_rest(const StudyAnswer &run)
 {
   return run.spin.phases ? run.spin.all().at_rest.value().load.moment().x() : run.contact.load.moment.x();
@@ -209,7 +209,7 @@ const Fields<StudyAnswer> &ring_fields()
   return fields;
 }
 
-/// Effects of an out-of-flat rim or table.
+/// Returns the effects of waviness of rim or table.
 const Fields<PhaseStudy> &waviness_fields()
 {
   using Phases = PhaseStudy;
@@ -236,7 +236,7 @@ const Fields<PhaseStudy> &waviness_fields()
   return fields;
 }
 
-/// A drawn profile and the circle of its rim.
+/// Returns the quantities of a drawn profile and of the circle of its rim.
 const Fields<GlassSection> &profile_fields()
 {
   using Glass = GlassSection;
@@ -267,8 +267,7 @@ const Fields<StudyAnswer> &coupling_fields()
   return fields;
 }
 
-/// The mesh that was made for a number, what is estimated to be missing to that, and the part of its band
-/// that is the mesh's.
+/// Returns the quantities of a goal-oriented mesh: value, estimated error, and mesh part of the error band.
 const Fields<StudyAnswer> &goal_fields()
 {
   const auto of_goal = [](auto member)
@@ -291,7 +290,7 @@ const Fields<StudyAnswer> &goal_fields()
   return fields;
 }
 
-/// A pointer to @p value if @p applies.
+/// Returns a pointer to @p value if @p applies, else nullptr.
 template <typename Value>
 const Value *if_applies(bool applies, const Value &value)
 {

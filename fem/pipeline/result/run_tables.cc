@@ -13,7 +13,7 @@ namespace
 
 constexpr char azimuth[] = "azimuth from the direction of travel";
 
-/// lambda_j(theta) of one ring [N/rad], which may pull on average.
+/// Returns lambda_j(theta) of one ring [N/rad], which may be negative on average.
 double value_of(const ring::RingStack::Ring &ring, double angle)
 {
   double value = ring.a[0];

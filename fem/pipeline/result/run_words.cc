@@ -15,13 +15,13 @@ using format::number;
 namespace
 {
 
-/// Duration of one turn [s].
+/// Returns the duration of one turn [s].
 double seconds_a_turn(double omega)
 {
   return 2 * ring::pi / std::abs(omega);
 }
 
-/// One sentence for each of @p states (name of the state, load) with lift-off or a tensile load.
+/// Returns one sentence for each of @p states (name of the state, load) with lift-off or a tensile load.
 std::string lift_off_sentences(const std::vector<std::pair<std::string, const LoadReport *>> &states)
 {
   std::string text;
@@ -40,7 +40,8 @@ std::string lift_off_sentences(const std::vector<std::pair<std::string, const Lo
   return text;
 }
 
-/// The row of the budget whose step is the largest, harmonics left out; null if no step is a spin.
+/// Returns the row of the budget with the largest step, harmonics excepted; nullptr if no step exceeds
+/// rounding.
 const BudgetRow *largest_other_step(const StudyAnswer &run)
 {
   const BudgetRow *largest = nullptr;
@@ -51,7 +52,7 @@ const BudgetRow *largest_other_step(const StudyAnswer &run)
   return largest;
 }
 
-/// Terminal spin of the paper's model, unless the study is that model.
+/// Returns the terminal spin of the paper's model; std::nullopt if the study is that model.
 std::optional<double> paper_spin(const Budget &budget)
 {
   return budget.rows.size() < 2 ? std::nullopt : budget.rows.front().omega_terminal;
@@ -68,7 +69,7 @@ std::string paper_sentence(const StudyAnswer &run)
          number(seconds_a_turn(*omega), "#.3g") + " s.";
 }
 
-/// Answer for a glass without a spin that is more than rounding.
+/// Returns the answer for a glass whose spin does not exceed rounding.
 std::string resting_answer(const Study &study, const ring::Answer &all)
 {
   if (const std::string held = grip_holds_note(study, all); !held.empty())
@@ -138,8 +139,8 @@ std::string spinning_answer(const StudyAnswer &run, double omega)
   return text;
 }
 
-/// Largest pressure and contact width of a load, with bands that exceed a tenth of them; at any spin the
-/// bands of the rest. Empty without a contact.
+/// Returns a sentence with the largest pressure and the contact width of a load. Bands above a tenth of the
+/// value are added; the bands at rest are used at every spin. Empty without a contact.
 std::string pressed_sentence(const std::string &state, const LoadReport &load, const ErrorBands &bands)
 {
   if (!load.peak_pressure)
@@ -175,7 +176,7 @@ std::string answer_of(const StudyAnswer &run)
   return text;
 }
 
-/// Scatter of the points of a profile about its rim circle.
+/// Returns a remark on the scatter of the points of a profile about its rim circle.
 std::string profile_remark(const std::optional<fem::RimCircle> &circle)
 {
   constexpr double rounding = 1e-9; // m, of numbers in a file
@@ -186,7 +187,7 @@ std::string profile_remark(const std::optional<fem::RimCircle> &circle)
          "shows how to compute its effect on the spin.";
 }
 
-/// Lift-off at the terminal spin if the glass spins, else at rest.
+/// Returns a remark on lift-off at the terminal spin if the glass spins, else at rest.
 std::string lift_off_remark(const StudyAnswer &run)
 {
   const auto &[study, goal, contact, spin, bands] = run;
@@ -205,8 +206,8 @@ std::string lift_off_remark(const StudyAnswer &run)
   return lift_off_sentences({ { "At rest", &contact.load } });
 }
 
-/// Largest pressure and contact width at rest and at the terminal spin, with bands that exceed a tenth of the
-/// value; at rest only if the glass does not spin.
+/// Returns a remark on the largest pressure and the contact width at rest and at the terminal spin, with
+/// bands above a tenth of the value; at rest only if the glass does not spin.
 std::string contact_remark(const StudyAnswer &run)
 {
   const auto &[study, goal, contact, spin, bands] = run;
@@ -216,7 +217,7 @@ std::string contact_remark(const StudyAnswer &run)
   return text;
 }
 
-/// A contact that is at most a few nodes wide.
+/// Returns a remark on a contact that is at most a few nodes wide.
 std::string narrow_contact_remark(const TableSection &table, const std::optional<FootReport> &foot)
 {
   if (!foot || foot->at_rest.solution.outcome != fem::ContactOutcome::narrow_contact)
@@ -230,7 +231,8 @@ std::string narrow_contact_remark(const TableSection &table, const std::optional
               "deformation of the foot next to the contact.");
 }
 
-/// A contact narrower than the thickness of a Winkler interface's layer.
+/// Returns a remark on a contact narrower than the thickness of the layer that a Winkler interface
+/// represents.
 std::string thin_layer_remark(const TableSection &table, double half_width)
 {
   const double layer = table.layer_thickness;
@@ -242,7 +244,7 @@ std::string thin_layer_remark(const TableSection &table, double half_width)
          "contact is much wider than the layer is thick; use an elastic disc (Table/Substrate = elastic).";
 }
 
-/// Ripple of spin and torque due to waviness.
+/// Returns a remark on the ripple of spin and torque due to waviness.
 std::string out_of_flat_remark(const StudyAnswer &run)
 {
   const auto &[study, goal, contact, spin, bands] = run;
@@ -258,7 +260,7 @@ std::string out_of_flat_remark(const StudyAnswer &run)
          number(spin.phases->torque_ripple, ".3g") + " N m.";
 }
 
-/// Number of terminal spins if there are several.
+/// Returns a remark on the number of terminal spins if there are several.
 std::string several_spins_remark(const std::vector<ring::TerminalSpin> &spins)
 {
   if (spins.size() < 2)
@@ -269,7 +271,7 @@ std::string several_spins_remark(const std::vector<ring::TerminalSpin> &spins)
          std::to_string(n_stable) + " of them stable; the initial spin decides which one the glass reaches.";
 }
 
-/// Spins under the speeds of a file and at constant speed.
+/// Returns a remark on the spins under the speeds of a file and at constant speed.
 std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
 {
   const auto &driven = spin.spin_up.driven;

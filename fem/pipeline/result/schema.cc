@@ -24,7 +24,7 @@ Json columns_of(const Table &table)
   return columns;
 }
 
-/// Bands of every quantity that converge.csv may have.
+/// Returns a band of every possible quantity of converge.csv.
 ErrorBands all_bands()
 {
   LoadReport load;
@@ -54,7 +54,7 @@ Json sweep_file_columns()
   return columns;
 }
 
-/// Columns of the data files, from their tables without rows.
+/// Returns the columns of the data files, from tables without rows.
 Json files()
 {
   TorqueCurve torque;
@@ -131,8 +131,8 @@ Json schema()
   };
 }
 
-/// Text of @p json: the members of an object that has objects only, as quantities and columns are, stand on
-/// lines of their own if they do not fit one.
+/// Returns the text of @p json. An object that contains objects only (quantities, columns) has each member on
+/// its own line, unless it fits on one line.
 std::string text_of(const Json &json, const std::string &indent)
 {
   constexpr std::size_t max_width = 300;

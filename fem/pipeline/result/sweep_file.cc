@@ -35,7 +35,7 @@ std::string csv_row(const std::vector<std::string> &cells)
   return row + '\n';
 }
 
-/// Size and time of the files that some case reads, a line each.
+/// Returns the size and time of the input files of all cases, one line each.
 std::string read_files(const fs::path &folder, const CaseList &list)
 {
   const std::vector<std::string> of_base = files_of(list.base);
@@ -53,8 +53,8 @@ std::string read_files(const fs::path &folder, const CaseList &list)
   return lines;
 }
 
-/// Lines that begin with #, and the headings. Paths start at the folder: the same sweep may be started from
-/// anywhere.
+/// Returns the lines that begin with #, and the headings. Paths are relative to the folder, so that the sweep
+/// can be continued from any working directory.
 std::string head_of(const fs::path &folder, const CaseList &list)
 {
   std::vector<std::string> headings = { "case" };
@@ -69,7 +69,7 @@ std::string head_of(const fs::path &folder, const CaseList &list)
          csv_row(headings);
 }
 
-/// Throws for a @p file whose first lines are not @p head.
+/// Throws OutputFailure if the first lines of @p file are not @p head.
 void require_head(const std::string &file, const std::string &text, const std::string &head)
 {
   const auto differs = std::mismatch(head.begin(), head.end(), text.begin(), text.end());

@@ -23,8 +23,8 @@ struct QuantityRange
   std::string min_case, max_case; ///< both "all n cases" if the value is the same to 1e-9
 };
 
-/// Quantities that the table of ranges and the pictures of a grid show, those with a heading, with their
-/// ranges without formal cases, if a case has a value.
+/// Returns the ranges of the quantities with a heading, for the table of ranges and the pictures of a grid.
+/// Formal cases are excluded, and quantities without a value.
 std::vector<QuantityRange> ranges_of(const CaseList &list, const FinishedCases &finished)
 {
   std::vector<QuantityRange> ranges;
@@ -50,7 +50,7 @@ std::vector<QuantityRange> ranges_of(const CaseList &list, const FinishedCases &
   return ranges;
 }
 
-/// The range of the quantity @p key; nullptr if no case has a value.
+/// Returns the range of the quantity @p key; nullptr if no case has a value.
 const QuantityRange *range_of(const std::vector<QuantityRange> &ranges, const std::string &key)
 {
   const auto found = std::find_if(ranges.begin(), ranges.end(),
@@ -78,7 +78,7 @@ std::size_t n_failed_of(const FinishedCases &finished)
     finished.begin(), finished.end(), [](const auto &one) { return one.second.status == "failed"; }));
 }
 
-/// Varied entries with their units and values.
+/// Returns the varied entries with their units and values.
 Table varied_table(const CaseList &list)
 {
   const auto values_of = [&](const VariedEntry &entry)
@@ -115,7 +115,7 @@ struct FailureRow
   std::string first, message;
 };
 
-/// Reasons why cases failed, each with the first case that has it.
+/// Returns the reasons why cases failed, each with its first case.
 Table failure_table(const CaseList &list, const FinishedCases &finished)
 {
   constexpr std::size_t max_rows = 20;
@@ -134,7 +134,8 @@ Table failure_table(const CaseList &list, const FinishedCases &finished)
   return fields.table(rows, Face::page);
 }
 
-/// A grid for its pictures: the entries, and quantities with their values case by case; null if missing.
+/// Returns a grid for its pictures: the entries, and quantities with their values case by case; null if
+/// missing.
 Json grid_of(const CaseList &list, const FinishedCases &finished)
 {
   Json grid = { { "entries", Json::array() }, { "quantities", Json::object() } };
@@ -161,13 +162,14 @@ Json grid_of(const CaseList &list, const FinishedCases &finished)
   return grid;
 }
 
-/// Ends of a range for --json; null if there is none.
+/// Returns the ends of a range for --json; null if there is none.
 Json ends_of(const QuantityRange *range)
 {
   return range ? Json{ range->min, range->max } : Json(nullptr);
 }
 
-/// Ranges of the terminal spin and of the harmonic effect; numbers of cases that tip or failed.
+/// Returns the ranges of the terminal spin and of the harmonic effect, and the numbers of cases that tip or
+/// failed.
 std::string answer_of(const CaseList &list, const FinishedCases &finished,
                       const std::vector<QuantityRange> &ranges)
 {
@@ -204,7 +206,7 @@ std::string answer_of(const CaseList &list, const FinishedCases &finished,
                      "load change the spin by " + format::number(effect->min, "+.3g") + " rad/s (" +
                      effect->min_case + ") to " + format::number(effect->max, "+.3g") + " rad/s (" +
                      effect->max_case + ").");
-    else if (largest != 0) // a load has one harmonic
+    else if (largest != 0) // the effect is the same in all cases
       append(text, harmonic_effect_sentence(list.base, { effect->max, std::nullopt }));
   }
   if (const std::size_t n_failed = n_failed_of(finished))

@@ -20,13 +20,13 @@ namespace
 
 constexpr std::size_t margin = 2; ///< blanks before each column
 
-/// Heading of a column of a data file.
+/// Returns the heading of a column of a data file.
 std::string name_of(const Quantity &quantity)
 {
   return boost::replace_all_copy(quantity.name, "*", quantity.number);
 }
 
-/// The label of a column and its unit, in lines.
+/// Returns the label of a column and its unit, in lines.
 std::vector<std::string> header_of(const Quantity &quantity)
 {
   const bool has_unit = !quantity.unit.empty() && quantity.unit != "1";
@@ -37,7 +37,7 @@ std::vector<std::string> header_of(const Quantity &quantity)
   return lines;
 }
 
-/// A column as the lines that are printed, all equally wide; headers stand at the bottom of theirs.
+/// Printed lines of a column, all equally wide, with the header aligned at the bottom.
 struct LaidOutColumn
 {
   LaidOutColumn(const Column &column, std::size_t n_header_lines)
@@ -63,7 +63,7 @@ struct LaidOutColumn
   std::size_t width = 0;
 };
 
-/// The lines of some columns side by side, without blanks at their ends.
+/// Returns the lines of some columns side by side, without trailing blanks.
 std::string side_by_side(const std::vector<const LaidOutColumn *> &columns)
 {
   std::string text;
@@ -77,7 +77,7 @@ std::string side_by_side(const std::vector<const LaidOutColumn *> &columns)
   return text;
 }
 
-/// Lines that fit the console as they are, longer ones wrapped.
+/// Returns lines of at most the console's width; longer ones are wrapped.
 std::string wrapped_lines(const std::string &text)
 {
   std::istringstream lines(text);
@@ -87,7 +87,7 @@ std::string wrapped_lines(const std::string &text)
   return result;
 }
 
-/// A cell with all its digits; @p missing where there is none.
+/// Returns a cell with all its digits; @p missing if it has no value.
 std::string exact(const Json &cell, const std::string &missing)
 {
   if (cell.is_number_float())

@@ -16,8 +16,8 @@ using format::number;
 namespace
 {
 
-/// The least number of harmonics from which on the terminal spin stays within @p share of that of all, which
-/// is the last of @p rows; the last row's number without a terminal spin.
+/// Returns the smallest number of harmonics from which on the terminal spin stays within @p share of the spin
+/// with all harmonics, the last of @p rows; without a terminal spin the number of all harmonics.
 unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double share)
 {
   unsigned int enough = rows.back().harmonics;
@@ -30,8 +30,8 @@ unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double shar
   return enough;
 }
 
-/// The effect of the harmonics on the terminal spin, or the fall. @p n_enough harmonics give the spin to
-/// 1e-4.
+/// Returns a sentence on the effect of the harmonics on the terminal spin, or on tipping. @p n_enough
+/// harmonics give the spin to 1e-4.
 std::string answer_of(const StudyAnswer &answer, unsigned int n_enough)
 {
   const Study &study = answer.study;

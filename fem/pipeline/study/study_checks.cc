@@ -315,7 +315,7 @@ void check_values(const Study &study)
   try
   {
     study.motion.orbit.validate();
-    if (is_from_contact) // else there is no foot
+    if (is_from_contact) // otherwise there is no foot
       study.glass.material.validate();
     if (is_from_contact && study.contact.mesh_file.empty())
     {

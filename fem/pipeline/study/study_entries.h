@@ -33,7 +33,7 @@ struct StudyEntry
   double *quantity = nullptr;        ///< value of an entry of real numbers, else nullptr
   std::string *path_value = nullptr; ///< value of an entry of a path, else nullptr
   bool follows_from_profile = false; ///< from the points of a drawn section, if not given
-  // The study as it was when its entries were asked for:
+  // State of the study when its entries were requested:
   bool is_given = false;  ///< the study was given the entry (Study::given_entries)
   bool has_effect = true; ///< a result of the study depends on the entry
   /// Plausible values for a glass on a table; other values give a warning only. Listed in docs/values.md.
