@@ -67,6 +67,7 @@ StribeckLaw friction_law_of(const Motion &motion);
 /// drag and side: mu (K_n, U_n, -n P_n) by the exact FrictionKernels for a constant coefficient, else by
 /// quadrature of all harmonics at once, refined until the columns agree to 1e-12 of the largest value.
 /// docs/theory/friction_laws.md.
+///
 /// @throws std::invalid_argument as FrictionKernels, std::runtime_error if the refinement does not end.
 Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, double speed, unsigned int n_max);
 } // namespace stemware::ring

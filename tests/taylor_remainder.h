@@ -29,6 +29,7 @@ inline double size_of(const Eigen::VectorXd &value)
 /// Returns the slope of log r over log h, fitted to the four smallest of twelve halved steps whose remainder
 /// is above rounding. Infinite if every remainder is rounding (a linear function), NaN if fewer than four are
 /// above it.
+///
 /// @p function returns f(x + h d) for a step h. @p derivative is f'(x) d. Both are a number or an
 /// Eigen::VectorXd. @p step is the largest step. @p noise is the relative rounding of f.
 template <typename Function, typename Value>

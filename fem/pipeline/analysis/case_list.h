@@ -37,10 +37,12 @@ struct CaseList
 };
 
 /// Makes the grid of one or two @p varied entries:
+///
 ///   Load/Moment ratio=0.1:1.9:50                from 0.1 to 1.9 in equal steps, 50 values
 ///   Table/Foundation modulus=1e8:1e12:20:log    by equal factors
 ///   Motion/Mass=200,250,300 g                   a list; a unit behind the last value only applies to all
 ///   Motion/Closure=paper,hand,full              words
+///
 /// Values of a range are rounded to 15 digits of its larger end, so that the middle of -0.3 to 0.3 is 0.
 /// Throws BadInput for other texts, unknown entries, inadmissible values and repeated values.
 CaseList cases_of_grid(const std::vector<std::string> &varied);

@@ -19,9 +19,11 @@ struct GoalError
 
 /// Estimates the discretisation error of @p goal on the mesh of the solid foot @p foot by finer elements
 /// (docs/method/error_bands.md, "The error of one number"):
+///
 ///   terminal spin   error of the torque at that spin over its slope, with the moment balance [rad/s]
 ///   a2              a_2 / a_0 of the load at rest
 ///   torque          tau_z at half the terminal spin [N m]
+///
 /// @p load: find_load() of the study; @p omega_terminal: its terminal spin [rad/s]. Returns std::nullopt for
 /// a body of revolution, without a contact, for a foot whose load depends on the direction of the moment, for
 /// one ring, and for a load without a balance. @p with_cells: also the cells' shares. May solve a contact.

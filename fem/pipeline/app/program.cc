@@ -167,7 +167,7 @@ void add_help_verb(CLI::App &program, Verb &chosen)
 int run_program(int argc, char *argv[])
 {
   open_missing_streams();
-  // deal.II's own threads would compete with those of the study and make sums depend on the machine.
+  // deal.II's own threads would compete with the study's threads and make sums depend on the machine.
   dealii::MultithreadInfo::set_thread_limit(1);
   std::signal(SIGXFSZ, SIG_IGN); // makes a write beyond `ulimit -f` fail instead of ending the program
   std::optional<MpiSession> mpi; // destroyed last, after all users of MPI

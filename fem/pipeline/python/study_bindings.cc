@@ -319,7 +319,7 @@ void bind_failures(py::module_ &m)
 PYBIND11_MODULE(_study, m)
 {
   dealii::MultithreadInfo::set_thread_limit(
-    1); // deal.II's own threads would compete with those of the studies
+    1); // deal.II's own threads would compete with the studies' threads
   bind_failures(m);
   py::class_<Study>(m, "Study")
     .def(py::init(

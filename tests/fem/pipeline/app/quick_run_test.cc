@@ -1,4 +1,4 @@
-// `run --quick`: the answer and its curves equal those of a full run; budget and bands are null.
+// `run --quick`: answer and curves as in a full run; budget and bands are null.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/page_document.h"
 #include "tests/fem/pipeline/program_runner.h"
