@@ -208,7 +208,7 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
 {
   const Study &study = own.study;
   const double cell = foot.body().description().contact_cell_size;
-  // A flat land touches with its edges, where a generated mesh has smaller cells.
+  // The contact of a flat land is at its edges, where a generated mesh has smaller cells.
   const bool is_round = !study.contact.mesh_file.empty() || study.glass.profile.crown_radius > 0;
   const bool is_narrow = is_round && at_rest.half_width() < cell;
   if (is_narrow && study.table.is_hard())

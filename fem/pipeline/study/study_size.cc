@@ -78,7 +78,7 @@ void add_solid_body(const Study &study, StudySize &size)
   const ContactSection &contact = study.contact;
   size.unknowns = coarse_unknowns(contact) * std::pow(8., contact.refinements);
   const unsigned int n_edge_halvings = edge_halvings(study);
-  if (n_edge_halvings > 0) // 19 to 28 of the cells at the edge, with transition cells
+  if (n_edge_halvings > 0) // the edge has 19 to 28 cells per azimuthal cell, counting transition cells
     size.unknowns +=
       unknowns_per_cell * 20 *
       std::ldexp(contact.resolution.azimuthal_cells, static_cast<int>(contact.refinements + n_edge_halvings));

@@ -141,7 +141,7 @@ TEST(ExplorePage, ASavedPageOpensWithItsValues)
   let saved;
   shown.URL.createObjectURL = blob => ((saved = blob), "#");
   shown.document.getElementById("as-page").click();
-  const text = await saved.text(); // while its page exists
+  const text = await saved.text(); // a blob is readable only while its page exists
   frame.removeAttribute("srcdoc");
   frame.srcdoc = text;
   await wait(() => frame.contentWindow !== shown || !frame.contentWindow.started || frame.contentDocument.body.dataset.rested);
