@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <mutex>
-#include <numeric>
 
 namespace stemware::fem
 {
@@ -58,24 +57,18 @@ BlockInverse::BlockInverse(const LowerTriangle &pattern, const std::vector<unsig
   for (const unsigned int row : kept)
     plan->of_kept.push_back(place[row] - static_cast<Eigen::Index>(order.size() - kept.size()));
 
-  // Numbers of the entries, sorted by their positions in the reordered matrix.
+  // Values are the numbers of the entries in the original matrix.
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index column = 0; column < pattern.cols(); ++column)
     for (LowerTriangle::InnerIterator entry(pattern, column); entry; ++entry)
     {
       const int a = place[static_cast<std::size_t>(entry.row())], b = place[static_cast<std::size_t>(column)];
-      entries.emplace_back(std::max(a, b), std::min(a, b), 0.);
+      entries.emplace_back(std::max(a, b), std::min(a, b), static_cast<double>(entries.size()));
     }
-  plan->sources.resize(entries.size());
-  std::iota(plan->sources.begin(), plan->sources.end(), Eigen::Index(0));
-  std::sort(plan->sources.begin(), plan->sources.end(),
-            [&](Eigen::Index i, Eigen::Index j)
-            {
-              const auto &a = entries[static_cast<std::size_t>(i)], &b = entries[static_cast<std::size_t>(j)];
-              return std::pair(a.col(), a.row()) < std::pair(b.col(), b.row());
-            });
   plan->reordered.resize(pattern.rows(), pattern.cols());
   plan->reordered.setFromTriplets(entries.begin(), entries.end());
+  const double *numbers = plan->reordered.valuePtr();
+  plan->sources.assign(numbers, numbers + plan->reordered.nonZeros());
   const SingleThread hold;
   plan->symbolic = std::make_unique<CholmodFactors>(plan->reordered);
 }
