@@ -5,6 +5,7 @@ const turn = 2 * Math.PI;
 
 // Half of the outline of the drawn glass over its contact radius and its height, as in
 // docs/figures/draw_glass.py.
+// prettier-ignore
 const profile = [
   [1, 0], [1.1, 0.008], [1.18, 0.019], [1.1, 0.028], [0.67, 0.042], [0.3, 0.07], [0.17, 0.115],
   [0.13, 0.187], [0.13, 0.42], [0.23, 0.471], [0.45, 0.495], [0.67, 0.522], [0.9, 0.556], [1.07, 0.593],
