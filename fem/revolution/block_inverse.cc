@@ -41,9 +41,8 @@ LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
 
 struct BlockInverse::Plan
 {
-  LowerTriangle reordered;           ///< pattern in elimination order
-  std::vector<Eigen::Index> sources; ///< index of each value in the original matrix
-  std::vector<Eigen::Index> of_kept; ///< positions of the kept rows among the last rows
+  Eigen::SparseMatrix<Eigen::Index> numbers; ///< in elimination order: index of each entry in the pattern
+  std::vector<Eigen::Index> of_kept;         ///< positions of the kept rows among the last rows
   std::unique_ptr<const CholmodFactors> symbolic;
 };
 
@@ -57,29 +56,24 @@ BlockInverse::BlockInverse(const LowerTriangle &pattern, const std::vector<unsig
   for (const unsigned int row : kept)
     plan->of_kept.push_back(place[row] - static_cast<Eigen::Index>(order.size() - kept.size()));
 
-  // Values are the numbers of the entries in the original matrix.
-  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<Eigen::Triplet<Eigen::Index>> entries;
   for (Eigen::Index column = 0; column < pattern.cols(); ++column)
     for (LowerTriangle::InnerIterator entry(pattern, column); entry; ++entry)
     {
       const int a = place[static_cast<std::size_t>(entry.row())], b = place[static_cast<std::size_t>(column)];
-      entries.emplace_back(std::max(a, b), std::min(a, b), static_cast<double>(entries.size()));
+      entries.emplace_back(std::max(a, b), std::min(a, b), static_cast<Eigen::Index>(entries.size()));
     }
-  plan->reordered.resize(pattern.rows(), pattern.cols());
-  plan->reordered.setFromTriplets(entries.begin(), entries.end());
-  const double *numbers = plan->reordered.valuePtr();
-  plan->sources.assign(numbers, numbers + plan->reordered.nonZeros());
+  plan->numbers.resize(pattern.rows(), pattern.cols());
+  plan->numbers.setFromTriplets(entries.begin(), entries.end());
   const SingleThread hold;
-  plan->symbolic = std::make_unique<CholmodFactors>(plan->reordered);
+  plan->symbolic = std::make_unique<CholmodFactors>(plan->numbers.cast<double>());
 }
 
 BlockInverse::~BlockInverse() = default;
 
 Eigen::MatrixXd BlockInverse::operator()(const Eigen::VectorXd &entries, unsigned int n_columns) const
 {
-  LowerTriangle matrix = plan->reordered;
-  for (Eigen::Index k = 0; k < matrix.nonZeros(); ++k)
-    matrix.valuePtr()[k] = entries(plan->sources[static_cast<std::size_t>(k)]);
+  const LowerTriangle matrix = plan->numbers.unaryExpr([&](Eigen::Index number) { return entries(number); });
   CholmodFactors numeric(*plan->symbolic);
   {
     const SingleThread hold;

@@ -1,8 +1,6 @@
-// Marks: curves, points and areas over the axes of a picture. Interface of a mark: { extent(): {x, y},
-// draw(X, Y, box),
-// near(px, py, X, Y): {i, px, py, away}, at(i), rows(), extra }. A row is [name, x, y]; `extra` has further
-// numbers of each row:
-// { heading, axis with the unit, values }.
+// Marks: curves, points and areas over the axes of a picture. Interface of a mark: { extent(): {x, y}, draw(X, Y, box),
+// near(px, py, X, Y): {i, px, py, away}, at(i), rows(), extra }. A row is [name, x, y]; `extra` has further numbers of
+// each row: { heading, axis with the unit, values }.
 import { s } from './dom.js';
 
 export const clean = list => list.filter(Number.isFinite);

@@ -232,6 +232,8 @@ export function slip(doc, name, state) {
       ...more
     });
   const friction = ['friction_x', 'friction_y'];
+  const turning = (label, colour, has_sense) =>
+    part(label, colour, 0.5, friction, all.filter(i => has_sense(t.torque[i])), { width: 2 });
   const ends = (key, around) => t[key].map((v, i) => around(radians(t.theta[i])) + 0.5 * v);
   const [ends_x, ends_y] = [ends('friction_x', Math.cos), ends('friction_y', Math.sin)];
   return {
@@ -251,8 +253,8 @@ export function slip(doc, name, state) {
     marks: [
       circle(1, { colour: 'c8', width: 1.4 }),
       part('slip', 'c8', 0.42, ['slip_x', 'slip_y'], all, { width: 1, head: 4 }),
-      part('turns clockwise', 'c1', 0.5, friction, all.filter(i => t.torque[i] < 0), { width: 2 }), // prettier-ignore
-      part('turns counter-clockwise', 'c2', 0.5, friction, all.filter(i => t.torque[i] >= 0), { width: 2 }), // prettier-ignore
+      turning('turns clockwise', 'c1', torque => torque < 0),
+      turning('turns counter-clockwise', 'c2', torque => torque >= 0),
       ...travel(-0.25, 1.62, 0.45)
     ]
   };

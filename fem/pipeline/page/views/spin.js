@@ -107,7 +107,13 @@ export function spin_up(doc) {
         return line({ x: t.time, y: t[key].map(v => v ?? NaN), name, colour, dash });
       }),
       known && rule({ y: ring.omega_terminal, colour: 'c8', dash: '1 3' }),
-      settles && rule({ x: ring.time_constant, text: `${shown(ring.time_constant, '.3g')} s`, dash: '2 3', low: ring.omega_terminal > 0 }) // prettier-ignore
+      settles &&
+        rule({
+          x: ring.time_constant,
+          text: `${shown(ring.time_constant, '.3g')} s`,
+          dash: '2 3',
+          low: ring.omega_terminal > 0
+        })
     ].filter(Boolean)
   };
 }
