@@ -8,8 +8,8 @@
 namespace stemware::ring
 {
 /// Effect of the harmonics 2 ... n of one load on tau_z of friction. At each spin, the complete load at
-/// that spin is truncated after n harmonics; neither contact nor balance of moments is solved again. With waviness all
-/// values are means over the phases. (docs/theory/budget.md)
+/// that spin is truncated after n harmonics; neither contact nor balance of moments is solved again. With
+/// waviness all values are means over the phases. (docs/theory/budget.md)
 struct TorqueEffect
 {
   /// Values at one spin [N m].
