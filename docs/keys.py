@@ -13,12 +13,12 @@ HEAD = "| key | unit | meaning |\n|---|---|---|\n"
 
 
 def rows(schema, path=""):
-    """Rows of the properties of a schema; the properties of objects and lists in it stand below them."""
+    """Returns the table rows of a schema's properties; nested properties follow their object or list."""
     text = ""
     for key, value in schema.get("properties", {}).items() if isinstance(schema, dict) else ():
         meaning = value.get("description", "").replace("|", "\\|")
         text += f"| `{path}{key}` | {value.get('unit', '')} | {meaning} |\n"
-        if key.startswith("load_at_"):  # as load
+        if key.startswith("load_at_"):  # the same keys as `load`
             continue
         text += rows(value, f"{path}{key}.") + rows(value.get("items", {}), f"{path}{key}[].")
         if isinstance(value.get("additionalProperties"), dict):

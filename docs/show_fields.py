@@ -28,7 +28,7 @@ shown.RescaleTransferFunctionToDataRange(True)
 shown.SetScalarBarVisibility(view, True)
 colours = GetColorTransferFunction("von_mises_stress")
 colours.ApplyPreset("Cividis", True)
-colours.MapControlPointsToLogSpace()  # the contact has most of the stress, the foot the rest
+colours.MapControlPointsToLogSpace()  # the stress near the contact is orders of magnitude larger than in the foot
 colours.UseLogScale = 1
 view.CameraPosition = [0.12, 0, 0.05]
 view.CameraFocalPoint = [0, 0, 0.008]

@@ -1,7 +1,7 @@
 # Defines the target stemware_dealii for deal.II 9.4.1 to 9.6.2, in the build and in the installed package. deal.II's
 # own macro leaks flags into dependent targets, requires plain-signature links and supports only two build types.
 # STEMWARE_DEALII_IS_DEBUG (0 or 1) selects deal.II's debug or release library.
-find_package(deal.II 9.4.1 REQUIRED QUIET) # QUIET: otherwise it lists every macro file
+find_package(deal.II 9.4.1 REQUIRED QUIET) # QUIET: without it, deal.II lists every macro file
 include(${DEAL_II_TARGET_CONFIG})
 
 add_library(stemware_dealii INTERFACE IMPORTED GLOBAL)

@@ -69,7 +69,7 @@ foreach(page IN LISTS pages)
   string(REGEX MATCHALL ">\\)\\([^)#: ]+" links "${text}")
   foreach(link IN LISTS links)
     string(SUBSTRING "${link}" 3 -1 link)
-    if(link MATCHES "^[.][.]/[.][.]/deployments" AND NOT folder) # a page of the hosting site, not a file
+    if(link MATCHES "^[.][.]/[.][.]/deployments" AND NOT folder) # a page of GitHub, not a file
       continue()
     endif()
     if(NOT link MATCHES "^https?$" AND NOT EXISTS ${SOURCE_DIR}/${folder}/${link})

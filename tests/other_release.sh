@@ -187,7 +187,7 @@ compare() { # file, file
   first=$(results_in "$1" | tokens) second=$(results_in "$2" | tokens)
   [[ -n $first ]] || stop "$1 holds no results."
   paste -d '\t' <(cat <<<"$first") <(cat <<<"$second") | LC_ALL=C awk -F '\t' '
-    function unit(text,   decimals, exponent) { # of the last digit that is printed
+    function unit(text,   decimals, exponent) { # value of one unit in the last printed digit
       exponent = match(text, /[eE]/) ? substr(text, RSTART + 1) : 0
       sub(/[eE].*/, "", text)
       decimals = match(text, /\./) ? length(text) - RSTART : 0

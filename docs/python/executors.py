@@ -1,5 +1,5 @@
-"""A map of the terminal spin over speed and friction, its studies solved by any executor: one process, threads, processes,
-dask's workers, or the ranks of MPI, here all on this machine.
+"""Maps the terminal spin over speed and friction. Any executor solves the studies: one process, threads, processes,
+dask workers, or MPI ranks, here all on this machine.
 
     python3 docs/python/executors.py map.svg                        # also: threads, processes, dask
     mpiexec -n 3 python3 -m mpi4py.futures docs/python/executors.py map.svg mpi
@@ -21,7 +21,7 @@ def executor_named(kind):
     elif kind == "processes":
         with ProcessPoolExecutor(2) as executor:
             yield executor
-    elif kind == "dask":  # Client("tcp://...") of a scheduler on another machine likewise
+    elif kind == "dask":  # for a scheduler on another machine: Client("tcp://...")
         from distributed import Client, LocalCluster
         with LocalCluster(2, threads_per_worker=1, host="127.0.0.1", dashboard_address=None) as cluster, Client(cluster) as client:
             yield client.get_executor()

@@ -1,4 +1,4 @@
-"""The torque of the fingers: the terminal spin of the elastic glass and of a rigid ring over it, and the spin-up under it.
+"""Effect of the torque of the fingers: terminal spin of the elastic glass and of a rigid ring, and spin-up of the rigid ring.
 
     python3 docs/python/grip.py grip.svg
 """

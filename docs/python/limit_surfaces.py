@@ -1,4 +1,4 @@
-"""Limit surfaces of six contacts, and what simulators take for them.
+"""Limit surfaces of six contacts, and the approximations in simulators.
 
     python3 docs/python/limit_surfaces.py limit_surfaces.svg
 """
@@ -16,7 +16,7 @@ import numpy as np
 from stemware import figures, ring
 
 R = 0.03
-# A pressure of another program: here that of a crown with the moment ratio 0.7.
+# Stands for a pressure of another program: a crowned ring with the moment ratio 0.7.
 r, theta = np.linspace(0.8 * R, R, 41), np.arange(64) * 2 * np.pi / 64
 p = np.outer(1 - ((r - 0.9 * R) / (0.1 * R))**2, 1 + 0.7 * np.sin(theta))
 with tempfile.TemporaryDirectory() as folder:
@@ -33,7 +33,7 @@ loads: Dict[str, Tuple[Any, Dict[str, Any]]] = {
                                {"about": "centre of pressure"}),
     "crown from a CSV, 0.7": (leaning, {"about": "centre of pressure"}),
 }
-warnings.simplefilter("ignore")  # the table says by how much each form misses the surface
+warnings.simplefilter("ignore")  # the table has the error of each form
 figure, axes = plt.subplots(1, 6, figsize=(15.5, 3.4), layout="constrained")
 print("                        arm/R  stands for it    lies outside by     its wrench in one slip is off by")
 for ax, (name, (load, options)) in zip(axes, loads.items()):
@@ -44,7 +44,7 @@ for ax, (name, (load, options)) in zip(axes, loads.items()):
     for form, (force, torque) in forms.items():
         excess = 100 * s.excess(force, torque)
         wrong = 100 * np.hypot(force - s.force, torque - s.torque).max()
-        low, high = (round(x, 1) + 0.0 for x in (excess.min(), excess.max()))  # rounding has no sign
+        low, high = (round(x, 1) + 0.0 for x in (excess.min(), excess.max()))  # + 0.0: prints -0.0 as 0.0
         print(f"{name:22s} {s.arm / R:6.4f}  {form:14s} {low:+6.1f} … {high:+5.1f} %   {wrong:5.1f} %")
     figures.limit_surface(s, ax).set_title(name, fontsize=9)
 axes[0].legend(fontsize=7)

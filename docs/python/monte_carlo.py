@@ -1,4 +1,5 @@
-"""A glass that one owns: mass, centre of mass and friction are known with an error. Which spin, and which error matters?
+"""Uncertain inputs: terminal spin of a glass whose mass, centre of mass and friction are known with an error, and the share of
+each error in the variance of the spin (Sobol indices).
 
     python3 docs/python/monte_carlo.py monte_carlo.svg [NUMBER OF STUDIES]
 """
@@ -24,7 +25,7 @@ def sample(n, seed):
 
 
 def shares(x, y):
-    """First-order Sobol shares Var E[y | x_i] / Var y: neighbours in the order of x_i have nothing else in common."""
+    """Returns first-order Sobol indices Var E[y | x_i] / Var y, estimated from the covariance of y at neighbouring x_i."""
     z = {name: np.asarray(y)[np.argsort(np.asarray(x[name]))] for name in x}
     return np.array([(np.mean(one * np.roll(one, -1)) - one.mean()**2) / one.var() for one in z.values()])
 
@@ -39,7 +40,7 @@ found = stemware.solve(sample(n, 1))
 solved = found[found.failure == ""]
 omega = solved["omega_terminal"].astype(float)
 print(f"{len(solved)} of {n} studies solved: {omega.mean():.3f} ± {omega.std():.3f} rad/s")
-# How far are shares of n studies off? The rigid ring costs nothing: its shares from n cases, drawn ten times.
+# Error of the indices of n studies: standard deviation of the indices of a rigid ring over ten samples of n cases.
 error = np.std([shares(one, rigid(one)) for one in (sample(n, seed) for seed in range(2, 12))], axis=0)
 elastic = shares(solved[list(known)], omega)
 many = sample(4000, 12)

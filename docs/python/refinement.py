@@ -1,4 +1,4 @@
-"""Grid convergence: the terminal spin on ever finer levels of each numerical parameter, observed orders and bands.
+"""Grid convergence: terminal spin over the refinement levels of each numerical parameter, observed orders and bands.
 
     python3 docs/python/refinement.py refinement.svg
 """

@@ -1,4 +1,4 @@
-"""A scanned rim: the scatter of its points becomes a standard error of the radii, and of the spin.
+"""Scanned rim: propagates the scatter of the points to standard errors of the radii and of the spin.
 
     python3 docs/python/scanned_rim.py scanned_rim.svg
 """
@@ -12,7 +12,7 @@ from scipy.optimize import curve_fit
 
 import stemware
 
-r = np.linspace(-0.8e-3, 0.8e-3, 41) + 30e-3  # a scan: a circle of 3 mm with a scatter of 5 micrometres
+r = np.linspace(-0.8e-3, 0.8e-3, 41) + 30e-3  # scan of a circle of radius 3 mm, scatter 5 micrometres
 z = 3e-3 - np.sqrt(9e-6 - (r - 30e-3)**2) + np.random.default_rng(1).normal(0, 5e-6, r.size)
 
 

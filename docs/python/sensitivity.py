@@ -1,4 +1,4 @@
-"""A tornado: each entry of the study at its two bounds, the others unchanged, the largest effect on the spin on top.
+"""Tornado diagram: effect on the spin of each entry at its two bounds, others unchanged, largest effect on top.
 
     python3 docs/python/sensitivity.py sensitivity.svg
 """

@@ -1,4 +1,4 @@
-"""Free sliding: how a ring, a disc and a body of Hertz's pressure stop after a push, by scipy's solve_ivp on ring.wrench.
+"""Free sliding: motion of a ring, a disc and a body with a Hertzian pressure after a push, by scipy's solve_ivp on ring.wrench.
 
     python3 docs/python/slide.py slide.svg
 """
@@ -19,7 +19,7 @@ for name, body in bodies.items():
         T = ring.wrench(body, max(y[0], 1e-9), y[1], mu=mu, normal_force=mass * g)
         return [T.force_x / mass, T.torque / inertia, y[0], y[1]]
 
-    def nearly_at_rest(t, y):  # both motions end at the same instant, where friction has no direction
+    def nearly_at_rest(t, y):  # v and omega vanish simultaneously; friction is undefined there
         return abs(y[0]) + abs(y[1]) * R - 1e-6
     nearly_at_rest.terminal = True  # type: ignore[attr-defined]
     path = solve_ivp(rate, (0, 2), [1.0, 20.0, 0, 0], events=nearly_at_rest, rtol=1e-9, atol=1e-12)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Makes the site: the pages of docs/ and the API of the installed headers. Debian's mkdocs-material, doxygen and libjs-katex.
 
-    make_site.py FOLDER [--repository URL]    writes FOLDER/html; links to sources lead to URL, without it they are plain text
+    make_site.py FOLDER [--repository URL]    writes FOLDER/html; links to sources lead to URL, without URL they are plain text
 
-On GitHub URL is that of the commit that the workflow checked out.
+On GitHub, URL is the address of the commit that the workflow checked out.
 """
 import argparse
 import os
@@ -21,13 +21,13 @@ katex = pathlib.Path("/usr/share/javascript/katex")
 
 
 def place(path):
-    """Where a file of the repository is on the site, None if it is not there."""
+    """Returns the path on the site of a file of the repository, or None if the site does not have the file."""
     name = path.as_posix()
     return pages.get(name) or (name[len("docs/"):] if name.startswith("docs/") and (source / path).is_file() else None)
 
 
 def linked(text, page, repository):
-    """The text of a page of the repository with links that hold on the site."""
+    """Returns the text of a page with its links converted to links on the site."""
     def link(match):
         label, target, fragment = match.group(1), match.group(2), match.group(3) or ""
         if re.match(r"[a-z]+:", target) or not target:
@@ -67,7 +67,7 @@ def main():
     environment = {**os.environ, "SOURCE_FOLDER": str(source), "API_FOLDER": str(staged), "API_WARNINGS": str(warnings)}
     subprocess.run([sys.executable, here / "check_headers.py"], check=True)
     subprocess.run(["doxygen", here / "Doxyfile"], check=True, cwd=source, env=environment)
-    # Classes, functions, types and constants of the namespaces have comments. A member whose name and type say all needs none.
+    # Comments are required for classes, functions, types and constants of namespaces, not for members.
     wrong = [line for line in warnings.read_text().splitlines() if not re.search(r"Member .* of (class|struct) .* is not documented", line)]
     if wrong:
         sys.exit("\n".join(wrong))

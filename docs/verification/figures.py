@@ -52,7 +52,7 @@ class Plot:
             self.shapes.append(f'<circle cx="{cx:.1f}" cy="{cy:.1f}" r="5.5" stroke="{color}" stroke-width="1.4" fill="none"/>')
 
     def bars(self, xs, ys, halves, color):
-        """A dot with its band."""
+        """Draws dots with error bars."""
         for x, y, half in zip(xs, ys, halves):
             cx, cy = self.at(x, y)
             self.shapes += [line(cx, self.at(x, y - half)[1], cx, self.at(x, y + half)[1], color, 'stroke-width="1.6"'),
@@ -60,7 +60,7 @@ class Plot:
 
 
 def deviations(claim, tolerance_of):
-    """Each number's difference from its reference over the accepted difference; None if no number has one."""
+    """Returns a plot of (number - reference) / accepted difference; None if no number has an accepted difference."""
     rows, ends = [], []
     for case in claim["cases"]:
         ends.append(len(rows))
@@ -85,7 +85,7 @@ def deviations(claim, tolerance_of):
 
 
 def harmonics(claim):
-    """Sizes of the harmonics 2 to 6 over their order, one colour a case: reference as circles, Stemware with its band."""
+    """Returns a plot of the harmonics 2 to 6, one colour per case: reference as circles, Stemware with its band."""
     plot = Plot((60, 50, 400, 250), (1.7, 6.3), (0, 0.005), range(2, 7), [0, 0.001, 0.002, 0.003, 0.004, 0.005],
                 "|harmonic| / a₀ over its order n")
     for case, color, name in zip(claim["cases"], colors, ("b/a = 0.5", "0.7", "0.9")):

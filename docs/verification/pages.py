@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-sys.dont_write_bytecode = True  # nothing beside the source
+sys.dont_write_bytecode = True  # leaves the source folder unchanged
 import figures  # noqa: E402
 
 here = pathlib.Path(__file__).resolve().parent
@@ -26,7 +26,7 @@ kinds = {
 
 
 def shown(value, tolerance):
-    """A value with one digit more than its tolerance asks for."""
+    """Returns the value as text with one digit beyond its tolerance."""
     if isinstance(value, str):
         return value
     if abs(value) < tolerance:
@@ -64,7 +64,7 @@ def page(claim):
 
 
 def figure(claim):
-    """Description and SVG text of a claim's figure, None without numbers to draw."""
+    """Returns description and SVG text of a claim's figure; None without numbers to draw."""
     if claim["name"] == "annular_punch":
         return "Harmonics 2 to 6 of three widths, reference and Stemware with its band", figures.harmonics(claim)
     drawn = figures.deviations(claim, tolerance_of)
@@ -102,7 +102,7 @@ def index(claims):
 
 
 def benchmark():
-    """benchmark.md with the targets of tests/verification/cb_glass.json."""
+    """Returns the text of benchmark.md with the targets of tests/verification/cb_glass.json."""
     states = json.loads((here.parent.parent / "tests" / "verification" / "cb_glass.json").read_text())["states"]
     rows = [(f"{name}{n}/a₀", [f"{x[f'{name[0]}_over_a0'][n]:.6f}" for x in states], "2e-4")
             for n in range(1, 7) for name in ("a" if n % 2 == 0 else "b",)]
@@ -149,7 +149,7 @@ def main():
             (here / name).write_text(text)
         elif not (here / name).exists() or (here / name).read_text() != text:
             troubles.append(f"docs/verification/{name} is not what pages.py writes; run it and commit the file")
-    print("\n".join(troubles) or f"{len(pages)} pages and figures are those of claims.json.")
+    print("\n".join(troubles) or f"{len(pages)} pages and figures agree with claims.json.")
     return len(troubles) > 0
 
 

@@ -3,8 +3,8 @@
 
     verify.py [--quick] [--program STEMWARE] [--json FILE] [CLAIM ...]
 
-A check passes if |value - reference| <= tolerance. The tolerance is the number of claims.json, a relative one if it ends in
-"relative", or the band that the program states. `--quick` runs the claims that take seconds. Exit code 1: a check failed.
+A check passes if |value - reference| <= tolerance. The tolerance is a number in claims.json (relative if it ends in "relative"),
+or the error band that the program prints. `--quick` runs the claims that take seconds. Exit code 1: a check failed.
 """
 import argparse
 import json
@@ -23,7 +23,7 @@ def claims():
 
 
 def quantity(summary, path):
-    """A value of summary.json by its keys; a harmonic "a2" stands for that of the load over a0."""
+    """Returns a value of summary.json by its keys; "a2" is the harmonic a2 of the load over a0."""
     if path[0] in "ab" and path[1:].isdigit():
         return summary["load"][path[0]][int(path[1:])] / summary["load"]["a"][0]
     for key in path.split("/"):
@@ -43,7 +43,7 @@ def allowed(check, summary):
 
 
 def run(program, case, folder):
-    """summary.json of a case of a claim, from `stemware run`."""
+    """Solves a case of a claim by `stemware run` and returns its summary.json."""
     command = [program, "run", str(here / case["study"]), "--quiet", "--threads", "1", "--output", str(folder)]
     if all(check["tolerance"] != "band" for check in case["checks"]):
         command.append("--quick")
@@ -56,7 +56,7 @@ def run(program, case, folder):
 
 
 def checked(program, claim, folder):
-    """(number, case, check, value, tolerance, passed) of every check of a claim."""
+    """Yields (number, case, check, value, tolerance, passed) for every check of a claim."""
     for number, case in enumerate(claim["cases"]):
         summary = run(program, case, folder / f"{claim['name']}_{number}")
         for check in case["checks"]:
@@ -83,8 +83,8 @@ def main():
     if options.quick:
         chosen = [claim for claim in chosen if claim.get("quick")]
     if not shutil.which(options.program):
-        parser.error(f"there is no program {options.program}; name one with --program.")
-    if options.json:  # before the work: a place that takes no file is known at once
+        parser.error(f"the program {options.program} is not found; give its path with --program.")
+    if options.json:  # fails before the studies run if the file cannot be written
         try:
             pathlib.Path(options.json).write_text("")
         except OSError as error:

@@ -1,5 +1,5 @@
-# CHOLMOD as the target stemware_cholmod, for the build and, installed, for the users of its libraries. With it OpenMP's
-# library, to keep CHOLMOD to one thread, but not its compiler flag, with which Eigen would start threads too.
+# Defines the target stemware_cholmod, in the build and in the installed package. It links OpenMP's library, which limits
+# CHOLMOD to one thread, but does not set OpenMP's compiler flag, because with the flag Eigen would start threads.
 find_path(STEMWARE_CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 find_library(STEMWARE_CHOLMOD_LIBRARY cholmod REQUIRED)
 find_package(OpenMP REQUIRED COMPONENTS CXX)

@@ -30,7 +30,7 @@ arguments_of() { # name
   wood) printf '%s\n' run "$cookbooks/bare_wood.prm" ;;
   rough) printf '%s\n' run "$cookbooks/bare_wood.prm" --set Table/Interface=rough ;;
   cork) printf '%s\n' run "$cookbooks/soft_cork.prm" ;;
-  disc) # of glass
+  disc) # glass disc below the foot
     printf '%s\n' run "$cookbooks/bare_wood.prm" --set 'Motion/Centre of mass height=0.10' --set 'Motion/Force offset=-0.05' \
       --set Table/Interface=hard --set Table/Substrate=elastic --set 'Table/Disc Young modulus=70e9' \
       --set 'Table/Disc Poisson ratio=0.22' --set 'Table/Disc radius=0.15' --set 'Table/Disc thickness=0.05'

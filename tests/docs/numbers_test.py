@@ -46,7 +46,7 @@ def same(cell, wanted):
 
 
 def sweep_case(table, conditions):
-    """Row of sweep.csv with the values "Entry=value, Entry=value"; columns are found without unit."""
+    """Returns the row of sweep.csv with the values "Entry=value, Entry=value"; entry names omit the unit of the column."""
     with open(table, newline="") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     entries = {heading.split(" (")[0].rsplit("/", 1)[-1]: heading for heading in rows[0]}
@@ -91,7 +91,7 @@ def pattern(text):
 
 
 def run(program, source, folder, name, command):
-    shutil.rmtree(folder / name, ignore_errors=True)  # only the same program continues a sweep
+    shutil.rmtree(folder / name, ignore_errors=True)  # a sweep of another build of the program cannot be continued
     done = subprocess.run([program, *shlex.split(command)[1:], "--quiet", "--output", folder / name], cwd=source,
                           capture_output=True, text=True)
     return [] if done.returncode == 0 else [f"{name} ended with {done.returncode}: {done.stderr.strip()}"]
@@ -122,7 +122,7 @@ def heights(svg):
 
 
 def draw(folder, study, picture):
-    """SVG of a picture of a study's report, as Chromium draws it."""
+    """Returns the SVG of a picture in a study's report, drawn by Chromium."""
     profile = folder / f"chromium-{study}-{picture}"
     done = subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", f"--user-data-dir={profile}",
                            f"file://{(folder / study / 'report.html').resolve()}#svg={picture}"], capture_output=True, text=True)

@@ -189,7 +189,7 @@ class Paper:
             balance = [m * cos(beta) - a, m * sin(beta) - b]
             return balance if eps is not None else [*balance, T[2]]
 
-        if eps is not None:  # a start for a terminal spin
+        if eps is not None:  # initial guess for a terminal spin
             return [*findroot(residual, state, tol=mpf("1e-4")), eps]
         c, beta, e = findroot(residual, state, tol=mpf(10)**-19)
         return [c, beta, e, *[self.mu * self.weight * t for t in Foundation(p, c).friction(e, beta)[:2]]]
@@ -263,7 +263,7 @@ def ring_wrench(eps):
 
 
 def annulus_wrench(eta, eps):
-    """The same of an annulus under an even pressure; eps = omega R_out / v."""
+    """Force over mu N and torque over mu N R of an annulus with uniform pressure; eps = omega R_out / v."""
     cuts = sorted({mpf(eta), mpf(1), min(max(1 / eps, mpf(eta)), mpf(1))})
     weight = 1 - mpf(eta)**2
     force = mp.quad(lambda r: 2 * r * ring_wrench(eps * r)[0], cuts) / weight
@@ -395,7 +395,7 @@ def everything(all_rows):
 
 
 def rounded(x):
-    """Numbers as the nearest double; 0 below the quadrature's error."""
+    """Numbers rounded to the nearest double; numbers below the error of the quadrature become 0."""
     if isinstance(x, dict):
         return {key: rounded(value) for key, value in x.items()}
     if isinstance(x, list):

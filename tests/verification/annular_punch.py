@@ -37,8 +37,8 @@ def transfer(alpha, poisson):
 def punch(n, ratio, n_points, thickness=None, poisson=0.3, bending=False):
     """lambda_n / (E* a w) of the annulus ratio < r < 1; with `bending` w r cos theta and int p r^2 dr instead of int p r dr."""
     m, h, N = (1 + ratio) / 2, (1 - ratio) / 2, n_points
-    phi = np.arange(2 * N) * np.pi / N  # of the pressure: a whole turn, for the logarithm
-    psi = (np.arange(N + 1)[:, None]) * np.pi / N  # of the displacement
+    phi = np.arange(2 * N) * np.pi / N  # angles of the pressure points, a whole turn for Kress's rule
+    psi = (np.arange(N + 1)[:, None]) * np.pi / N  # angles of the displacement points
     x, y = np.cos(psi), np.cos(phi)
     r, s = m + h * x, m + h * y
     # ln |x - y| = (ln 4 sin^2((psi - phi)/2) + ln 4 sin^2((psi + phi)/2)) / 2 - ln 2; weights of ln 4 sin^2 after Kress.
@@ -48,13 +48,13 @@ def punch(n, ratio, n_points, thickness=None, poisson=0.3, bending=False):
     chi_less_1 = (r - s)**2 / (2 * r * s)
     near = np.abs(r - s) < 1e-7
     P, Q = legendre(max(n, 1), np.where(near, 1e-15, chi_less_1))
-    A = -P[n] / np.sqrt(r * s)  # of ln |x - y|
+    A = -P[n] / np.sqrt(r * s)  # coefficient of ln |x - y|
     with np.errstate(divide="ignore", invalid="ignore"):
         rest = Q[n] / np.sqrt(r * s) - A * np.log(np.abs(x - y))
     # For chi -> 1: Q = -ln(chi - 1)/2 + ln(2)/2 - psi(n + 1/2) - gamma, with chi - 1 = (r - s)^2 / (2 r s).
     digamma = -2 * np.log(2) + 2 * sum(1 / (2 * j - 1) for j in range(1, n + 1))
     rest = np.where(near, (np.log(2 * r / h) - digamma) / r, rest)
-    half = np.pi / N * 0.5  # a whole turn counts every x twice
+    half = np.pi / N * 0.5  # factor 1/2: a whole turn has every x twice
     kernel = 2 / np.pi * h * (0.5 * weights * A + half * (rest - np.log(2) * A))
     if thickness:
         t, v = np.polynomial.legendre.leggauss(400)

@@ -171,7 +171,7 @@ class Foot:
         slip = np.stack([1 - spin * y, spin * x], -1)
         tangential = -friction * slip / np.linalg.norm(slip, axis=-1)[..., None]
         M = m * N * R / 2
-        target = np.array([N, M * np.cos(direction), M * np.sin(direction)])  # of (1, x, y)
+        target = np.array([N, M * np.cos(direction), M * np.sin(direction)])  # sums of f (1, x, y)
         u, q = np.zeros(n), np.array([-1e-5 if crown[self.kind] else -N / k / self.weights.sum() * 3, 0, 0])
         factors = (np.ones_like(x), tangential[..., 0], tangential[..., 1])
 

@@ -67,7 +67,7 @@ class Foot:
     def __init__(self, land, crowned, degree, n_layers):
         inner, outer = R / millimetre - land / 2, R / millimetre + land / 2
         on_land = between(inner, outer, n_layers, 0.4, "both")
-        if crowned:  # the contact is narrow
+        if crowned:  # narrow contact, finer cells
             fine = np.array([-0.8, -0.5, -0.3, -0.15, 0, 0.15, 0.3, 0.5, 0.8]) + R / millimetre
             on_land = np.concatenate([on_land[on_land < fine[0] - 0.1], fine, on_land[on_land > fine[-1] + 0.1]])
         r = np.concatenate([[0, 2], between(2, 5, n_layers, 2, "b")[1:], between(5, inner, n_layers, 4, "both")[1:], on_land[1:],

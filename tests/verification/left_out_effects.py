@@ -156,7 +156,7 @@ class Foot:
             return [rates(y[0], y[1]), glass_turns * y[0] - V / RHO, y[0]]
 
         y, before = np.array([centre, 0.0, 0.0]), None
-        while True:  # turn by turn
+        while True:  # one iteration per period
             def whole_turn(_, z, end=y[1] - 2 * np.pi):
                 return z[1] - end
             whole_turn.terminal = True

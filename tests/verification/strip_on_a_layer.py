@@ -25,7 +25,7 @@ def transfer(alpha, nu):
 
 
 def settlement(width_over_thickness, nu, n_terms):
-    h = 2 / width_over_thickness  # over a
+    h = 2 / width_over_thickness  # h / a
     # 1 - T ends at k h = 25; panels are shorter than the oscillation of the product of two Bessel functions.
     n_panels = int(np.ceil(25 / h / 3)) + 20
     x, w = np.polynomial.legendre.leggauss(16)
@@ -37,7 +37,7 @@ def settlement(width_over_thickness, nu, n_terms):
     rest = 1 - transfer(k * h, nu)
     matrix = -(bessel * (rest / k * weights)) @ bessel.T
     rest_of_first = rest - np.exp(-k * h)
-    phi = (np.arange(4000) + 0.5) * np.pi / 4000  # the trapezoidal rule, log at the ends taken off
+    phi = (np.arange(4000) + 0.5) * np.pi / 4000  # midpoint rule; the mean of -ln(sin phi) is ln 2
     first = np.mean(np.arcsinh(h / (2 * np.sin(phi))) + np.log(np.sin(phi))) + np.log(2)
     matrix[0, 0] = first - np.sum(bessel[0]**2 * rest_of_first / k * weights)
     matrix[1:, 1:] += np.diag(1 / (2 * orders[1:]))
@@ -53,6 +53,6 @@ for ratio in (1, 10, 30, 100):
         value = settlement(ratio, nu, n)
         assert abs(settlement(ratio, nu, n + 20 + ratio) / value - 1) < 1e-6
         mat = (1 - 2 * nu) / (1 - nu)**2 / ratio
-        assert nu > 0 or value < mat  # a layer that cannot bulge spreads the load
+        assert nu > 0 or value < mat  # with nu = 0 the layer outside the strip carries a part of the load
         cases.append({"width_over_thickness": ratio, "poisson_ratio": nu, "settlement": round(value, 9), "mat": round(mat, 9)})
 print(json.dumps({"cases": cases}, indent=1))

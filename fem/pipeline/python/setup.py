@@ -1,7 +1,7 @@
-"""Builds the extensions of the package with CMake; the metadata stand in pyproject.toml.
+"""Builds the extensions of the package with CMake; pyproject.toml has the metadata.
 
-With deal.II and the other packages of packages.txt the package has stemware.Study, without deal.II the ring model alone.
-STEMWARE_CMAKE_ARGUMENTS are added to CMake's, such as "-D STEMWARE_FEM=OFF".
+With deal.II and the other packages of packages.txt the package has stemware.Study; without deal.II it has the ring model only.
+The environment variable STEMWARE_CMAKE_ARGUMENTS adds arguments of CMake, for instance "-D STEMWARE_FEM=OFF".
 """
 import os
 import pathlib
@@ -21,7 +21,7 @@ build.mkdir(parents=True, exist_ok=True)
 
 
 def version():
-    """The one of CMake, as Python writes it."""
+    """Returns the version in CMakeLists.txt in Python's notation (PEP 440)."""
     for line in (sources / "CMakeLists.txt").read_text().splitlines():
         if line.startswith("set(STEMWARE_VERSION "):
             return line.split()[1].rstrip(")").replace("~dev", ".dev0")
@@ -29,7 +29,7 @@ def version():
 
 
 class BuildByCMake(build_ext):
-    """Both extensions, of which the second exists only with deal.II."""
+    """Builds both extensions by CMake; the second one exists only with deal.II."""
 
     def run(self):
         if not shutil.which("cmake"):
@@ -48,7 +48,7 @@ class BuildByCMake(build_ext):
 
 
 class WithSources(sdist):
-    """An sdist with everything that CMake reads."""
+    """Source distribution with all files that CMake reads."""
 
     def make_release_tree(self, base_dir, files):
         super().make_release_tree(base_dir, files)

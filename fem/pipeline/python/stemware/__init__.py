@@ -14,14 +14,14 @@ from .ring import BadInput, BalanceLost, NoBalance, NoTerminalSpin, Tipping  # n
 _places = {"Study": "study", "Result": "study", "read": "study", "presets": "study", "ContactFailure": "study",
            "OutputFailure": "study", "Start": "study", "limit_cache": "study", "solve": "many", "fit": "fitting", "Fit": "fitting",
            "study": "", "many": "", "fitting": "", "figures": ""}
-if TYPE_CHECKING:  # what __getattr__ returns
+if TYPE_CHECKING:  # the attributes that __getattr__ loads
     from . import figures, fitting, many, study  # noqa: F401
     from .fitting import Fit, fit  # noqa: F401
     from .many import solve  # noqa: F401
     from .study import ContactFailure, OutputFailure, Result, Start, Study, limit_cache, presets, read  # noqa: F401
 
 __all__ = ["ring", "BadInput", "BalanceLost", "NoBalance", "NoTerminalSpin", "Tipping"]
-if importlib.util.find_spec(__name__ + "._study"):  # else this is the ring alone
+if importlib.util.find_spec(__name__ + "._study"):  # not in a build without deal.II
     __all__ += _places
 
 

@@ -19,7 +19,7 @@ def _axes(ax, **kind):
 def pressure(result: Any, ax: Any = None, cmap: str = "viridis") -> Any:
     """Draws the pressure p(r, theta) of the contact at rest, unrolled along the rim."""
     ax, p = _axes(ax), result.curves["pressure"]
-    theta = p["theta"].reshape(-1, *[1] * (p["r"].ndim - 1))  # of a row of the grid
+    theta = p["theta"].reshape(-1, *[1] * (p["r"].ndim - 1))  # one angle per row of the grid
     dots = ax.scatter(np.degrees(np.broadcast_to(theta, p["r"].shape)), 1e3 * p["r"], c=p["p"] / 1e3, s=9, cmap=cmap)
     ax.figure.colorbar(dots, ax=ax, label="pressure (kPa)")
     ax.set(xlabel="θ from the direction of travel (°)", ylabel="r (mm)", xlim=(0, 360), xticks=range(0, 361, 90))
@@ -58,7 +58,7 @@ def spin_up(result: Any, ax: Any = None, **style: Any) -> Any:
 
 
 def budget(result: Any, ax: Any = None, at_least: float = 1e-3) -> Any:
-    """Draws the budget as a waterfall from the paper's spin to the study's; steps below at_least [rad/s] are left out."""
+    """Draws the budget as a waterfall from the paper's spin to the spin of the study; omits steps below at_least [rad/s]."""
     ax = _axes(ax)
     rows = [row for row in result["budget"] if row["omega_terminal"] is not None
             and (row["difference"] is None or abs(row["difference"]) >= at_least)]
@@ -79,11 +79,11 @@ def limit_surface(surface: LimitSurface, ax: Any = None, pade: bool = True) -> A
     ax.plot(surface.force, surface.torque, "k", lw=2, label="exact")
     ax.plot(*surface.ellipsoid(), "C0--", lw=1, label="ellipsoid")
     if pade and surface._pressure is not None:
-        with warnings.catch_warnings():  # the picture itself shows by how much a form misses
+        with warnings.catch_warnings():  # the figure shows the difference between the form and the surface
             warnings.simplefilter("ignore")
             for order, style in ((1, "C1-."), (2, "C3:")):
                 ax.plot(*surface.pade(order), style, lw=1.2, label=f"Padé, order {order}")
-    ax.set(xlabel="force / μN", ylabel="torque / that of pure spin", aspect="equal")
+    ax.set(xlabel="force / μN", ylabel="torque / torque of pure spin", aspect="equal")
     return ax
 
 

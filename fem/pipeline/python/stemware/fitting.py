@@ -12,7 +12,7 @@ _not_of_the_load = "Motion/Grip torque", "Motion/Yaw inertia"
 
 
 def _prior(given, unknown):
-    """Returns value and standard deviation: 0 for a value that is held; those of unknown for None."""
+    """Returns value and standard deviation of a prior: deviation 0 for a fixed value, the pair `unknown` for None."""
     value, spread = unknown if given is None else given if isinstance(given, tuple) else (given, 0.0)
     if isinstance(value, str) or not (np.isfinite(value) and spread >= 0):
         raise ring.BadInput(f"{given!r} is no value; give None, a number that is held, or (value, standard deviation)")
@@ -20,7 +20,7 @@ def _prior(given, unknown):
 
 
 def _require_fittable(time, values, is_angle):
-    """Raises BadInput, with the line of numpy that cures, for times and values that cannot be fitted."""
+    """Raises BadInput for times and values that cannot be fitted; the message has a line of numpy that repairs them."""
     if time.size < 5 or np.ptp(values) == 0:
         raise ring.BadInput(f"the run has {time.size} points, or all are equal; measure at least 5 of a glass that begins to turn")
     step, jumps = np.diff(time), np.abs(np.diff(values, 2))
@@ -32,7 +32,8 @@ def _require_fittable(time, values, is_angle):
     if time[-1] - time[0] > 1e4:
         raise ring.BadInput(f"the times span {time[-1] - time[0]:.3g}; times are in seconds: time = 1e-9 * time for nanoseconds, "
                             "1e-3 * time for milliseconds")
-    pairs = np.minimum(jumps[1:], jumps[:-1]) * is_angle  # there and back: a mark that is read once a turn has none
+    # A wrapped angle has two large second differences of opposite sign; an angle read once per turn has none.
+    pairs = np.minimum(jumps[1:], jumps[:-1]) * is_angle
     i = int(pairs.argmax())
     for turn, cure in ((2 * np.pi, "numpy.unwrap(angle)"), (360.0, "numpy.unwrap(numpy.radians(angle))")):
         if 0.8 < pairs[i] / turn < 1.2:
@@ -40,7 +41,7 @@ def _require_fittable(time, values, is_angle):
 
 
 class _Run:
-    """Measured run with times counted from the first point, and the spin-up of its study as a first guess."""
+    """Measured run with times since the first point; the spin-up of its study is the initial guess."""
 
     def __init__(self, study, time, omega, angle, sigma, start, zero):
         if (omega is None) == (angle is None):
@@ -52,7 +53,8 @@ class _Run:
         kept = np.isfinite(time) & np.isfinite(values)
         _require_fittable(time[kept], values[kept], self.is_angle)
         self.kept, self.time, self.values = np.flatnonzero(kept), time[kept] - time[kept][0], values[kept]
-        scatter = max(np.sqrt(np.mean(np.diff(self.values, 2) ** 2) / 6), 1e-6 * np.ptp(self.values))  # between neighbours
+        # The second difference of white noise has 6 times the variance of the noise.
+        scatter = max(np.sqrt(np.mean(np.diff(self.values, 2) ** 2) / 6), 1e-6 * np.ptp(self.values))
         self.has_sigma = sigma is not None
         self.stated = self.sigma = np.broadcast_to(scatter if sigma is None else np.asarray(sigma, dtype=float), time.shape)[kept]
         if not np.all(self.sigma > 0):
@@ -71,7 +73,7 @@ class _Run:
         self.turns_back = turn * model[-1] < 0 and abs(turn) > 5 * scatter
 
     def flaws(self, left):
-        """Yields sentences on a model that misses the values by left."""
+        """Yields warnings about a model with the residuals `left`, measured less fitted."""
         if self.turns_back:
             yield "the glass of the study turns the other way; change the sign of the values, or Motion/Orbit sense"
         t, y, m = self.time, self.values, max(self.time.size // 10, 1)
@@ -87,14 +89,15 @@ class _Run:
         if far := self.kept[robust > 5].tolist():
             yield f"points beyond 5 sigma: {far[:10]}{' and more' * (len(far) > 10)}; without them: numpy.delete(time, {far[:10]})"
         n, high = left.size, np.sum(left > 0)
-        runs, mean = 1 + np.sum(np.diff(left > 0)), 1 + 2 * high * (n - high) / n  # Wald and Wolfowitz
+        runs, mean = 1 + np.sum(np.diff(left > 0)), 1 + 2 * high * (n - high) / n  # runs test of Wald and Wolfowitz
         if (mean - runs) * np.sqrt(n - 1) > 3.3 * (mean - 1):
             yield (f"the residuals have a trend ({runs} runs of equal sign; noise has {mean:.0f}): model or sensor miss something, "
                    "and the standard errors are too small")
 
 
 class _Problem:
-    """Least squares over x: the free entries, then start and zero of each run unless held, each over its scale."""
+    """Least-squares problem. Its unknowns x are the free entries and the start and zero of each run that are not fixed,
+    each divided by its scale."""
 
     def __init__(self, runs, free, threads):
         self.runs, self.free, self.known, self.warm = runs, list(free), {}, {}
@@ -106,7 +109,7 @@ class _Problem:
                      ("zero" + own, run.unit, run.guess[1], np.ptp(run.values) / 10, -np.inf, np.inf, *run.zero)]
         names, units, *columns = zip(*rows)
         self.guess, *columns = np.array(columns)
-        self.sought = columns[-1] > 0  # the others are held
+        self.sought = columns[-1] > 0  # a standard deviation of 0 fixes the value
         self.names, self.units = ([one for one, sought in zip(words, self.sought) if sought] for words in (names, units))
         self.scale, self.lower, self.upper, self.prior, self.spread = (one[self.sought] for one in columns)
 
@@ -125,7 +128,7 @@ class _Problem:
         return path, entry["unit"], max(value, lower + 0.1 * scale), scale, lower, np.inf, value, spread
 
     def _solved(self, r, entries, slot):
-        """Returns the torque of a run over the spin, or why there is none."""
+        """Returns the torque of a run as a function of the spin, or the exception if the study has no solution."""
         study = self.runs[r].study.copy()
         try:
             for path, value in zip(self.free, entries):
@@ -135,7 +138,7 @@ class _Problem:
             return failure
 
     def _models(self, points):
-        """Returns the model at the times of all runs for each of points, loads solved in threads; nan without a spin-up."""
+        """Returns the model at the times of all runs, one row per point of `points`; NaN without a spin-up. Threads solve the loads."""
         n, rows = len(self.free), np.array([self.guess] * len(points))
         rows[:, self.sought] = points * self.scale
         load_of = lambda r, row: (r, *(value for path, value in zip(self.free, row) if path not in _not_of_the_load))
@@ -152,10 +155,10 @@ class _Problem:
         return np.array([np.concatenate([curve(r, run, row) for r, run in enumerate(self.runs)]) for row in rows])
 
     def evaluate(self, x):
-        """Returns the model at the times of all runs, and its derivatives by x."""
+        """Returns the model at the times of all runs and its derivatives with respect to x."""
         if x.tobytes() not in self.known:
             first, *moved = self._models(np.vstack([x, x + 1e-3 * np.eye(x.size)]))
-            self.known = {x.tobytes(): (first, np.nan_to_num((np.array(moved) - first).T / 1e-3))}  # nan: the glass tips there
+            self.known = {x.tobytes(): (first, np.nan_to_num((np.array(moved) - first).T / 1e-3))}  # NaN after the glass tips
         return self.known[x.tobytes()]
 
     def all(self, key):
@@ -169,13 +172,13 @@ class _Problem:
         return np.vstack([self.evaluate(x)[1] / self.all("sigma")[:, None], np.diag(self.scale / self.spread)])
 
     def covariance(self, x):
-        """Returns the covariance of x, and the degrees of freedom that each point has left."""
+        """Returns the covariance of x, and per point the share of a degree of freedom that the fit leaves (1 - leverage)."""
         slopes = self.jacobian(x)
         covariance = np.linalg.pinv(slopes.T @ slopes, hermitian=True) + np.diag(np.where(slopes.any(axis=0), 0, 1e30))
         return covariance, 1 - np.sum((slopes @ covariance) * slopes, axis=1)[:-x.size]
 
     def take_noise(self, x):
-        """Makes the scatter of the residuals sigma where none is given; returns the relative change."""
+        """Sets sigma, where the user gave none, to the standard deviation of the residuals. Returns the relative change of sigma."""
         factor = np.sqrt(np.sum(self.residuals(x)[:-x.size] ** 2) / max(np.sum(self.covariance(x)[1]), 1.0))
         for run in (without := [run for run in self.runs if not run.has_sigma]):
             run.sigma = run.sigma * factor
@@ -183,10 +186,14 @@ class _Problem:
 
 
 class Fit:
-    """Result of fit(), in SI units. names: of the fitted numbers, entries first; values, standard_errors, units: dicts by name;
-    correlation: matrix in the order of names; residuals: measured less fitted, of all runs; reduced_chi2: over the given sigma, else
-    over the scatter between neighbouring points; runs: a dict for each, of arrays time (from the first point), measured, fitted,
-    residuals, sigma; study: the first run's with the fitted entries; warnings: what the data leave open or the model misses."""
+    """Result of fit() in SI units.
+
+    names: names of the fitted numbers, entries first. values, standard_errors, units: dicts by name. correlation: matrix in the
+    order of names. residuals: measured less fitted values of all runs. reduced_chi2: with the given sigma, or with the scatter
+    between neighbouring points. runs: one dict per run of the arrays time (since the first point), measured, fitted, residuals
+    and sigma. study: study of the first run with the fitted entries. warnings: sentences about numbers that the data do not
+    determine, and about misfits of the model.
+    """
 
     def __init__(self, problem, x):
         covariance, free = problem.covariance(x)
@@ -212,20 +219,20 @@ class Fit:
         return "\n".join([*rows, f"{'reduced chi-squared':32}{self.reduced_chi2:.3g}", *self.warnings])
 
     def plot(self, axes: Any = None) -> Any:
-        """Draws points, curves and residuals into two axes of matplotlib, and returns these."""
+        """Draws points, curves and residuals into two axes of matplotlib. Returns the axes."""
         return figures.fit(self, axes)
 
 
 def fit(study: Any, time: Any, omega: Any = None, free: Any = (), sigma: Any = None, start: Any = None, zero: Any = None,
         angle: Any = None, threads: int = 2) -> Fit:
-    """Fits entries of a study to a measured spin-up from rest; returns a Fit.
+    """Fits entries of a study to a measured spin-up from rest. Returns a Fit.
 
-    time [s], and omega [rad/s] or angle [rad], counter-clockwise > 0: arrays; points without a number are left out. Several runs: a
-    list of arrays for each, and a value or a list for study, sigma, start and zero. free: paths of entries, the same in all runs, or
-    a dict {path: (value, standard deviation)} of what is known beforehand (None: nothing). sigma: standard deviation of the values;
-    without it, that of the residuals. start: when the glass begins to slide, counted from the first point [s]; zero: what the
-    gyroscope shows at rest, without it 0 ± 0.01 rad/s, or the angle at the start. Both are fitted (None), held (a number), or
-    fitted with what is known (value, standard deviation). Warnings are given as UserWarning, too.
+    time [s], and omega [rad/s] or angle [rad], counter-clockwise > 0: arrays; points that are not finite are omitted. Several runs:
+    lists of arrays, and one value or a list for study, sigma, start and zero. free: paths of entries, the same in all runs, or
+    a dict {path: (value, standard deviation)} of priors (None: no prior). sigma: standard deviation of the values, by default
+    the standard deviation of the residuals. start: time between the first point and the begin of sliding [s]. zero: offset of the
+    gyroscope at rest, by default 0 ± 0.01 rad/s, or angle at the start. start and zero are fitted (None), fixed (a number), or
+    fitted with a prior (value, standard deviation). Warnings are also given as UserWarning.
     """
     from scipy.optimize import least_squares
     n = len(time) if (several := isinstance(time, (list, tuple)) and len(time) > 0 and np.ndim(time[0]) > 0) else 1

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def _solve_one(source, changes, case, quantities):
-    """Solves one case, perhaps in another process; arguments and result are texts and numbers only, which can be pickled."""
+    """Solves one case. Arguments and result are texts and numbers, so that another process can run the function (pickle)."""
     from .study import Study
     try:
         study = Study(source[0], text=source[1], entries={**changes, **case})
@@ -25,13 +25,13 @@ def _solve_one(source, changes, case, quantities):
 def solve(cases: Union[pandas.DataFrame, Sequence[Mapping[str, Any]]], executor: Any = None, study: Union[Study, str, None] = None,
           quantities: Optional[Sequence[str]] = None,
           progress: Optional[Callable[[str, int, int], Any]] = None) -> pandas.DataFrame:
-    """Solves the study with the entries of each case; returns a DataFrame with the columns of cases, the columns of sweep.csv,
-    and failure, a sentence if a case has no answer, else empty. attrs["units"]: unit by column.
+    """Solves the study with the entries of each case. Returns a DataFrame with the columns of cases, the columns of sweep.csv,
+    and failure: the message of a case that failed, else an empty text. attrs["units"]: unit by column.
 
     cases: DataFrame or list of dicts with a column for each entry: numbers in SI units, texts with units, NaN for the study's
-    value. executor: None, or an object with map(): threads, processes, dask's, mpi4py.futures'. study: a Study or file with the
-    other entries. quantities: paths in the document of run(quick=True), which replace the columns of sweep.csv. progress: a
-    function called as progress("cases", done, all).
+    value. executor: None, or an object with map(), for instance of concurrent.futures, dask or mpi4py.futures. study: a Study or
+    file with the other entries. quantities: paths in the document of run(quick=True), which replace the columns of sweep.csv.
+    progress: a function called as progress("cases", done, all).
     """
     import pandas
 
@@ -47,7 +47,7 @@ def solve(cases: Union[pandas.DataFrame, Sequence[Mapping[str, Any]]], executor:
             progress("cases", len(rows), len(work))
     found = _study.case_keys() if quantities is None else list(quantities)
 
-    def unit_of(path):  # a part of the document has the units of its tables, else those of a sweep
+    def unit_of(path):  # tables of the document declare their units; a sweep declares the other units
         section, _, key = path.rpartition("/")
         return (_study.unit(key, section) if section else "") or _study.unit(key, "sweep.csv").replace("*", "")
 

@@ -35,7 +35,7 @@ class Wrench(NamedTuple):
 
 
 class Answer(NamedTuple):
-    """Terminal spin that a glass reaches from rest, and all balances: see answer()."""
+    """Terminal spin that a glass reaches from rest, and all zeros of the torque: see answer()."""
     omega: float
     stable: bool
     held: bool
@@ -53,7 +53,7 @@ class Curve(NamedTuple):
 
 
 def _readable(function, name, skipped=1):
-    """Returns the function with one sentence, without the skipped arguments (self), in the place of pybind11's signatures."""
+    """Returns the function with one-sentence errors instead of pybind11's signatures; `skipped` arguments (self) are not counted."""
     @functools.wraps(function)
     def call(*given, **named):
         try:
@@ -99,7 +99,7 @@ def _hertz(radius: float) -> Pressure:
 
 
 def _kept(name, make):
-    """Returns the maker of a Pressure, which keeps its arguments for pickle and repr."""
+    """Returns the factory `make` of a Pressure, which then stores its arguments for pickle and repr."""
     @functools.wraps(make)
     def made(*given, **named):
         one = make(*given, **named)
@@ -243,8 +243,7 @@ def stack_from_pressure(r: ArrayLike, theta: ArrayLike, p: ArrayLike, n_max: int
     """Returns the RingStack of a pressure p[i, k] [Pa] at radii r[i] [m] and angles theta[k] [rad], the angles evenly spaced
     from 0 over one turn.
 
-    n_max: highest harmonic of the stack. weights [m]: quadrature weights of the radii, by default those of the trapezoidal
-    rule. The torque has a kink where |omega| r_i = v: 21 rings instead of an annulus give an error of up to 2e-4 mu N R. The
+    n_max: highest harmonic of the stack. weights [m]: quadrature weights of the radii, by default the trapezoidal rule. The torque has a kink where |omega| r_i = v: 21 rings instead of an annulus give an error of up to 2e-4 mu N R. The
     difference from a stack of every second ring, stack_from_pressure(r[::2], theta, p[::2]), estimates that error. For an
     axisymmetric pressure use Pressure, which has no such error.
     """
@@ -266,8 +265,8 @@ def stack_from_pressure(r: ArrayLike, theta: ArrayLike, p: ArrayLike, n_max: int
 
 
 def stack_from_csv(file: Union[str, os.PathLike], n_max: int = 16) -> RingStack:
-    """Returns the RingStack of a CSV file with the columns r [m], theta [rad] and p [Pa], named in its first line like those of
-    the program's footprint.csv: one row for each pair of radius and angle, in any order; see stack_from_pressure()."""
+    """Returns the RingStack of a CSV file with the columns r [m], theta [rad] and p [Pa], named in its first line as in the
+    program's footprint.csv: one row for each pair of radius and angle, in any order; see stack_from_pressure()."""
     table = np.genfromtxt(file, delimiter=",", names=True)
     table.dtype.names = [name.partition("_")[0].replace("pressure", "p") for name in table.dtype.names]
     if not {"r", "theta", "p"} <= set(table.dtype.names or ()):
@@ -289,11 +288,11 @@ def _reference_point(load, about):
 
 
 def _moving(load, law, point, v_x, v_y, omega):
-    """Returns the friction on a load whose point moves: forces and the torque about the point; with law=None for mu = 1, and of
-    a Pressure for 1 N."""
+    """Returns the friction on a load of which `point` has the velocity (v_x, v_y): forces, and the torque about the point. Without
+    a law mu = 1; a Pressure has the normal force 1 N."""
     x, y = point
 
-    def at(v_x, v_y, omega):  # the axis moves with the point and omega times the way from the point to it
+    def at(v_x, v_y, omega):  # velocity of the axis = velocity of the point + omega x (vector from the point to the axis)
         v_x, v_y = v_x + omega * y, v_y - omega * x
         if isinstance(load, Pressure):
             one = _ring.Friction(load, 1.0).wrench(np.hypot(v_x, v_y), np.zeros_like(v_x), omega)
@@ -313,9 +312,9 @@ def wrench(load: Union[RingStack, Pressure, Patch, SelfConsistentRing], speed: A
     """Returns the friction of the table on the load: Wrench(force_x, force_y, torque) [N, N, N m].
 
     load: a RingStack, with mu or a law; a Patch, with mu; a Pressure, with mu and normal_force [N]; or a SelfConsistentRing,
-    whose motion gives speed and friction. speed >= 0 [m/s] and omega [rad/s], not both zero: of the reference point, as are
-    direction [rad], that of the velocity in the frame of the load, and the torque. about: "axis", "centre of pressure" or (x, y)
-    [m]. Forces have components in the load's frame. Arrays broadcast; NaN and masked values give NaN.
+    whose motion gives speed and friction. about: the reference point of velocity and torque: "axis", "centre of pressure" or
+    (x, y) [m]. speed >= 0 [m/s] and omega [rad/s] are not both zero. direction [rad]: of the velocity in the frame of the load,
+    which is also the frame of the forces. Arrays broadcast; NaN and masked values give NaN.
     """
     point = _reference_point(load, about)
     if isinstance(load, SelfConsistentRing):
@@ -373,15 +372,16 @@ class LimitSurface:
 
     def ellipsoid(self) -> Curve:
         """Returns Curve(force, torque) of the ellipsoid f^2 + t^2 = 1 in the same slips, by maximum dissipation. The ellipsoid
-        is the section of MuJoCo's elliptic cone at one normal force; Drake and most planners of pushing use it too. It warns
-        if it misses the surface by more than 15 % (11 % for a thin ring), as for a load beside the reference point."""
+        is the section of MuJoCo's elliptic cone at one normal force; Drake and most planners of pushing use it too. Warns
+        if it misses the surface by more than 15 % (11 % for a thin ring), for instance for a load off the reference point."""
         v, u = self._slip()
         u = self.arm / self.radius * u
         return self._within_range("ellipsoid", 0.15, v / np.hypot(v, u), u / np.hypot(v, u))
 
     def pade(self, order: int = 1) -> Curve:
         """Returns Curve(force, torque) of the Contensou-Pade form for a Pressure, with its exact slopes at pure spin and at pure
-        sliding. It warns if it misses the surface by more than 45 % (order 1) or 25 % (2), as for a thin ring: 43 and 20 % are usual.
+        sliding. Warns if it misses the surface by more than 45 % (order 1) or 25 % (order 2), for instance for a thin ring; errors of
+        43 % and 20 % are usual.
 
         order 1: f = v / (v + p u), t = u / (u + q v), u = |omega| R (Zhuravlev 1998; Hertz: p = 8 / (3 pi), q = 15 pi / 16).
         order 2: f = (v^2 + b c v u) / (v^2 + b c v u + b u^2), t likewise; exact curvatures at pure sliding (f) and spin (t).
@@ -453,12 +453,12 @@ def answer(load: Load, motion: Optional[Motion] = None, grip_torque: float = 0.0
     """Returns the terminal spin that the glass reaches from rest.
 
     load: a RingStack, the same at every spin; a SelfConsistentRing, which has its own motion; or a function of omega [rad/s]
-    that returns a RingStack. The lean torque of a RingStack is included. grip_torque [N m]: of the fingers, against the spin.
+    that returns a RingStack. The lean torque of a RingStack is included. grip_torque [N m]: torque of the fingers against the spin.
 
     Answer: omega [rad/s]; stable, held (True if the fingers stop the glass); torque_slope, d torque / d omega [N m s];
-    time_constant [s]; torque_at_rest [N m], without the grip; spin_scale, v / R [rad/s]; all: a list of dicts of all balances
-    within 1.5 v / R of rest, empty with all=False, which is faster. Raises NoTerminalSpin, BalanceLost (last_spin), and Tipping
-    if the moment is more than the normal force has at the outermost ring, at rest or at the terminal spin.
+    time_constant [s]; torque_at_rest [N m], without the grip; spin_scale, v / R [rad/s]; all: a list of dicts of all zeros of the
+    torque within 1.5 v / R of rest, empty with all=False, which is faster. Raises NoTerminalSpin, BalanceLost (last_spin), and
+    Tipping if the moment exceeds N r of the outermost ring, at rest or at the terminal spin.
 
     >>> paper = SelfConsistentRing(motion=Motion(), closure="paper", radius=0.03)
     >>> round(answer(paper).omega, 9)
@@ -471,7 +471,7 @@ def answer(load: Load, motion: Optional[Motion] = None, grip_torque: float = 0.0
 
 def spin_up(load: Load, times: ArrayLike, motion: Optional[Motion] = None, grip_torque: float = 0.0) -> Dict[str, np.ndarray]:
     """Returns the spin-up from rest at equally spaced times [s], a dict of arrays time, yaw_angle [rad] and omega [rad/s]; NaN
-    after the glass has tipped. The other arguments are those of answer()."""
+    after the glass has tipped. For the other arguments see answer()."""
     return _columns(_ask(load, motion, grip_torque, times=times)[-1])
 
 
@@ -482,6 +482,6 @@ def yaw_motion(torque: Callable[[float, float, float], float], *, yaw_inertia: f
     time, yaw_angle [rad] and omega [rad/s] at the increasing times [s].
 
     yaw_inertia [kg m^2]. accuracy: of the angle in rad, and of omega relative to spin_scale [rad/s], for instance v / R.
-    grip_torque [N m]: of fingers, which hold a glass at rest until the torque exceeds it.
+    grip_torque [N m]: torque of the fingers; a glass at rest stays at rest until |torque| exceeds it.
     """
     return _columns(_ring.yaw_motion(torque, yaw_inertia, _array(times).ravel(), initial_spin, accuracy, spin_scale, grip_torque))

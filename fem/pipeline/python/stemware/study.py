@@ -1,4 +1,4 @@
-"""Studies with the program's digits: a Study has entries, a Result has the document and curves."""
+"""Studies, with the same numbers as the program: a Study has entries, a Result has the document and curves."""
 from __future__ import annotations
 
 import atexit
@@ -37,7 +37,7 @@ Start.__reduce__ = _no_pickle
 
 @functools.lru_cache(None)
 def _mpi():
-    """Starts MPI at the first solid foot; it ends with Python."""
+    """Starts MPI for the first solid foot; MPI ends when Python exits."""
     atexit.register(_mpi.cache_clear)
     return _study.MpiSession()
 
@@ -119,6 +119,7 @@ class Study:
         return _restored, (*self._source, self.changes)
 
     def copy(self) -> Study:
+        """Returns a Study with the same source and the same changed entries."""
         return _restored(*self._source, self.changes)
 
     def __repr__(self):
@@ -155,17 +156,17 @@ class Study:
         return self._ready().answer(start)
 
     def run(self, quick: bool = False, threads: int = 1, progress: Progress = None, start: Optional[Start] = None) -> Result:
-        """Returns the Result of `stemware run`, without files and fields; quick: without budget and bands. start and exceptions
-        as of answer()."""
+        """Returns the Result of `stemware run`, without files and fields; quick: without budget and bands. For start and
+        exceptions see answer()."""
         return Result._of(_study.Found("run", self._ready(), quick, 0, threads, progress, start))
 
     def _torque(self, start=None):
-        """Returns the torque over the spin, for spin-ups with any grip and yaw inertia."""
+        """Returns the torque as a function of the spin, from which spin-ups with any grip torque and yaw inertia follow."""
         return _study.FreeTorque(self._ready(), start)
 
     def spin_up(self, times: Any, start: Optional[Start] = None) -> Tuple[np.ndarray, np.ndarray]:
-        """Returns two arrays, spin [rad/s] and yaw angle [rad] of a spin-up from rest at rising times >= 0 [s]; NaN after the glass
-        has tipped. start and exceptions as of answer()."""
+        """Returns two arrays, spin [rad/s] and yaw angle [rad] of a spin-up from rest at increasing times >= 0 [s]; NaN after the
+        glass has tipped. For start and exceptions see answer()."""
         times = np.asarray(times, dtype=float)
         if times.ndim != 1 or not np.all(np.isfinite(times)) or np.any(times < 0) or np.any(np.diff(times) <= 0):
             raise ring.BadInput("the times of a spin-up rise from 0 or later; give numpy.linspace(0, 2, 200)")
@@ -226,7 +227,7 @@ class Result:
         return {"document": self.document, "curves": self.curves, "_found": None}
 
     def _spin_text(self):
-        """Returns the terminal spin with the digits that its band leaves."""
+        """Returns the terminal spin as text, rounded to two digits of its band."""
         band = ((self.document.get("error_bands") or {}).get("omega_terminal") or {}).get("band")
         return "none" if self.omega is None else _digits(self.omega, band) + (f" ± {band:.1e}" if band else "")
 
@@ -259,14 +260,14 @@ class Result:
 
     def load(self, at: str = "rest") -> ring.RingStack:
         """Returns the load at "rest" or at the "terminal" spin as a ring.RingStack, the same at every spin. Its tilt is the
-        smallest one with the lean torque of the glass in that state."""
+        smallest tilt that gives the lean torque of the glass in that state."""
         part, lean = self["load" if at == "rest" else "load_at_terminal"], self["ring/lean_torque_at_" + at] or 0.0
         load = {"radii": part["radii"], **{key: [one[key] for one in part["rings"]] for key in "ab"}}
         moment = ring.RingStack(**load).moment
         return ring.RingStack(**load, tilt=-lean * moment / (moment @ moment) if lean else (0.0, 0.0))
 
     def save(self, folder: Path) -> None:
-        """Writes the program's folder of results, without fields; overwrites an earlier one."""
+        """Writes the program's folder of results, without fields; overwrites earlier results of Stemware."""
         if self._found is None:
             raise ring.BadInput("this result was read or sent from another process; save it where it was solved")
         self._found.save(os.path.abspath(folder))

@@ -254,7 +254,7 @@ class Measure(unittest.TestCase):
                         warnings.simplefilter("ignore")
                         import matplotlib
                         matplotlib.use("svg")
-                        exec("\n".join((blocks[0], block)), names)  # the first one has the imports
+                        exec("\n".join((blocks[0], block)), names)  # the first block has the imports
                         found = names["found"]
                         self.assertAlmostEqual(found.values[friction], 0.3, delta=max(4 * found.standard_errors[friction], 0.003))
             finally:

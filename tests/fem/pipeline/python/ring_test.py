@@ -160,7 +160,7 @@ class LimitSurface(unittest.TestCase):
         for order, bound in ((1, 0.5), (2, 0.25)):
             force, torque = s.pade(order)
             self.assertLess(np.hypot(force - s.force, torque - s.torque).max(), bound)
-        e = 1e-4  # second order: the error falls like the cube at pure sliding
+        e = 1e-4  # order 2: the error is O(e^3) at pure sliding
         for x in (e, 2 * e):
             one = ring.wrench(ring.Pressure.hertz(R), 1.0, x / R, mu=1.0, normal_force=1.0)
             self.assertLess(abs(-one.force_x - (1 - x * x / 10)), x**3)
@@ -343,7 +343,7 @@ class Manners(unittest.TestCase):
         self.assertRaises(ring.BadInput, ring.stack_from_pressure, np.linspace(0.02, 0.03, 3), np.arange(64) * 2 * np.pi / 64, p)
 
     def test_a_pressure_of_one_radius_at_a_time(self):
-        one = ring.Pressure(lambda r: 2.0 if r < R else 0.0, 0, R)  # no answer for an array
+        one = ring.Pressure(lambda r: 2.0 if r < R else 0.0, 0, R)  # a function of scalars only
         self.assertAlmostEqual(one.mean_power(2) / (R * R / 2), 1, delta=1e-13)
         with self.assertRaises(ZeroDivisionError):
             ring.Pressure(lambda r: 1 / 0, 0, R)

@@ -44,7 +44,7 @@ few_lines = {"Contact/Azimuth lines": 64, "Contact/Harmonics": 8}
 
 
 class SameDigits(unittest.TestCase):
-    def test_quick_studies(self):  # more of them: random_test.py
+    def test_quick_studies(self):  # random_test.py has many more
         for name in ("", "figure_3", "stribeck", "own_profile", "hand_speed"):
             with self.subTest(name or "default"):
                 expected = summary_of("run", *([cookbook(name)] if name else []), "--quick")
@@ -106,7 +106,7 @@ class SameDigits(unittest.TestCase):
              "Contact/Body": "solid", "Contact/Degree": 1, "Contact/Azimuthal cells": 16, "Contact/Radial cells": 2,
              "Contact/Foot layers": 1}
 
-    def test_a_solid_foot(self):  # by itself: MPI starts
+    def test_a_solid_foot(self):  # a separate process, because it starts MPI
         code = f"import stemware, json\nprint(json.dumps(stemware.Study(entries={self.solid!r}).run(quick=True).document))"
         done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
         if "STEMWARE_SOLID" in done.stderr:
