@@ -22,8 +22,7 @@ struct FrictionFunctionals
   LoadFunctional side;   ///< T_y [N]
   LoadFunctional torque; ///< tau_z [N m]
 
-  /// Evaluates the functionals for @p load. @throws std::invalid_argument if it has another number of
-  /// rings.
+  /// Evaluates the functionals for @p load. Throws std::invalid_argument if it has another number of rings.
   Wrench operator()(const RingStack &load) const;
 };
 
@@ -42,12 +41,9 @@ struct FrictionFunctionals
 ///   T_y   = -mu sum_j     sum_n n (c_n b_{j,n} - s_n a_{j,n}) P_n(eps_j)
 ///   tau_z =  mu sum_j r_j sum_n   (c_n a_{j,n} + s_n b_{j,n}) K_n(eps_j)
 ///
-/// @param radii  r_j [m].
-/// @param n_max  Highest harmonic that counts.
-/// @param omega  Spin [rad/s], counter-clockwise positive.
-/// @param speed  Sliding speed v >= 0 [m/s].
-/// @throws std::invalid_argument if a value is not finite, v < 0, or the rings neither slide nor spin; and as
-/// friction_kernels().
+/// @p radii: r_j [m]. @p n_max: highest harmonic of the sums. @p omega: spin [rad/s], counter-clockwise
+/// positive. @p speed: sliding speed v >= 0 [m/s]. Throws std::invalid_argument if a value is not finite, if
+/// v < 0, or if the rings neither slide nor spin; and as friction_kernels().
 FrictionFunctionals friction_functionals(const FrictionLaw &law, const std::vector<double> &radii,
                                          unsigned int n_max, double omega, double speed);
 

@@ -20,13 +20,11 @@ namespace stemware::ring
 class FrictionKernels
 {
 public:
-  /// Kernels at eps = rim_speed / speed.
+  /// Computes the kernels at eps = rim_speed / speed up to the harmonic @p n_max.
   ///
-  /// @param rim_speed omega R [m/s], signed: positive for a counter-clockwise spin.
-  /// @param speed     Sliding speed v >= 0 of the ring's centre [m/s]. Not both may be zero: without slip
-  /// there is no direction of friction.
-  /// @param n_max     Highest harmonic.
-  /// @throws std::invalid_argument if a speed is not finite, v < 0, or both are zero.
+  /// @p rim_speed: omega R [m/s], positive for a counter-clockwise spin. @p speed: sliding speed v >= 0 of
+  /// the ring's centre [m/s]. Both must not be zero, because friction has no direction without slip. Throws
+  /// std::invalid_argument if a speed is not finite, v < 0, or both are zero.
   FrictionKernels(double rim_speed, double speed, unsigned int n_max);
 
   /// Returns the highest computed harmonic.

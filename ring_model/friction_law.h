@@ -38,7 +38,7 @@ public:
     double decay_exponent = 2.; ///< 1: Tustin, 2: the usual one
   };
 
-  /// @throws std::invalid_argument if a coefficient is negative or the decay speed or exponent is not
+  /// Throws std::invalid_argument if a coefficient is negative or the decay speed or exponent is not
   /// positive.
   explicit StribeckLaw(const Parameters &parameters);
   double coefficient(double slip_speed) const override;
@@ -52,7 +52,7 @@ private:
 class CoulombLaw : public StribeckLaw
 {
 public:
-  /// @throws std::invalid_argument if @p mu is negative.
+  /// Throws std::invalid_argument if @p mu is negative.
   explicit CoulombLaw(double mu)
       : StribeckLaw({ mu, mu, 1. })
   {
@@ -68,6 +68,6 @@ StribeckLaw friction_law_of(const Motion &motion);
 /// quadrature of all harmonics at once, refined until the columns agree to 1e-12 of the largest value.
 /// docs/theory/friction_laws.md.
 ///
-/// @throws std::invalid_argument as FrictionKernels, std::runtime_error if the refinement does not end.
+/// Throws std::invalid_argument as FrictionKernels, std::runtime_error if the refinement does not end.
 Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, double speed, unsigned int n_max);
 } // namespace stemware::ring

@@ -14,19 +14,18 @@ namespace stemware::ring
 class OrbitSpeedTable
 {
 public:
-  /// @param times  Increasing times [s], at least two.
-  /// @param speeds Speeds v >= 0 at these times [m/s]: 0 at the beginning only, while the hand rests.
-  /// @throws std::invalid_argument naming the entry that is not allowed.
+  /// @p times: at least two increasing times [s]. @p speeds: speeds v >= 0 at these times [m/s], 0 at the
+  /// beginning only, while the hand rests. Throws std::invalid_argument naming the entry that is not allowed.
   OrbitSpeedTable(std::vector<double> times, std::vector<double> speeds);
 
   /// Returns the table with its entries joined by straight lines, to measure the effect of the interpolation;
   /// corners are rounded within a thousandth of an interval.
   OrbitSpeedTable joined_by_lines() const;
 
-  /// Returns v(t) [m/s]. @throws std::out_of_range outside the table (no extrapolation).
+  /// Returns v(t) [m/s]. Throws std::out_of_range outside the table (no extrapolation).
   double speed(double time) const;
 
-  /// Returns dv/dt [m/s^2]. @throws std::out_of_range outside the table.
+  /// Returns dv/dt [m/s^2]. Throws std::out_of_range outside the table.
   double acceleration(double time) const;
 
   /// Returns @p motion with the orbit speed and acceleration at @p time. A hand at rest gets a billionth of
@@ -41,7 +40,7 @@ public:
   double max_speed() const;
 
   /// Returns the first time [s] at which the hand is at least as fast as @p speed [m/s] and moves; for @p
-  /// speed = 0 the time at which the hand starts. @throws std::out_of_range for more than max_speed().
+  /// speed = 0 the time at which the hand starts. Throws std::out_of_range for more than max_speed().
   double time_of(double speed) const;
 
 private:

@@ -20,10 +20,10 @@ struct RingEquilibrium
 class SelfConsistentRing
 {
 public:
-  /// @param radius R > 0 [m]. @throws std::invalid_argument if it or the motion is not allowed.
+  /// @p radius: R > 0 [m]. Throws std::invalid_argument if the radius or the motion is not allowed.
   SelfConsistentRing(Closure closure, const Motion &motion, double radius);
 
-  /// Returns the equilibrium at the spin @p omega [rad/s], to rounding. @throws NoBalance if the moments
+  /// Returns the equilibrium at the spin @p omega [rad/s], to rounding. Throws NoBalance if the moments
   /// cannot balance.
   RingEquilibrium at(double omega) const;
 

@@ -21,10 +21,10 @@ public:
   /// Normal pressure p(r) >= 0 at all @p radii [m] at once, in any unit: only its shape counts.
   using Pressure = std::function<std::vector<double>(const std::vector<double> &radii)>;
 
-  /// One ring. @throws std::invalid_argument unless radius > 0 [m].
+  /// Returns one ring. Throws std::invalid_argument unless radius > 0 [m].
   static SlidingBody ring(double radius);
 
-  /// Returns a body with uniform pressure between two radii [m]. @throws std::invalid_argument unless 0 <=
+  /// Returns a body with uniform pressure between two radii [m]. Throws std::invalid_argument unless 0 <=
   /// inner < outer.
   static SlidingBody annulus(double inner_radius, double outer_radius);
 
@@ -32,7 +32,7 @@ public:
   static SlidingBody disc(double radius) { return annulus(0., radius); }
 
   /// Returns a body with the given pressure between two radii [m], smooth between them. It may vanish at
-  /// either radius like a square root, as Hertz's does. @throws std::invalid_argument unless 0 <= inner <
+  /// either radius like a square root, as Hertz's does. Throws std::invalid_argument unless 0 <= inner <
   /// outer, the pressure is finite, non-negative and not zero everywhere.
   static SlidingBody with_pressure(Pressure pressure, double inner_radius, double outer_radius);
 

@@ -54,10 +54,10 @@ struct SpinZero
 ///
 /// If @p torque throws NoBalance, the search steps back towards rest. A range of spins without a balance may
 /// be narrower than the steps: if the stability margin is below 0.9, the interval up to the zero is searched
-/// more finely, with up to 100 torques, until the margin shows that the balance holds or has ended.
-/// @throws std::invalid_argument for values that are not allowed, NoTerminalSpin if the torque does not
-/// change sign within 64 spin scales, BalanceLost if the balance ends before a zero is found (known to 1/4096
-/// spin scale), NoBalance if the search does not converge, what @p torque throws at rest.
+/// more finely, with up to 100 torques, until the margin shows that the balance holds or has ended. Throws
+/// std::invalid_argument for values that are not allowed, NoTerminalSpin if the torque does not change sign
+/// within 64 spin scales, BalanceLost if the balance ends before a zero is found (known to 1/4096 spin
+/// scale), NoBalance if the search does not converge, what @p torque throws at rest.
 SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &search);
 
 /// Initial guess: stable zero of a similar torque.
@@ -71,8 +71,7 @@ struct ZeroGuess
 /// evaluations. A last step that is known to the tolerance is not evaluated. The result equals
 /// find_terminal_spin() if the torques are so similar that no further zeros appear. Returns std::nullopt if
 /// the method leaves the neighbourhood (a tenth of spin_scale), does not converge in eight steps, or reaches
-/// a spin of small stability margin.
-/// @throws what @p torque throws.
+/// a spin of small stability margin. Throws what @p torque throws.
 std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const TorqueFunction &torque,
                                                 const SpinSearch &search);
 } // namespace stemware::ring

@@ -13,7 +13,7 @@ namespace stemware::ring
 class StiffMotion
 {
 public:
-  /// As yaw_motion().
+  /// For the arguments see yaw_motion().
   StiffMotion(PhasedTorqueFunction torque, double yaw_inertia, double accuracy, double spin_scale);
 
   /// Returns whether few steps between the @p n_times outputs until the time @p end [s] after @p start are

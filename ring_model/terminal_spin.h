@@ -42,7 +42,7 @@ TerminalSpin terminal_spin(const RingStack &load, const Motion &motion);
 /// terminal_spin(). Sign changes over @p n_intervals equal intervals are bracketed; intervals in which
 /// |torque| has a minimum are searched for pairs of zeros.
 ///
-/// @throws std::invalid_argument for an empty range or no intervals.
+/// Throws std::invalid_argument for an empty range or no intervals.
 std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, double yaw_inertia,
                                              double spin_scale, double lower, double upper,
                                              unsigned int n_intervals = 400);

@@ -215,7 +215,7 @@ private:
     }
   }
 
-  /// Same as turn(), with StiffMotion.
+  /// Integrates like turn(), by StiffMotion.
   void turn_stiffly(int turns)
   {
     const StiffMotion motion = stiff_motion(turns);

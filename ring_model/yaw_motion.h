@@ -36,15 +36,11 @@ double torque_with_grip(double torque, double omega, double grip);
 /// reaches 0 is exactly 0 until |tau_z| at rest exceeds the grip. The end of such a rest is sought between
 /// outputs, breaks and 64 parts of the time that is left.
 ///
-/// @param times    Output times [s], increasing, the first one >= 0.
-/// @param accuracy Requested accuracy of psi in radians and of omega relative to @p spin_scale; relative to
-///                 their sizes where these are larger.
-/// @param spin_scale Spin that counts as large, v / R [rad/s].
-/// @param grip     Torque up to which fingers brake or hold the glass [N m].
-/// @param breaks   Increasing times [s] at which a derivative of the torque jumps: a step ends there.
-/// @throws std::invalid_argument for times out of order or values out of range, std::runtime_error if the
-/// step
-///         control gives up.
+/// @p times: increasing output times [s], the first one >= 0. @p accuracy: tolerance of psi relative to max(1
+/// rad, |psi|) and of omega relative to max(spin_scale, |omega|). @p spin_scale: typical spin, v / R [rad/s].
+/// @p grip: torque up to which the fingers brake or hold the glass [N m]. @p breaks: increasing times [s] at
+/// which a derivative of the torque jumps; a step ends at each. Throws std::invalid_argument for times out of
+/// order or values out of range, std::runtime_error if the step control gives up.
 std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
                                   const std::vector<double> &times, double accuracy, double spin_scale,
                                   double grip = 0., const std::vector<double> &breaks = {});
@@ -52,7 +48,7 @@ std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw
 /// Integrates the same equations by forward Euler, as in the paper, from t = 0 and psi = 0 in @p n_steps
 /// steps of @p time_step [s]. Returns n_steps + 1 samples. First order in @p time_step.
 ///
-/// @throws std::invalid_argument if the inertia or the step is not positive.
+/// Throws std::invalid_argument if the inertia or the step is not positive.
 std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, double yaw_inertia,
                                         double initial_spin, double time_step, unsigned int n_steps,
                                         double grip = 0.);
@@ -72,12 +68,11 @@ struct LongTimeSpin
 /// motions that converges faster than any power of the window's length, whatever the periods (Das, Saiki,
 /// Sander & Yorke, Nonlinearity 30 (2017) 4111).
 ///
-/// @param window   First length of a window [s]: a dozen of the motion's slowest period. Doubled twice if
-/// means do not agree.
-/// @param accuracy Of the mean, relative to @p spin_scale. Where the longest windows still differ by more,
-/// their difference is the result's uncertainty.
-/// @throws std::invalid_argument for values out of range, std::runtime_error if the longest windows differ by
-///         more than 1e-5 of @p spin_scale, or as yaw_motion().
+/// @p window: initial length of a window [s], about twelve of the motion's slowest periods; doubled at most
+/// twice if the means do not agree. @p accuracy: tolerance of the mean relative to @p spin_scale. If the
+/// longest windows differ by more, their difference is the uncertainty of the result. Throws
+/// std::invalid_argument for values out of range, std::runtime_error if the longest windows differ by more
+/// than 1e-5 of @p spin_scale, or as yaw_motion().
 LongTimeSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
                             double window, double accuracy, double spin_scale, double grip = 0.);
 } // namespace stemware::ring

@@ -9,8 +9,8 @@ namespace stemware::fem
 /// increases towards the end of the step. With @p may_go_beyond the step length may reach 2, because Newton
 /// steps towards a narrower contact are too short.
 ///
-/// @param slope of the energy along the step, at a step length. @param start,end slopes at the step lengths
-/// 0 and 1. @param noise bound below which slopes are rounding.
+/// @p slope: slope of the energy along the step, as a function of the step length. @p start, @p end: slopes
+/// at the step lengths 0 and 1. Slopes below @p noise are rounding.
 double line_search_step(const std::function<double(double)> &slope, double start, double end, double noise,
                         bool may_go_beyond);
 

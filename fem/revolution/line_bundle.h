@@ -56,8 +56,8 @@ using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 class LineBundle
 {
 public:
-  /// @p n_circles unknowns on each line, @p band diagonals of T on either side, @p n_columns right-hand
-  /// sides. Sets all to zero.
+  /// Sets all entries to zero, with @p n_circles unknowns on each line, @p band diagonals of T on either side
+  /// and @p n_columns right-hand sides.
   void reset(Eigen::Index n_circles, Eigen::Index band, Eigen::Index n_columns);
 
   /// Returns the entry T(i, k), |i - k| <= band.

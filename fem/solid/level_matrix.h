@@ -29,7 +29,7 @@ public:
   void Tvmult(FloatVector &dst, const FloatVector &src) const { vmult(dst, src); }
   size_type m() const { return n_rows; }
   size_type n() const { return n_rows; }
-  /// Not available: the matrix has no stored entries.
+  /// Throws: the matrix has no stored entries.
   float el(size_type, size_type) const;
 
   void initialize_dof_vector(FloatVector &vector) const { elastic->initialize_dof_vector(vector); }

@@ -72,7 +72,7 @@ public:
   /// nodes of level @p l.
   void set_contact(unsigned int l, const Eigen::SparseMatrix<double> &tangent);
 
-  /// One V-cycle from level @p l down: @p dst is an approximate solution of (K + B' T B) dst = @p src.
+  /// Applies one V-cycle from level @p l down: @p dst approximates the solution of (K + B' T B) dst = @p src.
   void v_cycle(unsigned int l, Vector &dst, const Vector &src) const;
 
   /// Interpolates @p coarse, a vector of the level below, to @p fine, a vector of level @p l, in single

@@ -14,8 +14,8 @@ struct LoadFunctional
   Eigen::ArrayXXd a; ///< coefficients of the cosines
   Eigen::ArrayXXd b; ///< coefficients of the sines; b(0, j) = 0
 
-  /// Returns the value for @p load. Harmonics missing in the load or in the functional count as 0.
-  /// @throws std::invalid_argument if the load has another number of rings.
+  /// Returns the value for @p load. Harmonics missing in the load or in the functional count as 0. Throws
+  /// std::invalid_argument if the load has another number of rings.
   double operator()(const RingStack &load) const;
 
   /// Returns the functional that gives this functional's value for the load rotated counter-clockwise by @p

@@ -34,8 +34,8 @@ public:
     std::vector<double> b; ///< as many; b_{j,0} = 0
   };
 
-  /// @param rings At least one, all with equally many coefficients; the sum of the a_{j,0} is N / 2 pi > 0.
-  /// @throws std::invalid_argument naming the value that is not allowed.
+  /// @p rings: at least one, all with equally many coefficients; the sum of the a_{j,0} is N / 2 pi > 0.
+  /// Throws std::invalid_argument naming the value that is not allowed.
   explicit RingStack(std::vector<Ring> rings);
 
   /// Creates one ring: a_0...a_{n_max}, b_0 = 0...b_{n_max} [N/rad] at @p radius R > 0 [m]. Throws as above.
@@ -43,7 +43,7 @@ public:
 
   /// Returns one ring with a first harmonic of normal force @p normal_force N [N] and moment @p moment = M_N
   /// [N m]: b_1 = M_{N,x} / (pi R), a_1 = -M_{N,y} / (pi R). Tensile at some azimuths if |M_N| > N R / 2.
-  /// @throws std::invalid_argument if a value is not finite or N, R are not positive.
+  /// Throws std::invalid_argument if a value is not finite or N, R are not positive.
   static RingStack first_harmonic(double normal_force, const Eigen::Vector2d &moment, double radius);
 
   /// Returns the individual rings.

@@ -13,7 +13,7 @@ namespace stemware::ring
 /// Returns the yaw torque for yaw_motion() under an orbit speed table: quasi-static moment balances including
 /// the hand's tangential force m dv/dt (moment balances `hand` and `full`). First-harmonic load.
 ///
-/// @param radius Ring radius [m]. @throws std::invalid_argument if the motion or the radius is not allowed.
+/// @p radius: ring radius [m]. Throws std::invalid_argument if the motion or the radius is not allowed.
 PhasedTorqueFunction driven_torque(Closure closure, const Motion &motion, double radius,
                                    OrbitSpeedTable speeds);
 

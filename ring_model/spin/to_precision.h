@@ -5,7 +5,7 @@
 
 namespace stemware::ring
 {
-/// @p value with @p n_digits significant digits, for sentences.
+/// Returns @p value as text with @p n_digits significant digits.
 inline std::string to_precision(double value, int n_digits)
 {
   std::ostringstream text;

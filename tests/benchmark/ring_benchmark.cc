@@ -28,7 +28,8 @@ std::vector<double> slip_ratios()
   return ratios;
 }
 
-/// All kernels n <= 32 at one slip ratio. The relevant counters are median and maximum over the slip ratios.
+/// Measures all kernels n <= 32 at one slip ratio. The relevant counters are median and maximum over the slip
+/// ratios.
 void kernels_to_32(benchmark::State &state)
 {
   const std::vector<double> ratios = slip_ratios();
@@ -52,7 +53,7 @@ void kernels_to_32(benchmark::State &state)
 }
 BENCHMARK(kernels_to_32)->Unit(benchmark::kMillisecond);
 
-/// Two seconds of spin-up with tolerance 1e-10 and 201 output times.
+/// Measures two seconds of spin-up with tolerance 1e-10 and 201 output times.
 void trajectory(benchmark::State &state, Closure closure)
 {
   const Motion motion;

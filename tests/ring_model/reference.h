@@ -27,7 +27,7 @@ inline const nlohmann::json &reference()
   return cases;
 }
 
-/// |actual - expected| <= tolerance * |expected|
+/// Checks |actual - expected| <= tolerance * |expected|.
 inline void expect_relative(double actual, double expected, double tolerance, const std::string &what)
 {
   EXPECT_LE(std::abs(actual - expected), tolerance * std::abs(expected))

@@ -135,8 +135,8 @@ TEST(RingStack, ResultantsOfSeveralRingsAddUp)
   // One ring of radius() with the summed harmonics has the same resultants.
   const RingStack one({ load.a(0), load.a(1), load.a(2) }, { 0., load.b(1), load.b(2) }, load.radius());
   EXPECT_NEAR(one.moment().norm(), load.moment().norm(), ulps(4, load.moment().norm()));
-  EXPECT_NEAR(load.rotated(0.4)(1.4), load(1.0), ulps(2, load.normal_force()));
-  EXPECT_NEAR(test::mirrored(load)(-1.0), load(1.0), ulps(2, load.normal_force()));
+  EXPECT_NEAR(load.rotated(0.4)(1.4), load(1.), ulps(2, load.normal_force()));
+  EXPECT_NEAR(test::mirrored(load)(-1.), load(1.), ulps(2, load.normal_force()));
   EXPECT_EQ(load.truncated(1).rings().size(), 3u);
 }
 

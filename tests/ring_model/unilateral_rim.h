@@ -42,7 +42,7 @@ inline double partial_pressure(double s, double p, double v)
   return sine_squared == 0. ? 0. : std::pow(sine_squared, p + 0.5) / std::sqrt((1. - s) + s * sine_squared);
 }
 
-/// Full contact: calls visit(n, a_n / a_{n-1}) for n = n_max...1, with 2 a_0 in place of a_0, by the
+/// Calls, for full contact, visit(n, a_n / a_{n-1}) for n = n_max...1, with 2 a_0 in place of a_0, by the
 /// recurrence (n + 1 + p) a_{n+1} = 2 c n a_n - (n - 1 - p) a_{n-1}. The recurrence starts so far above n_max
 /// that the initial guess has decayed: |a_n| ~ exp(-n decay), cosh(decay) = -c.
 template <typename Visit>
@@ -67,7 +67,7 @@ void descend(double c, double p, double decay, unsigned int n_max, const Visit &
 class UnilateralFoundation
 {
 public:
-  /// @param radius R [m]. @param exponent p > 0. @param n_harmonics Highest harmonic of the returned loads.
+  /// @p radius: R [m]. @p exponent: p > 0. @p n_harmonics: highest harmonic of the returned loads.
   UnilateralFoundation(double radius, double exponent, unsigned int n_harmonics = 128)
       : ring_radius(radius)
       , p(exponent)

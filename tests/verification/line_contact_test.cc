@@ -51,7 +51,7 @@ TEST(LineContact, OracleAgreesWithPublishedValues)
   // Published values for L = 15.7555 (here 15.75552). Weakly nonlinear limit: a_2 = m^2 / (4 (L - 19/3)) =
   // 0.0066.
   const LineContact contact(0.5, 33, slenderness);
-  EXPECT_NEAR(contact.harmonic(2), .006875214728468, 3e-7);
+  EXPECT_NEAR(contact.harmonic(2), 0.006875214728468, 3e-7);
   EXPECT_NEAR(contact.harmonic(3), -4.504165011245e-4, 3e-8);
   EXPECT_NEAR(contact.harmonic(4), 5.06792626489e-5, 6e-9);
 }

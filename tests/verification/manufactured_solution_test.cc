@@ -24,7 +24,7 @@ namespace
 
 const Tensor<1, 3> wave({ 2.1, -1.3, 0.7 });
 const Tensor<1, 3> amplitude({ 0.8, 0.5, -1.1 });
-const ElasticMaterial material{ 3.0, 0.3 };
+const ElasticMaterial material{ 3., 0.3 };
 
 class Displacement : public Function<3>
 {

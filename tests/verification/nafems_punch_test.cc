@@ -100,7 +100,7 @@ struct PunchCells
   std::vector<double> on_contact, on_punch, on_disc; ///< along r, the contact zone first
   std::vector<double> upward, downward;              ///< along z, from the contact
 
-  /// The rounded edge beyond the contact zone, in steps of @p angle up to 90 degrees.
+  /// Adds the rounded edge beyond the contact zone, in steps of @p angle up to 90 degrees.
   void add_edge(double angle)
   {
     double radius = std::accumulate(on_contact.begin(), on_contact.end(), 0.);
@@ -134,8 +134,8 @@ PunchCells fine_cells_of_punch(const PunchParameters &parameters, double smalles
   return cells;
 }
 
-/// A section 0 <= r <= radius of columns and rows of cells. The contact zone is the first @p n_contact faces
-/// at z = 0. @p held marks the clamped faces, @p shape moves the vertices.
+/// Makes a section 0 <= r <= radius of columns and rows of cells. The contact zone is the first @p n_contact
+/// faces at z = 0. @p held marks the clamped faces, @p shape moves the vertices.
 void make_section(const std::vector<double> &columns, const std::vector<double> &rows, bool downward,
                   std::size_t n_contact, const std::function<bool(const Point<2> &)> &held,
                   const std::function<Point<2>(const Point<2> &)> &shape, Triangulation<2> &triangulation)
@@ -162,7 +162,7 @@ void make_section(const std::vector<double> &columns, const std::vector<double> 
   GridTools::transform(shape, triangulation);
 }
 
-/// The punch with its rounding as chords between the nodes. A spot on the axis of the top is fixed; its
+/// Makes the punch with its rounding as chords between the nodes. A spot on the axis of the top is fixed; its
 /// reaction vanishes, because pressure and contact are in equilibrium.
 void make_punch(const PunchCells &cells, Triangulation<2> &triangulation)
 {

@@ -16,8 +16,8 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Cylinder of radius 0.02 and height 0.03 on z = 0 with a clamped top, which does not disturb the solution
-/// for nu = 0.
+/// Makes a cylinder of radius 0.02 and height 0.03 on z = 0 with a clamped top, which does not disturb the
+/// solution for nu = 0.
 void make_cylinder(Triangulation<3> &triangulation)
 {
   Triangulation<3> lying;

@@ -209,7 +209,7 @@ struct Field
       : Field(key, description, fields, read, ByKey{ nullptr }, words...)
   {
   }
-  /// The same with the rows of a vector as members under their keys.
+  /// Creates an object that has the rows of a vector as members under their keys.
   template <typename Part, typename Read, typename Key, typename... Words>
   Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,
         ByKey<Key> by_key, Words... words);

@@ -18,12 +18,12 @@ class Progress
 public:
   virtual ~Progress() = default;
 
-  /// Called at the end of a stage: "mesh_and_stiffness", "contact", "ring".
+  /// Reports the end of a stage: "mesh_and_stiffness", "contact", "ring".
   virtual void stage_done(const std::string & /*stage*/) {}
-  /// Called when @p n_done of @p n_all pieces of @p what are done; @p n_all is 0 if unknown.
+  /// Reports that @p n_done of @p n_all pieces of @p what are done; @p n_all is 0 if unknown.
   virtual void pieces_done(const std::string & /*what*/, std::size_t /*n_done*/, std::size_t /*n_all*/) {}
   virtual void iteration(const fem::ContactIteration & /*step*/) {}
-  /// Called with a note for the console, under a heading of one or two words.
+  /// Reports a note for the console, under a heading of one or two words.
   virtual void note(const std::string & /*subject*/, const std::string & /*text*/) {}
 };
 

@@ -140,7 +140,7 @@ struct Friction
   {
     at = [load, &law](double x, double y, double omega) { return wrench(law, load, { x, y }, omega); };
   }
-  /// @param limit mu N [N].
+  /// @p limit: mu N [N].
   Friction(const SlidingBody &body, double limit)
       : at([body, limit](double speed, double, double omega) { return body.friction(limit, speed, omega); })
   {

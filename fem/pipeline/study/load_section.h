@@ -44,7 +44,8 @@ struct LoadSection
     return is_from_contact() && !is_static() && coupling == LoadCoupling::two_way;
   }
 
-  /// True if the load at rest is kept at every spin: Coupling = one-way, a given moment, or a load file.
+  /// Returns true if the load at rest is kept at every spin: Coupling = one-way, a given moment, or a load
+  /// file.
   bool is_one_way() const
   {
     return source == LoadSource::file || is_static() ||

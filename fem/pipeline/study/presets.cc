@@ -20,7 +20,7 @@
 namespace stemware::pipeline
 {
 
-/// Compiled-in files presets/*.prm, listed in CMakeLists.txt.
+/// Returns the compiled-in files presets/*.prm, listed in CMakeLists.txt.
 const CompiledTexts &glass_texts();
 const CompiledTexts &table_texts();
 

@@ -46,7 +46,7 @@ struct Study
   /// crest of a crowned rim and on a ring. Infinite for a mesh file, whose contact zone decides.
   double tipping_ratio() const;
 
-  /// v / R with the contact radius of the glass [rad/s].
+  /// Returns v / R with the contact radius of the glass [rad/s].
   double spin_unit() const { return motion.orbit.orbit_speed / glass.profile.contact_radius; }
 
   /// Returns the first-order estimate of the terminal spin from the moment M_Nx at rest, 2 |M_Nx| / (N R)
@@ -54,7 +54,7 @@ struct Study
   /// for a load file.
   double spin_scale() const;
 
-  /// Rounding of spins and of their differences [rad/s].
+  /// Returns the rounding error of spins and of their differences [rad/s].
   double rounding_of_spins() const { return 1e-9 * spin_scale(); }
 
   /// Returns whether a spin exceeds its rounding.

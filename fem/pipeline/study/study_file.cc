@@ -195,9 +195,9 @@ std::string prm_text(const std::vector<StudyEntry> &entries, bool comments)
   return text + end;
 }
 
-/// A file that states every entry (as written by `stemware defaults` or in results) counts as giving only the
-/// values that differ from the defaults. Entries replaced by a user-defined section and the height of the
-/// hand stay given, so that a study can be run again with the same values.
+/// Removes entries with default values from the given entries if the file states every entry (as written by
+/// `stemware defaults` or in results). Entries replaced by a user-defined section and the height of the hand
+/// stay given, so that a study can be run again with the same values.
 void forget_stated_defaults(Study &study)
 {
   const std::vector<StudyEntry> &standard = default_entries(), own = entries_of(study);

@@ -17,7 +17,7 @@ double density_at(double azimuth)
   return 1 + 0.6 * std::cos(azimuth) + 0.3 * std::sin(azimuth);
 }
 
-/// @p n_lines lines round the rim, the first at @p first [rad].
+/// Returns @p n_lines lines round the rim, the first one at @p first [rad].
 ContactSurface lines_round_the_rim(unsigned int n_lines, double first)
 {
   ContactSurface surface;

@@ -319,7 +319,7 @@ TEST(ContactExtent, OfACrownedRimAgreesWithQuadrature)
   {
     double m, share, pressure;
   };
-  const Row rows[] = { { 1.0, 1, 100076.6416 },
+  const Row rows[] = { { 1., 1, 100076.6416 },
                        { 1.2, 1, 108254.7822 },
                        { 1.5, 0.618907039, 127427.8972 },
                        { 1.8, 0.362327510, 174461.3713 },

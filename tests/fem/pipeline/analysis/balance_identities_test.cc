@@ -122,8 +122,8 @@ double coefficient_at(const ring::Motion &motion, double slip_speed)
          motion.viscous_friction * slip_speed;
 }
 
-/// Energy balance without tilt: the work of the hand, with the power -T_x v at constant speed, equals I
-/// omega^2 / 2 plus the time integral of int mu p |v_rel| dA, by quadrature of the pressure.
+/// Checks the energy balance without tilt: the work of the hand, with the power -T_x v at constant speed,
+/// equals I omega^2 / 2 plus the time integral of int mu p |v_rel| dA, by quadrature of the pressure.
 void expect_energy_balance(Study study)
 {
   study.motion.tilt = false;

@@ -156,8 +156,8 @@ TEST(ErrorBands, OfARandomStudyOnFewLinesHolds)
   expect_band_of_spin_holds(study);
 }
 
-/// On a hard table the contact cells are small, and the error comes from the corners of the step. A band from
-/// the contact cells only would miss it.
+/// Checks a band on a hard table: the contact cells are small, and the error comes from the corners of the
+/// step. A band from the contact cells only would miss it.
 void expect_band_holds_corners(unsigned int n_harmonics, unsigned int n_lines)
 {
   Study study = test::mat_study();

@@ -73,7 +73,7 @@ struct ReferenceState
 TEST(RigidFoot, NumbersOfOtherCodeAreWithinTheBands)
 {
   const std::vector<ReferenceState> states = {
-    { 1.0,
+    { 1.,
       0,
       { { "omega_terminal", -8.5292593583 },
         { "omega_first_harmonic", -8.389913122 },
@@ -244,7 +244,7 @@ struct WavyFoot
                orbit.orbit_radius, orbit.orbit_speed, orbit.friction_coefficient,  orbit.gravity };
   }
 
-  /// With the mark of the glass at azimuth @p phase.
+  /// Turns the mark of the glass to the azimuth @p phase.
   void turn(double phase)
   {
     plain.wave = [phase](double theta) { return amplitude * std::cos(n_waves * (theta - phase - crest)); };
