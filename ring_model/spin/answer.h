@@ -72,7 +72,7 @@ Torques torques_at(const Sample &load, const Question &question, double omega);
 /// Returns the state of the ring under @p load, the load at the spin @p omega [rad/s].
 RingState ring_state(const Sample &load, const Question &question, double omega);
 
-/// Spin at which a glass that stands at rest tips over.
+/// Spin at which a glass that stands at rest tips.
 struct Fall
 {
   double omega;    ///< the last spin in balance, known to v / (4096 R) [rad/s]

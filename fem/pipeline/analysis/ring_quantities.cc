@@ -185,7 +185,8 @@ const Fields<Truncation> &torque_change_fields()
     { "half_relative", "1", "The same over |τ_z| at rest.", over_rest(change_half) },
     { "terminal", "N m", "At the terminal spin.", change_terminal },
     { "terminal_relative", "1", "The same over |τ_z| at rest.", over_rest(change_terminal) },
-    { "largest", "N m", "Of largest absolute value between rest and the terminal spin, or the fall.",
+    { "largest", "N m",
+      "Value of largest size between rest and the terminal spin, or the spin at which the glass tips.",
       largest_change },
     { "largest_relative", "1", "The same over |τ_z| at rest.", over_rest(largest_change) },
     { "largest_at", "rad/s", "Spin of the largest value.", largest_at }

@@ -106,7 +106,7 @@ fem::ContactState BalancedContact::contact(double omega)
     if (failure.outcome == fem::ContactOutcome::tipping)
       throw ring::Tipping(failure.what());
     throw ring::NoBalance("at " + to_short_text(omega) +
-                          " rad/s no balance was found, and no fall of the glass (" + failure.what() + ")");
+                          " rad/s no balance was found, and the glass does not tip (" + failure.what() + ")");
   }
   if (latest.size() > n_latest)
     latest.pop_back();

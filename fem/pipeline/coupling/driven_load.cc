@@ -65,23 +65,22 @@ ring::Breakaway find_breakaway(const Study &study, const std::shared_ptr<Elastic
   ContactBalance balance = moment_balance(study);
   ring::Breakaway breakaway = ring::find_breakaway(study.motion.closure, study.motion.orbit,
                                                    study.motion.breakaway_friction, radius, speeds);
-  const auto falls_over = [&]
+  const auto tipping_message = [&]
   {
-    return filled(
-      "Motion/Orbit speed file = {}: the glass falls over at t = {} s, before the hand's force reaches "
-      "the {} N at which it slides; hold the glass lower, or reduce the friction.",
-      { shortened_path(study.motion.orbit_speed_file), to_short_text(breakaway.time),
-        to_short_text(breakaway.force) });
+    return filled("Motion/Orbit speed file = {}: the glass tips at t = {} s, before the hand's force reaches "
+                  "the {} N at which it slides; hold the glass lower, or reduce the friction.",
+                  { shortened_path(study.motion.orbit_speed_file), to_short_text(breakaway.time),
+                    to_short_text(breakaway.force) });
   };
   if (!study.load.is_from_contact())
   {
     if (breakaway.moment_ratio >= 2)
-      throw BadInput(falls_over());
+      throw BadInput(tipping_message());
     return breakaway;
   }
   balance.motion = breakaway.motion;
   const auto solve = [&] { return BalancedContact(foot, balance).contact(0).load.moment().norm(); };
-  breakaway.moment_ratio = 2 * unless_it_tips(solve, falls_over) / (balance.motion.normal_force() * radius);
+  breakaway.moment_ratio = 2 * unless_it_tips(solve, tipping_message) / (balance.motion.normal_force() * radius);
   return breakaway;
 }
 

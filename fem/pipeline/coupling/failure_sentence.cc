@@ -43,7 +43,7 @@ Failure present_failure()
   catch (const fem::ContactFailure &failure)
   {
     const bool tips = failure.outcome == fem::ContactOutcome::tipping;
-    return { tips ? "The glass falls: " + failure.message
+    return { tips ? "The glass tips: " + failure.message
                   : "No contact solution: " + with_entries(failure.what()),
              tips ? ExitCode::bad_input : ExitCode::numerical_failure, true };
   }

@@ -362,7 +362,7 @@ LivePart live_part(const PageOptions &options, const std::string &solver, fem::C
 
 std::string spin_text(const PagePair &pair)
 {
-  return pair.omega ? fmt::format(FMT_STRING("{:.4f} rad/s"), *pair.omega) : "falls over";
+  return pair.omega ? fmt::format(FMT_STRING("{:.4f} rad/s"), *pair.omega) : "tips";
 }
 
 std::string explore_page(const LivePart &live, const std::vector<PagePair> &pairs)

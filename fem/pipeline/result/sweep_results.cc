@@ -184,7 +184,7 @@ std::string answer_of(const CaseList &list, const FinishedCases &finished,
   if (const auto n_at_rest = std::count_if(
         finished.begin(), finished.end(),
         [](const auto &one) { return one.second.status == "tips" && one.second.values.empty(); }))
-    append(text, "In " + std::to_string(n_at_rest) + of_cases + "the glass falls before it spins.");
+    append(text, "In " + std::to_string(n_at_rest) + of_cases + "the glass tips before it spins.");
   if (const auto n_formal = std::count_if(finished.begin(), finished.end(),
                                           [](const auto &one) { return one.second.status == "formal"; }))
     append(text, "In " + std::to_string(n_formal) + of_cases +

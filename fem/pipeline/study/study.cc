@@ -90,8 +90,8 @@ fem::Resultants Study::required_resultants() const
     load.is_static() ? distinct_texts(ratio, limit) : distinct_texts(ratio * unit, limit * unit);
   throw ring::Tipping(
     load.is_static()
-      ? "Load/Moment ratio = " + asked + " makes the glass fall, which tips at " + most + "; give less."
-      : "The glass would fall: the hand needs a moment of " + asked + " N m, the weight can give " + most +
+      ? "Load/Moment ratio = " + asked + " is not allowed: the glass tips at " + most + "; give less."
+      : "The glass would tip: the hand needs a moment of " + asked + " N m, the weight can give " + most +
           " N m. Hold it nearer to the centre of mass, go slower or on a larger circle.");
 }
 

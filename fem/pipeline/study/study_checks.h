@@ -24,7 +24,7 @@ std::string implausible_note(const std::string &path, double value);
 std::vector<std::string> implausible_notes(const Study &study);
 
 /// Throws ring::Tipping for a glass that would tip at rest. Implausible values, the likelier cause, precede
-/// the reason: "Unusual values for a glass: Motion/Mass = 300 kg (0.02 to 2 kg). The glass would fall ...".
+/// the reason: "Unusual values for a glass: Motion/Mass = 300 kg (0.02 to 2 kg). The glass would tip ...".
 void require_no_tipping_at_rest(const Study &study);
 
 } // namespace stemware::pipeline

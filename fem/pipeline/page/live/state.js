@@ -60,8 +60,8 @@ export const base_value = path => Number(entries[path]?.value ?? 0);
 const text_of = path => (is_changed(path) ? state.changes[path] : (entries[path]?.value ?? ''));
 export const value_of = path => Number(text_of(path));
 /**
- * The moment at rest over the largest that a rigid ring of this radius can give: the glass falls at 1. And the height of the hand
- * at which that is so.
+ * Returns the moment at rest over the largest moment of a rigid ring with this radius (the glass tips at 1), and the height of the
+ * hand at which the ratio is 1.
  */
 export function fall() {
   const [h, c, R, mu] = [hand, centre, radius, 'Motion/Friction coefficient'].map(value_of);

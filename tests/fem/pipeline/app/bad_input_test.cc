@@ -114,7 +114,7 @@ TEST(BadInput, RefusesSettingsInOneSentence)
          { { "Glass/Crown radius=0", "Load/Moment ratio=2.2" }, "tips at 2.13333; give less" },
          { { "Load/File=nothing.dat" }, "Load/Source = file" },
          { { "Load/Source=file" }, "needs Load/File" },
-         { { "Motion/Force offset=0.3" }, "The glass would fall: the hand needs a moment of" },
+         { { "Motion/Force offset=0.3" }, "The glass would tip: the hand needs a moment of" },
          { { "Motion/Force offset=-0.085" }, "0.005 m below the table" },
          { { "Motion/Hand height=-0.001" }, "0.001 m below the table" },
          { { "Motion/Hand height=0.04", "Motion/Force offset=-0.05" }, "contradict each other" },
@@ -231,7 +231,7 @@ TEST(BadInput, NamesImplausibleValuesBeforeTipping)
   EXPECT_THAT(ended.out,
               testing::HasSubstr("Check     Motion/Centre of mass height = 80 m is outside 0.01 to 0.3 m"));
   const auto named = ended.err.find("Motion/Centre of mass height = 80 m (0.01 to 0.3 m)");
-  EXPECT_LT(named, ended.err.find("The glass would fall")) << ended.err;
+  EXPECT_LT(named, ended.err.find("The glass would tip")) << ended.err;
   EXPECT_THAT(ended.err, testing::HasSubstr("Motion/Orbit speed = 35 m/s (0.01 to 3 m/s)"));
   EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
 }

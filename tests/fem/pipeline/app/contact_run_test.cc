@@ -177,7 +177,7 @@ TEST(ContactRun, RefusesAGlassThatTipsOnASoftMat)
                         "Table/Interface=Winkler", "--set", "Table/Substrate=rigid", "--set",
                         "Table/Foundation modulus=1e8" });
   EXPECT_EQ(ended.exit_code, 1) << ended.out;
-  EXPECT_EQ(ended.err.rfind("stemware: The glass falls: ", 0), 0u) << ended.err;
+  EXPECT_EQ(ended.err.rfind("stemware: The glass tips: ", 0), 0u) << ended.err;
   EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
   EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{});
 }

@@ -190,7 +190,7 @@ TEST(ExplorePage, APageOfAStudySolvesItAndTeaches)
     EXPECT_NEAR(found["omega"].get<double>(), omega, 1e-9);
     EXPECT_EQ(found["errors"], nlohmann::json::array());
     const nlohmann::json &told = found["told"];
-    EXPECT_THAT(told[0].get<std::string>(), testing::HasSubstr("the glass falls"));
+    EXPECT_THAT(told[0].get<std::string>(), testing::HasSubstr("the glass tips"));
     EXPECT_THAT(told[1].get<std::string>(), testing::HasSubstr("is outside 0.02 to 2"));
     EXPECT_THAT(told[2].get<std::string>(),
                 testing::HasSubstr("Not available in this page: Motion/Orbit speed"));
