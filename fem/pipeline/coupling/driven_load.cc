@@ -80,7 +80,8 @@ ring::Breakaway find_breakaway(const Study &study, const std::shared_ptr<Elastic
   }
   balance.motion = breakaway.motion;
   const auto solve = [&] { return BalancedContact(foot, balance).contact(0).load.moment().norm(); };
-  breakaway.moment_ratio = 2 * unless_it_tips(solve, tipping_message) / (balance.motion.normal_force() * radius);
+  breakaway.moment_ratio =
+    2 * unless_it_tips(solve, tipping_message) / (balance.motion.normal_force() * radius);
   return breakaway;
 }
 
