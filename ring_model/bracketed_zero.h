@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ring_model/failures.h"
 #include "ring_model/load/require.h"
-#include "ring_model/no_balance.h"
 
 #include <boost/math/tools/toms748_solve.hpp>
 

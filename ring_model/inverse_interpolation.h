@@ -11,37 +11,38 @@
 
 namespace stemware::ring
 {
-/// Push on the glass at a spin, both counted in the direction in which the glass is driven at rest.
-struct Push
+/// Torque that drives the glass at a spin, both positive in the direction in which the glass is driven at
+/// rest.
+struct DrivingTorque
 {
-  double spin; ///< > 0 [rad/s]
-  double push; ///< tau_z - tau_g [N m], positive before the zero
+  double spin;   ///< > 0 [rad/s]
+  double torque; ///< tau_z - tau_g [N m], positive before the zero
 };
 
-/// Returns whether the push of @p one is closer to zero.
-inline bool has_less_push(const Push &one, const Push &other)
+/// Returns whether the torque of @p one is closer to zero.
+inline bool has_smaller_torque(const DrivingTorque &one, const DrivingTorque &other)
 {
-  return std::abs(one.push) < std::abs(other.push);
+  return std::abs(one.torque) < std::abs(other.torque);
 }
 
-/// Estimate of the spin at which the push vanishes.
+/// Estimate of the spin at which the torque vanishes.
 struct Estimate
 {
-  double spin;  ///< by the polynomial spin(push) through at most four samples
+  double spin;  ///< by the polynomial spin(torque) through at most four samples
   double error; ///< difference to the estimate without the farthest sample
 };
 
-/// Returns the estimate from at most four of @p samples, those with the least |push| for which the push
-/// decreases with the spin; a single sample has the error HUGE_VAL. More samples would add rounding, not
-/// accuracy. Precondition: @p samples is not empty.
-inline Estimate inverse_interpolation(std::vector<Push> samples)
+/// Returns the estimate from at most four of @p samples, those with the smallest |torque| for which the
+/// torque decreases with the spin; a single sample has the error HUGE_VAL. More samples would add rounding,
+/// not accuracy. Precondition: @p samples is not empty.
+inline Estimate inverse_interpolation(std::vector<DrivingTorque> samples)
 {
-  std::sort(samples.begin(), samples.end(), has_less_push);
+  std::sort(samples.begin(), samples.end(), has_smaller_torque);
   const auto falls = [&](std::size_t n)
   {
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (!((samples[i].push - samples[j].push) * (samples[i].spin - samples[j].spin) < 0.))
+        if (!((samples[i].torque - samples[j].torque) * (samples[i].spin - samples[j].spin) < 0.))
           return false;
     return true;
   };
@@ -50,13 +51,13 @@ inline Estimate inverse_interpolation(std::vector<Push> samples)
     --n;
   const auto through = [&](std::size_t n_used)
   {
-    Eigen::VectorXd pushes(n_used), ways(n_used); // relative to the spin of the least push
+    Eigen::VectorXd torques(n_used), distances(n_used); // relative to the spin of the smallest torque
     for (std::size_t i = 0; i < n_used; ++i)
     {
-      pushes(i) = samples[i].push;
-      ways(i) = samples[i].spin - samples.front().spin;
+      torques(i) = samples[i].torque;
+      distances(i) = samples[i].spin - samples.front().spin;
     }
-    return samples.front().spin + lagrange_values(pushes, 0.).dot(ways);
+    return samples.front().spin + lagrange_values(torques, 0.).dot(distances);
   };
   return n < 2 ? Estimate{ through(1), HUGE_VAL }
                : Estimate{ through(n), std::abs(through(n) - through(n - 1)) };

@@ -28,7 +28,7 @@ public:
   /// Returns dv/dt [m/s^2]. Throws std::out_of_range outside the table.
   double acceleration(double time) const;
 
-  /// Returns @p motion with the orbit speed and acceleration at @p time. A hand at rest gets a billionth of
+  /// Returns @p motion with the orbit speed and acceleration at @p time. A hand at rest has a billionth of
   /// its largest speed: friction then has the direction of the motion to come.
   Motion motion_at(const Motion &motion, double time) const;
 

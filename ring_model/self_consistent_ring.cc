@@ -1,7 +1,7 @@
 #include "ring_model/self_consistent_ring.h"
 
+#include "ring_model/failures.h"
 #include "ring_model/load/require.h"
-#include "ring_model/no_balance.h"
 
 #include <Eigen/LU>
 

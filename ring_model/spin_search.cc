@@ -54,14 +54,14 @@ constexpr double unsteady = 0.9;              ///< stability margin below which 
 class OutwardSearch
 {
 public:
-  /// Preconditions: @p push_at_rest = @p push(0) > 0; @p direction is 1 or -1, the sign of the spin;
-  /// @p push and @p search outlive the search.
-  OutwardSearch(const std::function<double(double)> &push, double push_at_rest, double direction,
+  /// Preconditions: @p torque_at_rest = @p driving_torque(0) > 0; @p direction is 1 or -1, the sign of the
+  /// spin; @p driving_torque and @p search outlive the search.
+  OutwardSearch(const std::function<double(double)> &driving_torque, double torque_at_rest, double direction,
                 const SpinSearch &search)
-      : push(push)
+      : driving_torque(driving_torque)
       , direction(direction)
       , search(search)
-      , samples{ { 0., push_at_rest } }
+      , samples{ { 0., torque_at_rest } }
   {
   }
 
@@ -81,10 +81,10 @@ public:
 
 private:
   /// Returns a zero beyond @p near and, if given, before @p far, beginning at @p proposal. Preconditions: the
-  /// push is positive at @p near and negative at @p far; near.spin < proposal < far->spin.
-  double converge(Push near, double proposal, std::optional<Push> far)
+  /// driving torque is positive at @p near and negative at @p far; near.spin < proposal < far->spin.
+  double converge(DrivingTorque near, double proposal, std::optional<DrivingTorque> far)
   {
-    std::vector<Push> used{ near };
+    std::vector<DrivingTorque> used{ near };
     if (far)
       used.push_back(*far);
     std::exception_ptr failure; // exception of the torque at `barrier`
@@ -93,15 +93,15 @@ private:
     bool may_extrapolate = true;
     for (unsigned int i = 0; i < max_evaluations; ++i)
     {
-      const double least = std::abs(std::min_element(used.begin(), used.end(), has_less_push)->push);
+      const double least = std::abs(std::min_element(used.begin(), used.end(), has_smaller_torque)->torque);
       bool halved = true;
-      if (const std::optional<Push> sample = pushed(proposal, &failure))
+      if (const std::optional<DrivingTorque> sample = sample_at(proposal, &failure))
       {
         used.push_back(*sample);
-        if (sample->push == 0.)
+        if (sample->torque == 0.)
           return sample->spin;
-        halved = used.size() <= 2 || std::abs(sample->push) <= 0.5 * least;
-        if (sample->push > 0.)
+        halved = used.size() <= 2 || std::abs(sample->torque) <= 0.5 * least;
+        if (sample->torque > 0.)
           near = *sample;
         else
         {
@@ -113,9 +113,9 @@ private:
       {
         barrier = proposal;
         far.reset();
-        used.erase(
-          std::remove_if(used.begin(), used.end(), [&](const Push &other) { return other.spin > proposal; }),
-          used.end());
+        used.erase(std::remove_if(used.begin(), used.end(),
+                                  [&](const DrivingTorque &other) { return other.spin > proposal; }),
+                   used.end());
       }
       const Estimate estimate = inverse_interpolation(used);
       const double tolerance = search.tolerance * std::max(estimate.spin, least_size * search.spin_scale);
@@ -138,12 +138,12 @@ private:
                              " evaluations of the torque, the last one at ", proposal, " rad/s"));
   }
 
-  /// Returns the push at @p spin; std::nullopt, and the @p failure, without a balance there.
-  std::optional<Push> pushed(double spin, std::exception_ptr *failure = nullptr)
+  /// Returns the driving torque at @p spin; std::nullopt, and the @p failure, without a balance there.
+  std::optional<DrivingTorque> sample_at(double spin, std::exception_ptr *failure = nullptr)
   {
     try
     {
-      return samples.emplace_back(Push{ spin, push(spin) });
+      return samples.emplace_back(DrivingTorque{ spin, driving_torque(spin) });
     }
     catch (const NoBalance &)
     {
@@ -154,9 +154,8 @@ private:
   }
 
   /// Returns the next proposal between @p near and @p end, or, if @p end is nullptr, not beyond three times
-  /// @p near or a first step of twice the usual one. @p halved: the last sample halved the least push, so
-  /// that
-  /// @p estimate is trusted. Throws NoTerminalSpin at the end of the search.
+  /// @p near or a first step of twice the usual one. @p halved: the last sample halved the least driving
+  /// torque, so that @p estimate is trusted. Throws NoTerminalSpin at the end of the search.
   double next(const Estimate &estimate, double near, const double *end, bool halved) const
   {
     const double reach = end ? *end : near + 2. * std::max(near, first_step * search.spin_scale);
@@ -179,7 +178,7 @@ private:
       return std::nullopt;
     const double narrowest = margin_distance * search.spin_scale;
     double before = -1.;
-    for (const Push &sample : samples)
+    for (const DrivingTorque &sample : samples)
       if (sample.spin < near - narrowest && sample.spin > before)
         before = sample.spin;
     if (before < 0.)
@@ -199,48 +198,49 @@ private:
   /// halfway if none lies in the middle three fifths.
   bool needs_scan(double spin)
   {
-    std::vector<Push> way;
+    std::vector<DrivingTorque> way;
     std::copy_if(samples.begin(), samples.end(), std::back_inserter(way),
-                 [&](const Push &sample) { return sample.spin < spin; });
+                 [&](const DrivingTorque &sample) { return sample.spin < spin; });
     if (std::none_of(way.begin(), way.end(),
-                     [&](const Push &sample)
+                     [&](const DrivingTorque &sample)
                      { return sample.spin > 0.2 * spin && sample.spin < 0.8 * spin; }))
     {
-      const std::optional<Push> halfway = pushed(0.5 * spin);
+      const std::optional<DrivingTorque> halfway = sample_at(0.5 * spin);
       if (!halfway)
         return true;
       way.push_back(*halfway);
     }
-    std::sort(way.begin(), way.end(), [](const Push &a, const Push &b) { return a.spin < b.spin; });
+    std::sort(way.begin(), way.end(),
+              [](const DrivingTorque &a, const DrivingTorque &b) { return a.spin < b.spin; });
     for (std::size_t i = 1; i < way.size(); ++i)
-      if (way[i].push >= way[i - 1].push)
+      if (way[i].torque >= way[i - 1].torque)
         return true;
     // Close to the zero the slope is dominated by rounding.
     const double too_close = rounding_distance * search.spin_scale;
-    const Push *nearest = nullptr;
-    for (const Push &sample : samples)
+    const DrivingTorque *nearest = nullptr;
+    for (const DrivingTorque &sample : samples)
       if (std::abs(sample.spin - spin) > too_close &&
           (!nearest || std::abs(sample.spin - spin) < std::abs(nearest->spin - spin)))
         nearest = &sample;
     if (!nearest)
       return false;
-    const double mean = samples.front().push / spin;
-    const double local = nearest->push / (spin - nearest->spin);
+    const double mean = samples.front().torque / spin;
+    const double local = nearest->torque / (spin - nearest->spin);
     return !(local * steepness_ratio > mean && local < steepness_ratio * mean);
   }
 
   /// Returns the first zero up to the zero at @p spin. Throws BalanceLost if the balance ends before.
   double scanned(double spin)
   {
-    Push near = samples.front();
+    DrivingTorque near = samples.front();
     for (double here = scan_step * search.spin_scale; here < spin; here += scan_step * search.spin_scale)
     {
-      const std::optional<Push> found = pushed(here);
+      const std::optional<DrivingTorque> found = sample_at(here);
       if (!found)
         return converge(near, here, {});
-      if (found->push <= 0.)
-        return converge(near, (near.spin * found->push - here * near.push) / (found->push - near.push),
-                        found);
+      if (found->torque <= 0.)
+        return converge(
+          near, (near.spin * found->torque - here * near.torque) / (found->torque - near.torque), found);
       near = *found;
     }
     return spin;
@@ -259,18 +259,18 @@ private:
         probe = middle_of_jump(spin);
       if (!probe)
         return spin;
-      if (const std::optional<Push> found = pushed(*probe); !found || found->push <= 0.)
+      if (const std::optional<DrivingTorque> found = sample_at(*probe); !found || found->torque <= 0.)
         return converge(nearest_before(*probe), *probe, {});
     }
     return spin;
   }
 
-  /// Returns the last sample before @p spin with a positive push; the sample at rest is one.
-  Push nearest_before(double spin) const
+  /// Returns the last sample before @p spin with a positive driving torque; the sample at rest is one.
+  DrivingTorque nearest_before(double spin) const
   {
-    Push near = samples.front();
-    for (const Push &sample : samples)
-      if (sample.spin < spin && sample.spin > near.spin && sample.push > 0.)
+    DrivingTorque near = samples.front();
+    for (const DrivingTorque &sample : samples)
+      if (sample.spin < spin && sample.spin > near.spin && sample.torque > 0.)
         near = sample;
     return near;
   }
@@ -284,7 +284,7 @@ private:
     constexpr double safety = 1.5;
     const double narrowest = margin_distance_on_the_way * search.spin_scale;
     std::map<double, double> squares; // by spin; samples closer together give no slope
-    for (const Push &sample : samples)
+    for (const DrivingTorque &sample : samples)
     {
       const auto next = squares.lower_bound(sample.spin - narrowest);
       if (sample.spin <= (1. + rounding_distance) * spin &&
@@ -330,23 +330,23 @@ private:
     return !worst && !wide.empty() ? wide.begin()->second : worst;
   }
 
-  /// Returns the middle of the interval before @p spin in which the push of an unsteady balance changes most;
-  /// std::nullopt if it changes little in every interval. A change that remains in the narrowest interval is
-  /// a jump to another balance, beside the one that is reached from rest and ends there: the glass tips.
-  /// Throws BalanceLost at a jump.
+  /// Returns the middle of the interval before @p spin in which the driving torque of an unsteady balance
+  /// changes most; std::nullopt if it changes little in every interval. A change that remains in the
+  /// narrowest interval is a jump to another balance, beside the one that is reached from rest and ends
+  /// there: the glass tips. Throws BalanceLost at a jump.
   std::optional<double> middle_of_jump(double spin) const
   {
     constexpr double unsteady_at_jump = 0.3; // stability margin next to the end of a balance
     const double narrowest = search.spin_scale / 131072.;
-    double largest = 0.005 * samples.front().push;
-    std::map<double, double> pushes; // by spin
-    for (const Push &sample : samples)
+    double largest = 0.005 * samples.front().torque;
+    std::map<double, double> torques; // by spin
+    for (const DrivingTorque &sample : samples)
       if (sample.spin <= spin)
-        pushes[sample.spin] = sample.push;
+        torques[sample.spin] = sample.torque;
     const auto is_unsteady = [&](double at)
     { return search.stability_margin(direction * at) < unsteady_at_jump; };
     std::optional<std::pair<double, double>> widest;
-    for (auto right = std::next(pushes.begin()); right != pushes.end(); ++right)
+    for (auto right = std::next(torques.begin()); right != torques.end(); ++right)
       if (const auto left = std::prev(right); std::abs(right->second - left->second) > largest &&
                                               (is_unsteady(left->first) || is_unsteady(right->first)))
       {
@@ -364,10 +364,10 @@ private:
     return (left + right) / 2.;
   }
 
-  const std::function<double(double)> &push;
+  const std::function<double(double)> &driving_torque;
   const double direction;
   const SpinSearch &search;
-  std::vector<Push> samples; ///< the first one at spin 0
+  std::vector<DrivingTorque> samples; ///< the first one at spin 0
 };
 } // namespace
 
@@ -391,11 +391,11 @@ SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &sear
   if (std::abs(at_rest) <= std::max(search.grip_torque, search.torque_noise))
     return { 0., search.grip_torque > 0., n_evaluations, 0. };
   const double direction = at_rest > 0. ? 1. : -1.;
-  const std::function<double(double)> push = [&](double spin)
+  const std::function<double(double)> driving_torque = [&](double spin)
   { return direction * counted(direction * spin) - search.grip_torque; };
   const double expected = direction * search.initial_guess.value_or(0.);
   const double first = expected > 0. ? expected : first_step * search.spin_scale;
-  OutwardSearch outward(push, std::abs(at_rest) - search.grip_torque, direction, search);
+  OutwardSearch outward(driving_torque, std::abs(at_rest) - search.grip_torque, direction, search);
   const double spin = outward.zero(first);
   return { direction * spin, false, n_evaluations, direction * spin };
 }

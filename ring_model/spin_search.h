@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ring_model/no_balance.h"
+#include "ring_model/failures.h"
 
 #include <functional>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "ring_model/stiff_motion.h"
 
+#include "ring_model/failures.h"
 #include "ring_model/load/require.h"
-#include "ring_model/no_balance.h"
 
 #include <Eigen/Dense>
 

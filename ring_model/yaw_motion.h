@@ -9,7 +9,7 @@ namespace stemware::ring
 /// [rad/s].
 using PhasedTorqueFunction = std::function<double(double time, double yaw_angle, double omega)>;
 
-/// Called with each time [s] at which a motion asks for its torque. An exception ends the motion.
+/// Callback with each time [s] at which a motion evaluates its torque. An exception ends the motion.
 using TimeObserver = std::function<void(double time)>;
 
 /// Returns @p torque with calls of @p observer; @p torque itself if @p observer is empty.

@@ -4,7 +4,7 @@
     python3 docs/figures/draw_glass.py
 
 Conventions as everywhere in Stemware: x along the direction of travel, y to the orbit's centre, z up, theta from the
-direction of travel, counter-clockwise seen from above. Moment ratio and crest of the load are those of the default
+direction of travel, counter-clockwise seen from above. Moment ratio and crest of the load belong to the default
 study before the glass spins.
 """
 

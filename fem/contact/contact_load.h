@@ -78,10 +78,10 @@ unsigned int n_line_parts(std::size_t n_rings);
 /// largest.
 std::pair<double, double> loaded_band(const TableLoad &load);
 
-/// Returns the harmonics 0 ... @p n_harmonics of @p forces: a_n = sum f_i cos(n theta_i) / pi, b_n
-/// likewise, a_0 = sum f_i / (2 pi). On rings with @p radii [m], ring j gets f_i l_j(r_i), with the Lagrange
+/// Returns the harmonics 0 ... @p n_harmonics of @p forces: a_n = sum f_i cos(n theta_i) / pi, b_n likewise,
+/// a_0 = sum f_i / (2 pi). On rings with @p radii [m], ring j gets f_i l_j(r_i), with the Lagrange
 /// polynomials l_j of the radii. With J rings sum_j r_j^k lambda_j equals the load's radial moment of order k
-/// at every azimuth, k < J; forces outside the radii are extrapolated. Without radii one ring gets the whole
+/// at every azimuth, k < J; forces outside the radii are extrapolated. Without radii one ring has the whole
 /// force. The @p forces may belong to one of the @p parts of a surface.
 ///
 /// Leaves extent, minimum and pointwise load empty. Throws std::invalid_argument without a load, or if the

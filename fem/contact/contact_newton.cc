@@ -39,7 +39,7 @@ double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2
 }
 
 /// Throws TippingDemand if the required centre of pressure lies outside the convex hull of the contact nodes.
-/// No compressive forces have such a resultant.
+/// No compressive forces have this resultant.
 void require_possible(const LinearConditions &conditions, double radius, bool is_ring)
 {
   const Eigen::Vector2d centre = conditions.target().tail<2>() / conditions.normal_force();

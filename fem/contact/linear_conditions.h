@@ -21,8 +21,8 @@ class LinearConditions
 {
 public:
   /// @p weights L of shape [n_nodes, 3], columns in 1, m, m; @p target t in N, N m, N m; @p motion_weights H,
-  /// columns per m, rad, rad. Throws std::invalid_argument unless the shape is that of @p surface, the first
-  /// column 1, everything finite and t_0 > 0.
+  /// columns per m, rad, rad. Throws std::invalid_argument unless the shape fits @p surface, the first column
+  /// is 1, everything is finite and t_0 > 0.
   LinearConditions(const ContactSurface &surface, Eigen::MatrixX3d weights, const Eigen::Vector3d &target,
                    const Eigen::Matrix3d &motion_weights = Eigen::Matrix3d::Zero());
 

@@ -292,7 +292,7 @@ PressureMap pressure_map_of_nodes(const ContactSurface &surface, const Eigen::Ve
     if (node.pressure >= min_share * largest)
       range = { std::min(range.inner, node.radius), std::max(range.outer, node.radius) };
   }
-  // A contact on a single circle gets a margin so that it is visible.
+  // The margin makes a contact on a single circle visible.
   const double margin = std::max(0.25 * (range.outer - range.inner), 1e-4 * range.outer);
   PressureMap pressure_map;
   pressure_map.is_grid = !nodes.empty();

@@ -282,7 +282,7 @@ void extrude(const Plan &plan, const std::vector<Slab> &slabs,
       cells.push_back(cell);
     }
   }
-  // p4est requires edges whose direction all their cells agree on. An O-grid needs renumbering for that.
+  // p4est requires edges with the same direction in all cells. The vertices of an O-grid must be renumbered.
   GridTools::consistently_order_cells(cells);
   triangulation.create_triangulation(vertices, cells, SubCellData());
 }

@@ -15,7 +15,7 @@ namespace
 {
 
 /// Returns the corners of a convex polygon in cyclic order.
-SectionPolygon in_turn(SectionPolygon corners)
+SectionPolygon in_cyclic_order(SectionPolygon corners)
 {
   std::array<double, 2> centre = { 0, 0 };
   for (const auto &corner : corners)
@@ -63,7 +63,7 @@ std::vector<SectionPolygon> section_cells(const Triangulation<3> &triangulation,
       outermost = std::max(outermost, polygon.back()[0]);
     }
     if (polygon.size() > 2 && outermost > 1e-9 * cell->diameter())
-      polygons.push_back(in_turn(std::move(polygon)));
+      polygons.push_back(in_cyclic_order(std::move(polygon)));
   }
   return polygons;
 }

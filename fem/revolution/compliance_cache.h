@@ -22,7 +22,7 @@ class ComplianceCache
 {
 public:
   /// Creates a cache of at most @p max_entries compliances, about a megabyte each; a full cache is emptied.
-  /// @p interruption goes to compute_compliance().
+  /// @p interruption is an argument of compute_compliance().
   explicit ComplianceCache(std::size_t max_entries = 128, std::function<void()> interruption = {})
       : max_entries(max_entries)
       , interruption(std::move(interruption))

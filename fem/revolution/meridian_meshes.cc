@@ -104,7 +104,7 @@ MeridianMeshes::MeridianMeshes(const RevolutionSetup &setup)
     flag_corner_cells(foot, reentrant_corners(foot));
     refine();
   }
-  for (const std::vector<unsigned int> &cells : setup.halved)
+  for (const std::vector<unsigned int> &cells : setup.halved_cells)
   {
     flag(foot, cells);
     refine();

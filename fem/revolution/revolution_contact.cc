@@ -129,8 +129,8 @@ ContactSolution RevolutionContact::solve_softened(const ContactStart &start)
 
 bool RevolutionContact::is_stable(ContactSolution &solution) const
 {
-  // Below this moment ratio the whole rim is in contact, so the stiffness against tilt is that of the upright
-  // glass.
+  // Below this moment ratio the whole rim is in contact, so the stiffness against tilt equals the upright
+  // glass's.
   constexpr double moment_ratio_of_lift_off = 1;
   const ContactSurface &surface = body.contact_surface();
   const Eigen::Vector2d moment = surface.node_position.transpose() * solution.forces;

@@ -33,7 +33,7 @@ struct RevolutionSetup
   MeridianOptions meridian;      ///< order and highest elastic harmonic
   MeridianResolution resolution; ///< see resolved_for()
   /// Indices of the active cells of the foot to be halved, mesh after mesh.
-  std::vector<std::vector<unsigned int>> halved;
+  std::vector<std::vector<unsigned int>> halved_cells;
   /// Number of halvings of the cells at re-entrant corners.
   unsigned int corner_halvings = 0;
   unsigned int n_lines = 256; ///< azimuth lines

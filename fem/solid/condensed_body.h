@@ -15,7 +15,7 @@ namespace stemware::fem
 struct NodalCompliance
 {
   Eigen::MatrixXd normal;           ///< of vertical forces; symmetric
-  Eigen::MatrixXd along_x, along_y; ///< of horizontal forces; empty unless asked for
+  Eigen::MatrixXd along_x, along_y; ///< of horizontal forces; empty unless requested
 };
 
 /// Returns the compliance of @p level between its contact @p nodes, by a static condensation of its

@@ -102,7 +102,7 @@ public:
       cells.insert(received.second.begin(), received.second.end());
   }
 
-  /// Returns the entries of the cells @p asked for by this rank that are in the directory. Collective.
+  /// Returns the directory's entries of the cells @p asked by this rank. Collective.
   std::map<BinaryId, DofShares> find(const std::set<BinaryId> &asked) const
   {
     ToRanks<BinaryId> questions;

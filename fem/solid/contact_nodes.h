@@ -36,7 +36,7 @@ public:
   const std::vector<Dof> &dofs() const { return all_dofs; }
   /// Returns the positions of the owned nodes among this rank's dofs, shape [n_owned_nodes].
   const std::vector<unsigned int> &owned_positions() const { return places; }
-  /// Returns the number of the node with @p dof; n_nodes() if this rank does not know it.
+  /// Returns the number of the node with @p dof; n_nodes() if this rank does not have it.
   unsigned int find(Dof dof) const;
   const SurfaceParts &parts() const { return all_parts; }
   /// Returns the ranks that own the ghost nodes, the nodes from n_owned_nodes() on.

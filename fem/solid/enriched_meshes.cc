@@ -80,7 +80,7 @@ std::set<unsigned int> reentrant_edges(const DistributedMesh &mesh)
     {
       const double angle = angle_at(cell, l);
       angles[cell->line_index(l)] += angle;
-      // Finer neighbours see the two halves of the edge.
+      // Finer neighbours have the two halves of the edge.
       if (cell->line(l)->has_children())
         for (unsigned int child = 0; child < 2; ++child)
           angles[static_cast<unsigned int>(cell->line(l)->child_index(child))] += angle;

@@ -62,7 +62,7 @@ AdaptiveCurve::AdaptiveCurve(const CurveSource &source, double lower, double upp
                              const CurveTolerance &tolerance)
 {
   constexpr Eigen::Index max_nodes = 17; // per piece
-  for (const double x : source.known)
+  for (const double x : source.cached)
     if (lower < x && x < upper)
       samples.emplace(x, source.value(x));
   std::vector<double> ends = source.kinks;
@@ -75,8 +75,8 @@ AdaptiveCurve::AdaptiveCurve(const CurveSource &source, double lower, double upp
     const auto worst =
       std::max_element(pieces.begin(), pieces.end(),
                        [](const Piece &one, const Piece &other) { return one.error() < other.error(); });
-    const double allowed = n_new < tolerance.usual_samples       ? tolerance.wanted
-                           : n_new < 4 * tolerance.usual_samples ? tolerance.enough
+    const double allowed = n_new < tolerance.usual_samples       ? tolerance.target
+                           : n_new < 4 * tolerance.usual_samples ? tolerance.relaxed
                                                                  : tolerance.coarsest;
     if (worst->error() <= allowed || n_new >= tolerance.max_samples)
       return;

@@ -15,7 +15,7 @@ struct CurveSource
   std::function<Eigen::VectorXd(double x)> value;
   /// Returns the error of an interpolated value at x, to be compared with CurveTolerance.
   std::function<double(double x, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)> error;
-  std::vector<double> known = {}; ///< x at which value() costs nothing
+  std::vector<double> cached = {}; ///< x with a cached value()
   /// x at which the function has a half power (or a logarithm) of the distance, ascending.
   std::vector<double> kinks = {};
 };
@@ -23,8 +23,8 @@ struct CurveSource
 /// Tolerance of a curve, in the unit of CurveSource::error.
 struct CurveTolerance
 {
-  double wanted = 1e-6;   ///< tolerance with up to `usual_samples`
-  double enough = 2e-5;   ///< tolerance with up to four times as many
+  double target = 1e-6;   ///< tolerance with up to `usual_samples`
+  double relaxed = 2e-5;  ///< tolerance with up to four times as many
   double coarsest = 1e-3; ///< tolerance with `max_samples`
   std::size_t usual_samples = 20;
   std::size_t max_samples = 200;

@@ -1,5 +1,5 @@
+#include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
-#include "ring_model/if_balanced.h"
 #include "ring_model/spin/curves.h"
 #include "ring_model/yaw_motion.h"
 
@@ -18,7 +18,7 @@ namespace
 int n_balances(const Load &load, double step, int stride, int n_most)
 {
   int n_found = 0;
-  const auto goes_on = [&](int n) { return if_balanced([&] { return load.at((n_found + n) * step); }); };
+  const auto goes_on = [&](int n) { return find_or_nullopt([&] { return load.at((n_found + n) * step); }); };
   for (const int n : { stride, 1 })
     while (n_found + n <= n_most && goes_on(n))
       n_found += n;
@@ -104,7 +104,7 @@ std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &quest
     return spins;
   };
   // If the load has no balance somewhere between spins that have one, further spins are not searched.
-  std::vector<TerminalSpin> spins = if_balanced(scan).value_or(std::vector<TerminalSpin>());
+  std::vector<TerminalSpin> spins = find_or_nullopt(scan).value_or(std::vector<TerminalSpin>());
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (TerminalSpin &spin : spins)
     if (question.grip_torque > 0 && std::abs(spin.omega) < 1e-9 * unit)

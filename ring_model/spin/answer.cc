@@ -1,11 +1,11 @@
 #include "ring_model/spin/answer.h"
 
+#include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
-#include "ring_model/if_balanced.h"
 #include "ring_model/load/require.h"
 #include "ring_model/spin/curves.h"
 #include "ring_model/spin/phase_loads.h"
-#include "ring_model/spin/to_precision.h"
+#include "ring_model/spin/rounded_text.h"
 #include "ring_model/yaw_motion.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ double averaging_window(const PhasePeriods &periods, const Motion &motion, const
 /// Returns the terminal spin with the load at rest, as an initial guess; std::nullopt if there is none.
 std::optional<double> expected_spin(const Load &load, const Motion &motion)
 {
-  return if_balanced([&] { return terminal_spin(load.at(0), motion).omega; });
+  return find_or_nullopt([&] { return terminal_spin(load.at(0), motion).omega; });
 }
 
 /// Returns the terminal spin with the load of one phase. It is close to the terminal spin with the mean load,
@@ -47,14 +47,15 @@ std::optional<double> spin_at_first_phase(const PhaseSampledLoad &phases, const 
     const Sample at_spin = phases.at_first_phase(omega);
     return wrench(motion, at_spin, omega).torque + at_spin.lean_torque();
   };
-  const std::optional<double> spin = if_balanced([&] { return find_terminal_spin(torque, search).omega; });
+  const std::optional<double> spin =
+    find_or_nullopt([&] { return find_terminal_spin(torque, search).omega; });
   return spin && *spin != 0 ? spin : std::nullopt;
 }
 
 std::string fall_sentence(const Fall &fall)
 {
-  return sentence("the glass stands at rest and tips while it spins up, at ", to_precision(fall.omega, 3),
-                  " rad/s and a moment ratio of ", to_precision(fall.state.moment_ratio, 3));
+  return sentence("the glass stands at rest and tips while it spins up, at ", rounded_text(fall.omega, 3),
+                  " rad/s and a moment ratio of ", rounded_text(fall.state.moment_ratio, 3));
 }
 
 /// Replaces the terminal spin of @p found, the zero of the mean torque, by the long-time mean of the spin.
@@ -70,8 +71,8 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
       std::max(largest_torque, std::abs(yaw_torque(load, motion, spin.omega, phases.phases().phase(i))));
   const double slope = spin.held ? 0 : std::abs(spin.torque_slope),
                reach = slope > 0 ? 2 * largest_torque / slope : 0.01 * spin_scale;
-  // An accuracy below the error of the loads would be useless.
-  // Maximum tolerance, if the loads between phases are inaccurate but their mean is not.
+  // The tolerance is a tenth of the error of the loads between phases, at most `coarsest` or the error of
+  // their mean.
   constexpr double coarsest = 1e-3;
   const SampleError known = phases.error(spin.omega - reach, spin.omega + reach);
   const double accuracy = std::clamp(0.1 * known.between, 1e-9, std::max(coarsest, known.mean));
@@ -126,8 +127,8 @@ double find_terminal(const Load &load, const Question &question, Answer &found)
   else
   {
     std::optional<SpinZero> zero;
-    if (question.near)
-      zero = find_terminal_spin_near(*question.near, torque, search);
+    if (question.zero_guess)
+      zero = find_terminal_spin_near(*question.zero_guess, torque, search);
     if (!zero)
       zero = find_terminal_spin(torque, search);
     found.terminal = { zero->omega, nan, nan, true, zero->held };

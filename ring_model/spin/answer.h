@@ -27,7 +27,7 @@ struct Question
   std::optional<double> contact_radius = {};
   double initial_guess = 0.; ///< initial guess of the terminal spin [rad/s]; 0: from the load at rest
   /// Terminal spin of a similar load, for a local search; std::nullopt: search from rest.
-  std::optional<ZeroGuess> near = {};
+  std::optional<ZeroGuess> zero_guess = {};
   bool with_slope = false;    ///< compute slope and time constant: four more loads
   TimeObserver observer = {}; ///< observer of the spin in the long run and of spin-ups
 };
@@ -80,7 +80,7 @@ struct Fall
 };
 
 /// Answer to a Question about a load or its truncation. Quantities that do not exist are std::nullopt or
-/// empty; `status` and `reason` say why.
+/// empty; `status` and `reason` have the cause.
 struct Answer
 {
   unsigned int harmonics = 0; ///< harmonics that act on the ring
@@ -119,7 +119,8 @@ struct Answer
 };
 
 /// Answers @p question about @p load. Does not throw NoBalance: a failed balance is reported in
-/// Answer::reason. A glass that stands at rest and tips on the way has no terminal spin but a `fall`.
+/// Answer::reason. A glass that stands at rest and tips during the spin-up has a `fall` instead of a terminal
+/// spin.
 Answer answer(const Load &load, const Question &question);
 
 /// Returns the incomplete @p answer with @p failure as the reason for its missing quantities.

@@ -1,7 +1,7 @@
 #include "ring_model/spin/curves.h"
 
+#include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
-#include "ring_model/if_balanced.h"
 #include "ring_model/spin/phase_loads.h"
 #include "ring_model/yaw_motion.h"
 
@@ -31,7 +31,7 @@ PhasedTorqueFunction torque_until(const std::optional<Fall> &fall, const Load &l
   return observed(torque, question.observer);
 }
 
-YawSample unless_fallen(YawSample sample, const std::optional<Fall> &fall)
+YawSample nan_after_tipping(YawSample sample, const std::optional<Fall> &fall)
 {
   if (fall && std::abs(sample.omega) > std::abs(fall->omega))
     sample.omega = sample.yaw_angle = unknown;
@@ -47,7 +47,7 @@ std::vector<Torques> torque_curve(const Load &load, const Question &question,
   {
     const auto find = [&] { return torques_at(load.at(omega), question, omega); };
     torques.push_back(
-      if_balanced(find, reason).value_or(Torques{ { unknown, unknown, unknown }, unknown, unknown }));
+      find_or_nullopt(find, reason).value_or(Torques{ { unknown, unknown, unknown }, unknown, unknown }));
   }
   return torques;
 }
@@ -60,7 +60,7 @@ std::vector<YawSample> spin_up(const Load &load, const Question &question, const
     yaw_motion(torque_until(fall, load, question), question.motion.yaw_inertia, 0, times, accuracy,
                load.spin_scale(question.motion), question.grip_torque);
   for (YawSample &sample : samples)
-    sample = unless_fallen(sample, fall);
+    sample = nan_after_tipping(sample, fall);
   return samples;
 }
 
@@ -77,7 +77,7 @@ std::vector<YawSample> euler_spin_up(const Load &load, const Question &question,
                      times.back() / n_steps, n_steps, question.grip_torque);
   std::vector<YawSample> wanted;
   for (unsigned int i = 0; i <= n_intervals; ++i)
-    wanted.push_back(unless_fallen(samples[i * stride], fall));
+    wanted.push_back(nan_after_tipping(samples[i * stride], fall));
   return wanted;
 }
 
@@ -85,7 +85,7 @@ PhasedTorqueFunction tabulated_torque(const Load &load, const Motion &motion, do
                                       double tolerance)
 {
   const PhaseGrids &grids = load.phases()->phases();
-  // Beyond the spins that the load is known between it would take contact solutions, and has a kink.
+  // The range ends at the sampled spins: beyond them the load would need further contacts, and has a kink.
   const auto [slowest, fastest] = load.phases()->polynomial_range(middle);
   const double lower = std::max(middle - reach, slowest), upper = std::min(middle + reach, fastest);
   const auto at_phases = [&](double omega)
@@ -149,15 +149,15 @@ std::vector<double> torques_by_phase(const PhaseSampledLoad &phases, const Motio
 }
 
 Load interpolated_for_curves(const Load &load, const Answer &found, double lower, double upper,
-                             const Load *like)
+                             const Load *similar)
 {
   const auto between = [&](double one, double other, const CurveTolerance &tolerance = {})
   {
-    return if_balanced(
-      [&] { return load.interpolated(std::min(one, other), std::max(one, other), tolerance, like); });
+    return find_or_nullopt(
+      [&] { return load.interpolated(std::min(one, other), std::max(one, other), tolerance, similar); });
   };
   CurveTolerance near_fall; // the load is steep where the balance ends
-  near_fall.enough = near_fall.coarsest;
+  near_fall.relaxed = near_fall.coarsest;
   if (found.fall)
     return between(0, found.fall->omega, near_fall).value_or(load);
   if (const std::optional<Load> curve = between(lower, upper))

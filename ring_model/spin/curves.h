@@ -54,10 +54,10 @@ std::vector<Instant> instants_of(const std::vector<YawSample> &spin_up, const Lo
 std::vector<double> torques_by_phase(const PhaseSampledLoad &phases, const Motion &motion, double omega);
 
 /// Returns @p load, to which @p found is the answer, interpolated in the spin from @p lower to @p upper
-/// [rad/s], or to tipping, for curves of thousands of values. If some spins have no balance: from rest to
-/// the terminal spin; exact if that fails too. @p like as in Load::interpolated().
+/// [rad/s], or to tipping, for curves of thousands of values. If some spins have no balance: from rest to the
+/// terminal spin; exact if that fails too. @p similar as in Load::interpolated().
 Load interpolated_for_curves(const Load &load, const Answer &found, double lower, double upper,
-                             const Load *like = nullptr);
+                             const Load *similar = nullptr);
 
 /// Returns 201 equally spaced times from 0 to @p end [s].
 std::vector<double> output_times(double end);

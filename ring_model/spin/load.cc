@@ -1,6 +1,6 @@
 #include "ring_model/spin/load.h"
 
-#include "ring_model/no_balance.h"
+#include "ring_model/failures.h"
 #include "ring_model/spin/phase_loads.h"
 
 #include <boost/math/tools/toms748_solve.hpp>
@@ -52,17 +52,17 @@ struct Load::Interpolant
 {
   unsigned int n_harmonics;
   std::size_t n_rings;
-  std::optional<Load> like;
+  std::optional<Load> similar;
   std::optional<AdaptiveCurve> rows = {};
 
   Eigen::VectorXd reference(double omega) const
   {
     const auto size = static_cast<Eigen::Index>(2 + n_rings * (2 * n_harmonics + 3));
-    return like ? like->at(omega).coefficients(n_harmonics) : Eigen::VectorXd::Zero(size);
+    return similar ? similar->at(omega).coefficients(n_harmonics) : Eigen::VectorXd::Zero(size);
   }
   Sample load_of(double omega, const Eigen::VectorXd &row) const
   {
-    return Sample::from_coefficients(like ? row + reference(omega) : row, n_rings);
+    return Sample::from_coefficients(similar ? row + reference(omega) : row, n_rings);
   }
 };
 
@@ -166,15 +166,17 @@ std::vector<double> Load::lift_offs(double lower, double upper) const
   return spins;
 }
 
-Load Load::interpolated(double lower, double upper, const CurveTolerance &tolerance, const Load *like) const
+Load Load::interpolated(double lower, double upper, const CurveTolerance &tolerance,
+                        const Load *similar) const
 {
   if (!is_costly() || !(lower < upper))
     return *this;
   const Sample at_rest = at(0.);
   Interpolant interpolant = { at_rest.n_harmonics(), at_rest.rings().size(), {} };
-  if (like && like->curve && like->curve->rows->n_pieces() == 1 && like->curve->rows->covers(lower) &&
-      like->curve->rows->covers(upper) && like->at(0.).radii() == at_rest.radii())
-    interpolant.like = *like;
+  if (similar && similar->curve && similar->curve->rows->n_pieces() == 1 &&
+      similar->curve->rows->covers(lower) && similar->curve->rows->covers(upper) &&
+      similar->at(0.).radii() == at_rest.radii())
+    interpolant.similar = *similar;
   CurveSource costly = {
     [&](double omega) -> Eigen::VectorXd
     { return at(omega).coefficients(interpolant.n_harmonics) - interpolant.reference(omega); },
@@ -185,7 +187,7 @@ Load Load::interpolated(double lower, double upper, const CurveTolerance &tolera
     at(end);
   costly.kinks = lift_offs(lower, upper);
   for (const auto &[omega, sample] : source->samples)
-    costly.known.push_back(omega);
+    costly.cached.push_back(omega);
   interpolant.rows.emplace(costly, lower, upper, tolerance);
   if (interpolant.rows->error() > tolerance.coarsest)
     return *this;

@@ -66,10 +66,10 @@ public:
   /// Returns the load interpolated between the spins @p lower and @p upper [rad/s], for curves of thousands
   /// of values: by an AdaptiveCurve whose pieces end where the rim lifts off, to @p tolerance of
   /// RingStack::difference(), else exact; exact outside the interval. A load that is not costly is returned
-  /// unchanged. If @p like, another interpolated load on the same rings, is one polynomial, the difference to
-  /// @p like is interpolated.
+  /// unchanged. If @p similar, another interpolated load on the same rings, is one polynomial, the difference
+  /// to @p similar is interpolated.
   Load interpolated(double lower, double upper, const CurveTolerance &tolerance = {},
-                    const Load *like = nullptr) const;
+                    const Load *similar = nullptr) const;
 
 private:
   struct Source;

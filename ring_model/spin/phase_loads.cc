@@ -1,9 +1,9 @@
 #include "ring_model/spin/phase_loads.h"
 
+#include "ring_model/failures.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/load/require.h"
-#include "ring_model/no_balance.h"
-#include "ring_model/spin/to_precision.h"
+#include "ring_model/spin/rounded_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +37,9 @@ void require_resolved(unsigned int n_phases, const SampleError &error, double ma
     return;
   throw NoBalance(sentence(
     "The dependence of the load on the phase of the waviness is not resolved: between ", n_phases,
-    " phases its torque is off by ", to_precision(error.between, 6), " mu N R (allowed ",
-    to_precision(largest_allowed.between, 2), "), in the mean by ", to_precision(error.mean, 6), " (allowed ",
-    to_precision(max_mean, 2), "); give more Contact/Azimuth lines, or a smaller waviness."));
+    " phases its torque is off by ", rounded_text(error.between, 6), " mu N R (allowed ",
+    rounded_text(largest_allowed.between, 2), "), in the mean by ", rounded_text(error.mean, 6), " (allowed ",
+    rounded_text(max_mean, 2), "); give more Contact/Azimuth lines, or a smaller waviness."));
 }
 
 SampleError larger(const SampleError &one, const SampleError &other)
@@ -90,11 +90,11 @@ PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods,
 }
 
 PhaseSampledLoad::PhaseSampledLoad(LoadAtPhase load_given, const PhasePeriods &periods,
-                                   const PhaseSamples &at_rest, const SpinSampling &spins_asked)
+                                   const PhaseSamples &at_rest, const SpinSampling &sampling)
     : load(std::move(load_given))
     , phase_periods(periods)
     , at_rest(at_rest)
-    , spins_asked(spins_asked)
+    , sampling(sampling)
     , largest_error(at_rest.error())
 {
 }
@@ -120,14 +120,14 @@ PhaseSamples PhaseSampledLoad::at_spin(double omega) const
 
 const PhaseSampledLoad::Interval &PhaseSampledLoad::interval_around(double omega) const
 {
-  const auto interval = static_cast<long>(std::floor(omega / spins_asked.unit));
+  const auto interval = static_cast<long>(std::floor(omega / sampling.unit));
   const auto known = intervals.find(interval);
   if (known != intervals.end())
     return known->second;
-  if (intervals.size() >= spins_asked.max_intervals)
+  if (intervals.size() >= sampling.max_intervals)
     throw NoBalance(
-      sentence("The spin swings with the phase of the waviness over more than ", spins_asked.max_intervals,
-               " intervals of ", to_precision(spins_asked.unit, 3),
+      sentence("The spin swings with the phase of the waviness over more than ", sampling.max_intervals,
+               " intervals of ", rounded_text(sampling.unit, 3),
                " rad/s, each of which takes a contact at every phase; give a smaller waviness."));
   // A failed interval is remembered: a search returns to it with other spins.
   if (const auto failed = failures.find(interval); failed != failures.end())
@@ -145,18 +145,18 @@ const PhaseSampledLoad::Interval &PhaseSampledLoad::interval_around(double omega
 
 PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
 {
-  const double lower = static_cast<double>(interval) * spins_asked.unit, upper = lower + spins_asked.unit;
+  const double lower = static_cast<double>(interval) * sampling.unit, upper = lower + sampling.unit;
   const auto columns = [&](double omega) -> Eigen::VectorXd
   { return sampled_at(load, omega, phases()).columns().reshaped(); };
   const auto error_of_mean = [&](double, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)
   { return torque_difference(samples_from(interpolated).mean(), samples_from(exact).mean()); };
-  CurveTolerance wanted; // tolerance before the last sample, which reduces the error to a tenth
-  wanted.wanted = 10 * std::max(tolerance, at_rest.error().mean);
-  wanted.enough = std::max(wanted.wanted, 1e-3);
-  wanted.coarsest = std::max(wanted.enough, largest_allowed.mean);
-  wanted.max_samples = spins_asked.max_samples;
-  wanted.usual_samples = std::min<std::size_t>(9, wanted.max_samples);
-  Interval samples = { AdaptiveCurve({ columns, error_of_mean }, lower, upper, wanted), {} };
+  CurveTolerance tolerances; // tolerance before the last sample, which reduces the error to a tenth
+  tolerances.target = 10 * std::max(tolerance, at_rest.error().mean);
+  tolerances.relaxed = std::max(tolerances.target, 1e-3);
+  tolerances.coarsest = std::max(tolerances.relaxed, largest_allowed.mean);
+  tolerances.max_samples = sampling.max_samples;
+  tolerances.usual_samples = std::min<std::size_t>(9, tolerances.max_samples);
+  Interval samples = { AdaptiveCurve({ columns, error_of_mean }, lower, upper, tolerances), {} };
   // The samples may miss a kink, so the error between spins is measured. It is similar at every phase, and
   // one phase suffices.
   constexpr int n_checks = 6;
@@ -181,19 +181,19 @@ SampleError PhaseSampledLoad::error(double lower, double upper) const
 {
   SampleError error = at_rest.error();
   for (const auto &[interval, samples] : intervals)
-    if (const double begin = static_cast<double>(interval) * spins_asked.unit;
-        begin <= upper && begin + spins_asked.unit >= lower)
+    if (const double begin = static_cast<double>(interval) * sampling.unit;
+        begin <= upper && begin + sampling.unit >= lower)
       error = larger(error, samples.error);
   return error;
 }
 
 std::pair<double, double> PhaseSampledLoad::polynomial_range(double omega) const
 {
-  if (!(spins_asked.unit > 0))
+  if (!(sampling.unit > 0))
     return { -HUGE_VAL, HUGE_VAL };
   // Excludes the upper end, which belongs to the next interval.
-  const double lower = std::floor(omega / spins_asked.unit) * spins_asked.unit;
-  return { lower, lower + spins_asked.unit * (1 - 1e-9) };
+  const double lower = std::floor(omega / sampling.unit) * sampling.unit;
+  return { lower, lower + sampling.unit * (1 - 1e-9) };
 }
 
 std::vector<Sample> PhaseSampledLoad::samples(double omega) const

@@ -83,7 +83,7 @@ private:
     SampleError error;
   };
 
-  bool varies_with_spin(double omega) const { return spins_asked.unit > 0 && omega != 0; }
+  bool varies_with_spin(double omega) const { return sampling.unit > 0 && omega != 0; }
   PhaseSamples at_spin(double omega) const;
   PhaseSamples samples_from(const Eigen::VectorXd &columns) const;
   const Interval &interval_around(double omega) const;
@@ -94,7 +94,7 @@ private:
   const LoadAtPhase load;
   const PhasePeriods phase_periods;
   const PhaseSamples at_rest;
-  const SpinSampling spins_asked;
+  const SpinSampling sampling;
   mutable std::map<long, Interval> intervals;
   mutable std::map<long, std::exception_ptr> failures; ///< of other intervals
   mutable SampleError largest_error;

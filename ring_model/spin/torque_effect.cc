@@ -1,7 +1,7 @@
 #include "ring_model/spin/torque_effect.h"
 
+#include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
-#include "ring_model/if_balanced.h"
 
 #include <boost/math/tools/minima.hpp>
 
@@ -64,7 +64,7 @@ TorqueEffects torque_effects(const Load &load, const Motion &motion, const Answe
 {
   constexpr unsigned int n_intervals = 64;
   const auto torque_of = [&motion](const Load &of, double omega) -> Torque
-  { return if_balanced([&] { return TorqueByHarmonics(motion, of.at(omega), omega); }); };
+  { return find_or_nullopt([&] { return TorqueByHarmonics(motion, of.at(omega), omega); }); };
   TorqueEffects effects = { std::abs(all.at_rest.value().friction.torque) };
   Torque half, terminal;
   if (all.terminal)

@@ -103,7 +103,7 @@ FineStudy with_smaller_cells(Study study, unsigned int n_halvings)
         marked.push_back(c);
     if (marked.empty())
       break;
-    mesh.halved.push_back(marked);
+    mesh.halved_cells.push_back(marked);
   }
   return { study, mesh };
 }

@@ -210,7 +210,7 @@ void run_spin(const Case &given)
     const stemware::pipeline::GoalError found = terminal_spin_of(study, true, mesh);
     const double error = exact - found.value;
     say("{:+.2e} {:+.2e} {:6.3f}\n", error, found.error.correction, found.error.correction / error);
-    mesh.halved.push_back(found.error.mark(given.share));
+    mesh.halved_cells.push_back(found.error.mark(given.share));
   }
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "ring_model/bracketed_zero.h"
+#include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/load/ring_stack.h"
 #include "ring_model/moment_balance.h"
-#include "ring_model/no_balance.h"
 
 #include <Eigen/LU>
 #include <boost/math/quadrature/tanh_sinh.hpp>

@@ -3,7 +3,7 @@
 The foot "crown" of calculix_foot.py on a mat of 1e10 Pa/m, the moment at -90 degrees. Harmonics and the largest pressure are
 taken at its Gauss points; share: the azimuths of the Gauss points in contact. The terminal spin is the zero of
 tau_z = sum f (x t_y - y t_x), t = -mu (v - omega y, omega x) / |v_rel|, over the same points. torque_change: tau_z at half
-the terminal spin of the harmonics up to 6, on a ring of radius R, minus that of the first only, over |tau_z| at rest.
+the terminal spin of the harmonics up to 6, on a ring of radius R, minus tau_z of the first harmonic only, over |tau_z| at rest.
 
 /usr/bin/python3 cb_glass.py > cb_glass.json (CalculiX and numpy as in calculix_foot.py; ten minutes)
 """

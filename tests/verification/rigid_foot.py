@@ -90,7 +90,7 @@ def depth(crown, d0, slope, r):
     return d0 + slope * r - ((r - R) ** 2 / (2 * crown) if crown else 0.0)
 
 
-# ---- (a) annulus, pressure p0 + p1 r sin theta, moment of the closure `paper`
+# ---- (a) annulus, pressure p0 + p1 r sin theta, moment balance `paper`
 def annulus(n_r=20, n_theta=256):
     inner, outer = R - land / 2, R + land / 2
     M = dz * mass * v * v / rho
@@ -184,7 +184,7 @@ def given_moment(crown, k, m, n):
     return -zero(lambda w: one_sided_torque(crown, k, d0, d2, w, n)[2], 9.5, 11.0, 1e-12), d0, d2
 
 
-# ---- (c) balance of the closure `full`, whole land loaded all round
+# ---- (c) moment balance `full`, whole land loaded all round
 def resultants(crown, k, d, omega, n_theta, n_r):
     """N, M_Nx, M_Ny, T_x, T_y, tau_z. The trapezoidal rule in theta converges geometrically."""
     sums = [0.0] * 6

@@ -5,7 +5,7 @@ Bessel functions, so that u(x) = delta on the strip becomes
 
     delta [m = 0] = (2 a / E*) sum_n (-1)^((m+n)/2) c_n int_0^inf T(k h) J_m(k a) J_n(k a) dk/k,   E* = E / (1 - nu^2)
 
-with the layer's displacement over that of a half-space, T. The force per length is pi a c_0. Where T = 1 the integral is known,
+with T the layer's displacement over the half-space's. The force per length is pi a c_0. For T = 1 the integral is known,
 1 / (2 n) for m = n > 0 and 0 for other pairs of even order; the rest, 1 - T, vanishes for k h > 25. For m = n = 0
 1 - T is compared with exp(-k h), whose integral is a mean of asinh(h / (2 a sin phi)).
 

@@ -67,8 +67,8 @@ std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned 
 /// the friction force in the moment balance adds an error of the same size. @p ring_counts: numbers of rings
 /// in place of the foot's (if that has at least two), of which the largest change counts. A single ring is
 /// replaced by the rings of a study with Contact/Rings = usual_rings.
-void add_gathering(const Variant &own_study, const ElasticFoot &foot,
-                   const std::vector<unsigned int> &ring_counts, std::vector<BandChange> &changes)
+void add_ring_projections(const Variant &own_study, const ElasticFoot &foot,
+                          const std::vector<unsigned int> &ring_counts, std::vector<BandChange> &changes)
 {
   constexpr double with_balance = 2;
   const unsigned int n = foot.n_harmonics(), resolved = foot.body().n_resolved_harmonics();
@@ -149,7 +149,7 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
   // If the slip vanishes between two rings, the error depends on the position between them and has either
   // sign. A single other number of rings, or rings with common radii, may agree by chance.
   const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
-  add_gathering(own, foot, { 2 * n_rings, 2 * n_rings + 1, 4 * n_rings }, changes);
+  add_ring_projections(own, foot, { 2 * n_rings, 2 * n_rings + 1, 4 * n_rings }, changes);
   return changes;
 }
 
@@ -165,7 +165,7 @@ std::optional<CoarserStudy> on_coarser_mesh(const Variant &own)
 {
   CoarserStudy coarse = { own };
   ContactSection &contact = coarse.variant.study.contact;
-  if (auto &halved = coarse.variant.discretisation.halved; !halved.empty())
+  if (auto &halved = coarse.variant.discretisation.halved_cells; !halved.empty())
     halved.pop_back();
   else if (contact.refinements > 0)
     --contact.refinements;
@@ -254,7 +254,7 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
   // More rings would amplify rounding if the contact is far narrower than the spacing of the nodes, because
   // the rings are extrapolated to the nodes in the moment balance.
   const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
-  add_gathering(own, foot, { n_rings == 2 ? usual_rings : n_rings - 1 }, changes);
+  add_ring_projections(own, foot, { n_rings == 2 ? usual_rings : n_rings - 1 }, changes);
   return changes;
 }
 

@@ -5,8 +5,7 @@
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "ring_model/if_balanced.h"
-#include "ring_model/no_balance.h"
+#include "ring_model/failures.h"
 #include "ring_model/spin/curves.h"
 #include "ring_model/terminal_spin.h"
 
@@ -173,7 +172,7 @@ std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const E
   return quantities;
 }
 
-bool carries_all_round(const ring::Answer &all, const LoadReport &at_rest)
+bool has_full_contact(const ring::Answer &all, const LoadReport &at_rest)
 {
   return at_rest.contact_fraction >= 1 && at_rest.minimum > 0.02 * at_rest.rings.a(0) &&
          all.at_terminal->load.minimum() > 0.02 * at_rest.rings.a(0);
@@ -226,7 +225,7 @@ LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoo
         return (change_at(omega) - at_rest) / omega;
       };
       if (!per_spin || !is_collective(study))
-        per_spin = ring::if_balanced(find).value_or(Eigen::VectorXd());
+        per_spin = ring::find_or_nullopt(find).value_or(Eigen::VectorXd());
       const auto load = [=, slope = *per_spin](double spin)
       {
         if (spin != 0 && slope.size() == 0)
@@ -323,7 +322,7 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   EvaluationPoints probe = probe_of(study, *foot, all.terminal->omega, first);
   const ring::Motion &motion = study.motion.orbit;
   const LoadsAtPhases own_loads = loads_of(study, foot, probe);
-  const bool is_full = carries_all_round(all, own_loads.all.front().report());
+  const bool is_full = has_full_contact(all, own_loads.all.front().report());
   add_slope_spins(is_full, study.spin_unit(), probe);
   Evaluation own = evaluate(own_loads, *foot, motion, probe);
   if (first)

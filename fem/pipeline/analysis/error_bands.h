@@ -38,8 +38,8 @@ namespace stemware::pipeline
 /// @p all: row of all harmonics; @p first: terminal spin of the first harmonic only, if any. Returns an empty
 /// list for a load without a contact, if one of the changed contacts fails (as near tipping), or if no other
 /// mesh would be informative (a solid foot whose contact with a hard table is narrower than its cells); @p
-/// progress receives the reason. A quantity without a value after a change gets no band. Collective if the
-/// body is. @p reported: quantities whose values are known, equal to those of the bands up to the solver's
+/// progress receives the reason. A quantity without a value after a change has no band. Collective if the
+/// body is. @p reported: quantities with known values, which equal the values of the bands up to the solver's
 /// tolerance.
 ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                           const ring::Answer &all, const std::optional<double> &first,
@@ -51,8 +51,8 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
 std::vector<QuantityOfInterest> reported_quantities(const LoadReport &at_rest, const Budget &budget);
 
 /// Sets the band of each budget row that comes from the contact and has a terminal spin, from the bands @p
-/// of_all of the last row and @p of_first of the first harmonic only [rad/s]. A row gets the wider of the
-/// two, but at most either band plus the row's difference to its row, because discretisation changes a small
+/// of_all of the last row and @p of_first of the first harmonic only [rad/s]. A row has the wider of the two,
+/// but at most either band plus the row's difference to its row, because discretisation changes a small
 /// difference by a fraction of it. Closed forms get no band. Without @p of_first only rows that differ from
 /// the last row by less than its band get one; without @p of_all none.
 void add_bands(const std::optional<double> &of_all, const std::optional<double> &of_first,

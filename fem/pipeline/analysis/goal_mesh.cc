@@ -89,7 +89,8 @@ double sum_of_shares(const fem::MeshError &error)
 void require_memory(const Study &study, const Discretisation &meshed, const GoalError &before)
 {
   constexpr double per_unknown = 10e3; // bytes, most of them in the estimate; measured
-  const double n_cells = static_cast<double>(before.error.cells.size() + 7 * meshed.halved.back().size());
+  const double n_cells =
+    static_cast<double>(before.error.cells.size() + 7 * meshed.halved_cells.back().size());
   const double memory = per_unknown * 4.5 * n_cells * std::pow(study.contact.degree, 3);
   if (memory > study.contact.memory_limit)
     throw std::runtime_error(
@@ -156,7 +157,7 @@ MeshForGoal mesh_for_goal(const Study &study, const Executor &executor, Progress
         FMT_STRING("The goal's error is still {:.1e} of its value after {} meshes, more than "
                    "Contact/Goal tolerance = {:g}; give a larger tolerance."),
         std::abs(found.error.correction / found.value), max_meshes, study.contact.goal_tolerance));
-    meshed.halved.push_back(found.error.mark(marked_share));
+    meshed.halved_cells.push_back(found.error.mark(marked_share));
     require_memory(study, meshed, found);
   }
 }

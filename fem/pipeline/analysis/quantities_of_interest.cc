@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/base/numbers.h"
-#include "ring_model/no_balance.h"
+#include "ring_model/failures.h"
 #include "ring_model/spin/curves.h"
 
 #include <boost/algorithm/string/replace.hpp>
@@ -85,10 +85,10 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
 
 std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
                                                    std::vector<double> spins,
-                                                   const std::optional<double> &near)
+                                                   const std::optional<double> &omega_guess)
 {
   ring::Question question = { study.motion.orbit };
-  question.initial_guess = near.value_or(0);
+  question.initial_guess = omega_guess.value_or(0);
   question.with_slope = true;
   const ring::Answer row = ring::answer(load, question).value();
   if (!row.terminal)

@@ -78,11 +78,11 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
                                                        const SpinNumbers &spin);
 
 /// Returns the quantities of interest of a study from its @p load, which comes from a contact, with the
-/// torque at @p spins [rad/s]; empty: spins_of_interest(). @p near: initial guess of the terminal spin.
-/// Throws as @p load and ring::terminal_spin(), and ring::NoBalance if the glass tips.
+/// torque at @p spins [rad/s]; empty: spins_of_interest(). @p omega_guess: initial guess of the terminal
+/// spin. Throws as @p load and ring::terminal_spin(), and ring::NoBalance if the glass tips.
 std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
                                                    std::vector<double> spins = {},
-                                                   const std::optional<double> &near = {});
+                                                   const std::optional<double> &omega_guess = {});
 
 /// Returns the default spins at which the torque is evaluated: half and one and a half times the terminal
 /// spin @p omega_terminal.

@@ -3,9 +3,9 @@
 namespace stemware::pipeline
 {
 
-std::string with_unit(const std::string &name, const std::string &unit, bool ones)
+std::string with_unit(const std::string &name, const std::string &unit, bool shows_one)
 {
-  return unit.empty() || (unit == "1" && !ones) ? name : name + " (" + unit + ")";
+  return unit.empty() || (unit == "1" && !shows_one) ? name : name + " (" + unit + ")";
 }
 
 Column column_of(const std::string &key, const std::string &name, const std::string &unit,

@@ -49,8 +49,8 @@ struct Quantity
   }
 };
 
-/// Returns "name (unit)", or the name only if the unit is empty, or 1 and @p ones is false.
-std::string with_unit(const std::string &name, const std::string &unit, bool ones = true);
+/// Returns "name (unit)", or the name only if the unit is empty, or 1 and @p shows_one is false.
+std::string with_unit(const std::string &name, const std::string &unit, bool shows_one = true);
 
 /// Quantity with its values; missing values are null: nan in data files, empty in CSV, a dash in reports.
 struct Column

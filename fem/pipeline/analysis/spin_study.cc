@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "ring_model/if_balanced.h"
+#include "ring_model/failures.h"
 #include "ring_model/spin/hand_drive.h"
 #include "ring_model/spin/phase_loads.h"
 
@@ -33,7 +33,7 @@ PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const PhaseExtremes
   if (row.omega_terminal())
     for (const ring::RingStack &rings : loads.samples(*row.omega_terminal()))
       study.least_load = std::min(study.least_load, std::max(0., rings.minimum()));
-  study.least_is_at_rest = study.least_load >= at_rest.least_load;
+  study.least_load_is_at_rest = study.least_load >= at_rest.least_load;
   study.least_contact_fraction = at_rest.least_contact_fraction;
   study.n_glass_phases = loads.phases().glass.size();
   study.n_table_phases = loads.phases().table.size();
@@ -58,7 +58,7 @@ std::optional<Variant> variant_on_one_ring(const Study &study)
   return one_ring;
 }
 
-ring::Answer beside_all(ring::Answer one_ring, const ring::Answer &all)
+ring::Answer compared_with_full(ring::Answer one_ring, const ring::Answer &all)
 {
   one_ring.harmonics = all.harmonics;
   if (one_ring.terminal && all.relative_change)
@@ -102,13 +102,13 @@ TorqueCurve torque_curve(const std::vector<double> &spins, double spin_scale,
 std::vector<double> spin_up_of(const ring::Load &load, const ring::Question &question,
                                const std::vector<double> &times, const std::optional<ring::Fall> &fall)
 {
-  return spins_of(ring::if_balanced([&] { return ring::spin_up(load, question, times, fall); })
+  return spins_of(ring::find_or_nullopt([&] { return ring::spin_up(load, question, times, fall); })
                     .value_or(std::vector<ring::YawSample>()));
 }
 
 } // namespace
 
-CurveOfAll curve_of_all(const Study &study, const std::vector<LoadedRow> &rows)
+CurveLoad curve_load(const Study &study, const std::vector<LoadedRow> &rows)
 {
   constexpr int n_intervals = 120;
   const ring::Answer &all = rows.back().row;
@@ -146,7 +146,7 @@ CurveOfAll curve_of_all(const Study &study, const std::vector<LoadedRow> &rows)
 }
 
 StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, const LoadedRow &paper,
-                        const CurveOfAll &of_all, const Executor &executor, double euler_step,
+                        const CurveLoad &of_all, const Executor &executor, double euler_step,
                         const ring::TimeObserver &observer)
 {
   const std::vector<double> &spins = of_all.spins;
@@ -230,7 +230,7 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
 
 std::optional<double> driven_band(const SpinStudy &spin, const std::optional<double> &band)
 {
-  const std::optional<double> omega = spin.all().omega_terminal();
+  const std::optional<double> omega = spin.answer().omega_terminal();
   const auto &driven = spin.spin_up.driven;
   if (!driven || !band || omega.value_or(0) == 0)
     return std::nullopt;
@@ -250,11 +250,11 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   // then solved again.
   constexpr unsigned int max_falls = 8;
   StudyRows solved;
-  CurveOfAll curve = { {}, load };
+  CurveLoad curve = { {}, load };
   for (unsigned int i = 0; i <= max_falls; ++i)
   {
     solved = rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth, others);
-    curve = curve_of_all(study, solved.by_harmonics);
+    curve = curve_load(study, solved.by_harmonics);
     if (!load.nearest_unbalanced_spin(solved.by_harmonics.back().row.last_spin().value_or(0)))
       break;
   }
@@ -270,17 +270,17 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     result.rows.push_back(row.row);
   if (load.phases())
     result.phases =
-      study_phases(*load.phases(), load.report().over_phases.value(), study.motion.orbit, result.all());
+      study_phases(*load.phases(), load.report().over_phases.value(), study.motion.orbit, result.answer());
   for (const LoadedRow &other : solved.others)
     if (other.variant.kind == VariantKind::one_ring)
-      result.one_ring = beside_all(other.row, result.all());
-  result.torque_effects = ring::torque_effects(load, study.motion.orbit, result.all(),
+      result.one_ring = compared_with_full(other.row, result.answer());
+  result.torque_effects = ring::torque_effects(load, study.motion.orbit, result.answer(),
                                                truncation_orders(load.n_harmonics()), &curve.load);
   result.curve_error = curve.load.interpolation_error();
   result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time, observer);
   if (depth != Depth::full)
     result.budget.harmonics = harmonic_effect(result.rows.front().omega_terminal(),
-                                              result.all().omega_terminal(), study.spin_scale());
+                                              result.answer().omega_terminal(), study.spin_scale());
   return result;
 }
 

@@ -75,7 +75,7 @@ struct PhaseStudy
   std::vector<ring::Orientation> phases;
   std::vector<double> torque_at_rest;
   std::vector<double> torque_at_terminal;
-  bool least_is_at_rest = true; ///< true if least_load occurs at rest
+  bool least_load_is_at_rest = true; ///< true if least_load occurs at rest
 };
 
 /// Curves of a study: torques over the spin and spin-ups.
@@ -102,7 +102,8 @@ struct SpinStudy : StudyCurves
   /// Interpolation error of the load of the curves over a_0; std::nullopt if the load is exact.
   std::optional<double> curve_error = {};
 
-  const ring::Answer &all() const { return rows.back(); }
+  /// Returns the answer with all harmonics.
+  const ring::Answer &answer() const { return rows.back(); }
   /// Returns true for Depth::answer: answer and curves only.
   bool is_quick() const { return budget.rows.empty(); }
 };
@@ -113,7 +114,7 @@ struct SpinStudy : StudyCurves
 std::optional<double> driven_band(const SpinStudy &spin, const std::optional<double> &band);
 
 /// Load of all harmonics for curves.
-struct CurveOfAll
+struct CurveLoad
 {
   /// Spins of the torque curve, ascending: from slightly before rest to one and a half times the fastest
   /// terminal spin, or to tipping [rad/s].
@@ -122,13 +123,13 @@ struct CurveOfAll
 };
 
 /// Returns the load of the last of @p rows for curves.
-CurveOfAll curve_of_all(const Study &study, const std::vector<LoadedRow> &rows);
+CurveLoad curve_load(const Study &study, const std::vector<LoadedRow> &rows);
 
 /// Returns the curves of the first and the last of @p rows, rows_by_harmonics(), and of the @p paper's model,
 /// at the spins of @p of_all and over the time of the study. @p euler_step: longest Euler step [s], 0: none.
 /// @p observer: of the spin-up of all harmonics. Throws if the balance of all harmonics is lost.
 StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, const LoadedRow &paper,
-                        const CurveOfAll &of_all, const Executor &executor, double euler_step = 0,
+                        const CurveLoad &of_all, const Executor &executor, double euler_step = 0,
                         const ring::TimeObserver &observer = {});
 
 /// Returns the spin-up under the speeds of Motion/Orbit speed file, with the contact in balance at every

@@ -71,7 +71,7 @@ const Fields<StudyAnswer> &study_quantities()
   {
     return [=](const Found &found)
     {
-      const auto &fall = found.spin.all().fall;
+      const auto &fall = found.spin.answer().fall;
       return fall ? Number(read(*fall)) : std::nullopt;
     };
   };
@@ -116,7 +116,7 @@ const Fields<StudyAnswer> &study_quantities()
     { "held", "1", "",
       [](const Found &found)
       {
-        const auto &terminal = found.spin.all().terminal;
+        const auto &terminal = found.spin.answer().terminal;
         return found.study.motion.grip_torque > 0 && terminal ? Number(terminal->held ? 1 : 0) : std::nullopt;
       },
       in_column("1: the fingers hold the glass at rest") },
@@ -145,7 +145,7 @@ const Fields<StudyAnswer> &study_quantities()
       in_column("Newton steps of the contact at rest") },
     { "mean_load", "N/rad", "", of_rings([](const ring::RingStack &rings) { return rings.a(0); }),
       in_column("a_0 at rest") }
-  }.include(answer_fields(), [](const Found &found) -> const ring::Answer & { return found.spin.all(); });
+  }.include(answer_fields(), [](const Found &found) -> const ring::Answer & { return found.spin.answer(); });
   static const Fields<Found> all = [of_rings]
   {
     Fields<Found> list = fields;
@@ -174,7 +174,7 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
   StudyAnswer answer = { study, mesh.outcome };
   answer.spin = study_spin(study, foot, load, executor, progress, depth);
   progress.stage_done("ring");
-  answer.contact = describe(study, foot, load, answer.spin.all().last_spin().value());
+  answer.contact = describe(study, foot, load, answer.spin.answer().last_spin().value());
   progress.stage_done("report_of_contact");
 
   // 2. Fields and, in parallel, error bands.
@@ -185,7 +185,7 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
       add_fields(study, *of_fields, *answer.contact.foot);
     if (i == 1)
       answer.bands =
-        estimate_bands(study, foot, answer.spin.all(), answer.spin.rows.front().omega_terminal(), executor,
+        estimate_bands(study, foot, answer.spin.answer(), answer.spin.rows.front().omega_terminal(), executor,
                        progress, reported_quantities(answer.contact.load, answer.spin.budget));
   };
   executor.for_each(depth == Depth::full ? 2 : 1, find, is_collective(study));

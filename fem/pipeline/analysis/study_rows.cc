@@ -191,7 +191,7 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
     }
   }
   question.with_slope = false;
-  question.near = whole.row.zero_guess();
+  question.zero_guess = whole.row.zero_guess();
   if (whole.row.fall) // the spin up to which the models with fewer harmonics, or without an effect, are known
                       // to have a balance
     question.initial_guess = whole.row.fall->omega;

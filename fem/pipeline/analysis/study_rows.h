@@ -80,7 +80,7 @@ std::vector<unsigned int> truncation_orders(unsigned int n_all);
 /// compared with the last row. A solid body in balance, whose balances take minutes, and Depth::answer have
 /// the rows 1 and all only; Depth::full adds torques at 0, half and all of the terminal spin, or at 0 if the
 /// glass tips on the way. Throws as @p load, and if all harmonics have no answer; if the glass tips on the
-/// way, the last row has a `fall` and nothing is compared with it. @p others are solved together with the
+/// way, the last row has a `fall` and no row is compared with it. @p others are solved together with the
 /// rows, so that no thread waits for the slowest row.
 StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                             const ring::Load &load, ring::Question question, const Executor &executor,

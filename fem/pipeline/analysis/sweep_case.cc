@@ -7,7 +7,7 @@
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/failure_sentence.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "ring_model/no_balance.h"
+#include "ring_model/failures.h"
 
 #include <cmath>
 #include <exception>
@@ -106,12 +106,12 @@ CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &f
          .by_harmonics)
     spin.rows.push_back(row.row);
   spin.budget.harmonics =
-    harmonic_effect(spin.rows.front().omega_terminal(), spin.all().omega_terminal(), study.spin_scale());
-  spin.torque_effects = ring::torque_effects(load, study.motion.orbit, spin.all(), { load.n_harmonics() });
+    harmonic_effect(spin.rows.front().omega_terminal(), spin.answer().omega_terminal(), study.spin_scale());
+  spin.torque_effects = ring::torque_effects(load, study.motion.orbit, spin.answer(), { load.n_harmonics() });
   answer.contact.load = load.report();
   const std::optional<fem::ContactState> contact = load.contact(0);
-  const bool is_formal = !contact && spin.all().status == ring::Status::formal;
-  CaseResult result = { "", spin.all().fall ? "tips" : is_formal ? "formal" : "ok" };
+  const bool is_formal = !contact && spin.answer().status == ring::Status::formal;
+  CaseResult result = { "", spin.answer().fall ? "tips" : is_formal ? "formal" : "ok" };
   if (contact)
   {
     answer.contact.foot = FootReport{ {}, "", *contact, {}, {} };

@@ -56,7 +56,7 @@ std::string not_known(const std::string &word, const std::vector<std::string> &k
 }
 
 /// Returns the description of the error in the command line, up to the word "see".
-std::string trouble_with(const CLI::App &program, const CLI::ParseError &error)
+std::string describe_error(const CLI::App &program, const CLI::ParseError &error)
 {
   const auto chosen = program.get_subcommands();
   const CLI::App &verb = chosen.empty() ? program : *chosen.front();
@@ -108,7 +108,7 @@ std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *ar
   catch (const CLI::ParseError &error)
   {
     const auto verbs = program.get_subcommands();
-    std::cerr << "stemware: " << trouble_with(program, error) << " `stemware "
+    std::cerr << "stemware: " << describe_error(program, error) << " `stemware "
               << (verbs.empty() ? "" : verbs.front()->get_name() + " ") << "--help` for examples."
               << std::endl;
     return ExitCode::bad_input;

@@ -5,7 +5,7 @@
 
 namespace stemware::fem
 {
-struct ContactIteration; // a step of Newton's method, of which base/ knows only the name
+struct ContactIteration; // a step of Newton's method
 }
 
 namespace stemware::pipeline

@@ -33,7 +33,7 @@ std::unique_ptr<mpi::MPI_InitFinalize> session;
 /// True after start_mpi().
 std::atomic<bool> is_running = false;
 
-bool says_one(const char *variable)
+bool is_set_to_one(const char *variable)
 {
   const char *value = std::getenv(variable);
   return value != nullptr && std::string(value) == "1";
@@ -53,7 +53,7 @@ Launcher launcher()
        { std::pair("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"), std::pair("PMI_RANK", "PMI_SIZE"),
          std::pair("PMIX_RANK", "SLURM_STEP_NUM_TASKS") })
     if (std::getenv(rank) != nullptr)
-      return { true, !says_one(size) };
+      return { true, !is_set_to_one(size) };
   return {};
 }
 
@@ -67,7 +67,7 @@ void prepare_to_stand_alone()
                                      std::pair("OMPI_MCA_orte_create_session_dirs", "0"),
                                      std::pair("OMPI_MCA_pml", "ob1"), std::pair("OMPI_MCA_btl", "self") })
     ::setenv(name, value, 0);
-  if (says_one("SLURM_STEP_NUM_TASKS"))
+  if (is_set_to_one("SLURM_STEP_NUM_TASKS"))
     ::unsetenv("SLURM_STEP_ID");
 }
 

@@ -1,9 +1,9 @@
 #include "fem/pipeline/coupling/balanced_contact.h"
 
 #include "fem/pipeline/base/numbers.h"
+#include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
-#include "ring_model/no_balance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +91,8 @@ fem::ContactState BalancedContact::solve_at(double omega)
 
 fem::ContactState BalancedContact::contact(double omega)
 {
-  constexpr std::size_t n_latest = 6; // at the terminal spin and the spins asked for next, or of a band
+  constexpr std::size_t n_latest =
+    6; // contacts at the terminal spin and the next requested spins, or of a band
   if (at_rest && (omega == 0 || !balance.varies_with_spin))
     return *at_rest;
   for (const auto &[spin, state] : latest)

@@ -14,7 +14,7 @@ struct Discretisation
   /// stiffness.
   double hardness = 1;
   unsigned int line_factor = 1; ///< contact lines of each face of a solid foot, over the default
-  std::vector<std::vector<unsigned int>> halved = {}; ///< numbers of the halved cells, mesh after mesh
+  std::vector<std::vector<unsigned int>> halved_cells = {}; ///< numbers of the halved cells, mesh after mesh
 };
 
 /// Parts of the model of a foot that a budget leaves out one at a time.

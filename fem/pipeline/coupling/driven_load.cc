@@ -5,7 +5,7 @@
 #include "fem/pipeline/base/text.h"
 #include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "ring_model/no_balance.h"
+#include "ring_model/failures.h"
 
 namespace stemware::pipeline
 {

@@ -3,7 +3,7 @@
 #include "fem/contact/contact_solution.h"
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "ring_model/no_balance.h"
+#include "ring_model/failures.h"
 
 #include <deal.II/base/exceptions.h>
 

@@ -4,8 +4,8 @@
 #include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/ring_choice.h"
 #include "fem/pipeline/coupling/study_balance.h"
+#include "ring_model/failures.h"
 #include "ring_model/load/constants.h"
-#include "ring_model/no_balance.h"
 #include "ring_model/spin/phase_loads.h"
 
 #include <algorithm>

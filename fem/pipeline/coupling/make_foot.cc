@@ -84,7 +84,7 @@ bool uses_penalty_for_hard_table(const Study &study, const Discretisation &discr
   const ContactSection &contact = study.contact;
   if (!study.table.is_hard() || abilities(contact.body).is_of_revolution)
     return study.table.is_hard();
-  return contact.refinements > 0 || edge_halvings(study) > 0 || !discretisation.halved.empty();
+  return contact.refinements > 0 || edge_halvings(study) > 0 || !discretisation.halved_cells.empty();
 }
 
 std::vector<fem::SectionPolygon> foot_section(const Study &study, const Discretisation &discretisation)

@@ -22,7 +22,7 @@ fem::RevolutionSetup revolution_setup(const Study &study, const Discretisation &
   setup.resolution.land_cells = study.contact.resolution.radial_cells;
   setup.resolution.land_grading = study.contact.land_grading;
   setup.resolution.refinements = study.contact.refinements;
-  setup.halved = discretisation.halved;
+  setup.halved_cells = discretisation.halved_cells;
   setup.n_lines = study.contact.azimuth_lines;
   setup.fineness = discretisation.fineness;
   setup.halvings_beyond_zone = discretisation.halvings_beyond_zone;

@@ -40,7 +40,7 @@ std::string elements_of(const Study &study, const Discretisation &discretisation
   bare.glass = study.glass;
   bare.contact = study.contact;
   std::string text = study_identity(bare) + fmt::format(FMT_STRING("{}\n"), edge_halvings(study));
-  for (const std::vector<unsigned int> &cells : discretisation.halved)
+  for (const std::vector<unsigned int> &cells : discretisation.halved_cells)
     text += fmt::format(FMT_STRING("halved {}\n"), fmt::join(cells, " "));
   return text;
 }
@@ -48,7 +48,7 @@ std::string elements_of(const Study &study, const Discretisation &discretisation
 fem::SolidMesh solid_mesh(const Study &study, const Discretisation &discretisation)
 {
   fem::SolidMesh mesh = mesh_before_goal(study);
-  for (const std::vector<unsigned int> &cells : discretisation.halved)
+  for (const std::vector<unsigned int> &cells : discretisation.halved_cells)
     fem::halve(mesh, cells);
   return mesh;
 }
@@ -58,7 +58,7 @@ fem::LinearSolver linear_solver_of(const Study &study, const Discretisation &dis
 {
   const ContactSection &contact = study.contact;
   const bool is_refined =
-    contact.refinements > 0 || edge_halvings(study) > 0 || !discretisation.halved.empty();
+    contact.refinements > 0 || edge_halvings(study) > 0 || !discretisation.halved_cells.empty();
   const bool has_phases = !contact.mesh_file.empty() || study.has_waviness();
   if (contact.linear_solver != fem::LinearSolver::automatic || is_refined || has_phases ||
       varies_with_spin(study))

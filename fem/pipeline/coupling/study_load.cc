@@ -3,7 +3,7 @@
 #include "fem/contact/contact_solution.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
-#include "ring_model/no_balance.h"
+#include "ring_model/failures.h"
 #include "ring_model/self_consistent_ring.h"
 
 #include <stdexcept>

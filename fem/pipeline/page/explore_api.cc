@@ -8,7 +8,7 @@
 #include "fem/pipeline/result/pictures.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "ring_model/no_balance.h"
+#include "ring_model/failures.h"
 
 #include <exception>
 #include <memory>
@@ -71,12 +71,12 @@ Json answer_document(const LiveAnswer &found)
 {
   const Study &study = explorer->study();
   Results results;
-  Json summary = { { "ring", ring_summary(found.all) },
+  Json summary = { { "ring", ring_summary(found.full) },
                    { "paper", ring_summary(found.paper) },
-                   { "first_n", found.first_n ? ring_summary(*found.first_n) : Json(nullptr) } };
-  if (found.all.at_rest)
-    summary["load"] = load_summary(*found.all.at_rest, found.contact_radius);
-  if (const ring::RingState *end = end_of(found.all))
+                   { "first_n", found.truncated ? ring_summary(*found.truncated) : Json(nullptr) } };
+  if (found.full.at_rest)
+    summary["load"] = load_summary(*found.full.at_rest, found.contact_radius);
+  if (const ring::RingState *end = end_of(found.full))
   {
     Json &load = summary["load_at_terminal"] = load_summary(*end, found.contact_radius);
     LoadReport report;
@@ -88,10 +88,10 @@ Json answer_document(const LiveAnswer &found)
       load["contact_fraction"] = report.contact_fraction;
       load["tilt"] = { found.contact->solution.motion(1), found.contact->solution.motion(2) };
     }
-    if (const ring::RingState *first_n = found.first_n ? end_of(*found.first_n) : nullptr)
+    if (const ring::RingState *first_n = found.truncated ? end_of(*found.truncated) : nullptr)
       summary["first_n"]["load"] = series_summary(first_n->load);
     add_load_lines(report, results);
-    add_motion(study, { { 0, found.all.last_spin().value_or(0), 0, *end } }, results);
+    add_motion(study, { { 0, found.full.last_spin().value_or(0), 0, *end } }, results);
     results.words["sketch"] = { { "clockwise", study.motion.orbit.sense_sign() < 0 } };
     results.words["spin_unit"] = study.spin_unit();
     results.words["rounding"] = study.rounding_of_spins();
@@ -147,7 +147,8 @@ void explore_begin()
 
 void explore_take(const double *numbers, int is_disc)
 {
-  explorer->take(std::make_shared<const fem::ContactCompliance>(deserialized(numbers)), is_disc != 0);
+  explorer->set_compliance(std::make_shared<const fem::ContactCompliance>(deserialized(numbers)),
+                           is_disc != 0);
 }
 
 const char *explore_set(const char *path, const char *value)
@@ -162,7 +163,7 @@ const char *explore_set(const char *path, const char *value)
 
 void explore_ready(double fineness)
 {
-  explorer->ready(fineness);
+  explorer->freeze_mesh(fineness);
 }
 
 const char *explore_solve(unsigned int n_harmonics, int cold)

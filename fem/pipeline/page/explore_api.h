@@ -11,7 +11,7 @@ extern "C"
   void explore_take(const double *numbers, int is_disc);
   /// Sets the entry @p path to @p value.
   const char *explore_set(const char *path, const char *value);
-  /// Calls Explorer::ready().
+  /// Calls Explorer::freeze_mesh().
   void explore_ready(double fineness);
   /// Calls Explorer::solve(); @p n_harmonics = 0: all harmonics.
   const char *explore_solve(unsigned int n_harmonics, int cold);

@@ -169,11 +169,13 @@ ring::Answer answer_in_page(const Study &study, double fineness, const PagedComp
   Explorer explorer;
   for (const auto &[path, value] : values_of(entries_of(study)))
     explorer.set(path, value);
-  explorer.take(std::make_shared<const fem::ContactCompliance>(deserialized(foot.numbers())), false);
+  explorer.set_compliance(std::make_shared<const fem::ContactCompliance>(deserialized(foot.numbers())),
+                          false);
   if (disc)
-    explorer.take(std::make_shared<const fem::ContactCompliance>(deserialized(disc->numbers())), true);
-  explorer.ready(fineness);
-  return explorer.solve(all_harmonics, true).all.value();
+    explorer.set_compliance(std::make_shared<const fem::ContactCompliance>(deserialized(disc->numbers())),
+                            true);
+  explorer.freeze_mesh(fineness);
+  return explorer.solve(all_harmonics, true).full.value();
 }
 
 /// Set of the compliances of all pairs, without duplicates.

@@ -6,8 +6,8 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/revolution/revolution_foot.h"
+#include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
-#include "ring_model/no_balance.h"
 #include "ring_model/spin/answer.h"
 #include "ring_model/spin/curves.h"
 
@@ -85,7 +85,7 @@ std::optional<BalanceNearby> balance_near(const ring::ZeroGuess &near, const fem
 
 } // namespace
 
-void Explorer::take(std::shared_ptr<const fem::ContactCompliance> given, bool is_disc)
+void Explorer::set_compliance(std::shared_ptr<const fem::ContactCompliance> given, bool is_disc)
 {
   (is_disc ? disc_compliance : compliance) = std::move(given);
 }
@@ -107,7 +107,7 @@ void Explorer::set(const std::string &entry_path, const std::string &value)
       *entries[i].quantity = size() * *of_base[i].quantity;
 }
 
-void Explorer::ready(double fineness)
+void Explorer::freeze_mesh(double fineness)
 {
   discretisation.fineness = fineness;
   base = present;
@@ -174,8 +174,8 @@ LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
   paper.variant.study = paper_study(present);
   paper.load = find_load(paper.variant.study, nullptr);
   paper.row = answer.paper = ring::answer(*paper.load, spin_question(paper.variant.study));
-  if (answer.first_n)
-    shift_of_first_n = answer.first_n->last_spin().value_or(0) - answer.all.last_spin().value_or(0);
+  if (answer.truncated)
+    shift_of_truncated = answer.truncated->last_spin().value_or(0) - answer.full.last_spin().value_or(0);
   return answer;
 }
 
@@ -202,13 +202,13 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
       return false;
     if (n_harmonics < foot->n_harmonics())
     {
-      const ring::ZeroGuess beside = { all->spin.omega + shift_of_first_n, all->spin.slope };
-      const auto first_n = balance_near(beside, all->contact, present, foot, n_harmonics);
-      if (!first_n)
+      const ring::ZeroGuess beside = { all->spin.omega + shift_of_truncated, all->spin.slope };
+      const auto cut = balance_near(beside, all->contact, present, foot, n_harmonics);
+      if (!cut)
         return false;
-      answer.first_n = row_of(*first_n);
+      answer.truncated = row_of(*cut);
     }
-    answer.all = row_of(*all);
+    answer.full = row_of(*all);
     answer.contact = contact_at_zero = all->contact;
     zero = all->spin;
     return true;
@@ -227,29 +227,29 @@ void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, Liv
   ring::Question question = spin_question(present);
   question.with_slope = !last; // slow parts only when the slider has stopped
   if (last)
-    question.near = zero;
+    question.zero_guess = zero;
   const BalancedLoad load = find_load(present, foot);
-  answer.all = ring::answer(load, question);
-  zero = answer.all.zero_guess();
-  if (!zero && question.near && answer.all.omega_terminal())
-    zero = ring::ZeroGuess{ *answer.all.omega_terminal(), question.near->slope };
+  answer.full = ring::answer(load, question);
+  zero = answer.full.zero_guess();
+  if (!zero && question.zero_guess && answer.full.omega_terminal())
+    zero = ring::ZeroGuess{ *answer.full.omega_terminal(), question.zero_guess->slope };
   if (n_harmonics < foot->n_harmonics())
   {
-    question.near = zero;
+    question.zero_guess = zero;
     const BalancedLoad cut = find_load(present, foot, silent_progress(), n_harmonics);
-    answer.first_n = ring::answer(cut, question);
-    answer.first_n->harmonics = n_harmonics;
-    rows.push_back({ {}, *answer.first_n, cut });
+    answer.truncated = ring::answer(cut, question);
+    answer.truncated->harmonics = n_harmonics;
+    rows.push_back({ {}, *answer.truncated, cut });
   }
-  rows.push_back({ {}, answer.all, load });
-  answer.contact = contact_at_zero = load.contact(answer.all.last_spin().value_or(0));
+  rows.push_back({ {}, answer.full, load });
+  answer.contact = contact_at_zero = load.contact(answer.full.last_spin().value_or(0));
 }
 
 std::optional<StudyCurves> Explorer::curves()
 {
   if (rows.empty() || !rows.back().row.last_spin())
     return std::nullopt;
-  return find_curves(present, rows, paper, curve_of_all(present, rows), executor());
+  return find_curves(present, rows, paper, curve_load(present, rows), executor());
 }
 
 Budget Explorer::budget()

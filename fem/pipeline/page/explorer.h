@@ -28,9 +28,9 @@ constexpr double close_mesh_band = 2e-5;
 struct LiveAnswer
 {
   MeshMatch match = MeshMatch::same;
-  ring::Answer all;                    ///< all harmonics
-  std::optional<ring::Answer> first_n; ///< the first n only, if n was given
-  ring::Answer paper;                  ///< the paper's rigid ring
+  ring::Answer full;                     ///< all harmonics
+  std::optional<ring::Answer> truncated; ///< the first n harmonics only, if n is given
+  ring::Answer paper;                    ///< the paper's rigid ring
   /// Contact at the end of the spin-up, or at rest without a spin; std::nullopt without a contact.
   std::optional<fem::ContactState> contact;
   double contact_radius = 0; ///< [m]
@@ -42,16 +42,17 @@ class Explorer
 {
 public:
   /// Sets the compliance of the foot, for the study's present Young modulus, or of the disc.
-  void take(std::shared_ptr<const fem::ContactCompliance> compliance, bool is_disc);
+  void set_compliance(std::shared_ptr<const fem::ContactCompliance> compliance, bool is_disc);
 
   /// Sets an entry of the study. Throws BadInput for unknown entries, inadmissible values, and, after
-  /// ready(), for entries on which the compliances depend. Another contact radius selects a similar foot: all
-  /// lengths of the glass except the crown radius are scaled; an elastic table needs the disc of this radius.
+  /// freeze_mesh(), for entries on which the compliances depend. Another contact radius selects a similar
+  /// foot: all lengths of the glass except the crown radius are scaled; an elastic table needs the disc of
+  /// this radius.
   void set(const std::string &path, const std::string &value);
 
   /// Declares that the compliances belong to the present study and to a mesh of @p fineness
   /// (Discretisation::fineness).
-  void ready(double fineness);
+  void freeze_mesh(double fineness);
 
   const Study &study() const { return present; }
   /// Returns the match of the mesh with the present study.
@@ -99,7 +100,7 @@ private:
   std::optional<ring::ZeroGuess> zero;
   std::optional<fem::ContactState> contact_at_zero;
   /// Terminal spin of the first n harmonics minus terminal spin of all, in the last answer [rad/s].
-  double shift_of_first_n = 0;
+  double shift_of_truncated = 0;
 };
 
 /// Converts a compliance to a list of numbers and back: nodes, degree, highest harmonic, unknowns, whether

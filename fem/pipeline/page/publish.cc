@@ -128,7 +128,7 @@ Json summary_of(const std::string &verb, const Results &results)
 
 void publish(const StudyOptions &options, Results results, ResultsFolder &folder, Stopwatch &stopwatch)
 {
-  // The folder is complete before it gets its final name.
+  // The folder is renamed to its final name when it is complete.
   folder.open();
   on_every_rank([&] { write_fields(results.fields, folder.working_folder()); });
   results.fields = {}; // frees memory

@@ -169,7 +169,7 @@ SelfConsistentRing balanced_ring(const Motion &motion, const std::string &closur
   for (const Closure one : { Closure::paper, Closure::hand, Closure::full })
     if (to_string(one) == closure)
       return { one, motion, radius };
-  throw std::invalid_argument("the closure is \"" + closure + "\", but must be paper, hand or full");
+  throw std::invalid_argument("closure = \"" + closure + "\" is not allowed; give paper, hand or full");
 }
 
 /// Returns the load function of the spin [rad/s] for a RingStack, a SelfConsistentRing or a function.

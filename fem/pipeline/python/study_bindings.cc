@@ -19,7 +19,7 @@
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/revolution/compliance_cache.h"
-#include "ring_model/no_balance.h"
+#include "ring_model/failures.h"
 #include "ring_model/spin/curves.h"
 
 #include <deal.II/base/multithread_info.h>

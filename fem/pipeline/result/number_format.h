@@ -17,8 +17,8 @@ inline constexpr char missing[] = "–";
 ///
 ///   1e3*.4g   a factor in front
 ///   .1f%      per cent: "25.0 %"
-///   +.3g      a sign, but "0" for nothing
-///   .2e       a power of ten, but "0" for nothing; #.2e also for that
+///   +.3g      a sign, but "0" for zero
+///   .2e       a power of ten, but "0" for zero; #.2e also for zero
 ///   band      the half-width of an error band by itself, rounded up to two digits: "4.9e-06"
 ///   about     a count that is an estimate, to two digits: "about 4400"
 ///   short     three digits, and no power of ten for large ones: "0.27", "2110"

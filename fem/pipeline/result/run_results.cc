@@ -64,8 +64,8 @@ Table friction_table(const Study &study, const ring::Answer &all)
 
 Json key_figures_of(const SpinStudy &spin, const ErrorBands &bands)
 {
-  return { { "tau_at_rest", spin.all().at_rest.value().friction.torque },
-           { "omega_terminal", spin.all().omega_terminal() },
+  return { { "tau_at_rest", spin.answer().at_rest.value().friction.torque },
+           { "omega_terminal", spin.answer().omega_terminal() },
            { "omega_terminal_band", band_of(bands, "omega_terminal") },
            { "omega_terminal_first_harmonic", spin.rows.front().omega_terminal() },
            { "harmonic_effect", spin.budget.harmonics.absolute },
@@ -97,7 +97,7 @@ void add_spin(const StudyAnswer &answer, Results &results)
   const ring::Motion &motion = study.motion.orbit;
   const double radius = study.glass.profile.contact_radius;
   add_slip_columns("slip_at_rest", motion, radius, contact.load.rings, 0, results);
-  if (const auto omega = spin.all().omega_terminal(); omega && study.is_spin(*omega))
+  if (const auto omega = spin.answer().omega_terminal(); omega && study.is_spin(*omega))
     add_slip_columns("slip_at_end", motion, radius, contact.load_at_end.rings, *omega, results);
   add_torque_columns(spin.torque, {}, results);
   add_spin_up_columns(spin.spin_up, 1, results);
@@ -105,7 +105,7 @@ void add_spin(const StudyAnswer &answer, Results &results)
     add_motion(study, spin.spin_up.instants, results);
   if (spin.phases)
     add_phase_columns(*spin.phases, results);
-  results.add_table("friction", friction_table(study, spin.all()));
+  results.add_table("friction", friction_table(study, spin.answer()));
   add_truncations(answer, results);
 }
 
@@ -179,7 +179,7 @@ std::vector<ResultFile> files_of(const StudyAnswer &answer)
     add("load_lines.csv", "λ(θ) at rest on the azimuth lines of the contact",
         pointwise_table(contact.load.pointwise));
     if (contact.foot)
-      add_foot_files(*contact.foot, spin.all().terminal.has_value(), files);
+      add_foot_files(*contact.foot, spin.answer().terminal.has_value(), files);
   }
   files.push_back({ "timings.json", "how long it took" });
   return files;

@@ -20,7 +20,7 @@ bool has_no_lift_off(const ContactReport &report)
 /// Returns the state of the contact at the end of the spin-up.
 ring::Status status_of(const ContactReport &report, const SpinStudy &spin)
 {
-  const ring::Status status = spin.all().status;
+  const ring::Status status = spin.answer().status;
   if (status == ring::Status::full_contact && report.load_at_end.contact_fraction < 1)
     return ring::Status::lift_off;
   // The truncated series of a pressure with an edge is slightly negative beyond the edge; the pressure is
@@ -37,7 +37,7 @@ struct SpinRow
 
 std::vector<SpinRow> spins_of(const StudyAnswer &run)
 {
-  const auto &reached = run.spin.all().terminal;
+  const auto &reached = run.spin.answer().terminal;
   std::vector<SpinRow> spins;
   for (const ring::TerminalSpin &one : run.spin.terminal_spins)
     spins.push_back({ one, reached && one.omega == reached->omega });
@@ -166,7 +166,7 @@ const Fields<FootReport> &contact_fields()
 /// Returns M_Nx of the load at rest [N m]; with waviness the mean over the phases, like the torque.
 double moment_at_rest(const StudyAnswer &run)
 {
-  return run.spin.phases ? run.spin.all().at_rest.value().load.moment().x() : run.contact.load.moment.x();
+  return run.spin.phases ? run.spin.answer().at_rest.value().load.moment().x() : run.contact.load.moment.x();
 }
 
 const Fields<StudyAnswer> &ring_fields()
@@ -198,8 +198,8 @@ const Fields<StudyAnswer> &ring_fields()
       [](const StudyAnswer &run)
       {
         const Eigen::Vector2d &tilt = run.contact.load_at_end.tilt;
-        return run.spin.all().terminal ? std::optional(std::array<double, 2>{ tilt.x(), tilt.y() })
-                                       : std::nullopt;
+        return run.spin.answer().terminal ? std::optional(std::array<double, 2>{ tilt.x(), tilt.y() })
+                                          : std::nullopt;
       } },
     { "phase_dependent", "", "Whether the load depends on the phase (waviness).",
       [](const StudyAnswer &run) { return run.spin.phases.has_value(); } },
@@ -225,7 +225,7 @@ const Fields<PhaseStudy> &waviness_fields()
       &Phases::least_load },
     { "least_load_state", "", "State of least_load: \"at rest\" or \"at the terminal spin\".",
       [](const Phases &phases)
-      { return std::string(phases.least_is_at_rest ? "at rest" : "at the terminal spin"); } },
+      { return std::string(phases.least_load_is_at_rest ? "at rest" : "at the terminal spin"); } },
     { "least_contact_fraction", "1", "Minimum of load.contact_fraction over all phases at rest.",
       &Phases::least_contact_fraction },
     { "glass_phases", "1", "Number of sampled phases of the glass.", &Phases::n_glass_phases },
@@ -311,10 +311,10 @@ const Fields<StudyAnswer> &run_fields()
   static const auto fields = Fields<StudyAnswer>{
     { "load_at_terminal", "The load at the terminal spin; null without one.", load_fields(),
       [](const StudyAnswer &run)
-      { return if_applies(run.spin.all().terminal.has_value(), run.contact.load_at_end); } },
+      { return if_applies(run.spin.answer().terminal.has_value(), run.contact.load_at_end); } },
     { "load_at_fall", "The load at the spin of tipping; null if the glass does not tip.", load_fields(),
       [](const StudyAnswer &run)
-      { return if_applies(run.spin.all().fall.has_value(), run.contact.load_at_end); } },
+      { return if_applies(run.spin.answer().fall.has_value(), run.contact.load_at_end); } },
     { "contact", "The contact at rest; null for a load without a contact.", contact_fields(),
       [](const StudyAnswer &run) { return run.contact.foot ? &*run.contact.foot : nullptr; } },
     { "ring", "Torque and spin. Every tau_… is friction's torque about the glass's axis.", ring_fields(),

@@ -65,7 +65,7 @@ std::string paper_sentence(const StudyAnswer &run)
     return "";
   if (!run.study.is_spin(*omega))
     return "In the paper's model it does not spin up.";
-  return std::string("The paper's rigid ring would ") + (run.spin.all().fall ? "turn once in " : "take ") +
+  return std::string("The paper's rigid ring would ") + (run.spin.answer().fall ? "turn once in " : "take ") +
          number(seconds_a_turn(*omega), "#.3g") + " s.";
 }
 
@@ -160,7 +160,7 @@ std::string pressed_sentence(const std::string &state, const LoadReport &load, c
 std::string answer_of(const StudyAnswer &run)
 {
   const auto &[study, goal, contact, spin, bands] = run;
-  const ring::Answer &all = spin.all();
+  const ring::Answer &all = spin.answer();
   std::string text;
   if (spin.is_quick())
     text = "Quick run: no budget of effects, no error bands.";
@@ -191,10 +191,10 @@ std::string profile_remark(const std::optional<fem::RimCircle> &circle)
 std::string lift_off_remark(const StudyAnswer &run)
 {
   const auto &[study, goal, contact, spin, bands] = run;
-  if (spin.all().fall)
+  if (spin.answer().fall)
     return lift_off_sentences(
       { { "At rest", &contact.load }, { "Where it tips over", &contact.load_at_end } });
-  if (study.is_spin(*spin.all().omega_terminal()))
+  if (study.is_spin(*spin.answer().omega_terminal()))
   {
     if (study.load.is_one_way())
       return lift_off_sentences({ { "At every spin", &contact.load } });
@@ -212,7 +212,7 @@ std::string contact_remark(const StudyAnswer &run)
 {
   const auto &[study, goal, contact, spin, bands] = run;
   std::string text = pressed_sentence("At rest", contact.load, bands);
-  if (spin.all().terminal && study.is_spin(spin.all().terminal->omega))
+  if (spin.answer().terminal && study.is_spin(spin.answer().terminal->omega))
     append(text, pressed_sentence("At the terminal spin", contact.load_at_end, bands));
   return text;
 }

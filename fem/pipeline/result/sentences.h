@@ -33,7 +33,7 @@ std::string torque_effect_sentence(const ring::TorqueEffects &effects);
 std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect,
                                      const std::optional<double> &band = {});
 
-/// Returns sentences on a glass that stands at rest and tips on the way (@p all has a `fall`).
+/// Returns sentences on a glass that stands at rest and tips during the spin-up (@p all has a `fall`).
 std::string fall_sentences(const ring::Motion &motion, const ring::Answer &all);
 
 /// Returns the words of `run` by their names: its answer, and remarks that are empty if they do not apply.

@@ -71,7 +71,7 @@ const Fields<StudyAnswer> &truncate_fields()
 {
   static const auto fields = Fields<StudyAnswer>{
     { "fall", "Of `truncate`: as ring.fall of `run`.", fall_fields(),
-      [](const StudyAnswer &answer) { return answer.spin.all().fall; } }
+      [](const StudyAnswer &answer) { return answer.spin.answer().fall; } }
   }.include(harmonics_fields(), [](const StudyAnswer &answer) -> const StudyAnswer & { return answer; });
   return fields;
 }
@@ -86,7 +86,7 @@ Json truncate_schema()
 Results truncation_results(const StudyAnswer &answer)
 {
   const auto &[study, goal, contact, spin, bands] = answer;
-  const std::optional<double> omega = spin.all().omega_terminal();
+  const std::optional<double> omega = spin.answer().omega_terminal();
   const unsigned int n_enough = harmonics_enough(spin.rows, 1e-4);
   const std::vector<Truncation> truncations = truncations_of(answer);
   Results results = begun_results(study, "how many harmonics of the load matter");

@@ -62,15 +62,15 @@ struct LoadSection
                   { "first harmonic", LoadSource::first_harmonic },
                   { "file", LoadSource::file } },
                 "contact: the finite-element contact; first harmonic: the paper's ansatz, in balance with "
-                "the closure at every spin; file: Fourier coefficients from a file");
+                "the moment balance at every spin; file: Fourier coefficients from a file");
     list.choice(
       "Coupling", coupling, { { "two-way", LoadCoupling::two_way }, { "one-way", LoadCoupling::one_way } },
       "two-way: contact, friction and moments are in balance at every spin; one-way: the load of the glass "
       "that does not spin yet is kept at every spin, as a given moment and a load from a file are by nature",
       used_if(is_from_contact() && has_closure()));
     list.number("Moment ratio", moment_ratio, any_number, "",
-                "Moment of the table's pressure over N R / 2 for a static study; negative: the closure's "
-                "moment. The foot tips at 2, on a flat land of outer radius r_o at 2 r_o / R");
+                "Moment of the table's pressure over N R / 2 for a static study; negative: the moment "
+                "of the moment balance. The foot tips at 2, on a flat land of outer radius r_o at 2 r_o / R");
     list.number("Moment direction", moment_direction, any_number, "rad",
                 "Where a static study's load is largest, counter-clockwise from the direction of travel; "
                 "used with Moment ratio >= 0",

@@ -72,13 +72,13 @@ struct MotionSection
     list.enter("Motion", true);
     list.number("Mass", orbit.mass, positive, "kg", "Mass of the glass without Liquid mass",
                 plausible(0.02, 2, "a liqueur glass to a full beer mug"));
-    list.number(
-      "Yaw inertia", orbit.yaw_inertia, positive, "kg m^2",
-      "Moment of inertia about the axis of the glass; sets how fast the spin builds up, not where it ends",
-      plausible(1e-6, 1e-2, "20 g at 7 mm from the axis to 2 kg at 7 cm"));
+    list.number("Yaw inertia", orbit.yaw_inertia, positive, "kg m^2",
+                "Moment of inertia about the axis of the glass; determines the duration of the spin-up, not "
+                "the terminal spin",
+                plausible(1e-6, 1e-2, "20 g at 7 mm from the axis to 2 kg at 7 cm"));
     list.number("Centre of mass height", orbit.centre_of_mass_height, not_negative, "m",
                 "Height of the centre of mass of the glass without Liquid mass above the table; used by the "
-                "closure full, where there is liquid, and to find Force offset from Hand height",
+                "moment balance full, with liquid, and to find Force offset from Hand height",
                 used_if(is_full || leans || (hand_stays && load.has_closure())),
                 plausible(0.01, 0.3, "a liqueur glass to a tall flute"), moves_hand);
     list.number(
@@ -153,7 +153,7 @@ struct MotionSection
                 used_if(load.has_closure()));
     list.choice("Tilt", tilt, { { "included", true }, { "neglected", false } },
                 "Whether the lean of the glass on its foot shifts the centre of mass in the balance of "
-                "moments. Acts in the closure full, on a contact whose moment is not given",
+                "moments. Acts in the moment balance full, on a contact whose moment is not given",
                 used_if(load.is_from_contact() && is_full));
     list.number(
       "Grip torque", grip_torque, not_negative, "N m",

@@ -69,7 +69,7 @@ std::vector<std::string> names_of(const std::vector<Preset> &presets)
 }
 
 /// Returns the preset probably meant by @p word: another name, a part of a name, or a misspelt name.
-std::optional<std::string> meant_by(const std::string &word, const std::vector<Preset> &presets)
+std::optional<std::string> suggestion_for(const std::string &word, const std::vector<Preset> &presets)
 {
   const std::string wanted = plain(word);
   for (const Preset &preset : presets)
@@ -113,7 +113,7 @@ const Preset &preset_of(const std::vector<Preset> &presets, const std::string &o
   for (const Preset &preset : presets)
     if (plain(preset.name) == plain(name))
       return preset;
-  const std::optional<std::string> meant = meant_by(name, presets);
+  const std::optional<std::string> meant = suggestion_for(name, presets);
   throw BadInput(fmt::format(FMT_STRING("{} \"{}\" is not known; {}give one of {}."), option, shortened(name),
                              meant ? "did you mean \"" + *meant + "\"? Else " : "",
                              listed(names_of(presets))));

@@ -5,7 +5,7 @@
 #include "fem/contact/winkler_interface.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
-#include "ring_model/no_balance.h"
+#include "ring_model/failures.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include "fem/pipeline/base/text.h"
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_entries.h"
+#include "ring_model/failures.h"
 #include "ring_model/moment_balance.h"
-#include "ring_model/no_balance.h"
 
 #include <boost/algorithm/string/join.hpp>
 

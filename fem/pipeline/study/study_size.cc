@@ -95,7 +95,7 @@ void add_solid_body(const Study &study, StudySize &size)
 }
 
 /// Returns the entry of @p study whose default would reduce the memory most.
-StudyEntry greediest(Study &study)
+StudyEntry costliest_entry(Study &study)
 {
   const std::vector<StudyEntry> &standard = default_entries(), tried = study_entries(study);
   double least = size_of(study).memory;
@@ -161,7 +161,7 @@ void require_affordable(const Study &study)
   if (size.memory > study.contact.memory_limit)
   {
     Study trial = study;
-    const StudyEntry entry = greediest(trial);
+    const StudyEntry entry = costliest_entry(trial);
     const auto [needed, limit] = distinct_texts(size.memory / 1e9, study.contact.memory_limit / 1e9, 2);
     throw BadInput(
       fmt::format(FMT_STRING("{} = {} would take about {} GB of memory ({:.2g} unknowns), "

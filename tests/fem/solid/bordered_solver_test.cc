@@ -56,7 +56,8 @@ TEST(LinearSolver, SolvesAMeshFromAFileByAggregation)
   expect_equal(multigrid.press(), direct.press());
 }
 
-/// Iterations to a residual of 1e-11. Those of the smoother alone double when the cell size is halved.
+/// Iterations to a residual of 1e-11. The iterations of the smoother alone double when the cell size is
+/// halved.
 TEST(LinearSolver, IterationsHardlyGrowWithRefinement)
 {
   OvalFoot coarse({ 48, 4, 4, 0 }, TestSolver::multigrid, 1);

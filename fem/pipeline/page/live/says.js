@@ -64,7 +64,7 @@ function notes_of({ fit, notes = [] }) {
   ].filter(Boolean);
 }
 
-/** Compares the first answer with that of `stemware run`. */
+/** Compares the first answer with the answer of `stemware run`. */
 function check({ was_cold }) {
   const { omega_terminal: omega } = doc.summary.ring;
   if (checked !== null || !was_cold || Object.keys(state.changes).length || !Number.isFinite(omega)) return;

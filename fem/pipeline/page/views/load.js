@@ -27,8 +27,8 @@ const sense_of = ({ words }) => (words.sketch.clockwise ? -1 : 1);
 const angles = Array.from({ length: 181 }, (_, i) => 2 * i);
 
 /**
- * Curves of the load over its mean: { name, colour, dash, theta, load }, those of at most `most` harmonics, all harmonics
- * last. A load that was solved with fewer harmonics, its `cut`, stands in their place.
+ * Returns curves of the load over its mean, { name, colour, dash, theta, load }: the loads of at most `most` harmonics, all
+ * harmonics last. A load that was solved with fewer harmonics, `cut`, replaces them.
  */
 function curves_of({ summary: { load }, tables }, most, least = 1) {
   const n = load.a.length - 1;

@@ -129,14 +129,14 @@ TEST(Fall, IsTheSameInEveryVerb)
     const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
     const BalancedLoad load = find_load(study, foot);
     const SpinStudy run = study_spin(study, foot, load, executor, silent_progress(), Depth::answer);
-    EXPECT_EQ(run.all().fall.has_value(), falls) << height;
+    EXPECT_EQ(run.answer().fall.has_value(), falls) << height;
     const ring::Answer truncated =
-      answer_study(study, Depth::rows, executor, silent_progress(), false).spin.all();
+      answer_study(study, Depth::rows, executor, silent_progress(), false).spin.answer();
     EXPECT_EQ(truncated.fall.has_value(), falls) << height;
     EXPECT_EQ(case_result(study, executor).status, falls ? "tips" : "ok") << height;
     if (!falls)
     {
-      EXPECT_NEAR(*run.all().omega_terminal(), *truncated.omega_terminal(), 1e-8);
+      EXPECT_NEAR(*run.answer().omega_terminal(), *truncated.omega_terminal(), 1e-8);
     }
   }
 }

@@ -70,7 +70,7 @@ TEST(SolidGoal, EstimatesEqualTheErrorsOnACoarseMesh)
     EXPECT_LT(ratio, 1.25);
     study.contact.goal_tolerance = 1.1 * std::abs(found.error.correction / found.value);
     fem::ComplianceCache cache;
-    EXPECT_TRUE(mesh_for_goal(study, ThreadedExecutor(cache)).discretisation.halved.empty());
+    EXPECT_TRUE(mesh_for_goal(study, ThreadedExecutor(cache)).discretisation.halved_cells.empty());
   }
 }
 
@@ -80,7 +80,7 @@ TEST(SolidGoal, KeepsTheMeshOfAStudyWithoutAGoal)
   study.contact.body = BodyKind::solid;
   fem::ComplianceCache cache;
   const MeshForGoal meshed = mesh_for_goal(study, ThreadedExecutor(cache));
-  EXPECT_TRUE(meshed.discretisation.halved.empty());
+  EXPECT_TRUE(meshed.discretisation.halved_cells.empty());
   EXPECT_FALSE(meshed.outcome);
 }
 
@@ -107,7 +107,7 @@ TEST(SolidGoal, EstimatesEqualTheErrorsLong)
                      std::to_string(found.error.correction / error));
       EXPECT_GT(found.error.correction / error, 0.8) << "mesh " << n << ", error " << error;
       EXPECT_LT(found.error.correction / error, 1.25) << "mesh " << n << ", error " << error;
-      mesh.halved.push_back(found.error.mark(0.8));
+      mesh.halved_cells.push_back(found.error.mark(0.8));
       if (n == 0)
       {
         first = error;
@@ -119,7 +119,7 @@ TEST(SolidGoal, EstimatesEqualTheErrorsLong)
       continue;
     study.contact.goal_tolerance = std::abs(0.4 * first / value);
     fem::ComplianceCache cache;
-    EXPECT_EQ(mesh_for_goal(study, ThreadedExecutor(cache)).discretisation.halved.size(), 1u);
+    EXPECT_EQ(mesh_for_goal(study, ThreadedExecutor(cache)).discretisation.halved_cells.size(), 1u);
   }
 }
 

@@ -33,7 +33,7 @@ std::vector<double> digits_on(unsigned int n_threads)
   for (const WithoutRow &row : spin.budget.without)
     digits.push_back(row.omega_terminal.value_or(0));
   for (const BandedQuantity &banded :
-       estimate_bands(solved.study, solved.foot, spin.all(), std::nullopt, executor))
+       estimate_bands(solved.study, solved.foot, spin.answer(), std::nullopt, executor))
     digits.push_back(banded.band);
   return digits;
 }

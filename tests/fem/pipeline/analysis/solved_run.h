@@ -21,8 +21,8 @@ struct SolvedRun : pipeline::StudyAnswer
     const pipeline::ThreadedExecutor executor(cache);
     const pipeline::BalancedLoad load = pipeline::find_load(study, foot);
     spin = pipeline::study_spin(study, foot, load, executor);
-    contact = pipeline::describe(study, foot, load, spin.all().last_spin().value());
-    bands = pipeline::estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), executor,
+    contact = pipeline::describe(study, foot, load, spin.answer().last_spin().value());
+    bands = pipeline::estimate_bands(study, foot, spin.answer(), spin.rows.front().omega_terminal(), executor,
                                      pipeline::silent_progress(),
                                      pipeline::reported_quantities(contact.load, spin.budget));
     pipeline::add_bands(pipeline::band_of(bands, "omega_terminal"),

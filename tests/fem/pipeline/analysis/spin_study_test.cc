@@ -75,7 +75,7 @@ TEST(SpinStudy, RowsAreInBalanceWithTheirOwnHarmonics)
       1e-9)
       << n;
   }
-  EXPECT_EQ(two_way.budget.rows.back().omega_terminal, two_way.all().omega_terminal());
+  EXPECT_EQ(two_way.budget.rows.back().omega_terminal, two_way.answer().omega_terminal());
   EXPECT_TRUE(two_way.one_ring);
   study.contact.rings = 1;
   EXPECT_FALSE(study_spin(study, foot, find_load(study, foot), ThreadedExecutor(cache)).one_ring);
@@ -136,11 +136,11 @@ TEST(SpinStudy, ReportsUnstableRest)
                       Depth::answer);
   };
   const SpinStudy upright = solve();
-  ASSERT_TRUE(upright.all().terminal);
-  EXPECT_EQ(upright.all().terminal->omega, 0);
-  EXPECT_FALSE(upright.all().terminal->stable);
+  ASSERT_TRUE(upright.answer().terminal);
+  EXPECT_EQ(upright.answer().terminal->omega, 0);
+  EXPECT_FALSE(upright.answer().terminal->stable);
   study.motion.orbit.force_offset = -1e-6;
-  const double started = solve().all().omega_terminal().value();
+  const double started = solve().answer().omega_terminal().value();
   EXPECT_NEAR(started, -2.4364, 1e-4);
 }
 
@@ -152,13 +152,13 @@ TEST(SpinStudy, ReportsTippingDuringTheSpinUp)
   const ring::Motion &motion = study.motion.orbit;
   fem::ComplianceCache cache;
   const SpinStudy fallen = study_spin(study, nullptr, tipping_beyond(2.5), ThreadedExecutor(cache));
-  const ring::Answer &row = fallen.all();
+  const ring::Answer &row = fallen.answer();
   EXPECT_EQ(row.status, ring::Status::tips);
   EXPECT_FALSE(row.terminal);
   ASSERT_TRUE(row.fall);
   EXPECT_NEAR(row.fall->omega, -2.5, 0.35 / 0.03 / 4096);
   EXPECT_NEAR(row.fall->state.moment_ratio, std::hypot(0.1, 0.3) / 0.47, 1e-12);
-  EXPECT_EQ(row.at_rest->friction.torque, study_spin_of(rich_load()).all().at_rest->friction.torque);
+  EXPECT_EQ(row.at_rest->friction.torque, study_spin_of(rich_load()).answer().at_rest->friction.torque);
   EXPECT_TRUE(fallen.terminal_spins.empty());
   EXPECT_FALSE(fallen.budget.rows.back().omega_terminal);
   EXPECT_EQ(fallen.budget.rows.back().status, ring::Status::tips);

@@ -1,7 +1,7 @@
 // Bad input ends in one sentence and an exit code, without files.
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_file.h"
-#include "ring_model/no_balance.h"
+#include "ring_model/failures.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/fem/pipeline/refusal.h"

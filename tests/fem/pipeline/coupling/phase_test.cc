@@ -1,8 +1,8 @@
 // Loads that depend on the orientation of glass and table: waviness entries and interpolation over the phase.
 #include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
-#include "ring_model/no_balance.h"
 #include "ring_model/spin/phase_loads.h"
 #include "tests/ring_model/quadrature.h"
 

@@ -18,7 +18,7 @@ friction, grip, height = "Motion/Friction coefficient", "Motion/Grip torque", "M
 
 
 class Truth:
-    """Rigid ring with a first harmonic, closure full: Coulomb friction by the midpoint rule round the ring, moments by fixed-point
+    """Rigid ring with a first harmonic, moment balance full: Coulomb friction by the midpoint rule round the ring, moments by fixed-point
     iteration, spin-up by scipy."""
     mass, inertia, centre, radius, gravity, speed, orbit = 0.3, 3e-4, 0.08, 0.03, 9.81, 0.35, 0.15
 

@@ -141,7 +141,7 @@ assert counts() == before, (before, counts())
 
 class TerminalSpin(unittest.TestCase):
     def test_friction_lean_and_grip_add_up_to_zero(self):
-        """Only the closure full has a tilt and so a lean torque. Reference: friction by quadrature over the rings."""
+        """Only the moment balance full has a tilt and so a lean torque. Reference: friction by quadrature over the rings."""
         theta = np.arange(1024) * 2 * np.pi / 1024
         for closure in ("paper", "hand", "full"):
             with self.subTest(closure):

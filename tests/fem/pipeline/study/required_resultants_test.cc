@@ -1,6 +1,6 @@
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/study.h"
-#include "ring_model/no_balance.h"
+#include "ring_model/failures.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
 #include "tests/ulps.h"

@@ -6,7 +6,7 @@
 namespace stemware::ring
 {
 /// Returns @p value as text with @p n_digits significant digits.
-inline std::string to_precision(double value, int n_digits)
+inline std::string rounded_text(double value, int n_digits)
 {
   std::ostringstream text;
   text.precision(n_digits);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -49,4 +50,21 @@ public:
 private:
   const bool is_tipping;
 };
+
+/// Returns the result of @p find, or std::nullopt if it throws NoBalance; then writes the reason to @p
+/// reason, if given. All other exceptions pass.
+template <typename Find>
+auto find_or_nullopt(const Find &find, std::string *reason = nullptr) -> std::optional<decltype(find())>
+{
+  try
+  {
+    return find();
+  }
+  catch (const NoBalance &failure)
+  {
+    if (reason)
+      *reason = failure.what();
+    return std::nullopt;
+  }
+}
 } // namespace stemware::ring
