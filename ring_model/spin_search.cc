@@ -404,7 +404,7 @@ std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const To
                                                 const SpinSearch &search)
 {
   constexpr unsigned int max_steps = 8;
-  constexpr double nearly = 1e-7;    // relative to the spin: closer spins have the load of the zero
+  constexpr double nearly = 1e-7;    // relative distance of spins within which the load is constant
   constexpr double of_another = 0.1; // relative error of a slope that belongs to another torque
   const double grip = std::copysign(search.grip_torque, known.omega);
   const double scale = std::max(std::abs(known.omega), least_size * search.spin_scale);

@@ -46,7 +46,7 @@ public:
       if (greatest(depths[l]) < least)
         continue;
       const std::size_t image = mirror_image(l, normal_displacement);
-      if (image >= l) // else the two are done
+      if (image >= l) // otherwise the pair has been added with its other line
         add_line(l, image, depths[l], contact);
     }
   }

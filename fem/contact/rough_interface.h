@@ -91,7 +91,7 @@ struct RoughInterface : PressureInterface<RoughInterface>, Roughness
     const double panels_per_length =
       std::max(std::sqrt(std::abs(curvature) / decay_length), slope_at_level / (2 * decay_length));
     const PositiveSegments loaded((depth.array() - level + rounding * decay_length).matrix());
-    const PositiveSegments beyond(depth); // touching mean planes
+    const PositiveSegments beyond(depth); // parts on which the mean planes touch
     for (unsigned int s = 0; s < loaded.n_segments; ++s)
     {
       double begin = loaded.segments[s].begin;

@@ -268,7 +268,7 @@ TEST(YawMotion, StepsEndAtEachBreak)
     times.push_back(0.1 * i + 0.03);
   }
   const auto samples = yaw_motion(torque, inertia, 0., times, 1e-6, 1., 0., breaks);
-  double omega = 0.; // at the corner before
+  double omega = 0.; // at the previous break
   for (int i = 0; i <= 30; ++i)
   {
     const double slope = i % 2 == 0 ? 1. : -1., low = drive(0.1 * i);

@@ -73,8 +73,8 @@ TEST(YieldingTable, RigidFootAgreesWithPlainSums)
       setup.n_lines = 128;
       const Resultants demand = load_at(m, 0.4);
       const ContactLoad load = press_on(setup, demand);
-      const Eigen::Vector3d lie = plain->lie_under(weight, demand.moment_x, demand.moment_y, depth);
-      const std::vector<PlainPoint> points = plain->forces(lie);
+      const Eigen::Vector3d position = plain->position_under(weight, demand.moment_x, demand.moment_y, depth);
+      const std::vector<PlainPoint> points = plain->forces(position);
       const double tolerance = m < 1 ? 2e-6 : 6e-6; // with lift-off, contact ends between two lines
       for (unsigned int n = 1; n <= 6; ++n)
       {

@@ -26,16 +26,16 @@ struct LiftedFoot
 
   double weight() const { return mass * gravity; }
 
-  /// Penetration d0 + d1 x + d2 y - (r - R)^2 / (2 crown) [m] of a foot with the position lie = (d0 [m], d1,
-  /// d2 [rad]), in polar coordinates.
+  /// Penetration d0 + d1 x + d2 y - (r - R)^2 / (2 crown) [m] of a foot at @p position = (d0 [m], d1, d2
+  /// [rad]), in polar coordinates.
   class Contact
   {
   public:
-    Contact(const LiftedFoot &foot, const Eigen::Vector3d &lie)
+    Contact(const LiftedFoot &foot, const Eigen::Vector3d &position)
         : foot(foot)
-        , lie(lie)
-        , lean(std::hypot(lie(1), lie(2)))
-        , direction(std::atan2(lie(2), lie(1)))
+        , position(position)
+        , lean(std::hypot(position(1), position(2)))
+        , direction(std::atan2(position(2), position(1)))
     {
     }
 
@@ -43,14 +43,14 @@ struct LiftedFoot
     double deepest(double phi) const
     {
       const double slope = lean * std::cos(phi);
-      return lie(0) + slope * foot.contact_radius + foot.crown_radius * slope * slope / 2;
+      return position(0) + slope * foot.contact_radius + foot.crown_radius * slope * slope / 2;
     }
 
     /// Returns the angle from the direction of the lean to the contact edge [rad]; pi without lift-off.
     double edge() const
     {
       const double R = foot.contact_radius, crown = foot.crown_radius;
-      const double cosine = (std::sqrt(R * R - 2 * crown * lie(0)) - R) / (crown * lean);
+      const double cosine = (std::sqrt(R * R - 2 * crown * position(0)) - R) / (crown * lean);
       return cosine <= -1 || !(lean > 0) ? ring::pi : std::acos(std::min(1., cosine));
     }
 
@@ -98,7 +98,7 @@ struct LiftedFoot
                          const auto at = [&](double r, double width)
                          {
                            const double off = r - foot.contact_radius;
-                           const double depth = lie(0) + slope * r - off * off / (2 * foot.crown_radius);
+                           const double depth = position(0) + slope * r - off * off / (2 * foot.crown_radius);
                            visit(r * std::cos(theta), r * std::sin(theta),
                                  foot.foundation_modulus * depth * r * width * arc);
                          };
@@ -133,13 +133,13 @@ struct LiftedFoot
       {
         const double top = R + crown * slope;
         const double half =
-          std::sqrt(std::max(0., 2 * crown * (lie(0) + slope * R + crown * slope * slope / 2)));
+          std::sqrt(std::max(0., 2 * crown * (position(0) + slope * R + crown * slope * slope / 2)));
         return std::make_pair(top - half, top + half);
       };
       const auto whole = radii(lean), all_round = radii(-lean);
       const auto at = [&](double r, double width)
       {
-        const double mean = lie(0) - (r - R) * (r - R) / (2 * crown), swing = lean * r;
+        const double mean = position(0) - (r - R) * (r - R) / (2 * crown), swing = lean * r;
         const double end = mean >= swing ? ring::pi : std::acos(std::clamp(-mean / swing, -1., 1.));
         const double per_radian = foot.foundation_modulus * r * width;
         const double a0 = per_radian / ring::pi * (mean * end + swing * std::sin(end));
@@ -158,7 +158,7 @@ struct LiftedFoot
     }
 
     const LiftedFoot &foot;
-    const Eigen::Vector3d lie;
+    const Eigen::Vector3d position;
     const double lean, direction;
 
   private:
@@ -196,9 +196,9 @@ struct LiftedFoot
     double torque = 0;                                  ///< of the friction [N m]
   };
 
-  Resultants resultants(const Eigen::Vector3d &lie, double omega, Friction part) const
+  Resultants resultants(const Eigen::Vector3d &position, double omega, Friction part) const
   {
-    const Contact contact(*this, lie);
+    const Contact contact(*this, position);
     Resultants sum;
     const auto press = [&](double x, double y, double f)
     {
@@ -225,27 +225,27 @@ struct LiftedFoot
   }
 
   /// Returns the position under the weight and the moment ratio @p m in the direction @p direction [rad].
-  Eigen::Vector3d lie_at_moment(double m, double direction) const
+  Eigen::Vector3d position_at_moment(double m, double direction) const
   {
-    const auto residual = [&](double ratio, const Eigen::Vector3d &lie)
+    const auto residual = [&](double ratio, const Eigen::Vector3d &position)
     {
-      const Resultants sum = resultants(lie, 1e-3 * speed / contact_radius, Friction::whole);
+      const Resultants sum = resultants(position, 1e-3 * speed / contact_radius, Friction::whole);
       const double half = weight() * contact_radius / 2;
       return Eigen::Vector3d(sum.force / weight() - 1, sum.moment.x() / half - ratio * std::sin(direction),
                              sum.moment.y() / half + ratio * std::cos(direction));
     };
-    Eigen::Vector3d lie = flat_lie();
-    lie.tail<2>() +=
-      1e-3 * lie(0) / contact_radius * Eigen::Vector2d(std::cos(direction), std::sin(direction));
+    Eigen::Vector3d position = flat_position();
+    position.tail<2>() +=
+      1e-3 * position(0) / contact_radius * Eigen::Vector2d(std::cos(direction), std::sin(direction));
     const unsigned int n_steps = 20; // the moment grows, so that each step is small
     for (unsigned int i = 1; i <= n_steps; ++i)
-      lie = solve([&](const Eigen::Vector3d &at) { return residual(m * i / n_steps, at); }, lie);
-    return lie;
+      position = solve([&](const Eigen::Vector3d &at) { return residual(m * i / n_steps, at); }, position);
+    return position;
   }
 
-  /// Returns the position in moment balance at the spin @p omega, with the initial guess @p lie. Throws
+  /// Returns the position in moment balance at the spin @p omega, with the initial guess @p position. Throws
   /// std::runtime_error if Newton's method does not converge.
-  Eigen::Vector3d lie_in_balance(double omega, const Eigen::Vector3d &lie, Friction part) const
+  Eigen::Vector3d position_in_balance(double omega, const Eigen::Vector3d &position, Friction part) const
   {
     const double arm = centre_of_mass_height + force_offset, scale = weight() * contact_radius;
     const double lean_moment = tilts ? weight() * centre_of_mass_height : 0;
@@ -259,11 +259,11 @@ struct LiftedFoot
                                  scale,
                                (sum.moment.y() - arm * sum.friction.x() + lean_moment * at(1)) / scale);
       },
-      lie);
+      position);
   }
 
   /// Returns the position without a lean.
-  Eigen::Vector3d flat_lie() const
+  Eigen::Vector3d flat_position() const
   {
     const double per_depth =
       2 * ring::pi * contact_radius * 4 / 3 * std::sqrt(2 * crown_radius) * foundation_modulus;
@@ -272,10 +272,10 @@ struct LiftedFoot
 
 private:
   template <typename Residual>
-  Eigen::Vector3d solve(const Residual &residual, const Eigen::Vector3d &lie) const
+  Eigen::Vector3d solve(const Residual &residual, const Eigen::Vector3d &position) const
   {
-    const double depth = flat_lie()(0);
-    return lie_where(residual, lie, { depth, depth / contact_radius, depth / contact_radius });
+    const double depth = flat_position()(0);
+    return find_position(residual, position, { depth, depth / contact_radius, depth / contact_radius });
   }
 };
 
@@ -290,8 +290,8 @@ public:
       : foot(foot)
       , part(part)
       , in_balance(false)
-      , at_rest(foot.lie_at_moment(moment_ratio, direction))
-      , lie(at_rest)
+      , at_rest(foot.position_at_moment(moment_ratio, direction))
+      , position(at_rest)
   {
   }
   /// Creates a glass in moment balance at every spin.
@@ -300,18 +300,19 @@ public:
       , part(part)
       , in_balance(true)
       , at_rest(standing(foot, part))
-      , lie(at_rest)
+      , position(at_rest)
   {
   }
 
-  const Eigen::Vector3d &lie_at_rest() const { return at_rest; }
+  const Eigen::Vector3d &position_at_rest() const { return at_rest; }
 
   double torque(double omega)
   {
     if (in_balance)
       follow(omega);
-    const LiftedFoot::Resultants sum = foot.resultants(lie, omega, part);
-    const double lean = in_balance && foot.tilts ? lie(1) * sum.moment.x() + lie(2) * sum.moment.y() : 0;
+    const LiftedFoot::Resultants sum = foot.resultants(position, omega, part);
+    const double lean =
+      in_balance && foot.tilts ? position(1) * sum.moment.x() + position(2) * sum.moment.y() : 0;
     return sum.torque + lean;
   }
 
@@ -340,16 +341,16 @@ private:
   {
     // Friction and acceleration are increased in steps.
     LiftedFoot partly = foot;
-    Eigen::Vector3d lie = foot.flat_lie();
-    lie(1) = 1e-3 * lie(0) / foot.contact_radius;
+    Eigen::Vector3d position = foot.flat_position();
+    position(1) = 1e-3 * position(0) / foot.contact_radius;
     constexpr unsigned int n_parts = 20;
     for (unsigned int i = 1; i <= n_parts; ++i)
     {
       partly.friction = foot.friction * i / n_parts;
       partly.speed = foot.speed * std::sqrt(static_cast<double>(i) / n_parts);
-      lie = partly.lie_in_balance(rest, lie, part);
+      position = partly.position_in_balance(rest, position, part);
     }
-    return lie;
+    return position;
   }
 
   void follow(double omega)
@@ -358,17 +359,17 @@ private:
     while (std::abs(omega - spin) > far)
     {
       spin += omega > spin ? far : -far;
-      lie = foot.lie_in_balance(spin, lie, part);
+      position = foot.position_in_balance(spin, position, part);
     }
     spin = omega;
-    lie = foot.lie_in_balance(spin, lie, part);
+    position = foot.position_in_balance(spin, position, part);
   }
 
   static constexpr double rest = 1e-9; ///< [rad/s]
   const Friction part;
   const bool in_balance;
   const Eigen::Vector3d at_rest;
-  Eigen::Vector3d lie;
+  Eigen::Vector3d position;
   double spin = rest;
 };
 

@@ -21,29 +21,30 @@ struct PlainPoint
   double x, y, force; ///< [m], [N]
 };
 
-/// Returns the zero of @p residual(lie) by damped Newton's method with difference quotients; entries in units
-/// of @p scale. Throws std::runtime_error if it does not converge.
+/// Returns the zero of @p residual(position) by damped Newton's method with difference quotients; entries in
+/// units of @p scale. Throws std::runtime_error if it does not converge.
 template <typename Residual>
-Eigen::Vector3d lie_where(const Residual &residual, Eigen::Vector3d lie, const Eigen::Vector3d &scale)
+Eigen::Vector3d find_position(const Residual &residual, Eigen::Vector3d position,
+                              const Eigen::Vector3d &scale)
 {
   for (unsigned int step = 0; step < 60; ++step)
   {
-    const Eigen::Vector3d now = residual(lie);
+    const Eigen::Vector3d now = residual(position);
     Eigen::Matrix3d slope;
     for (int k = 0; k < 3; ++k)
     {
-      Eigen::Vector3d there = lie;
+      Eigen::Vector3d there = position;
       there(k) += 1e-6 * scale(k);
       slope.col(k) = (residual(there) - now) / 1e-6;
     }
     const Eigen::Vector3d change = -slope.partialPivLu().solve(now);
     double length = 1;
     while (length > 1e-3 && now.norm() > 1e-10 &&
-           !(residual(lie + length * scale.cwiseProduct(change)).norm() < now.norm()))
+           !(residual(position + length * scale.cwiseProduct(change)).norm() < now.norm()))
       length /= 2;
-    lie += length * scale.cwiseProduct(change);
+    position += length * scale.cwiseProduct(change);
     if (change.norm() < 1e-10)
-      return lie;
+      return position;
   }
   throw std::runtime_error("Newton's method of the plain foot did not converge");
 }
@@ -67,18 +68,18 @@ struct PlainRigidFoot
     return foot;
   }
 
-  std::vector<PlainPoint> forces(const Eigen::Vector3d &lie) const
+  std::vector<PlainPoint> forces(const Eigen::Vector3d &position) const
   {
     using Gauss = boost::math::quadrature::gauss<double, 10>;
     std::vector<PlainPoint> points;
     for (unsigned int j = 0; j < n_azimuths; ++j)
     {
       const double theta = 2 * ring::pi * j / n_azimuths, c = std::cos(theta), s = std::sin(theta);
-      const double slope = lie(1) * c + lie(2) * s, lift = wave(theta);
+      const double slope = position(1) * c + position(2) * s, lift = wave(theta);
       const auto depth = [&](double r)
       {
         const double off = r - contact_radius;
-        return lie(0) + slope * r - lift - (crown_radius > 0 ? off * off / (2 * crown_radius) : 0);
+        return position(0) + slope * r - lift - (crown_radius > 0 ? off * off / (2 * crown_radius) : 0);
       };
       double from = inner_radius, to = outer_radius;
       if (pulls_apart && crown_radius > 0)
@@ -89,7 +90,7 @@ struct PlainRigidFoot
         to = std::min(to, top + half_width);
       }
       else if (pulls_apart && depth(from) * depth(to) < 0)
-        (depth(from) < 0 ? from : to) = (lift - lie(0)) / slope;
+        (depth(from) < 0 ? from : to) = (lift - position(0)) / slope;
       if (!(to > from) || (pulls_apart && !(depth((from + to) / 2) > 0)))
         continue;
       const double piece = (to - from) / n_pieces;
@@ -106,26 +107,26 @@ struct PlainRigidFoot
   }
 
   /// Returns the position under a normal force and a moment (sum y f, -sum x f).
-  Eigen::Vector3d lie_under(double force, double moment_x, double moment_y, double depth) const
+  Eigen::Vector3d position_under(double force, double moment_x, double moment_y, double depth) const
   {
-    const auto residual = [&](const Eigen::Vector3d &lie)
+    const auto residual = [&](const Eigen::Vector3d &position)
     {
       Eigen::Vector3d sum(-force, -moment_x / contact_radius, -moment_y / contact_radius);
-      for (const PlainPoint &point : forces(lie))
+      for (const PlainPoint &point : forces(position))
         sum += point.force * Eigen::Vector3d(1, point.y / contact_radius, -point.x / contact_radius);
       return Eigen::Vector3d(sum / force);
     };
     const double tilt = depth / contact_radius;
     // The moment is increased in steps.
-    Eigen::Vector3d lie(depth, 0, 0);
+    Eigen::Vector3d position(depth, 0, 0);
     const double full_x = moment_x, full_y = moment_y;
     for (unsigned int part = 0; part <= 8; ++part)
     {
       moment_x = full_x * part / 8;
       moment_y = full_y * part / 8;
-      lie = lie_where(residual, lie, { depth, tilt, tilt });
+      position = find_position(residual, position, { depth, tilt, tilt });
     }
-    return lie;
+    return position;
   }
 };
 
@@ -153,10 +154,10 @@ struct PlainMotion
 /// mass.
 struct PlainGlass
 {
-  PlainGlass(const std::vector<PlainPoint> &points, const Eigen::Vector3d &lie, double omega,
+  PlainGlass(const std::vector<PlainPoint> &points, const Eigen::Vector3d &position, double omega,
              const PlainMotion &motion)
   {
-    const Eigen::Vector3d axis(lie(1), lie(2), 1);
+    const Eigen::Vector3d axis(position(1), position(2), 1);
     const Eigen::Vector3d centre = motion.centre_of_mass_height * axis;
     for (const PlainPoint &point : points)
     {
@@ -183,21 +184,21 @@ struct PlainGlass
 
 /// Returns the position of a glass on @p foot in balance at the spin @p omega: vertical force and horizontal
 /// moments vanish.
-inline Eigen::Vector3d lie_in_balance(const PlainRigidFoot &foot, const PlainMotion &motion, double omega,
-                                      const Eigen::Vector3d &start, double depth)
+inline Eigen::Vector3d position_in_balance(const PlainRigidFoot &foot, const PlainMotion &motion,
+                                           double omega, const Eigen::Vector3d &start, double depth)
 {
   const double weight = motion.mass * motion.gravity, tilt = depth / foot.contact_radius;
-  const auto residual = [&](const Eigen::Vector3d &lie)
+  const auto residual = [&](const Eigen::Vector3d &position)
   {
-    const std::vector<PlainPoint> points = foot.forces(lie);
+    const std::vector<PlainPoint> points = foot.forces(position);
     double force = -weight;
     for (const PlainPoint &point : points)
       force += point.force;
-    const PlainGlass glass(points, lie, omega, motion);
+    const PlainGlass glass(points, position, omega, motion);
     return Eigen::Vector3d(force / weight, glass.moment.x() / (weight * foot.contact_radius),
                            glass.moment.y() / (weight * foot.contact_radius));
   };
-  return lie_where(residual, start, { depth, tilt, tilt });
+  return find_position(residual, start, { depth, tilt, tilt });
 }
 
 } // namespace stemware::verification

@@ -146,7 +146,8 @@ std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
   add_if(!study.table.is_hard(), "compliance of the interface",
          [](Variant &other)
          {
-           constexpr unsigned int max_degree = 2; // the omitted phases matter more
+           constexpr unsigned int max_degree =
+             2; // the error of the phases is larger than the error of degree 2
            other.study.table.interface = TableInterface::hard;
            if (other.study.has_waviness())
              other.study.contact.degree = std::min(other.study.contact.degree, max_degree);

@@ -114,7 +114,7 @@ double Study::spin_scale() const
     const double share = std::abs(required.moment_x) / (required.normal_force * glass.profile.contact_radius);
     return share < 1e-12 ? unit : unit * std::clamp(2 * share, 1e-6, 1.);
   }
-  catch (const ring::Tipping &) // a model of the chain
+  catch (const ring::Tipping &) // possible for a model of the budget
   {
     return unit;
   }

@@ -98,7 +98,7 @@ TEST_P(FootMeshOfShape, BoundaryIdsMarkLandAndCut)
 {
   GlassProfile profile;
   profile.shape = GetParam();
-  profile.underside_rise = 0; // the land is bounded by its borders only
+  profile.underside_rise = 0; // flat underside: the boundary ids must end at the borders of the land
   Triangulation<3> triangulation;
   make_foot_mesh(profile, { 16, 4, 1 }, triangulation);
   unsigned int n_land = 0;

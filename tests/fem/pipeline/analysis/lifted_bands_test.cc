@@ -115,7 +115,7 @@ private:
   {
     LiftedGlass glass = state.glass(LiftedFoot::Friction::whole);
     const LiftedFoot foot = glass.foot;
-    const LiftedFoot::Contact at_rest(foot, glass.lie_at_rest());
+    const LiftedFoot::Contact at_rest(foot, glass.position_at_rest());
     std::map<std::string, double> truth = { { "contact_fraction", at_rest.azimuth_share() },
                                             { "azimuth_fraction", at_rest.azimuth_share() },
                                             { "peak_pressure", at_rest.largest_pressure() },

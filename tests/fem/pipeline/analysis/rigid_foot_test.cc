@@ -252,17 +252,17 @@ struct WavyFoot
 
   verification::PlainGlass at(double omega, std::vector<verification::PlainPoint> *points = nullptr)
   {
-    lie = verification::lie_in_balance(plain, motion, omega, lie, depth);
-    const std::vector<verification::PlainPoint> forces = plain.forces(lie);
+    position = verification::position_in_balance(plain, motion, omega, position, depth);
+    const std::vector<verification::PlainPoint> forces = plain.forces(position);
     if (points)
       *points = forces;
-    return { forces, lie, omega, motion };
+    return { forces, position, omega, motion };
   }
 
   Study study = test::mat_study();
   verification::PlainRigidFoot plain;
   verification::PlainMotion motion;
-  Eigen::Vector3d lie = { depth, 0, 0 };
+  Eigen::Vector3d position = { depth, 0, 0 };
 };
 
 TEST(RigidFoot, WavyFootAgreesAtEveryPhase)

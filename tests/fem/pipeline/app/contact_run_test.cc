@@ -66,7 +66,7 @@ TEST(ContactRun, EqualStudiesGiveEqualFiles)
 TEST(ContactRun, LoadFileContinuesFromHarmonics)
 {
   const ScratchFolder scratch;
-  const auto contact = run(scratch, { "Contact/Rings=1" }, "contact"); // a file has one ring
+  const auto contact = run(scratch, { "Contact/Rings=1" }, "contact"); // one ring, as in a load file
   const auto ring = run(scratch, { "Load/Source=file", "Load/File=contact/harmonics.dat" }, "ring");
   EXPECT_EQ(ring["load"]["a"], contact["load"]["a"]);
   EXPECT_EQ(ring["load"]["b"], contact["load"]["b"]);

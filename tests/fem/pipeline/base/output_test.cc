@@ -96,7 +96,7 @@ TEST(ResultsFolder, ReplacesItsOwnFilesAndKeepsHiddenFiles)
   scratch.write("paper/.ipynb_checkpoints/note", "mine");
   ResultsFolder folder(scratch / "paper");
   folder.open();
-  write_text_file(folder.working_folder() / "summary.json", "new"); // and no fields
+  write_text_file(folder.working_folder() / "summary.json", "new"); // without fields
   folder.publish();
   EXPECT_EQ(read_text(scratch / "paper/summary.json"), "new");
   EXPECT_EQ(names_in(scratch / "paper"),

@@ -20,7 +20,7 @@ TEST(Text, ClosestMatchToleratesTypingErrors)
   const std::vector<std::string> words = { "run", "truncate", "converge", "sweep" };
   EXPECT_EQ(closest_match("rum", words), "run");
   EXPECT_EQ(closest_match("CONVEGRE", words), "converge");
-  EXPECT_EQ(closest_match("xyz", words), std::nullopt); // no letter of run is left
+  EXPECT_EQ(closest_match("xyz", words), std::nullopt); // differs from "run" in every letter
   EXPECT_EQ(closest_match("frobnicate", words), std::nullopt);
   EXPECT_EQ(closest_match(std::string(10000000, 'r'), words), std::nullopt);
 }

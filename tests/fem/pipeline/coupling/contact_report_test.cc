@@ -126,7 +126,7 @@ TEST(ContactReport, LoadReportAgreesWithSumsOverThePressure)
     }
     EXPECT_NEAR(load.mean_radius, first_moment / force, 1e-9 * rim);
     EXPECT_GT(std::abs(load.rings.radius() - load.mean_radius),
-              1e-7 * rim); // differs from the radius of one ring
+              1e-7 * rim); // one ring has another radius than the mean of the load
     EXPECT_NEAR(load.moment_ratio, 2 * centre.norm() / (force * rim), 1e-8);
     EXPECT_NEAR(moment_ratio, 2 * centre.norm() / (force * rim), 1e-8);
   };
