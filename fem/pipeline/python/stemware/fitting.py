@@ -72,7 +72,7 @@ class _Run:
         turn = np.median(self.values[-max(self.time.size // 4, 1):]) - (self.values[0] if self.is_angle else 0)
         self.turns_back = turn * model[-1] < 0 and abs(turn) > 5 * scatter
 
-    def flaws(self, left):
+    def find_misfits(self, left):
         """Yields warnings about a model with the residuals `left`, measured less fitted."""
         if self.turns_back:
             yield "the glass of the study turns the other way; change the sign of the values, or Motion/Orbit sense"
@@ -100,7 +100,7 @@ class _Problem:
     each divided by its scale."""
 
     def __init__(self, runs, free, threads):
-        self.runs, self.free, self.known, self.warm = runs, list(free), {}, {}
+        self.runs, self.free, self.cache, self.warm = runs, list(free), {}, {}
         self.threads = 1 if any(run.study._study.is_collective for run in runs) else threads
         rows = [self._entry(path, prior) for path, prior in free.items()]
         for r, run in enumerate(runs):
@@ -109,9 +109,9 @@ class _Problem:
                      ("zero" + own, run.unit, run.guess[1], np.ptp(run.values) / 10, -np.inf, np.inf, *run.zero)]
         names, units, *columns = zip(*rows)
         self.guess, *columns = np.array(columns)
-        self.sought = columns[-1] > 0  # a standard deviation of 0 fixes the value
-        self.names, self.units = ([one for one, sought in zip(words, self.sought) if sought] for words in (names, units))
-        self.scale, self.lower, self.upper, self.prior, self.spread = (one[self.sought] for one in columns)
+        self.is_fitted = columns[-1] > 0  # a standard deviation of 0 fixes the value
+        self.names, self.units = ([one for one, fitted in zip(words, self.is_fitted) if fitted] for words in (names, units))
+        self.scale, self.lower, self.upper, self.prior, self.spread = (one[self.is_fitted] for one in columns)
 
     def _entry(self, path, prior):
         study = self.runs[0].study.copy()
@@ -140,7 +140,7 @@ class _Problem:
     def _models(self, points):
         """Returns the model at the times of all runs, one row per point of `points`; NaN without a spin-up. Threads solve the loads."""
         n, rows = len(self.free), np.array([self.guess] * len(points))
-        rows[:, self.sought] = points * self.scale
+        rows[:, self.is_fitted] = points * self.scale
         load_of = lambda r, row: (r, *(value for path, value in zip(self.free, row) if path not in _not_of_the_load))
         jobs = {load_of(r, row): (r, row[:n], slot) for slot, row in reversed([*enumerate(rows)]) for r in range(len(self.runs))}
         with concurrent.futures.ThreadPoolExecutor(self.threads) as pool:
@@ -156,10 +156,10 @@ class _Problem:
 
     def evaluate(self, x):
         """Returns the model at the times of all runs and its derivatives with respect to x."""
-        if x.tobytes() not in self.known:
+        if x.tobytes() not in self.cache:
             first, *moved = self._models(np.vstack([x, x + 1e-3 * np.eye(x.size)]))
-            self.known = {x.tobytes(): (first, np.nan_to_num((np.array(moved) - first).T / 1e-3))}  # NaN after the glass tips
-        return self.known[x.tobytes()]
+            self.cache = {x.tobytes(): (first, np.nan_to_num((np.array(moved) - first).T / 1e-3))}  # NaN after the glass tips
+        return self.cache[x.tobytes()]
 
     def all(self, key):
         return np.concatenate([getattr(run, key) for run in self.runs])
@@ -177,7 +177,7 @@ class _Problem:
         covariance = np.linalg.pinv(slopes.T @ slopes, hermitian=True) + np.diag(np.where(slopes.any(axis=0), 0, 1e30))
         return covariance, 1 - np.sum((slopes @ covariance) * slopes, axis=1)[:-x.size]
 
-    def take_noise(self, x):
+    def update_sigma(self, x):
         """Sets sigma, where the user gave none, to the standard deviation of the residuals. Returns the relative change of sigma."""
         factor = np.sqrt(np.sum(self.residuals(x)[:-x.size] ** 2) / max(np.sum(self.covariance(x)[1]), 1.0))
         for run in (without := [run for run in self.runs if not run.has_sigma]):
@@ -212,7 +212,7 @@ class Fit:
         self.warnings = [f"{self.names[i]} and {self.names[j]} are known together only (correlation {self.correlation[i, j]:.3f}); "
                          "a run with the hand at another height or speed separates them" for i, j in together]
         for r, (run, one) in enumerate(zip(problem.runs, self.runs)):
-            self.warnings += [f"run {r + 1}: " * (len(self.runs) > 1) + words for words in run.flaws(one["residuals"])]
+            self.warnings += [f"run {r + 1}: " * (len(self.runs) > 1) + words for words in run.find_misfits(one["residuals"])]
 
     def __repr__(self):
         rows = [f"{name:32}{self.values[name]:.6g} ± {error:.2g} {self.units[name]}" for name, error in self.standard_errors.items()]
@@ -243,12 +243,12 @@ def fit(study: Any, time: Any, omega: Any = None, free: Any = (), sigma: Any = N
     if not free:
         raise ring.BadInput('no entry is free; give free=["Motion/Friction coefficient"]')
     problem = _Problem([_Run(*one) for one in zip(*given)], free, threads)
-    x, bounds = problem.guess[problem.sought] / problem.scale, (problem.lower / problem.scale, problem.upper / problem.scale)
+    x, bounds = problem.guess[problem.is_fitted] / problem.scale, (problem.lower / problem.scale, problem.upper / problem.scale)
     if idle := [name for name, slope in zip(problem.names, problem.jacobian(x).T) if not slope.any()]:
         raise ring.BadInput(f"{idle[0]} has no effect on this spin-up; leave it out of free")
     for _ in range(5):
         found = least_squares(problem.residuals, x, problem.jacobian, bounds, x_scale="jac", ftol=1e-7, xtol=1e-7, max_nfev=50)
-        if problem.take_noise(x := found.x) < 0.01:
+        if problem.update_sigma(x := found.x) < 0.01:
             break
     result = Fit(problem, x)
     result.warnings += ["the search did not end; give other values of the entries in the study"] * (found.status == 0)

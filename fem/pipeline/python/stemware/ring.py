@@ -429,7 +429,7 @@ def limit_surface(load: Union[RingStack, Pressure, Patch], n: int = 361, about: 
                         radius, load if isinstance(load, Pressure) and not any(point) else None)
 
 
-def _ask(load, motion, grip_torque, all=False, times=()):
+def _solve(load, motion, grip_torque, all=False, times=()):
     """Returns _ring.answer() for the arguments of answer()."""
     def at(omega):
         found = load(omega)
@@ -464,7 +464,7 @@ def answer(load: Load, motion: Optional[Motion] = None, grip_torque: float = 0.0
     >>> round(answer(paper).omega, 9)
     -3.120558702
     """
-    spin, spins, at_rest, scale, _ = _ask(load, motion, grip_torque, all)
+    spin, spins, at_rest, scale, _ = _solve(load, motion, grip_torque, all)
     [spin], spins = ([dict(zip(some.dtype.names, one)) for one in some.tolist()] for some in (spin, spins))
     return Answer(**spin, torque_at_rest=at_rest, spin_scale=scale, all=spins)
 
@@ -472,7 +472,7 @@ def answer(load: Load, motion: Optional[Motion] = None, grip_torque: float = 0.0
 def spin_up(load: Load, times: ArrayLike, motion: Optional[Motion] = None, grip_torque: float = 0.0) -> Dict[str, np.ndarray]:
     """Returns the spin-up from rest at equally spaced times [s], a dict of arrays time, yaw_angle [rad] and omega [rad/s]; NaN
     after the glass has tipped. For the other arguments see answer()."""
-    return _columns(_ask(load, motion, grip_torque, times=times)[-1])
+    return _columns(_solve(load, motion, grip_torque, times=times)[-1])
 
 
 def yaw_motion(torque: Callable[[float, float, float], float], *, yaw_inertia: float, times: ArrayLike,
