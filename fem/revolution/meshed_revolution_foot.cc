@@ -5,6 +5,9 @@
 #include "fem/revolution/pressure_field.h"
 #include "fem/revolution/revolution_output.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace stemware::fem
 {
 
@@ -67,10 +70,17 @@ MeridianField MeshedRevolutionFoot::field(const ContactState &state) const
   const Zone &zone = zone_of(state);
   const ContactCompliance &part = zone.body.contact_compliance();
   const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
+  // Each harmonic costs one factorisation: those above the last one with 1e-4 of the mean load are left out.
+  const auto load = [&](Eigen::Index mode)
+  { return std::abs(modes.normal.col(mode).sum()) / FourierBasis::norm(static_cast<unsigned int>(mode)); };
+  Eigen::Index n_modes = modes.normal.cols();
+  while (n_modes > 3 && std::max(load(n_modes - 1), load(n_modes - 2)) < 1e-4 * load(0))
+    n_modes -= 2;
+  const auto kept = [&](const Eigen::MatrixXd &forces) -> Eigen::MatrixXd
+  { return part.extended_to_land(forces.leftCols(std::min(n_modes, forces.cols()))); };
   return { meridian().space,
            setup.material,
-           { part.extended_to_land(modes.normal), part.extended_to_land(modes.radial),
-             part.extended_to_land(modes.azimuthal) } };
+           { kept(modes.normal), kept(modes.radial), kept(modes.azimuthal) } };
 }
 
 std::vector<FieldFile> MeshedRevolutionFoot::fields(const ContactState &state) const

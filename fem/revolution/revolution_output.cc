@@ -153,7 +153,7 @@ private:
   }
 
   /// Returns the number of azimuths: four per wavelength of the highest harmonic, a multiple of the span.
-  unsigned int n_azimuths() const { return std::max(4 * (field.n_modes() - 1) / 2, 64u) / span * span; }
+  unsigned int n_azimuths() const { return std::max(4 * (field.n_modes() - 1) / 2, 48u) / span * span; }
 
   /// Returns the load [N] of a contact cell that is divided into @p n_pieces, by the trapezoidal rule at the
   /// output nodes.
