@@ -43,7 +43,7 @@ ring::CurveSource rim_source(const std::vector<double> &kinks = {})
            kinks };
 }
 
-TEST(AdaptiveCurve, StatedErrorHolds)
+TEST(AdaptiveCurve, StatedErrorContainsTheTrueError)
 {
   // An unknown kink stays between nodes and takes more pieces.
   for (const bool is_known : { false, true })

@@ -80,7 +80,7 @@ TEST(CoulombRing, DependsOnTheFirstHarmonicOnlyAtRest)
   }
 }
 
-TEST(CoulombRing, TruncationBoundHolds)
+TEST(CoulombRing, TruncationErrorStaysBelowTheBound)
 {
   test::Numbers numbers(10);
   for (unsigned int trial = 0; trial < 500; ++trial)

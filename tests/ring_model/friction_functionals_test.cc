@@ -32,7 +32,7 @@ TEST(FrictionFunctionals, AgreeWithQuadrature)
   }
 }
 
-TEST(FrictionFunctionals, IgnoreHarmonicsAboveTheirOwn)
+TEST(FrictionFunctionals, IgnoreHarmonicsAboveTheGivenMaximum)
 {
   const Wrench kept = coulomb_wrench(mu, load.truncated(1), 4., speed);
   const FrictionFunctionals friction = friction_functionals(CoulombLaw(mu), radii, 1, 4., speed);

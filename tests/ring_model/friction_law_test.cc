@@ -46,7 +46,7 @@ TEST(FrictionLaw, QuadratureOfAConstantLawAgreesWithTheKernels)
   }
 }
 
-TEST(FrictionLaw, TheTruncationBoundHoldsUnderStribecksLaw)
+TEST(FrictionLaw, TruncationErrorStaysBelowTheBoundUnderStribecksLaw)
 {
   Motion motion;
   motion.friction_law = FrictionLawKind::stribeck;
@@ -82,7 +82,7 @@ TEST(FrictionLaw, ViscousFrictionIsLinearInTheSlip)
   expect_relative(found.torque, c * R * pi * (speed * load.b(1) - 2. * load.a(0) * omega * R), 1e-12, "tau");
 }
 
-TEST(FrictionLaw, StribeckCoefficientHasItsLimits)
+TEST(FrictionLaw, StribeckCoefficientApproachesItsLimits)
 {
   const StribeckLaw law({ 0.5, 0.3, 0.05, 0.1, 1. });
   EXPECT_DOUBLE_EQ(law.coefficient(0.), 0.5);

@@ -26,7 +26,7 @@ Motion motion_of(const nlohmann::json &row)
   return motion;
 }
 
-TEST(Closures, FirstHarmonicRowsOfTheReference)
+TEST(Closures, AgreeWithTheReferenceForTheFirstHarmonic)
 {
   for (const auto &row : reference()["closures_first_harmonic"])
   {
@@ -58,7 +58,7 @@ TEST(Closures, FirstHarmonicRowsOfTheReference)
   }
 }
 
-TEST(Closures, TorqueCurveOfThePaper)
+TEST(Closures, ReproduceTheTorqueCurveOfThePaper)
 {
   const SelfConsistentRing ring(Closure::paper, Motion(), 0.03);
   const auto &curve = reference()["torque_curve_A"];
@@ -90,7 +90,7 @@ TEST(Closures, ReversedOrbitIsTheMirrorImage)
   }
 }
 
-TEST(Closures, BalanceOfMomentsAboutTheCentreOfMass)
+TEST(Closures, BalanceTheMomentsAboutTheCentreOfMass)
 {
   // Oracle: cross products of the forces with their heights, in three dimensions.
   Motion motion;
@@ -115,7 +115,7 @@ TEST(Closures, BalanceOfMomentsAboutTheCentreOfMass)
   }
 }
 
-TEST(Closures, PapersOwnParametersLiftTheRing)
+TEST(Closures, PredictLiftOffForTheParametersOfThePaper)
 {
   const auto &check = reference()["paper_liftoff_check"];
   const Motion motion;

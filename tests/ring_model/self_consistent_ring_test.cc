@@ -10,7 +10,7 @@ namespace
 using test::expect_relative;
 using test::reference;
 
-TEST(UnilateralRim, ClosureRowsOfTheReference)
+TEST(UnilateralRim, AgreesWithTheReferenceClosures)
 {
   for (const auto &row : reference()["closures_C_unilateral"]["cases"])
   {

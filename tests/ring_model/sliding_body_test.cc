@@ -15,7 +15,7 @@ namespace
 using test::expect_relative;
 using test::reference;
 
-TEST(SlidingBody, UniformRingRowsOfTheReference)
+TEST(SlidingBody, AgreesWithTheReferenceForAUniformRing)
 {
   const auto &rows = reference()["literature"]["ring_uniform"];
   for (std::size_t i = 0; i < rows["eps"].size(); ++i)
@@ -27,7 +27,7 @@ TEST(SlidingBody, UniformRingRowsOfTheReference)
   }
 }
 
-TEST(SlidingBody, AnnulusRowsOfTheReference)
+TEST(SlidingBody, AgreesWithTheReferenceForAnAnnulus)
 {
   for (const auto &row : reference()["literature"]["annulus_free_terminal"]["rows"])
   {
@@ -61,7 +61,7 @@ TEST(SlidingBody, DiscAgreesWithReferenceAndClosedForms)
   }
 }
 
-TEST(SlidingBody, HertzPressureHasItsClosedForms)
+TEST(SlidingBody, AgreesWithTheClosedFormsUnderHertzPressure)
 {
   const auto root = [](const std::vector<double> &radii)
   {

@@ -33,7 +33,7 @@ double last_spin(const TorqueFunction &torque, const SpinSearch &search)
   return std::nan("");
 }
 
-TEST(SpinSearch, TorqueWithinNoiseAtRestGivesNoSpin)
+TEST(SpinSearch, GivesNoSpinIfTheTorqueAtRestIsWithinTheNoise)
 {
   // Zeros: -1e-12, unstable, and 0.2, stable.
   const auto torque = [](double omega) { return (omega + 1e-12) * (0.2 - omega); };
@@ -46,7 +46,7 @@ TEST(SpinSearch, TorqueWithinNoiseAtRestGivesNoSpin)
   EXPECT_NEAR(find_terminal_spin(torque, search).omega, 0.2, 1e-11);
 }
 
-TEST(SpinSearch, ABadInitialGuessNeedsFewEvaluations)
+TEST(SpinSearch, RecoversFromABadInitialGuessInFewEvaluations)
 {
   const SelfConsistentRing ring(Closure::full, Motion(), radius);
   const auto torque = [&](double omega) { return ring.torque(omega); };
@@ -108,7 +108,7 @@ TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorque)
     }
 }
 
-TEST(SpinSearch, AStrongGripHoldsTheGlassAtRest)
+TEST(SpinSearch, FindsRestUnderAStrongGrip)
 {
   // |torque(0)| = mu M_x = 0.003675 N m.
   const SelfConsistentRing ring(Closure::full, Motion(), radius);
@@ -195,7 +195,7 @@ TEST(SpinSearch, FindsANarrowGapByTheStabilityMargin)
     }
 }
 
-TEST(SpinSearch, ATorqueJumpAtALowMarginIsTipping)
+TEST(SpinSearch, ReportsTippingAtATorqueJumpWithALowMargin)
 {
   // At 0.7 rad/s the torque jumps to a second balance, whose margin may have any size. The same change within
   // 2e-3 rad/s is no jump.

@@ -27,7 +27,7 @@ double terminal_slip_ratio(const LoadOfMoment &load, double moment_ratio)
   return terminal_spin(load(force, Eigen::Vector2d(0.5 * force * moment_ratio, 0.)), motion).omega;
 }
 
-TEST(TerminalSpin, RadialLoadRowsOfTheReference)
+TEST(TerminalSpin, AgreesWithTheReferenceUnderARadialLoad)
 {
   const auto first_harmonic = [](double force, const Eigen::Vector2d &moment)
   { return RingStack::first_harmonic(force, moment, 1.); };

@@ -25,12 +25,12 @@ void expect_reference_rows(const char *table, double exponent)
   }
 }
 
-TEST(UnilateralFoundation, LinearMatRowsOfTheReference)
+TEST(UnilateralFoundation, AgreesWithTheReferenceOnALinearMat)
 {
   expect_reference_rows("contact_winkler_linear", 1.);
 }
 
-TEST(UnilateralFoundation, TorusRimRowsOfTheReference)
+TEST(UnilateralFoundation, AgreesWithTheReferenceForATorusRim)
 {
   expect_reference_rows("contact_torus_winkler", 1.5);
 }

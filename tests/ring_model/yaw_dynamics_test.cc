@@ -18,7 +18,7 @@ using test::expect_relative;
 using test::reference;
 
 /// Moment balance `paper`, yaw inertia of the reference.
-TEST(PaperSpinUp, FollowsTheReferenceRows)
+TEST(PaperSpinUp, AgreesWithTheReference)
 {
   const nlohmann::json &rows = reference()["time_evolution_A"];
   const double inertia = rows["Iz"];

@@ -67,7 +67,7 @@ std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns
 }
 } // namespace
 
-TEST(YawMotion, TurnsLikeAPendulum)
+TEST(YawMotion, AgreesWithAPendulum)
 {
   // I psi'' = -A sin psi from psi = 0 at omega_0: omega = omega_0 dn(omega_0 t / 2, k), psi = 2 asin sn.
   const double spin = 7., stiffness = 3e-3, modulus = 2. * std::sqrt(stiffness / inertia) / spin;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Spin of a glass with a rigid, flat land on a mat while the hand accelerates: the constants of
-OrbitSpeed.BandOfADrivenSpinHolds. Plane quadrature of the friction over the land, whose pressure is linear in x and
+OrbitSpeed.ErrorBandOfADrivenSpinContainsTheError. Plane quadrature of the friction over the land, whose pressure is linear in x and
 y in balance with all moments, and the classical Runge-Kutta scheme. No code of Stemware.
 
     driven_flat_land.py

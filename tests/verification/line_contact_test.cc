@@ -56,7 +56,7 @@ TEST(LineContact, OracleAgreesWithPublishedValues)
   EXPECT_NEAR(contact.harmonic(4), 5.06792626489e-5, 6e-9);
 }
 
-TEST(LineContact, CrownedRingInFullContactAgrees)
+TEST(LineContact, AgreesWithTheOracleOnACrownedRingInFullContact)
 {
   const LineContact expected(0.5, 256, slenderness);
   const ContactLoad load = press_ring(0.5, 65); // an odd number of lines
@@ -68,7 +68,7 @@ TEST(LineContact, CrownedRingInFullContactAgrees)
     EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), 1.5e-5) << "n = " << n;
 }
 
-TEST(LineContact, CrownedRingWithLiftOffAgrees)
+TEST(LineContact, AgreesWithTheOracleOnACrownedRingWithLiftOff)
 {
   const LineContact expected(1.3, 512, slenderness);
   const unsigned int n_lines = 128;

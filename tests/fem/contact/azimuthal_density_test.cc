@@ -41,7 +41,7 @@ std::vector<double> forces_on(const ContactSurface &surface)
 
 } // namespace
 
-TEST(AzimuthalDensity, OfRadialLinesIsTheDensityAtTheirAzimuths)
+TEST(AzimuthalDensity, EqualsTheDensityAtTheAzimuthsOfRadialLines)
 {
   ContactSurface surface = lines_round_the_rim(40, 0.05);
   surface.lines_are_radial = true;
@@ -51,7 +51,7 @@ TEST(AzimuthalDensity, OfRadialLinesIsTheDensityAtTheirAzimuths)
     EXPECT_NEAR(place.density, density_at(place.azimuth), 1e-12) << place.azimuth;
 }
 
-TEST(AzimuthalDensity, OfOtherLinesIsTheSectorMean)
+TEST(AzimuthalDensity, EqualsTheSectorMeanOnLinesThatAreNotRadial)
 {
   // The mean of a first harmonic over a sector is its value at the middle times sin(h) / h, h half a sector.
   ContactSurface surface = lines_round_the_rim(4000, pi / 4000);
@@ -64,7 +64,7 @@ TEST(AzimuthalDensity, OfOtherLinesIsTheSectorMean)
       << place.azimuth;
 }
 
-TEST(AzimuthalDensity, OfNodesIsTheSectorMean)
+TEST(AzimuthalDensity, EqualsTheSectorMeanOfNodalForces)
 {
   // Two nodes to a sector, of equal distance.
   const unsigned int n_nodes = 40;

@@ -180,7 +180,7 @@ struct PlatePressure
 
 } // namespace
 
-TEST(ContactExtent, OfWideLandsAgreesWithTheClosedForm)
+TEST(ContactExtent, AgreesWithTheClosedFormOfWideLands)
 {
   struct Row
   {
@@ -239,7 +239,7 @@ TEST(ContactExtent, IsExactlyOneInFullContact)
 
 // Code_Aster V6.02.130: a square of 2 m under 80/3 N at 0.5 m from its centre, on 5000 Pa/m. One edge
 // penetrates by 4/1125 m, the opposite edge is 4/3375 m above the mat.
-TEST(ContactExtent, OfARigidPlateAgreesWithCodeAster)
+TEST(ContactExtent, AgreesWithCodeAsterUnderARigidPlate)
 {
   PlaneLand land;
   const Pressed found = pressed_at(plate(land, 2, 2, 8), 80. / 3, 0, 0.5, 5000);
@@ -273,7 +273,7 @@ TEST(ContactExtent, AFootTipsAtTheBorderOfItsConvexHull)
 
 // Closed form if a triangle is loaded: p = 6 N / (a b) at the corner, with legs a and b of four times the
 // distance of the load from the edges. Otherwise LiftedSquare.
-TEST(ContactExtent, OfAPlateUnderBiaxialEccentricityAgreesWithTheClosedForm)
+TEST(ContactExtent, AgreesWithTheClosedFormUnderBiaxialEccentricity)
 {
   struct Row
   {
@@ -311,7 +311,7 @@ TEST(ContactExtent, OfAPlateUnderBiaxialEccentricityAgreesWithTheClosedForm)
   }
 }
 
-TEST(ContactExtent, OfACrownedRimAgreesWithQuadrature)
+TEST(ContactExtent, AgreesWithQuadratureUnderACrownedRim)
 {
   // Rigid rim, R = 30 mm, crown 3 mm, on 1e10 Pa/m, N = 2.943 N. Reference: quadrature in r and theta by
   // other code.

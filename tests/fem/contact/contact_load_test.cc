@@ -30,7 +30,7 @@ std::vector<PointForce> ring_of_forces(unsigned int n, double radius)
 }
 } // namespace
 
-TEST(ContactLoad, HasTheHarmonicsOfAKnownDensity)
+TEST(ContactLoad, ReproducesTheHarmonicsOfAGivenDensity)
 {
   const ContactLoad load = harmonics_of(ring_of_forces(40, 0.03), 4);
   const double a[] = { 0.5, 0.3, 0.05, 0, 0 };
@@ -59,7 +59,7 @@ TEST(ContactLoad, RadiusPreservesTheMomentOfTwoRings)
               pi * load.radius() * std::hypot(load.a(1), load.b(1)), ulps(5, load.normal_force() * 0.03));
 }
 
-TEST(ContactLoad, RadiusWithoutMomentIsTheLimitOfASmallMoment)
+TEST(ContactLoad, RadiusAtZeroMomentIsTheLimitOfASmallMoment)
 {
   std::vector<PointForce> forces;
   for (unsigned int i = 0; i < 24; ++i)
@@ -70,7 +70,7 @@ TEST(ContactLoad, RadiusWithoutMomentIsTheLimitOfASmallMoment)
   EXPECT_NEAR(load.mean_radius, 0.031, ulps(15, 0.031));
 }
 
-TEST(ContactLoad, ManyRingsDoNotAmplifyRoundingOutsideTheirBand)
+TEST(ContactLoad, ManyRingsDoNotAmplifyRoundingOutsideTheContact)
 {
   // 1 N on a narrow band and 1e-16 N at five half-widths, where Lagrange polynomials of 40 rings reach 1e39.
   std::vector<double> radii;

@@ -62,7 +62,7 @@ TEST(Footprint, FindsTheEdgesBetweenGridPoints)
 /// A Gaussian pressure has no edge. The contact width contains 99 % of the load, 2 x 2.5758 standard
 /// deviations, and the mean is 0.99 sqrt(2 pi) / 5.1517 of the largest pressure, independent of the extent of
 /// the map.
-TEST(Footprint, WithoutAnEdgeContainsNinetyNinePercentOfTheLoad)
+TEST(Footprint, ContainsNinetyNinePercentOfTheLoadIfThePressureHasNoEdge)
 {
   const double deviation = 40e-6;
   for (const double reach : { 3.6, 6. })
@@ -83,7 +83,7 @@ TEST(Footprint, WithoutAnEdgeContainsNinetyNinePercentOfTheLoad)
 
 /// Pressure of 60 kPa on the outer half of the land over half the rim, with a single loaded point at the end
 /// of the land: no division of zero by zero.
-TEST(Footprint, HasAMeanAtTheEndOfTheLand)
+TEST(Footprint, MeanIsFiniteIfASingleEndPointIsLoaded)
 {
   PressureMap footprint;
   footprint.is_grid = true;

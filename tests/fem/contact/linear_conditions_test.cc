@@ -87,7 +87,7 @@ void expect_fixed_point(ElasticBody &body, TableLaw &law)
 
 } // namespace
 
-TEST(LinearConditions, FrictionArmUnderARigidFoot)
+TEST(LinearConditions, AgreeWithTheFixedPointOfTheFrictionArmUnderARigidFoot)
 {
   const FootCase foot(GlassProfile(), { 24, 4, 1 });
   RigidFoot rigid(foot.body->contact_surface());
@@ -95,7 +95,7 @@ TEST(LinearConditions, FrictionArmUnderARigidFoot)
   expect_fixed_point(rigid, *law);
 }
 
-TEST(LinearConditions, FrictionArmUnderASolidFoot)
+TEST(LinearConditions, AgreeWithTheFixedPointOfTheFrictionArmUnderASolidFoot)
 {
   for (const TestSolver solver : { TestSolver::factors, TestSolver::multigrid })
   {
@@ -107,7 +107,7 @@ TEST(LinearConditions, FrictionArmUnderASolidFoot)
   }
 }
 
-TEST(LinearConditions, FrictionArmUnderABodyOfRevolution)
+TEST(LinearConditions, AgreeWithTheFixedPointOfTheFrictionArmUnderABodyOfRevolution)
 {
   const GlassProfile profile;
   RevolutionCase foot(profile, foot_compliance(profile, graded_cells(), MeridianOptions{ 2, 16 }), 64);

@@ -70,7 +70,7 @@ double error_of(const Law &law, const GlassProfile &profile, unsigned int land_c
 } // namespace
 
 // The point sums have an error of about 1e-9, under a rough interface 1e-8.
-TEST(PressureIntegration, WinklerToRounding)
+TEST(PressureIntegration, IsExactToRoundingForAWinklerInterface)
 {
   for (const unsigned int land_cells : { 2u, 8u, 40u })
   {
@@ -80,13 +80,13 @@ TEST(PressureIntegration, WinklerToRounding)
 }
 
 /// The stiff spring of a hard interface: contact within a single cell.
-TEST(PressureIntegration, StiffSpringToRounding)
+TEST(PressureIntegration, IsExactToRoundingForAStiffSpring)
 {
   for (const unsigned int land_cells : { 2u, 8u, 40u })
     EXPECT_LT(error_of(WinklerInterface(1e15), GlassProfile(), land_cells, 1e-8, 2e-5), 5e-9) << land_cells;
 }
 
-TEST(PressureIntegration, RoughToRounding)
+TEST(PressureIntegration, IsExactToRoundingForARoughInterface)
 {
   // Mean planes apart, and overlapping.
   for (const double decay_length : { 1e-7, 1e-6, 1e-5 })

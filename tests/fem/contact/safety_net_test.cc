@@ -51,7 +51,7 @@ struct SaturatingInterface : PressureInterface<SaturatingInterface>
 
 } // namespace
 
-TEST(StepLength, DivergingNewtonStepsAreDamped)
+TEST(StepLength, DampsDivergingNewtonSteps)
 {
   const FootCase foot(flat_profile(), { 12, 4, 1 });
   const ContactSurface &surface = foot.body->contact_surface();

@@ -56,7 +56,7 @@ double invert(const Function &value, double target, double low, double high)
 
 } // namespace
 
-TEST(RoughInterface, RigidRingHasBesselHarmonics)
+TEST(RoughInterface, GivesBesselHarmonicsUnderARigidRing)
 {
   // lambda ~ exp(x cos theta): a_n / a_0 = 2 I_n(x) / I_0(x) for any pressure scale and decay length.
   RigidRing ring(thin_ring(0), 256);
@@ -83,7 +83,7 @@ TEST(RoughInterface, RefusesInvalidParameters)
   EXPECT_THROW(make_law(RoughInterface(-1, 1e-6), surface), std::invalid_argument);
 }
 
-TEST(RigidLimit, CrownedRingOnAMat)
+TEST(RigidLimit, AgreesWithTheClosedFormOfACrownedRingOnAMat)
 {
   // Rigid torus, exponent 3/2. Lift-off starts at m = 6/5 with a_2/a_0 = 6/35; other values by quadrature.
   GlassProfile profile = thin_ring(0.003);
@@ -150,7 +150,7 @@ TEST(InterfaceHalfWidth, IntegratesToTheLineLoadUnderACrown)
   EXPECT_NEAR(sum / line_load, 1, 1e-7);
 }
 
-TEST(InterfaceHalfWidth, OfARoughTableIsTwoAndAHalfDeviations)
+TEST(InterfaceHalfWidth, EqualsTwoAndAHalfStandardDeviationsOnARoughTable)
 {
   const double crown_radius = 2e-3;
   const RoughInterface rough(1e9, 1e-6);

@@ -114,7 +114,7 @@ TEST(MeridianMesh, AreaConvergesAtTwiceTheOrderOfTheGeometry)
 
 /// The level of a sharp corner between foot and stem is 1 up to rounding, which must not create a row of
 /// cells.
-TEST(MeridianMesh, HasNoSliverCellsAtASharpCorner)
+TEST(MeridianMesh, AvoidsSliverCellsAtASharpCorner)
 {
   for (const double stem_radius : { 0.004, 0.0045, 0.005, 0.0061, 0.0074774, 0.00761733 })
   {

@@ -85,7 +85,7 @@ std::string refusal_with(std::size_t index, double radius, double height)
 
 } // namespace
 
-TEST(MeridianSection, HasUndersideTopAndStemOfThePolyline)
+TEST(MeridianSection, FindsUndersideTopAndStemOfAPolyline)
 {
   std::vector<std::pair<double, double>> lifted = plain_foot; // heights count from the lowest point
   for (auto &point : lifted)

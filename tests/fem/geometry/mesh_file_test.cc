@@ -51,7 +51,7 @@ TEST(MeshFile, SecondOrderElementsAreReadByTheirCorners)
   }
 }
 
-TEST(MeshFile, SecondOrderElementsNeedARoundRim)
+TEST(MeshFile, RefusesSecondOrderElementsWithAnOvalRim)
 {
   dealii::Triangulation<3> drawn;
   make_foot_mesh(flat_profile(), { 24, 2, 1 }, drawn);

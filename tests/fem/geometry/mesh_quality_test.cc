@@ -61,7 +61,7 @@ TEST(MeshCheck, ContactFacesCoverTheLand)
   EXPECT_NEAR(area / sectors_area(profile, 24), 1, 1e-12);
 }
 
-TEST(MeshCheck, HasTheScaledJacobianOfSkewCells)
+TEST(MeshCheck, ReportsTheScaledJacobianOfSkewCells)
 {
   const MeshCheck brick = check_cube([](const Point<3> &x) { return Point<3>(2 * x[0], 3 * x[1], x[2]); });
   EXPECT_NEAR(brick.min_jacobian, 1, stemware::ulps(5, 1));
@@ -77,7 +77,7 @@ TEST(MeshCheck, HasTheScaledJacobianOfSkewCells)
   EXPECT_LT(folded.min_jacobian, 0);
 }
 
-TEST(MeshCheck, HasTheMeasuresOfAGeneratedFoot)
+TEST(MeshCheck, ReportsTheMeasuresOfAGeneratedFoot)
 {
   Triangulation<3> foot;
   const GlassProfile profile;

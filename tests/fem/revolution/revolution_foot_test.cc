@@ -11,7 +11,7 @@ using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 
 /// Hertz's ellipse by quadrature: R_y / R_x = (k^2 E - K) / (K - E), b^3 = 3 P E(e) R' / (pi k E*).
-TEST(HardTable, CrestsHaveTheWidthOfTheHertzEllipse)
+TEST(HardTable, CrestsAgreeWithTheWidthOfTheHertzEllipse)
 {
   constexpr double slenderness = 300;
   constexpr int n_points = 100000;
@@ -63,7 +63,7 @@ TEST(RevolutionFoot, WarmAndColdStartsAgree)
   EXPECT_GT(MeshedRevolutionFoot(setup).solve(load_at(1.6, 3.2)).solution.n_iterations, 1u);
 }
 
-TEST(Imperfection, HasItsCrestsAtTheStatedAzimuths)
+TEST(Imperfection, PutsTheCrestsAtTheGivenAzimuths)
 {
   const RimImperfection rim = { { { 3, 2e-6, 0.4 } }, {} };
   for (const unsigned int crest : { 0u, 1u, 2u })

@@ -153,7 +153,7 @@ TEST(Ranks, ContactWithoutCoarserMeshesIsIndependentOfTheRanks)
 }
 
 // Oracle: the whole surface, on one rank.
-TEST(Ranks, EachRankHasTheContactSurfaceOfItsCells)
+TEST(Ranks, EachRankOwnsTheContactSurfaceOfItsCells)
 {
   const auto surface_on = [](MPI_Comm communicator)
   {
@@ -186,7 +186,7 @@ TEST(Ranks, EachRankHasTheContactSurfaceOfItsCells)
 }
 
 // Reference: the file of one rank, read without deal.II.
-TEST(Ranks, FieldFilesHaveEveryCellOnce)
+TEST(Ranks, FieldFilesContainEveryCellOnce)
 {
   const auto picture_on = [](MPI_Comm communicator)
   {

@@ -76,7 +76,7 @@ Texts contact_rows(const Study &study, Texts rows)
   return rows;
 }
 
-TEST(Budget, RelativeEffectsNeedASpin)
+TEST(Budget, RelativeEffectsRequireANonzeroSpin)
 {
   const double unit = 0.35 / 0.03;
   const HarmonicEffect effect = harmonic_effect(-3.5, -3.43, unit);
@@ -150,7 +150,7 @@ TEST(Budget, AFilledGlassEqualsAnEmptyOneWithTheMetacentre)
   FAIL() << "no row without the lean of the liquid";
 }
 
-TEST(Budget, RowsOfALoadFile)
+TEST(Budget, ListsTheRowsOfALoadFile)
 {
   Study study = study_of_given_load();
   const Budget budget = budget_of(study, rich_load());
@@ -162,7 +162,7 @@ TEST(Budget, RowsOfALoadFile)
   EXPECT_EQ(rows_of(budget_of(study, rich_load())).at(1), "2a grip 1");
 }
 
-TEST(Budget, RowsOfAFirstHarmonic)
+TEST(Budget, ListsTheRowsOfAFirstHarmonic)
 {
   Study study = test::mat_study();
   study.load.source = LoadSource::first_harmonic;
@@ -186,7 +186,7 @@ TEST(Budget, RowsOfAFirstHarmonic)
   EXPECT_NEAR(ring.torque(*budget.rows[2].omega_terminal), -2e-4, 1e-12); // balances the grip
 }
 
-TEST(Budget, RowsOfContacts)
+TEST(Budget, ListsTheRowsOfAFootInContact)
 {
   Study study = quick_contact_study();
   EXPECT_EQ(rows_of(budget_of(study)), contact_rows(study, { "1 paper 1", "2 moment balance 1",
@@ -205,7 +205,7 @@ TEST(Budget, RowsOfContacts)
             contact_rows(study, { "1 paper 1", "2 given moment 1", "3 where the foot touches 1" }));
 }
 
-TEST(Truncation, FirstHarmonicOfAThinStiffRingHasItsClosedForm)
+TEST(Truncation, AgreesWithTheClosedFormOfTheFirstHarmonicOnAThinStiffRing)
 {
   Study study = quick_contact_study();
   study.glass.profile.land_width = 2e-4;
@@ -218,7 +218,7 @@ TEST(Truncation, FirstHarmonicOfAThinStiffRingHasItsClosedForm)
   EXPECT_NEAR(*row.omega_terminal, -3.67874799852576, 1e-4); // docs/theory/closures.md
 }
 
-TEST(Budget, HasARowWithoutEachEffectOfTheStudy)
+TEST(Budget, ListsAVariantWithoutEachEffectOfTheStudy)
 {
   Study study = test::mat_study(); // a Winkler interface on a rigid substrate
   EXPECT_EQ(names_without(study), (Texts{ "friction in the foot", "elasticity of the foot",
@@ -245,7 +245,7 @@ TEST(Budget, HasARowWithoutEachEffectOfTheStudy)
   EXPECT_TRUE(names_without(study).empty());
 }
 
-TEST(Budget, NeedsAtLeastOneCompliance)
+TEST(Budget, RequiresAtLeastOneCompliance)
 {
   Study study = test::mat_study();
   study.table.interface = TableInterface::hard;
@@ -278,7 +278,7 @@ TEST(Budget, DifferencesAddUpToTheTotal)
   }
 }
 
-TEST(Budget, HasTheTorquesOfEveryRow)
+TEST(Budget, ReportsTheTorquesOfEveryRow)
 {
   const Study study = study_of_given_load();
   const ring::Motion &motion = study.motion.orbit;
@@ -341,7 +341,7 @@ TEST(Budget, AFailedRowDoesNotStopTheOthers)
   EXPECT_FALSE(without_first.harmonics.absolute);
 }
 
-TEST(Budget, TensileLoadsAreFormal)
+TEST(Budget, MarksRowsWithTensileLoads)
 {
   Study study = quick_contact_study();
   study.load.moment_ratio = 1.4; // lift-off
@@ -359,7 +359,7 @@ TEST(Budget, TensileLoadsAreFormal)
 }
 
 } // namespace
-TEST(Budget, HasARowWithoutTheInterfaceOfAWavyRim)
+TEST(Budget, SolvesAWavyRimWithoutTheComplianceOfTheInterface)
 {
   Study study = quick_contact_study();
   study.glass.waviness = { { 3, 1e-7, 0 } };

@@ -109,12 +109,12 @@ void expect_pressures_of_random_rims(unsigned int n_studies, unsigned int seed)
   }
 }
 
-TEST(HardPressure, OfThreeRandomRimsAgreesWithHertz)
+TEST(HardPressure, AgreesWithHertzOnThreeRandomRims)
 {
   expect_pressures_of_random_rims(3, 1);
 }
 
-TEST(HardPressure, OfSixtyRandomRimsAgreesWithHertzLong)
+TEST(HardPressure, AgreesWithHertzOnSixtyRandomRimsLong)
 {
   expect_pressures_of_random_rims(60, 2);
 }

@@ -184,32 +184,32 @@ void expect_limit_at_right_height(unsigned int n_steps)
   ratios.expect_fair_medians();
 }
 
-TEST(LiftedBands, OfRandomMomentsHoldLong)
+TEST(LiftedBands, ContainTheErrorAtRandomMomentsLong)
 {
   expect_bands_hold(random_moment, 42, 30);
 }
 
-TEST(LiftedBands, OfTwoRandomMomentsHold)
+TEST(LiftedBands, ContainTheErrorAtTwoRandomMoments)
 {
   expect_bands_hold(random_moment, 42, 2);
 }
 
-TEST(LiftedBands, OfRandomHeightsInBalanceHoldLong)
+TEST(LiftedBands, ContainTheErrorAtRandomCentreOfMassHeightsLong)
 {
   expect_bands_hold(random_height, 43, 20);
 }
 
-TEST(LiftedBands, OfTwoRandomHeightsInBalanceHold)
+TEST(LiftedBands, ContainTheErrorAtTwoRandomCentreOfMassHeights)
 {
   expect_bands_hold(random_height, 43, 2);
 }
 
-TEST(LiftedBands, OfHeightsUpToTippingHoldLong)
+TEST(LiftedBands, ContainTheErrorUpToTheTippingHeightLong)
 {
   expect_limit_at_right_height(20);
 }
 
-TEST(LiftedBands, OfTwoHeightsNextToTippingHold)
+TEST(LiftedBands, ContainTheErrorNextToTheTippingHeight)
 {
   expect_limit_at_right_height(1);
 }
@@ -229,12 +229,12 @@ void expect_bands_with_vanishing_slip_hold(double smallest_moment, unsigned int 
   ratios.expect_fair_medians();
 }
 
-TEST(LiftedBands, WithVanishingSlipInTheContactHoldLong)
+TEST(LiftedBands, ContainTheErrorIfTheSlipVanishesInTheContactLong)
 {
   expect_bands_with_vanishing_slip_hold(1.90, 9);
 }
 
-TEST(LiftedBands, WithVanishingSlipInOneContactHold)
+TEST(LiftedBands, ContainTheErrorIfTheSlipVanishesAtOneMoment)
 {
   expect_bands_with_vanishing_slip_hold(1.95, 1);
 }
@@ -271,7 +271,7 @@ void expect_within_bands(const Study &study, const std::map<std::string, double>
   }
 }
 
-TEST(FlatLandBands, WithLiftOffOnAMatHold)
+TEST(FlatLandBands, ContainTheErrorWithLiftOffOnAMat)
 {
   struct Row
   {
@@ -298,7 +298,7 @@ TEST(FlatLandBands, WithLiftOffOnAMatHold)
   }
 }
 
-TEST(FlatLandBands, OfPunchesOnHardLayersHold)
+TEST(FlatLandBands, ContainTheErrorOfPunchesOnHardLayers)
 {
   struct Row
   {

@@ -21,7 +21,7 @@ namespace
 using namespace stemware::test;
 using Json = nlohmann::ordered_json;
 
-TEST(OneNumber, BandsReferToTheReportedNumbers)
+TEST(OneNumber, ErrorBandsReferToTheReportedNumbers)
 {
   const Json summary = SolvedRun(quick_contact_study()).summary();
   const Json &load = summary["load"], &ring = summary["ring"], &budget = summary["budget"];
@@ -99,7 +99,7 @@ ring::Answer row_at_height(double height, bool rigid)
   return ring::answer(find_load(study, foot), spin_question(study)).value();
 }
 
-TEST(Fall, OfARigidFootAgreesWithOtherCode)
+TEST(Fall, AgreesWithOtherCodeForARigidFoot)
 {
   EXPECT_TRUE(row_at_height(0.13457, true).terminal);
   for (const auto &[height, spin] : { std::pair(0.13458, -9.19), std::pair(0.1346, -9.09) })
@@ -115,7 +115,7 @@ TEST(Fall, OfARigidFootAgreesWithOtherCode)
 
 // Within 2e-7 m of the limit, two balances exist in a narrow range of spins. No verb may step from one to the
 // other.
-TEST(Fall, IsTheSameInEveryVerb)
+TEST(Fall, IsFoundAtTheSameSpinByEveryVerb)
 {
   Study study = mat_study();
   study.glass.material.young_modulus = 2e20;

@@ -43,7 +43,7 @@ struct ByFriction
   double neither, foot, both; ///< [rad/s]
 };
 
-TEST(RealTable, FrictionInTheFootOnHardwood)
+TEST(RealTable, FrictionInTheFootSlowsTheGlassOnHardwood)
 {
   Study study = hard_disc(0.05, 10e9, 0.3);
   const ByFriction spin(study);
@@ -59,7 +59,7 @@ TEST(RealTable, FrictionInTheFootOnHardwood)
   EXPECT_NEAR(higher.foot, -4.938, 1e-3 * 4.938);
 }
 
-TEST(RealTable, FrictionInALayerOfCork)
+TEST(RealTable, FrictionInALayerOfCorkHardlyChangesTheSpin)
 {
   const ByFriction spin(hard_disc(0.005, 5e6, 0));
   EXPECT_NEAR(spin.foot, -3.667, 2e-3 * 3.667);

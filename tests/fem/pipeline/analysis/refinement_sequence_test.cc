@@ -22,7 +22,7 @@ std::vector<double> algebraic(double limit, double constant, double order, unsig
   return values;
 }
 
-TEST(RefinementSequence, HasTheOrderAndLimitOfAPowerLaw)
+TEST(RefinementSequence, FindsTheOrderAndLimitOfAPowerLaw)
 {
   for (const double order : { 0.6, 1., 1.09, 2., 3., 4.5 })
     for (const double constant : { 0.3, -0.02 })
@@ -50,7 +50,7 @@ TEST(RefinementSequence, BandIsTheGridConvergenceIndex)
   EXPECT_NEAR(second.bands[0], 15. / 16 + 1.25 * 3 / 16, 1e-14);
 }
 
-TEST(RefinementSequence, BandHoldsForMixedOrders)
+TEST(RefinementSequence, BandContainsTheErrorForMixedOrders)
 {
   // Errors c h^p (1 + e h^q), as on meshes with corners.
   std::mt19937 random(7);
@@ -68,7 +68,7 @@ TEST(RefinementSequence, BandHoldsForMixedOrders)
   }
 }
 
-TEST(RefinementSequence, NonMonotoneValuesHaveAWideBandAndNoOrder)
+TEST(RefinementSequence, GivesAWideBandAndNoOrderForNonMonotoneValues)
 {
   const RefinementSequence judged = assess_convergence({ 1, 1.2, 1.19 }, AxisKind::cells, 0);
   EXPECT_FALSE(judged.order);
@@ -76,7 +76,7 @@ TEST(RefinementSequence, NonMonotoneValuesHaveAWideBandAndNoOrder)
   EXPECT_NEAR(judged.bands.back(), 3 * 0.2, 1e-14);
 }
 
-TEST(RefinementSequence, ImplausibleOrdersHaveAWideBand)
+TEST(RefinementSequence, GivesAWideBandForImplausibleOrders)
 {
   // Slow convergence, and an implausibly small last difference.
   for (const std::vector<double> &values :
@@ -88,7 +88,7 @@ TEST(RefinementSequence, ImplausibleOrdersHaveAWideBand)
   }
 }
 
-TEST(RefinementSequence, DifferencesBelowRoundingShowNoOrder)
+TEST(RefinementSequence, GivesNoOrderForDifferencesBelowRounding)
 {
   const double rounding = 1e-9;
   const RefinementSequence judged =
@@ -97,7 +97,7 @@ TEST(RefinementSequence, DifferencesBelowRoundingShowNoOrder)
   EXPECT_NEAR(judged.bands.back(), 3 * 6e-10 + rounding, ulps(5, 1));
 }
 
-TEST(RefinementSequence, TwoLevelsCountAsFirstOrder)
+TEST(RefinementSequence, AssumesFirstOrderForTwoLevels)
 {
   const RefinementSequence judged = assess_convergence({ 1, 1.5 }, AxisKind::cells, 0);
   EXPECT_FALSE(judged.order);

@@ -90,7 +90,7 @@ struct Levels
   std::vector<QuantityOfInterest> finer;
 };
 
-TEST(ErrorBands, OfThePaperContainAFourTimesFinerRun)
+TEST(ErrorBands, ContainAFourTimesFinerRunOfThePaperStudy)
 {
   const Study study = read_study(STEMWARE_COOKBOOKS "/paper.prm", {});
   Levels comparison(study, four_times_finer(study));
@@ -143,12 +143,12 @@ void expect_band_of_spin_holds(const Study &study)
 
 // Coverage over many random studies: tests/benchmark/error_band_coverage.cc, docs/method/error_bands.md.
 
-TEST(ErrorBands, OfARandomStudyHoldsLong)
+TEST(ErrorBands, ContainTheErrorOfARandomStudyLong)
 {
   expect_band_of_spin_holds(RandomStudies(2024).next());
 }
 
-TEST(ErrorBands, OfARandomStudyOnFewLinesHolds)
+TEST(ErrorBands, ContainTheErrorOfARandomStudyOnFewLines)
 {
   Study study = RandomStudies(2024).next();
   study.contact.harmonics = 8;
@@ -176,17 +176,17 @@ void expect_band_holds_corners(unsigned int n_harmonics, unsigned int n_lines)
   EXPECT_LT(spin.parts.at("mesh") + spin.parts.at("degree"), 10 * error);
 }
 
-TEST(ErrorBands, IncludeCornersFarFromTheContactLong)
+TEST(ErrorBands, IncludeTheErrorOfCornersFarFromTheContactLong)
 {
   expect_band_holds_corners(test::mat_study().contact.harmonics, test::mat_study().contact.azimuth_lines);
 }
 
-TEST(ErrorBands, IncludeCornersOnFewLines)
+TEST(ErrorBands, IncludeTheErrorOfCornersOnFewLines)
 {
   expect_band_holds_corners(6, 64);
 }
 
-TEST(ErrorBands, OfOneRingContainManyRings)
+TEST(ErrorBands, ContainTheResultOfManyRingsForOneRing)
 {
   Study study = test::mat_study();
   study.contact.rings = 1;
@@ -260,7 +260,7 @@ TEST(ErrorBands, ExistForEveryRowOfTheContact)
   EXPECT_NEAR(*rows[rows.size() - 2].band, *all, 1e-9);
 }
 
-TEST(ErrorBands, OfARowAreLimitedByItsDifference)
+TEST(ErrorBands, AreLimitedByTheDifferenceBetweenRows)
 {
   const auto row = [](unsigned int number, double omega) { return BudgetRow{ { number }, "", {}, omega }; };
   std::vector<BudgetRow> rows = { row(1, -3),      row(2, -3.6),   row(3, -3.7),   row(4, -3.6),

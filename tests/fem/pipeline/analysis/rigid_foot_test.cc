@@ -46,7 +46,7 @@ Study with_moment(Study study, double moment_ratio)
   return study;
 }
 
-TEST(RigidFoot, FlatAnnulusInTheClosurePaperAgrees)
+TEST(RigidFoot, AgreesWithQuadratureOnAFlatAnnulusWithThePaperClosure)
 {
   Study study = rigid_foot_study(1e10);
   study.glass.profile.crown_radius = 0; // a land from 28 to 32 mm
@@ -70,7 +70,7 @@ struct ReferenceState
 
 // Reference: quadrature of pressure and friction over the land, balance with tilt at every spin, differences
 // of the torque with steps from 0.003 to 0.03 rad/s that agree to 6e-10. At least nine digits.
-TEST(RigidFoot, NumbersOfOtherCodeAreWithinTheBands)
+TEST(RigidFoot, ErrorBandsContainTheNumbersOfOtherCode)
 {
   const std::vector<ReferenceState> states = {
     { 1.,
@@ -212,7 +212,7 @@ TEST(RigidFoot, AgreesWithoutTiltAndAtTheTerminalSpin)
   }
 }
 
-TEST(RigidFoot, AgreesInTheClosureFullWithTiltAndGrip)
+TEST(RigidFoot, AgreesWithTheFullMomentBalanceTiltAndGrip)
 {
   for (const auto &expected : reference()["closure_full"])
   {

@@ -13,7 +13,7 @@ namespace
 /// 1 + 1.5 sin theta, tensile at 270 degrees.
 const ring::RingStack load({ 1, 0 }, { 0, 1.5 }, 0.03);
 
-TEST(RimSlip, AtRestFrictionOpposesTheMotionWithTheLoad)
+TEST(RimSlip, OpposesTheMotionOfTheLoadAtRest)
 {
   ring::Motion motion;
   const std::vector<ring::RimSlip> places = ring::rim_slip(motion, 0.03, load, 0);
@@ -28,7 +28,7 @@ TEST(RimSlip, AtRestFrictionOpposesTheMotionWithTheLoad)
   EXPECT_EQ(places[18].friction_x, 0); // where the series is negative
 }
 
-TEST(RimSlip, ASpinningRimHasTheSlipOfItsPoints)
+TEST(RimSlip, VanishesOnTheLeftAtSlipRatioOne)
 {
   ring::Motion motion;
   const double radius = 0.03, omega = motion.orbit_speed / radius; // the slip ratio is 1

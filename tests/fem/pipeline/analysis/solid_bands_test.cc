@@ -169,7 +169,7 @@ double mean_spin(const Study &study)
 
 // The band uses loads on the other mesh at rest and at one spin. Reference: the study on that mesh, solved at
 // every spin.
-TEST(SolidBands, OfAnOvalMeshContainTheChangeOfTheTerminalSpin)
+TEST(SolidBands, ContainTheChangeOfTheTerminalSpinOnAnOvalMesh)
 {
   Study study = study_of_mesh("oval_foot.msh");
   study.table.foundation_modulus = 2e9;
@@ -184,7 +184,7 @@ TEST(SolidBands, OfAnOvalMeshContainTheChangeOfTheTerminalSpin)
 
 // The edge of lift-off crosses the faces of the plate, where the table law is not smooth. A rigid plate does
 // not bend, so only another number of contact lines shows the error.
-TEST(SolidBands, OfAPlateWithLiftOffHold)
+TEST(SolidBands, ContainTheErrorOfAPlateWithLiftOff)
 {
   for (const double eccentricity : { 0.62, 0.55 })
     expect_bands_of_plate(eccentricity, std::acos(0.));
@@ -199,7 +199,7 @@ TEST(SolidBands, OfAPlateWithLiftOffHold)
 
 // In balance with friction and tilt on the coarsest possible mesh, whose band comes from halved cells. The
 // contact is a twentieth of a cell wide, so that more rings would extrapolate to its nodes.
-TEST(SolidBands, OfAFootOnAMatHoldLong)
+TEST(SolidBands, ContainTheErrorOfAFootOnAMatLong)
 {
   Study study = solid_study(fem::GlassShape::foot, { 24, 2, 1 });
   study.table.foundation_modulus = 1e12;
@@ -210,7 +210,7 @@ TEST(SolidBands, OfAFootOnAMatHoldLong)
 }
 
 // Short form with linear elements and a given moment.
-TEST(SolidBands, OfALinearFootOnAMatHold)
+TEST(SolidBands, ContainTheErrorOfLinearElementsOnAMat)
 {
   Study study = solid_study(fem::GlassShape::foot, { 16, 2, 1 });
   study.contact.degree = 1;
@@ -224,7 +224,7 @@ TEST(SolidBands, OfALinearFootOnAMatHold)
 }
 
 // The coarser mesh has cells 1.5 times as large across the land.
-TEST(SolidBands, OfCellCountsThatCannotBeHalvedHold)
+TEST(SolidBands, ContainTheErrorIfTheCellCountCannotBeHalved)
 {
   Study study = solid_study(fem::GlassShape::foot, { 16, 6, 2 });
   study.load.moment_ratio = 0.6;
@@ -236,7 +236,7 @@ TEST(SolidBands, OfCellCountsThatCannotBeHalvedHold)
 }
 
 // At re-entrant corners the error is of first order. The band comes from doubled cells.
-TEST(SolidBands, OfAStepOnAMatHoldLong)
+TEST(SolidBands, ContainTheErrorOfAStepOnAMatLong)
 {
   const Study study = step_on_mat(1e11);
   const ErrorBands solid = bands_of(study), revolution = bands_of(revolved(study));
@@ -247,7 +247,7 @@ TEST(SolidBands, OfAStepOnAMatHoldLong)
 
 // The contact is a hundredth of a cell wide, so the change by halved cells shows only a small part of the
 // error.
-TEST(SolidBands, OfAContactNarrowerThanItsCellsHoldLong)
+TEST(SolidBands, ContainTheErrorOfAContactNarrowerThanItsCellsLong)
 {
   Study study = step_on_mat(1e15);
   study.contact.friction_coupling = FrictionCoupling::none;
@@ -258,7 +258,7 @@ TEST(SolidBands, OfAContactNarrowerThanItsCellsHoldLong)
 }
 
 // Short form with linear elements.
-TEST(SolidBands, OfALinearFlatLandOnAHardTableHold)
+TEST(SolidBands, AgreeWithTheRevolutionBodyForLinearElementsOnAHardFlatLand)
 {
   Study study = flat_land(0.5);
   study.contact.resolution = { 16, 2, 1 };
@@ -272,12 +272,12 @@ TEST(SolidBands, OfALinearFlatLandOnAHardTableHold)
   EXPECT_LT(solid[index_of(solid, "a2")].band, 0.1); // of a_0
 }
 
-TEST(SolidBands, OfAFlatLandOnAHardTableHoldLong)
+TEST(SolidBands, ContainTheErrorOfAFlatLandOnAHardTableLong)
 {
   expect_band_of_flat_land(0.5);
 }
 
-TEST(SolidBands, OfAFlatLandWithLiftOffOnAHardTableHoldLong)
+TEST(SolidBands, ContainTheErrorOfAFlatLandWithLiftOffOnAHardTableLong)
 {
   expect_band_of_flat_land(1.2);
 }

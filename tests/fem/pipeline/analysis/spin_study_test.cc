@@ -58,7 +58,7 @@ TEST(SpinStudy, SpinUpCurvesAgreeWithIndependentIntegrations)
   EXPECT_NEAR(curves.euler.back(), curves.adaptive.back(), 1e-2);
 }
 
-TEST(SpinStudy, RowsAreInBalanceWithTheirOwnHarmonics)
+TEST(SpinStudy, BalancesEachBudgetRowWithTheHarmonicsOfThatRow)
 {
   Study study = quick_contact_study();
   fem::ComplianceCache cache;
@@ -187,7 +187,7 @@ TEST(SpinStudy, ReportsTippingDuringTheSpinUp)
   EXPECT_GT(*most, 0);
 }
 
-TEST(Answer, GivesTheReasonWithoutATerminalSpin)
+TEST(Answer, GivesTheReasonIfThereIsNoTerminalSpin)
 {
   // Tipping, no balance, and a torque without a zero.
   const auto refusing = [](auto failure)

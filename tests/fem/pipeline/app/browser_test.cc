@@ -163,7 +163,7 @@ class BrowserStates : public testing::TestWithParam<State>
 {
 };
 
-TEST_P(BrowserStates, HaveTheirFiguresWithoutDefects)
+TEST_P(BrowserStates, ShowAllFiguresWithoutDefects)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", plain_study());
@@ -200,7 +200,7 @@ TEST(Reports, AxeCoreIsInstalledLong)
     << "The tests of the pages did not check their accessibility. Install npm, then: ./quickstart test";
 }
 
-TEST(Reports, Print)
+TEST(Reports, ArePrintedCompletely)
 {
   const ScratchFolder scratch;
   ASSERT_EQ(stemware(scratch, { "run", "--quick", "--output", "results" }).exit_code, 0);

@@ -63,7 +63,7 @@ TEST(ContactRun, EqualStudiesGiveEqualFiles)
   EXPECT_EQ(read_text(scratch / "echo/summary.json"), one.at("summary.json"));
 }
 
-TEST(ContactRun, LoadFileContinuesFromHarmonics)
+TEST(ContactRun, LoadFileGivesTheHarmonicsOfTheContactRun)
 {
   const ScratchFolder scratch;
   const auto contact = run(scratch, { "Contact/Rings=1" }, "contact"); // one ring, as in a load file

@@ -128,7 +128,7 @@ std::string lesson_script(const std::string &page)
   return found;)";
 }
 
-TEST(ExplorePage, ASavedPageOpensWithItsValues)
+TEST(ExplorePage, SavedPageOpensWithTheSavedValues)
 {
   const ScratchFolder scratch;
   const nlohmann::json found =
@@ -164,7 +164,7 @@ std::string pressing(const nlohmann::json &load, double angle)
   return text.str();
 }
 
-TEST(ExplorePage, APageOfAStudySolvesItAndTeaches)
+TEST(ExplorePage, PageOfAStudySolvesTheStudyAndShowsTheLesson)
 {
   const ScratchFolder scratch;
   const auto with = [&](std::vector<std::string> arguments)

@@ -61,7 +61,7 @@ TEST(FrictionLawStudy, EqualCoefficientsGiveCoulombFriction)
   expect_equal(quick_run(with_law("0.3", "0.300000000000001", "0.1")));
 }
 
-TEST(FrictionLawStudy, ViscousFrictionHasAClosedForm)
+TEST(FrictionLawStudy, ViscousFrictionAgreesWithTheClosedForm)
 {
   // T = -c int lambda v_rel is linear: tau_z = c (v M_Nx - omega N <r^2>), so with the moment balance of the
   // paper omega = v M_Nx / (N <r^2>), on a ring and on the rings of a contact.

@@ -34,7 +34,7 @@ double longest_line(const nlohmann::json &rows, const std::string &name, std::si
   return longest;
 }
 
-TEST(HandHeight, SweepThroughZeroSpinHasNoFalseLines)
+TEST(HandHeight, SweepThroughZeroSpinDrawsNoFalseLines)
 {
   const ScratchFolder scratch;
   const Ended ended =

@@ -138,7 +138,7 @@ TEST(OrbitSpeed, StartsFromRest)
 
 // A rigid flat land in full contact. Reference: tests/verification/driven_flat_land.py, quadrature over the
 // plane and its own integration.
-TEST(OrbitSpeed, BandOfADrivenSpinHolds)
+TEST(OrbitSpeed, ErrorBandOfADrivenSpinContainsTheError)
 {
   const ScratchFolder scratch;
   for (const auto &[rows, end, right] : { std::tuple("0, 0.2\n0.6, 0.35\n", "0.6", -2.222908755),

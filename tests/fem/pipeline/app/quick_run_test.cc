@@ -54,7 +54,7 @@ void expect_equal_tables(const TwoRuns &runs, const std::string &name, double to
   }
 }
 
-TEST(QuickRun, HasTheAnswerAndCurvesOfAFullRun)
+TEST(QuickRun, ReproducesTheAnswerAndCurvesOfAFullRun)
 {
   const TwoRuns &runs = two_runs();
   for (const char *key : { "/ring/omega_terminal", "/ring/tau_at_rest", "/ring/time_constant",

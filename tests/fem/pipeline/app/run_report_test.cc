@@ -49,7 +49,7 @@ std::string per_cent(double change)
   return text;
 }
 
-TEST(RunReport, AnswersWithTheNumbersOfTheSummary)
+TEST(RunReport, ShowsTheNumbersOfTheSummary)
 {
   const LiftedRun &run = lifted_run();
   ASSERT_EQ(run.ended.exit_code, 0) << run.ended.err;
@@ -74,7 +74,7 @@ TEST(RunReport, AnswersWithTheNumbersOfTheSummary)
               testing::HasSubstr("\nReport    " + fs::absolute(run.results / "report.html").string() + "\n"));
 }
 
-TEST(RunReport, ListsTheFilesOfItsFolder)
+TEST(RunReport, ListsTheFilesOfTheFolder)
 {
   const fs::path &results = lifted_run().results;
   const nlohmann::json files = page_document(results)["files"];

@@ -28,7 +28,7 @@ double truncated_spin(const std::string &setting)
     .back()["omega_terminal"];
 }
 
-TEST(SolidRun, OnOneCircleOfNodesAgreesWithARing)
+TEST(SolidRun, AgreesWithARingOnOneCircleOfNodes)
 {
   // A thick foot of linear elements on a hard table is in contact only at the nodes on the contact radius.
   // Without tilt the balance equals the closed form of a first harmonic on a ring, the second row of the

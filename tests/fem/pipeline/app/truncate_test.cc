@@ -52,7 +52,7 @@ TEST(Truncate, RowsAgreeWithRun)
   }
 }
 
-TEST(Truncate, HasTheFirstHarmonicAndTheCompleteLoad)
+TEST(Truncate, ListsTheFirstHarmonicAndTheCompleteLoad)
 {
   const double omega = -3.6490; // independent prototype, contact and friction in balance at every spin
   const Json &rows = truncated_glass()["truncation"];

@@ -23,13 +23,13 @@ TEST(Numbers, TextIsTheShortestThatParsesExactly)
     EXPECT_EQ(parse_number(to_text(value)), value) << to_text(value);
 }
 
-TEST(Numbers, ShortTextHasSixDigits)
+TEST(Numbers, ShortTextKeepsSixDigits)
 {
   EXPECT_EQ(to_short_text(9.080892337936447), "9.08089");
   EXPECT_EQ(to_short_text(1.23456789e-7), "1.23457e-7");
 }
 
-TEST(Numbers, DistinctTextsHaveEnoughDigits)
+TEST(Numbers, DistinctNumbersGetDistinctTexts)
 {
   using Texts = std::pair<std::string, std::string>;
   EXPECT_EQ(distinct_texts(2.5, 2), Texts("2.5", "2"));

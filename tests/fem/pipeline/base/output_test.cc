@@ -196,7 +196,7 @@ INSTANTIATE_TEST_SUITE_P(
             "holds fields, which" }),
   [](const auto &info) { return info.param.name; });
 
-TEST(ResultsFolder, RefusesInvalidPlaces)
+TEST(ResultsFolder, RefusesInvalidFolders)
 {
   const ScratchFolder scratch;
   scratch.write("file", "mine");

@@ -61,7 +61,7 @@ protected:
   Mesh mesh;
 };
 
-TEST_F(ForeignMesh, TakesTheContactZoneByIdOrHeight)
+TEST_F(ForeignMesh, FindsTheContactZoneByIdOrHeight)
 {
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary())
@@ -87,7 +87,7 @@ TEST_F(ForeignMesh, RefusesInvertedCells)
   expect_sentence(text(), "inverted");
 }
 
-TEST_F(ForeignMesh, IsReadInItsUnit)
+TEST_F(ForeignMesh, IsReadInTheGivenUnit)
 {
   move([](const dealii::Point<3> &x) { return dealii::Point<3>(1000 * x); });
   const std::string millimetres = text();
@@ -171,7 +171,7 @@ TEST_F(ForeignMesh, RefusesLoosePieces)
                                        std::to_string(mesh.n_active_cells()) + " cells");
 }
 
-TEST_F(ForeignMesh, IsRefusedWithSeveralContactZones)
+TEST_F(ForeignMesh, RefusesSeveralContactZones)
 {
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary() && face->boundary_id() == 2 && std::abs(face->center()[0]) < 0.01)

@@ -217,7 +217,7 @@ TEST(Live, WarmStartsAgreeWithColdStarts)
   }
 }
 
-TEST(Live, AMoveSolvesContactsNextToTheSpinOnly)
+TEST(Live, PreviewSolvesContactNextToTheSpinOnly)
 {
   fem::ComplianceCache cache;
   open_page({}, live_bodies(Study(), cache));

@@ -59,7 +59,7 @@ void expect_all(const std::string &text, const std::vector<std::string> &numbers
     EXPECT_NE(text.find(number), std::string::npos) << number << " in " << text;
 }
 
-TEST(RunAnswer, HasTheNumbersOfTheAnalysis)
+TEST(RunAnswer, ContainsTheNumbersOfTheAnalysis)
 {
   // One turn takes 2 pi / omega. The largest step of the budget is from -3 to -3.5 rad/s.
   expect_all(SpunStudy().answer(), { " 1.93 s", " 2.09 s", "-3.250 rad/s (± 1.3e-03 rad/s by", "-3.000 rad/s",
@@ -103,7 +103,7 @@ TEST(RunAnswer, SentenceAndTableAgreeAtEverySpeed)
   EXPECT_NE(nothing.find("less than 3.3e-18 rad/s."), std::string::npos) << nothing;
 }
 
-TEST(RunAnswer, HasNoPercentageIfTheSpinChangesSign)
+TEST(RunAnswer, OmitsThePercentageIfTheSpinChangesSign)
 {
   SpunStudy turned;
   turned.spin.budget.rows[1].omega_terminal = 3.5;
@@ -132,7 +132,7 @@ TEST(RunAnswer, StatesTheSenseOfTheSpin)
   EXPECT_EQ(begins(2, OrbitSense::clockwise), "counter-clockwise, against its orbit");
 }
 
-TEST(RunAnswer, HasNoPercentageWithoutASpin)
+TEST(RunAnswer, OmitsThePercentageIfThereIsNoSpin)
 {
   SpunStudy resting;
   resting.spin.rows.back().terminal->omega = 1e-13;

@@ -35,7 +35,7 @@ CsvTable file_of(const Results &results, const std::string &name)
   throw std::out_of_range("no file " + name);
 }
 
-TEST(RunResults, TruncationFileHasTheRowsOfTheAnalysis)
+TEST(RunResults, TruncationFileContainsTheRowsOfTheAnalysis)
 {
   const SpinStudy &spin = solved_run().spin;
   const CsvTable table = file_of(solved_run().results(), "truncation.csv");
@@ -57,7 +57,7 @@ TEST(RunResults, TruncationFileHasTheRowsOfTheAnalysis)
   }
 }
 
-TEST(RunResults, ContactFilesHaveTheNumbersOfTheContact)
+TEST(RunResults, ContactFilesContainTheNumbersOfTheContact)
 {
   const Results results = solved_run().results();
   const FootReport &foot = *solved_run().contact.foot;
@@ -84,7 +84,7 @@ TEST(RunResults, ContactFilesHaveTheNumbersOfTheContact)
   EXPECT_EQ(footprint.n_rows(), row);
 }
 
-TEST(RunResults, RingsFileHasEveryCoefficientOfEveryRing)
+TEST(RunResults, RingsFileContainsEveryCoefficientOfEveryRing)
 {
   const ring::RingStack &load = solved_run().contact.load.rings;
   const CsvTable table = file_of(solved_run().results(), "rings.csv");
@@ -101,7 +101,7 @@ TEST(RunResults, RingsFileHasEveryCoefficientOfEveryRing)
   EXPECT_EQ(table.n_rows(), row);
 }
 
-TEST(RunResults, SummaryHasTheBudgetOfTheAnalysis)
+TEST(RunResults, SummaryContainsTheBudgetOfTheAnalysis)
 {
   const Budget &budget = solved_run().spin.budget;
   const Json summary = solved_run().summary(), &rows = summary["budget"], &without = summary["without"];
@@ -126,7 +126,7 @@ TEST(RunResults, SummaryHasTheBudgetOfTheAnalysis)
             solved_run().spin.torque_effects.rows.back().largest.value());
 }
 
-TEST(RunResults, TorqueAtRestHasItsClosedForm)
+TEST(RunResults, TorqueAtRestAgreesWithTheClosedForm)
 {
   // tau_z(0) = mu M_Nx.
   const SolvedRun &run = solved_run();
@@ -134,7 +134,7 @@ TEST(RunResults, TorqueAtRestHasItsClosedForm)
               run.study.motion.orbit.friction_coefficient * run.contact.load.moment.x(), 1e-12);
 }
 
-TEST(RunResults, NoLiftOffIsDecidedByTheLoad)
+TEST(RunResults, LiftOffFollowsFromContactFractionAndMinimum)
 {
   StudyAnswer run = solved_run();
   run.bands = {};
@@ -154,7 +154,7 @@ TEST(RunResults, NoLiftOffIsDecidedByTheLoad)
   EXPECT_FALSE(decided());
 }
 
-TEST(RunResults, WithoutAContactHaveNoContactFiles)
+TEST(RunResults, OmitContactFilesIfTheStudySolvesNoContact)
 {
   StudyAnswer run = solved_run();
   run.bands = {};
@@ -167,7 +167,7 @@ TEST(RunResults, WithoutAContactHaveNoContactFiles)
   EXPECT_FALSE(without.tables.contains("contact"));
 }
 
-TEST(RunResults, SummaryHasTheGoalOfTheMesh)
+TEST(RunResults, SummaryContainsTheGoalOfTheMesh)
 {
   StudyAnswer run = solved_run();
   run.study.contact.goal = Goal::terminal_spin;
@@ -225,7 +225,7 @@ TEST(BudgetTable, OmitsHarmonicsWithoutEffect)
   EXPECT_EQ(shown_chain(rows, 1e-9).size(), rows.size() - 1);
 }
 
-TEST(BudgetTable, HasNoPercentagesOfAGlassAtRest)
+TEST(BudgetTable, OmitsPercentagesForAGlassAtRest)
 {
   std::vector<BudgetRow> rows = budget_rows;
   rows[0].omega_terminal = 0;

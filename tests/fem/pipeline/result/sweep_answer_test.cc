@@ -26,7 +26,7 @@ TEST(SweepAnswer, NamesNoCaseIfAllCasesAreEqual)
   EXPECT_THAT(ranges, testing::HasSubstr("Motion/Mass = 0.2 kg"));
 }
 
-TEST(SweepAnswer, LeavesFormalCasesOutOfTheRanges)
+TEST(SweepAnswer, ExcludesTensileCasesFromTheRanges)
 {
   const pipeline::CaseList list = pipeline::cases_of_grid({ "Motion/Mass=0.2,0.3,0.4" });
   const auto solved = [](double spin, const std::string &status) {

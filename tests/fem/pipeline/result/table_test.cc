@@ -126,7 +126,7 @@ TEST(Table, ConsoleShowsADashForNonFiniteNumbers)
   EXPECT_EQ(console_table(texts({ { "x", nothing } })), "  x\n  -\n");
 }
 
-TEST(Quantities, WithADescriptionAreInTheSummary)
+TEST(Quantities, AreInTheSummaryIfTheyHaveADescription)
 {
   EXPECT_EQ(all_fields().json(rows[1]).dump(), R"({"who":"c < d","spin":1e-15,"half":null,"at":[2.5,4.5]})");
   const Json schema = all_fields().schema();
@@ -136,7 +136,7 @@ TEST(Quantities, WithADescriptionAreInTheSummary)
   EXPECT_EQ(schema["required"].dump(), R"(["who","spin","half","at"])");
 }
 
-TEST(Quantities, OfAMissingPartAreNull)
+TEST(Quantities, AreNullIfTheirPartIsMissing)
 {
   using Row = std::optional<Everything>;
   const auto all_rows = [](const Row &row) { return row ? &rows : nullptr; };
@@ -151,7 +151,7 @@ TEST(Quantities, OfAMissingPartAreNull)
   EXPECT_EQ(fields.schema()["required"].dump(), R"(["part","all"])");
 }
 
-TEST(Quantities, GiveTheCommittedSchema)
+TEST(Quantities, GenerateTheCommittedSchema)
 {
   const std::string written = "summary.schema.json", schema = summary_schema();
   if (schema == test::read_text(STEMWARE_SCHEMA))
@@ -161,14 +161,14 @@ TEST(Quantities, GiveTheCommittedSchema)
                 << " to fem/pipeline/result and run docs/keys.py.";
 }
 
-TEST(NumberFormat, BandsAreRoundedUp)
+TEST(NumberFormat, RoundsErrorBandsUp)
 {
   EXPECT_EQ(format::number(4.81e-6, "band"), "4.9e-06");
   EXPECT_EQ(format::number(4.8e-6, "band"), "4.8e-06");
   EXPECT_EQ(format::number(0, "band"), "0");
 }
 
-TEST(NumberFormat, NonFiniteNumbersAreADash)
+TEST(NumberFormat, ShowsADashForNonFiniteNumbers)
 {
   const double infinite = std::numeric_limits<double>::infinity();
   for (const double none : { std::nan(""), -std::nan(""), infinite, -infinite })

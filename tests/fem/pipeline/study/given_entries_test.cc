@@ -85,7 +85,7 @@ TEST(IdleEntries, DependOnTheChoicesOfTheStudy)
   }
 }
 
-TEST(IdleEntries, OfACompleteFileAreThoseDifferentFromDefaults)
+TEST(IdleEntries, DifferFromTheDefaultsInACompleteFile)
 {
   const test::ScratchFolder scratch;
   const std::string all = scratch.write("all.prm", commented_defaults());

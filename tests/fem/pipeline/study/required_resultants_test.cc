@@ -14,7 +14,7 @@ namespace stemware::pipeline
 namespace
 {
 
-TEST(RequiredResultants, ClosurePaperHasTheRadialMomentOnly)
+TEST(RequiredResultants, PaperClosureGivesTheRadialMomentOnly)
 {
   Study study;
   study.motion.closure = ring::Closure::paper;
@@ -25,7 +25,7 @@ TEST(RequiredResultants, ClosurePaperHasTheRadialMomentOnly)
   EXPECT_NEAR(moment_ratio(load, 0.03), 0.277494620002, 1e-12);
 }
 
-TEST(RequiredResultants, ClosureFullAddsTheMomentOfTheFriction)
+TEST(RequiredResultants, FullClosureAddsTheMomentOfTheFriction)
 {
   const Study study;
   const fem::Resultants load = study.required_resultants();
@@ -34,7 +34,7 @@ TEST(RequiredResultants, ClosureFullAddsTheMomentOfTheFriction)
   EXPECT_NEAR(load.moment_y, -0.03 * 0.3 * 2.943, ulps(4, load.moment_y));
 }
 
-TEST(RequiredResultants, AGivenMomentHasItsRatioAndDirection)
+TEST(RequiredResultants, ReproduceTheGivenMomentRatioAndDirection)
 {
   for (const double direction : { -3., -1.5, 0., 0.7, 2. })
   {
@@ -48,7 +48,7 @@ TEST(RequiredResultants, AGivenMomentHasItsRatioAndDirection)
   }
 }
 
-TEST(RequiredResultants, PrintsEnoughDigitsNextToTheLimit)
+TEST(RequiredResultants, RefusalPrintsEnoughDigitsNextToTheLimit)
 {
   Study study;
   study.motion.closure = ring::Closure::paper;

@@ -19,7 +19,7 @@ std::string refusal_of(const Settings &settings)
   return test::sentence_of([&] { with_values(test::mat_study(), "the test", settings); });
 }
 
-TEST(StudyChecks, WithoutAContactIgnoreTheFoot)
+TEST(StudyChecks, IgnoreTheFootIfNoContactIsSolved)
 {
   // A ring of 65 mm is larger than the default foot of 34 mm.
   const Settings ring = { { "Glass/Contact radius", "65 mm" } };
@@ -87,7 +87,7 @@ TEST(StudyChecks, RefuseInconsistentValues)
   }
 }
 
-TEST(StudyChecks, AGoalNeedsAnErrorEstimate)
+TEST(StudyChecks, RefuseAGoalIfTheErrorCannotBeEstimated)
 {
   EXPECT_EQ(refusal_of({ { "Contact/Goal", "torque" }, { "Contact/Body", "solid" } }), "");
   for (const auto &[settings, needs] :
@@ -104,7 +104,7 @@ TEST(StudyChecks, AGoalNeedsAnErrorEstimate)
   }
 }
 
-TEST(StudyChoices, AGivenMomentIsOneWayWithoutTilt)
+TEST(StudyChoices, AGivenMomentExcludesBalanceAndTilt)
 {
   Study study;
   EXPECT_TRUE(study.load.is_in_balance());
@@ -114,7 +114,7 @@ TEST(StudyChoices, AGivenMomentIsOneWayWithoutTilt)
   EXPECT_FALSE(study.tilts());
 }
 
-TEST(StudyChoices, TiltNeedsTheClosureFullAndAContact)
+TEST(StudyChoices, TiltRequiresTheFullClosureAndAContact)
 {
   const auto tilts = [](const Settings &settings)
   { return with_values(test::mat_study(), "the test", settings).tilts(); };

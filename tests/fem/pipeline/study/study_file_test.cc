@@ -40,7 +40,7 @@ TEST(StudyFile, CommentedDefaultsAreAStudyOfDefaults)
   EXPECT_EQ(study_as_json(study), study_as_json(Study()));
 }
 
-TEST(StudyFile, TheHandStaysUnlessItsOffsetIsGiven)
+TEST(StudyFile, HandHeightIsKeptUnlessTheForceOffsetIsGiven)
 {
   const ScratchFolder scratch;
   const auto hand_of = [](const std::string &file, const std::vector<std::string> &overrides)

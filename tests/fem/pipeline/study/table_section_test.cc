@@ -17,14 +17,14 @@ fem::Table table_of(const std::vector<std::pair<std::string, std::string>> &valu
   return with_values(test::mat_study(), "the test", values).table.make();
 }
 
-TEST(TableSection, MatHasItsModulus)
+TEST(TableSection, MakesAMatOfTheGivenModulus)
 {
   const fem::Table table = table_of({ { "Table/Foundation modulus", "4e9" } });
   EXPECT_NEAR(table.interface->penetration_at(1e5), 1e5 / 4e9, ulps(4, 1e5 / 4e9));
   EXPECT_FALSE(table.substrate);
 }
 
-TEST(TableSection, RoughTableHasItsPressureAndDecayLength)
+TEST(TableSection, MakesARoughTableOfTheGivenPressureAndDecayLength)
 {
   const fem::Table table = table_of({ { "Table/Interface", "rough" },
                                       { "Table/Reference pressure", "2e9" },
@@ -34,7 +34,7 @@ TEST(TableSection, RoughTableHasItsPressureAndDecayLength)
   EXPECT_NEAR(table.interface->stiffness_at(1e6), 1e6 / 3e-6, 1e-3);
 }
 
-TEST(TableSection, DiscHasItsSizeAndMaterial)
+TEST(TableSection, MakesADiscOfTheGivenSizeAndMaterial)
 {
   const fem::Table table = table_of({ { "Table/Interface", "hard" },
                                       { "Table/Substrate", "elastic" },

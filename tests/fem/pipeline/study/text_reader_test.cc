@@ -57,7 +57,7 @@ TEST(TextReader, SkipsAByteOrderMarkAndRefusesUtf16)
   }
 }
 
-TEST(TextReader, NamesThePlaceOfAJsonError)
+TEST(TextReader, NamesThePositionOfAJsonError)
 {
   expect_refused_study("{\"Glass\": {\n  \"Contact radius\": 0.03,\n", ".json",
                        "line 3, column 1: the JSON ends");
