@@ -30,7 +30,7 @@ Pair first_pair(double complement)
 /// Returns the pair at n from @p above, the pair at n + 1, for n >= 1. All terms are positive.
 Pair step_down(const Pair &above, unsigned int n, double eps_squared, double complement)
 {
-  // No operation waits for the division: the latency of this step is most of the cost near |eps| = 1.
+  // Starts the division first. Its latency dominates the cost near |eps| = 1.
   const double inverse = 1. / (2. * n - 1.), feed = complement * inverse;
   return { above.q + above.g, ((2. * n + 1.) * inverse * eps_squared + feed) * above.g + feed * above.q };
 }
@@ -46,8 +46,9 @@ Pair step_up(const Pair &below, unsigned int n, double eps_squared, double compl
 /// Computes the pairs n = 1...@p n_max into q = values[3 n], g = values[3 n + 1]. Returns the pair at n_max +
 /// 1.
 ///
-/// Upwards, rounding errors grow like eps^{-2n}: harmless close to |eps| = 1. Elsewhere the recurrence runs
-/// downwards from far enough above that its arbitrary start has died out, and the first pair sets the scale.
+/// Rounding errors of the upward recurrence grow like eps^{-2n}, which is harmless close to |eps| = 1.
+/// Otherwise the recurrence runs downwards from an arbitrary start at an n so high that the effect of the
+/// start vanishes. The first pair then sets the scale.
 Pair fill_pairs(double *values, unsigned int n_max, const Pair &first, double eps, double complement)
 {
   const double eps_squared = eps * eps;

@@ -70,8 +70,8 @@ HalfRim even_places(unsigned int n_intervals)
   return places;
 }
 
-/// Returns the midpoint rule on the same intervals. Its mean with the trapezoidal rule is the trapezoidal
-/// rule with twice as many intervals.
+/// Returns the midpoint rule on the same intervals. The mean of both rules is the trapezoidal rule with twice
+/// as many intervals.
 HalfRim places_between(unsigned int n_intervals)
 {
   const double half = 0.5 * pi / n_intervals;
@@ -79,8 +79,8 @@ HalfRim places_between(unsigned int n_intervals)
            Eigen::ArrayXd::Constant(n_intervals, pi / n_intervals) };
 }
 
-/// Returns Gauss rules on panels of y, psi = width sinh y, which resolve the neighbourhood of the minimum
-/// slip. No panel is longer than @p longest in psi. A width of 0 gives panels of psi.
+/// Returns Gauss rules on panels of y with psi = width sinh y, which resolve the neighbourhood of the minimum
+/// slip. No panel is longer than @p longest in psi. If the width is 0, the panels are equal in psi.
 HalfRim clustered_places(double width, unsigned int n_panels, double longest)
 {
   using Rule = boost::math::quadrature::gauss<double, 20>;
@@ -153,7 +153,7 @@ Eigen::ArrayX3d converged_kernels(const FrictionLaw &law, const SlipField &slip,
   const unsigned int n_even = 32 + n_max;
   const auto clustered = [&](unsigned int level)
   {
-    // 20 Gauss points for at most two waves of the highest harmonic.
+    // 20 Gauss points per panel; a panel contains at most two waves of the highest harmonic.
     const unsigned int factor = 1u << level;
     return clustered_places(
       width, factor * (2 + static_cast<unsigned int>(width > 0. ? std::asinh(pi / width) : 1.)),

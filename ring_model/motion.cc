@@ -18,15 +18,14 @@ void Motion::validate() const
   require(std::isfinite(friction_coefficient) && friction_coefficient >= 0., "the friction coefficient is ",
           friction_coefficient, ", but must be finite and not negative");
   if (friction_law == FrictionLawKind::stribeck)
-    friction_law_of(*this); // throws for inadmissible parameters
+    friction_law_of(*this); // throws for invalid parameters
   require_positive(gravity, "gravity", "m/s^2");
   liquid.validate(acceleration().norm() / gravity);
 }
 
 double Motion::total_centre_height() const
 {
-  // Written as a correction, so that a liquid mass of 0 leaves the glass's height unchanged to the last
-  // digit.
+  // Adds a correction, so that a liquid of zero mass leaves the height of the glass exactly unchanged.
   const double height = liquid.mass > 0. ? liquid.centre_height(acceleration().norm() / gravity) : 0.;
   return centre_of_mass_height + liquid.mass / total_mass() * (height - centre_of_mass_height);
 }

@@ -17,7 +17,7 @@ namespace stemware::ring
 {
 namespace
 {
-/// Adds two points to every interval of a polygon, at the fraction @p share of the interval from either end.
+/// Adds two points to every interval of a polygon, at the fraction @p share of the interval from each end.
 /// The cubic through all points then deviates from the polygon only near the corners.
 void refine(std::vector<double> &times, std::vector<double> &speeds, double share)
 {

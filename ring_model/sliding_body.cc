@@ -15,8 +15,8 @@ namespace stemware::ring
 namespace
 {
 /// Calls add(r, weight) for a 40-point Gauss rule on [lower, upper] with points clustered at both ends. r is
-/// a polynomial of t whose first three derivatives vanish there, so that square-root and x ln x singularities
-/// become smooth.
+/// a polynomial of t whose first three derivatives vanish at both ends. Square-root and x ln x singularities
+/// therefore become smooth.
 template <typename Add>
 void points_gathered_at_ends(double lower, double upper, const Add &add)
 {
@@ -105,7 +105,7 @@ double SlidingBody::mean_power(double exponent) const
 Wrench SlidingBody::friction(double limit, double speed, double omega) const
 {
   require_positive(limit, "the friction mu N", "N");
-  // Weighted means of the kernels for n = 0, for the torque multiplied by r.
+  // Weighted means of the kernels for n = 0. The torque kernel is multiplied by r.
   double drag = 0., torque = 0.;
   for (const WeightedRing &one : rings(omega == 0. ? HUGE_VAL : speed / std::abs(omega)))
   {

@@ -14,25 +14,23 @@ namespace stemware::ring
 {
 namespace
 {
-// Spins are in units of the spin scale v / R, on which the friction torque varies.
+// Lengths below are in units of the spin scale v / R, over which the friction torque varies.
 constexpr double farthest = 64.;       ///< end of the search
 constexpr double first_step = 1. / 4.; ///< first spin without an initial guess
 /// Minimum width of a bisected interval: accuracy of BalanceLost::last_spin.
 constexpr double shortest_interval = 1. / 4096.;
-constexpr double scan_step = 1. / 16.;     ///< step of a scan: two zeros closer together may be missed
-constexpr double rounding_distance = 1e-6; ///< minimum distance of two samples whose difference exceeds
-                                           ///< rounding
-/// Minimum distance of two samples whose stability margins give a slope: in front of the end of the balance,
-/// and on the way to a zero.
+constexpr double scan_step = 1. / 16.; ///< step of a scan: two zeros closer together may be missed
+/// Minimum distance of two samples whose difference is above rounding.
+constexpr double rounding_distance = 1e-6;
 constexpr double margin_distance = 1. / 1024., margin_distance_on_the_way = 1. / 8192.;
-constexpr double neighbourhood = 1. / 10.; ///< distance from a similar torque's zero up to which its zero is
-                                           ///< a start; otherwise the search starts at rest
-constexpr double least_size = 1e-3;        ///< spin below which the tolerance is absolute
+/// Maximum distance of an iterate from the known spin in find_terminal_spin_near().
+constexpr double neighbourhood = 1. / 10.;
+constexpr double least_size = 1e-3; ///< spin below which the tolerance is absolute
 
 /// Maximum ratio, or inverse ratio, of the slope at the zero to the mean slope up to there. Beyond it the
 /// torque bends so much that an earlier zero may lie between the samples.
 constexpr double steepness_ratio = 16.;
-constexpr unsigned int max_evaluations = 200; ///< per search, against cycles
+constexpr unsigned int max_evaluations = 200; ///< per search; prevents endless cycles
 constexpr double unsteady = 0.9;              ///< stability margin below which the balance may end nearby
 
 /// Throws BalanceLost with the nested exception @p failure, a NoBalance just beyond the spin @p last.
@@ -54,8 +52,8 @@ constexpr double unsteady = 0.9;              ///< stability margin below which 
 class OutwardSearch
 {
 public:
-  /// Preconditions: @p torque_at_rest = @p driving_torque(0) > 0; @p direction is 1 or -1, the sign of the
-  /// spin; @p driving_torque and @p search outlive the search.
+  /// Precondition: @p torque_at_rest = @p driving_torque(0) > 0. @p direction is 1 or -1, the sign of the
+  /// spin. @p driving_torque and @p search outlive the search.
   OutwardSearch(const std::function<double(double)> &driving_torque, double torque_at_rest, double direction,
                 const SpinSearch &search)
       : driving_torque(driving_torque)
@@ -65,7 +63,7 @@ public:
   {
   }
 
-  /// Returns the first zero; the spin @p first > 0 is tried first. Throws as find_terminal_spin().
+  /// Returns the first zero. Evaluates the spin @p first > 0 first. Throws like find_terminal_spin().
   double zero(double first)
   {
     double spin = converge(samples.front(), first, {});
@@ -80,7 +78,7 @@ public:
   }
 
 private:
-  /// Returns a zero beyond @p near and, if given, before @p far, beginning at @p proposal. Preconditions: the
+  /// Returns a zero beyond @p near and, if given, before @p far, starting at @p proposal. Preconditions: the
   /// driving torque is positive at @p near and negative at @p far; near.spin < proposal < far->spin.
   double converge(DrivingTorque near, double proposal, std::optional<DrivingTorque> far)
   {
@@ -138,7 +136,8 @@ private:
                              " evaluations of the torque, the last one at ", proposal, " rad/s"));
   }
 
-  /// Returns the driving torque at @p spin; std::nullopt, and the @p failure, without a balance there.
+  /// Returns the driving torque at @p spin. Without a balance, returns std::nullopt and stores the exception
+  /// in @p failure.
   std::optional<DrivingTorque> sample_at(double spin, std::exception_ptr *failure = nullptr)
   {
     try
@@ -153,9 +152,10 @@ private:
     }
   }
 
-  /// Returns the next proposal between @p near and @p end, or, if @p end is nullptr, not beyond three times
-  /// @p near or a first step of twice the usual one. @p halved: the last sample halved the least driving
-  /// torque, so that @p estimate is trusted. Throws NoTerminalSpin at the end of the search.
+  /// Returns the next proposal between @p near and @p end. If @p end is nullptr, the proposal is at most
+  /// three times @p near, or twice the usual first step. @p estimate is used only if it is reliable (@p
+  /// halved: the last sample halved the smallest driving torque) or @p end is nullptr. Throws NoTerminalSpin
+  /// at the end of the search.
   double next(const Estimate &estimate, double near, const double *end, bool halved) const
   {
     const double reach = end ? *end : near + 2. * std::max(near, first_step * search.spin_scale);
@@ -170,8 +170,9 @@ private:
     return std::min(reach, farthest * search.spin_scale);
   }
 
-  /// Returns a spin close to the end of the balance between @p near, in balance, and @p barrier, without: the
-  /// square of the stability margin falls to 0 on a line. Returns std::nullopt without a falling margin.
+  /// Returns a spin close to the end of the balance, which lies between @p near (in balance) and @p barrier
+  /// (no balance). The square of the stability margin is extrapolated linearly to 0. Returns std::nullopt if
+  /// the margin does not decrease.
   std::optional<double> next_to_the_end(double near, double barrier) const
   {
     if (!search.stability_margin)
@@ -194,8 +195,8 @@ private:
     return std::clamp(end - 0.3 * enough, near + 0.05 * width, barrier - 0.05 * width);
   }
 
-  /// Returns whether an earlier zero is possible by the samples up to the zero at @p spin; takes a sample
-  /// halfway if none lies in the middle three fifths.
+  /// Returns true if the samples do not exclude an earlier zero than the zero at @p spin. Evaluates the
+  /// torque halfway if no sample lies in the middle three fifths.
   bool needs_scan(double spin)
   {
     std::vector<DrivingTorque> way;
@@ -215,7 +216,7 @@ private:
     for (std::size_t i = 1; i < way.size(); ++i)
       if (way[i].torque >= way[i - 1].torque)
         return true;
-    // Close to the zero the slope is dominated by rounding.
+    // Next to the zero, rounding dominates the slope.
     const double too_close = rounding_distance * search.spin_scale;
     const DrivingTorque *nearest = nullptr;
     for (const DrivingTorque &sample : samples)
@@ -229,7 +230,8 @@ private:
     return !(local * steepness_ratio > mean && local < steepness_ratio * mean);
   }
 
-  /// Returns the first zero up to the zero at @p spin. Throws BalanceLost if the balance ends before.
+  /// Returns the first zero up to and including the zero at @p spin. Throws BalanceLost if the balance ends
+  /// before.
   double scanned(double spin)
   {
     DrivingTorque near = samples.front();
@@ -246,11 +248,11 @@ private:
     return spin;
   }
 
-  /// Returns the zero at @p spin if the balance holds from rest to it, else the first zero before. Throws
-  /// BalanceLost. Precondition: the search has a stability margin.
+  /// Returns the zero at @p spin if the balance holds from rest to this spin, otherwise the first zero
+  /// before. Throws BalanceLost. Precondition: the search has a stability margin.
   double reached(double spin)
   {
-    // An end of the balance narrower than the spacing of the probes is missed.
+    // Ends of the balance that are narrower than the spacing of the probes are missed.
     constexpr unsigned int max_probes = 200;
     for (unsigned int i = 0; i < max_probes; ++i)
     {
@@ -265,7 +267,8 @@ private:
     return spin;
   }
 
-  /// Returns the last sample before @p spin with a positive driving torque; the sample at rest is one.
+  /// Returns the last sample before @p spin with a positive driving torque. The sample at rest is always
+  /// available.
   DrivingTorque nearest_before(double spin) const
   {
     DrivingTorque near = samples.front();
@@ -275,15 +278,15 @@ private:
     return near;
   }
 
-  /// Returns the spin up to @p spin at which the balance is most likely to end; std::nullopt if the samples
-  /// are steady or exclude an end. The square of the stability margin falls towards a fold nearly on a line,
-  /// so that the lines through its neighbours bound it between two samples; with a factor, because it is not
-  /// quite convex.
+  /// Returns the spin in [0, @p spin] at which the balance is most likely to end; std::nullopt if the samples
+  /// are steady or exclude an end. Near a fold the square of the stability margin is nearly linear in the
+  /// spin. Between two samples, the lines through the neighbouring samples therefore bound the square from
+  /// below. Their slopes are multiplied by `safety` because the square is not exactly convex.
   std::optional<double> unsteadiest(double spin) const
   {
     constexpr double safety = 1.5;
     const double narrowest = margin_distance_on_the_way * search.spin_scale;
-    std::map<double, double> squares; // by spin; samples closer together give no slope
+    std::map<double, double> squares; // by spin; samples that are too close for a slope are omitted
     for (const DrivingTorque &sample : samples)
     {
       const auto next = squares.lower_bound(sample.spin - narrowest);
@@ -293,7 +296,7 @@ private:
     }
     const auto slope = [](auto one, auto other)
     { return (other->second - one->second) / (other->first - one->first); };
-    std::map<double, double> wide; // middles of intervals by the lower square
+    std::map<double, double> wide; // middles of wide intervals, by the smaller square
     std::optional<double> worst;
     double least = 0.;
     for (auto right = std::next(squares.begin()); right != squares.end(); ++right)
@@ -310,7 +313,7 @@ private:
       // cause small folds.
       if (width > search.spin_scale * std::clamp(lower / 8., 1. / 256., scan_step))
         wide.emplace(lower, (left->first + right->first) / 2.);
-      // Slope of the square towards the interior of the interval, from either side.
+      // Slopes with which the square may fall towards the interior of the interval, from each end.
       const double own = slope(left, right);
       const double from_left = safety * std::max(is_first ? 0. : -slope(std::prev(left), left), -own),
                    from_right = safety * std::max(is_last ? 0. : slope(right, std::next(right)), own);
@@ -322,7 +325,7 @@ private:
       if (bound < least)
       {
         least = bound;
-        // A probe closer to an end would coincide with the sample there.
+        // A probe closer to an end would coincide with the sample at this end.
         const double margin = std::max(0.1 * width, 1.1 * narrowest);
         worst = left->first + std::clamp(share * width, margin, width - margin);
       }
@@ -331,9 +334,9 @@ private:
   }
 
   /// Returns the middle of the interval before @p spin in which the driving torque of an unsteady balance
-  /// changes most; std::nullopt if it changes little in every interval. A change that remains in the
-  /// narrowest interval is a jump to another balance, beside the one that is reached from rest and ends
-  /// there: the glass tips. Throws BalanceLost at a jump.
+  /// changes most; std::nullopt if the torque changes little in every interval. If a large change remains in
+  /// the narrowest interval, the torque jumps to another balance: the balance reached from rest ends there
+  /// and the glass tips. Throws BalanceLost at a jump.
   std::optional<double> middle_of_jump(double spin) const
   {
     constexpr double unsteady_at_jump = 0.3; // stability margin next to the end of a balance
@@ -367,7 +370,7 @@ private:
   const std::function<double(double)> &driving_torque;
   const double direction;
   const SpinSearch &search;
-  std::vector<DrivingTorque> samples; ///< the first one at spin 0
+  std::vector<DrivingTorque> samples; ///< the first sample is at spin 0
 };
 } // namespace
 
@@ -404,8 +407,8 @@ std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const To
                                                 const SpinSearch &search)
 {
   constexpr unsigned int max_steps = 8;
-  constexpr double nearly = 1e-7;    // relative distance of spins within which the load is constant
-  constexpr double of_another = 0.1; // relative error of a slope that belongs to another torque
+  constexpr double nearly = 1e-7;    // maximum relative distance of two spins with the same load
+  constexpr double of_another = 0.1; // relative error of the slope of a similar torque
   const double grip = std::copysign(search.grip_torque, known.omega);
   const double scale = std::max(std::abs(known.omega), least_size * search.spin_scale);
   double spin = known.omega, slope = known.slope, slope_error = of_another;
@@ -423,7 +426,7 @@ std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const To
       return std::nullopt;
     const double next_value = torque(next) - grip;
     const double secant = (next_value - value) / step;
-    // The secant of two close samples is dominated by rounding.
+    // The secant through two close samples is dominated by rounding.
     if (std::abs(step) > rounding_distance * search.spin_scale)
     {
       slope = secant;

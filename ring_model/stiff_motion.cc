@@ -22,9 +22,9 @@ StiffMotion::StiffMotion(PhasedTorqueFunction torque, double yaw_inertia, double
 
 bool StiffMotion::is_stiff(const YawSample &start, double end, std::size_t n_times) const
 {
-  // A step costs about 30 torques; explicit steps need two per time constant.
+  // An implicit step costs about 30 torque evaluations; explicit steps need two per time constant.
   constexpr double min_time_constants = 20.;
-  // The torque may jump at rest. The relevant slope is on the side to which the glass turns.
+  // The torque may jump at rest. The relevant slope is on the side towards which the glass turns.
   YawSample beside = start;
   beside.omega += std::copysign(2e-5 * spin_scale, torque(start.time, start.yaw_angle, start.omega));
   return -slopes(beside).spin / yaw_inertia * end > min_time_constants * static_cast<double>(n_times);

@@ -25,7 +25,7 @@ TerminalSpin described(const TorqueFunction &torque, double yaw_inertia, double 
     {
       return torque_slope(torque, omega, step);
     }
-    catch (const std::runtime_error &) // tipping is close; a narrower step may not reach it
+    catch (const std::runtime_error &) // the glass tips close by; a narrower step may stay in balance
     {
       if (step <= narrow)
         throw;
@@ -84,8 +84,8 @@ std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, doubl
   for (unsigned int i = 0; i <= n_intervals; ++i)
     samples.emplace_back(spin(i), torque(spin(i)));
 
-  // If |torque| has a local minimum without a change of sign, the minimum is added as a sample: it may have
-  // the other sign.
+  // If |torque| has a local minimum without a change of sign, a sample is added at the minimum, because the
+  // torque may have the other sign there.
   for (unsigned int i = 1; i < n_intervals; ++i)
   {
     const double sign = samples[i].second < 0. ? -1. : 1.;

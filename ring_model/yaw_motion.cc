@@ -21,12 +21,12 @@ namespace stemware::ring
 {
 namespace
 {
-/// psi and omega / spin_scale, so that one tolerance applies to both.
+/// Components psi and omega / spin_scale, so that one tolerance applies to both.
 using YawState = std::array<double, 2>;
 
-/// Motion of a glass that the fingers brake with at most the grip torque. While the glass turns in one
-/// direction the torque is smooth. An event ends the turning at omega = 0. The glass then rests until the
-/// free torque exceeds the grip, or turns back.
+/// Motion of a glass braked by the fingers with at most the grip torque. The torque is smooth while the glass
+/// turns in one direction. At omega = 0 an event ends the turning. The glass then rests until the free torque
+/// exceeds the grip, or turns back.
 class GrippedMotion
 {
 public:
@@ -98,7 +98,7 @@ private:
   /// below the accuracy of the integrator.
   double before_stop(int turns, double omega) const { return turns * omega / spin_scale + accuracy / 100.; }
 
-  /// Returns the end of the next step at most: the next discontinuity of the torque, or the end.
+  /// Returns the upper limit of the next step: the next discontinuity of the torque, or the end.
   double next_break(double time) const
   {
     const double after = origin + time + 1e-13 * (std::abs(origin) + end);
@@ -119,8 +119,8 @@ private:
     return samples.size() < wanted->size() && (*wanted)[samples.size()] * (1. - 1e-15) <= time;
   }
 
-  /// Returns the root of @p positive between @p from and @p to, rounded to the side of @p to. The sign
-  /// changes in between.
+  /// Returns the root of @p positive between @p from and @p to, rounded towards @p to. Precondition: a change
+  /// of sign between the two times.
   template <typename Function>
   static double end_of(const Function &positive, double from, double to)
   {
@@ -130,7 +130,7 @@ private:
       .second;
   }
 
-  /// Stays at rest until the free torque exceeds the grip, or to the end.
+  /// Advances at rest until the free torque exceeds the grip, or to the end.
   void rest()
   {
     constexpr unsigned int n_looks = 64; // minimum number of checks between outputs and breaks
@@ -159,12 +159,12 @@ private:
     }
   }
 
-  /// Integrates while the glass turns in the direction @p turns: the Dormand-Prince pair with step control
-  /// and dense output (Boost.Odeint).
+  /// Integrates while the glass turns in the direction @p turns. Uses the Dormand-Prince pair with step
+  /// control and dense output (Boost.Odeint).
   void turn(int turns)
   {
     namespace odeint = boost::numeric::odeint;
-    constexpr unsigned int n_looks = 8; // checks per step: the spin may touch 0 within it
+    constexpr unsigned int n_looks = 8; // checks per step, because the spin may reach 0 within a step
     const auto rate_of = [&](const YawState &state, YawState &rate, double time)
     {
       rate[0] = state[1] * spin_scale;
@@ -215,7 +215,7 @@ private:
     }
   }
 
-  /// Integrates like turn(), by StiffMotion.
+  /// Like turn(), but integrated by StiffMotion.
   void turn_stiffly(int turns)
   {
     const StiffMotion motion = stiff_motion(turns);
@@ -255,9 +255,9 @@ private:
   bool is_stiff = false;
 };
 
-/// Returns the motion from @p start at @p times relative to it. The tolerance of a step is a tenth of the
-/// requested accuracy: the errors of all steps add up, and the interpolation is one order lower than the
-/// steps.
+/// Returns the motion from @p start at @p times relative to the start. The tolerance of a step is a tenth of
+/// the requested accuracy, because the errors of all steps add up and the interpolation is one order lower
+/// than the steps.
 std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFunction &torque,
                                    double yaw_inertia, const std::vector<double> &times, double accuracy,
                                    double spin_scale, double grip, const std::vector<double> &breaks = {})
@@ -279,7 +279,7 @@ double smooth_mean(const std::vector<YawSample> &samples)
   return sum / weights;
 }
 
-/// Returns the maximum of equidistant values, at the vertex of the parabola through the largest value and its
+/// Returns the maximum of equidistant values: the vertex of the parabola through the largest value and its
 /// neighbours.
 double largest(const std::vector<double> &values)
 {
@@ -362,7 +362,7 @@ std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, doub
     const auto [time, angle, omega] = samples.back();
     const double free = torque(time, angle, omega),
                  next = omega + torque_with_grip(free, omega, grip) / yaw_inertia * time_step;
-    // Fingers stop a spin but do not reverse it.
+    // The fingers stop a spin but do not reverse it.
     const bool stops = omega * next < 0. && std::abs(free) <= grip;
     samples.push_back({ i * time_step, angle + omega * time_step, stops ? 0. : next });
   }

@@ -88,8 +88,8 @@ double RingStack::radius() const
     sum += std::abs(ring.a[0]) * ring.radius;
     weights += std::abs(ring.a[0]);
   }
-  // Several rings may have first harmonics that cancel in the moment. A moment at rounding level defines no
-  // radius.
+  // The first harmonics of several rings may cancel in the moment. A moment at rounding level does not define
+  // a radius.
   constexpr double no_moment = 1e-9;
   const double moment_norm = moment().norm();
   return moment_norm > no_moment * 2. * pi * sum ? moment_norm / (pi * std::hypot(a(1), b(1)))
@@ -189,7 +189,7 @@ double RingStack::integral(double from, double to) const
 
 double RingStack::pulling_force() const
 {
-  // The local minima are included because the load may be negative between two samples only.
+  // The local minima are included because the load may be negative only between two samples.
   const std::vector<double> samples = evenly_spaced_values();
   const double spacing = 2. * pi / static_cast<double>(samples.size());
   std::map<double, double> values = local_minima();

@@ -41,7 +41,7 @@ Eigen::VectorXd AdaptiveCurve::Piece::at(double x) const
 
 double AdaptiveCurve::Piece::error() const
 {
-  constexpr Eigen::Index min_nodes = 4; // at least two nodes must have contributed to the estimate
+  constexpr Eigen::Index min_nodes = 4; // the estimate requires at least two added nodes
   return nodes.size() < min_nodes ? std::numeric_limits<double>::infinity() : estimate;
 }
 
@@ -85,7 +85,7 @@ AdaptiveCurve::AdaptiveCurve(const CurveSource &source, double lower, double upp
       refine(source, *worst);
       continue;
     }
-    // The halves of the piece in the smooth coordinate.
+    // Halves of the piece in its smooth coordinate.
     const double middle = worst->place(0.5);
     const Piece left = through_ends(source, worst->begin, middle, worst->kink_at_begin, false);
     *worst = through_ends(source, middle, worst->end, false, worst->kink_at_end);
@@ -129,7 +129,7 @@ AdaptiveCurve::Piece AdaptiveCurve::through_ends(const CurveSource &source, doub
 
 void AdaptiveCurve::refine(const CurveSource &source, Piece &piece)
 {
-  constexpr double safety = 2;      // the error may be larger at other places
+  constexpr double safety = 2;      // the error may be larger at other points
   constexpr double usual_gain = 10; // maximum reduction by one sample; a larger one may be accidental
   const double x = next_place(piece);
   const Eigen::VectorXd &exact = sample(source, x);

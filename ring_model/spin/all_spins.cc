@@ -13,8 +13,8 @@ namespace stemware::ring
 namespace
 {
 
-/// Returns how many of at most @p n_most steps of @p step from rest have a balance, tried in strides of @p
-/// stride.
+/// Returns the number of consecutive steps of @p step from rest that have a balance, at most @p n_most. Tests
+/// every @p stride-th step.
 int n_balances(const Load &load, double step, int stride, int n_most)
 {
   int n_found = 0;
@@ -22,20 +22,20 @@ int n_balances(const Load &load, double step, int stride, int n_most)
   for (const int n : { stride, 1 })
     while (n_found + n <= n_most && goes_on(n))
       n_found += n;
-  return n_found; // beyond it the glass tips or has no balance
+  return n_found; // at higher spins the glass tips or has no balance
 }
 
-/// Range of the scan on either side of rest.
+/// Range of the scan in either direction from rest.
 struct Reach
 {
   double step; ///< [rad/s]
   int n_steps, stride;
 };
 
-/// Returns true if friction brakes at @p omega and beyond, by much more than the lean of the glass can drive.
-/// If the whole rim turns faster than it travels, eps = |omega| r / v > 1, friction brakes at every point of
-/// the rim with an arm of at least sqrt(1 - 1 / eps^2) r. This holds for any load without tension, such as a
-/// contact's.
+/// Returns true if friction brakes at @p omega and beyond, by much more than the lean torque. If the whole
+/// rim turns faster than it travels, eps = |omega| r / v > 1, friction brakes at every point of the rim with
+/// an arm of at least sqrt(1 - 1 / eps^2) r. This holds for any load without tension, for example the load of
+/// a contact.
 bool brakes_beyond(double omega, const Load &load, const Motion &motion)
 {
   constexpr double much = 10;
@@ -51,8 +51,8 @@ bool brakes_beyond(double omega, const Load &load, const Motion &motion)
   return much * std::abs(at_spin.lean_torque()) < min_torque;
 }
 
-/// Returns the range up to which friction may drive: it ends where friction brakes for any load distribution
-/// or the load has no balance, otherwise at 1.5 v / R.
+/// Returns the range in which friction may drive. The range ends where friction brakes for any load
+/// distribution or where the load has no balance, otherwise at 1.5 v / R.
 Reach reach_of(const Load &load, const Motion &motion)
 {
   const double unit = load.spin_scale(motion);
@@ -84,8 +84,8 @@ std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &quest
     return all_terminal_spins(torque, motion.yaw_inertia, unit, lower, upper,
                               static_cast<unsigned int>(n_intervals));
   };
-  // A coarse interpolated curve is scanned because contacts are costly. Each zero is then found again with
-  // the load itself.
+  // Scans a coarse interpolated curve because contact solves are costly. Then each zero is refined with the
+  // load itself.
   double reach = 1e-4 * unit;
   const auto scan = [&, step = step]
   {
@@ -103,13 +103,13 @@ std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &quest
           spins.push_back(spin);
     return spins;
   };
-  // If the load has no balance somewhere between spins that have one, further spins are not searched.
+  // If some spins in the scan have no balance, further terminal spins are not searched.
   std::vector<TerminalSpin> spins = find_or_nullopt(scan).value_or(std::vector<TerminalSpin>());
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (TerminalSpin &spin : spins)
     if (question.grip_torque > 0 && std::abs(spin.omega) < 1e-9 * unit)
       spin = { 0, nan, nan, true, true };
-  // The spin reached from rest is more accurate, so it replaces its duplicate.
+  // The terminal spin reached from rest is more accurate, so it replaces its duplicate in the scan.
   spins.erase(std::remove_if(spins.begin(), spins.end(),
                              [&](const TerminalSpin &spin)
                              { return std::abs(spin.omega - found.terminal->omega) < reach; }),

@@ -19,8 +19,9 @@ namespace stemware::ring
 namespace
 {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-/// Returns the time over which the mean spin is taken: more than ten times the period of the slowest phase
-/// and the decay time of the spin. The period is unbounded in a glass that nearly follows its orbit.
+/// Returns the averaging window of the mean spin: more than ten times both the period of the slowest phase
+/// and the decay time of the spin. The period grows without bound if the glass turns nearly at the orbit's
+/// rate.
 double averaging_window(const PhasePeriods &periods, const Motion &motion, const TerminalSpin &terminal)
 {
   const double orbit = std::abs(motion.orbit_rate());
@@ -31,14 +32,15 @@ double averaging_window(const PhasePeriods &periods, const Motion &motion, const
   return std::max(16 * slowest, 8 * std::min(terminal.time_constant, 100 / orbit));
 }
 
-/// Returns the terminal spin with the load at rest, as an initial guess; std::nullopt if there is none.
+/// Returns the terminal spin with the load at rest as an initial guess; std::nullopt if that load has no
+/// terminal spin.
 std::optional<double> expected_spin(const Load &load, const Motion &motion)
 {
   return find_or_nullopt([&] { return terminal_spin(load.at(0), motion).omega; });
 }
 
-/// Returns the terminal spin with the load of one phase. It is close to the terminal spin with the mean load,
-/// but does not need all phases. std::nullopt if there is none.
+/// Returns the terminal spin with the load of a single phase; std::nullopt if that load has none. The
+/// terminal spin with the mean load is close, but requires all phases.
 std::optional<double> spin_at_first_phase(const PhaseSampledLoad &phases, const Motion &motion,
                                           const SpinSearch &search)
 {
@@ -64,15 +66,16 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
   const PhaseSampledLoad &phases = *load.phases();
   const Motion &motion = question.motion;
   TerminalSpin &spin = *found.terminal;
-  // The spin stays within the zeros of the torque at the individual phases; inertia only reduces its swing.
+  // The spin stays between the zeros of the torques of the individual phases. Inertia only reduces the
+  // ripple.
   double largest_torque = 0;
   for (unsigned int i = 0; i < phases.phases().size(); ++i)
     largest_torque =
       std::max(largest_torque, std::abs(yaw_torque(load, motion, spin.omega, phases.phases().phase(i))));
   const double slope = spin.held ? 0 : std::abs(spin.torque_slope),
                reach = slope > 0 ? 2 * largest_torque / slope : 0.01 * spin_scale;
-  // The tolerance is a tenth of the error of the loads between phases, at most `coarsest` or the error of
-  // their mean.
+  // The accuracy is a tenth of the error of the loads between phases, but at most `coarsest` or the error of
+  // the mean load, whichever is larger.
   constexpr double coarsest = 1e-3;
   const SampleError known = phases.error(spin.omega - reach, spin.omega + reach);
   const double accuracy = std::clamp(0.1 * known.between, 1e-9, std::max(coarsest, known.mean));
@@ -85,7 +88,7 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
                                            accuracy, spin_scale, question.grip_torque);
   spin.omega = mean.mean;
   found.ripple = mean.ripple;
-  // Error of the mean, plus the error between phases to the extent that the ripple lets the glass dwell at
+  // Error of the mean load, plus a share of the error between phases: the ripple may keep the glass longer at
   // some phases.
   const double turning = std::abs(mean.mean - motion.orbit_rate());
   const double longer = phases.phases().glass.size() == 1 ? 0
@@ -107,7 +110,7 @@ double find_terminal(const Load &load, const Question &question, Answer &found)
   const auto torque = [&](double omega) { return yaw_torque(load, motion, omega); };
   SpinSearch search;
   search.spin_scale = load.spin_scale(motion);
-  search.tolerance = 1e-11; // contacts are accurate to 1e-10 of the load or better
+  search.tolerance = 1e-11; // contact solutions are accurate to at least 1e-10 of the load
   search.initial_guess = question.initial_guess != 0 ? question.initial_guess : expected_spin(load, motion);
   search.grip_torque = question.grip_torque;
   search.stability_margin = [&load](double omega) { return load.stability_margin(omega); };
@@ -269,7 +272,7 @@ Answer compared_with_all(Answer answer, const Answer &all, const Load &load, con
   if (!all.terminal)
     return answer;
   const double omega = all.terminal->omega;
-  // Without a moment the glass does not spin up. The spin is then a rounding error, and a relative change is
+  // Without a moment the glass does not spin up: the spin is a rounding error, so a relative change is
   // undefined.
   const double scale = motion.orbit_speed / all.at_rest->load.radius();
   if (answer.terminal && std::abs(omega) > 1e-9 * scale)

@@ -17,8 +17,9 @@ namespace
 {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns friction plus lean torque [N m]; time and yaw angle matter only if the phase does. An integrator
-/// may step beyond the spin at which the glass tips. There the torque is extended as a constant.
+/// Returns friction plus lean torque [N m]. Time and yaw angle matter only if the load depends on the phase.
+/// Beyond the spin at which the glass tips, the torque is continued as a constant, because an integrator may
+/// step too far.
 PhasedTorqueFunction torque_until(const std::optional<Fall> &fall, const Load &load, const Question &question)
 {
   const double lower = fall ? std::min(0., fall->omega) : -HUGE_VAL,
@@ -85,7 +86,8 @@ PhasedTorqueFunction tabulated_torque(const Load &load, const Motion &motion, do
                                       double tolerance)
 {
   const PhaseGrids &grids = load.phases()->phases();
-  // The range ends at the sampled spins: beyond them the load would need further contacts, and has a kink.
+  // The table ends at the range of one polynomial: beyond that range, the load would need further contact
+  // solves and has a kink.
   const auto [slowest, fastest] = load.phases()->polynomial_range(middle);
   const double lower = std::max(middle - reach, slowest), upper = std::min(middle + reach, fastest);
   const auto at_phases = [&](double omega)
@@ -156,7 +158,7 @@ Load interpolated_for_curves(const Load &load, const Answer &found, double lower
     return find_or_nullopt(
       [&] { return load.interpolated(std::min(one, other), std::max(one, other), tolerance, similar); });
   };
-  CurveTolerance near_fall; // the load is steep where the balance ends
+  CurveTolerance near_fall; // smaller, because the load is steep near the end of the balance
   near_fall.relaxed = near_fall.coarsest;
   if (found.fall)
     return between(0, found.fall->omega, near_fall).value_or(load);

@@ -13,7 +13,7 @@ namespace stemware::ring
 PhasedTorqueFunction driven_torque(Closure closure, const Motion &motion, double radius,
                                    OrbitSpeedTable speeds)
 {
-  SelfConsistentRing(closure, motion, radius); // throws for inadmissible parameters before the first step
+  SelfConsistentRing(closure, motion, radius); // throws for invalid parameters before the first step
   return [closure, motion, radius, speeds = std::move(speeds)](double time, double, double omega)
   { return SelfConsistentRing(closure, speeds.motion_at(motion, time), radius).torque(omega); };
 }

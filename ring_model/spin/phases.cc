@@ -36,7 +36,7 @@ Eigen::VectorXd PeriodicGrid::weights(double angle) const
 {
   if (n_nodes == 1)
     return Eigen::VectorXd::Ones(1);
-  // Barycentric form for an even number of nodes: (-1)^i cot((x - x_i) / 2).
+  // Barycentric trigonometric interpolation with an even number of nodes: (-1)^i cot((x - x_i) / 2).
   const double half = pi * angle / period, of_cosine = std::cos(half), of_sine = std::sin(half);
   const Eigen::ArrayXd distance = of_sine * cosine - of_cosine * sine;
   Eigen::Index nearest = 0;
@@ -76,7 +76,8 @@ Eigen::VectorXd PhaseGrids::interpolated(const Eigen::Ref<const Eigen::MatrixXd>
 {
   const Eigen::VectorXd weights_there = weights(phase);
   Eigen::Index nearest = 0;
-  if (weights_there.maxCoeff(&nearest) == 1 && weights_there.lpNorm<1>() == 1) // a phase of the grid
+  // The angle is a phase of the grid.
+  if (weights_there.maxCoeff(&nearest) == 1 && weights_there.lpNorm<1>() == 1)
     return columns.col(nearest);
   return columns * weights_there;
 }

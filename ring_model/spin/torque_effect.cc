@@ -23,12 +23,12 @@ std::optional<TorqueEffect::AtSpin> effect_at(const Torque &torque, unsigned int
   return TorqueEffect::AtSpin{ torque->change(n), torque->rest(n), torque->bound(n) };
 }
 
-/// Returns the maximum of |change(spin)| between the neighbours of its largest sample, at the spin @p
-/// spins[i].
+/// Returns the spin at which |change(spin)| is largest between the neighbours of @p spins[i], the sample with
+/// the largest change.
 template <typename Change>
 double polished_maximum(const std::vector<double> &spins, std::size_t i, const Change &change)
 {
-  constexpr int n_bits = 20; // of the spin; the value is then accurate to rounding
+  constexpr int n_bits = 20; // accuracy of the spin; the value is then accurate to rounding
   const auto [low, high] = std::minmax(spins[i > 0 ? i - 1 : 0], spins[std::min(i + 1, spins.size() - 1)]);
   const auto found = boost::math::tools::brent_find_minima(
     [&](double omega) { return -std::abs(change(omega)); }, low, high, n_bits);
