@@ -12,15 +12,16 @@ namespace stemware::fem
 namespace
 {
 
-/// Maximum azimuth difference of lines of one cut [rad], well above rounding.
+/// Maximum azimuth difference between lines of the same cut [rad]. Far above rounding.
 constexpr double azimuth_tolerance = 1e-7;
 
-/// Combines the values of lines of equal azimuth into one value per cut.
+/// Combines the values of lines at the same azimuth into one value per cut.
 std::vector<CutValue> combined(std::vector<CutValue> places, double (*combine)(double, double))
 {
   const auto comes_before = [](const CutValue &one, const CutValue &other)
   { return one.azimuth < other.azimuth; };
-  if (!std::is_sorted(places.begin(), places.end(), comes_before)) // already sorted for a body of revolution
+  // The lines of a body of revolution are already sorted.
+  if (!std::is_sorted(places.begin(), places.end(), comes_before))
     std::stable_sort(places.begin(), places.end(), comes_before);
   std::vector<CutValue> cuts;
   for (const CutValue &place : places)
@@ -92,7 +93,7 @@ std::vector<AzimuthLoad> density_of_nodes(const ContactSurface &surface, const E
   const double first = surface.parts.min(n_nodes > 0 ? *std::min_element(azimuths.begin(), azimuths.end())
                                                      : std::numeric_limits<double>::max());
   const double begin = first - two_pi / (4 * n_sectors);
-  // Per sector: density, sum of the azimuths relative to `begin`, number of nodes.
+  // Three entries per sector: density, sum of the azimuths relative to `begin`, number of nodes.
   std::vector<double> sums(3 * n_sectors, 0);
   for (unsigned int i = 0; i < n_nodes; ++i)
   {

@@ -22,7 +22,7 @@ namespace
 
 constexpr double two_pi = 2 * ring::pi;
 
-/// Pressures below this fraction of the maximum are rounding errors.
+/// Pressures below this fraction of the maximum count as rounding errors.
 constexpr double rounding_share = 1e-11;
 
 /// Returns the maximum on [-1, 1] of the quadratic through @p samples.
@@ -41,9 +41,9 @@ struct LineAreas
   double total = 0, unloaded = 0;
 };
 
-/// Returns the area of @p line and its unloaded part, where the quadratic through @p excess is not positive.
-/// A gap between two loaded ends counts as loaded: it is shorter than a cell and not resolved, e.g. next to
-/// the singular edge of a hard land.
+/// Returns the area of @p line and its unloaded part. A point is unloaded if the quadratic through @p excess
+/// is not positive there. A gap between two loaded ends counts as loaded: it is shorter than a cell and not
+/// resolved, e.g. next to the singular edge of a hard land.
 LineAreas areas_of(const ContactLine &line, const Eigen::Vector3d &excess)
 {
   const AreaElement element(line);
@@ -70,8 +70,8 @@ void for_each_interval(const std::vector<CutValue> &cuts, const Visitor &visit)
   }
 }
 
-/// Returns the fraction of the azimuths where the value, interpolated linearly between the cuts, is positive;
-/// 1 if it is positive on all cuts.
+/// Returns the fraction of the azimuths at which the value is positive, interpolated linearly between the
+/// cuts; 1 if the value is positive on all cuts.
 double positive_share(const std::vector<CutValue> &cuts)
 {
   double unloaded = 0;
@@ -122,8 +122,8 @@ double largest_between(const std::vector<CutValue> &cuts)
 namespace
 {
 
-/// Returns the fraction of the sectors under pressure. @p is_loaded: one entry per sector from theta = 0, for
-/// this part of the surface.
+/// Returns the fraction of the sectors under pressure. @p is_loaded has one entry per sector from theta = 0
+/// and covers this part of the surface.
 double share_of_sectors(const SurfaceParts &parts, std::vector<double> is_loaded)
 {
   parts.sum_in_place(is_loaded);
@@ -144,7 +144,7 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
   deepest = surface.parts.max(deepest);
   ContactExtent extent;
   extent.peak_pressure = pressure(deepest);
-  // Penetration at the edge of the contact. Hard laws have no lines and do not reach this point.
+  // Penetration at the edge of the contact. Only laws with lines, which are not hard, reach this statement.
   const double edge = law.penetration_at(rounding_share * extent.peak_pressure);
 
   std::vector<CutValue> cuts;
@@ -176,7 +176,7 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
     extent.area_share = azimuth_share;
     return extent;
   }
-  Eigen::Vector2d areas = Eigen::Vector2d::Zero(); // total, unloaded
+  Eigen::Vector2d areas = Eigen::Vector2d::Zero(); // total area, unloaded area
   for (std::size_t i = 0; i < depths.size(); ++i)
   {
     const LineAreas of_line = areas_of(surface.lines[i], depths[i].array() - edge);

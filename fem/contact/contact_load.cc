@@ -18,15 +18,15 @@ namespace
 
 using ring::pi;
 
-/// Fourier sums of point forces on rings, and the moments of the forces. For speed, consecutive points on one
-/// azimuth line are summed first, and cos n theta, sin n theta come from a recurrence.
+/// Fourier sums of point forces on rings, and the moments of the forces. For speed, consecutive points on the
+/// same azimuth line are summed first, and a recurrence gives cos n theta and sin n theta.
 class AzimuthSums
 {
 public:
   /// sum f, f y, -f x, f r, f r^2
   using Moments = Eigen::Matrix<double, 5, 1>;
 
-  /// @p radii: empty for a single ring.
+  /// @p radii is empty for a single ring.
   AzimuthSums(const std::vector<double> &radii, unsigned int n_harmonics)
       : shares(radii.empty() ? std::vector<double>{ 1 } : radii)
       , a(std::max<std::size_t>(radii.size(), 1), std::vector<double>(n_harmonics + 1, 0))
@@ -65,7 +65,7 @@ public:
 
   const Moments &moments() const { return sums; }
 
-  /// Returns the sums as rings with @p radii.
+  /// Returns the sums as rings of the given @p radii.
   std::vector<ring::RingStack::Ring> rings(const std::vector<double> &radii) const
   {
     std::vector<ring::RingStack::Ring> rings;
@@ -101,7 +101,7 @@ private:
   Moments sums = Moments::Zero();
   std::vector<std::vector<double>> a;
   std::vector<std::vector<double>> b;
-  Eigen::VectorXd of_rings; ///< forces of the current line by ring
+  Eigen::VectorXd of_rings; ///< forces of the current line, one per ring
   double cosine = 1;
   double sine = 0;
 };
@@ -174,8 +174,8 @@ const Eigen::VectorXd &RingWeights::at(double radius) const
     shares(static_cast<Eigen::Index>(k)) *= outside;
     outside *= (radius - radii[k]) * per_unit;
   }
-  // Beyond this bound the Lagrange polynomials amplify rounding. Linear weights still give the exact force
-  // and moment.
+  // Above this bound the Lagrange polynomials amplify rounding. Linear weights still give the exact force and
+  // moment.
   constexpr double max_extrapolation = 1e6;
   const bool is_between = radius >= radii.front() && radius <= radii.back();
   if (!is_between && radii.size() > 2 && shares.lpNorm<1>() > max_extrapolation)
@@ -214,7 +214,7 @@ ContactLoad harmonics_of(const std::vector<PointForce> &forces, unsigned int n_h
   const double moment = std::hypot(moments(1), moments(2));
   const double even = n_harmonics > 0 ? rings.front().a[1] : 0,
                odd = n_harmonics > 0 ? rings.front().b[1] : 0;
-  // Below rounding neither the direction of the moment nor its ratio to the first harmonic is defined.
+  // At rounding level, neither the direction of the moment nor its ratio to the first harmonic is defined.
   if (radii.empty() && moment > 1e-10 * moments(0) * mean_radius && (even != 0 || odd != 0))
   {
     rings.front().radius = moment / (pi * std::hypot(even, odd));
@@ -259,8 +259,8 @@ double least_load(const std::vector<AzimuthLoad> &pointwise)
 
 unsigned int n_line_parts(std::size_t n_rings)
 {
-  // Four Gauss points are exact for degree 7. Nine parts resolve the radial moment of order 12 to 1e-4 and of
-  // order 24 to 1 % if the line is twice as long as the contact is wide.
+  // Four Gauss points are exact up to degree 7. If the line is twice as long as the contact is wide, nine
+  // parts resolve the radial moment of order 12 to 1e-4 and the moment of order 24 to 1 %.
   constexpr std::size_t max_rings_of_four_points = 8;
   return n_rings <= max_rings_of_four_points ? 1 : static_cast<unsigned int>(n_rings / 3 + 1);
 }

@@ -26,14 +26,14 @@ double pressure_at(const std::vector<PressurePoint> &cut, double radius)
   return (1 - share) * below->pressure + share * above->pressure;
 }
 
-/// Returns @p n points of the cut across the width of the contact; NaN pressures if the cut has no load.
+/// Returns @p n points of the cut across the width of the contact; NaN pressures if the cut is unloaded.
 std::vector<PressurePoint> across_contact(const std::vector<PressurePoint> &cut, bool has_edge, std::size_t n)
 {
   const double nothing = std::numeric_limits<double>::quiet_NaN(), azimuth = cut.front().azimuth;
   const std::optional<ContactWidth> width = contact_width(cut, has_edge);
   if (!width)
     return std::vector<PressurePoint>(n, { cut.front().radius, azimuth, nothing });
-  // The points under pressure, plus the edges if these lie further out.
+  // Loaded points of the cut, and the edges if they lie further out.
   std::vector<PressurePoint> loaded;
   std::copy_if(cut.begin(), cut.end(), std::back_inserter(loaded),
                [&](const PressurePoint &point) { return point.pressure > 0 || !has_edge; });

@@ -68,8 +68,8 @@ public:
   double augmented_lagrangian_update(const Eigen::VectorXd &normal_displacement) override
   {
     const Eigen::VectorXd updated = forces(normal_displacement);
-    // |f - multiplier| / stiffness is the penetration of a loaded node; for an unloaded node, the tension
-    // that the multiplier would still exert, as a length.
+    // |f - multiplier| / stiffness is the penetration of a loaded node. For an unloaded node, it is the
+    // remaining tension of the multiplier, expressed as a length.
     const Eigen::Index n = surface.n_owned_nodes();
     const double violation =
       surface.parts.max_entry(((updated - multipliers).head(n).array() / stiffness.head(n).array()).abs());
@@ -78,7 +78,8 @@ public:
   }
 
 private:
-  /// Returns the nodal areas, 0 for ghost nodes: every node contributes on the part that owns it.
+  /// Returns the nodal areas, with 0 for ghost nodes, because the part of the surface that owns a node counts
+  /// its area.
   static Eigen::VectorXd own_areas(const ContactSurface &surface)
   {
     Eigen::VectorXd areas = surface.node_area;
@@ -92,7 +93,7 @@ private:
   }
 
   const ContactSurface &surface;
-  const Eigen::VectorXd stiffness; ///< penalty * nodal area [N/m]
+  const Eigen::VectorXd stiffness; ///< penalty times nodal area [N/m]
   Eigen::VectorXd multipliers;     ///< nodal forces [N]
 };
 

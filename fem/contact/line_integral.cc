@@ -29,7 +29,7 @@ unsigned int interior_roots(double c0, double c1, double c2, std::array<double, 
 }
 } // namespace
 
-// Defined here to compile Boost's slow header once only.
+// Defined in this file so that Boost's slow header is compiled only once.
 template <unsigned int n_points>
 const std::vector<double>
   GaussRule<n_points>::abscissas = boost::math::quadrature::gauss<double, n_points>::abscissa();
@@ -43,7 +43,8 @@ template struct GaussRule<6>;
 
 PositiveSegments::PositiveSegments(const Eigen::Vector3d &samples)
 {
-  // A quadratic lies below its control points. This test rejects most lines, which are far from contact.
+  // The maximum of a quadratic is at most the maximum of its control points. This quick test rejects most
+  // lines, because most lines are far from contact.
   const double control = 2 * samples(1) - (samples(0) + samples(2)) / 2;
   if (samples(0) <= 0 && samples(2) <= 0 && control <= 0)
     return;

@@ -65,7 +65,7 @@ void LinePattern::add(std::size_t line, std::size_t image, const Eigen::Vector3d
       add_at_nodes(image, sample_forces, sample_tangent, forces, tangent);
     return;
   }
-  constexpr int max_nodes = 25; // maximum number of nodes of a face; a fixed bound avoids heap allocations
+  constexpr int max_nodes = 25; // maximum number of nodes of a face; a fixed maximum avoids heap allocations
   const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_nodes, 1> node_forces =
     contact_line.shape.transpose() * sample_forces;
   const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_nodes, max_nodes> node_tangent =

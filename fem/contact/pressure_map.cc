@@ -37,7 +37,7 @@ void sort_by_azimuth(PressureMap &pressure_map)
 class LoadedLine
 {
 public:
-  /// Data of a line sent between ranks: azimuth, positions and penetrations at the samples.
+  /// Data of a line exchanged between ranks: azimuth, positions and penetrations at the samples.
   using Packed = Eigen::Matrix<double, 10, 1>;
 
   static Packed pack(const ContactLine &line, const Eigen::VectorXd &normal_displacement)
@@ -124,7 +124,7 @@ std::vector<std::vector<std::size_t>> groups_of_azimuths(const std::vector<doubl
   constexpr double tolerance = 1e-7;
   std::vector<std::size_t> order(azimuths.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  // The shift maps azimuths within rounding below 2 pi to 0.
+  // The shift maps azimuths just below 2 pi (within rounding) to 0.
   const auto key = [&](std::size_t i) { return wrapped(azimuths[i] + tolerance / 2); };
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
   std::vector<std::vector<std::size_t>> groups;
@@ -138,10 +138,10 @@ std::vector<std::vector<std::size_t>> groups_of_azimuths(const std::vector<doubl
 }
 
 /// Returns the distance from the last loaded point to the edge of contact, divided by the spacing of the
-/// points, for a pressure with a vertical tangent at the edge (Hertzian line contact). @p last, @p before and
-/// @p second are the pressures at the last three loaded points, from the edge inwards. The squares of the
-/// pressures are nearly linear there and are extrapolated by a quadratic. Returns std::nullopt if the
-/// pressure itself is closer to linear.
+/// points. Assumes a pressure with a vertical tangent at the edge (Hertzian line contact). @p last, @p before
+/// and @p second are the pressures at the last three loaded points, from the edge inwards. The squares of the
+/// pressures are nearly linear near the edge and are extrapolated by a quadratic. Returns std::nullopt if the
+/// pressure is closer to linear than its square.
 std::optional<double> reach_of_upright_edge(double last, double before, double second)
 {
   const auto bend = [](double q0, double q1, double q2) { return std::abs((q2 - 2 * q1 + q0) / (q1 - q0)); };
@@ -155,9 +155,9 @@ std::optional<double> reach_of_upright_edge(double last, double before, double s
   return 2 * q0 / (linear + std::sqrt(discriminant));
 }
 
-/// Returns the point at which the pressure vanishes beyond the loaded point @p i of a cut, at most the next
-/// point. With three equally spaced loaded points: reach_of_upright_edge(). With two: linear extrapolation.
-/// With one: half-way to the next point.
+/// Returns the point beyond the loaded point @p i of a cut at which the pressure vanishes, at most the next
+/// point. Three equally spaced loaded points: reach_of_upright_edge(). Two points: linear extrapolation. One
+/// point: half-way to the next point.
 double edge_beyond(const std::vector<PressurePoint> &cut, std::size_t i, bool outwards)
 {
   if (i == (outwards ? cut.size() - 1 : 0))
@@ -180,8 +180,8 @@ double edge_beyond(const std::vector<PressurePoint> &cut, std::size_t i, bool ou
   return cut[i].radius + (std::abs(reach) < std::abs(to_next) ? reach : to_next);
 }
 
-/// Returns the radius inside which @p cut has the fraction @p share of its load. The pressure is linear
-/// between the points.
+/// Returns the radius that divides the load of @p cut: the fraction @p share acts inside this radius. The
+/// pressure is linear between the points.
 double radius_of_share(const std::vector<PressurePoint> &cut, double share)
 {
   const auto density = [&](std::size_t i) { return cut[i].pressure * cut[i].radius; };
@@ -195,7 +195,7 @@ double radius_of_share(const std::vector<PressurePoint> &cut, double share)
     const double piece = length(i) * (density(i) + density(i + 1)) / 2;
     if (remaining < piece)
     {
-      // remaining = h (p_0 t + (p_1 - p_0) t^2 / 2), solved for t without cancellation.
+      // Solves remaining = h (p_0 t + (p_1 - p_0) t^2 / 2) for t without cancellation.
       const double start = density(i), rise = density(i + 1) - start, wanted = remaining / length(i);
       return cut[i].radius +
              length(i) * 2 * wanted / (start + std::sqrt(std::max(0., start * start + 2 * rise * wanted)));
@@ -213,7 +213,7 @@ std::optional<ContactWidth> contact_width(const std::vector<PressurePoint> &cut,
   const auto first = std::find_if(cut.begin(), cut.end(), is_loaded);
   if (first == cut.end())
     return std::nullopt;
-  constexpr double left_out = 0.005; // fraction of the load left out on either side
+  constexpr double left_out = 0.005; // fraction of the load outside the width on each side
   if (!has_edge)
     return ContactWidth{ radius_of_share(cut, left_out), radius_of_share(cut, 1 - left_out) };
   const auto last = std::find_if(cut.rbegin(), cut.rend(), is_loaded).base() - 1;
@@ -292,7 +292,7 @@ PressureMap pressure_map_of_nodes(const ContactSurface &surface, const Eigen::Ve
     if (node.pressure >= min_share * largest)
       range = { std::min(range.inner, node.radius), std::max(range.outer, node.radius) };
   }
-  // The margin makes a contact on a single circle visible.
+  // The margin keeps a contact on a single circle visible.
   const double margin = std::max(0.25 * (range.outer - range.inner), 1e-4 * range.outer);
   PressureMap pressure_map;
   pressure_map.is_grid = !nodes.empty();

@@ -16,7 +16,7 @@ PressureProfile PressureProfile::with(const PressureMoments &moments, double exp
   PressureProfile profile = { moments.azimuth, moments.middle, 0, exponent, 0 };
   if (!(moments.force > 0 && moments.variance > 0))
     return profile;
-  // (1 - x^2)^a has the variance 1 / (2 a + 3) and the kurtosis 3 (2 a + 3) / (2 a + 5).
+  // The profile (1 - x^2)^a has the variance 1 / (2 a + 3) and the kurtosis 3 (2 a + 3) / (2 a + 5).
   profile.half_width = std::sqrt(moments.variance * (2 * exponent + 3));
   profile.peak = moments.force / profile.half_width * std::tgamma(exponent + 1.5) /
                  std::tgamma(exponent + 1) / std::sqrt(ring::pi);
@@ -53,7 +53,7 @@ std::vector<PressureMoments> moments_of_cuts(const ContactSurface &surface,
   sums = surface.parts.sum(sums);
   if (!(sums(0) > 0))
     return {};
-  const double origin = sums(1) / sums(0); // inside the contact, to limit cancellation
+  const double origin = sums(1) / sums(0); // origin inside the contact, to limit cancellation
 
   constexpr int n_moments = 5;
   using Moments = Eigen::Matrix<double, n_moments, 1>; // int p (r - origin)^k dr
@@ -113,7 +113,7 @@ std::vector<PressureProfile> profiles_of_cuts(const ContactSurface &surface,
   kurtosis /= force;
   if (!(kurtosis > 1.8 && kurtosis < 2.3))
     return {};
-  // Lower bound of the exponent: the value of a half-space (Hertz). A layer never makes the pressure more
+  // Lower bound of the exponent: 1/2, as on a half-space (Hertz). A layer never makes the pressure more
   // uniform.
   const double exponent = std::max(0.5, PressureProfile::exponent_of(kurtosis));
   std::vector<PressureProfile> profiles;

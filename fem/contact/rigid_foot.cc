@@ -18,7 +18,7 @@ Eigen::Matrix3d motion_stiffness(const Eigen::SparseMatrix<double> &tangent, con
   {
     Eigen::RowVector3d resisted = Eigen::RowVector3d::Zero();
     bool loaded = false;
-    // Most entries of the sparsity pattern are zero: nodes without load.
+    // Most entries of the sparsity pattern are zero, because they belong to unloaded nodes.
     for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, column); entry; ++entry)
       if (entry.value() != 0)
       {

@@ -23,7 +23,7 @@ std::mutex entering_blas;
 
 LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
 {
-  // Row i of the symmetric matrix from the diagonal on is column i of its lower triangle.
+  // In a symmetric matrix, row i from the diagonal on equals column i of the lower triangle.
   const auto n = static_cast<Eigen::Index>(matrix.m());
   LowerTriangle lower(n, n);
   lower.reserve(static_cast<Eigen::Index>(matrix.n_nonzero_elements() / 2 + matrix.m()));
@@ -41,7 +41,7 @@ LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
 
 struct BlockInverse::Plan
 {
-  Eigen::SparseMatrix<Eigen::Index> numbers; ///< in elimination order: index of each entry in the pattern
+  Eigen::SparseMatrix<Eigen::Index> numbers; ///< index of each entry in the pattern, in elimination order
   std::vector<Eigen::Index> of_kept;         ///< positions of the kept rows among the last rows
   std::unique_ptr<const CholmodFactors> symbolic;
 };
@@ -83,7 +83,7 @@ Eigen::MatrixXd BlockInverse::operator()(const Eigen::VectorXd &entries, unsigne
     numeric.factorise(matrix);
   }
 
-  // The kept rows come last. Their block of (L L')^-1 is (L_e L_e')^-1, with L_e the trailing block of L.
+  // The kept rows come last. Their block of (L L')^-1 is (L_e L_e')^-1, where L_e is the trailing block of L.
   const auto n_kept = static_cast<Eigen::Index>(plan->of_kept.size());
   const Eigen::MatrixXd end = numeric.end(static_cast<int>(n_kept));
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n_kept, n_columns);

@@ -28,7 +28,7 @@ std::shared_ptr<ContactSurface> BodyOfRevolution::lines() const
   struct Piece
   {
     unsigned int first;
-    Eigen::Vector3d radii; ///< of the samples
+    Eigen::Vector3d radii; ///< radii of the samples [m]
     Eigen::Matrix<double, 3, Eigen::Dynamic> shape;
   };
   std::vector<Piece> pieces;
@@ -41,7 +41,7 @@ std::shared_ptr<ContactSurface> BodyOfRevolution::lines() const
       for (unsigned int sample = 0; sample < 3; ++sample)
       {
         added.radii(sample) = nodes(0) + length * (piece + sample / 2.);
-        if (degree != 2) // for degree 2 the samples are exactly the nodes
+        if (degree != 2) // if the degree is 2, the samples coincide with the nodes
           added.shape.row(sample) = ring::lagrange_values(nodes, added.radii(sample));
       }
     }
@@ -91,7 +91,7 @@ void BodyOfRevolution::set_gap(const Gap &gap)
   for (ContactLine &line : surface->lines)
     for (unsigned int sample = 0; sample < 3; ++sample)
       line.gap(sample) = gap(line.position.row(sample).norm(), line.azimuth);
-  // Waviness is constant or linear along a line, a crown is quadratic.
+  // Along a line, waviness is constant or linear and a crown is quadratic.
   const ContactLine &line = surface->lines.front();
   const double bulge = line.gap(0) - 2 * line.gap(1) + line.gap(2);
   surface->is_crowned = std::abs(bulge) > 1e-12 * line.position.row(1).norm();

@@ -29,7 +29,7 @@ std::vector<double> key_of(const dealii::Triangulation<2> &triangulation, const 
       key.insert(key.end(), { cell->vertex(v)[0], cell->vertex(v)[1] });
     for (const unsigned int f : cell->face_indices())
     {
-      // The centre distinguishes curved edges.
+      // Curved edges with equal vertices differ in their centres.
       const dealii::Point<2> middle = cell->face(f)->center(true);
       key.insert(key.end(), { middle[0], middle[1], static_cast<double>(cell->face(f)->boundary_id()) });
     }

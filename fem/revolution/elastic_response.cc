@@ -10,7 +10,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Smallest range of circles that contains all forces.
+/// Smallest range of circles that includes all forces.
 struct CircleRange
 {
   explicit CircleRange(const Eigen::MatrixXd &forces)

@@ -6,8 +6,8 @@ namespace stemware::fem
 namespace
 {
 
-/// Strains in the order rr, zz, theta theta, rz, r theta, z theta (engineering shear strains), one column per
-/// field.
+/// One column of strains per field, in the order rr, zz, theta theta, rz, r theta, z theta (engineering shear
+/// strains).
 using StrainOfFields = Eigen::Matrix<double, 6, HarmonicStiffness::n_fields>;
 
 /// Strain of harmonic n of a displacement component: `constant` + n `linear`.

@@ -18,9 +18,9 @@ namespace
 
 /// Tolerance of a step: norm of the compliance outside the span of the functions, relative to the total.
 constexpr double step_accuracy = 1e-4;
-/// From this number of functions on, an inexact step is accepted if it reduces the error
-/// (slowest_contraction). Lands that are wide compared with the wavelength of the highest harmonic need more
-/// functions.
+/// If a step needs at least this number of functions, an inexact step is accepted, provided that it reduces
+/// the error by slowest_contraction. Many functions are needed if the land is wide compared with the
+/// wavelength of the highest harmonic.
 constexpr Eigen::Index many_functions = 10;
 /// Maximum ratio of the force errors after and before an inexact step on a rigid table.
 constexpr double slowest_contraction = 0.2;
@@ -174,8 +174,8 @@ LineNewton::Functions LineNewton::chosen_functions() const
       worst = std::max(worst, rest.norm());
       if (n_functions < many_functions)
         return;
-      // Contraction factor for a rigid table: |L^-1 rest L^-T|, where L L^T is the compliance of the tail,
-      // which the step treats exactly.
+      // Contraction factor for a rigid table: |L^-1 rest L^-T|, where L L^T is the compliance of the tail.
+      // The step treats the tail exactly.
       const Eigen::MatrixXd half = factor.matrixL().solve(rest);
       contraction = std::max(contraction, factor.matrixL().solve(half.transpose()).norm());
     };
@@ -280,7 +280,7 @@ RowMatrix LineNewton::system_of_amplitudes(const std::vector<Eigen::MatrixXd> &o
 Eigen::MatrixXd LineNewton::forces_of(const Eigen::MatrixXd &amplitudes, const Eigen::Vector3d &motion) const
 {
   const Eigen::Index p = smooth.values.cols(), n_lines = response.n_lines();
-  const Eigen::MatrixXd on_lines = response.basis().evaluate(amplitudes); // [p, n_lines]
+  const Eigen::MatrixXd on_lines = response.basis().evaluate(amplitudes); // shape [p, n_lines]
   Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(response.n_radii(), n_lines);
   for (const Bundle &bundle : bundles)
     for (Eigen::Index j = bundle.first_line; j < std::min(bundle.first_line + Lanes::n, n_lines); ++j)
@@ -308,8 +308,8 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
 
   // Unknowns: amplitudes y (function index fastest within a mode) and table motions dq, with A y + B dq = a,
   // C y + (corner - weight) dq = rhs. First the amplitudes are eliminated with the table held, as for an
-  // elastic foot on springs; then a 3 x 3 system gives dq.
-  RowMatrix system = system_of_amplitudes(on_lines); // [A, B, a]
+  // elastic foot on springs. Then a 3 x 3 system gives dq.
+  RowMatrix system = system_of_amplitudes(on_lines); // overwritten: [A, B, a]
   solve_dense(system, 4);
   const Eigen::MatrixXd held = system.rightCols<4>();
   const Eigen::MatrixXd tested = // C; the columns of a mode [3 * p] are consecutive
@@ -317,8 +317,8 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   Increment increment;
   increment.resistance = beside.leftCols<3>() - tested * held.leftCols<3>();
 
-  // Scaling to comparable rows and columns: forces per N, lengths per penetration under 1 N, tilts as heights
-  // at the rim.
+  // Scales rows and columns to comparable sizes: forces are divided by 1 N, lengths by the penetration under
+  // 1 N, and tilts are expressed as heights at the rim.
   const double length = response.compliance().radii(response.n_radii() - 1);
   const Eigen::Vector3d row_scale = Eigen::Vector3d(1, 1 / length, 1 / length) / beside(0, 0);
   const Eigen::Vector3d column_scale(1, 1 / length, 1 / length);

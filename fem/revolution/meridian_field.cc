@@ -104,7 +104,8 @@ MeridianField::Amplitudes MeridianField::amplitudes(const DoFHandler<2>::active_
     {
       const PointValue at = value_at(fe_values, q, displacements[mode], dofs);
       const double radius = result.points[q][0];
-      // On the axis numerator and r both vanish, for any n: the quotient is the derivative of the numerator.
+      // On the axis, the numerator and r vanish for any n. The quotient is therefore the derivative of the
+      // numerator.
       const auto over_radius = [&](double u_r, double u_theta, double u_z)
       {
         const auto sum = [&](double r, double theta, double z)

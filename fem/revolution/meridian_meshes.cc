@@ -19,7 +19,8 @@ using namespace dealii;
 namespace
 {
 
-/// Returns the radii between which @p cell lies on the contact zone; equal radii if it does not.
+/// Returns the inner and outer radius of the contact face of @p cell; equal radii if the cell has no contact
+/// face.
 std::pair<double, double> contact_of(const Triangulation<2>::active_cell_iterator &cell)
 {
   for (const auto &face : cell->face_iterators())
@@ -51,7 +52,7 @@ bool flag_cut_cells(Triangulation<2> &one, const Triangulation<2> &other)
   return is_any_flagged;
 }
 
-/// Returns the re-entrant boundary vertices, with an interior angle above 1.2 pi.
+/// Returns the re-entrant boundary vertices (interior angle above 1.2 pi).
 std::set<unsigned int> reentrant_corners(const Triangulation<2> &triangulation)
 {
   std::map<unsigned int, double> angles;
@@ -70,7 +71,7 @@ std::set<unsigned int> reentrant_corners(const Triangulation<2> &triangulation)
     for (const auto &face : cell->face_iterators())
       if (face->at_boundary())
         for (unsigned int v = 0; v < 2; ++v)
-          // The margin excludes the vertices of curved boundaries, whose angles are close to pi.
+          // The margin above pi excludes the vertices of curved boundaries.
           if (angles[face->vertex_index(v)] > 1.2 * ring::pi)
             corners.insert(face->vertex_index(v));
   return corners;

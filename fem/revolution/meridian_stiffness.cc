@@ -47,7 +47,7 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
       entry.dofs.push_back(dofs[i]);
     const auto parts = stiffness.parts(fields.transpose() * weights.asDiagonal() * fields);
     for (std::size_t k = 0; k < parts.size(); ++k)
-      // the parts are symmetric, so that row-major equals column-major order
+      // The parts are symmetric, so their row-major storage equals the column-major storage.
       entry.parts[k] = FullMatrix<double>(n_dofs, n_dofs, parts[k].data());
     cells.push_back(std::move(entry));
   }

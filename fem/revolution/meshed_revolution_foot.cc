@@ -70,7 +70,8 @@ MeridianField MeshedRevolutionFoot::field(const ContactState &state) const
   const Zone &zone = zone_of(state);
   const ContactCompliance &part = zone.body.contact_compliance();
   const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
-  // Each harmonic costs one factorisation: those above the last one with 1e-4 of the mean load are left out.
+  // Each harmonic costs one factorisation. The highest harmonics are omitted as long as their load is below
+  // 1e-4 of the mean load.
   const auto load = [&](Eigen::Index mode)
   { return std::abs(modes.normal.col(mode).sum()) / FourierBasis::norm(static_cast<unsigned int>(mode)); };
   Eigen::Index n_modes = modes.normal.cols();

@@ -12,13 +12,13 @@ namespace stemware::fem
 namespace
 {
 
-/// Last two contacts of the continuation.
+/// Last two contact solutions of the continuation.
 struct Path
 {
   ContactSolution last;
   ContactSolution before;
   double share = 0; ///< fraction of the full moment in `last`
-  double step = 0;  ///< difference of `share` to `before`; 0 at the beginning
+  double step = 0;  ///< increase of `share` from `before` to `last`; 0 at the beginning
 
   /// Returns the linear extrapolation to the share @p next.
   ContactStart start(double next) const
@@ -35,7 +35,8 @@ struct Path
     share = next;
   }
 
-  /// Returns true if the tilt grows more than three times as fast with the moment as on average so far.
+  /// Returns true if the last step tilted the foot more than three times as much per moment as the average of
+  /// all steps.
   bool is_steep() const
   {
     constexpr double much_steeper = 3;

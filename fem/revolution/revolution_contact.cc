@@ -13,9 +13,9 @@ namespace stemware::fem
 namespace
 {
 
-/// Factors of one stiffening step of a cold start. The larger one converges for most contacts.
+/// Factors of one stiffening step of a cold start. Most cold starts converge with the larger factor.
 constexpr double large_stiffening = 1000, small_stiffening = 10;
-/// Softening factor for a start from a distant contact.
+/// Softening factor if the initial guess is a distant contact solution.
 constexpr double softening_of_start = 30;
 
 } // namespace
@@ -36,12 +36,12 @@ ContactControl RevolutionContact::contact_control()
   steps.clear();
   ContactControl control;
   control.tolerance = 1e-10;
-  // Rounding floor of a stiff spring; most contacts reach smaller residuals.
+  // Rounding floor of a stiff spring; most solves reach smaller residuals.
   control.equilibrium_tolerance = 1e-8;
   control.requires_unchanged_set = false;
   control.progress = [this](const ContactIteration &step)
   {
-    if (step.number <= 1) // first step of a solve
+    if (step.number <= 1) // the first step of a new solve
       steps.clear();
     steps.push_back(step);
   };
@@ -53,10 +53,11 @@ ContactSolution RevolutionContact::solve_cold(const LinearConditions &under, dou
   const double radius = setup.profile.contact_radius;
   const ContactSurface &surface = body.contact_surface();
 
-  // The initial softness presses a rigid rim down on a band that the mesh resolves well.
+  // The initial softness is chosen so that a rigid rim would be in contact over a width that the mesh
+  // resolves well.
   const bool is_narrow = setup.table.interface->is_hard() && setup.profile.crown_radius > 0;
   const double half_width = is_narrow ? 4 * setup.contact_half_width : setup.profile.land_width / 4;
-  // The depth exceeds the waviness, so that the whole rim is in contact.
+  // The depth exceeds the waviness, so the whole rim is in contact.
   const double depth =
     (setup.profile.crown_radius > 0 ? half_width * half_width / (2 * setup.profile.crown_radius)
                                     : 1e-3 * half_width) +
@@ -70,7 +71,8 @@ ContactSolution RevolutionContact::solve_cold(const LinearConditions &under, dou
   at.motion = rigid_foot_motion(surface, *soft_law, under, radius, pressed_in);
   at.normal_displacement = surface.motion_modes() * at.motion;
 
-  // The displacement under the rigid foot's forces is mostly a rigid motion. The table follows it.
+  // The displacement of the foot under the forces of the rigid contact is mostly a rigid motion. The table
+  // motion is corrected by this rigid motion.
   ContactForces rigid;
   soft_law->evaluate(at.normal_displacement, rigid);
   body.set_forces(rigid.forces);
@@ -95,7 +97,7 @@ ContactSolution RevolutionContact::stiffen(const LinearConditions &under, double
     const ContactSolution solution = solve_contact(body, *soft_law, under, radius, control, &at);
     const double n_steps = std::ceil(std::log(softness) / std::log(largest_step));
     const double next = n_steps > 1 ? std::pow(softness, 1 - 1 / n_steps) : 1;
-    // Scaling the penetrations with the softness of the law preserves the pressure.
+    // Penetrations scale with the softness of the law, so that the pressure is preserved.
     at.motion = solution.motion;
     at.normal_displacement =
       -surface.node_gap + next / softness * (surface.node_gap + solution.normal_displacement);
@@ -129,15 +131,15 @@ ContactSolution RevolutionContact::solve_softened(const ContactStart &start)
 
 bool RevolutionContact::is_stable(ContactSolution &solution) const
 {
-  // Below this moment ratio the whole rim is in contact, so the stiffness against tilt equals the upright
-  // glass's.
+  // Below this moment ratio the whole rim is in contact, so the stiffness against tilt equals the stiffness
+  // of the upright glass.
   constexpr double moment_ratio_of_lift_off = 1;
   const ContactSurface &surface = body.contact_surface();
   const Eigen::Vector2d moment = surface.node_position.transpose() * solution.forces;
   if (conditions.motion_weights().isZero() ||
       2 * moment.norm() < moment_ratio_of_lift_off * conditions.normal_force() * setup.profile.contact_radius)
     return true;
-  // The start has converged without a step, so its stability margin is unknown.
+  // If the initial guess converged without a step, the stability margin has not been computed yet.
   if (solution.n_iterations == 0)
   {
     ContactForces contact;
@@ -160,8 +162,8 @@ ContactSolution RevolutionContact::solve(const RevolutionGuesses &starts)
           body.set_forces(starts.predicted->forces);
         return solve_from(*starts.predicted);
       });
-  // On a hard table with waviness, a second unsoftened start after a failed one fails as well, and a softened
-  // start converges to other crests.
+  // On a hard table with waviness, two starts are useless: a second unsoftened start fails like the first,
+  // and a softened start converges to contact at other crests.
   const bool on_hard_crests = setup.table.interface->is_hard() && !setup.imperfection.empty();
   const bool may_start_unsoftened = !(on_hard_crests && (starts.waviness_has_rotated || starts.predicted));
   for (const bool softened : { false, true })

@@ -1,4 +1,4 @@
-// Fields of a foot of revolution for ParaView.
+// Output of the fields of a foot of revolution for ParaView.
 #include "fem/revolution/revolution_output.h"
 
 #include "fem/geometry/boundary_ids.h"
@@ -34,7 +34,7 @@ Eigen::Matrix3d strain_of(const Eigen::Matrix3d &stress, const ElasticMaterial &
   return ((1 + nu) * stress - nu * stress.trace() * Eigen::Matrix3d::Identity()) / material.young_modulus;
 }
 
-/// Returns the stress of MeridianField::Amplitudes along e_r, e_theta, e_z.
+/// Returns the stress of MeridianField::Amplitudes in the axes e_r, e_theta, e_z.
 Eigen::Matrix3d cylindrical_stress(const Eigen::Matrix<double, 6, 1> &in_phase,
                                    const Eigen::Vector3d &conjugate)
 {
@@ -89,12 +89,13 @@ public:
   std::array<unsigned int, 2> n_pieces;
 };
 
-/// Output node of the meridian, shared by neighbouring cells. Its stresses are averaged over these cells.
+/// Output node of the meridian, shared by neighbouring cells. The stresses at the node are averaged over
+/// these cells.
 struct MeridianNode
 {
   Point<2> at;               ///< (r, z) [m]
-  Eigen::MatrixXd in_phase;  ///< sums over the cells; rows as in MeridianField::Amplitudes
-  Eigen::MatrixXd conjugate; ///< sums over the cells; rows as in MeridianField::Amplitudes
+  Eigen::MatrixXd in_phase;  ///< sums over the cells; same rows as MeridianField::Amplitudes
+  Eigen::MatrixXd conjugate; ///< sums over the cells; same rows as MeridianField::Amplitudes
   unsigned int n_cells = 0;
   bool is_contact = false;
 };
@@ -133,7 +134,7 @@ public:
     add("contact_pressure", 1, DataComponentInterpretation::component_is_scalar);
 
     DataOutBase::VtkFlags flags;
-    flags.print_date_and_time = false; // for reproducible files
+    flags.print_date_and_time = false; // omitted for reproducible files
     flags.compression_level = decltype(flags.compression_level)::best_speed;
     flags.write_higher_order_cells = span > 1;
     std::ostringstream text;
@@ -152,11 +153,12 @@ private:
     return numbers::invalid_unsigned_int;
   }
 
-  /// Returns the number of azimuths: four per wavelength of the highest harmonic, a multiple of the span.
+  /// Returns the number of azimuths: at least four per wavelength of the highest harmonic, and a multiple of
+  /// the span.
   unsigned int n_azimuths() const { return std::max(4 * (field.n_modes() - 1) / 2, 48u) / span * span; }
 
-  /// Returns the load [N] of a contact cell that is divided into @p n_pieces, by the trapezoidal rule at the
-  /// output nodes.
+  /// Returns the load [N] of a contact cell divided into @p n_pieces. Integrates by the trapezoidal rule at
+  /// the output nodes.
   double drawn_force(const Cell &cell, unsigned int n_pieces) const
   {
     const auto face = cell->face(contact_face(cell));
@@ -228,7 +230,7 @@ private:
   static constexpr unsigned int n_values = 29;
   using PointValues = std::array<float, n_values>;
 
-  /// Returns the values at all points; node n on line l has the index n * n_lines + l.
+  /// Returns the values at all points. Node n on line l has the index n * n_lines + l.
   std::vector<PointValues> values_at_points() const
   {
     std::vector<PointValues> points(nodes.size() * basis.n_lines());
@@ -254,8 +256,8 @@ private:
     return points;
   }
 
-  /// Returns the output patches: each piece of a meridional cell swept over one sector. The patch coordinates
-  /// are right-handed: first meridional, azimuth, second meridional.
+  /// Returns the output patches. Each patch is one piece of a meridional cell, swept over one sector. Its
+  /// coordinates are right-handed: first meridional, azimuth, second meridional.
   std::vector<DataOutBase::Patch<3>> patches(const std::vector<PointValues> &points) const
   {
     const unsigned int n = span + 1; // nodes of a patch in each direction
@@ -291,8 +293,8 @@ private:
     Eigen::Matrix3d stress;
   };
 
-  /// Returns elastic displacement (with the table motion applied to the glass) and stress in the slip frame,
-  /// from cylindrical components.
+  /// Returns the elastic displacement and the stress in the slip frame, computed from cylindrical components.
+  /// The table motion is added to the displacement of the glass.
   PointFields in_slip_frame(const Point<2> &at, double azimuth, const Eigen::Matrix<double, 6, 1> &in_phase,
                             const Eigen::Vector3d &conjugate) const
   {
@@ -314,7 +316,7 @@ private:
   const double axis;
   const unsigned int degree;
   const unsigned int span;  ///< intervals of an output cell in each direction: 2 (27 nodes) or 1 (8 nodes)
-  const FourierBasis basis; ///< on the azimuths of the output nodes
+  const FourierBasis basis; ///< basis on the azimuths of the output nodes
   std::vector<MeridianNode> nodes;
   std::vector<std::pair<CellGrid, std::vector<unsigned int>>> grids; ///< grids of the cells with their nodes
 };

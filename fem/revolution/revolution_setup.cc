@@ -16,8 +16,8 @@ namespace stemware::fem
 namespace
 {
 
-/// Maximum ratio of the compliances with and without an elastic foot for which both use the same mesh (cell
-/// sizes grow with the square root of the ratio).
+/// If the elastic foot increases the compliance by at most this factor, the elastic and the rigid foot use
+/// the same mesh (cell sizes grow with the square root of the factor).
 constexpr double most_added_by_foot = 1.2;
 
 } // namespace
@@ -109,7 +109,7 @@ double crest_half_width(const RevolutionSetup &setup, double normal_force)
     second = boost::math::ellint_2(modulus);
     slenderness = std::sqrt((along / across * (first - second) + first) / second);
   }
-  // The table motions leave at least three crests in contact.
+  // The table motions keep at least three crests in contact.
   return std::cbrt(normal_force * second * setup.plane_strain_compliance() /
                    (ring::pi * slenderness * (1 / across + 1 / along)));
 }
@@ -119,8 +119,8 @@ double expected_half_width(const RevolutionSetup &setup, double normal_force)
   if (setup.profile.crown_radius == 0)
     return 0;
   double of_bodies = hertz_half_width(setup, normal_force);
-  // The bending of the foot on its crests is unknown here. The geometric mean of both estimates is close
-  // enough to either.
+  // The compliance of the foot in bending between the crests is unknown here, so the geometric mean of both
+  // estimates is used. It is close enough to both.
   if (setup.table.interface->is_hard())
     of_bodies = std::sqrt(of_bodies * std::max(of_bodies, crest_half_width(setup, normal_force)));
   if (setup.table.substrate)
@@ -140,8 +140,8 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
 {
   RevolutionSetup resolved = *this;
   resolved.normal_force = normal_force;
-  // A rigid foot on a much more compliant substrate uses the mesh of the elastic foot, so that the two
-  // results differ by the model only.
+  // On a much more compliant substrate, a rigid foot uses the mesh of the elastic foot, so that the two
+  // results differ only by the model.
   RevolutionSetup as_elastic = *this;
   as_elastic.foot_is_rigid = false;
   const bool is_meshed_as_elastic =
@@ -152,15 +152,16 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
     resolved.resolution.land_grading = 1;
   if (flat && table.interface->is_hard())
   {
-    // The foot bends, so that the pressure concentrates at the inner edge of the land.
+    // The foot bends, so the pressure concentrates at the inner edge of the land.
     resolved.resolution.focus_radius = profile.land_inner_radius();
     resolved.resolution.focus_size = profile.land_width / resolution.land_cells / 32 / fineness;
-    // The concentration depends on the tilt of the land, which converges slowly because of the corners.
+    // The concentration depends on the tilt of the land. This tilt converges slowly because of the corners of
+    // the section.
     resolved.corner_halvings = 2;
     return resolved;
   }
-  // If the interface is a thousand times more compliant than the bodies, the displacement of the bodies is
-  // smooth within the contact.
+  // If the interface is a thousand times more compliant than the bodies, the displacement of the bodies
+  // varies smoothly within the contact.
   const double depth = flat ? 0 : std::pow(resolved.contact_half_width, 2) / (2 * profile.crown_radius);
   if (flat || line_load(normal_force) * plane_strain_compliance() < 1e-3 * depth)
   {

@@ -10,7 +10,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Returns the function @p name of the system's BLAS; nullptr if the BLAS is not OpenBLAS.
+/// Returns the function @p name of the system's BLAS library; nullptr if the library is not OpenBLAS.
 template <typename Function>
 Function *of_openblas(const char *name)
 {
@@ -19,7 +19,7 @@ Function *of_openblas(const char *name)
 
 std::mutex mutex;
 unsigned int n_holders = 0;
-int blas_threads = 1; ///< number of threads before the first current holder
+int blas_threads = 1; ///< number of threads before the first of the current holders
 
 } // namespace
 
@@ -27,7 +27,7 @@ SingleThread::SingleThread()
     : omp_threads(omp_get_max_threads())
     , omp_levels(omp_get_max_active_levels())
 {
-  omp_set_num_threads(1);       // an OpenBLAS based on OpenMP uses this number per thread
+  omp_set_num_threads(1);       // an OpenBLAS built with OpenMP would use this number in each thread
   omp_set_max_active_levels(0); // CHOLMOD would start four additional threads per calling thread
   const std::lock_guard<std::mutex> lock(mutex);
   const auto get = of_openblas<int()>("openblas_get_num_threads");
