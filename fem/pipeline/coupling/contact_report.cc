@@ -6,6 +6,7 @@
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/load/constants.h"
 
 namespace stemware::pipeline
 {
@@ -52,9 +53,8 @@ void add_fields(const Study &study, const ElasticFoot &foot, FootReport &report)
   if (is_collective || !is_first_rank())
     return;
   // Azimuth away from the orbit's centre, which lies on the left of a counter-clockwise orbit.
-  constexpr double right_angle = 1.5707963267948966;
   report.stressed_section =
-    foot.body().section(report.at_rest, -study.motion.orbit.sense_sign() * right_angle);
+    foot.body().section(report.at_rest, -study.motion.orbit.sense_sign() * ring::pi / 2);
   if (report.at_end)
     for (fem::FieldFile file : foot.body().fields(*report.at_end))
     {
