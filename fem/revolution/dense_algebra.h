@@ -7,9 +7,9 @@
 namespace stemware::fem
 {
 
-// Loops that are compiled for several kinds of processors: from 60 unknowns on 1.5 times as fast as Eigen's
-// PartialPivLU compiled for all of them, 2.5 times from 300 on. They are thread-safe, which Debian's serial
-// OpenBLAS is not.
+// Loops that are compiled for several kinds of processors: with 60 unknowns 1.5 times as fast as Eigen's
+// PartialPivLU compiled for all processors, with 300 unknowns 2.3 times (tests/benchmark/dense_benchmark.cc).
+// The loops are thread-safe, unlike Debian's serial OpenBLAS.
 
 /// Solves the dense systems A X = B by Gaussian elimination with row pivots. @p system is [A, B], shape [n,
 /// n + @p n_columns]. X overwrites B, and A is overwritten. A singular A gives non-finite numbers.
