@@ -16,14 +16,14 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Safety factor of changes that converge at least with first order.
+/// Safety factor of changes that converge at first order or faster.
 constexpr double usual_factor = 1.25;
 
-/// Safety factor of a change of contact lines under a load that ends between two lines: the larger of two
-/// changes may be half of the error.
+/// Safety factor of a change of the contact lines if the load ends between two lines. The larger of the two
+/// changes may be only half of the error.
 constexpr double factor_of_lines = 2.5;
 
-/// Minimum number of elastic harmonics in a comparison of meshes.
+/// Minimum number of elastic harmonics for a comparison of meshes.
 constexpr unsigned int min_harmonics = 4;
 
 using Setting = std::function<void(Variant &)>;
@@ -34,7 +34,8 @@ Variant changed(Variant copy, const Setting &change)
   return copy;
 }
 
-/// Returns the change @p variant for the part @p part of the band, on its own foot, compared with @p from.
+/// Returns the change @p variant for the part @p part of the error band. The variant is solved on its own
+/// foot and compared with the change @p from (empty: with the study).
 BandChange change_of(const std::string &part, double factor, Variant variant, const std::string &from = "",
                      bool compares_over_spins = false)
 {
@@ -52,10 +53,10 @@ void harden(Variant &variant)
   variant.discretisation.hardness *= 10;
 }
 
-/// Number of rings that suffices except near slip ratio 1.
+/// Number of rings that suffices unless the slip ratio is close to 1.
 constexpr unsigned int usual_rings = 5;
 
-/// Returns @p n_rings Chebyshev radii on the band whose Chebyshev radii are @p radii, at least two.
+/// Returns @p n_rings Chebyshev radii, at least two, on the interval whose Chebyshev radii are @p radii.
 std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned int n_rings)
 {
   const double middle = (radii.back() + radii.front()) / 2, reach = (radii.back() - radii.front()) / 2;
@@ -63,10 +64,10 @@ std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned 
   return chebyshev_radii(middle - half, middle + half, n_rings);
 }
 
-/// Adds other rings and harmonics for the pressure of the same contacts. These changes count twice, because
-/// the friction force in the moment balance adds an error of the same size. @p ring_counts: numbers of rings
-/// in place of the foot's (if that has at least two), of which the largest change counts. A single ring is
-/// replaced by the rings of a study with Contact/Rings = usual_rings.
+/// Adds changes of the rings and harmonics, applied to the pressure of the existing contact solutions. These
+/// changes are doubled, because the friction force in the moment balance adds an error of the same size. If
+/// the foot has at least two rings, their number is replaced by each of @p ring_counts, and the largest
+/// change counts. A single ring is replaced by the rings of a study with Contact/Rings = usual_rings.
 void add_ring_projections(const Variant &own_study, const ElasticFoot &foot,
                           const std::vector<unsigned int> &ring_counts, std::vector<BandChange> &changes)
 {
@@ -90,9 +91,9 @@ void add_ring_projections(const Variant &own_study, const ElasticFoot &foot,
   }
 }
 
-/// Adds changes to three and four times the contact lines, set by @p multiply(variant, factor). Under a load
-/// that ends between two of N lines, the error depends on the position of the edge between them and has
-/// either sign, so that a single other count may agree by chance.
+/// Adds changes to three and four times the contact lines, set by @p multiply(variant, factor). If the load
+/// ends between two lines, the error depends on the position of the contact edge between them and has either
+/// sign. With a single other number of lines, the two results may agree by chance.
 void add_lines(const Variant &own, const std::function<void(Variant &, unsigned int factor)> &multiply,
                std::vector<BandChange> &changes)
 {
@@ -119,8 +120,8 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
     fewer = with_harmonics(n_harmonics / 2);
     changes.push_back(change_of(from, 0.5, fewer));
   }
-  // Meshes are compared with a quarter of the harmonics: the higher ones are changed by a mesh in the same
-  // way.
+  // Meshes are compared using a quarter of the elastic harmonics only: a change of mesh has the same relative
+  // effect on the higher harmonics.
   if (n_harmonics >= 4 * min_harmonics)
   {
     from = "few harmonics";
@@ -129,13 +130,14 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
   }
   const Variant coarse = changed(fewer, [](Variant &variant) { variant.discretisation.fineness /= 2; });
   changes.push_back(change_of("mesh", usual_factor, coarse, from));
-  // With the small cells of a hard table, a higher degree is tried on coarse cells, which gives an upper
-  // bound.
+  // On a hard table, whose cells are small, a higher degree is compared on the coarse mesh. This comparison
+  // gives an upper bound.
   if (study.contact.degree < 4 && study.table.is_hard())
     changes.push_back(change_of("degree", usual_factor, changed(coarse, raise_degree), "mesh"));
   else if (study.contact.degree < 4)
     changes.push_back(change_of("degree", usual_factor, changed(fewer, raise_degree), from));
-  // At re-entrant corners, far from the contact, the error is of first order: halved cells show half of it.
+  // At re-entrant corners far from the contact the error is of first order, so the change to halved cells is
+  // half of the error.
   if (has_focused_mesh(study, own.discretisation))
     changes.push_back(change_of(
       "mesh", 2, changed(fewer, [](Variant &variant) { ++variant.discretisation.halvings_beyond_zone; }),
@@ -146,21 +148,23 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
       changes);
   if (study.table.is_hard())
     changes.push_back(change_of("interface", 1.5, changed(own, harden)));
-  // If the slip vanishes between two rings, the error depends on the position between them and has either
-  // sign. A single other number of rings, or rings with common radii, may agree by chance.
+  // If the slip vanishes between two rings, the error depends on the position of this point between the rings
+  // and has either sign. With a single other number of rings, or with common radii, the two results may agree
+  // by chance.
   const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
   add_ring_projections(own, foot, { 2 * n_rings, 2 * n_rings + 1, 4 * n_rings }, changes);
   return changes;
 }
 
-/// Study on a coarser mesh. @p ratio: smallest growth of the cells among the three directions.
+/// Study on a coarser mesh. @p ratio is the smallest growth of the cells among the three directions.
 struct CoarserStudy
 {
   Variant variant;
   double ratio = 2;
 };
 
-/// Returns the study of a solid foot on cells about twice as large; std::nullopt if there is no such mesh.
+/// Returns the study of a solid foot on cells about twice as large; std::nullopt if such a mesh is not
+/// possible.
 std::optional<CoarserStudy> on_coarser_mesh(const Variant &own)
 {
   CoarserStudy coarse = { own };
@@ -171,7 +175,7 @@ std::optional<CoarserStudy> on_coarser_mesh(const Variant &own)
     --contact.refinements;
   else if (contact.mesh_file.empty())
   {
-    // Rounded up to an allowed count: 6 cells across the land become 4.
+    // The number of cells is rounded up to an allowed number: 6 cells across the land become 4.
     const auto coarsen = [&](unsigned int &n, unsigned int multiple)
     {
       const unsigned int before = n;
@@ -190,10 +194,10 @@ std::optional<CoarserStudy> on_coarser_mesh(const Variant &own)
   return coarse;
 }
 
-/// Returns the factor on the compliance of the interface that represents the indentation of the glass which
-/// cells of size @p cell do not resolve. Under a line load p on a band of half-width b < cell, this
-/// indentation is 2 (1 - nu^2) / (pi E) p ln(cell / b), and the interface yields by p / (2 b k) (Johnson,
-/// Contact Mechanics, 1985, section 4.2).
+/// Returns a factor on the compliance of the interface. It represents the indentation of the glass that cells
+/// of size @p cell do not resolve. Under a line load p on a contact of half-width b < cell, this indentation
+/// is 2 (1 - nu^2) / (pi E) p ln(cell / b), while the interface yields by p / (2 b k) (Johnson, Contact
+/// Mechanics, 1985, section 4.2).
 double softening_by_narrow_contact(const Study &study, const LoadReport &load, double cell)
 {
   const double b = load.half_width(), nu = study.glass.material.poisson_ratio;
@@ -208,7 +212,7 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
 {
   const Study &study = own.study;
   const double cell = foot.body().description().contact_cell_size;
-  // The contact of a flat land is at its edges, where a generated mesh has smaller cells.
+  // A flat land is in contact at its edges, where a generated mesh has smaller cells.
   const bool is_round = !study.contact.mesh_file.empty() || study.glass.profile.crown_radius > 0;
   const bool is_narrow = is_round && at_rest.half_width() < cell;
   if (is_narrow && study.table.is_hard())
@@ -219,7 +223,8 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
   const std::optional<CoarserStudy> coarse = on_coarser_mesh(own);
   const Variant finer = changed(own, [](Variant &variant) { ++variant.study.contact.refinements; }),
                 quadratic = changed(own, raise_degree);
-  // First-order error: the change from a coarser mesh, or twice the change to halved cells.
+  // An error of first order equals the change from a mesh with twice the cell size, or twice the change to
+  // halved cells. The safety factors are 1.5 and 1.25.
   if (coarse)
     changes.push_back(change_of("mesh", 1.5 / (coarse->ratio - 1), coarse->variant, "", true));
   else if (study.contact.degree == 2 && is_affordable(finer))
@@ -233,7 +238,7 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
     throw BadInput("quadratic elements would exceed Contact/Memory limit");
   const Variant &cheapest = coarse ? coarse->variant : own;
   const std::string as_cheapest = coarse ? "mesh" : "";
-  // Each halving of the cells adds the same amount to the indentation of a narrow contact.
+  // Each halving of the cells adds the same indentation of a narrow contact.
   if (is_narrow)
     changes.push_back(change_of(
       "mesh", usual_factor,
@@ -244,15 +249,15 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
     changes.push_back(change_of("interface", 2, changed(cheapest, harden), as_cheapest));
   else if (uses_penalty_for_hard_table(study, own.discretisation))
     changes.push_back(change_of("interface", 2, changed(own, harden)));
-  // The contact edge crosses faces of a mesh file in any direction, and faces of a generated mesh with
-  // lift-off. Nodal multipliers have no lines.
+  // The contact edge crosses the faces of a mesh file in any direction, and the faces of a generated mesh if
+  // there is lift-off. Contact with nodal multipliers has no lines.
   if ((!is_full || !study.contact.mesh_file.empty()) &&
       (!study.table.is_hard() || uses_penalty_for_hard_table(study, own.discretisation)))
     add_lines(
       own, [](Variant &variant, unsigned int factor) { variant.discretisation.line_factor *= factor; },
       changes);
-  // More rings would amplify rounding if the contact is far narrower than the spacing of the nodes, because
-  // the rings are extrapolated to the nodes in the moment balance.
+  // If the contact is much narrower than the spacing of the nodes, more rings would amplify rounding: the
+  // moment balance extrapolates from the rings to the nodes.
   const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
   add_ring_projections(own, foot, { n_rings == 2 ? usual_rings : n_rings - 1 }, changes);
   return changes;

@@ -23,7 +23,7 @@ void add_row(const ChainStep &step, const std::string &name, const Study &study,
   const ring::Answer &row = solved.row;
   BudgetRow added = { step, name, row.harmonics, row.omega_terminal() };
   if (!rows.empty() && added.omega_terminal && rows.back().omega_terminal)
-    added.difference = *added.omega_terminal - *rows.back().omega_terminal + 0.; // no -0
+    added.difference = *added.omega_terminal - *rows.back().omega_terminal + 0.; // + 0. avoids -0
   for (std::size_t i = 0; i < solved.torques.size(); ++i)
     added.torques.at(i) = unless_nan(solved.torques[i].friction.torque);
   added.status = row.terminal && row.pulls() ? ring::Status::formal : row.status;
@@ -42,8 +42,8 @@ WithoutRow judge_without(const LoadedRow &solved, const ring::Answer &complete)
   return row;
 }
 
-/// Returns the changes of the terminal spin due to changed inputs, without those below rounding and without a
-/// spin.
+/// Returns the changes of the terminal spin due to changed inputs. Omits changes below rounding and inputs
+/// without a terminal spin.
 std::vector<InputRow> judge_inputs(const Study &study, const std::vector<LoadedRow> &others)
 {
   std::optional<double> unchanged;
@@ -75,7 +75,7 @@ std::optional<double> relative_to(const std::optional<double> &reference,
   const double other = *reference + *difference;
   if (std::abs(other) < rounding || *reference * other < 0)
     return std::nullopt;
-  return *difference / *reference + 0.; // no -0
+  return *difference / *reference + 0.; // + 0. avoids -0
 }
 
 HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::optional<double> &all,
@@ -106,7 +106,7 @@ std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
       add_row(other.variant.step, other.variant.name, other.variant.study, other, rows);
   if (study.load.source == LoadSource::first_harmonic)
     return rows;
-  // Rows 3 or 3a, 4, 5, ... of a study whose load has higher harmonics.
+  // Adds the rows 3 or 3a, 4, 5, ... of a study whose load has higher harmonics.
   const std::vector<LoadedRow> &by_harmonics = solved.by_harmonics;
   const LoadedRow &first = by_harmonics.front();
   add_row({ 3, study.tilts() }, study.tilts() ? "tilt" : "where the foot touches", study, first, rows);
@@ -116,12 +116,12 @@ std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
     add_row(step, "harmonics", study, by_harmonics[i], rows);
     ++step.number;
   }
-  if (by_harmonics.size() == 1) // a file with a single harmonic
+  if (by_harmonics.size() == 1) // a load file with a single harmonic
     add_row(step, "harmonics", study, first, rows);
   BudgetRow &all = rows.back();
   all.harmonics.reset();
-  // The truncated series of a pressure with an edge is slightly negative beyond the edge; the pressure is
-  // not.
+  // The truncated series of a pressure with an edge is slightly negative beyond the edge, although the
+  // pressure is not.
   if (study.load.is_from_contact() && all.status == ring::Status::formal)
     all.status = ring::Status::lift_off;
   return rows;

@@ -11,7 +11,7 @@ namespace
 
 using Number = std::optional<double>;
 
-/// Returns "formal", or the reason of a missing value; empty otherwise.
+/// Returns "formal" or the reason of a missing value; an empty text if the row has neither.
 std::string remark_of(const BudgetRow &row)
 {
   if (!row.reason.empty())
@@ -112,7 +112,7 @@ const Fields<BudgetRow> &chain_torque_fields()
 std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows)
 {
   std::vector<BudgetRow> steps;
-  std::optional<double> first; // terminal spin with the first harmonic only
+  std::optional<double> first; // terminal spin of the first harmonic only
   for (const BudgetRow &row : rows)
   {
     if (row.name != "harmonics" || steps.empty() || steps.back().name != "harmonics")
@@ -134,14 +134,14 @@ std::vector<BudgetRow> shown_chain(const std::vector<BudgetRow> &rows, double ro
     return {};
   const double smallest = std::max(rows.back().band.value_or(0), rounding),
                torque_at_rest = std::abs(rows.back().torques[0].value_or(0));
-  // Each difference refers to the previous row that is shown.
+  // Each difference is relative to the previous visible row.
   std::vector<BudgetRow> shown;
   for (BudgetRow row : rows)
   {
     if (row.name == "harmonics" && row.harmonics && row.difference && std::abs(*row.difference) < smallest)
       continue;
     if (row.omega_terminal && !shown.empty() && shown.back().omega_terminal)
-      row.difference = *row.omega_terminal - *shown.back().omega_terminal + 0.; // no -0
+      row.difference = *row.omega_terminal - *shown.back().omega_terminal + 0.; // + 0. avoids -0
     else
       row.difference = std::nullopt;
     shown.push_back(row);

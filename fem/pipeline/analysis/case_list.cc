@@ -24,12 +24,12 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Largest number of cases whose texts fit into memory.
+/// Maximum number of cases, so that their texts fit into memory.
 constexpr std::size_t max_cases = 1000000;
 
-/// Returns @p value of @p entry as a study file states it, in the SI unit, after assigning it to a separate
-/// study. Throws BadInput, beginning with @p origin, if the entry does not accept the value or its file is
-/// missing.
+/// Returns @p value as the study file states it for @p entry, in the SI unit. Assigns the value to a separate
+/// study for this purpose. Throws BadInput, beginning with @p origin, if the entry refuses the value or the
+/// file of the entry is missing.
 std::string canonical(const StudyEntry &entry, const std::string &origin, const std::string &value)
 {
   assign(entry, origin, value);
@@ -47,14 +47,14 @@ std::vector<std::string> pieces(const std::string &text, char separator)
   return parts;
 }
 
-/// Returns @p value of a range, rounded to 15 digits of the larger end.
+/// Returns @p value of a range, rounded to the 15th digit of the larger end.
 double snapped(double value, double first, double last)
 {
   const double largest = std::max(std::abs(first), std::abs(last));
   if (largest == 0)
     return 0;
   const double unit = std::pow(10., std::floor(std::log10(largest)) - 14);
-  return rounded(std::round(value / unit) * unit, 15) + 0.; // no -0
+  return rounded(std::round(value / unit) * unit, 15) + 0.; // + 0. avoids -0
 }
 
 /// Returns the values of first:last:number or first:last:number:log in @p unit.
@@ -129,7 +129,7 @@ void require_different(const CaseList &list)
            list.origin + " varies " + entry.path + " twice; give all its values in one place.");
 }
 
-/// Returns the unit in a heading as text to be appended to a number.
+/// Returns the unit in a heading in the form in which it is appended to a number.
 std::string unit_of_heading(const StudyEntry &entry, const ColumnHeading &heading, const std::string &place)
 {
   const bool is_plain = heading.unit.empty() || entry.unit.empty();
@@ -200,7 +200,7 @@ CaseList cases_from_file(const std::string &file)
   {
     const ColumnHeading heading = parse_heading(header.cells[i]);
     std::string place = position_in_table(list.origin, header, i);
-    place.resize(place.size() - 2); // without the colon, which find_entry() adds
+    place.resize(place.size() - 2); // find_entry() adds the colon
     entries.push_back(find_entry(place, heading.name));
     units.push_back(unit_of_heading(entries.back(), heading, place + ": "));
     list.entries.push_back({ entries.back().path(), entries.back().unit });

@@ -24,28 +24,29 @@ namespace
 /// Spins and phases at which a study and its changes are compared.
 struct EvaluationPoints
 {
-  /// Rest, half, once and one and a half times the terminal spin; then four spins close to the terminal spin
-  /// if the others do not resolve the slope there.
+  /// Rest, half of, once and one and a half times the terminal spin. Four spins close to the terminal spin
+  /// follow if the first four do not resolve the slope.
   std::vector<double> spins;
   std::optional<double> first; ///< terminal spin of the first harmonic only
   std::vector<ring::Orientation> phases;
-  bool with_width = false; ///< the width of the contact has a band
+  bool with_width = false; ///< true if the contact width has an error band
 };
 
-/// Load and torques at EvaluationPoints. Torques are means over the phases, without the grip.
+/// Load and torques at EvaluationPoints. The torques are means over the phases, without the grip.
 struct Evaluation
 {
   LoadReport at_rest;
-  Eigen::Vector3d table_motion;       ///< at rest: q_0 [m], q_1 and q_2 [rad]
-  std::vector<ring::Torques> torques; ///< at EvaluationPoints::spins
+  Eigen::Vector3d table_motion;       ///< motion at rest: q_0 [m], q_1 and q_2 [rad]
+  std::vector<ring::Torques> torques; ///< torques at EvaluationPoints::spins
   double torque_of_first = 0;         ///< torque() of the first harmonic at EvaluationPoints::first [N m]
-  double slope_of_first = 0;          ///< slope of that torque [N m s]; of this study's own loads
+  double slope_of_first = 0; ///< slope of torque_of_first [N m s]; computed for the study's own loads only
 };
 
 /// Loads of a study at the phases of EvaluationPoints.
 struct LoadsAtPhases
 {
-  std::vector<BalancedLoad> all, first; ///< first: first harmonic only; empty without EvaluationPoints::first
+  /// `first`: first harmonic only; empty without EvaluationPoints::first.
+  std::vector<BalancedLoad> all, first;
 };
 
 LoadsAtPhases loads_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
@@ -61,7 +62,7 @@ LoadsAtPhases loads_of(const Study &study, const std::shared_ptr<ElasticFoot> &f
   return loads;
 }
 
-/// Returns @p loads of the same contacts of @p foot with their pressure projected onto other rings.
+/// Returns @p loads with the pressure of the same contact solutions of @p foot projected onto other rings.
 LoadsAtPhases projected(LoadsAtPhases loads, const ElasticFoot &foot, const RingProjection &rings)
 {
   for (auto *list : { &loads.all, &loads.first })
@@ -79,7 +80,7 @@ LoadsAtPhases projected(LoadsAtPhases loads, const ElasticFoot &foot, const Ring
   return loads;
 }
 
-/// Returns the means over the phases of the torques under @p loads at @p spins; NaN without a balance.
+/// Returns the torques under @p loads at @p spins, averaged over the phases; NaN without a balance.
 std::vector<ring::Torques> mean_torques(const std::vector<BalancedLoad> &loads, const ring::Motion &motion,
                                         const std::vector<double> &spins)
 {
@@ -113,8 +114,8 @@ Evaluation evaluate(const LoadsAtPhases &loads, const ElasticFoot &foot, const r
   return found;
 }
 
-/// Returns the orientations of glass and table at equally spaced phases of their periods; one without
-/// waviness.
+/// Returns the orientations of glass and table at equally spaced phases of their periods; a single
+/// orientation without waviness.
 std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &foot)
 {
   const ring::Orientation start = moment_balance(study).orientation;
@@ -130,13 +131,13 @@ std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &
   return phases;
 }
 
-/// Returns the reported numbers of @p row, each with the change from @p own to @p found added. If the
-/// terminal spin differs from the evaluated one, the torque there gives its change.
+/// Returns the reported numbers of @p row, each with the change from @p own to @p found added. The terminal
+/// spin is not searched again: its change follows from the change of the torque and the slope.
 std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const EvaluationPoints &probe,
                                                 const Evaluation &own, const ring::Answer &row,
                                                 const Study &study)
 {
-  // If the glass tips at the upper spin, the slope is taken from the spins up to the terminal spin.
+  // If the glass tips at the highest spin, the slope is computed from the spins up to the terminal spin.
   const auto is_known = [&](std::size_t i)
   { return std::isfinite(own.torques[i].torque()) && std::isfinite(found.torques[i].torque()); };
   const std::size_t end = is_known(3) ? 3 : 2;
@@ -190,9 +191,9 @@ EvaluationPoints probe_of(const Study &study, const ElasticFoot &foot, double om
   return probe;
 }
 
-/// Adds the spins of torque_slope() if the more distant spins do not resolve the slope at the terminal spin:
-/// near |omega| = v / R, where the torque has a kink, and with lift-off, where the contact edges move across
-/// the azimuth lines.
+/// Adds the four spins of torque_slope() if half and one and a half times the terminal spin do not resolve
+/// the slope. This happens near |omega| = v / R (kink of the torque) and with lift-off (contact edges move
+/// across the azimuth lines). @p is_full: contact all round, without lift-off.
 void add_slope_spins(bool is_full, double spin_scale, EvaluationPoints &probe)
 {
   const double omega = probe.spins[2];
@@ -202,15 +203,17 @@ void add_slope_spins(bool is_full, double spin_scale, EvaluationPoints &probe)
   probe.spins.insert(probe.spins.end(), { omega - 2 * step, omega - step, omega + step, omega + 2 * step });
 }
 
-/// Returns the loads of a changed foot from few contacts: at rest at every phase, and at the terminal spin at
-/// every phase (at the first phase only, if contacts are costly). The change of a load is linear in the spin.
+/// Returns the loads of a changed foot, computed from few contact solves: at rest at every phase, and at the
+/// terminal spin at every phase (at the first phase only, if contact solves are costly). The change of the
+/// load is assumed to be linear in the spin.
 LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                             const LoadsAtPhases &own_loads, const EvaluationPoints &probe)
 {
   const auto changed = [&](const std::vector<BalancedLoad> &before, unsigned int n_harmonics, double omega)
   {
     std::vector<BalancedLoad> loads;
-    std::optional<Eigen::VectorXd> per_spin; // slope of the change; empty without a balance at omega
+    // Slope of the change; empty if the changed foot has no balance at omega.
+    std::optional<Eigen::VectorXd> per_spin;
     for (const BalancedLoad &own : before)
     {
       const BalancedLoad after = find_load_at_phase(study, foot, probe.phases[loads.size()], n_harmonics);
@@ -243,8 +246,8 @@ LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoo
            changed(own_loads.first, 1, probe.first.value_or(0)) };
 }
 
-/// Returns the quantities in the contacts of the changed @p foot, on the rings of the study's foot @p own
-/// with the loads @p own_loads, unless the change concerns the rings.
+/// Returns the quantities of the changed @p foot. They are evaluated on the rings of @p own, the foot of the
+/// study with the loads @p own_loads, unless the change concerns the rings.
 Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot> &foot,
                     const ElasticFoot &own, const LoadsAtPhases &own_loads, const EvaluationPoints &probe)
 {
@@ -259,8 +262,8 @@ Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot>
   return evaluate(loads, *foot, change.study.motion.orbit, probe);
 }
 
-/// Adds the differences from @p before to @p after of @p change to the parts of @p bands. Quantities without
-/// a value after the change lose their band.
+/// Adds the differences between @p before and @p after as the part of @p change to @p bands. Quantities
+/// without a value after the change lose their error band.
 void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &before,
               const std::vector<QuantityOfInterest> &after, ErrorBands &bands)
 {
@@ -280,9 +283,9 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
               bands.end());
 }
 
-/// Widens the part "lines" of harmonics whose errors vanish by chance on the study's lines. All harmonics n >
-/// 1 share the error due to the position of a contact edge between two lines. Four times the lines leave 1/32
-/// of it (order 5/2), so each part is at least 1/32 of the largest.
+/// Widens the part "lines" of harmonics whose error vanishes by chance on the lines of this study. All
+/// harmonics n > 1 share the error due to the position of a contact edge between two lines. Four times the
+/// lines reduce this error to 1/32 (order 5/2), so each part is set to at least 1/32 of the largest part.
 void widen_parts_of_lines(ErrorBands &bands)
 {
   constexpr double rest_on_more_lines = 1. / 32;
@@ -298,8 +301,8 @@ void widen_parts_of_lines(ErrorBands &bands)
     banded->add("lines", std::max(0., rest_on_more_lines * largest - banded->parts.at("lines")));
 }
 
-/// Returns the bands due to the solver's tolerances, for the @p quantities with a value; values in @p
-/// reported replace computed ones.
+/// Returns the error bands due to the solver's tolerances, for all @p quantities that have a value. Values in
+/// @p reported replace the computed values.
 ErrorBands bands_of_solver(const std::vector<QuantityOfInterest> &quantities,
                            const std::vector<QuantityOfInterest> &reported)
 {
@@ -350,11 +353,12 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   const auto done = [&, tell = counting_callback(progress, "error bands", changes.size())](
                       std::size_t i, const Solved<Evaluation> &solved) mutable
   {
-    solved.value(); // rethrows a failure: then there are no bands
+    solved.value(); // rethrows a failure; then no error bands are given
     tell(i, solved);
   };
   const std::vector<Solved<Evaluation>> found = solve(changes, foot, look_at, executor, done);
-  std::map<std::string, std::vector<QuantityOfInterest>> by_part; // of the first change of each part
+  // Quantities after the first change of each part.
+  std::map<std::string, std::vector<QuantityOfInterest>> by_part;
   for (std::size_t i = 0; i < changes.size(); ++i)
   {
     const std::string &from = changes[i].from;

@@ -18,7 +18,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns tau_z of friction at @p omega, plus the lean torque if @p with_lean, linearised at @p state.
+/// Returns a goal, linearised at @p state: the friction torque tau_z at @p omega, plus the lean torque if @p
+/// with_lean.
 fem::ContactGoal torque_goal(const Study &study, const fem::ContactState &state, double omega, bool with_lean)
 {
   fem::ContactGoal goal;
@@ -34,7 +35,7 @@ fem::ContactGoal torque_goal(const Study &study, const fem::ContactState &state,
   return goal;
 }
 
-/// Returns a_2 / a_0 as a goal; the weight determines a_0.
+/// Returns a_2 / a_0 as a goal. The weight of the glass determines a_0, so a_0 is constant.
 fem::ContactGoal second_harmonic_goal(const fem::ContactState &state)
 {
   fem::ContactGoal goal;
@@ -45,7 +46,7 @@ fem::ContactGoal second_harmonic_goal(const fem::ContactState &state)
   return goal;
 }
 
-/// Returns d tau_z / d omega in balance [N m s].
+/// Returns the slope d tau_z / d omega at @p omega, with the load in balance at each spin [N m s].
 double slope_at(const BalancedLoad &load, const ring::Motion &motion, double omega)
 {
   const double step = load.spin_scale(motion) / 512;
@@ -59,7 +60,7 @@ void scale(fem::MeshError &error, double factor)
     share *= std::abs(factor);
 }
 
-/// Fraction of the error in the cells that are halved at once.
+/// Cells are halved in decreasing order of their error until they cover this fraction of the error.
 constexpr double marked_share = 0.8;
 
 GoalError error_of(const Study &study, const Discretisation &discretisation, const Executor &executor)
@@ -84,11 +85,11 @@ double sum_of_shares(const fem::MeshError &error)
   return std::accumulate(error.cells.begin(), error.cells.end(), 0.);
 }
 
-/// Throws if the next mesh for a goal exceeds the memory limit. The size of such a mesh is unknown before. @p
-/// before: error on the mesh before the last halvings of @p meshed.
+/// Throws if the next mesh for a goal exceeds the memory limit. The size of this mesh is not known earlier.
+/// @p before: error on the mesh before the last halvings of @p meshed.
 void require_memory(const Study &study, const Discretisation &meshed, const GoalError &before)
 {
-  constexpr double per_unknown = 10e3; // bytes, most of them in the estimate; measured
+  constexpr double per_unknown = 10e3; // measured [bytes]; most of the memory is used by the error estimate
   const double n_cells =
     static_cast<double>(before.error.cells.size() + 7 * meshed.halved_cells.back().size());
   const double memory = per_unknown * 4.5 * n_cells * std::pow(study.contact.degree, 3);

@@ -10,7 +10,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the study with constant friction, mu at the orbit speed, which keeps the torque at rest.
+/// Returns the study with constant friction: mu at the orbit speed, so that the torque at rest is the same.
 Study with_constant_friction(Study study)
 {
   ring::Motion &motion = study.motion.orbit;
@@ -19,8 +19,8 @@ Study with_constant_friction(Study study)
   return study;
 }
 
-/// Returns the study with a first harmonic on a ring of the contact radius, under its moment balance or given
-/// moment.
+/// Returns the study with a first harmonic on a ring of the contact radius. Its moment balance or given
+/// moment is kept.
 Study first_harmonic_study(Study study)
 {
   study.load.source = LoadSource::first_harmonic;
@@ -86,7 +86,7 @@ std::vector<Variant> model_chain(const Study &study)
 
 std::vector<Variant> input_variants(const Study &study)
 {
-  constexpr double higher = 0.01, rougher = 0.05, grip = 1.4e-3; // m, 1, N m
+  constexpr double higher = 0.01, rougher = 0.05, grip = 1.4e-3; // [m], [1], [N m]
   std::vector<Variant> variants;
   if (!study.load.has_closure())
     return variants;
@@ -103,7 +103,7 @@ std::vector<Variant> input_variants(const Study &study)
       [&](MotionSection &motion)
       {
         motion.orbit.centre_of_mass_height += higher;
-        if (study.given_entries.count("Motion/Force offset") == 0) // the height of the hand is kept
+        if (study.given_entries.count("Motion/Force offset") == 0) // keeps the height of the hand
           motion.orbit.force_offset -= higher;
       });
   add("0.05 more friction", [](MotionSection &motion) { motion.orbit.friction_coefficient += rougher; });
@@ -146,8 +146,8 @@ std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
   add_if(!study.table.is_hard(), "compliance of the interface",
          [](Variant &other)
          {
-           constexpr unsigned int max_degree =
-             2; // the error of the phases is larger than the error of degree 2
+           // With waviness, the error between the phases is larger than the error of degree 2.
+           constexpr unsigned int max_degree = 2;
            other.study.table.interface = TableInterface::hard;
            if (other.study.has_waviness())
              other.study.contact.degree = std::min(other.study.contact.degree, max_degree);

@@ -53,14 +53,14 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
                                                        const SpinNumbers &spin)
 {
   const ContactSection &contact = study.contact;
-  // The contact fraction of a solid foot counts sectors; a body of revolution interpolates the edges between
-  // its lines.
+  // Accuracy of the contact fraction: one sector for a solid foot. A body of revolution interpolates the
+  // contact edges between its lines.
   std::vector<QuantityOfInterest> quantities = load_quantities(
     at_rest,
     abilities(contact.body).is_of_revolution ? relative_noise : 1. / contact.resolution.azimuthal_cells);
   const double torque_noise = relative_noise * study.motion.orbit.friction_at_rest() * at_rest.normal_force *
                               study.glass.profile.contact_radius;
-  constexpr double noise_of_slopes = 1e3; // relative, over the noise of the torques
+  constexpr double noise_of_slopes = 1e3; // factor between the relative noise of slopes and of torques
   quantities.push_back({ "tau_at_rest", "torque at rest", "N m", spin.torque_at_rest, torque_noise });
   for (std::size_t i = 0; i < spin.spins.size(); ++i)
     quantities.push_back({ "tau_at_spin_" + std::to_string(i + 1), "torque at * rad/s", "N m",

@@ -15,13 +15,13 @@ namespace stemware::pipeline
 namespace
 {
 
-/// A parameter of a study with the sizes that are allowed.
+/// Parameter of a study with its allowed sizes.
 struct Parameter
 {
   RefinementAxis axis;
   unsigned int &value;
   unsigned int min, max;
-  unsigned int step = 0; ///< sizes are multiples of this and are doubled; 0: sizes are increased by one
+  unsigned int step = 0; ///< sizes are doubled multiples of `step`; 0: sizes increase by one
 };
 
 std::vector<Parameter> parameters_of(ContactSection &contact)
@@ -96,7 +96,8 @@ RefinementSequence assess_convergence(const std::vector<double> &values, AxisKin
   double band = rounding;
   if (kind != AxisKind::cells)
     band +=
-      1.25 * std::max(std::abs(fine_step), std::abs(coarse_step) / 4); // fine_step may be small by chance
+      // Fine_step alone may be small by chance.
+      1.25 * std::max(std::abs(fine_step), std::abs(coarse_step) / 4);
   else if (0.5 <= order && order <= 8)
   {
     sequence.order = order;
@@ -107,7 +108,7 @@ RefinementSequence assess_convergence(const std::vector<double> &values, AxisKin
   {
     const auto last_three = values.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(n, 3));
     const auto [least, largest] = std::minmax_element(last_three, values.end());
-    band += (n == 2 ? 1.5 : 3.) * (*largest - *least); // two levels: first order is assumed
+    band += (n == 2 ? 1.5 : 3.) * (*largest - *least); // with two levels, first order is assumed
   }
   for (const double value : values)
     sequence.bands.push_back(std::abs(value - values.back()) + band);
@@ -122,7 +123,7 @@ ErrorBands refine(const std::vector<QuantityOfInterest> &own, std::vector<Refine
     if (quantity.omega)
       spins.push_back(*quantity.omega);
   const double near = quantity_of(own, "omega_terminal").value;
-  std::vector<Variant> open; // levels that are not the study itself
+  std::vector<Variant> open; // all levels except the study itself
   for (const RefinementAxis &axis : axes)
     for (std::size_t l = 0; l < axis.levels.size(); ++l)
       if (l != axis.own)

@@ -14,7 +14,8 @@ namespace
 using Number = std::optional<double>;
 using Effect = ring::TorqueEffect;
 
-/// Returns a function that reads a number of a state of an answer; null without that state.
+/// Returns a function that reads a number of one state of an answer; std::nullopt if the answer lacks this
+/// state.
 template <typename Read>
 auto in_state(std::optional<ring::RingState> ring::Answer::*state, Read read)
 {
@@ -36,8 +37,8 @@ std::array<double, 2> force_of(const ring::RingState &state)
   return { state.friction.force_x, state.friction.force_y };
 }
 
-/// Returns a function that reads change, rest or bound of the effect at one of its spins; null without a
-/// terminal spin.
+/// Returns a function that reads the change, rest or bound of the effect at one of its spins; std::nullopt
+/// without a terminal spin.
 auto of_effect(std::optional<Effect::AtSpin> Effect::*spin, double Effect::AtSpin::*value)
 {
   return [=](const Truncation &row)
@@ -47,7 +48,7 @@ auto of_effect(std::optional<Effect::AtSpin> Effect::*spin, double Effect::AtSpi
   };
 }
 
-/// Returns a function that reads a torque over the torque at rest.
+/// Returns a function that reads a torque divided by the torque at rest.
 template <typename Read>
 auto over_rest(Read read)
 {

@@ -47,14 +47,14 @@ PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const PhaseExtremes
   return study;
 }
 
-/// Returns the study on one ring of its foot; std::nullopt if it has one ring already.
+/// Returns the study with one ring; std::nullopt if the study already has one ring.
 std::optional<Variant> variant_on_one_ring(const Study &study)
 {
   if (!study.load.is_from_contact() || study.contact.rings == 1)
     return std::nullopt;
   Variant one_ring = { VariantKind::one_ring, "one ring", study };
   one_ring.study.contact.rings = 1;
-  one_ring.shared = Shared::contact; // the contact at rest does not depend on the rings
+  one_ring.shared = Shared::contact; // the contact solution at rest does not depend on the rings
   return one_ring;
 }
 
@@ -74,8 +74,8 @@ std::vector<double> spins_of(const std::vector<ring::YawSample> &samples)
   return spins;
 }
 
-/// Returns the torques at @p spins: @p all of all harmonics, and @p first of the first @p n_first harmonics,
-/// if not empty.
+/// Returns the torques at @p spins. @p all: torques of all harmonics. @p first: torques of the first @p
+/// n_first harmonics, may be empty.
 TorqueCurve torque_curve(const std::vector<double> &spins, double spin_scale,
                          const std::vector<ring::Torques> &all, const std::vector<ring::Torques> &first,
                          unsigned int n_first)
@@ -98,7 +98,7 @@ TorqueCurve torque_curve(const std::vector<double> &spins, double spin_scale,
   return curve;
 }
 
-/// Returns the spins of a spin-up; empty if the balance is lost on the way.
+/// Returns the spins of a spin-up; an empty list if the balance is lost on the way.
 std::vector<double> spin_up_of(const ring::Load &load, const ring::Question &question,
                                const std::vector<double> &times, const std::optional<ring::Fall> &fall)
 {
@@ -128,8 +128,8 @@ CurveLoad curve_load(const Study &study, const std::vector<LoadedRow> &rows)
   int first = -n_intervals / 8;
   if (const ring::PhaseSampledLoad *phases = rows.back().load->phases())
   {
-    // Sampling further spins takes as many contacts as the answer. The curve therefore ends with the samples
-    // around the terminal spin, if these reach beyond it.
+    // Further spins would need as many contact solves as the answer. The curve therefore ends with the
+    // samples around the terminal spin, provided that they reach beyond the terminal spin.
     constexpr double beyond = 1.1;
     const auto [lower, upper] = phases->polynomial_range(all.last_spin().value_or(0));
     const double terminal = all.last_spin().value_or(0), end = std::clamp(last, lower, upper);
@@ -140,7 +140,7 @@ CurveLoad curve_load(const Study &study, const std::vector<LoadedRow> &rows)
   }
   std::vector<double> spins;
   for (int i = first; i <= n_intervals; ++i)
-    spins.push_back(last * i / n_intervals + 0.); // no -0
+    spins.push_back(last * i / n_intervals + 0.); // + 0. avoids -0
   std::sort(spins.begin(), spins.end());
   return { spins, ring::interpolated_for_curves(*rows.back().load, all, spins.front(), spins.back()) };
 }
@@ -170,7 +170,7 @@ StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, 
       up.euler = spins_of(ring::euler_spin_up(of_all.load, observed, times, euler_step, fall));
     up.instants = ring::instants_of(adaptive, of_all.load, question);
   };
-  // The curve of the first harmonic is interpolated by its difference to the curve of all harmonics.
+  // Interpolates the difference between the curve of the first harmonic and the curve of all harmonics.
   const auto find_first = [&]
   {
     const auto &[variant, row, load, torques] = rows.front();
@@ -207,7 +207,7 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
   DrivenSpinUp driven;
   if (speeds.starts_from_rest())
     driven.breakaway = find_breakaway(study, foot, speeds);
-  // Each step takes a dozen contacts, and measured speeds are less accurate than 1e-6.
+  // A step takes about a dozen contact solves, and measured speeds are less accurate than 1e-6.
   const double accuracy = study.load.is_from_contact() ? 1e-6 : 1e-10;
   const double radius = study.glass.profile.contact_radius, grip = study.motion.grip_torque;
   const ring::PhasedTorqueFunction torque = ring::observed(driven_torque(study, foot, speeds), observer);
@@ -234,7 +234,7 @@ std::optional<double> driven_band(const SpinStudy &spin, const std::optional<dou
   const auto &driven = spin.spin_up.driven;
   if (!driven || !band || omega.value_or(0) == 0)
     return std::nullopt;
-  // The relative error of the load at another speed equals the relative error at the terminal spin.
+  // At another speed, the relative error of the load equals the relative error at the terminal spin.
   return driven->integration_error + std::abs(driven->omega.back() / *omega) * *band;
 }
 
@@ -243,11 +243,11 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
 {
   std::vector<Variant> others = budget_variants(own_variant(study, foot.get()), load.phases() != nullptr);
   if (depth != Depth::full)
-    others.erase(others.begin() + 1, others.end()); // only the paper's model
+    others.erase(others.begin() + 1, others.end()); // keeps the paper's model only
   else if (const std::optional<Variant> one_ring = variant_on_one_ring(study))
     others.push_back(*one_ring);
-  // The curve may detect a spin of tipping that the search for the terminal spin has missed. The rows are
-  // then solved again.
+  // The curve may reveal that the glass tips at a spin that the search for the terminal spin missed. The rows
+  // are then solved again.
   constexpr unsigned int max_falls = 8;
   StudyRows solved;
   CurveLoad curve = { {}, load };
@@ -261,7 +261,8 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   const ring::TimeObserver observer = motion_observer(progress);
   SpinStudy result = { find_curves(study, solved.by_harmonics, solved.others.front(), curve, executor,
                                    study.motion.euler_step, observer) };
-  const bool is_slow = study.load.is_in_balance() && is_collective(study); // each torque takes minutes
+  // Each torque evaluation takes minutes.
+  const bool is_slow = study.load.is_in_balance() && is_collective(study);
   if (depth == Depth::full)
     result.budget = find_budget(study, solved);
   if (!is_slow)

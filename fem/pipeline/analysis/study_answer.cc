@@ -21,7 +21,7 @@ std::string size_text(const fem::FootDescription &foot)
   const std::string cells = foot.n_cells ? fmt::format(FMT_STRING("{} cells, "), *foot.n_cells) : "";
   std::string text = fmt::format(FMT_STRING("{}, {}{} unknowns, {} contact nodes"), foot.body, cells,
                                  foot.n_unknowns, foot.n_contact_nodes);
-  if (foot.mesh_report) // moment ratios refer to Glass/Contact radius
+  if (foot.mesh_report) // stated because moment ratios refer to Glass/Contact radius
     text += foot.mesh_report->round_rim
               ? fmt::format(FMT_STRING("\n          the mesh's rim has a radius of {:.6g} m"),
                             foot.mesh_report->rim_radius)
@@ -35,8 +35,8 @@ std::string size_text(const fem::FootDescription &foot)
   return text;
 }
 
-/// Returns study_foot(), nullptr if the load does not come from a contact. Reports its size, and notes on
-/// friction and coupling, to @p progress.
+/// Returns study_foot(), or nullptr if the load does not come from a contact. Reports the size of the foot
+/// and notes on friction and coupling to @p progress.
 std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &executor, Progress &progress,
                                             const Discretisation &discretisation = {},
                                             const ElasticFoot *similar = nullptr)
@@ -166,7 +166,7 @@ const Fields<StudyAnswer> &study_quantities()
 StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, Progress &progress,
                          bool with_fields, std::shared_ptr<ElasticFoot> *start)
 {
-  // 1. The load on the table, and the spin.
+  // 1. Load on the table, and spin.
   const MeshForGoal mesh = mesh_for_goal(study, executor, progress);
   const std::shared_ptr<ElasticFoot> foot =
     announced_foot(study, executor, progress, mesh.discretisation, start ? start->get() : nullptr);
@@ -177,7 +177,7 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
   answer.contact = describe(study, foot, load, answer.spin.answer().last_spin().value());
   progress.stage_done("report_of_contact");
 
-  // 2. Fields and, in parallel, error bands.
+  // 2. Fields, and error bands in parallel.
   const std::shared_ptr<const ElasticFoot> of_fields = foot && with_fields ? foot->clone() : nullptr;
   const auto find = [&](std::size_t i)
   {

@@ -18,7 +18,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the numbers of harmonics of the rows.
+/// Returns the number of harmonics of each row.
 std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Depth depth)
 {
   const bool is_slow =
@@ -28,7 +28,8 @@ std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Dep
   return truncation_orders(n_all);
 }
 
-/// Returns the row of a variant, with the variant's number of harmonics even if the load has fewer or failed.
+/// Returns the row of a variant. The row states the variant's number of harmonics even if the load has fewer
+/// harmonics or has failed.
 LoadedRow loaded_row(const Variant &variant, ring::Answer row, const std::optional<ring::Load> &load = {})
 {
   if (variant.n_harmonics != all_harmonics)
@@ -72,7 +73,7 @@ ring::TimeObserver motion_observer(Progress &progress)
   using Clock = std::chrono::steady_clock;
   return [&progress, n_torques = std::size_t(0), last = Clock::time_point()](double time) mutable
   {
-    constexpr std::size_t stride = 64; // a torque may be cheaper than reading the clock
+    constexpr std::size_t stride = 64; // a torque evaluation may be cheaper than reading the clock
     if (++n_torques % stride != 0)
       return;
     const Clock::time_point now = Clock::now();
@@ -107,7 +108,8 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
         ? of_study->truncated(variant.n_harmonics)
         : find_load(variant.study, its_foot, silent_progress(), variant.n_harmonics, PhaseSampling::coarse);
     ring::Question question = spin_question(variant.study, asked);
-    if (variant.shared != Shared::load) // these rows are solved in parallel
+    // These rows are solved in parallel, where the observer must not be called.
+    if (variant.shared != Shared::load)
       question.observer = {};
     LoadedRow row = loaded_row(variant, ring::answer(load, question), load);
     std::string reason;
@@ -117,7 +119,8 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
       row.row.reason = reason;
     return row;
   };
-  // Rows on the study's load share its contacts, so they are solved first, one after another.
+  // Rows that use the load of the study share its contact solutions, so they are solved first and
+  // sequentially.
   std::vector<LoadedRow> rows(variants.size());
   std::vector<Variant> others;
   for (std::size_t i = 0; i < variants.size(); ++i)
@@ -178,22 +181,23 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
     const std::optional<double> omega = whole.row.omega_terminal();
     rows.torque_spins = { 0 };
     if (omega)
-      rows.torque_spins.push_back(*omega / 2 + 0.); // no -0
+      rows.torque_spins.push_back(*omega / 2 + 0.); // + 0. avoids -0
     std::string reason;
     whole.torques = ring::torque_curve(load, question, rows.torque_spins, &reason);
     if (whole.row.reason.empty())
       whole.row.reason = reason;
     if (omega)
     {
-      // With waviness the terminal spin is a mean, at which the torques do not vanish.
+      // With waviness the terminal spin is a mean at which the torques do not vanish.
       rows.torque_spins.push_back(*omega + 0.);
       whole.torques.push_back(*whole.row.at_terminal);
     }
   }
   question.with_slope = false;
   question.zero_guess = whole.row.zero_guess();
-  if (whole.row.fall) // the spin up to which the models with fewer harmonics, or without an effect, are known
-                      // to have a balance
+  // Guess for the models with fewer harmonics or without an effect: the spin at which the complete model
+  // tips.
+  if (whole.row.fall)
     question.initial_guess = whole.row.fall->omega;
   std::vector<Variant> variants;
   for (std::size_t i = 0; i + 1 < orders.size(); ++i)

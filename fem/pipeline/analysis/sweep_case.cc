@@ -21,7 +21,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Some cases of a list as variants, created on demand.
+/// Selected cases of a list as variants, created on demand.
 struct CaseVariants
 {
   std::size_t size() const { return indices.size(); }
@@ -124,7 +124,7 @@ CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &f
         if (!std::isfinite(value.get<double>()))
           throw std::runtime_error("The result " + quantity.key +
                                    " is not a finite number; please report this study.");
-        result.values[quantity.key] = value.get<double>() + 0.; // no -0
+        result.values[quantity.key] = value.get<double>() + 0.; // + 0. avoids -0
       }
   return result;
 }

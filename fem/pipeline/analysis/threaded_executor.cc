@@ -17,7 +17,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Limits deal.II, and with it TBB in the whole process, to a number of threads while the object lives.
+/// While an object exists, limits deal.II to a number of threads, and thereby TBB in the whole process.
 class ThreadLimit
 {
 public:
@@ -41,8 +41,8 @@ void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &wor
   tbb::task_arena arena(static_cast<int>(n_threads));
   std::vector<std::exception_ptr> failures(n);
   std::atomic<bool> has_failed = false;
-  // An exception that leaves the loop would cancel parallel loops inside other calls, for example while
-  // deal.II fills tables, which would then stay incomplete.
+  // An exception that leaves the loop would cancel parallel loops in other calls. For example, tables that
+  // deal.II is filling would stay incomplete.
   const auto guarded = [&](std::size_t i)
   {
     if (has_failed)
@@ -57,9 +57,9 @@ void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &wor
       has_failed = true;
     }
   };
-  // Isolation: a thread that waits for a loop within one call must not begin another call, which could then
-  // wait for the first one (deadlock).
-  std::atomic<std::size_t> next = 0; // in ascending order, independent of the division of the loop
+  // Isolation: a thread that waits for a loop within one call must not begin another call, because the other
+  // call could wait for the first one (deadlock).
+  std::atomic<std::size_t> next = 0; // calls in ascending order, however the loop is divided
   const auto isolated = [&](std::size_t) { tbb::this_task_arena::isolate([&] { guarded(next++); }); };
   arena.execute([&] { tbb::parallel_for(std::size_t(0), n, isolated, tbb::simple_partitioner()); });
   for (const std::exception_ptr &failure : failures)

@@ -52,7 +52,7 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
     demand.tilt_moment = motion.normal_force() * motion.overturning_height();
   if (arm == 0)
     return demand;
-  // Moment of the friction, h k x T = h (-T_y, T_x).
+  // The moment of the friction is h k x T = h (-T_y, T_x).
   const ring::FrictionFunctionals friction =
     ring::friction_functionals(motion, radii, std::min(balance.n_harmonics, foot->n_harmonics()), omega);
   demand.friction_x = -arm * friction.side.of_rotated(rotation);
@@ -63,7 +63,7 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
 fem::ContactState BalancedContact::contact_on_one_ring(double omega)
 {
   constexpr unsigned int max_rounds = 20;
-  constexpr double tolerance = 1e-10; // tolerance of a contact; a round reduces the change by a factor of 100
+  constexpr double tolerance = 1e-10; // relative tolerance; each round reduces the change by a factor of 100
   const ring::Motion &motion = balance.motion;
   for (unsigned int round = 0;; ++round)
   {
@@ -91,8 +91,9 @@ fem::ContactState BalancedContact::solve_at(double omega)
 
 fem::ContactState BalancedContact::contact(double omega)
 {
-  constexpr std::size_t n_latest =
-    6; // contacts at the terminal spin and the next requested spins, or of a band
+  // Cache capacity: solutions at the terminal spin and at the spins requested next, or at the spins of an
+  // error band.
+  constexpr std::size_t n_latest = 6;
   if (at_rest && (omega == 0 || !balance.varies_with_spin))
     return *at_rest;
   for (const auto &[spin, state] : latest)
@@ -120,7 +121,8 @@ ring::Sample BalancedContact::sample_of(const fem::ContactState &state) const
   ring::Sample sample = load.truncated(balance.n_harmonics);
   if (balance.tilts)
     sample.tilt = state.solution.motion.tail<2>();
-  // Near lift-off the load decreases like 1 + cos.
+  // Without lift-off, the margin is the minimum load over the mean load. With lift-off, it is negative and
+  // quadratic in the free arc, because near lift-off the load varies like 1 + cos theta.
   const double share = load.azimuth_fraction.value_or(load.contact_fraction);
   sample.lift_off_margin = share < 1 ? -std::pow(ring::pi * (1 - share), 2) / 2 : load.least / load.a(0);
   sample.stability_margin = state.solution.stability_margin;

@@ -48,8 +48,8 @@ void ContactPath::append(const fem::ContactState &state)
   recent.push_back(now);
   if (recent.size() <= most)
     return;
-  // Of the older contacts, the one with the nearest neighbour is removed, so that the others still cover the
-  // spins.
+  // Among the older solutions, the one with the nearest neighbour is removed, so that the others still cover
+  // the range of spins.
   const auto room = [&](const Found &one)
   {
     double nearest = std::numeric_limits<double>::infinity();
@@ -67,7 +67,7 @@ std::optional<fem::ContactStart> ContactPath::between(std::vector<const Found *>
                                                       std::size_t n_least)
 {
   constexpr std::size_t max_points = 4;
-  constexpr double largest_sum = 8; // maximum sum of the weights; beyond it the contact is too far away
+  constexpr double largest_sum = 8; // maximum sum of the weights; a larger sum means extrapolation too far
   std::sort(points.begin(), points.end(),
             [&](const Found *one, const Found *other) {
               return std::abs(one->slip.spin_per_speed - spin) < std::abs(other->slip.spin_per_speed - spin);
@@ -111,8 +111,8 @@ std::optional<fem::ContactStart> ContactPath::expected(const std::vector<const F
       least = std::min(least, std::abs(one->slip.spin_per_speed - spin));
     return least;
   };
-  // A contact of this foot is more accurate than a contact of a similar foot that is closer by a tenth of the
-  // spin.
+  // Solutions of this foot predict better. Solutions of the similar foot are preferred only if the nearest
+  // one is closer by more than a tenth of the spin.
   const bool own_are_far = distance(similar_at_marks) + 0.1 * std::abs(spin) < distance(own);
   const std::optional<fem::ContactStart> start = own_are_far ? std::nullopt : between(own, spin, 2);
   return start ? start : between(own_are_far ? similar_at_marks : similar, spin, 1);
@@ -141,7 +141,7 @@ fem::ContactGuess ContactPath::guess(const fem::ContactDemand &demand, const rin
     return radius * std::abs(one->slip.spin_per_speed - slip.spin_per_speed) + difference(0) +
            difference.tail<3>().sum() / radius;
   };
-  // Of equally near contacts, the newest.
+  // If several solutions are equally near, the newest one is used.
   guess.predicted =
     (*std::min_element(known.rbegin(), known.rend(),
                        [&](const Found *one, const Found *other) { return distance(one) < distance(other); }))
@@ -164,7 +164,8 @@ std::optional<fem::ContactStart> ContactPath::nearest_towards_rest(const ring::S
 void ContactPath::predict_from_similar(const ContactPath &similar, const fem::Foot &own,
                                        const fem::Foot &other)
 {
-  // Minimum distance relative to the largest spin: no polynomial through two contacts at the same spin.
+  // Minimum relative difference of two spins: a polynomial must not pass through two solutions at the same
+  // spin.
   constexpr double apart = 1e-5;
   double largest = 0;
   for (const Found &one : similar.recent)

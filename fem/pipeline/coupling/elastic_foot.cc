@@ -48,7 +48,7 @@ void ElasticFoot::predict_from_similar(const ElasticFoot &similar)
 fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip &slip, Progress &progress,
                                      const fem::ContactState *before)
 {
-  if (!demand.has_friction()) // otherwise the demand already has the rings of its friction
+  if (!demand.has_friction()) // a demand with friction already has rings
     demand.ring_radii = radii;
   demand.n_harmonics = highest;
   const auto solve_from = [&](const fem::ContactGuess &guess)
@@ -63,7 +63,8 @@ fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip
   }
   catch (const fem::ContactFailure &failure)
   {
-    // Near tipping the nearest contact may belong to another branch of balances, beyond the limit point.
+    // Near tipping, the nearest stored solution may belong to another branch of balances beyond the limit
+    // point. The search is then repeated from a stored solution closer to rest.
     if (failure.outcome != fem::ContactOutcome::tipping || foot->capabilities().is_collective)
       throw;
     const std::optional<fem::ContactStart> start = path.nearest_towards_rest(slip);
@@ -87,7 +88,7 @@ fem::ContactState ElasticFoot::solve_at_rest(const fem::ContactDemand &demand, c
            marks.glass == known_marks.glass && marks.table == known_marks.table;
   };
   if (at_rest && is_known())
-    at_rest->load = project_onto_rings(*at_rest); // the rings may have changed since
+    at_rest->load = project_onto_rings(*at_rest); // the rings may have changed since the last call
   else
     at_rest = solve(demand, { 0, marks }, progress);
   return *at_rest;

@@ -22,10 +22,10 @@ struct Failure
 {
   std::string sentence;
   ExitCode code = ExitCode::numerical_failure;
-  bool is_everywhere = false; ///< on all ranks; otherwise the other ranks would wait indefinitely
+  bool is_everywhere = false; ///< fails on all ranks; otherwise the other ranks would wait indefinitely
 };
 
-/// Returns the failure of the exception that is being handled.
+/// Returns the failure of the exception that is currently handled.
 Failure present_failure()
 {
   try

@@ -18,7 +18,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the resultants of the study at rest, including the weight of the tilted glass if the study has it.
+/// Returns the resultants of the study at rest. If the study tilts, they include the weight of the tilted
+/// glass.
 fem::ContactDemand demand_at_rest(const Study &study)
 {
   fem::ContactDemand demand = study.required_resultants();
@@ -27,7 +28,7 @@ fem::ContactDemand demand_at_rest(const Study &study)
   return demand;
 }
 
-/// Returns the load of a contact whose marks keep their orientation of @p at_rest.
+/// Returns the load with the marks in the same orientation as in @p at_rest, whatever the spin.
 BalancedLoad load_at_one_phase(const std::shared_ptr<ElasticFoot> &foot, ContactBalance balance,
                                const fem::ContactState &at_rest, Progress &progress)
 {
@@ -40,8 +41,8 @@ BalancedLoad load_at_one_phase(const std::shared_ptr<ElasticFoot> &foot, Contact
            report_of(at_rest, foot->radius(), balance.tilts), contacts };
 }
 
-/// Returns the contact at rest with the marks at @p phase. If it tips, the message also mentions @p at_start,
-/// the contact with the marks at t = 0, which is in balance.
+/// Returns the contact solution at rest with the marks at @p phase. If the foot tips, the message also
+/// mentions @p at_start, the solution in balance with the marks at t = 0.
 fem::ContactState contact_at_phase(ElasticFoot &foot, const ring::Orientation &phase,
                                    const fem::ContactState &at_start)
 {
@@ -71,7 +72,7 @@ fem::ContactState contact_at_phase(ElasticFoot &foot, const ring::Orientation &p
   }
 }
 
-/// @p at_rest: contact at the phase of t = 0.
+/// Returns the load over all phases. @p at_rest: contact solution at the phase of t = 0.
 BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const ContactBalance &balance,
                               const ring::PhasePeriods &periods, const fem::ContactState &at_rest,
                               bool is_hard, bool is_coarse, Progress &progress)
@@ -90,19 +91,19 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
     }
     return load->second.at(omega);
   };
-  // Fewer phases are used if each needs a curve over the spins, or if the contact is hard (ten times slower),
-  // so that a study takes seconds.
+  // The number of phases is limited, so that a study takes seconds, if each phase needs a curve over the
+  // spins or if the contact is hard (ten times slower).
   const bool follows = balance.varies_with_spin;
   ring::RestSampling at_rest_sampling;
   at_rest_sampling.max_samples = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;
-  // Used for results without an error band, which could not report a larger error.
+  // Coarse sampling serves results without an error band. These results cannot report a larger error.
   if (is_coarse)
     at_rest_sampling.max_error = 1e-3;
   const ring::PhaseSamples samples = ring::sample_phases(exact, periods, at_rest_sampling);
 
   LoadReport report = report_of(at_rest, foot->radius(), balance.tilts);
   ring::SpinSampling spins;
-  // Intervals meet at the spin v / R, where friction has a kink.
+  // Two intervals meet at the spin v / R, where friction has a kink.
   if (follows)
     spins.unit = balance.motion.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
   if (is_hard)
@@ -119,7 +120,7 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
            std::make_shared<BalancedContact>(foot, balance, at_rest, progress) };
 }
 
-/// Returns the contact at rest on the rings of the study, which the first call chooses.
+/// Returns the contact solution at rest on the rings of the study. The first call chooses the rings.
 fem::ContactState contact_at_rest(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                   const ring::Orientation &marks, Progress &progress)
 {

@@ -12,9 +12,9 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the band of radii that is loaded in @p state. With nodal contact on a hard table only one circle
-/// of nodes may be loaded. Rings on a band of zero width would extrapolate extremely to the neighbouring
-/// nodes, which the balance also needs. The band then includes the nodes @p cell away.
+/// Returns the range of loaded radii in @p state. With nodal contact on a hard table, possibly only one
+/// circle of nodes is loaded. Rings within zero width would extrapolate extremely to the neighbouring nodes,
+/// and the balance also needs these nodes. The range is then extended by @p cell on both sides.
 fem::ContactWidth band_of(const fem::ContactState &state, double cell)
 {
   const bool is_wide = state.outer_radius - state.inner_radius > 1e-3 * cell;
@@ -22,9 +22,9 @@ fem::ContactWidth band_of(const fem::ContactState &state, double cell)
   return { state.inner_radius - margin, state.outer_radius + margin };
 }
 
-/// Returns the number of rings for which a torque at slip ratio @p eps (at the contact radius) is exact to
-/// 1e-10. The error decreases like (w / (2 R |1 - |eps||))^J with the width w of the band. If the slip
-/// vanishes within the band, it decreases only algebraically; then max_rings is used.
+/// Returns the number of rings J for which a torque at slip ratio @p eps (at the contact radius) is exact to
+/// 1e-10. The error decreases like (w / (2 R |1 - |eps||))^J, where w is the width of @p band. If the slip
+/// vanishes within the band, the error decreases only algebraically, and max_rings is returned.
 unsigned int rings_for(const fem::ContactWidth &band, double eps, unsigned int least)
 {
   const double share = (band.outer - band.inner) / (band.outer + band.inner) / std::abs(1 - std::abs(eps));
@@ -34,8 +34,8 @@ unsigned int rings_for(const fem::ContactWidth &band, double eps, unsigned int l
   return std::max(least, static_cast<unsigned int>(std::min<double>(wanted, max_rings)));
 }
 
-/// Returns the number of harmonics that the kernels require, since K_n(eps) decreases like |eps|^n. Valid up
-/// to 1.5 times the spin.
+/// Returns the number of harmonics that the kernels require: K_n(eps) decreases like |eps|^n. Valid up to 1.5
+/// times the spin.
 unsigned int harmonics_for(double eps)
 {
   constexpr unsigned int least = 24, most = std::numeric_limits<unsigned int>::max();
@@ -70,7 +70,7 @@ void choose_rings(const ContactSection &contact, const ring::Motion &motion, Ela
     if (n_rings > 1)
       n_rings = rings_for(band, eps, n_rings);
   }
-  catch (const ring::NoBalance &) // without an expected spin the rings of the load at rest are used
+  catch (const ring::NoBalance &) // without an expected spin, the rings of the load at rest are kept
   {
   }
   set_rings(n_rings, contact.load_harmonics > 0 ? contact.load_harmonics : n_harmonics);

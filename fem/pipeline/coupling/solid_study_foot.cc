@@ -53,7 +53,8 @@ fem::SolidMesh solid_mesh(const Study &study, const Discretisation &discretisati
   return mesh;
 }
 
-/// Returns the linear solver of @p study. A condensation is not worthwhile for one or two contacts.
+/// Returns the linear solver of @p study. Replaces `automatic` by multigrid if the study needs only one or
+/// two contact solves, because a condensation is not worthwhile for so few.
 fem::LinearSolver linear_solver_of(const Study &study, const Discretisation &discretisation)
 {
   const ContactSection &contact = study.contact;
@@ -81,11 +82,11 @@ fem::SolidSetup solid_setup(const Study &study, const Discretisation &discretisa
   return setup;
 }
 
-/// Solid foot with a key of the feet with which it may share mesh and elements.
+/// Solid foot with a key. Feet with equal keys share mesh and elements.
 class StudyFoot : public fem::SolidFoot
 {
 public:
-  /// @p similar has the same @p elements_given, if any.
+  /// Precondition: @p similar, if given, has the same @p elements_given.
   StudyFoot(const fem::SolidMesh &mesh, const fem::SolidSetup &setup, const StudyFoot *similar,
             std::string elements_given)
       : SolidFoot(mesh, setup, similar)
@@ -93,7 +94,7 @@ public:
   {
   }
 
-  const std::string elements; ///< elements_of()
+  const std::string elements; ///< text of elements_of()
 };
 
 } // namespace

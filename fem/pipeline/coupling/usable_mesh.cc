@@ -17,17 +17,18 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns a position as text, e.g. "(0.0003, 0) m"; values at rounding level relative to @p size are 0.
+/// Returns a position as text, e.g. "(0.0003, 0) m". Values at rounding level relative to @p size are printed
+/// as 0.
 std::string place(double x, double y, double size)
 {
   const auto shown = [&](double value) { return std::abs(value) < 1e-6 * size ? 0. : value; };
   return fmt::format(FMT_STRING("({:.4g}, {:.4g}) m"), shown(x), shown(y));
 }
 
-/// Refuses a file that needs more memory than allowed to read.
+/// Refuses a file if reading it needs more memory than allowed.
 void require_readable_size(const std::string &file, double memory_limit)
 {
-  constexpr double memory_per_byte = 12; // measured: 7 for hexahedra; short rows need more
+  constexpr double memory_per_byte = 12; // measured: 7 for hexahedra; files with short rows need more
   std::error_code error;
   const auto size = static_cast<double>(std::filesystem::file_size(file, error));
   ensure(error || memory_per_byte * size <= memory_limit,
@@ -73,7 +74,8 @@ void require_usable(const std::string &origin, const fem::MeshCheck &check, cons
       fmt::format(FMT_STRING("swap the ids (Contact/Mesh contact id = {}, Contact/Mesh stem id = {})"),
                   marks.stem_id, marks.contact_id);
     const std::string turn = "rotate the mesh so that the glass stands upright, z upwards";
-    const bool are_swapped = check.outer_radius <= check.stem_radius; // the stem is narrower than the rim
+    // The stem of a foot is narrower than the rim.
+    const bool are_swapped = check.outer_radius <= check.stem_radius;
     throw BadInput(mesh + " has its contact zone above its stem cut, facing up; " +
                    (are_swapped ? swap + ", or if they are right, " + turn : turn + ", or " + swap) + ".");
   }
