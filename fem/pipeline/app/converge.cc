@@ -17,8 +17,8 @@ struct ConvergeOptions : StudyOptions
   unsigned int n_levels = 3;
 };
 
-/// Solves a study on finer and coarser levels of each of its numerical parameters and writes observed orders,
-/// limits and error bands. Collective over all ranks. Throws as run().
+/// Solves a study on finer and coarser levels of each of its numerical parameters. Writes observed orders,
+/// limits and error bands. Collective over all ranks. Throws like run().
 void converge(const ConvergeOptions &options)
 {
   StudyWork work(options);

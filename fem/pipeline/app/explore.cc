@@ -17,7 +17,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Options of `stemware explore`.
 struct ExploreOptions
 {
   StudyOptions study;
@@ -26,7 +25,7 @@ struct ExploreOptions
   unsigned int max_nodes = 0;
 };
 
-/// Rigid table, for pages only: `run` has the entries.
+/// Rigid table, a preset of pages only. `run` sets its entries directly.
 const Preset rigid_table = { "rigid",
                              "a table that yields nothing",
                              {},

@@ -27,7 +27,6 @@ using Mesh = dealii::Triangulation<3>;
 namespace
 {
 
-/// Options of `stemware mesh`.
 struct MeshOptions
 {
   StudyOptions study;
@@ -36,13 +35,13 @@ struct MeshOptions
 };
 
 /// Returns true if a study is needed: for its own mesh, or for the options and reference lengths of a mesh
-/// file. Without a file and without a study, the default study is used.
+/// file. Without file and study, the default study is used.
 bool has_study(const MeshOptions &options)
 {
   return !options.study.study_file.empty() || options.check.empty() || !options.study.overrides.empty();
 }
 
-/// Throws BadInput for options that are inadmissible with any mesh.
+/// Throws BadInput for options that are invalid for every mesh.
 void check_options(const MeshOptions &options)
 {
   for (const std::string &file : options.writes)
@@ -61,7 +60,7 @@ MeshFindings read_mesh(const std::string &file, const ContactSection &contact, M
   return { file, fem::check_mesh(mesh), report };
 }
 
-/// Generates the foot of @p study with the crown in the mesh, as in a mesh file.
+/// Generates the foot of @p study. The mesh includes the crown, as in a mesh file.
 MeshFindings generate_mesh(const Study &study, Mesh &mesh)
 {
   fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
@@ -82,7 +81,7 @@ void write_mesh(const Mesh &mesh, const std::string &file)
   console() << "Written   " << file << std::endl;
 }
 
-/// Prints the findings on one line of standard output, for programs.
+/// Prints the findings as one line of JSON on standard output.
 void print_json(const MeshFindings &findings, const MeshOptions &options)
 {
   Json line = { { "verb", "mesh" }, { "written", options.writes } };
@@ -90,8 +89,8 @@ void print_json(const MeshFindings &findings, const MeshOptions &options)
   std::cout << line.dump() << std::endl;
 }
 
-/// Checks the foot mesh of a study or a file, prints the findings, and writes the mesh. Throws BadInput for
-/// an unusable mesh, and OutputFailure.
+/// Checks the foot mesh of a study or a file, prints the findings and writes the mesh. Throws BadInput for an
+/// unusable mesh, and OutputFailure.
 void mesh(const MeshOptions &options)
 {
   // 1. Input.

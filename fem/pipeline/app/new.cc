@@ -22,15 +22,14 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Options of `stemware new`.
 struct NewOptions
 {
   std::string file, glass = glass_presets().front().name, table = table_presets().front().name, cookbook;
 };
 
-/// Writes the study @p file, the first of @p parts, and the files that the study reads, and prints their
-/// names with @p words. Throws BadInput for an inadmissible file name, and OutputFailure if a file exists
-/// already; then nothing is written.
+/// Writes the study @p file (the first of @p parts) and the files that the study reads, then prints their
+/// names with @p words. Throws BadInput for an invalid file name. Throws OutputFailure and writes nothing if
+/// a file already exists.
 void write_study(const std::string &file, const std::vector<StudyPart> &parts, const std::string &words)
 {
   ensure(file.find_first_not_of(" \t") != std::string::npos,
@@ -57,7 +56,7 @@ void write_study(const std::string &file, const std::vector<StudyPart> &parts, c
   console() << "\nNext      stemware run " << file << std::endl;
 }
 
-/// Throws as write_study().
+/// Throws like write_study().
 void write_new_study(const NewOptions &options)
 {
   const Preset &glass = preset_of(glass_presets(), "--glass", options.glass);
@@ -66,7 +65,7 @@ void write_new_study(const NewOptions &options)
               ": " + glass.name + " on " + table.name);
 }
 
-/// Throws as write_study().
+/// Throws like write_study().
 void write_cookbook(const NewOptions &options)
 {
   const std::string file = options.file.empty() ? options.cookbook + ".prm" : options.file;
@@ -108,8 +107,8 @@ void add_new_verb(CLI::App &program, Verb &chosen)
       ->type_name("NAME")
       ->excludes(glass)
       ->excludes(table);
-  verb->footer(""); // otherwise CLI11 prints the program's footer
-  // Evaluated only for --help, because it reads the folder of cookbooks.
+  verb->footer(""); // without this, CLI11 prints the program's footer
+  // The footer is made only for --help, because it lists the folder of cookbooks.
   verb->footer(
     []
     {

@@ -31,8 +31,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the error of an empty study name; empty for other names. An empty name is an error (an unset shell
-/// variable), not a request for the default study.
+/// Returns the error of an empty study name; an empty text for other names. An empty name is an error (an
+/// unset shell variable) and does not mean the default study.
 std::string why_no_study(const std::string &text)
 {
   return text.empty()
@@ -40,8 +40,8 @@ std::string why_no_study(const std::string &text)
            : "";
 }
 
-/// Returns the error of an empty or blank folder name, which no directory listing would show; empty for other
-/// names.
+/// Returns the error of an empty or blank folder name, because a directory listing would not show such a
+/// folder; an empty text for other names.
 std::string why_no_folder(const std::string &text)
 {
   return text.find_first_not_of(" \t\r\n") == std::string::npos
@@ -49,11 +49,11 @@ std::string why_no_folder(const std::string &text)
            : "";
 }
 
-/// Throws if a study exceeds the memory left by the limits of the process. Otherwise libraries would wait for
-/// memory indefinitely or end the program.
+/// Throws if a study needs more memory than the limits of the process leave. Otherwise, libraries would wait
+/// for memory indefinitely or end the program.
 void require_memory_left(const Study &study, unsigned int n_threads)
 {
-  constexpr double buffers = 2e8, // of BLAS and of written fields, in the address space
+  constexpr double buffers = 2e8, // address space for the buffers of BLAS and of written fields
     stack_and_heap_of_thread = 8e7;
   const MemoryLeft left = memory_left();
   double needed = size_of(study).memory - memory_of_the_program;
@@ -152,10 +152,11 @@ Study begin_study(const StudyOptions &options)
                 : options.study_file == "-" ? "standard input"
                                             : options.study_file)
             << std::endl;
-  for (const std::string &note : implausible_notes(study)) // usually caused by a wrong unit
+  // Implausible values usually result from a wrong unit.
+  for (const std::string &note : implausible_notes(study))
     print_warning("Check     ", note, options);
   print_note("Profile   ", profile_note(study));
-  if (options.verb != "sweep") // each case of a sweep has its own study
+  if (options.verb != "sweep") // in a sweep, each case has its own study
   {
     require_no_tipping_at_rest(study);
     print_warning("Unused    ", unused_entries_note(unused_entries(study)), options);

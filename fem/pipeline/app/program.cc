@@ -46,7 +46,8 @@ std::vector<std::string> options_of(const CLI::App &verb)
   return names;
 }
 
-/// Returns the error of an unknown @p word, with the closest known word if there is one; ends with "see".
+/// Returns the error of an unknown @p word, with the closest known word if one is close. The text ends with
+/// "see".
 std::string not_known(const std::string &word, const std::vector<std::string> &known,
                       const std::string &otherwise)
 {
@@ -55,7 +56,7 @@ std::string not_known(const std::string &word, const std::vector<std::string> &k
          (meant ? "; did you mean " + *meant + "? See" : "; see");
 }
 
-/// Returns the description of the error in the command line, up to the word "see".
+/// Returns the description of an error in the command line, up to the word "see".
 std::string describe_error(const CLI::App &program, const CLI::ParseError &error)
 {
   const auto chosen = program.get_subcommands();
@@ -70,7 +71,7 @@ std::string describe_error(const CLI::App &program, const CLI::ParseError &error
                         : shortened(error.what(), 160) + "; see";
 }
 
-/// Adds to the program the parts that all verbs share: version, exit codes, first examples.
+/// Adds the parts that all verbs share: version, exit codes, first examples.
 void describe_program(CLI::App &program)
 {
   program.require_subcommand(1);
@@ -88,8 +89,8 @@ std::string why_no_verb(const CLI::App &program, const std::string &name)
          " `stemware --help` for examples.";
 }
 
-/// Parses the command line. Returns an exit code if no verb has to be run: after --help and --version, and
-/// after a usage error, which is reported in one sentence.
+/// Parses the command line. Returns an exit code if no verb is to be run: after --help and --version, and
+/// after a usage error. A usage error is reported in one sentence.
 std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *argv[])
 {
   for (CLI::App *verb : program.get_subcommands([](CLI::App *) { return true; }))
@@ -115,8 +116,8 @@ std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *ar
   }
 }
 
-/// Throws BadInput for arguments that are not UTF-8: they become names and entries of results, which are
-/// UTF-8.
+/// Throws BadInput for arguments that are not UTF-8, because arguments become names and entries of the
+/// results, and results are UTF-8.
 void require_utf8(int argc, char *argv[])
 {
   for (int i = 1; i < argc; ++i)
@@ -167,9 +168,9 @@ void add_help_verb(CLI::App &program, Verb &chosen)
 int run_program(int argc, char *argv[])
 {
   open_missing_streams();
-  // deal.II's own threads would compete with the study's threads and make sums depend on the machine.
+  // deal.II's own threads would compete with the threads of the study, and sums would depend on the machine.
   dealii::MultithreadInfo::set_thread_limit(1);
-  std::signal(SIGXFSZ, SIG_IGN); // makes a write beyond `ulimit -f` fail instead of ending the program
+  std::signal(SIGXFSZ, SIG_IGN); // a write beyond `ulimit -f` then fails instead of ending the program
   std::optional<MpiSession> mpi; // destroyed last, after all users of MPI
   try
   {
@@ -194,7 +195,7 @@ int run_program(int argc, char *argv[])
   }
   catch (...)
   {
-    // 3. Every exception gives one sentence and an exit code for the kind of error.
+    // 3. Every exception is reported by one sentence and by the exit code of its kind.
     return static_cast<int>(report_failure());
   }
 }

@@ -15,20 +15,20 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Options of `stemware run`.
 struct RunOptions : StudyOptions
 {
-  bool quick = false; ///< answer and curves only
+  bool quick = false; ///< solves answer and curves only
 };
 
 /// Solves a study and writes the folder of its results. Collective over all ranks. Throws BadInput,
-/// OutputFailure, fem::ContactFailure, and std::runtime_error if there is no balance or no terminal spin.
+/// OutputFailure, fem::ContactFailure, and std::runtime_error if the study has no balance or no terminal
+/// spin.
 void run(const RunOptions &options)
 {
   const Depth depth = options.quick ? Depth::answer : Depth::full;
   StudyWork work(options); // throws for every input error that can be detected now
   StudyAnswer answer = answer_study(work.study, depth, work.executor, work.progress, true);
-  // Only the first rank has the contact's load and results. Each rank has the fields of its own cells.
+  // The load and the results exist on the first rank only. Each rank has the fields of its own cells.
   Results results = is_first_rank() ? run_results(answer) : Results();
   if (answer.contact.foot)
     results.fields = std::move(answer.contact.foot->fields);

@@ -22,11 +22,10 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Options of `stemware sweep`.
 struct SweepOptions : StudyOptions
 {
-  std::vector<std::string> varied; ///< --vary, see cases_of_grid()
-  std::string cases;               ///< --cases, see cases_from_file()
+  std::vector<std::string> varied; ///< values of --vary, see cases_of_grid()
+  std::string cases;               ///< file of --cases, see cases_from_file()
 };
 
 CaseList list_of(const SweepOptions &options)
@@ -38,7 +37,7 @@ CaseList list_of(const SweepOptions &options)
   return options.cases.empty() ? cases_of_grid(options.varied) : cases_from_file(options.cases);
 }
 
-/// Prints a warning for the first implausible value of each entry of the cases.
+/// Warns of the first implausible value of each entry in the cases.
 void note_implausible_cases(const CaseList &list, const StudyOptions &options)
 {
   for (std::size_t e = 0; e < list.entries.size(); ++e)
@@ -52,8 +51,8 @@ void note_implausible_cases(const CaseList &list, const StudyOptions &options)
     }
 }
 
-/// Solves the cases of a sweep that are not finished in the folder of its results. Throws BadInput,
-/// OutputFailure, and std::runtime_error if all cases fail.
+/// Solves the unfinished cases of a sweep in its results folder. Throws BadInput, OutputFailure, and
+/// std::runtime_error if all cases fail.
 void sweep(const SweepOptions &options)
 {
   // 1. Input, with all checks.
@@ -88,7 +87,7 @@ void sweep(const SweepOptions &options)
               });
   stopwatch.finish("cases");
 
-  // 3. Results of all cases together.
+  // 3. Summary of all cases.
   publish_in(options.results_place(), options, sweep_results(list, file.finished()), stopwatch);
   for (const auto &[index, result] : file.finished())
     if (result.status != "failed")

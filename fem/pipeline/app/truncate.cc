@@ -10,8 +10,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Solves a study like `run`, and again with fewer harmonics of the load, and writes the folder of its
-/// results. Collective over all ranks. Throws as run().
+/// Solves a study like `run`, then again with fewer harmonics of the load. Writes the folder of the results.
+/// Collective over all ranks. Throws like run().
 void truncate(const StudyOptions &options)
 {
   StudyWork work(options);

@@ -19,8 +19,8 @@ namespace stemware::pipeline
 namespace
 {
 
-int console_descriptor = STDOUT_FILENO; ///< descriptor of the text for users; negative: none
-bool stdout_was_missing = false;        ///< at program start
+int console_descriptor = STDOUT_FILENO; ///< descriptor for messages to the user; negative: none
+bool stdout_was_missing = false;        ///< true if stdout was closed at program start
 
 std::streambuf *console_buffer()
 {
@@ -29,8 +29,8 @@ std::streambuf *console_buffer()
   return console_descriptor == STDOUT_FILENO ? std::cout.rdbuf() : std::cerr.rdbuf();
 }
 
-/// Returns true if the console is a terminal on which "\r" overwrites a line with progress. False for files,
-/// pipes, simple terminals (TERM=dumb), and without a console.
+/// Returns true if the console is a terminal on which "\r" overwrites a progress line. Returns false for
+/// files, pipes and simple terminals (TERM=dumb), and without a console.
 bool console_is_terminal()
 {
   const char *kind = std::getenv("TERM");
@@ -45,7 +45,7 @@ void open_missing_streams()
   for (const int descriptor : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
     if (::fcntl(descriptor, F_GETFD) < 0)
     {
-      ::open("/dev/null", O_RDWR); // gets the lowest free number, which is this one
+      ::open("/dev/null", O_RDWR); // receives the lowest free number, i.e. the missing descriptor
       stdout_was_missing = stdout_was_missing || descriptor == STDOUT_FILENO;
     }
 }
@@ -60,7 +60,7 @@ void direct_console(bool quiet, bool json)
 
 std::ostream &console()
 {
-  // Checked on every call: whether this is the first rank is known only after MPI has started.
+  // Checks the rank at every call, because the rank is known only after MPI has started.
   static std::ostream stream(nullptr);
   if (stream.rdbuf() != console_buffer())
     stream.rdbuf(console_buffer());
@@ -70,7 +70,7 @@ std::ostream &console()
 void require_printed()
 {
   std::cout << std::flush;
-  // C's stdout is below both C++ streams and remembers every failure.
+  // Both C++ streams write through C's stdout, so stdout has recorded every failure.
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw OutputFailure(
       "Standard output is incomplete (disk full?); results written to a folder are complete.");

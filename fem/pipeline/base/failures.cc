@@ -14,13 +14,13 @@ void ensure(bool condition, const std::string &sentence)
 
 std::string on_one_line(const std::string &text)
 {
-  // Control characters could end a message or move the cursor.
+  // A control character could end a message or move the cursor.
   return boost::trim_fill_copy_if(text, " ", boost::is_space() || boost::is_cntrl());
 }
 
 std::string shortened(const std::string &text, std::size_t longest)
 {
-  // Long texts are not scanned completely. A UTF-8 character has at most four bytes.
+  // Limits the scan of long texts. A UTF-8 character has at most four bytes.
   std::string line = on_one_line(text.substr(0, 4 * longest + 4));
   std::size_t n_characters = 0;
   for (std::size_t i = 0; i < line.size(); ++i)

@@ -15,7 +15,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Maximum nesting level: values are printed, compared and copied recursively.
+/// Maximum nesting level, because values are printed, compared and copied recursively.
 constexpr int max_levels = 100;
 
 /// Returns the position of a byte as text, e.g. "line 3, column 7". @p place counts from 0.
@@ -31,7 +31,7 @@ std::string place_in(const std::string &text, std::size_t place)
 
 Json parse_json(const std::string &origin, const std::string &text)
 {
-  std::vector<std::set<std::string>> names; // names in the open objects
+  std::vector<std::set<std::string>> names; // names used in each open object
   const auto look = [&](int level, Json::parse_event_t event, Json &value)
   {
     if (level > max_levels)
@@ -43,7 +43,7 @@ Json parse_json(const std::string &origin, const std::string &text)
       names.emplace_back();
     else if (event == Json::parse_event_t::object_end)
       names.pop_back();
-    // The parser would silently keep only one of two values with the same name.
+    // The parser would silently drop one of two values with the same name.
     else if (event == Json::parse_event_t::key && !names.back().insert(value.get<std::string>()).second)
       throw BadInput(origin + ": \"" + shortened(value.get<std::string>()) +
                      "\" stands twice; leave one of them.");

@@ -17,7 +17,7 @@ namespace
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Returns the first number of a system file [byte]; @p otherwise for a word ("max") or a missing file.
+/// Returns the first number in a system file [byte]; @p otherwise for a word ("max") or a missing file.
 double number_in(const fs::path &file, double otherwise)
 {
   double number = 0;
@@ -25,7 +25,7 @@ double number_in(const fs::path &file, double otherwise)
   return stream >> number ? number : otherwise;
 }
 
-/// Returns the memory of file caches in a control group [byte], which the system can reclaim.
+/// Returns the memory that file caches use in a control group [byte]. The system can reclaim this memory.
 double cached(const fs::path &group)
 {
   std::ifstream stream(group / "memory.stat");
@@ -43,8 +43,8 @@ void take_smaller(MemoryLeft &least, double limit, double used, const std::strin
     least = { limit - used, fmt::format(FMT_STRING("{} ({:.2g} GB)"), name, limit / 1e9), is_address_space };
 }
 
-/// Evaluates the control groups of a line "0::/a/b" of /proc/self/cgroup, from the innermost one. In a
-/// container only the root may be visible.
+/// Reads the limits of the control groups of a line "0::/a/b" of /proc/self/cgroup, innermost group first. In
+/// a container only the root may be visible.
 void take_groups(MemoryLeft &least, const fs::path &root, const fs::path &path, const std::string &limit,
                  const std::string &usage)
 {

@@ -89,8 +89,8 @@ double rounded(double value, int n_digits)
 
 LeadingNumber leading_number(const std::string &text)
 {
-  // Excludes what strtod() accepts beyond decimal numbers: hexadecimal numbers, blanks, a leading +, and
-  // underflow to 0.
+  // Rejects inputs that strtod() accepts but that are no decimal numbers: hexadecimal numbers, blanks, a
+  // leading +, and underflow to 0.
   const std::string decimal = text.substr(0, text.find_first_of("xX"));
   LeadingNumber number;
   char *end = nullptr;

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Names in a results folder and its folder of fields: files of the stamp (before their folder), hidden and
-/// system files, and files of the user.
+/// Names in a results folder and in its folder of fields: files listed in the stamp (before their folder),
+/// hidden and system files, and files of the user.
 struct Content
 {
   std::vector<std::string> own, hidden, others;
@@ -62,7 +62,7 @@ void ensure_output(bool is_good, const fs::path &path, const std::string &troubl
     throw OutputFailure("The output " + shortened_path(path.string()) + trouble + " choose another place.");
 }
 
-/// Returns an unused name "PATH.partial-PID", followed by dashes if necessary.
+/// Returns an unused name "PATH.partial-PID", with dashes appended if necessary.
 std::string partial_name(const fs::path &path)
 {
   std::string name = path.string() + ".partial-" + std::to_string(::getpid());
@@ -106,7 +106,7 @@ ResultsFolder::ResultsFolder(const fs::path &wanted)
     made_parent = !fs::exists(target.parent_path(), no_error);
     const std::string probe = make_partial_folder(target);
     if (fs::exists(target, no_error) && fs::is_empty(target, no_error))
-      fs::rename(probe, target, error); // fails at a mount point
+      fs::rename(probe, target, error); // fails if the folder is a mount point
     fs::remove_all(probe, no_error);
     ensure_output(!error, target, " cannot be written (" + error.message() + ");");
   };
@@ -119,7 +119,7 @@ ResultsFolder::~ResultsFolder()
   if (!partial.empty() && is_first_rank())
     fs::remove_all(partial, error);
   if (made_parent)
-    fs::remove(target.parent_path(), error); // fails if the folder contains results
+    fs::remove(target.parent_path(), error); // fails if the folder still contains results
 }
 
 void ResultsFolder::open()
@@ -146,7 +146,7 @@ void ResultsFolder::publish()
     write_text_file(whole / stamp_name, stamp);
     while (::rename(whole.c_str(), target.c_str()) != 0)
     {
-      remove_results(older); // older results of another run that finished earlier
+      remove_results(older); // results of another run that finished earlier
       fs::rename(target, older);
     }
     remove_results(older);
@@ -163,7 +163,7 @@ void require_writable(const fs::path &file)
   const fs::file_status status = fs::symlink_status(file, error);
   const bool is_own = fs::is_regular_file(status) && read_text_file(file).find(written_by_stemware) < 512;
   ensure_output(!fs::exists(status) || is_own, file, " exists without a mark of Stemware; remove it or");
-  // Root may have permission where the file system does not allow writing.
+  // Tests by writing: root has permission even on file systems that refuse to write.
   const std::string probe = partial_name(file);
   ensure_output(file.has_filename() && std::ofstream(probe), file, " cannot be written;");
   std::remove(probe.c_str());

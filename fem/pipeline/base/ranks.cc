@@ -27,7 +27,7 @@ namespace mpi = dealii::Utilities::MPI;
 /// Exit code and message of a task on one rank.
 using RankOutcome = std::pair<int, std::string>;
 
-/// MPI and deal.II's initialisation by this program; nullptr if another program started MPI, or without MPI.
+/// MPI and deal.II's initialisation by this program; nullptr without MPI or if another program started MPI.
 std::unique_ptr<mpi::MPI_InitFinalize> session;
 
 /// True after start_mpi().
@@ -43,7 +43,7 @@ bool is_set_to_one(const char *variable)
 struct Launcher
 {
   bool is_there = false;
-  bool has_several = false; ///< several processes, unless the launcher states one
+  bool has_several = false; ///< false only if the launcher states a single process
 };
 
 /// Returns the launcher, from the rank and size variables of Open MPI, MPICH and Slurm with PMIx.
@@ -57,10 +57,10 @@ Launcher launcher()
   return {};
 }
 
-/// Sets Open MPI's environment for a single process: no daemon (which would need ssh), no session folder in
-/// /tmp (two simultaneous processes would use the same name, and one would abort), no network (its libraries
-/// take 0.2 s to detect that there is none). In a Slurm step, Open MPI without Slurm's PMI would abort when
-/// it asks for the ranks.
+/// Sets Open MPI's environment for a single process. No daemon: it would need ssh. No session folder in /tmp:
+/// two simultaneous processes would use the same name, and one would abort. No network: its libraries take
+/// 0.2 s to detect that no network is available. In a Slurm step, an Open MPI without Slurm's PMI would abort
+/// when it asks for the ranks.
 void prepare_to_stand_alone()
 {
   for (const auto &[name, value] : { std::pair("OMPI_MCA_ess_singleton_isolated", "1"),
@@ -73,12 +73,12 @@ void prepare_to_stand_alone()
 
 void start_session()
 {
-  if (mpi::job_supports_mpi()) // already started, e.g. by mpi4py
+  if (mpi::job_supports_mpi()) // MPI has already been started, e.g. by mpi4py
     return;
   static int n_arguments = 0;
   static char **arguments = nullptr;
   const unsigned int n_threads = dealii::MultithreadInfo::n_threads();
-  // Open MPI resets SIGHUP to the default action, which would undo nohup.
+  // Open MPI resets SIGHUP to the default action. This reset would undo nohup, so the action is restored.
   struct sigaction hang_up;
   const bool is_known = ::sigaction(SIGHUP, nullptr, &hang_up) == 0;
   session = std::make_unique<mpi::MPI_InitFinalize>(n_arguments, arguments, 1);

@@ -10,7 +10,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the edit distance: the number of letters to insert, delete or replace. Case is ignored.
+/// Returns the edit distance: the number of letters to insert, delete or replace, ignoring case.
 std::size_t edit_distance(const std::string &from, const std::string &to)
 {
   const auto lower = [](char letter) { return std::tolower(static_cast<unsigned char>(letter)); };
@@ -47,7 +47,7 @@ std::string wrapped(const std::string &text, const std::string &label, std::size
   std::vector<std::string> words;
   for (std::string word; stream >> word;)
     if (!words.empty() && (word.rfind('%', 0) == 0 || word.rfind("rad/s", 0) == 0))
-      words.back() += ' ' + word; // a number and its unit are not separated
+      words.back() += ' ' + word; // keeps a number and its unit together
     else
       words.push_back(word);
   std::string lines = label;
@@ -110,9 +110,9 @@ std::optional<std::string> closest_match(const std::string &word, const std::vec
   {
     const std::size_t shorter = std::min(word.size(), candidate.size());
     if (std::max(word.size(), candidate.size()) - shorter > max_slips)
-      continue; // also avoids comparing very long words
+      continue; // too different in length; also avoids comparing very long words
     const std::size_t distance = edit_distance(word, candidate);
-    // A candidate that differs in every letter is not a typing error.
+    // A candidate that differs in every letter cannot result from a typing error.
     if (distance < least && distance < candidate.size())
     {
       best = candidate;

@@ -21,11 +21,11 @@ namespace stemware::pipeline
 namespace
 {
 
-std::unique_ptr<Explorer> explorer = std::make_unique<Explorer>(); // NOLINT: one per page
+std::unique_ptr<Explorer> explorer = std::make_unique<Explorer>(); // NOLINT: one explorer per page
 std::optional<fem::ContactState> last_contact;                     // NOLINT
 std::string reply;                                                 // NOLINT: read by the page
 
-/// Returns an answer with the keys of summary.json/ring.
+/// Returns an answer with the keys of "ring" in summary.json.
 Json ring_summary(const ring::Answer &row)
 {
   Json ring = answer_fields().json(row);
@@ -39,7 +39,7 @@ Json series_summary(const ring::RingStack &load)
   return { { "a", a }, { "b", b } };
 }
 
-/// Returns a load with the keys of summary.json/load.
+/// Returns a load with the keys of "load" in summary.json.
 Json load_summary(const ring::RingState &state, double contact_radius)
 {
   const Eigen::Vector2d moment = state.load.moment();
@@ -52,7 +52,7 @@ Json load_summary(const ring::RingState &state, double contact_radius)
   return load;
 }
 
-/// Returns the state at the end of the spin-up; at rest if there is no spin-up.
+/// Returns the state at the end of the spin-up; the state at rest if the study has no spin-up.
 const ring::RingState *end_of(const ring::Answer &row)
 {
   return row.at_terminal ? &*row.at_terminal
@@ -66,7 +66,7 @@ Json document_of(const Results &results, const Json &summary = Json::object())
   return { { "summary", summary }, { "words", results.words }, { "tables", results.tables } };
 }
 
-/// Returns the document of an answer: a subset of the page of `run`, with the same names.
+/// Returns the document of an answer: a subset of the document of `run`, with the same names.
 Json answer_document(const LiveAnswer &found)
 {
   const Study &study = explorer->study();
@@ -99,13 +99,13 @@ Json answer_document(const LiveAnswer &found)
   return document_of(results, summary);
 }
 
-/// Returns a failure with implausible values, its likely cause.
+/// Returns a failure with notes on implausible values, the likely cause.
 Json failure_of(const std::string &message, bool tips)
 {
   return { { "error", message }, { "tips", tips }, { "notes", implausible_notes(explorer->study()) } };
 }
 
-/// Returns the JSON of @p make, or its failure.
+/// Returns the JSON text of @p make(), or of its failure.
 template <typename Make>
 const char *answer(const Make &make)
 {

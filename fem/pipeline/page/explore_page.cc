@@ -34,12 +34,12 @@ namespace
 {
 
 /// Compliance in the compressed form of the page. The numbers of `normal`, `radial` and `azimuthal` are
-/// quantised as integer multiples of a step, 2^-bits of the largest number of each kind.
+/// quantised: they are integer multiples of a step, 2^-bits of the largest number of each kind.
 ///
-/// The head of packed() and the steps are stored unchanged. Each integer is predicted, first from the
-/// previous harmonic and then from the three preceding neighbours in both radii, and the residual is stored.
+/// The head of packed() and the steps are stored unchanged. Each integer is predicted from the previous
+/// harmonic and then from three neighbours in both radii. Only the residual of the prediction is stored.
 /// Residuals are small because compliances vary smoothly. They are mapped to unsigned numbers and stored by
-/// bytes, lowest bytes first. This compresses five times better than floats.
+/// bytes, lowest bytes first. This format is five times smaller than compressed floats.
 class PagedCompliance
 {
 public:
@@ -60,7 +60,7 @@ public:
           given[i] = std::nearbyint(given[i] / steps[kind]) * steps[kind];
   }
 
-  /// Returns the quantised numbers in the format of packed(), for an Explorer.
+  /// Returns the quantised numbers in the format of packed(), as input of an Explorer.
   const double *numbers() const { return given.data(); }
 
   std::string bytes() const
@@ -73,7 +73,7 @@ public:
         for (std::size_t j = 0; j < n; ++j)
           for (std::size_t i = kind == 0 ? j : 0; i < n; ++i)
           {
-            // Modulo 2^32.
+            // The arithmetic is modulo 2^32.
             const std::uint32_t rest = change(m, kind, i, j) - (i > 0 ? change(m, kind, i - 1, j) : 0) -
                                        (j > 0 ? change(m, kind, i, j - 1) : 0) +
                                        (i > 0 && j > 0 ? change(m, kind, i - 1, j - 1) : 0);
@@ -105,7 +105,7 @@ private:
     return static_cast<std::uint32_t>(
       static_cast<std::int64_t>(std::llround(given[begin(m, kind) + place] / steps[kind])));
   }
-  /// Returns the difference to the previous harmonic.
+  /// Returns the difference between a number and the same number of the previous harmonic.
   std::uint32_t change(std::size_t m, std::size_t kind, std::size_t i, std::size_t j) const
   {
     return whole(m, kind, i, j) - (m > 0 ? whole(m - 1, kind, i, j) : 0);
@@ -137,7 +137,8 @@ Study study_of(const PageOptions &options, const Preset *glass, const Preset *ta
   return study;
 }
 
-/// Returns the values of a study that differ from the defaults. The height of the hand determines its offset.
+/// Returns the entries of a study that differ from the defaults. Motion/Force offset is omitted: Motion/Hand
+/// height determines it.
 std::vector<std::pair<std::string, std::string>> values_of(const std::vector<StudyEntry> &own)
 {
   std::vector<std::pair<std::string, std::string>> values;
@@ -162,7 +163,7 @@ ring::Answer answer_of(const Study &study, fem::ComplianceCache &cache)
   return ring::answer(find_load(study, foot), spin_question(study)).value();
 }
 
-/// Returns the answer of an Explorer with the quantised compliances of a mesh of @p fineness.
+/// Returns the answer of an Explorer that uses the quantised compliances of a mesh of @p fineness.
 ring::Answer answer_in_page(const Study &study, double fineness, const PagedCompliance &foot,
                             const PagedCompliance *disc)
 {
@@ -201,7 +202,7 @@ private:
   std::map<std::string, std::size_t> known;
 };
 
-/// Returns a focused mesh of @p study with at most @p max_nodes; 0: any number.
+/// Returns a focused mesh of @p study with at most @p max_nodes nodes; 0: any number.
 Discretisation coarsened(const Study &study, unsigned int max_nodes, fem::ComplianceCache &cache)
 {
   Discretisation mesh;
@@ -231,25 +232,27 @@ std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
   return list.empty() ? std::vector<const Preset *>{ nullptr } : list;
 }
 
-/// Maximum error of an answer due to quantisation [rad/s]; other settings have ten times this error.
+/// Maximum error of an answer due to quantisation [rad/s]. If a setting is changed, the error may be ten
+/// times larger.
 constexpr double tolerance = 1e-11;
 
-/// Sizes of further feet offered by a page on elastic tables, relative to the glass.
+/// Sizes of additional feet that a page offers on elastic tables, relative to the study's glass.
 constexpr double similar_feet[] = { 0.8, 0.9, 1.1, 1.2 };
 
-/// Glass and table, solved by the program and with the page's compliances.
+/// Glass and table, solved by the program and with the compliances of the page.
 struct SolvedPair
 {
   PagePair pair;
   Study study;
-  double fineness; ///< of the mesh
+  double fineness; ///< fineness of the mesh
   PagedCompliance foot;
   std::optional<PagedCompliance> disc;
-  std::map<double, PagedCompliance> discs; ///< of an elastic table, by the radius of a similar foot [m]
-  std::optional<double> here;              ///< terminal spin by an Explorer on these compliances [rad/s]
+  /// Compliances of an elastic table, by the radius of a similar foot [m].
+  std::map<double, PagedCompliance> discs;
+  std::optional<double> here; ///< terminal spin that an Explorer computes from these compliances [rad/s]
 };
 
-/// Solves a pair with the lowest number of bits that meets the tolerance.
+/// Solves a pair. Quantises with the lowest number of bits that meets the tolerance.
 SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Preset *table,
                       fem::ComplianceCache &cache)
 {

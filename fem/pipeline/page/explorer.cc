@@ -21,12 +21,12 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Maximum ratio of a focused contact's half-width to the half-width of the mesh, and its inverse (band in
-/// docs/explore.md).
+/// Maximum ratio of the half-width of a focused contact to the half-width for which the mesh was made, and
+/// maximum of the inverse ratio (see docs/explore.md).
 constexpr double farthest = 1.5;
 
-/// Returns true if the entry can change without new compliances: they scale with the moduli and do not depend
-/// on the motion.
+/// Returns true if the entry can change without new compliances. Compliances scale with the moduli and do not
+/// depend on the motion.
 bool is_live(const std::string &path)
 {
   static const std::vector<std::string> outside_motion = {
@@ -44,7 +44,7 @@ bool is_live(const std::string &path)
          std::find(outside_motion.begin(), outside_motion.end(), path) != outside_motion.end();
 }
 
-/// Terminal spin with its contact and load.
+/// Terminal spin with its contact solution and load.
 struct BalanceNearby
 {
   ring::ZeroGuess spin;
@@ -52,10 +52,10 @@ struct BalanceNearby
   ring::Sample load;
 };
 
-/// Returns the balance of @p study near the spin @p near, with friction of the load's first @p n_harmonics,
-/// on @p foot with its rings chosen: two or three contact solutions from @p contact, to 1e-8 rad/s. Returns
-/// std::nullopt if the search leaves the neighbourhood or the study is not in balance at every spin. Throws
-/// ring::NoBalance.
+/// Returns the balance of @p study near the spin @p near, with friction of the load's first @p n_harmonics.
+/// Starts from @p contact on @p foot, whose rings are already chosen. Two or three contact solves give the
+/// spin to 1e-8 rad/s. Returns std::nullopt if the search leaves the neighbourhood or the study is not in
+/// balance at every spin. Throws ring::NoBalance.
 std::optional<BalanceNearby> balance_near(const ring::ZeroGuess &near, const fem::ContactState &contact,
                                           const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                           unsigned int n_harmonics)
@@ -225,7 +225,7 @@ void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, Liv
   if (last)
     foot->set_rings(last->ring_radii(), last->n_harmonics());
   ring::Question question = spin_question(present);
-  question.with_slope = !last; // slow parts only when the slider has stopped
+  question.with_slope = !last; // slow parts are computed only after the slider has stopped
   if (last)
     question.zero_guess = zero;
   const BalancedLoad load = find_load(present, foot);

@@ -14,7 +14,7 @@ const CompiledTexts &page_texts();
 namespace
 {
 
-/// Returns page.html with @p parts, which differ between reports and live pages.
+/// Returns page.html filled with @p parts. Reports and live pages have different parts.
 std::string filled(const std::string &title, const std::string &answer,
                    std::map<std::string, std::string> parts)
 {
@@ -24,7 +24,7 @@ std::string filled(const std::string &title, const std::string &answer,
   return with_marks_replaced(text_of(page_texts(), "page.html"), parts);
 }
 
-/// Returns the checksum of a sha256sum file in the format of a Content-Security-Policy.
+/// Returns the checksum in a sha256sum file, in the format of a Content-Security-Policy.
 std::string check_sum(const std::string &file)
 {
   return base64_of_digits(text_of(page_texts(), file).substr(0, 64));

@@ -32,13 +32,13 @@ void require_finite(const Json &value, const std::string &path)
       require_finite(part, path + "/" + key);
 }
 
-/// Writes this rank's fields into fields/ of a folder visible to all ranks.
+/// Writes this rank's fields into the folder fields/ of a folder that all ranks can see.
 void write_fields(const std::vector<fem::FieldFile> &fields, const fs::path &folder)
 {
   if (fields.empty())
     return;
   std::error_code error;
-  fs::create_directory(folder / "fields", error); // another rank may have created it already
+  fs::create_directory(folder / "fields", error); // another rank may have created the folder already
   if (error)
     throw OutputFailure(fmt::format(FMT_STRING("The folder fields of the results cannot be made ({}); choose "
                                                "a folder that all ranks can write to with --output."),
@@ -55,7 +55,7 @@ std::string text_of(const ResultFile &file)
   return fs::path(file.name).extension() == ".csv" ? csv_table(table) : data_table(table);
 }
 
-/// Returns the document of the page: the summary without parts that the page does not show.
+/// Returns the document of the page. Parts of the summary that the page does not show are omitted.
 Json page_document(const Results &results, Json summary)
 {
   for (const char *load : { "load", "load_at_terminal", "load_at_fall" })
@@ -69,7 +69,7 @@ Json page_document(const Results &results, Json summary)
            { "entries", results.entries }, { "quantities", results.quantities }, { "files", files } };
 }
 
-/// Writes all files except the fields into @p place, a folder that is later renamed to @p final_place.
+/// Writes all files except the fields into @p place. This folder is later renamed to @p final_place.
 void write_results(const StudyOptions &options, Results &results, Stopwatch &stopwatch, const fs::path &place,
                    const fs::path &final_place)
 {
@@ -128,7 +128,7 @@ Json summary_of(const std::string &verb, const Results &results)
 
 void publish(const StudyOptions &options, Results results, ResultsFolder &folder, Stopwatch &stopwatch)
 {
-  // The folder is renamed to its final name when it is complete.
+  // Results are written into a working folder. The complete folder is renamed to its final name.
   folder.open();
   on_every_rank([&] { write_fields(results.fields, folder.working_folder()); });
   results.fields = {}; // frees memory

@@ -10,7 +10,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Part of an error band: key in BandedQuantity::parts and in summary.json, heading, and cause.
+/// Part of an error band: key in BandedQuantity::parts and summary.json, heading, and cause.
 struct BandPart
 {
   const char *key, *heading, *description;
@@ -28,7 +28,7 @@ constexpr BandPart band_parts[] = {
   { "solver", "solver", "From the tolerances of the solvers." }
 };
 
-/// Returns a function that reads a part of the band; std::nullopt if the part was not estimated.
+/// Returns a function that reads one part of an error band; std::nullopt if this part was not estimated.
 auto part_of(const std::string &key)
 {
   return [key](const BandedQuantity &banded)

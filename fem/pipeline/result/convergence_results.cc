@@ -11,7 +11,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Level of an axis, a row of converge.csv.
+/// Level of an axis: a row of converge.csv.
 struct LevelRow
 {
   const RefinementAxis &axis;
@@ -75,7 +75,7 @@ const Fields<ConvergeRow> &converge_fields()
   return fields;
 }
 
-/// Row of the table of the terminal spin's bands.
+/// Row of the table of error bands of the terminal spin.
 struct SpinBandRow
 {
   std::string axis, own;
@@ -95,7 +95,8 @@ Table spin_band_table(const std::vector<SpinBandRow> &rows, Face face)
                       face == Face::console ? "Error band of the terminal spin, axis by axis" : "");
 }
 
-/// Returns the terminal spin with its band, the observed order on the first axis, and the Richardson value.
+/// Returns the terminal spin with its error band, the observed order on the first axis, and the Richardson
+/// extrapolation.
 std::string convergence_answer(const BandedQuantity &spin, const std::string &first_axis,
                                const std::optional<double> &order)
 {

@@ -13,7 +13,7 @@ namespace stemware::pipeline
 namespace
 {
 
-constexpr double millimetres = 1e3, micrometres = 1e6; ///< of a metre
+constexpr double millimetres = 1e3, micrometres = 1e6; ///< per metre
 
 /// Returns the largest of the numbers 1, 1.5, 2, ... 9.5, 10, 15 ... that does not exceed @p factor.
 double round_down(double factor)
@@ -22,7 +22,8 @@ double round_down(double factor)
   return std::floor(2 * factor / power) / 2 * power;
 }
 
-/// Returns a length for a drawing of the whole foot, in hundredths of a millimetre (less than a pixel).
+/// Returns a length for a drawing of the whole foot, rounded to hundredths of a millimetre (less than a
+/// pixel).
 Json drawn(double length)
 {
   return rounded_number(std::round(1e2 * length * millimetres) / 1e2);
@@ -68,7 +69,8 @@ Json stresses(const std::vector<fem::StressedPatch> &section)
            { "move", move * micrometres } };
 }
 
-/// Returns the cells of a section [mm] with its lengths; @p crown_radius [m] 0: flat, or unknown.
+/// Returns the cells of a section and its lengths [mm]. @p crown_radius [m] is 0 if the land is flat or its
+/// crown is unknown.
 Json section_of(const std::vector<fem::SectionPolygon> &cells, double contact_radius, double crown_radius,
                 const fem::ContactWidth &band)
 {
@@ -106,7 +108,8 @@ void add_foot_pictures(const Study &study, const FootReport &foot, const ErrorBa
   Json &pictures = results.tables["foot"];
   double largest = fem::largest_pressure(foot.footprint);
   if (foot.footprint_at_end)
-    largest = std::max(largest, fem::largest_pressure(*foot.footprint_at_end)); // one common scale
+    // Both footprints have one scale.
+    largest = std::max(largest, fem::largest_pressure(*foot.footprint_at_end));
   const std::optional<double> band = band_of(bands, "peak_pressure");
   pictures["footprint"] =
     pressure_map(foot.footprint, radius, largest, foot.at_rest.load.peak_pressure, band);
@@ -120,7 +123,7 @@ void add_foot_pictures(const Study &study, const FootReport &foot, const ErrorBa
   const double crown = study.contact.mesh_file.empty() ? study.glass.profile.crown_radius : 0;
   const fem::ContactWidth zone = fem::loaded_band(foot.footprint);
   pictures["section"] = section_of(foot.section, radius, crown, zone);
-  // The pressure seen from above, with its distance from the rim magnified.
+  // Footprint seen from above. Its distance from the rim is magnified.
   const double extent = std::max({ radius - zone.inner, zone.outer - radius, 1e-4 * radius });
   pictures["magnification"] = std::max(1., round_down(share_of_radius * radius / extent));
 }

@@ -17,7 +17,7 @@ unsigned int n_faces(const fem::MeshCheck &check, fem::FootBoundary id)
   return found == check.n_faces.end() ? 0 : found->second;
 }
 
-/// Returns the number of faces with unused ids, which are treated as free faces.
+/// Returns the number of faces with unused ids. These faces are treated as free.
 unsigned int n_other_faces(const fem::MeshCheck &check)
 {
   unsigned int n = 0;
@@ -43,14 +43,15 @@ std::vector<std::string> mesh_remarks(const MeshFindings &findings)
   return remarks;
 }
 
-/// Returns a range in mm, "x -34 to 34"; a single number if both ends are equal.
+/// Returns a range in mm, e.g. "x -34 to 34"; a single number if both ends are equal.
 std::string mesh_range(const std::string &name, double least, double most)
 {
   return fmt::format(FMT_STRING("{} {:.6g}"), name, 1e3 * least) +
          (least == most ? "" : fmt::format(FMT_STRING(" to {:.6g}"), 1e3 * most));
 }
 
-/// Returns a description such as "round, middle radius 30 mm: the cells of the land follow the circles".
+/// Returns a description of the rim, e.g. "round, middle radius 30 mm: the cells of the land follow the
+/// circles".
 std::string rim_text(const fem::MeshReport &report)
 {
   return fmt::format(FMT_STRING("{}round, middle radius {:.6g} mm"), report.round_rim ? "" : "not ",

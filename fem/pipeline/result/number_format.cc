@@ -10,7 +10,7 @@ namespace stemware::pipeline::format
 namespace
 {
 
-/// Returns the unit of the second digit of @p value > 0: 0.01 for 0.27.
+/// Returns the weight of the second digit of @p value > 0, e.g. 0.01 for 0.27.
 double second_digit(double value)
 {
   return std::pow(10., std::floor(std::log10(value)) - 1);

@@ -18,7 +18,7 @@ using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
 
 constexpr double degree = ring::pi / 180;
 
-/// Returns every k-th value and the last, at most @p max_size values, the resolution of a picture.
+/// Returns every k-th value and the last value: at most @p max_size values, the resolution of a picture.
 std::vector<double> thinned(const std::vector<double> &values, std::size_t max_size = 200)
 {
   const std::size_t step = std::max<std::size_t>(1, (values.size() + max_size - 1) / max_size);
@@ -30,9 +30,9 @@ std::vector<double> thinned(const std::vector<double> &values, std::size_t max_s
   return kept;
 }
 
-constexpr double micrometres = 1e6; ///< of a metre
+constexpr double micrometres = 1e6; ///< per metre
 
-/// Returns largest and mean pressure, and the width of the contact.
+/// Returns the largest pressure, the mean pressure and the width of the contact.
 Json measures_of(const fem::PressureMap &footprint, double pascals, double peak,
                  const std::optional<double> &band)
 {
@@ -49,13 +49,13 @@ Json measures_of(const fem::PressureMap &footprint, double pascals, double peak,
            { "has_edge", footprint.has_edge } };
 }
 
-/// Returns the torque of the friction at a point, over the mean friction and the radius.
+/// Returns the friction torque at a point, divided by mean friction and radius.
 double torque_of(const ring::RimSlip &place)
 {
   return place.friction_y * std::cos(place.azimuth) - place.friction_x * std::sin(place.azimuth);
 }
 
-/// Returns numbers of order 1 for a drawing, rounded to thousandths.
+/// Returns numbers of order 1, rounded to thousandths for a drawing.
 Json thousandths(std::vector<double> values)
 {
   for (double &value : values)
@@ -63,7 +63,7 @@ Json thousandths(std::vector<double> values)
   return rounded_number(values);
 }
 
-/// Returns the values of @p rows by a member or function.
+/// Returns a member or function of each of the @p rows.
 template <typename Rows, typename Value>
 std::vector<double> column_of(const Rows &rows, Value value)
 {
@@ -120,7 +120,7 @@ void add_motion(const Study &study, const std::vector<ring::Instant> &instants, 
       friction_y.push_back(place.friction_y);
       turns.push_back(std::copysign(1., torque_of(place)));
     }
-    // The hand accelerates the glass against the friction of the table.
+    // Force with which the hand accelerates the glass against the friction of the table.
     const Eigen::Vector2d hand = motion.total_mass() * motion.acceleration() -
                                  Eigen::Vector2d(state.friction.force_x, state.friction.force_y);
     rows.push_back({ { "time", rounded_number(instant.time) },

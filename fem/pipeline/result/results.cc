@@ -43,7 +43,7 @@ Json rounded_number(double value, int n_digits)
     return nullptr;
   const double number = rounded(value, n_digits);
   if (number == std::round(number) && std::abs(number) < 1e15)
-    return static_cast<std::int64_t>(number); // 3 is shorter than 3.0
+    return static_cast<std::int64_t>(number); // "3" is shorter than "3.0"
   return number;
 }
 

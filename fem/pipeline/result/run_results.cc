@@ -72,8 +72,8 @@ Json key_figures_of(const SpinStudy &spin, const ErrorBands &bands)
            { "harmonic_effect_relative", spin.budget.harmonics.relative } };
 }
 
-/// Returns the rows of the chain for page and console, without rounding errors, with the digits allowed by
-/// the band of the last row.
+/// Returns the chain of models for page and console. Rounding errors are omitted, and the error band of the
+/// last row determines the number of digits.
 Table shown_chain_table(const Study &study, const std::vector<BudgetRow> &rows, Face face)
 {
   const std::optional<double> band = rows.empty() ? std::nullopt : rows.back().band;
@@ -138,7 +138,7 @@ void add_foot_files(const FootReport &foot, bool has_terminal_spin, std::vector<
   };
   for (const fem::FieldFile &file : foot.fields)
   {
-    if (file.name == "contact.vtu" || file.name == "contact.pvtu") // but not a piece of contact.pvtu
+    if (file.name == "contact.vtu" || file.name == "contact.pvtu") // except the pieces of contact.pvtu
       add(file.name, "at rest");
     if (file.name.find("_at_terminal_spin") != std::string::npos)
       add(file.name, "at the terminal spin");

@@ -23,12 +23,12 @@ ring::Status status_of(const ContactReport &report, const SpinStudy &spin)
   const ring::Status status = spin.answer().status;
   if (status == ring::Status::full_contact && report.load_at_end.contact_fraction < 1)
     return ring::Status::lift_off;
-  // The truncated series of a pressure with an edge is slightly negative beyond the edge; the pressure is
-  // not.
+  // The truncated series of a pressure with an edge is slightly negative beyond the edge, although the
+  // pressure is not.
   return status == ring::Status::formal && report.foot ? ring::Status::lift_off : status;
 }
 
-/// Terminal spins, and whether each is reached from rest.
+/// Terminal spin, and whether the glass reaches it from rest.
 struct SpinRow
 {
   ring::TerminalSpin spin;
@@ -60,7 +60,7 @@ const Fields<SpinRow> &spin_fields()
   return fields;
 }
 
-/// A driven spin-up with its band.
+/// Driven spin-up with its error band.
 struct DrivenRow
 {
   const DrivenSpinUp &driven;
@@ -96,8 +96,8 @@ const Fields<DrivenRow> &driven_fields()
   return fields;
 }
 
-/// Returns the size of the finite-element system and the residuals of the contact at rest. Quantities with a
-/// heading are on the page.
+/// Returns the size of the finite-element system and the residuals of the contact solution at rest.
+/// Quantities with a heading are shown on the page.
 const Fields<FootReport> &contact_fields()
 {
   using Foot = FootReport;
@@ -163,7 +163,8 @@ const Fields<FootReport> &contact_fields()
   return fields;
 }
 
-/// Returns M_Nx of the load at rest [N m]; with waviness the mean over the phases, like the torque.
+/// Returns M_Nx of the load at rest [N m]. With waviness, returns the mean over the phases, as for the
+/// torque.
 double moment_at_rest(const StudyAnswer &run)
 {
   return run.spin.phases ? run.spin.answer().at_rest.value().load.moment().x() : run.contact.load.moment.x();
@@ -209,7 +210,7 @@ const Fields<StudyAnswer> &ring_fields()
   return fields;
 }
 
-/// Returns the effects of waviness of rim or table.
+/// Returns the quantities that describe the effects of a wavy rim or table.
 const Fields<PhaseStudy> &waviness_fields()
 {
   using Phases = PhaseStudy;
@@ -236,7 +237,7 @@ const Fields<PhaseStudy> &waviness_fields()
   return fields;
 }
 
-/// Returns the quantities of a drawn profile and of the circle of its rim.
+/// Returns the quantities of a drawn profile and of its rim circle.
 const Fields<GlassSection> &profile_fields()
 {
   using Glass = GlassSection;
@@ -267,7 +268,8 @@ const Fields<StudyAnswer> &coupling_fields()
   return fields;
 }
 
-/// Returns the quantities of a goal-oriented mesh: value, estimated error, and mesh part of the error band.
+/// Returns the quantities of a goal-oriented mesh: value, estimated error, and the mesh's part of the error
+/// band.
 const Fields<StudyAnswer> &goal_fields()
 {
   const auto of_goal = [](auto member)
@@ -290,7 +292,7 @@ const Fields<StudyAnswer> &goal_fields()
   return fields;
 }
 
-/// Returns a pointer to @p value if @p applies, else nullptr.
+/// Returns a pointer to @p value if @p applies, otherwise nullptr.
 template <typename Value>
 const Value *if_applies(bool applies, const Value &value)
 {

@@ -13,7 +13,7 @@ namespace
 
 constexpr char azimuth[] = "azimuth from the direction of travel";
 
-/// Returns lambda_j(theta) of one ring [N/rad], which may be negative on average.
+/// Returns the load lambda_j(theta) of one ring [N/rad]. The mean of a single ring may be negative.
 double value_of(const ring::RingStack::Ring &ring, double angle)
 {
   double value = ring.a[0];
@@ -23,7 +23,7 @@ double value_of(const ring::RingStack::Ring &ring, double angle)
   return value;
 }
 
-/// Numbers of a Fourier coefficient: ring and radius, order, a_n and b_n.
+/// Fourier coefficient of one ring: ring number, radius, order, a_n and b_n.
 struct Coefficient
 {
   std::size_t ring;

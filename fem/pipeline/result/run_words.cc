@@ -21,7 +21,7 @@ double seconds_a_turn(double omega)
   return 2 * ring::pi / std::abs(omega);
 }
 
-/// Returns one sentence for each of @p states (name of the state, load) with lift-off or a tensile load.
+/// Returns one sentence for each of @p states (name, load) with lift-off or a tensile load.
 std::string lift_off_sentences(const std::vector<std::pair<std::string, const LoadReport *>> &states)
 {
   std::string text;
@@ -40,8 +40,7 @@ std::string lift_off_sentences(const std::vector<std::pair<std::string, const Lo
   return text;
 }
 
-/// Returns the row of the budget with the largest step, harmonics excepted; nullptr if no step exceeds
-/// rounding.
+/// Returns the row of the budget with the largest step except harmonics; nullptr if no step exceeds rounding.
 const BudgetRow *largest_other_step(const StudyAnswer &run)
 {
   const BudgetRow *largest = nullptr;
@@ -52,7 +51,7 @@ const BudgetRow *largest_other_step(const StudyAnswer &run)
   return largest;
 }
 
-/// Returns the terminal spin of the paper's model; std::nullopt if the study is that model.
+/// Returns the terminal spin of the paper's model; std::nullopt if the study itself uses the paper's model.
 std::optional<double> paper_spin(const Budget &budget)
 {
   return budget.rows.size() < 2 ? std::nullopt : budget.rows.front().omega_terminal;
@@ -69,7 +68,7 @@ std::string paper_sentence(const StudyAnswer &run)
          number(seconds_a_turn(*omega), "#.3g") + " s.";
 }
 
-/// Returns the answer for a glass whose spin does not exceed rounding.
+/// Returns the answer for a glass that does not spin (up to rounding).
 std::string resting_answer(const Study &study, const ring::Answer &all)
 {
   if (const std::string held = grip_holds_note(study, all); !held.empty())
@@ -139,8 +138,8 @@ std::string spinning_answer(const StudyAnswer &run, double omega)
   return text;
 }
 
-/// Returns a sentence with the largest pressure and the contact width of a load. Bands above a tenth of the
-/// value are added; the bands at rest are used at every spin. Empty without a contact.
+/// Returns a sentence with the largest pressure and the contact width of a load; an empty text without a
+/// contact. Error bands above a tenth of the value are added. The error bands at rest are used at every spin.
 std::string pressed_sentence(const std::string &state, const LoadReport &load, const ErrorBands &bands)
 {
   if (!load.peak_pressure)
@@ -179,7 +178,7 @@ std::string answer_of(const StudyAnswer &run)
 /// Returns a remark on the scatter of the points of a profile about its rim circle.
 std::string profile_remark(const std::optional<fem::RimCircle> &circle)
 {
-  constexpr double rounding = 1e-9; // m, of numbers in a file
+  constexpr double rounding = 1e-9; // of numbers in a file [m]
   if (!circle || circle->rms_distance <= rounding)
     return "";
   return "The points of the profile are " + number(circle->rms_distance, "1e6*.2g") +
@@ -187,7 +186,7 @@ std::string profile_remark(const std::optional<fem::RimCircle> &circle)
          "shows how to compute its effect on the spin.";
 }
 
-/// Returns a remark on lift-off at the terminal spin if the glass spins, else at rest.
+/// Returns a remark on lift-off at the terminal spin; at rest if the glass does not spin.
 std::string lift_off_remark(const StudyAnswer &run)
 {
   const auto &[study, goal, contact, spin, bands] = run;
@@ -206,8 +205,8 @@ std::string lift_off_remark(const StudyAnswer &run)
   return lift_off_sentences({ { "At rest", &contact.load } });
 }
 
-/// Returns a remark on the largest pressure and the contact width at rest and at the terminal spin, with
-/// bands above a tenth of the value; at rest only if the glass does not spin.
+/// Returns a remark on the largest pressure and the contact width, at rest and, if the glass spins, at the
+/// terminal spin. Error bands above a tenth of the value are added.
 std::string contact_remark(const StudyAnswer &run)
 {
   const auto &[study, goal, contact, spin, bands] = run;
@@ -231,7 +230,7 @@ std::string narrow_contact_remark(const TableSection &table, const std::optional
               "deformation of the foot next to the contact.");
 }
 
-/// Returns a remark on a contact narrower than the thickness of the layer that a Winkler interface
+/// Returns a remark if the contact is narrower than the thickness of the layer that a Winkler interface
 /// represents.
 std::string thin_layer_remark(const TableSection &table, double half_width)
 {
@@ -260,7 +259,7 @@ std::string out_of_flat_remark(const StudyAnswer &run)
          number(spin.phases->torque_ripple, ".3g") + " N m.";
 }
 
-/// Returns a remark on the number of terminal spins if there are several.
+/// Returns a remark on the number of terminal spins if the study has more than one.
 std::string several_spins_remark(const std::vector<ring::TerminalSpin> &spins)
 {
   if (spins.size() < 2)
@@ -271,7 +270,7 @@ std::string several_spins_remark(const std::vector<ring::TerminalSpin> &spins)
          std::to_string(n_stable) + " of them stable; the initial spin decides which one the glass reaches.";
 }
 
-/// Returns a remark on the spins under the speeds of a file and at constant speed.
+/// Returns a remark that compares the spin under the speeds of a file with the spin at constant speed.
 std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
 {
   const auto &driven = spin.spin_up.driven;

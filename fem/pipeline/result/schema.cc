@@ -24,7 +24,7 @@ Json columns_of(const Table &table)
   return columns;
 }
 
-/// Returns a band of every possible quantity of converge.csv.
+/// Returns an error band of every quantity that converge.csv may list.
 ErrorBands all_bands()
 {
   LoadReport load;
@@ -54,7 +54,7 @@ Json sweep_file_columns()
   return columns;
 }
 
-/// Returns the columns of the data files, from tables without rows.
+/// Returns the columns of the data files, taken from tables without rows.
 Json files()
 {
   TorqueCurve torque;
@@ -131,8 +131,8 @@ Json schema()
   };
 }
 
-/// Returns the text of @p json. An object that contains objects only (quantities, columns) has each member on
-/// its own line, unless it fits on one line.
+/// Returns the text of @p json. If all members of an object are objects (quantities, columns), each member
+/// has its own line, unless the whole object fits on one line.
 std::string text_of(const Json &json, const std::string &indent)
 {
   constexpr std::size_t max_width = 300;

@@ -15,7 +15,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the words without their sign.
+/// Returns @p words without the sign.
 std::string size_of(const std::string &words)
 {
   for (const std::string minus : { "-", "\u2212" })
@@ -24,7 +24,7 @@ std::string size_of(const std::string &words)
   return words;
 }
 
-/// Returns the values of all entries in words, by their paths.
+/// Returns the values of all entries in words, by the paths of the entries.
 std::map<std::string, std::string> values_in_words(const Study &study)
 {
   std::map<std::string, std::string> words;
@@ -33,7 +33,7 @@ std::map<std::string, std::string> values_in_words(const Study &study)
   return words;
 }
 
-/// Returns the name of the table at the end of a sentence: "on a mat of 1 GPa/m".
+/// Returns the table as the end of a sentence, e.g. "on a mat of 1 GPa/m".
 std::string on_table(const Study &study, const std::map<std::string, std::string> &given)
 {
   if (!study.load.is_from_contact())
@@ -50,7 +50,7 @@ std::string on_table(const Study &study, const std::map<std::string, std::string
   return text;
 }
 
-/// Returns the name of the table in the sketch.
+/// Returns the label of the table in the sketch.
 std::string table_of_sketch(const Study &study, const std::map<std::string, std::string> &given)
 {
   if (!study.load.is_from_contact())
@@ -64,7 +64,7 @@ std::string table_of_sketch(const Study &study, const std::map<std::string, std:
                                                           : "smooth, rigid table";
 }
 
-/// Returns the value of an entry to ten digits, enough to distinguish values.
+/// Returns the value of an entry with ten digits, so that different values differ as text.
 std::string value_of(const StudyEntry &entry)
 {
   const std::string text = entry.text();
@@ -99,7 +99,7 @@ std::string in_usual_unit(const Study &study, const StudyEntry &entry)
     return entry.text();
   const auto given = study.given_entries.find(entry.path());
   if (given != study.given_entries.end() && !trailing_unit(given->second).empty() &&
-      parse_quantity(given->second, entry.unit) == *entry.quantity) // not changed by a variant
+      parse_quantity(given->second, entry.unit) == *entry.quantity) // a variant has not changed the value
     return given->second;
   return in_usual_unit(*entry.quantity, entry.unit);
 }
@@ -129,12 +129,13 @@ std::string inputs_of(const Study &study)
          (study.motion.grip_torque > 0 ? ", gripped with " + given.at("Motion/Grip torque") : "") + ".";
 }
 
-/// Returns the labels and lengths of the sketch of the glass: values of its entries by name, table, hand.
+/// Returns the labels and lengths of the sketch of the glass: the values of its entries by name, the table
+/// and the hand.
 Json sketch_labels(const Study &study)
 {
   const ring::Motion &motion = study.motion.orbit;
   const auto given = values_in_words(study);
-  // The hand moves the glass against friction before it spins: F = m a - T(0).
+  // Force with which the hand moves the glass against friction before the glass spins: F = m a - T(0).
   const double along = motion.total_mass() * motion.acceleration().x() +
                        motion.friction_at_rest() * motion.normal_force(),
                inwards = motion.total_mass() * std::abs(motion.acceleration().y());

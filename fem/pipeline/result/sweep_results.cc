@@ -14,23 +14,23 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Range of a quantity over the cases, and the cases that have the smallest and the largest value.
+/// Range of a quantity over the cases, and the cases with the smallest and the largest value.
 struct QuantityRange
 {
   Quantity quantity;
-  std::size_t n; ///< cases with a value
+  std::size_t n; ///< number of cases with a value
   double min, max;
-  std::string min_case, max_case; ///< both "all n cases" if the value is the same to 1e-9
+  std::string min_case, max_case; ///< if all values are equal to 1e-9, both are "all n cases"
 };
 
 /// Returns the ranges of the quantities with a heading, for the table of ranges and the pictures of a grid.
-/// Formal cases are excluded, and quantities without a value.
+/// Omits cases with a tensile load (status formal) and quantities without a value.
 std::vector<QuantityRange> ranges_of(const CaseList &list, const FinishedCases &finished)
 {
   std::vector<QuantityRange> ranges;
   for (const auto &[quantity, value_of] : study_quantities().all())
   {
-    std::map<double, std::size_t> cases; // by value
+    std::map<double, std::size_t> cases; // case of each value
     std::size_t n = 0;
     for (const auto &[index, result] : finished)
       if (const auto value = result.value(quantity.key); value && result.status != "formal")
@@ -50,7 +50,7 @@ std::vector<QuantityRange> ranges_of(const CaseList &list, const FinishedCases &
   return ranges;
 }
 
-/// Returns the range of the quantity @p key; nullptr if no case has a value.
+/// Returns the range of the quantity @p key; nullptr if no case has this quantity.
 const QuantityRange *range_of(const std::vector<QuantityRange> &ranges, const std::string &key)
 {
   const auto found = std::find_if(ranges.begin(), ranges.end(),
@@ -115,11 +115,12 @@ struct FailureRow
   std::string first, message;
 };
 
-/// Returns the reasons why cases failed, each with its first case.
+/// Returns the reasons why cases failed, each with the first case that failed for this reason.
 Table failure_table(const CaseList &list, const FinishedCases &finished)
 {
   constexpr std::size_t max_rows = 20;
-  std::map<std::string, std::pair<std::size_t, std::size_t>> reasons; // message: first case, number
+  // First case and number of cases, by message.
+  std::map<std::string, std::pair<std::size_t, std::size_t>> reasons;
   for (const auto &[index, result] : finished)
     if (result.status == "failed")
       ++reasons.emplace(result.message, std::pair(index, std::size_t(0))).first->second.second;
@@ -134,8 +135,8 @@ Table failure_table(const CaseList &list, const FinishedCases &finished)
   return fields.table(rows, Face::page);
 }
 
-/// Returns a grid for its pictures: the entries, and quantities with their values case by case; null if
-/// missing.
+/// Returns the data of the pictures of a grid: the entries, and the quantities with one value per case (null
+/// if missing).
 Json grid_of(const CaseList &list, const FinishedCases &finished)
 {
   Json grid = { { "entries", Json::array() }, { "quantities", Json::object() } };
@@ -162,14 +163,14 @@ Json grid_of(const CaseList &list, const FinishedCases &finished)
   return grid;
 }
 
-/// Returns the ends of a range for --json; null if there is none.
+/// Returns the ends of a range for --json; null without a range.
 Json ends_of(const QuantityRange *range)
 {
   return range ? Json{ range->min, range->max } : Json(nullptr);
 }
 
 /// Returns the ranges of the terminal spin and of the harmonic effect, and the numbers of cases that tip or
-/// failed.
+/// fail.
 std::string answer_of(const CaseList &list, const FinishedCases &finished,
                       const std::vector<QuantityRange> &ranges)
 {

@@ -26,7 +26,7 @@ std::string name_of(const Quantity &quantity)
   return boost::replace_all_copy(quantity.name, "*", quantity.number);
 }
 
-/// Returns the label of a column and its unit, in lines.
+/// Returns the lines of a column's header: label and unit.
 std::vector<std::string> header_of(const Quantity &quantity)
 {
   const bool has_unit = !quantity.unit.empty() && quantity.unit != "1";
@@ -63,7 +63,7 @@ struct LaidOutColumn
   std::size_t width = 0;
 };
 
-/// Returns the lines of some columns side by side, without trailing blanks.
+/// Returns the lines of columns side by side, without trailing blanks.
 std::string side_by_side(const std::vector<const LaidOutColumn *> &columns)
 {
   std::string text;
@@ -77,7 +77,7 @@ std::string side_by_side(const std::vector<const LaidOutColumn *> &columns)
   return text;
 }
 
-/// Returns lines of at most the console's width; longer ones are wrapped.
+/// Returns @p text with lines of at most the console's width. Longer lines are wrapped.
 std::string wrapped_lines(const std::string &text)
 {
   std::istringstream lines(text);
@@ -87,7 +87,7 @@ std::string wrapped_lines(const std::string &text)
   return result;
 }
 
-/// Returns a cell with all its digits; @p missing if it has no value.
+/// Returns a cell with all digits; @p missing if the cell has no value.
 std::string exact(const Json &cell, const std::string &missing)
 {
   if (cell.is_number_float())

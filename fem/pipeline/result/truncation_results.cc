@@ -17,7 +17,7 @@ namespace
 {
 
 /// Returns the smallest number of harmonics from which on the terminal spin stays within @p share of the spin
-/// with all harmonics, the last of @p rows; without a terminal spin the number of all harmonics.
+/// with all harmonics (last of @p rows). Without a terminal spin, returns the number of all harmonics.
 unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double share)
 {
   unsigned int enough = rows.back().harmonics;

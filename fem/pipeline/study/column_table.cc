@@ -19,7 +19,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the unit after the column's name, empty if there is none; std::nullopt for another heading.
+/// Returns the unit after the column's name, or an empty text if no unit follows; std::nullopt if the heading
+/// is another.
 std::optional<std::string> unit_text_in(const std::string &cell, const FileColumn &column)
 {
   const std::string typed = as_typed(cell), heading = boost::to_lower_copy(typed);
@@ -34,7 +35,7 @@ std::optional<std::string> unit_text_in(const std::string &cell, const FileColum
   return std::nullopt;
 }
 
-/// Returns the number of cells without trailing empty ones.
+/// Returns the number of cells, without trailing empty cells.
 std::size_t n_cells(const TableRow &row)
 {
   const auto last =
@@ -45,9 +46,9 @@ std::size_t n_cells(const TableRow &row)
 /// Positions of the columns in a table.
 struct Layout
 {
-  std::size_t first_row = 0;       ///< first row of numbers
+  std::size_t first_row = 0;       ///< first row with numbers
   std::vector<std::size_t> places; ///< position of each column in a row
-  std::vector<std::string> units;  ///< as written in the file; empty: SI unit
+  std::vector<std::string> units;  ///< units as written in the file; empty: SI unit
   std::size_t n_columns = 0;       ///< columns of the file
 };
 
@@ -114,7 +115,8 @@ private:
            std::all_of(row.cells.begin(), end, [&](const auto &cell) { return number_in(cell).has_value(); });
   }
 
-  /// Returns the layout by the first row; std::nullopt if it does not name all columns.
+  /// Returns the layout according to the headings in the first row; std::nullopt if the first row does not
+  /// name all columns.
   std::optional<Layout> layout_by_heading() const
   {
     const TableRow &row = table.rows.front();
@@ -149,7 +151,7 @@ private:
                        });
   }
 
-  /// Returns the columns in their order. Throws BadInput if the first row is a heading.
+  /// Returns the layout with the columns in their usual order. Throws BadInput if the first row is a heading.
   Layout layout_without_heading() const
   {
     const TableRow &row = table.rows.front();
@@ -175,8 +177,8 @@ private:
            "\", or leave the header out.";
   }
 
-  /// Determines whether commas are decimal marks. Throws BadInput if they may be thousands separators: next
-  /// to numbers with points, or, in a comma-separated table, if all are followed by three digits.
+  /// Accepts commas as decimal marks. Throws BadInput if the commas may be thousands separators: if other
+  /// numbers have points, or if, in a comma-separated table, three digits follow every comma.
   void decide_about_commas(const Layout &layout)
   {
     const bool may_be_thousands = table.separator == ',';
@@ -232,7 +234,7 @@ private:
   const TextTable table;
   bool commas_are_decimal;
   std::vector<std::string> names, header;
-  std::vector<double> factors; ///< from the file's units to SI units
+  std::vector<double> factors; ///< factors from the file's units to SI units
 };
 
 } // namespace

@@ -24,14 +24,14 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Maximum number of harmonics: the torque still takes only seconds, and the kernels are negligible far
-/// earlier.
+/// Maximum number of harmonics. With this number the torque still takes only seconds. The kernels are
+/// negligible for much smaller harmonics.
 constexpr std::size_t max_harmonics = 1000;
 
 /// Maximum of loads and radii. Larger values are unit errors and would overflow.
 constexpr double largest_number = 1e12;
 
-/// Maximum ratio of a coefficient to a_0. A load without tension has none above 2.
+/// Maximum ratio of a coefficient to a_0. Without tension, the ratio is at most 2.
 constexpr double largest_share = 1000;
 
 /// Returns the ring radius in a comment of a load file; std::nullopt without such a comment.

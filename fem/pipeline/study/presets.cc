@@ -20,7 +20,7 @@
 namespace stemware::pipeline
 {
 
-/// Returns the compiled-in files presets/*.prm, listed in CMakeLists.txt.
+/// Returns the compiled-in files presets/*.prm (listed in CMakeLists.txt).
 const CompiledTexts &glass_texts();
 const CompiledTexts &table_texts();
 
@@ -29,7 +29,8 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Returns the preset of a file that starts with "# NAME: WORDS" and optionally "# Also called: NAME, NAME".
+/// Returns the preset in a file that starts with "# NAME: WORDS" and, optionally, "# Also called: NAME,
+/// NAME".
 Preset preset_in(const std::string &text)
 {
   Preset preset;
@@ -52,7 +53,7 @@ std::vector<Preset> presets_in(const CompiledTexts &texts)
   return presets;
 }
 
-/// Returns a name in the normalised form for comparisons.
+/// Returns a name in the form in which names are compared.
 std::string plain(std::string name)
 {
   std::replace_if(
@@ -68,7 +69,7 @@ std::vector<std::string> names_of(const std::vector<Preset> &presets)
   return names;
 }
 
-/// Returns the preset probably meant by @p word: another name, a part of a name, or a misspelt name.
+/// Returns the preset that @p word probably means: an alternative name, a part of a name, or a misspelt name.
 std::optional<std::string> suggestion_for(const std::string &word, const std::vector<Preset> &presets)
 {
   const std::string wanted = plain(word);
@@ -83,7 +84,7 @@ std::optional<std::string> suggestion_for(const std::string &word, const std::ve
   return closest_match(wanted, names);
 }
 
-/// Returns the folder of the cookbooks; empty if they are not installed.
+/// Returns the folder of the cookbooks; an empty path if the cookbooks are not installed.
 fs::path cookbook_folder()
 {
   std::error_code error;

@@ -29,7 +29,7 @@ using Dimension = std::array<int, 5>;
 constexpr Dimension mass = { 1 }, length = { 0, 1 }, duration = { 0, 0, 1 }, angle = { 0, 0, 0, 1 },
                     memory = { 0, 0, 0, 0, 1 }, force = { 1, 1, -2 }, pressure = { 1, -1, -2 };
 
-/// Unit relative to SI: 10^decimal times factor.
+/// Unit, equal to 10^decimal times `factor` SI units.
 struct Unit
 {
   Dimension dimension = {};
@@ -96,7 +96,7 @@ std::optional<Unit> parse_unit(std::string text)
   std::istringstream words(text);
   Unit product;
   int sign = 1;
-  bool is_whole = false; // starts and ends with a name
+  bool is_whole = false; // true if the unit starts and ends with a name
   for (std::string word; words >> word;)
   {
     if (word == "/")
@@ -137,7 +137,7 @@ Parts split_number(const std::string &whole)
   return { text.substr(0, n), boost::trim_copy(text.substr(n)) };
 }
 
-/// Returns the decimal number times 10^decimal, rounded once.
+/// Returns @p number times 10^@p decimal with a single rounding.
 std::optional<double> shifted(const std::string &number, int decimal)
 {
   const auto mark = std::min(number.find_first_of("eE"), number.size());
@@ -146,13 +146,13 @@ std::optional<double> shifted(const std::string &number, int decimal)
                       std::to_string(std::clamp(exponent, -9999L, 9999L) + decimal));
 }
 
-/// Kind of quantity with one SI unit: its name and usual units.
+/// Kind of quantity, with one SI unit: name and usual units.
 struct Kind
 {
   std::string unit;
   std::string name;                      ///< e.g. "a mass"
-  std::string example;                   ///< a plausible value
-  std::vector<std::string> usual;        ///< other usual units, most common first
+  std::string example;                   ///< plausible value
+  std::vector<std::string> usual;        ///< usual units other than the SI unit, most common first
   std::vector<std::string> further = {}; ///< further accepted units
 };
 
@@ -186,7 +186,7 @@ Unit known_unit(const std::string &unit)
   return parse_unit(unit.empty() ? "1" : unit).value();
 }
 
-/// Returns the usual units as text, " in kg, g, mg, oz or lb"; for a pure number ", also in %".
+/// Returns the usual units as text, " in kg, g, mg, oz or lb"; for pure numbers ", also in %".
 std::string units_of(const Kind &kind)
 {
   if (kind.unit == "1")

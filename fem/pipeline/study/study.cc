@@ -18,8 +18,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Creates the interface law of a table. All other code uses the law, not the names of interface and
-/// substrate.
+/// Creates the interface law of a table. The rest of the code uses the law instead of the names of interface
+/// and substrate.
 std::shared_ptr<const fem::InterfaceLaw> make_interface(const TableSection &table)
 {
   switch (table.interface)
@@ -34,9 +34,10 @@ std::shared_ptr<const fem::InterfaceLaw> make_interface(const TableSection &tabl
   throw std::logic_error("a table without an interface");
 }
 
-/// Returns true if friction that bends the foot changes the pressure noticeably: a hard interface on a rigid
-/// table, or on a substrate with at least 1/100 of the foot's modulus. On such a table this friction cancels
-/// the effect of the harmonics. A substrate with 1/1000 of the modulus follows the bent foot.
+/// Returns true if friction that bends the foot changes the pressure noticeably. This requires a hard
+/// interface on a rigid table, or on a substrate with at least 1/100 of the foot's modulus: there, this
+/// friction cancels the effect of the harmonics. A substrate with 1/1000 of the modulus follows the bent
+/// foot.
 bool has_stiff_contact(const Study &study)
 {
   const TableSection &table = study.table;
@@ -71,7 +72,7 @@ fem::Resultants Study::required_resultants() const
   required.normal_force = motion.orbit.normal_force();
   if (load.is_static())
   {
-    // The moment is largest in the direction of the load's maximum: (sum y f, -sum x f).
+    // Moment (sum y f, -sum x f) of a load with its maximum in the given direction.
     const double moment = load.moment_ratio * required.normal_force * radius / 2;
     required.moment_x = moment * std::sin(load.moment_direction);
     required.moment_y = -moment * std::cos(load.moment_direction);
@@ -114,7 +115,7 @@ double Study::spin_scale() const
     const double share = std::abs(required.moment_x) / (required.normal_force * glass.profile.contact_radius);
     return share < 1e-12 ? unit : unit * std::clamp(2 * share, 1e-6, 1.);
   }
-  catch (const ring::Tipping &) // possible for a model of the budget
+  catch (const ring::Tipping &) // the glass may tip in a model of the budget
   {
     return unit;
   }

@@ -24,7 +24,7 @@ bool is_implausible(const StudyEntry &entry, double value)
   return entry.plausible && value != 0 && !entry.plausible->contains(value);
 }
 
-/// Returns the given entries that have an effect and an implausible value.
+/// Returns the given entries that are implausible and have an effect.
 std::vector<StudyEntry> implausible_entries(const std::vector<StudyEntry> &entries)
 {
   std::vector<StudyEntry> implausible;
@@ -34,7 +34,7 @@ std::vector<StudyEntry> implausible_entries(const std::vector<StudyEntry> &entri
   return implausible;
 }
 
-/// Returns the unit with a leading blank, " m"; empty for pure numbers.
+/// Returns the unit with a leading blank, e.g. " m"; an empty text for pure numbers.
 std::string unit_behind_number(const StudyEntry &entry)
 {
   return entry.unit == "1" ? "" : ' ' + entry.unit;
@@ -53,8 +53,8 @@ std::string plausible_text(const StudyEntry &entry)
          unit_behind_number(entry);
 }
 
-/// Refuses a given value that is more than 1e9 times outside its plausible range. It cannot be a unit error,
-/// and the computation would overflow.
+/// Refuses a given value that is outside its plausible range by a factor of more than 1e9. Such a value is no
+/// mere unit error, and the computation would overflow.
 void require_conceivable(const std::vector<StudyEntry> &entries)
 {
   constexpr double far = 1e9;
@@ -69,8 +69,8 @@ void require_conceivable(const std::vector<StudyEntry> &entries)
     }
 }
 
-/// Refuses a length with an implausible ratio to the contact radius (StudyEntry::times_contact_radius), if it
-/// has an effect.
+/// Refuses a length that has an effect and an implausible ratio to the contact radius
+/// (StudyEntry::times_contact_radius).
 void require_alike_lengths(const std::vector<StudyEntry> &entries, double radius)
 {
   for (const StudyEntry &entry : entries)
@@ -86,8 +86,8 @@ void require_alike_lengths(const std::vector<StudyEntry> &entries, double radius
     }
 }
 
-/// Refuses studies that require a feature of the other kind of body, or more load harmonics than the lines
-/// resolve (more than two lines per wavelength).
+/// Refuses studies that require a feature of the other kind of body. Refuses more load harmonics than the
+/// lines resolve: more than two lines per wavelength are required.
 void require_able_body(const ContactSection &contact, const TableSection &table)
 {
   const BodyAbilities can = abilities(contact.body);
@@ -107,7 +107,7 @@ void require_able_body(const ContactSection &contact, const TableSection &table)
                   std::to_string(contact.azimuth_lines) }));
 }
 
-/// Refuses a mat that is so much stiffer than the glass that it is a hard table up to rounding.
+/// Refuses a mat so stiff that it equals a hard table up to rounding.
 void require_mat_that_yields(const TableSection &table, const GlassSection &glass)
 {
   constexpr double most = 1e8;
@@ -130,7 +130,8 @@ void require_goal_with_estimate(const ContactSection &contact, const TableSectio
          "Contact/Goal is given for a body of revolution, but halves cells of a solid body only; write "
          "Contact/Refinements, which halves all cells at little cost, or Contact/Body = solid" +
            rest);
-  // Without a mesh hierarchy a hard table uses nodal multipliers, for which there is no estimate.
+  // The error estimate does not exist for nodal multipliers. A solid foot without a mesh hierarchy uses them
+  // on a hard table.
   ensure(!table.is_hard() || contact.refinements > 0,
          "Contact/Goal of a solid foot on a hard table needs a refined mesh; set Contact/Refinements to at "
          "least 1" +
@@ -175,8 +176,8 @@ void require_known_waviness(const Study &study)
   }
 }
 
-/// Checks that the hand is not below the table and that its two heights agree. The height of the centre of
-/// mass must be given if it has an effect.
+/// Checks that the hand is not below the table and that both heights of the hand agree. The height of the
+/// centre of mass must be given if it has an effect.
 void require_hand_above_table(const std::vector<StudyEntry> &entries, const MotionSection &section)
 {
   const ring::Motion &motion = section.orbit;
@@ -199,8 +200,8 @@ void require_hand_above_table(const std::vector<StudyEntry> &entries, const Moti
 }
 
 /// Returns the part of the moment of @p now that friction cannot reduce, divided by the maximum moment of a
-/// pressure on the land. From 1 on the glass tips at every spin. Contacts close to 1 are slow and fail before
-/// they tip.
+/// pressure on the land. If the ratio is 1 or more, the glass tips at every spin. If it is slightly smaller,
+/// contact solves are slow and fail before the glass tips.
 double certain_tipping_share(ring::Closure closure, const fem::GlassProfile &profile, const ring::Motion &now)
 {
   const double friction = now.has_constant_friction()
@@ -213,7 +214,7 @@ double certain_tipping_share(ring::Closure closure, const fem::GlassProfile &pro
   return (of_hand - of_friction) / (now.normal_force() * outer);
 }
 
-/// Checks that speeds from a file cover the spin-up and that the load can follow them.
+/// Checks that the speeds of a file cover the spin-up and that the load can follow these speeds.
 void require_known_speeds(const Study &study)
 {
   if (!study.motion.orbit_speeds)
@@ -263,7 +264,7 @@ void require_known_speeds(const Study &study)
   }
 }
 
-/// Returns the note about @p entry with the implausible @p value.
+/// Returns the note on the implausible @p value of @p entry.
 std::string implausible_note(const StudyEntry &entry, double value)
 {
   const std::string number = to_short_text(value);
@@ -280,7 +281,7 @@ std::string implausible_note(const StudyEntry &entry, double value)
                                : "check number and unit.");
 }
 
-/// Returns @p sentence, the reason why the glass tips at rest, preceded by the implausible values.
+/// Returns @p sentence (the reason why the glass tips at rest), preceded by notes on implausible values.
 std::string with_implausible_values(const Study &study, const std::string &sentence)
 {
   std::vector<std::string> list;
@@ -315,7 +316,7 @@ void check_values(const Study &study)
   try
   {
     study.motion.orbit.validate();
-    if (is_from_contact) // otherwise there is no foot
+    if (is_from_contact) // without a contact there is no foot
       study.glass.material.validate();
     if (is_from_contact && study.contact.mesh_file.empty())
     {

@@ -23,10 +23,10 @@ struct EntryList
 {
   Study &study;
   std::vector<StudyEntry> entries = {};
-  StudyEntry subsection = {}; ///< template of its entries
+  StudyEntry subsection = {}; ///< template for the entries of the subsection
 
-  /// Starts the subsection @p name. Its entries have an effect if @p condition is true, unless they state
-  /// another condition.
+  /// Starts the subsection @p name. Its entries have an effect if @p condition is true, unless an entry
+  /// states its own condition.
   void enter(const std::string &name, bool condition)
   {
     subsection.section = name;
@@ -49,7 +49,7 @@ struct EntryList
     entry.quantity = &value;
   }
 
-  /// Adds an integer from @p least to @p most.
+  /// Adds an integer between @p least and @p most.
   template <typename... Facts>
   void count(const std::string &name, unsigned int &value, unsigned int least, unsigned int most,
              const std::string &help, const Facts &...facts)
@@ -72,7 +72,7 @@ struct EntryList
       .path_value = &value;
   }
 
-  /// Adds a text in one line.
+  /// Adds a single-line text.
   template <typename... Facts>
   void words(const std::string &name, std::string &value, const std::string &help, const Facts &...facts)
   {
@@ -85,7 +85,7 @@ struct EntryList
     append(name, value, waviness_words, help, parse_waviness, waviness_text);
   }
 
-  /// Adds a choice among named values.
+  /// Adds a choice from named values.
   template <typename Choice, typename... Facts>
   void choice(const std::string &name, Choice &value,
               const std::vector<std::pair<std::string, Choice>> &choices, const std::string &help,
@@ -143,7 +143,7 @@ struct EntryList
   }
 };
 
-/// Technical term that is no entry name, and the entries that it may mean, most common first.
+/// Technical term that is not an entry name, and the entries that the term may mean, most common first.
 struct FieldWord
 {
   std::string word; ///< case-insensitive
@@ -188,8 +188,8 @@ const std::vector<FieldWord> field_words = {
   { "roughness", { "Table/Decay length" } },
 };
 
-/// Returns the entry probably meant by @p word, a technical term such as "E" or "Table/E"; preferably one of
-/// the given section.
+/// Returns the entry that @p word, a technical term such as "E" or "Table/E", probably means. An entry of the
+/// section in @p word is preferred.
 std::optional<std::string> meant_by_field(const std::string &word)
 {
   const std::size_t slash = word.find('/'), name = slash < word.size() ? slash + 1 : 0;
@@ -205,8 +205,8 @@ std::optional<std::string> meant_by_field(const std::string &word)
   return std::nullopt;
 }
 
-/// Returns the end of a message about an unknown entry, "; did you mean Glass/Contact radius?", with the most
-/// likely entry. @p word is compared with paths, with names, and with names in other sections.
+/// Returns the end of a message about an unknown entry, with the most likely entry: "; did you mean
+/// Glass/Contact radius?". Compares @p word with paths, with names, and with names in other sections.
 std::string suggestion(const std::vector<StudyEntry> &entries, const std::string &word)
 {
   std::vector<std::string> names, paths;
@@ -223,7 +223,7 @@ std::string suggestion(const std::vector<StudyEntry> &entries, const std::string
     meant = closest_match(word, paths);
   if (const auto likely = closest_match(name, names); likely && !meant)
     meant = paths[static_cast<std::size_t>(std::find(names.begin(), names.end(), *likely) - names.begin())];
-  for (const StudyEntry &entry : entries) // a name without its last words
+  for (const StudyEntry &entry : entries) // a name whose last words are missing
     if (!meant && !name.empty() && boost::istarts_with(entry.name, name + ' ') &&
         (name == word || word.rfind(entry.section + '/', 0) == 0))
       meant = entry.path();

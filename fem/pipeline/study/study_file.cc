@@ -32,7 +32,7 @@ namespace
 
 constexpr std::size_t longest_study = 1000000;
 
-/// Returns the start of a stream, slightly more than the maximum length of a study.
+/// Returns the beginning of a stream: slightly more than the maximum length of a study.
 std::string beginning_of(std::istream &stream)
 {
   std::string text(longest_study + 1, '\0');
@@ -41,8 +41,8 @@ std::string beginning_of(std::istream &stream)
   return text;
 }
 
-/// Throws BadInput, with a message that starts with @p the_file, if the file cannot be a study file by its
-/// name or type.
+/// Throws BadInput if the name or type of the file shows that it is not a study file. The message starts with
+/// @p the_file.
 void require_study_file(const std::string &the_file, const std::filesystem::path &file)
 {
   std::error_code error;
@@ -62,8 +62,8 @@ void require_study_file(const std::string &the_file, const std::filesystem::path
          the_file + " ends in neither .prm nor .json; rename it so that its format is clear.");
 }
 
-/// Returns @p bytes as the text of a study. Throws BadInput, with a message that starts with @p the_file, if
-/// they are not text.
+/// Returns @p bytes as the text of a study. Throws BadInput if they are not text. The message starts with @p
+/// the_file.
 std::string checked_text(const std::string &the_file, const std::string &bytes)
 {
   const std::string text = without_byte_order_mark(the_file, bytes);
@@ -78,12 +78,12 @@ std::string checked_text(const std::string &the_file, const std::string &bytes)
   return text;
 }
 
-/// Returns the text of the study file @p file; "-" is standard input. Throws BadInput, with a message that
-/// starts with @p the_file, if it is not the text of a study.
+/// Returns the text of the study file @p file ("-": standard input). Throws BadInput if it is not the text of
+/// a study. The message starts with @p the_file.
 std::string text_of_study(const std::string &the_file, const std::string &file)
 {
   std::string bytes;
-  if (file == "-") // available on the first rank only
+  if (file == "-") // standard input is available on the first rank only
     bytes = from_first_rank([] { return beginning_of(std::cin); });
   else
   {
@@ -96,8 +96,8 @@ std::string text_of_study(const std::string &the_file, const std::string &file)
   return checked_text(the_file, bytes);
 }
 
-/// Returns the non-empty lines of @p text by line number, without comments and surrounding blanks. Lines
-/// continued by a backslash are joined.
+/// Returns the non-empty lines of @p text by line number. Comments and surrounding blanks are removed, and
+/// lines continued by a backslash are joined.
 std::map<unsigned int, std::string> whole_lines(const std::string &text)
 {
   std::map<unsigned int, std::string> lines;
@@ -134,7 +134,8 @@ void read_json(const std::string &file, const std::string &text, const std::vect
   }
 }
 
-/// Returns the entries for a study file; entries in @p overrides accept any value.
+/// Returns the entries for reading a study file. Entries in @p overrides accept any value, because they are
+/// replaced later.
 std::vector<StudyEntry> without_overridden(Study &study, const std::vector<std::string> &overrides)
 {
   std::vector<StudyEntry> entries = study_entries(study);
@@ -152,7 +153,8 @@ std::vector<StudyEntry> without_overridden(Study &study, const std::vector<std::
   return entries;
 }
 
-/// Applies all --set options, "Section/Entry=value" or "Entry=value", each entry once, like a study file.
+/// Applies all --set options like a study file: "Section/Entry=value" or "Entry=value", each entry at most
+/// once.
 void apply(const std::vector<std::string> &overrides, const std::vector<StudyEntry> &entries)
 {
   std::map<std::string, std::string> text_of;
@@ -169,11 +171,11 @@ void apply(const std::vector<std::string> &overrides, const std::vector<StudyEnt
   }
 }
 
-/// Returns the entries as a .prm file with their current values; with @p comments also their help and allowed
-/// values.
+/// Returns the entries with their current values as a .prm file. With @p comments, help and allowed values
+/// are added.
 std::string prm_text(const std::vector<StudyEntry> &entries, bool comments)
 {
-  std::map<std::string, std::size_t> width; // maximum length of the names of a section
+  std::map<std::string, std::size_t> width; // maximum length of the names in each section
   for (const StudyEntry &entry : entries)
     width[entry.section] = std::max(width[entry.section], entry.name.size());
   const std::string end = comments ? "end\n\n" : "end\n";
@@ -195,9 +197,9 @@ std::string prm_text(const std::vector<StudyEntry> &entries, bool comments)
   return text + end;
 }
 
-/// Removes entries with default values from the given entries if the file states every entry (as written by
-/// `stemware defaults` or in results). Entries replaced by a user-defined section and the height of the hand
-/// stay given, so that a study can be run again with the same values.
+/// If the file states every entry (as written by `stemware defaults` or in results), entries with default
+/// values no longer count as given. Two kinds stay given, so that the study can be run again with the same
+/// values: entries replaced by a user-defined section, and the height of the hand.
 void forget_stated_defaults(Study &study)
 {
   const std::vector<StudyEntry> &standard = default_entries(), own = entries_of(study);
@@ -230,7 +232,7 @@ void read_text(const std::string &origin, const std::string &text, bool is_json,
   is_json ? read_json(shortened_path(origin), text, entries) : read_prm(origin, text, entries);
 }
 
-/// Reads the files that the study names and checks the study.
+/// Reads the files that the study names, and checks the study.
 void read_files_and_check(Study &study)
 {
   attach_profile(study);
@@ -252,9 +254,9 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
   const std::vector<std::string> known = sections_of(entries);
   const auto place = [&](unsigned int line)
   { return fmt::format(FMT_STRING("{}, line {}: "), shortened_path(file), line); };
-  std::string section;                         // empty outside all sections
+  std::string section;                         // empty outside of sections
   unsigned int section_line = 0;               // first line of the section
-  std::map<std::string, unsigned int> line_of; // by path of the entry
+  std::map<std::string, unsigned int> line_of; // line of each entry, by its path
   for (const auto &[number, line] : whole_lines(text))
   {
     const std::string where = place(number), word = line.substr(0, line.find_first_of(" \t")),
@@ -303,7 +305,7 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
 void check_study(const Study &study)
 {
   check_values(study);
-  // Missing files are detected here, before the computation; their contents are checked when they are read.
+  // Checks before the computation that the files exist. Their contents are checked when the files are read.
   if (study.load.source == LoadSource::file)
     require_regular_file("Load/File = " + shortened_path(study.load.file), study.load.file);
   if (!study.contact.mesh_file.empty())
@@ -390,7 +392,7 @@ std::string study_as_prm(const Study &study)
 {
   Study copy = study;
   const double hand = copy.motion.orbit.centre_of_mass_height + copy.motion.orbit.force_offset;
-  if (std::abs(copy.motion.hand_height - hand) > 1e-12) // a study made in code has only the offset
+  if (std::abs(copy.motion.hand_height - hand) > 1e-12) // a study made in code sets the offset only
     copy.motion.hand_height = hand;
   return prm_text(entries_of(copy), false);
 }

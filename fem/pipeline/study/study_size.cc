@@ -17,11 +17,11 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Unknowns per cell of linear elements in a generated mesh, which is a few cells thick.
+/// Unknowns per cell of linear elements in a generated mesh. The mesh is a few cells thick.
 constexpr double unknowns_per_cell = 4.5;
 
 /// Adds the memory of a dense system (harmonics times points across the land), of the state on all lines, and
-/// of a few factorised meridional problems.
+/// of several factorised meridional problems.
 void add_body_of_revolution(const Study &study, StudySize &size)
 {
   const ContactSection &contact = study.contact;
@@ -39,9 +39,9 @@ void add_body_of_revolution(const Study &study, StudySize &size)
   size.memory += 3 * 800 * nodes + 52 * size.unknowns * size.unknowns + 4000 * across * contact.azimuth_lines;
 }
 
-/// Returns the number of nodes of a mesh file: the number in the section $Nodes or $ParametricNodes (the
-/// second number in Gmsh's format 4); for other files the size divided by the bytes per node, cells included.
-/// Returns 0 if there is no file.
+/// Returns the number of nodes in a mesh file: the number in the section $Nodes or $ParametricNodes (in
+/// Gmsh's format 4, the second number). For other files, returns the file size divided by the bytes per node,
+/// cells included. Returns 0 if the file does not exist.
 double n_nodes(const std::string &file)
 {
   constexpr double bytes_per_node = 80;
@@ -49,7 +49,7 @@ double n_nodes(const std::string &file)
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     return 0;
-  std::string head(head_size, '\0'); // a line may be as long as the file
+  std::string head(head_size, '\0'); // maximum size, because a line may be as long as the file
   std::ifstream(file).read(head.data(), head_size);
   std::istringstream stream(head);
   std::string line;
@@ -78,14 +78,14 @@ void add_solid_body(const Study &study, StudySize &size)
   const ContactSection &contact = study.contact;
   size.unknowns = coarse_unknowns(contact) * std::pow(8., contact.refinements);
   const unsigned int n_edge_halvings = edge_halvings(study);
-  if (n_edge_halvings > 0) // the edge has 19 to 28 cells per azimuthal cell, counting transition cells
+  if (n_edge_halvings > 0) // the edge adds 19 to 28 cells per azimuthal cell, including transition cells
     size.unknowns +=
       unknowns_per_cell * 20 *
       std::ldexp(contact.resolution.azimuthal_cells, static_cast<int>(contact.refinements + n_edge_halvings));
   size.unknowns *= std::pow(contact.degree, 3);
   // Bytes per unknown (docs/method/solid_measurements.md).
   constexpr double factorised = 25e3;
-  // Below a mesh with a halved edge, the coarser meshes have many cells as well.
+  // If the edge is halved, the coarser meshes of the hierarchy have many cells as well.
   const double iterated = n_edge_halvings > 0 ? 1800 : 500;
   const bool is_factorised =
     contact.linear_solver == fem::LinearSolver::condensed ||
@@ -94,7 +94,7 @@ void add_solid_body(const Study &study, StudySize &size)
   size.memory += size.unknowns * (is_factorised ? factorised : iterated);
 }
 
-/// Returns the entry of @p study whose default would reduce the memory most.
+/// Returns the entry of @p study whose default would reduce the memory by the largest amount.
 StudyEntry costliest_entry(Study &study)
 {
   const std::vector<StudyEntry> &standard = default_entries(), tried = study_entries(study);
@@ -130,7 +130,7 @@ StudySize size_of(const Study &study)
 {
   StudySize size;
   size.memory = memory_of_the_program;
-  // The adaptive method takes about ten steps per second; forward Euler uses the step of its entry.
+  // The adaptive method takes about ten steps per second of motion. Forward Euler uses the step of its entry.
   constexpr double longest_step = 0.1;
   size.steps = study.motion.end_time / std::min(study.motion.euler_step, longest_step);
   if (study.load.is_from_contact() && abilities(study.contact.body).is_of_revolution)

@@ -14,7 +14,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the separator of the row that starts at @p begin; a line end if the row has one cell only.
+/// Returns the separator of the row that starts at @p begin; a line end if the row has a single cell.
 char separator_of(const std::string &text, std::size_t begin, bool blanks_separate)
 {
   std::string row;
@@ -31,8 +31,8 @@ char separator_of(const std::string &text, std::size_t begin, bool blanks_separa
   return blanks_separate ? ' ' : '\n';
 }
 
-/// Returns the separator stated in a first line "sep=;" (Excel's convention); std::nullopt without such a
-/// line. Throws BadInput, with a message that starts with @p origin, for another separator.
+/// Returns the separator of a first line such as "sep=;" (a convention of Excel); std::nullopt if the first
+/// line is another. Throws BadInput for a separator that is not supported. The message starts with @p origin.
 std::optional<char> named_separator(const std::string &origin, const std::string &text)
 {
   const std::string line = boost::trim_right_copy_if(text.substr(0, text.find('\n')), boost::is_any_of("\r"));
@@ -44,7 +44,7 @@ std::optional<char> named_separator(const std::string &origin, const std::string
   return line.back();
 }
 
-/// Reader of successive rows.
+/// Reads the rows of a text one by one.
 class TableReader
 {
 public:
@@ -110,12 +110,12 @@ private:
     bool is_last = false;
     while (!is_last)
       row.cells.push_back(read_cell(is_last));
-    if (separator == ' ') // several blanks are one separator
+    if (separator == ' ') // several blanks count as one separator
       row.cells.erase(std::remove(row.cells.begin(), row.cells.end(), ""), row.cells.end());
     table.rows.push_back(row);
   }
 
-  /// Reads a cell and the separator or line end after it.
+  /// Reads a cell and the following separator or line end.
   std::string read_cell(bool &is_last)
   {
     std::string cell, quoted;
