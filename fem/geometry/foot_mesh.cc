@@ -21,16 +21,17 @@ using namespace dealii;
 namespace
 {
 
-/// Manifold of the cells and faces around the axis, and of the core (only for GlassShape::foot).
+/// Manifold ids: cells and faces around the axis, and the core (only for GlassShape::foot).
 constexpr types::manifold_id ring_id = 1;
 constexpr types::manifold_id core_id = 2;
 
-/// Maximum radial cell size divided by the contact radius, and growth factor of the cells away from the land.
+/// Maximum ratio of the radial cell size to the contact radius, and growth factor of the cells away from the
+/// land.
 constexpr double largest_cell_ratio = 0.2;
 constexpr double growth = 1.6;
 
-/// Returns radii from @p begin to @p end, ascending or descending. Cells start at @p first_cell, grow up to
-/// @p limit, and are scaled to fit the interval.
+/// Returns radii from @p begin to @p end, ascending or descending. The cells start with the size @p
+/// first_cell, grow up to @p limit, and are scaled to fit the interval.
 std::vector<double> graded_radii(double begin, double end, double first_cell, double limit)
 {
   const double length = std::abs(end - begin);
@@ -44,17 +45,16 @@ std::vector<double> graded_radii(double begin, double end, double first_cell, do
   return radii;
 }
 
-/// Quadrilateral of the plan view in deal.II's lexicographic order, and the radii between which the cell
-/// lies.
+/// Quadrilateral of the plan view in deal.II's lexicographic order, and the radii that bound it.
 struct PlanCell
 {
   std::array<unsigned int, 4> vertices;
-  double inner_radius = 0; ///< 0 for the core and for the ring around the core
+  double inner_radius = 0; ///< 0 for the core and the ring around the core
   double outer_radius = 0;
 };
 
-/// Plan view of the foot: square core, a ring of cells out to the stem's surface, more rings out to the edge
-/// of the foot.
+/// Plan view of the foot: a square core, a ring of cells out to the stem's surface, and more rings out to the
+/// edge of the foot.
 class Plan
 {
 public:
@@ -77,7 +77,7 @@ public:
     loop = next;
   }
 
-  /// Adds a ring with three outer cells per inner cell: four quadrilaterals per sector.
+  /// Adds a ring with three outer cells per inner cell. A sector has four quadrilaterals.
   void add_tripling_ring(double inner_radius, double outer_radius)
   {
     const std::vector<unsigned int> next = add_circle(outer_radius, 3 * n_sectors);
@@ -86,7 +86,7 @@ public:
     {
       const unsigned int a = loop[i];
       const unsigned int b = loop[(i + 1) % n_sectors];
-      // The shift of 0.08 sectors outwards gives the inner trapezium better angles.
+      // A shift of 0.08 sectors outwards improves the angles of the inner trapezium.
       const unsigned int p = add_vertex(middle, angle(3 * i + 0.92, 3 * n_sectors));
       const unsigned int q = add_vertex(middle, angle(3 * i + 2.08, 3 * n_sectors));
       const unsigned int e = (3 * i + 3) % (3 * n_sectors);
@@ -123,7 +123,7 @@ private:
   }
 
   /// Adds a square of (n_sectors / 4)^2 cells with convex sides and corners at @p corner_radius. Returns the
-  /// square's border, counter-clockwise.
+  /// border of the square, counter-clockwise.
   std::vector<unsigned int> add_core(double corner_radius)
   {
     const unsigned int n = n_sectors / 4;
@@ -146,8 +146,8 @@ private:
     return border;
   }
 
-  /// Maps the square [-1, 1]^2 to the core. The map is the plain square at the centre and, towards the
-  /// border, the mean of this square and a disc with equally spaced azimuths.
+  /// Maps the square [-1, 1]^2 to the core. At the centre, the map is the plain square. Towards the border,
+  /// it becomes the mean of this square and a disc with equally spaced azimuths.
   static Point<2> core_point(double x, double y, double corner_radius)
   {
     const double size = std::max(std::abs(x), std::abs(y));
@@ -164,10 +164,10 @@ private:
   }
 
   unsigned int n_sectors;
-  std::vector<unsigned int> loop; ///< outer border so far, counter-clockwise from -45 degrees
+  std::vector<unsigned int> loop; ///< current outer border, counter-clockwise from -45 degrees
 };
 
-/// Returns the outer radius of the ring around the core: the stem's radius at the foot.
+/// Returns the outer radius of the ring around the core, i.e. the stem's radius at the foot.
 double core_radius(const GlassProfile &profile)
 {
   return profile.fillet().middle_radius;
@@ -198,8 +198,8 @@ Plan make_plan(const GlassProfile &profile, const FootResolution &resolution)
   return plan;
 }
 
-/// Layer of the foot: the plan's cells between two radii, extruded between two heights. For GlassShape::foot
-/// the heights are levels of the ProfileChart.
+/// Layer of the foot: the cells of the plan between two radii, extruded between two heights. For
+/// GlassShape::foot, the heights are levels of the ProfileChart.
 struct Slab
 {
   double bottom = 0;
@@ -208,14 +208,14 @@ struct Slab
   double outer_radius = 0;
 };
 
-/// Appends @p n layers of equal height that together span @p height from @p bottom.
+/// Appends @p n layers of equal height. Together they span @p height from @p bottom.
 void stack(double bottom, double height, unsigned int n, double inner, double outer, std::vector<Slab> &slabs)
 {
   for (unsigned int i = 0; i < n; ++i)
     slabs.push_back({ bottom + height * i / n, bottom + height * (i + 1) / n, inner, outer });
 }
 
-/// Returns the number of cell layers of a stem of @p height. Each is about 2.5 times as high as @p
+/// Returns the number of cell layers of a stem of @p height. Each layer is about 2.5 times as high as @p
 /// foot_layer.
 unsigned int n_stem_layers(double height, double foot_layer)
 {
@@ -242,7 +242,7 @@ std::vector<Slab> foot_slabs(const GlassProfile &profile, const FootResolution &
   const double layer = profile.thickness() / resolution.foot_layers;
   const Fillet fillet = profile.fillet();
   const double fillet_top = ProfileChart(profile).pull_back({ 0, fillet.centre_height }).level;
-  if (fillet_top > 1 + 1e-9) // otherwise a sharp corner, up to rounding
+  if (fillet_top > 1 + 1e-9) // otherwise the corner is sharp, up to rounding
     stack(1, fillet_top - 1, n_stem_layers(fillet.centre_height - fillet.middle_height, layer), 0,
           fillet.middle_radius, slabs);
   stack(fillet_top, 2 - fillet_top, n_stem_layers(profile.height() - fillet.centre_height, layer), 0,
@@ -282,13 +282,14 @@ void extrude(const Plan &plan, const std::vector<Slab> &slabs,
       cells.push_back(cell);
     }
   }
-  // p4est requires edges with the same direction in all cells. The vertices of an O-grid must be renumbered.
+  // p4est requires that each edge has the same direction in all of its cells, so the vertices of an O-grid
+  // are renumbered.
   GridTools::consistently_order_cells(cells);
   triangulation.create_triangulation(vertices, cells, SubCellData());
 }
 
-/// Attaches the ring manifold to all cells and faces at or outside the core's border. The core and the inner
-/// side of the surrounding ring stay straight. @p radius returns the radius of a vertex in the plan.
+/// Attaches the ring manifold to all cells and faces at or outside the border of the core. The core and the
+/// inner side of the surrounding ring stay straight. @p radius returns the radius of a vertex in the plan.
 void mark_rings(double core_radius, const std::function<double(const Point<3> &)> &radius,
                 Triangulation<3> &triangulation)
 {
@@ -334,8 +335,8 @@ void make_foot(const GlassProfile &profile, const FootResolution &resolution, Tr
   triangulation.set_manifold(ring_id, *rings);
 }
 
-/// Marks the faces at z = 0 whose vertices all lie on the land as contact zone, and the faces at the height
-/// of the cut as stem cut.
+/// Marks faces: as contact zone if they are at z = 0 and all their vertices lie on the land, as stem cut if
+/// they are at the height of the cut.
 void mark_boundaries(const GlassProfile &profile, Triangulation<3> &triangulation)
 {
   const double tolerance = 1e-9 * profile.height();
@@ -358,7 +359,7 @@ void mark_boundaries(const GlassProfile &profile, Triangulation<3> &triangulatio
     }
 }
 
-/// Halves the cells with at least one vertex for which @p is_near(radius, height) is true [m].
+/// Halves every cell with a vertex for which @p is_near(radius, height) [m] is true.
 void halve_where(const std::function<bool(double radius, double height)> &is_near,
                  Triangulation<3> &triangulation)
 {
@@ -370,7 +371,7 @@ void halve_where(const std::function<bool(double radius, double height)> &is_nea
   triangulation.execute_coarsening_and_refinement();
 }
 
-/// Halves the cells with a vertex on the land's height range, between the radii @p inner and @p outer.
+/// Halves every cell with a vertex between the radii @p inner and @p outer, in the height range of the land.
 void refine_land(const GlassProfile &profile, double inner, double outer, Triangulation<3> &triangulation)
 {
   const double tolerance = 1e-6 * profile.land_width;
@@ -383,8 +384,8 @@ void refine_land(const GlassProfile &profile, double inner, double outer, Triang
     triangulation);
 }
 
-/// Performs FootResolution::edge_halvings on a land with cells of width @p cell [m]. For a step the cells
-/// along the land's inner side are halved, including both of its corners. Otherwise (smooth underside) each
+/// Performs FootResolution::edge_halvings on a land with cells of width @p cell [m]. For a step, the cells
+/// along the land's inner side are halved, including both corners of this side. For a smooth underside, each
 /// halving applies to the cells within one cell width of the edge.
 void refine_edge(const GlassProfile &profile, unsigned int n_halvings, double cell,
                  Triangulation<3> &triangulation)

@@ -18,8 +18,8 @@ unsigned int edge_halvings_for(const GlassProfile &profile, bool table_is_hard)
 {
   if (!table_is_hard || profile.crown_radius != 0)
     return 0;
-  // The pressure is finite at a right-angled edge (2 halvings). Under a smooth continuation it is singular,
-  // and contact is a few 0.01 mm wide (5 halvings).
+  // At a right-angled edge the pressure is finite, and 2 halvings suffice. Under a smooth continuation the
+  // pressure is singular and contact is a few 0.01 mm wide, so 5 halvings are needed.
   return profile.shape == GlassShape::step ? 2 : 5;
 }
 

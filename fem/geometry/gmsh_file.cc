@@ -18,7 +18,7 @@ std::string in_format_2()
   return std::string("; convert it: ") + gmsh_command + ".";
 }
 
-/// Element type: number of nodes and of corners. Corners come first in the node list.
+/// Element type: number of nodes and of corners. A node list begins with the corners.
 struct ElementType
 {
   unsigned int n_nodes = 0;
@@ -41,7 +41,7 @@ ElementType type_of(long number)
   return type->second;
 }
 
-/// Returns the sections of the file, the text between "$Name" and "$EndName", by name.
+/// Returns the sections of the file (text between "$Name" and "$EndName"), by name.
 std::map<std::string, std::string_view> sections_of_gmsh(std::string_view text)
 {
   std::map<std::string, std::string_view> sections;
@@ -132,7 +132,7 @@ private:
     long n[3];
     for (long &n_entities : n)
       n_entities = words.whole_number();
-    words.whole_number(); // volumes
+    words.whole_number(); // skips the volumes
     for (int dimension = 0; dimension < 3; ++dimension)
       for (long i = 0; i < n[dimension]; ++i)
       {
@@ -160,11 +160,11 @@ private:
     return x;
   }
 
-  /// Header of a block of nodes or elements. Format 4 has one block per entity, format 2 a single block.
+  /// Header of a block of nodes or elements. Format 4 has one block per entity; format 2 has a single block.
   struct Block
   {
     long dimension = 0, entity = 0;
-    long kind = 0; ///< element type; for nodes: 0 unless they have parametric coordinates
+    long kind = 0; ///< element type; for nodes: nonzero if they have parametric coordinates
     long size = 0;
   };
 
@@ -173,7 +173,7 @@ private:
     if (!is_format_4)
       return 1;
     const long n = words.whole_number();
-    // Number of nodes or elements, smallest and largest number.
+    // Skips the number of nodes or elements, and their smallest and largest number.
     for (int k = 0; k < (is_format_4_0 ? 1 : 3); ++k)
       words.whole_number();
     return n;
@@ -201,7 +201,7 @@ private:
     for (long n = n_blocks(words); n > 0; --n)
     {
       const Block block = next_block(words);
-      std::vector<long> numbers; // format 4.1 lists all numbers before the coordinates
+      std::vector<long> numbers; // in format 4.1, all numbers precede the coordinates
       for (long i = 0; i < block.size && is_format_4 && !is_format_4_0; ++i)
         numbers.push_back(words.whole_number());
       for (long i = 0; i < block.size; ++i)
@@ -226,7 +226,7 @@ private:
       long id = surface == physical_id.end() ? 0 : surface->second;
       for (long i = 0; i < block.size; ++i)
       {
-        words.whole_number(); // number of the element
+        words.whole_number(); // skips the number of the element
         const ElementType type = type_of(is_format_4 ? block.kind : words.whole_number());
         if (!is_format_4)
           id = id_in_tags(words);
@@ -235,7 +235,7 @@ private:
     }
   }
 
-  /// Returns the physical id of an element, its first tag in format 2; 0 if it has no tags.
+  /// Returns the physical id of an element, the first of its tags in format 2; 0 if the element has no tags.
   static long id_in_tags(Tokenizer &words)
   {
     long id = 0;
@@ -274,7 +274,7 @@ private:
 
   std::map<std::string, std::string_view> sections;
   bool is_format_4 = false, is_format_4_0 = false;
-  std::map<long, long> physical_id; ///< by surface number
+  std::map<long, long> physical_id; ///< physical id of each surface, by the surface's number
   NumberedPoints points;
   MeshContent content;
   std::vector<long> nodes; ///< nodes of the current element

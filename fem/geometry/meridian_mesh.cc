@@ -33,7 +33,8 @@ void append_equal(GridLines &lines, double end, unsigned int n_cells)
     lines.push_back(begin + (end - begin) * i / n_cells);
 }
 
-/// Appends equal cells of approximately @p size up to @p end; no cell if the lines already end there.
+/// Appends equal cells of approximately @p size up to @p end. Appends no cell if the lines already end at @p
+/// end.
 void append_sized(GridLines &lines, double end, double size)
 {
   if (std::abs(end - lines.back()) < 1e-6 * size)
@@ -42,12 +43,12 @@ void append_sized(GridLines &lines, double end, double size)
                static_cast<unsigned int>(std::max(1., std::ceil((end - lines.back()) / size - 1e-9))));
 }
 
-/// Growth of the cell size with the distance from the land, in one direction.
+/// Growth of the cell size with the distance from the land in one direction.
 struct Growth
 {
   double first = 0; ///< approximate size of the first cell [m]
   double factor = 2;
-  double largest = std::numeric_limits<double>::infinity(); ///< [m]
+  double largest = std::numeric_limits<double>::infinity(); ///< maximum cell size [m]
 };
 
 /// Appends cells of increasing size up to @p end.
@@ -69,7 +70,7 @@ void append_growing(GridLines &lines, double end, const Growth &growth)
   }
 }
 
-/// Appends cells of decreasing size up to @p end: the mirror image of append_growing().
+/// Appends cells of decreasing size up to @p end, as a mirror image of append_growing().
 void append_shrinking(GridLines &lines, double end, const Growth &growth)
 {
   GridLines distances = { 0 };
@@ -78,7 +79,7 @@ void append_shrinking(GridLines &lines, double end, const Growth &growth)
     lines.push_back(end - *distance);
 }
 
-/// Makes a tensor-product grid of the lines without the cells whose centre lies outside the section.
+/// Makes a tensor-product grid of the lines. Cells whose centre lies outside the section are omitted.
 void make_grid(const GridLines &radii, const GridLines &heights,
                const std::function<bool(double radius, double height)> &is_inside,
                Triangulation<2> &triangulation)
@@ -98,8 +99,7 @@ void make_grid(const GridLines &radii, const GridLines &heights,
                                             kept);
 }
 
-/// Marks the boundary faces at @p clamped_height as stem cut and the faces at z = 0 under the land as contact
-/// zone.
+/// Marks boundary faces: as stem cut at @p clamped_height, as contact zone at z = 0 under the land.
 void mark_boundary(double clamped_height, const GlassProfile &profile, Triangulation<2> &triangulation)
 {
   const double tolerance = 1e-9 * profile.contact_radius;
@@ -139,7 +139,7 @@ bool is_cut(const Triangulation<2>::active_cell_iterator &cell, const std::vecto
   return border != borders.end() && *border < end - margin;
 }
 
-/// Returns the distance of @p cell from the focus, a band in the plane z = 0 [m].
+/// Returns the distance [m] of @p cell from the focus, an interval of radii in the plane z = 0.
 double distance_from_focus(const Triangulation<2>::active_cell_iterator &cell, const ContactCells &contact)
 {
   const auto [low, high] = cell->bounding_box().get_boundary_points();
@@ -148,9 +148,9 @@ double distance_from_focus(const Triangulation<2>::active_cell_iterator &cell, c
   return std::hypot(across, away);
 }
 
-/// Returns the maximum number of halvings of @p cell. With more, the hanging-node rule would split a contact
-/// cell. Above or below the land it is the number of halvings of the contact cells there, beside the land one
-/// more than of the nearest contact cell.
+/// Returns the maximum number of halvings of @p cell. More halvings would split a contact cell by the rule
+/// for hanging nodes. Above or below the land, the maximum is the number of halvings of the contact cells at
+/// these radii. Next to the land, it is one more than the number of halvings of the nearest contact cell.
 unsigned int max_halvings(const Triangulation<2>::active_cell_iterator &cell, const ContactCells &contact)
 {
   const auto [low, high] = cell->bounding_box().get_boundary_points();
@@ -164,8 +164,8 @@ unsigned int max_halvings(const Triangulation<2>::active_cell_iterator &cell, co
   return max_below;
 }
 
-/// Halves cells until the contact cells match @p contact and every other cell is within the size bound for
-/// its distance from the focus.
+/// Halves cells until the contact cells match @p contact and every other cell meets the size bound for its
+/// distance from the focus.
 void divide(const ContactCells &contact, const MeridianResolution &resolution,
             Triangulation<2> &triangulation)
 {
@@ -190,8 +190,8 @@ void divide(const ContactCells &contact, const MeridianResolution &resolution,
   }
 }
 
-/// Marks the boundary and refines: first around the focus, then globally. Meshes with different numbers of
-/// global refinements are therefore nested.
+/// Marks the boundary and refines: first around the focus, then globally. In this order, meshes with
+/// different numbers of global refinements are nested.
 void refine(double clamped_height, const GlassProfile &profile, const ContactCells &contact,
             const MeridianResolution &resolution, Triangulation<2> &triangulation)
 {
@@ -201,15 +201,15 @@ void refine(double clamped_height, const GlassProfile &profile, const ContactCel
   triangulation.refine_global(resolution.refinements);
 }
 
-/// Returns the maximum cell size of the foot, slightly more than the thickness of the foot. Bending is
-/// smooth, so that two quadratic cells through the thickness resolve it.
+/// Returns the maximum cell size of the foot: slightly more than the thickness of the foot. Two quadratic
+/// cells through the thickness resolve bending, because bending is smooth.
 double largest_cell(const GlassProfile &profile)
 {
   return 1.25 * profile.thickness();
 }
 
-/// Appends radial grid lines: the cells inside the land, on the land, and outside the land. With a focus the
-/// cells beside the land start at twice the size of the coarse contact cells.
+/// Appends radial grid lines: cells inside the land, on the land, and outside the land. With a focus, the
+/// first cells next to the land are twice as large as the coarse contact cells.
 void append_foot(const GlassProfile &profile, const ContactCells &contact, GridLines &radii)
 {
   const double size = largest_cell(profile);
@@ -221,7 +221,7 @@ void append_foot(const GlassProfile &profile, const ContactCells &contact, GridL
 }
 
 /// Aligns radial grid lines with the corners of a user-defined section, outside the fillet and the land. For
-/// each corner the nearest line is moved or a new line is inserted, unless a cell would become too narrow.
+/// each corner, the nearest line is moved or a line is inserted, unless a cell would become too narrow.
 void meet_corners(const GlassProfile &profile, double size, GridLines &radii)
 {
   if (!profile.section)
@@ -250,8 +250,8 @@ void meet_corners(const GlassProfile &profile, double size, GridLines &radii)
   }
 }
 
-/// Returns the growth of the cell rows above the land. Without a focus the lowest row ends at @p end (in the
-/// section's own coordinate). With a focus the first row is as high as the coarse contact cells are wide.
+/// Returns the growth of the cell rows above the land. Without a focus, the lowest row ends at @p end (in the
+/// section's own coordinate). With a focus, the lowest row is as high as the coarse contact cells are wide.
 Growth rows_of(const ContactCells &contact, const GlassProfile &profile, double end)
 {
   return { contact.has_focus ? end * std::min(1., contact.coarse_size / lowest_cell_height(profile)) : end };
@@ -278,7 +278,7 @@ void make_step(const GlassProfile &profile, const ContactCells &contact, Triangu
   make_grid(radii, heights, is_inside, triangulation);
 }
 
-/// Makes the grid of the straightened section (ProfileChart) and maps it to the section.
+/// Makes the grid of the straightened section (ProfileChart) and maps the grid to the section.
 void make_foot(const GlassProfile &profile, const ContactCells &contact, Triangulation<2> &triangulation)
 {
   const double size = largest_cell(profile);

@@ -45,15 +45,15 @@ bool is_lower(const SectionVertex &one, const SectionVertex &other)
   return one.height < other.height;
 }
 
-/// Checks and normalises a profile: both ends on the axis, the lower end first, no repeated points, heights
-/// from the lowest point, the last two points at the same height.
+/// Checks and normalises a profile: both ends on the axis, lower end first, no repeated points, heights
+/// measured from the lowest point, and the last two points at the same height.
 Polyline ordered(Polyline polyline)
 {
   require(
     polyline.size() >= 6, "a profile of ", polyline.size(),
     " points is no foot; give at least 6 points (r, z) from the axis under the foot round its edge to the "
     "axis in the stem's cut.");
-  // The cost of the simplification below is quadratic in the number of points for a zigzag.
+  // For a zigzag, the cost of the simplification below is quadratic in the number of points.
   constexpr std::size_t max_points = 10000;
   require(polyline.size() <= max_points, "a profile of ", polyline.size(),
           " points is finer than any mesh; give at most 10000, one every few micrometres.");
@@ -64,7 +64,7 @@ Polyline ordered(Polyline polyline)
     require(vertex.radius >= -tolerance, place(vertex),
             " lies beyond the axis; give one half of the section, r from 0 outwards.");
   if (coincide(polyline.front(), polyline.back()))
-    polyline.pop_back(); // the polyline includes the axis
+    polyline.pop_back(); // the last side of the polyline lies on the axis
   polyline.erase(std::unique(polyline.begin(), polyline.end(), coincide), polyline.end());
   for (SectionVertex *end : { &polyline.front(), &polyline.back() })
   {
@@ -95,7 +95,7 @@ Polyline ordered(Polyline polyline)
   return simple;
 }
 
-/// Returns the angle between the segment that begins at point @p i of the curve and the x axis [rad], in [0,
+/// Returns the angle between the x axis and the segment that begins at point @p i of the curve [rad], in [0,
 /// pi/2].
 double steepness(const PiecewiseLinear &curve, std::size_t i)
 {
@@ -137,7 +137,7 @@ void MeridianSection::split(const std::vector<SectionVertex> &polyline)
   const auto is_outermost = [=](const SectionVertex &vertex) { return vertex.radius == outermost; };
   const auto first = std::find_if(polyline.begin(), polyline.end(), is_outermost);
   const auto last = std::find_if(polyline.rbegin(), polyline.rend(), is_outermost).base() - 1;
-  const auto cut = polyline.end() - 2; // at the stem's surface
+  const auto cut = polyline.end() - 2; // the point on the stem's surface at the cut
 
   for (auto vertex = polyline.begin(); vertex <= first; ++vertex)
   {
@@ -148,8 +148,9 @@ void MeridianSection::split(const std::vector<SectionVertex> &polyline)
       "little).");
     lower.add(vertex->radius, vertex->height, vertex->line);
   }
-  // The top runs from the edge inwards while r decreases, the stem from the cut downwards while z decreases.
-  // Where both hold, the stem ends below the last segment that is steeper than 45 degrees.
+  // The top runs from the edge inwards while r decreases. The stem runs from the cut downwards while z
+  // decreases. If both conditions hold for some segments, the stem ends below the last segment that is
+  // steeper than 45 degrees.
   auto inner = last;
   while (inner != cut && (inner + 1)->radius < inner->radius)
     ++inner;
@@ -202,7 +203,7 @@ void MeridianSection::cut_edge()
   edge = upper.x.back();
   if (thickness_at(edge) >= least)
     return;
-  // The thickness is linear between the points of both curves.
+  // Between the points of both curves, the thickness is linear.
   std::vector<double> radii = upper.x;
   for (const double radius : lower.x)
     if (radius > middle_radius())
@@ -219,8 +220,9 @@ void MeridianSection::cut_edge()
 
 void MeridianSection::find_rounding()
 {
-  // The fillet ends at the first segment whose direction differs from the mean slope of the foot (or from the
-  // direction of the stem) by less than 15 % of the difference to 45 degrees.
+  // The fillet ends at the first segment that follows the foot or the stem: its direction differs from the
+  // mean slope of the foot (or from the direction of the stem) by less than 15 % of the difference to 45
+  // degrees.
   constexpr double half_right = ring::pi / 4;
   const double mean =
     std::atan2(std::abs(upper.y.back() - upper.y.front()), upper.x.back() - upper.x.front());

@@ -31,7 +31,7 @@ std::array<unsigned int, 4> sorted(std::array<unsigned int, 4> corners)
   return corners;
 }
 
-/// Throws UnreadableMesh if two corners of hexahedra coincide without being one shared node. Such cells look
+/// Throws UnreadableMesh if two corners of hexahedra coincide but are not one shared node. Such cells look
 /// connected but are not.
 void require_shared_nodes(const MeshContent &content)
 {
@@ -44,7 +44,7 @@ void require_shared_nodes(const MeshContent &content)
   for (const unsigned int i : corners)
     for (const double coordinate : content.points[i])
       size = std::max(size, std::abs(coordinate));
-  // The tolerance is well above rounding and well below a cell. The offset keeps round coordinates away from
+  // The tolerance is far above rounding and far below a cell. The offset keeps round coordinates away from
   // the borders of the bins.
   const double tolerance = 1e-7 * size, offset = 0.2137;
   std::vector<std::array<double, 4>> places; // coordinates in units of the tolerance, and the index
@@ -73,7 +73,7 @@ void require_shared_nodes(const MeshContent &content)
 
 using FaceCorners = std::array<unsigned int, 4>; // indices of points, in cyclic order
 
-/// Returns true if @p x lies on the bilinear face, to 1e-6 of the face's size.
+/// Returns true if @p x lies on the bilinear face, within 1e-6 of the size of the face.
 bool lies_on(const std::array<Point<3>, 4> &face, const Point<3> &x)
 {
   const double size = face[0].distance(face[2]) + face[1].distance(face[3]);
@@ -95,10 +95,10 @@ bool lies_on(const std::array<Point<3>, 4> &face, const Point<3> &x)
   return distance.norm() < 1e-6 * size && is_inside(s) && is_inside(t);
 }
 
-/// Throws UnreadableMesh if the mesh has hanging nodes: nodes in the middle of an edge or face of @p surface
-/// (the faces with only one cell). On a curved surface a node counts as the middle of an edge if edges
-/// connect it with both ends at an angle of more than 150 degrees. Cells at hanging nodes look connected but
-/// are not.
+/// Throws UnreadableMesh if the mesh has hanging nodes, i.e. nodes in the middle of an edge or face of @p
+/// surface (faces with only one cell). Cells at hanging nodes look connected but are not. On a curved
+/// surface, a node counts as the middle of an edge if edges connect it with both ends at an angle of more
+/// than 150 degrees.
 void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
                               const std::vector<FaceCorners> &surface)
 {
@@ -113,7 +113,7 @@ void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
       neighbors[face[(k + 1) % 4]].insert(face[k]);
     }
   std::set<unsigned int> hanging;
-  // Hanging node of an edge, by the edge's ends.
+  // Hanging node of each edge, by the ends of the edge.
   std::map<std::pair<unsigned int, unsigned int>, unsigned int> middles;
   std::vector<std::pair<Place, unsigned int>> places;
   for (const auto &[a, of_a] : neighbors)
@@ -171,8 +171,8 @@ void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
                                 "alike."));
 }
 
-/// Throws UnreadableMesh if a coordinate is not finite, a cell is not a hexahedron, or a face is shared by
-/// more than two cells (deal.II does not check this). Removes marked faces inside the body.
+/// Throws UnreadableMesh if a coordinate is not finite, a cell is not a hexahedron, or more than two cells
+/// share a face (deal.II does not check this). Removes marked faces inside the body.
 void require_mesh(MeshContent &content)
 {
   if (content.hexahedra.empty())
@@ -219,7 +219,7 @@ void require_mesh(MeshContent &content)
   require_no_hanging_nodes(content.points, surface);
 }
 
-/// Returns the marked faces by their corners. Throws UnreadableMesh if a face is marked with two ids.
+/// Returns the marked faces, by their corners. Throws UnreadableMesh if a face has two ids.
 std::map<std::array<unsigned int, 4>, MarkedFace> once(const std::vector<MarkedFace> &faces)
 {
   std::map<std::array<unsigned int, 4>, MarkedFace> marked;
@@ -232,7 +232,7 @@ std::map<std::array<unsigned int, 4>, MarkedFace> once(const std::vector<MarkedF
 
 void build(MeshContent &content, Triangulation<3> &triangulation)
 {
-  // The files number the corners of a face cyclically, deal.II lexicographically.
+  // Mesh files number the corners of a face cyclically, deal.II numbers them lexicographically.
   constexpr unsigned int order[] = { 0, 1, 3, 2, 4, 5, 7, 6 };
   require_mesh(content);
   std::vector<Point<3>> points;

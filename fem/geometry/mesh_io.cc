@@ -60,8 +60,8 @@ bool lies_at(const Face &face, double z, double distance)
   return true;
 }
 
-/// Marks the downward faces within MeshFileOptions::contact_height of the lowest point as contact zone and,
-/// if no face has the id of the stem cut, the top of the mesh as stem cut.
+/// Marks the contact zone: the downward faces within MeshFileOptions::contact_height of the lowest point. If
+/// no face has the id of the stem cut, the top of the mesh is marked as stem cut.
 void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulation)
 {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -79,7 +79,7 @@ void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulatio
                          [&](const auto &cell, const Face &face)
                          {
                            const auto outward = face->center() - cell->center();
-                           // The margin excludes vertical walls.
+                           // The margin in the slope excludes vertical walls.
                            const double upward = outward[2] + 1e-6 * outward.norm();
                            if (upward < 0 && lies_at(face, lowest, marks.contact_height))
                              face->set_boundary_id(contact_id);
@@ -91,7 +91,7 @@ void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulatio
                          });
 }
 
-/// Assigns the FootBoundary ids to the faces of @p marks; other faces become free.
+/// Assigns the FootBoundary ids to the faces in @p marks. All other faces become free.
 void mark(const MeshFileOptions &marks, Triangulation<3> &triangulation)
 {
   for_each_boundary_face(triangulation,
@@ -110,7 +110,7 @@ void mark(const MeshFileOptions &marks, Triangulation<3> &triangulation)
     mark_by_height(marks, triangulation);
 }
 
-/// Returns the mean height of the faces of each id of the file [m], for ids within the range of the entries.
+/// Returns the mean height of the faces of each id in the file [m], for ids within the range of the entries.
 std::map<types::boundary_id, double> heights_by_id(const Triangulation<3> &triangulation)
 {
   constexpr types::boundary_id max_entry = 65000;
@@ -139,8 +139,8 @@ std::string listed(const std::vector<std::string> &texts)
   return list + (texts.size() > max_texts ? ", ..." : "");
 }
 
-/// Throws std::invalid_argument unless both the contact zone and the stem cut have faces. @p heights are the
-/// mean heights by id of the file.
+/// Throws std::invalid_argument unless both the contact zone and the stem cut have faces. @p heights: mean
+/// heights by id in the file.
 void require_boundaries(const std::string &file_name, const MeshFileOptions &marks,
                         const std::map<types::boundary_id, double> &heights, const FaceNames &names,
                         const Triangulation<3> &triangulation)
@@ -194,12 +194,12 @@ double exterior_angle(const std::array<double, 2> &before, const std::array<doub
   return std::abs(std::atan2(x[0] * y[1] - x[1] * y[0], x[0] * x[1] + y[0] * y[1]));
 }
 
-/// Borders of the contact zone.
+/// Outlines of the contact zone.
 struct RimBorder
 {
   explicit RimBorder(const Triangulation<3> &triangulation)
   {
-    constexpr double corner = 1; // a larger angle [rad] is a corner of the foot, not a chord of a curve
+    constexpr double corner = 1; // larger angles [rad] are corners of the foot, not chords of a curve
     double sum_of_deficits = 0;
     for (const Outline &outline : contact_outlines(triangulation))
     {
@@ -232,9 +232,8 @@ struct RimBorder
 
   double middle() const { return radii.empty() ? 0 : (radii.front() + radii.back()) / 2; }
 
-  std::vector<double> radii; ///< ascending
-  double area_deficit = 0;   ///< relative area loss of a land bounded by chords with the turning angles of
-                             ///< these edges
+  std::vector<double> radii; ///< radii of the outlines' points, ascending
+  double area_deficit = 0;   ///< relative area loss of the land, because its border consists of chords
 };
 
 void attach_cylinder(Triangulation<3> &triangulation)

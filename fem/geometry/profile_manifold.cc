@@ -41,7 +41,7 @@ SectionPoint ProfileChart::push_forward(const ChartPoint &point) const
 
 ChartPoint ProfileChart::pull_back(const SectionPoint &point) const
 {
-  // The second condition covers a top that rises outwards above the middle of the fillet. The tolerance
+  // The second condition is needed if the top rises outwards above the middle of the fillet. The tolerance
   // allows for rounding of points on the stem's surface.
   if (point.height <= fillet.middle_height || point.radius > profile.stem_surface(point.height) * (1 + 1e-9))
   {
@@ -84,7 +84,8 @@ private:
   const Map to_chart, from_chart;
 };
 
-/// Returns @p point scaled in (x, y) from distance @p radius to @p other from the axis, at @p height.
+/// Returns @p point moved to @p height and scaled in (x, y), so that the distance @p radius from the axis
+/// becomes @p other.
 Point<3> moved_radially(const Point<3> &point, double radius, double other, double height)
 {
   const double stretch = radius > 0 ? other / radius : 1;

@@ -14,8 +14,9 @@ struct AggregationParameters
 {
   int n_smoothing_steps = 4;      ///< degree of the Chebyshev smoother on the intermediate levels
   double smoothing_range = 20;    ///< largest eigenvalue divided by the lower end of the smoothed range
-  int max_factorised_rows = 4000; ///< larger aggregated levels are aggregated further
-  int max_sparse_rows = 10000;    ///< larger matrices are aggregated; the next level has denser rows
+  int max_factorised_rows = 4000; ///< if an aggregated level has more rows, it is aggregated again
+  /// If a matrix has more rows, it is aggregated, and the rows of the next level are denser.
+  int max_sparse_rows = 10000;
 };
 constexpr AggregationParameters parameters = {};
 
@@ -26,7 +27,7 @@ coarse_preconditioner(const dealii::TrilinosWrappers::SparseMatrix &matrix, std:
 {
   Teuchos::ParameterList list;
   ML_Epetra::SetDefaults("SA", list);
-  list.set("prec type", "MGW"); // a W-cycle; the iterations of a V-cycle would increase with mesh refinement
+  list.set("prec type", "MGW"); // W-cycle, because the iterations of a V-cycle increase with mesh refinement
   list.set("PDE equations", 3);
   list.set("null space: type", "pre-computed");
   list.set("null space: dimension", 6);
@@ -34,7 +35,7 @@ coarse_preconditioner(const dealii::TrilinosWrappers::SparseMatrix &matrix, std:
   list.set("null space: add default vectors", false);
   list.set("aggregation: type", "Uncoupled");
   list.set("smoother: type", "Chebyshev");
-  list.set("smoother: type (level 0)", "do-nothing"); // smoothed by the caller
+  list.set("smoother: type (level 0)", "do-nothing"); // the caller smooths this level
   list.set("smoother: sweeps", parameters.n_smoothing_steps);
   list.set("smoother: Chebyshev alpha", parameters.smoothing_range);
   list.set("smoother: pre or post", "both");

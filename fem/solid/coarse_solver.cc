@@ -11,12 +11,12 @@ using namespace dealii;
 namespace
 {
 
-/// Relative change of T above which the preconditioner is set up again. The smoother always uses the present
-/// T.
+/// The preconditioner is set up again if T changes relatively by more than this bound. The smoother always
+/// uses the present T.
 constexpr double tolerated_change = 0.1;
 
 /// Returns the rigid translations and rotations at the owned dofs of linear elements, one motion after the
-/// other; 0 at constrained dofs. (deal.II has DoFTools::extract_rigid_body_modes() since version 9.6.)
+/// other; 0 at constrained dofs. (deal.II 9.6 has DoFTools::extract_rigid_body_modes().)
 std::vector<double> rigid_motions(const SolidLevel &level)
 {
   const IndexSet &owned = level.dof_handler.locally_owned_dofs();
@@ -77,10 +77,10 @@ void CoarseSolver::set_contact(const Eigen::SparseMatrix<double> &tangent)
       return;
   }
   aggregated = tangent;
-  correction.reset(); // refers to the old `sum`
+  correction.reset(); // it refers to the old `sum`
   sum.copy_from(stiffness);
   for (const ContactNodes::Entry &entry : nodes->owned_rows(tangent))
-    sum.add(entry.row, entry.column, entry.value); // K couples these dofs: their nodes share a cell
+    sum.add(entry.row, entry.column, entry.value); // within the pattern of K: the nodes share a cell
   sum.compress(VectorOperation::add);
   correction = coarse_preconditioner(sum, modes);
 }

@@ -97,7 +97,8 @@ NewtonIncrement CondensedBody::solve(const Eigen::SparseMatrix<double> &tangent,
                                      const Eigen::VectorXd &forces, const LinearConditions &conditions,
                                      const Eigen::Vector3d &motion)
 {
-  // ds + T (C ds + Q dq) = f - s and L'(s + ds) + H (q + dq) = t. Rows without tangent have ds = f - s.
+  // Equations: ds + T (C ds + Q dq) = f - s and L'(s + ds) + H (q + dq) = t. Rows without tangent have ds = f
+  // - s.
   const std::vector<Eigen::Index> loaded = nodes_with_tangent(tangent);
   const Eigen::VectorXd unbalanced = forces - state;
   increment = unbalanced;
@@ -106,7 +107,7 @@ NewtonIncrement CondensedBody::solve(const Eigen::SparseMatrix<double> &tangent,
   const Eigen::MatrixXd tangent_modes = tangent * modes, of_rest = tangent * (matrix() * increment);
   Eigen::MatrixXd system = (tangent * matrix()(Eigen::all, loaded))(loaded, Eigen::all);
   system.diagonal().array() += 1;
-  // Right-hand sides [T Q, f - s - T C ds of the rows without tangent].
+  // The right-hand sides are [T Q, f - s - T C ds], with ds of the rows without tangent.
   Eigen::MatrixXd solved(system.rows(), 4);
   solved << tangent_modes(loaded, Eigen::all), unbalanced(loaded) - of_rest(loaded, 0);
   solved = system.partialPivLu().solve(solved).eval();
@@ -116,7 +117,7 @@ NewtonIncrement CondensedBody::solve(const Eigen::SparseMatrix<double> &tangent,
   const Eigen::Matrix3d net_resistance = resistance - conditions.motion_weights();
   increment(loaded) = solved.col(3);
   const Eigen::Vector3d residual = conditions.residual(state + increment, motion);
-  // Scaling: tilts as heights at the rim, moments as forces at the rim.
+  // Scales tilts to heights at the rim and moments to forces at the rim.
   const double radius = modes.rightCols<2>().rowwise().norm().maxCoeff();
   const Eigen::DiagonalMatrix<double, 3> scale(1, 1 / radius, 1 / radius);
   const Eigen::Matrix3d scaled = scale * net_resistance * scale;

@@ -28,8 +28,8 @@ namespace
 
 using BinaryId = CellId::binary_type;
 
-/// Weight of a dof in a shape function of a cell: a single dof with weight 1, or several dofs if the shape
-/// function's node is a hanging node.
+/// Weights of the dofs in a shape function of a cell. Usually a single dof has weight 1. If the node of the
+/// shape function hangs, several dofs have weights.
 struct DofShare
 {
   unsigned int shape;
@@ -45,7 +45,7 @@ struct DofShare
 using DofShares = std::vector<DofShare>;
 using SharesOfCell = std::pair<BinaryId, DofShares>;
 
-/// Row of the interpolation matrix: dofs of the coarse mesh, and their weights at a node of the fine mesh.
+/// Row of the interpolation matrix of one node of the fine mesh: dofs of the coarse mesh with their weights.
 using Row = std::vector<std::pair<global_dof_index, double>>;
 
 template <typename T>
@@ -72,7 +72,7 @@ DofShares shares_of(const ContactElements &elements, const DoFHandler<3>::active
 }
 
 /// Distributed directory of the cells with contact nodes (on faces, edges or corners). The id of a cell
-/// determines the rank that stores it.
+/// determines on which rank its entry is stored.
 class CellDirectory
 {
 public:
@@ -102,7 +102,7 @@ public:
       cells.insert(received.second.begin(), received.second.end());
   }
 
-  /// Returns the directory's entries of the cells @p asked by this rank. Collective.
+  /// Returns the directory's entries for the cells that this rank has @p asked for. Collective.
   std::map<BinaryId, DofShares> find(const std::set<BinaryId> &asked) const
   {
     ToRanks<BinaryId> questions;
@@ -132,7 +132,8 @@ private:
   std::map<BinaryId, DofShares> cells;
 };
 
-/// Returns the parent of a cell and the child number of the cell; std::nullopt for a coarsest cell.
+/// Returns the parent of a cell and the child number of the cell; std::nullopt if the cell belongs to the
+/// coarsest mesh.
 std::optional<std::pair<BinaryId, unsigned int>> parent_of(const CellId &id)
 {
   const auto children = id.get_child_indices();
@@ -144,7 +145,7 @@ std::optional<std::pair<BinaryId, unsigned int>> parent_of(const CellId &id)
   return std::pair(CellId(id.get_coarse_cell_id(), ancestors).to_binary<3>(), child);
 }
 
-/// Returns the rows of the nodes that this rank owns.
+/// Returns the rows of the nodes owned by this rank.
 std::vector<Row> owned_rows(const ContactElements &coarse, const ContactElements &fine,
                             const ContactNodes &fine_nodes)
 {
@@ -186,7 +187,7 @@ std::vector<Row> owned_rows(const ContactElements &coarse, const ContactElements
     {
       const auto parent = parent_of(id);
       if (!parent || (cell = found.find(parent->first)) == found.end())
-        continue; // the cell touches the zone only; a neighbour in the zone gives the row
+        continue; // the cell only touches the zone; a neighbour in the zone gives the row
       point = GeometryInfo<3>::child_to_cell_coordinates(point, parent->second);
     }
     std::map<global_dof_index, double> values;
@@ -207,7 +208,7 @@ ContactInterpolation interpolation_between(const ContactElements &coarse, const 
   const MPI_Comm &communicator = fine.dof_handler.get_communicator();
   std::vector<Row> rows = owned_rows(coarse, fine, fine_nodes);
 
-  // Rows of the ghost nodes, received in the order of the requests.
+  // Requests the rows of the ghost nodes. They arrive in the order of the requests.
   ToRanks<global_dof_index> questions;
   for (std::size_t i = fine_nodes.n_owned_nodes(); i < fine_nodes.n_nodes(); ++i)
     questions[fine_nodes.ghost_ranks()[i - fine_nodes.n_owned_nodes()]].push_back(fine_nodes.dofs()[i]);

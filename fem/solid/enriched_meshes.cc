@@ -23,7 +23,7 @@ namespace
 using DistributedMesh = parallel::distributed::Triangulation<3>;
 using Cell = Triangulation<3>::active_cell_iterator;
 
-/// Number of halvings at an edge, where a higher degree alone gains little.
+/// Number of halvings at an edge. Next to an edge, a higher degree alone improves the accuracy little.
 constexpr unsigned int n_edge_halvings = 2;
 
 /// Returns true if @p cell has a contact face that overlaps the radii between @p inner and @p outer.
@@ -47,12 +47,12 @@ bool touches_contact(const Cell &cell, double inner, double outer)
   return false;
 }
 
-/// Returns the angle between the two faces of @p cell that share the edge @p line, with straight edges.
+/// Returns the angle between the two faces of @p cell that share the edge @p line. Treats edges as straight.
 double angle_at(const Cell &cell, unsigned int line)
 {
   const Point<3> begin = cell->line(line)->vertex(0), end = cell->line(line)->vertex(1);
   const Tensor<1, 3> along = (end - begin) / (end - begin).norm();
-  std::vector<Tensor<1, 3>> across; // from the edge into its two faces
+  std::vector<Tensor<1, 3>> across; // directions from the edge into the two faces
   for (const unsigned int f : cell->face_indices())
   {
     bool has_edge = false;
@@ -67,7 +67,7 @@ double angle_at(const Cell &cell, unsigned int line)
   return std::acos(std::clamp(across.at(0) * across.at(1), -1., 1.));
 }
 
-/// Returns the re-entrant boundary edges of this rank's cells, with an interior angle above 1.2 pi.
+/// Returns the re-entrant boundary edges of this rank's cells (interior angle above 1.2 pi).
 std::set<unsigned int> reentrant_edges(const DistributedMesh &mesh)
 {
   std::map<unsigned int, double> angles;
@@ -80,7 +80,7 @@ std::set<unsigned int> reentrant_edges(const DistributedMesh &mesh)
     {
       const double angle = angle_at(cell, l);
       angles[cell->line_index(l)] += angle;
-      // Finer neighbours have the two halves of the edge.
+      // Finer neighbours contain the two halves of the edge.
       if (cell->line(l)->has_children())
         for (unsigned int child = 0; child < 2; ++child)
           angles[static_cast<unsigned int>(cell->line(l)->child_index(child))] += angle;
@@ -90,7 +90,7 @@ std::set<unsigned int> reentrant_edges(const DistributedMesh &mesh)
         for (unsigned int l = 0; l < GeometryInfo<2>::lines_per_cell; ++l)
           on_boundary.insert(face->line_index(l));
   }
-  // The margin excludes the edges of curved boundaries, whose angles are close to pi.
+  // The margin above pi excludes the edges of curved boundaries.
   std::set<unsigned int> edges;
   for (const unsigned int line : on_boundary)
     if (angles[line] > 1.2 * ring::pi)

@@ -23,8 +23,8 @@ void LevelMatrix::set_contact(const Eigen::SparseMatrix<double> &tangent)
   contact->set(tangent);
   FloatVector &diagonal = inverse_diagonal->get_vector();
   diagonal = elastic_diagonal;
-  // Row sums instead of T's diagonal: the largest eigenvalue is then the elastic operator's, for which the
-  // smoother was set up, whichever part of a cell is loaded.
+  // Adds row sums instead of T's diagonal. Whichever part of a cell is loaded, the largest eigenvalue then
+  // equals the largest eigenvalue of the elastic operator, for which the smoother was set up.
   contact->add_row_sums(diagonal);
   for (float &entry : diagonal)
     entry = 1 / entry;

@@ -22,11 +22,11 @@ namespace
 
 using DofVector = MeshHierarchy::Vector;
 
-/// Residual reduction of the dual solve, whose solution serves as refinement indicator only.
+/// Residual reduction of the dual solve. Its solution serves only as refinement indicator.
 constexpr double dual_tolerance = 1e-4;
 
-/// Stopping rule on the finer elements: maximum change of the goal in the last step relative to its total
-/// change, and maximum relative residual of the forces.
+/// Stopping rule on the finer elements. The first bound limits the change of the goal in the last step
+/// relative to its total change, the second bound the relative residual of the forces.
 constexpr double last_change = 0.1;
 constexpr double left_unbalanced = 1e-3;
 
@@ -36,8 +36,8 @@ DofVector vector_on(const SolidLevel &level)
   return DofVector(level.dof_handler.locally_owned_dofs(), relevant, level.dof_handler.get_communicator());
 }
 
-/// Transfer of displacements between the mesh's own level and the finer levels of a hierarchy, in double
-/// precision.
+/// Transfer of displacements, in double precision, between the level of the mesh itself and the finer levels
+/// of a hierarchy.
 class Embedding
 {
 public:
@@ -54,7 +54,7 @@ public:
     }
   }
 
-  /// Returns @p vector, a function on the own level, as a vector on the finest level; constrained unknowns
+  /// Returns @p vector, a function on the own level, as a vector on the finest level. Constrained unknowns
   /// are 0.
   DofVector embedded(const DofVector &vector) const
   {
@@ -81,8 +81,7 @@ public:
       const SolidLevel &above = hierarchy.level(l), &below = hierarchy.level(l - 1);
       DofVector coarse = vector_on(below);
       if (above.element.degree > below.element.degree)
-        // Interpolation: deal.II's transfer would project, and the result would depend on the order of the
-        // cells.
+        // deal.II's transfer would project here, and the result would depend on the order of the cells.
         FETools::interpolate(above.dof_handler, fine, below.dof_handler, below.constraints, coarse);
       else
         transfers[l - own - 1].interpolate(coarse, fine);
@@ -107,8 +106,8 @@ private:
   std::vector<MGTwoLevelTransfer<3, DofVector>> transfers;
 };
 
-/// Returns the sums of @p products over the cells of @p numbers. An unknown shared by several cells
-/// contributes equally to each.
+/// Returns the sums of @p products over the cells of @p numbers. The product of an unknown is divided equally
+/// among the cells that share the unknown.
 std::vector<double> sums_over_cells(const SolidLevel &level, const DofVector &products,
                                     const CellNumbers &numbers)
 {
@@ -146,7 +145,7 @@ std::vector<double> sums_over_cells(const SolidLevel &level, const DofVector &pr
   return sums;
 }
 
-/// Returns J of @p solution under @p law minus J of @p contact.
+/// Returns the goal J of @p solution under @p law minus the goal J of @p contact.
 double change_of_goal(const SolvedSolidContact &contact, const ContactGoal &goal, const TableLaw &law,
                       const ContactSolution &solution)
 {
@@ -211,8 +210,8 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   const DofVector dual = body.solve_symmetric(
     pressed.tangent, pressed_goal,
     surface.parts.sum(surface.motion_modes().transpose() * pressed_goal) - goal.of_motion, dual_tolerance);
-  // Forces of the new solution. The law's forces at the interpolated displacement would amplify its
-  // interpolation error by the stiff spring.
+  // The residual uses the forces of the new solution. The law's forces at the interpolated displacement would
+  // be wrong, because the stiff spring amplifies the interpolation error.
   body.set_displacement(embedded);
   DofVector products = dual;
   products -= embedding.interpolated(dual);
@@ -220,8 +219,8 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   hierarchy->level(finest).constraints.set_zero(products);
   const CellNumbers numbers(dofs.get_triangulation());
   error.cells = sums_over_cells(hierarchy->level(finest), products, numbers);
-  // The mean over a ring keeps an axisymmetric mesh axisymmetric. Contributions that cancel within a ring do
-  // not count.
+  // Each cell gets the mean over its ring, so that an axisymmetric mesh stays axisymmetric. Contributions
+  // that cancel within a ring do not count.
   for (const std::vector<std::size_t> &ring : numbers.rings())
   {
     double sum = 0;

@@ -125,7 +125,7 @@ struct MeshHierarchy::Cycle
     }
   }
 
-  /// V-cycle that starts on one level, with its work vectors.
+  /// V-cycle that starts on a given level, and its work vectors.
   struct FromLevel
   {
     FromLevel(const Cycle &cycle, unsigned int l)
@@ -139,15 +139,15 @@ struct MeshHierarchy::Cycle
 
   std::vector<std::unique_ptr<SolidLevel>> levels;
   std::vector<std::shared_ptr<const ContactNodes>> contact_nodes;
-  std::vector<Eigen::SparseMatrix<double>> interpolations; ///< to the contact nodes of a level from the level
-                                                           ///< below
+  /// From the contact nodes of the next coarser level to the contact nodes of each level.
+  std::vector<Eigen::SparseMatrix<double>> interpolations;
   MGLevelObject<LevelMatrix> matrices;
-  MGLevelObject<MGTwoLevelTransfer<3, FloatVector>> transfers; ///< between neighbouring levels
+  MGLevelObject<MGTwoLevelTransfer<3, FloatVector>> transfers; ///< transfers between neighbouring levels
   std::unique_ptr<Transfer> transfer;                          ///< refers to `transfers`
   mg::SmootherRelaxation<LevelSmoother, FloatVector> smoother;
   std::unique_ptr<CoarseSolver> coarse_solver;
   mg::Matrix<FloatVector> matrix;
-  std::vector<std::unique_ptr<FromLevel>> cycles; ///< created on first use
+  std::vector<std::unique_ptr<FromLevel>> cycles; ///< each created on first use
 };
 
 std::vector<LevelElements> levels_of(const Triangulation<3> &triangulation, unsigned int degree)
@@ -223,7 +223,7 @@ void MeshHierarchy::prolongate(unsigned int l, LinearAlgebra::distributed::Vecto
   from.copy_locally_owned_data_from(coarse);
   cycle->transfer->prolongate(l, to, from);
   fine.copy_locally_owned_data_from(to);
-  cycle->levels[l]->constraints.set_zero(fine); // hanging nodes are determined by the other nodes
+  cycle->levels[l]->constraints.set_zero(fine); // the other nodes determine hanging nodes
 }
 
 template void MeshHierarchy::prolongate(unsigned int, FloatVector &, const FloatVector &) const;

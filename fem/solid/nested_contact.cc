@@ -8,7 +8,8 @@ namespace stemware::fem
 namespace
 {
 
-/// Returns the stopping rule on a coarser mesh, looser than its discretisation error.
+/// Returns the stopping rule on a coarser mesh. Its tolerance is looser than the discretisation error of the
+/// finer mesh requires.
 ContactControl coarse_control(double softening)
 {
   ContactControl control;
@@ -19,8 +20,8 @@ ContactControl coarse_control(double softening)
   return control;
 }
 
-/// Returns @p start for an interface stiffer by the factor @p ratio, with the penetration scaled for equal
-/// pressure.
+/// Returns @p start for an interface that is stiffer by the factor @p ratio. Penetrations are scaled so that
+/// the pressure is the same.
 ContactStart hardened(ContactStart start, const ContactSurface &surface, double ratio)
 {
   const Eigen::VectorXd penetration = -(surface.node_gap + start.normal_displacement);
@@ -28,8 +29,8 @@ ContactStart hardened(ContactStart start, const ContactSurface &surface, double 
   return start;
 }
 
-/// Returns the initial guess on the coarsest mesh, from contacts on gradually stiffer interfaces;
-/// std::nullopt if @p softening is 1.
+/// Returns the initial guess on the coarsest mesh, computed by contact solves on gradually stiffer
+/// interfaces; std::nullopt if @p softening is 1.
 std::optional<ContactStart> start_on_coarsest_mesh(SolidBody &body, const InterfaceLaw &interface,
                                                    double softening, const ContactDemand &demand,
                                                    double radius)

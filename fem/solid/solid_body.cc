@@ -24,7 +24,8 @@ void require_degree(unsigned int degree)
                                 " is not allowed for a solid body; give 1 or 2.");
 }
 
-/// Returns the stiffness of a new body; @p shared, the stiffness of a similar body, is used if not nullptr.
+/// Returns the stiffness of a new body. Uses @p shared, the stiffness of a similar body, unless it is
+/// nullptr.
 std::unique_ptr<BodyStiffness> stiffness_of(const Triangulation<3> &triangulation,
                                             const ElasticMaterial &material, const SolidOptions &options,
                                             std::unique_ptr<BodyStiffness> shared)

@@ -105,8 +105,10 @@ private:
   bool has_friction() const { return sliding.friction_coefficient != 0; }
   /// Returns B' @p forces with the friction of these forces.
   Vector contact_load(const Eigen::VectorXd &forces) const;
-  /// Sets @p tangent and starts a step; @p closed: conditions other than resultants, else nullptr.
-  SymmetricStep begin_step(const Eigen::SparseMatrix<double> &tangent, const LinearConditions *closed);
+  /// Sets @p tangent and starts a step. @p moment_conditions: conditions other than prescribed resultants;
+  /// otherwise nullptr.
+  SymmetricStep begin_step(const Eigen::SparseMatrix<double> &tangent,
+                           const LinearConditions *moment_conditions);
   /// Returns the border of the present contact stiffness with W solved to @p tolerance.
   Border make_border(const Eigen::MatrixX3d &modes, double tolerance);
   /// Returns the useful target residual [N] of a system with the initial residual @p residual under contact

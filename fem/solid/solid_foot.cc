@@ -47,19 +47,21 @@ SolidOptions options_of(const SolidMesh &mesh, SolidOptions options)
 /// Tuned parameters of a solid foot.
 struct FootNumbers
 {
-  /// Compliance of a foot divided by the compliance of the spring that approximates a hard interface,
-  /// integrated along lines, on a mesh hierarchy. Same value as for the body of revolution.
+  /// Compliance of a foot divided by the compliance of the spring that approximates a hard interface
+  /// (integrated along lines, on a mesh hierarchy). The body of revolution uses the same value.
   double hardness = 1000;
-  /// Softening factor of the spring per coarser mesh; Newton's method stiffens it in a few steps.
+  /// Softening factor of the spring per coarser mesh. Newton's method compensates one factor in a few steps.
   double softening = 8;
   /// Penalty of the nodal multipliers relative to E / (cell size), and residual reduction of a linear solve
-  /// during the multiplier iteration. With a penalty of 1 an update halves the error of the highest modes,
-  /// with 10 it leaves a tenth; with 100 the linear solves need more iterations than the updates save.
+  /// during the multiplier iteration. With a penalty of 1, an update halves the error of the highest modes.
+  /// With 10, it leaves a tenth of the error. With 100, the linear solves need more iterations than the
+  /// updates save.
   double penalty = 10, reduction = 0.1;
-  /// Reduction of the tolerance from one multiplier solve to the next, about the error left by one update.
+  /// Reduction of the tolerance from one multiplier solve to the next. About equal to the error that one
+  /// update leaves.
   double tighter = 0.02;
-  /// Maximum number of Newton steps with multipliers. It is larger than usual because each step is solved
-  /// loosely.
+  /// Maximum number of Newton steps with multipliers. Larger than usual, because each step is solved with a
+  /// loose tolerance.
   unsigned int max_steps = 300;
   /// Minimum number of symmetry sectors for which a mesh is treated as axisymmetric.
   unsigned int min_symmetry_sectors = 12;
@@ -68,8 +70,8 @@ struct FootNumbers
 };
 constexpr FootNumbers foot_numbers = {};
 
-/// Returns true if contacts are solved on the condensed compliance of the contact nodes. The condensation
-/// costs about as much as four contacts of the whole body.
+/// Returns true if the contact is solved with the condensed compliance of the contact nodes. The condensation
+/// costs about as much as four contact solves of the whole body.
 bool is_condensed(const SolidBody &body, const SolidOptions &options)
 {
   if (options.linear_solver == LinearSolver::multigrid)
@@ -256,8 +258,8 @@ ContactSolution SolidFoot::find_contact(const LinearConditions &conditions, Cont
   };
   if (!has_multipliers())
     return solve(control);
-  // Tolerances decrease together with the error of the multipliers: a tighter equilibrium would be lost in
-  // the next update.
+  // Tolerances decrease together with the error of the multipliers, because the next update would undo a
+  // tighter equilibrium.
   control.max_steps = foot_numbers.max_steps;
   ContactControl loose = control;
   loose.resultant_tolerance = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// Fields of a solid foot for ParaView.
+// Output of the fields of a solid foot for ParaView.
 #include "fem/contact/foot.h"
 #include "fem/solid/solid_body.h"
 
@@ -26,9 +26,9 @@ namespace
 
 using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
 
-/// Output fields: elastic displacement relative to the stem's cut [m]; rigid motion of the glass, upward q0 +
-/// q1 x + q2 y with the horizontal part of this small rotation [m]; stress [Pa]; strain of isotropic
-/// elasticity; von Mises stress [Pa].
+/// Output fields. Elastic displacement relative to the stem's cut [m]. Rigid motion of the glass [m]: upward
+/// q0 + q1 x + q2 y, and the horizontal part of this small rotation. Stress [Pa]. Strain of isotropic
+/// elasticity. Von Mises stress [Pa].
 class GlassFields : public DataPostprocessor<3>
 {
 public:
@@ -105,8 +105,8 @@ private:
   const Eigen::Vector3d motion;
 };
 
-/// Vertical component of a vector field whose other components are unused: a scalar field on the contact
-/// nodes.
+/// Scalar field on the contact nodes, stored as the vertical component of a vector field. The other
+/// components are unused.
 class ContactPressure : public DataPostprocessorScalar<3>
 {
 public:
@@ -123,8 +123,8 @@ public:
   }
 };
 
-/// Output of this rank's cells, written piece by piece. All cells at once would need more memory than the
-/// system of equations.
+/// Output of this rank's cells, written piece by piece, because all cells at once would need more memory than
+/// the system of equations.
 class Picture : public DataOut<3>
 {
 public:
@@ -134,7 +134,7 @@ public:
   {
     flags.write_higher_order_cells = dof_handler.get_fe().degree > 1;
     flags.compression_level = decltype(flags.compression_level)::best_speed;
-    flags.print_date_and_time = false; // for reproducible files
+    flags.print_date_and_time = false; // omitted for reproducible files
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         cells.push_back(cell->active_cell_index());
@@ -142,8 +142,8 @@ public:
 
   bool has_cells() const { return !cells.empty(); }
 
-  /// Returns the content of the file. The length is unknown in advance, and a growing string would need three
-  /// times the memory. The size of uncompressed numbers is therefore reserved; unused pages take no memory.
+  /// Returns the content of the file. Reserves the size of uncompressed numbers, because the length is
+  /// unknown in advance and a growing string would need three times the memory. Unused pages take no memory.
   std::string vtu_text()
   {
     constexpr std::size_t n_bytes_a_node = 200, n_cells_a_piece = 2000;
@@ -174,7 +174,7 @@ private:
   const Mapping<3> &mapping;
   const DoFHandler<3> &dof_handler;
   DataOutBase::VtkFlags flags;
-  std::vector<unsigned int> cells; ///< cells of this rank, ascending
+  std::vector<unsigned int> cells; ///< cells of this rank, in ascending order
 };
 
 std::string name_of_piece(unsigned int rank)
@@ -182,7 +182,7 @@ std::string name_of_piece(unsigned int rank)
   return "contact_" + std::to_string(rank) + ".vtu";
 }
 
-/// Returns @p record without the comment in which deal.II writes the time, for reproducible files.
+/// Returns @p record without the comment in which deal.II states the time, so that files are reproducible.
 std::string without_comment(std::string record)
 {
   const std::string begin = "<!--", end = "-->\n";
@@ -193,7 +193,7 @@ std::string without_comment(std::string record)
 }
 
 /// Returns the files of this rank for output distributed over several ranks. A rank without cells writes no
-/// piece because ParaView cannot read an empty one.
+/// piece, because ParaView cannot read an empty piece.
 std::vector<FieldFile> pieces_on_ranks(Picture &picture, const MPI_Comm &communicator)
 {
   std::vector<FieldFile> files;
@@ -201,7 +201,8 @@ std::vector<FieldFile> pieces_on_ranks(Picture &picture, const MPI_Comm &communi
     files.push_back({ name_of_piece(Utilities::MPI::this_mpi_process(communicator)), picture.vtu_text() });
   const std::vector<bool> have_cells = Utilities::MPI::gather(communicator, picture.has_cells());
   std::vector<std::string> pieces;
-  for (unsigned int rank = 0; rank < have_cells.size(); ++rank) // empty except on the first rank
+  // Gathered on the first rank, empty on the others.
+  for (unsigned int rank = 0; rank < have_cells.size(); ++rank)
     if (have_cells[rank])
       pieces.push_back(name_of_piece(rank));
   if (!pieces.empty())

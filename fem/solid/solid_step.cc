@@ -1,4 +1,4 @@
-// The linear solve of a Newton step of a solid body.
+// Linear solve of one Newton step of a solid body.
 #include "fem/contact/contact_solution.h"
 #include "fem/solid/solid_body.h"
 
@@ -16,8 +16,8 @@ namespace stemware::fem
 
 using namespace dealii;
 
-/// Table motions scaled so that all unknowns are lengths and all residuals forces: tilts as heights at the
-/// rim.
+/// Table motions, scaled so that all unknowns are lengths and all residuals are forces: tilts become heights
+/// at the rim.
 struct ScaledMotions
 {
   explicit ScaledMotions(const ContactSurface &surface)
@@ -28,8 +28,8 @@ struct ScaledMotions
     modes = (modes * scale.asDiagonal()).eval();
   }
 
-  Eigen::Vector3d scale;  ///< of q0, q1, q2: 1, 1/m, 1/m
-  Eigen::MatrixX3d modes; ///< Q with scaled columns
+  Eigen::Vector3d scale;  ///< scale factors of q0, q1, q2: 1, 1/m, 1/m
+  Eigen::MatrixX3d modes; ///< Q, with scaled columns
 };
 
 /// Increment of body and table in one Newton step.
@@ -37,12 +37,12 @@ struct SolidIncrement
 {
   using Vector = BodyStiffness::Vector;
 
-  Vector body;                  ///< du
+  Vector body;                  ///< du, all displacements
   Vector image;                 ///< K du + B' T (B du + Q dq), friction included
-  Eigen::VectorXd displacement; ///< B du
+  Eigen::VectorXd displacement; ///< B du, vertical displacements of the contact nodes
   Eigen::Vector3d motion;       ///< scaled table motions
   unsigned int n_iterations = 0;
-  double stability_margin = 1; ///< NewtonIncrement::stability_margin without friction in the body
+  double stability_margin = 1; ///< NewtonIncrement::stability_margin, without friction in the body
 
   void add(double factor, const SolidIncrement &other)
   {
@@ -59,33 +59,34 @@ namespace
 /// Parameters of the Newton steps of a solid body, tuned on feet with and without a mesh hierarchy.
 struct StepNumbers
 {
-  unsigned int max_iterations = 200; ///< maximum of conjugate-gradient iterations; usual meshes need 20 to 75
-  /// Maximum for the displacement under given forces, whose error no later Newton step corrects. Distorted
-  /// cells need about 250.
+  /// Maximum number of conjugate-gradient iterations; usual meshes need 20 to 75.
+  unsigned int max_iterations = 200;
+  /// Maximum number of iterations for the displacement under given forces. Larger, because no later Newton
+  /// step corrects its error. Distorted cells need about 250.
   unsigned int max_iterations_of_forces = 2000;
 
   /// Target residual relative to the forces: a fifth of the tolerance of Newton's method.
   double unbalanced_share = 2e-10;
-  /// Maximum residual reduction factor of a linear solve. With a larger factor Newton's method takes more
-  /// steps without fewer iterations.
+  /// Maximum residual reduction factor of a linear solve. A larger factor makes Newton's method take more
+  /// steps and saves no iterations in total.
   double least_reduction = 1e-3;
-  /// A step whose target is within this factor of the last target is solved to the last target. A few more
-  /// iterations cost less than another step.
+  /// If the target of a step is within this factor of the final target, the step is solved to the final
+  /// target: a few more iterations cost less than another step.
   double nearly_last = 30;
 
-  /// Tolerance of W as part of the preconditioner (loose), and for conditions that are closed with W (tight).
+  /// Tolerances of W: loose if W only serves in the preconditioner, tight if close_conditions() uses W.
   double loose_border = 0.02, tight_border = 1e-3;
-  /// W is left out if the V-cycle alone captures at least this fraction of the effect of the table motions.
+  /// W is omitted if the V-cycle alone captures at least this fraction of the effect of the table motions.
   double small_border = 0.2;
-  /// That decision is repeated when the table has become stiffer by this factor.
+  /// The decision on W is repeated if the stiffness of the table has grown by this factor.
   double much_stiffer = 4;
 };
 constexpr StepNumbers tuned = {};
 
 using BodyVector = BodyStiffness::Vector;
 
-/// Solves by conjugate gradients from the initial guess @p solution to a residual of @p target, in the units
-/// of @p rhs. Returns the number of iterations. Collective over the ranks of the vectors. Throws
+/// Solves by conjugate gradients from the initial guess @p solution until the residual is at most @p target,
+/// in the units of @p rhs. Returns the number of iterations. Collective over the ranks of the vectors. Throws
 /// ContactFailure after @p max_iterations.
 template <typename Operator, typename Preconditioner>
 unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &preconditioner,
@@ -108,7 +109,7 @@ unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &p
   return control.last_step();
 }
 
-/// K + B' T B.
+/// Operator K + B' T B.
 struct TangentOperator
 {
   const BodyStiffness &elastic;
@@ -127,24 +128,25 @@ struct TangentPreconditioner
   void vmult(BodyVector &dst, const BodyVector &src) const { elastic.precondition(dst, src); }
 };
 
-/// Returns NewtonIncrement::stability_margin from @p resistance, the net resistance against the motions, and
-/// @p leaning, the weight's part H.
+/// Returns NewtonIncrement::stability_margin. @p resistance: net resistance against the motions. @p leaning:
+/// the part H of the weight.
 double stability_margin_of(const Eigen::Matrix3d &resistance, const Eigen::Matrix3d &leaning)
 {
   return leaning.isZero(0) ? 1 : resistance.determinant() / (resistance + leaning).determinant();
 }
 
-/// Corrects @p increment for friction, which makes Newton's matrix unsymmetric. The residual that the
-/// symmetric part leaves is reduced to @p target by generalised conjugate residuals (Eisenstat, Elman,
+/// Corrects @p increment for friction, because friction makes Newton's matrix unsymmetric. Generalised
+/// conjugate residuals reduce the residual left by the symmetric part to @p target (Eisenstat, Elman,
 /// Schultz, SIAM J. Numer. Anal. 20 (1983) 345).
 ///
-/// @p increment is the solution with the symmetric part, @p residual its residual with friction. @p
-/// solve(residual, target) solves with the symmetric part without a change of the resultants.
+/// @p increment: solution with the symmetric part. @p residual: residual of this solution with friction. @p
+/// solve(residual, target): solves with the symmetric part without changing the resultants.
 template <typename Solve>
 void correct_for_friction(SolidIncrement &increment, BodyVector residual, double target, const Solve &solve)
 {
   constexpr unsigned int max_corrections = 12;
-  constexpr double reduction = 0.05; // per correction; friction is a small part of the matrix
+  // Residual reduction per correction; friction is a small part of the matrix.
+  constexpr double reduction = 0.05;
   std::vector<SolidIncrement> before;
   for (double norm = residual.l2_norm(); norm > target && before.size() < max_corrections;
        norm = residual.l2_norm())
@@ -162,17 +164,17 @@ void correct_for_friction(SolidIncrement &increment, BodyVector residual, double
 
 } // namespace
 
-/// Border of the system of one Newton step: the columns and the corner of the table's motions.
+/// Border of the system of one Newton step: columns and corner that belong to the table motions.
 struct SolidBody::Border
 {
-  Eigen::MatrixX3d columns; ///< B G = T Q, this rank's part of it
+  Eigen::MatrixX3d columns; ///< G with B G = T Q; only the part of this rank
   Eigen::Matrix3d corner;   ///< C = Q' T Q
   Eigen::Matrix3d inverse_corner;
   /// Inverse of C - G' W - W' G + W' (K + B' T B) W, which is positive definite for any W.
   Eigen::Matrix3d inverse_schur;
 };
 
-/// K + B' T B - G C^-1 G'.
+/// Operator K + B' T B - G C^-1 G'.
 struct SolidBody::ProjectedOperator
 {
   const SolidBody &body;
@@ -218,26 +220,27 @@ struct SolidBody::ProjectedPreconditioner
 struct SolidBody::SymmetricStep
 {
   const SolidBody &body;
-  const LinearConditions *const closed; ///< conditions that are closed with W; nullptr for prescribed
-                                        ///< resultants
+  /// Conditions that close_conditions() fulfils after the projected solve; nullptr for prescribed resultants,
+  /// which the projection fulfils.
+  const LinearConditions *const moment_conditions;
   const ScaledMotions motions;
   const Border border;
 
-  /// Returns @p residual projected for conjugate gradients. @p missing: residual of the conditions that the
-  /// motions correct.
+  /// Returns @p residual projected for conjugate gradients. @p missing: residual of the conditions, to be
+  /// corrected by the motions.
   Vector projected(Vector residual, const Eigen::Vector3d &missing) const
   {
     body.contact.nodes().scatter_add(-border.columns * (border.inverse_corner * missing), residual);
     return residual;
   }
 
-  /// Returns the decrease of the contact forces due to @p of.
+  /// Returns the decrease of the contact forces due to the increment @p of.
   Eigen::VectorXd forces_of(const SolidIncrement &of) const
   {
     return body.contact.matrix() * (of.displacement + motions.modes * of.motion);
   }
 
-  /// Returns the increment for the projected residual @p rhs, solved to a residual of @p target.
+  /// Returns the increment for the projected residual @p rhs. Solves until the residual is at most @p target.
   SolidIncrement solve(const Vector &rhs, const Eigen::Vector3d &missing, double target) const
   {
     const ContactNodes &nodes = body.contact.nodes();
@@ -250,8 +253,8 @@ struct SolidBody::SymmetricStep
     solution.displacement = nodes.gather(solution.body);
     solution.motion = border.inverse_corner *
                       (missing - nodes.parts().sum(border.columns.transpose() * solution.displacement));
-    if (closed)
-      body.close_conditions(*closed, motions, missing, solution);
+    if (moment_conditions)
+      body.close_conditions(*moment_conditions, motions, missing, solution);
     body.stiffness->initialize(solution.image);
     body.stiffness->vmult(solution.image, solution.body);
     solution.image += body.contact_load(forces_of(solution));
@@ -341,8 +344,8 @@ double SolidBody::target_residual(double residual, double force)
 {
   if (linear_tolerance > 0)
     return linear_tolerance * residual;
-  // Quadratic convergence: the reduction of the last step squared. A more accurate solve would be lost in the
-  // next Newton step.
+  // The reduction of the last step is squared, because Newton's method converges quadratically. The next step
+  // would undo a more accurate solve.
   const double ratio = residual_before > 0 ? residual / residual_before : 0.1;
   residual_before = residual;
   const double target = std::min(tuned.least_reduction, ratio * ratio) * residual;
@@ -351,15 +354,15 @@ double SolidBody::target_residual(double residual, double force)
 }
 
 SolidBody::SymmetricStep SolidBody::begin_step(const Eigen::SparseMatrix<double> &tangent,
-                                               const LinearConditions *closed)
+                                               const LinearConditions *moment_conditions)
 {
   increment.reinit(0); // releases the memory
   increment_forces.reinit(0);
   contact.set(tangent);
   stiffness->set_contact(tangent);
   const ScaledMotions motions(zone.surface);
-  return { *this, closed, motions,
-           make_border(motions.modes, closed ? tuned.tight_border : tuned.loose_border) };
+  return { *this, moment_conditions, motions,
+           make_border(motions.modes, moment_conditions ? tuned.tight_border : tuned.loose_border) };
 }
 
 NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
@@ -367,8 +370,8 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
 {
   const SymmetricStep step = begin_step(tangent, conditions.are_resultants() ? nullptr : &conditions);
 
-  // 1. Symmetric part, for the whole residual. Vectors of the whole body dominate the memory, so each is
-  // released right after its last use.
+  // 1. Symmetric part, for the whole residual. Vectors of the whole body dominate the memory, so each vector
+  // is released right after its last use.
   const Eigen::Vector3d missing = step.motions.scale.asDiagonal() * conditions.residual(forces, motion);
   double target = 0;
   SolidIncrement solution = [&]
@@ -388,7 +391,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
                          { return step.solve(of, Eigen::Vector3d::Zero(), to); });
   }
 
-  // 3. Data for Newton's method. The work of friction depends on the forces and counts as the body's.
+  // 3. Data for Newton's method. The work of friction depends on the forces and belongs to the body.
   const Eigen::VectorXd change = step.forces_of(solution);
   const SurfaceParts &parts = contact.nodes().parts();
   NewtonIncrement result;
@@ -399,7 +402,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
   result.energy_curvature = solution.image * solution.body - parts.sum(change.dot(result.displacement));
   result.energy_slope = parts.sum(forces.dot(result.displacement)) - residual(forces) * solution.body;
 
-  // 4. The increment is kept for update().
+  // 4. The increment is stored for update().
   increment.swap(solution.body);
   increment_forces.swap(solution.image);
   increment_forces -= contact_load(change);
@@ -409,7 +412,8 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
 void SolidBody::close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
                                  const Eigen::Vector3d &missing, SolidIncrement &solution) const
 {
-  // The solutions of the body differ by motions (-W q, q). This selects the one whose forces fulfil L.
+  // The body has several solutions, which differ by motions (-W q, q). The solution whose forces fulfil the
+  // conditions L is selected.
   Eigen::MatrixX3d response(motions.modes);
   for (unsigned int i = 0; i < 3; ++i)
     response.col(i) -= contact.nodes().gather(eliminated_border[i]);

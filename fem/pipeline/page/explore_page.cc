@@ -232,8 +232,8 @@ std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
   return list.empty() ? std::vector<const Preset *>{ nullptr } : list;
 }
 
-/// Maximum error of an answer due to quantisation [rad/s]. If a setting is changed, the error may be ten
-/// times larger.
+/// Maximum error of an answer due to quantisation [rad/s]. For other settings of the page, the error may
+/// be ten times larger.
 constexpr double tolerance = 1e-11;
 
 /// Sizes of additional feet that a page offers on elastic tables, relative to the study's glass.

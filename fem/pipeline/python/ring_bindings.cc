@@ -1,5 +1,5 @@
-// stemware._ring: Python bindings of ring_model. Arguments are arrays of equal shape, which stemware/ring.py
-// broadcasts; results have that shape. SI units.
+// stemware._ring: Python bindings of ring_model. Arguments are arrays of equal shape (broadcast by
+// stemware/ring.py), and results have the same shape. All quantities are in SI units.
 
 #include "ring_model/friction_functionals.h"
 #include "ring_model/friction_kernels.h"
@@ -28,7 +28,7 @@ using Row = std::vector<double>;
 namespace
 {
 
-/// Returns a check for Ctrl-C, at most 20 times a second, for loops without the GIL.
+/// Returns a check for Ctrl-C, at most 20 times a second, for loops that run without the GIL.
 auto interruption()
 {
   return [next = std::chrono::steady_clock::now()]() mutable
@@ -61,14 +61,14 @@ auto without_gil(const Work &work)
   return work();
 }
 
-/// Returns numbers, or plain structs as a structured array.
+/// Returns numbers as an array, and plain structs as a structured array.
 template <typename Value>
 py::array_t<Value> numpy_of(const std::vector<Value> &values)
 {
   return py::array_t<Value>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-/// Returns an array (..., n) of the n numbers @p values(entries...) for all entries of the arrays.
+/// Returns an array of shape (..., n) with the n numbers @p values(entries...) for all entries of the arrays.
 template <typename Values, typename... Arrays>
 Array filled(py::ssize_t n, const Values &values, const Array &first, const Arrays &...others)
 {
@@ -122,7 +122,7 @@ Sample stack_of(const Row &radii, const std::vector<Row> &a, const std::vector<R
   return { RingStack(std::move(rings)), tilt };
 }
 
-/// Returns a member of all rings, shape (J,) or (J, n_max + 1).
+/// Returns a member of all rings. Shape (J,) or (J, n_max + 1).
 template <auto member>
 py::array of_rings(const Sample &load)
 {
@@ -132,15 +132,15 @@ py::array of_rings(const Sample &load)
   return py::array(all);
 }
 
-/// Friction on a load with the velocity (v_x, v_y) [m/s] in the load's frame and the spin omega [rad/s]. A
-/// law must outlive it.
+/// Friction on a load. The velocity (v_x, v_y) [m/s] is in the load's frame, the spin omega in [rad/s]. The
+/// friction law must outlive the object.
 struct Friction
 {
   Friction(const Sample &load, const FrictionLaw &law)
   {
     at = [load, &law](double x, double y, double omega) { return wrench(law, load, { x, y }, omega); };
   }
-  /// @p limit: mu N [N].
+  /// @p limit is the maximum friction force mu N [N].
   Friction(const SlidingBody &body, double limit)
       : at([body, limit](double speed, double, double omega) { return body.friction(limit, speed, omega); })
   {
@@ -172,7 +172,7 @@ SelfConsistentRing balanced_ring(const Motion &motion, const std::string &closur
   throw std::invalid_argument("closure = \"" + closure + "\" is not allowed; give paper, hand or full");
 }
 
-/// Returns the load function of the spin [rad/s] for a RingStack, a SelfConsistentRing or a function.
+/// Returns the load as a function of the spin [rad/s], for a RingStack, a SelfConsistentRing or a function.
 std::function<Sample(double)> load_function(const py::object &load)
 {
   if (py::isinstance<SelfConsistentRing>(load))
@@ -229,7 +229,7 @@ py::array motion_of(const PhasedTorqueFunction &torque, double yaw_inertia, cons
     [&] { return yaw_motion(at, yaw_inertia, initial_spin, times, accuracy, spin_scale, grip_torque); }));
 }
 
-/// Defines the exceptions; the translator of BalanceLost, registered last, is called first.
+/// Defines the exceptions. The translator that is registered last (BalanceLost) is called first.
 void bind_failures(py::module_ &m)
 {
   py::register_exception<std::invalid_argument>(m, "BadInput", PyExc_ValueError).doc() =
@@ -268,7 +268,7 @@ void bind_motion(py::module_ &m)
     "liquid_mass", liquid.density, "liquid_density", liquid.bowl_radius, "bowl_radius", liquid.bowl_height,
     "bowl_height", liquid.bowl_depth, "bowl_depth", liquid.surface_leans, "surface_leans");
   const py::object names = py::dtype::of<M>().attr("names");
-  static constexpr auto flags = { "clockwise", "stribeck" }; // enumerations of two values
+  static constexpr auto flags = { "clockwise", "stribeck" }; // enumerations with two values
   const auto as_dict = [=](const M &one)
   {
     py::dict all(py::module_::import("builtins").attr("zip")(names, py::array_t<M>(1, &one).attr("item")()));

@@ -1,5 +1,5 @@
-// stemware._study: Python bindings of Study and of the functions that the program's verbs call. Nothing is
-// printed, no signal handler is set; MPI starts for a solid foot only.
+// stemware._study: Python bindings of Study and of the functions behind the program's verbs. They print
+// nothing and set no signal handler. MPI starts for a solid foot only.
 
 #include "fem/contact/contact_solution.h"
 #include "fem/pipeline/analysis/solve.h"
@@ -54,7 +54,7 @@ void check_signals()
     throw Interrupted{ std::make_exception_ptr(py::error_already_set()) };
 }
 
-/// Progress that checks for Ctrl-C and calls a Python function (stage, done, all), or None. Called from one
+/// Progress that checks for Ctrl-C and calls a Python function (stage, done, all) or None. Called by one
 /// thread at a time.
 struct PythonProgress : Progress
 {
@@ -87,11 +87,11 @@ struct PythonProgress : Progress
   }
 
   py::object listener;
-  std::exception_ptr cause; ///< first exception of Python, which ends the other threads too
+  std::exception_ptr cause; ///< first exception of Python; it ends the other threads too
 };
 
-/// Returns the cache of compliances, shared by equal feet. It is never destroyed, because threads may outlive
-/// the interpreter.
+/// Returns the cache of compliances, which equal feet share. It is never destroyed, because threads may
+/// outlive the interpreter.
 std::shared_ptr<fem::ComplianceCache> &cache()
 {
   static auto *const one = new auto(std::make_shared<fem::ComplianceCache>(128, &check_signals));
@@ -116,22 +116,22 @@ auto solved(const py::object &listener, unsigned int n_threads, const Work &work
   }
 }
 
-/// Initial guess of the next study: the foot of the last one.
+/// Initial guess for the next study: the foot of the previous study.
 struct Start
 {
   std::shared_ptr<ElasticFoot> foot;
 };
 
-/// Results of a verb for Python.
+/// Results of a verb, for Python.
 struct Found
 {
   std::string verb;
   Results results;
-  std::shared_ptr<const StudyAnswer> answer = {}; ///< of run
+  std::shared_ptr<const StudyAnswer> answer = {}; ///< answer of `run`
 
   std::string document() const { return dump_utf8(summary_of(verb, results)); }
 
-  /// Writes the program's folder of results.
+  /// Writes the same folder of results as the program.
   void save(const std::string &folder) const
   {
     StudyOptions options;
@@ -145,7 +145,7 @@ struct Found
   }
 };
 
-/// Returns @p given with its files read again, checked as at the program's start.
+/// Returns @p given after reading its files again and checking it like the program at its start.
 Study checked(const Study &given)
 {
   Study study = with_values(given, "", {});
@@ -175,7 +175,7 @@ Found results_of(const std::string &verb, const Study &given, bool quick, unsign
   return solved(listener, n_threads, work);
 }
 
-/// Returns the numbers of one case of a sweep by key.
+/// Returns the numbers of one case of a sweep, by key.
 py::dict case_of(const Study &given, Start *start)
 {
   const CaseResult found =
@@ -188,11 +188,12 @@ py::dict case_of(const Study &given, Start *start)
   return all;
 }
 
-/// Yaw torque of a study over the spin without the grip, for spin-ups with any grip and yaw inertia.
+/// Yaw torque of a study as a function of the spin, without the grip. Serves spin-ups with any grip and yaw
+/// inertia.
 class FreeTorque
 {
 public:
-  /// Solves @p given. @p start as of case_result().
+  /// Solves @p given. @p start: see case_result().
   FreeTorque(const Study &given, Start *start)
   {
     solved(py::none(), 1,
@@ -215,8 +216,8 @@ public:
            });
   }
 
-  /// Returns spin [rad/s] and yaw angle [rad] at rising @p times [s] of a spin-up from rest; NaN after
-  /// tipping. @p grip [N m], @p yaw_inertia [kg m^2].
+  /// Returns spin [rad/s] and yaw angle [rad] of a spin-up from rest at the ascending @p times [s]; NaN after
+  /// tipping. Units: @p grip [N m], @p yaw_inertia [kg m^2].
   std::pair<std::vector<double>, std::vector<double>> spin_up(const std::vector<double> &times, double grip,
                                                               double yaw_inertia)
   {
@@ -240,7 +241,7 @@ private:
   std::mutex mutex;
 };
 
-/// Returns the curves of a run by name.
+/// Returns the curves of a run, by name.
 py::dict curves_in(const Found &found)
 {
   const auto numpy_of = [](const auto &values)
@@ -266,11 +267,12 @@ py::dict curves_in(const Found &found)
     "load"_a = numpy_of(answer.contact.load.pointwise), "pressure"_a = numpy_of(points));
 }
 
-/// Translates @p Failure and the classes derived from it into @p raised, with the program's sentence.
+/// Translates @p Failure and classes derived from @p Failure into the exception @p raised, with the program's
+/// sentence.
 template <typename Failure>
 void translate(const py::object &raised)
 {
-  static const py::handle kind = py::object(raised).release(); // outlives the interpreter
+  static const py::handle kind = py::object(raised).release(); // a reference that outlives the interpreter
   py::register_local_exception_translator(
     [](std::exception_ptr failure)
     {
@@ -285,8 +287,8 @@ void translate(const py::object &raised)
     });
 }
 
-/// Translates the program's exceptions into the exceptions of stemware.ring. The last matching translation is
-/// used.
+/// Translates the program's exceptions into exceptions of stemware.ring. If several translations match, the
+/// last one is used.
 void bind_failures(py::module_ &m)
 {
   const py::module_ ring = py::module_::import("stemware._ring");

@@ -1,4 +1,4 @@
-// Instantiates deal.II's matrix-free evaluation for more SIMD lanes than Debian's library contains. See
+// Instantiates deal.II's matrix-free evaluation for more SIMD lanes than Debian's library provides. See
 // CMakeLists.txt.
 #include "fem/solid/simd/elastic_operator.h"
 
@@ -65,7 +65,7 @@ private:
   using Lanes = VectorizedArray<Number>;
   using Evaluation = FEEvaluation<3, static_cast<int>(degree), static_cast<int>(degree + 1), 3, Number>;
 
-  /// Replaces nodal displacements by nodal forces on the cells in the lanes of @p cell.
+  /// Replaces nodal displacements by nodal forces in the cells of the SIMD batch @p cell.
   void stress(Evaluation &cell) const
   {
     cell.evaluate(EvaluationFlags::gradients);
