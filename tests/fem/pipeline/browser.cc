@@ -2,9 +2,11 @@
 
 #include "fem/pipeline/base/json_text.h"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace stemware::test
 {
@@ -12,6 +14,16 @@ namespace stemware::test
 std::string script_string(const std::string &text)
 {
   return pipeline::json_within_html(text);
+}
+
+std::string in_one_line(const std::string &text)
+{
+  std::istringstream words(
+    boost::replace_all_copy(boost::replace_all_copy(text, "\u00a0", " "), "\u2212", "-"));
+  std::string line;
+  for (std::string word; words >> word;)
+    line += (line.empty() ? "" : " ") + word;
+  return line;
 }
 
 std::string axe_script()

@@ -11,6 +11,9 @@ namespace stemware::test
 /// Returns @p text as a string literal of a script within a page.
 std::string script_string(const std::string &text);
 
+/// Returns the words separated by single blanks, with ASCII minus signs as on the console.
+std::string in_one_line(const std::string &text);
+
 /// Returns a script that defines `serious(window)`: a promise of the serious and critical accessibility
 /// violations found by axe-core, as strings. Without axe-core the list is empty and the test
 /// Reports.AxeCoreIsInstalledLong fails.

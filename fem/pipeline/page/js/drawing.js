@@ -38,8 +38,9 @@ function make_parts() {
     torque: path('c2', { 'stroke-width': 4 })
   };
 }
-const beside = ['hand', 'inwards', 'pressure', 'torque']; // labels placed beside the scene
-const label = (fill, anchor) => s('text', { fill: `var(--${fill})`, 'text-anchor': anchor });
+const [letter, line] = [9, 20]; // estimated sizes of text, larger on a small screen
+const beside = ['hand', 'inwards', 'pressure', 'torque', 'inside', 'outside']; // labels placed beside the scene
+const label = (fill, anchor) => s('text', { fill: `var(--${fill})`, 'text-anchor': anchor, 'paint-order': 'stroke', stroke: 'var(--card)', 'stroke-width': 4, 'stroke-linejoin': 'round' }); // prettier-ignore
 
 /**
  * The drawing of rows { rows, radius, height, hand, orbit_radius, sense, falls, normal_force, tumbler }, lengths in metres.
@@ -89,18 +90,21 @@ export class Drawing {
     const hardest = row.load.length ? row.load.indexOf(Math.max(...row.load)) / row.load.length : 0;
     glass.lean_by(Math.min(1.45, 1.45 * fallen ** 2), travel + turn * hardest);
     const set = (name, d) => parts[name].setAttribute('d', d);
-    const write = (name, place, text, dy = 0) => {
-      const [x, y] = place ? camera.see(place) : [0, 0];
-      const [left, right] = beside.includes(name) ? [150, 90] : [4, 4]; // room for names
+    const write = (name, place, text = '', dy = 0) => {
+      const [seen, y] = place ? camera.see(place) : [0, 0];
+      const is_beside = beside.includes(name);
+      const x = is_beside ? this.beside_wall(seen, y + dy) : seen;
+      const room = is_beside ? letter * text.length : 4;
+      const [left, right] = x < width / 2 ? [room, 4] : [4, room];
       this.words[name].setAttribute('x', Math.max(left, Math.min(width - right, x)).toFixed(1));
       this.words[name].setAttribute('y', Math.max(14, Math.min(height - 4, y + dy)).toFixed(1));
-      if (beside.includes(name)) this.words[name].setAttribute('text-anchor', x < width / 2 ? 'end' : 'start');
+      if (is_beside) this.words[name].setAttribute('text-anchor', x < width / 2 ? 'end' : 'start');
       this.words[name].textContent = place ? text : '';
     };
     this.draw_table(row, set);
+    this.draw_wall(row, travel, set, write);
     for (const [place, angle] of [['front', 0], ['inside', (given.sense * turn) / 4], ['outside', (-given.sense * turn) / 4]]) // prettier-ignore
       write(place, glass.lean ? null : circle(1.9 * glass.radius, 0, 1, travel + angle)[0], t.places[place], 5);
-    this.draw_wall(row, travel, set, write);
     for (const [name, d] of Object.entries(glass.paths(camera, row.yaw))) set(name, d);
     const centre = glass.at(0, 0, 1e3 * given.height);
     const [x, y] = camera.see(centre);
@@ -114,18 +118,24 @@ export class Drawing {
     this.number.textContent = shows('torque') && row.load.length ? `${instant}, ${this.most > 0 ? say(t.share, share) : t.no_torque}` : ''; // prettier-ignore
   }
 
+  /** Returns the x nearest to `x` of a name at the height `y` on the page, outside the wall. */
+  beside_wall(x, y) {
+    const crossed = this.columns.filter(([top, base]) => top[1] < y + 8 && base[1] > y - 18).flat();
+    const edges = crossed.map(place => place[0]);
+    return x < width / 2 ? Math.min(x, ...edges.map(edge => edge - 8)) : Math.max(x, ...edges.map(edge => edge + 8));
+  }
+
   /** Moves names that overlap a higher one below it, with estimated sizes: the drawing may not be shown yet. */
   part_names() {
-    const [wide, high] = [8, 18]; // of a letter
     const number = (word, name) => Number(word.getAttribute(name));
     const boxes = Object.values(this.words).filter(word => word.textContent).map(word => {
-      const size = wide * word.textContent.length;
+      const size = letter * word.textContent.length;
       const left = { end: size, middle: size / 2 }[word.getAttribute('text-anchor')] || 0;
       return { word, x: number(word, 'x') - left, y: number(word, 'y'), size };
     }); // prettier-ignore
     boxes.sort((a, b) => a.y - b.y).forEach((box, i) => {
       for (const above of boxes.slice(0, i))
-        if (box.x < above.x + above.size && above.x < box.x + box.size && box.y < above.y + high) box.y = above.y + high;
+        if (box.x < above.x + above.size && above.x < box.x + box.size && box.y < above.y + line) box.y = above.y + line;
       box.word.setAttribute('y', box.y.toFixed(1));
     });
   }
@@ -162,7 +172,8 @@ export class Drawing {
       walls[faces ? 'front_edge' : 'back_edge'] += camera.path([at(k, true), at(k + 1, true)]);
     }
     Object.entries(walls).forEach(([name, d]) => set(name, d));
-    const right = k => camera.see(at(k, true))[0];
+    this.columns = stands ? [...load.keys()].map(k => [camera.see(at(k, true)), camera.see(at(k))]) : [];
+    const right = k => this.columns[k][0][0];
     const places = stands ? [...load.keys()].sort((j, k) => given.sense * (right(k) - right(j))) : [];
     write('pressure', stands ? at(places[0], true) : null, `\u2002${t.pressure}\u2002`);
     const arrows = { plus: '', minus: '' };
@@ -200,8 +211,8 @@ export class Drawing {
     const [force, inwards] = [arrow(...hand), arrow(0, hand[1])];
     set('force', there ? force.d : '');
     set('inwards', there ? inwards.d : '');
-    write('hand', there ? force.tip : null, say(t.hand, shown(Math.hypot(...hand), '.2g')), -6);
-    write('inwards', there ? inwards.tip : null, say(t.inwards, shown(Math.abs(hand[1]), '.2g')), 16);
+    write('hand', there ? force.tip : null, say(t.hand, shown(Math.hypot(...hand), '#.3g')), -6);
+    write('inwards', there ? inwards.tip : null, say(t.inwards, shown(Math.abs(hand[1]), '#.3g')), 16);
     const [x, y] = camera.see(glass.at(0, 0, z));
     this.grip.setAttribute('cx', x.toFixed(1));
     this.grip.setAttribute('cy', y.toFixed(1));
@@ -217,7 +228,7 @@ export class Drawing {
     const n = Math.ceil(Math.abs(reach) * 6) + 2;
     const arc = circle(r, z, n, from, from + reach).map(([x, y], k) => [x, y, z + (rise * reach * k) / n / turn]);
     set('torque', camera.path(arc) + camera.arrow(arc[n - 1], arc[n], 12, 12));
-    write('torque', circle(r, arc[n][2], 1, camera.azimuth - (given.sense * turn) / 4)[0], `\u2002${say(t.torque, shown(1e3 * Math.abs(torque), '.2g'))}\u2002`, 5); // prettier-ignore
+    write('torque', circle(r, arc[n][2], 1, camera.azimuth - (given.sense * turn) / 4)[0], `\u2002${say(t.torque, shown(1e3 * Math.abs(torque), '#.4g'))}\u2002`, 5); // prettier-ignore
     return parts.torque.setAttribute('stroke', reach > 0 ? 'var(--c2)' : 'var(--c1)');
   }
 }

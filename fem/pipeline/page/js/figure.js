@@ -109,11 +109,7 @@ export class Figure {
     return [
       s('clipPath', { id: clip }, s('rect', area)),
       equal ? [] : this.axes(width),
-      s(
-        'g',
-        { 'clip-path': `url(#${clip})` },
-        this.shown_marks.map(m => m.draw(X, Y, box))
-      ),
+      s('g', { 'clip-path': `url(#${clip})` }, ...this.shown_marks.map(m => m.draw(X, Y, box))),
       colours ? colour_bar(colours, box, width) : [],
       names.nodes,
       (this.tip = s('g', { class: 'tip', 'pointer-events': 'none' }))

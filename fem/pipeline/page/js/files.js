@@ -65,15 +65,8 @@ function save(figure, kind) {
   image.src = 'data:image/svg+xml;charset=utf-8,' + encodeURIComponent(text);
 }
 
-export const buttons = figure =>
-  h(
-    'span',
-    { class: 'files' },
-    ['SVG', 'PNG', 'CSV'].map(kind =>
-      h(
-        'button',
-        { class: 'file', 'aria-label': `${figure.picture.title} as ${kind}`, onclick: () => save(figure, kind) },
-        kind
-      )
-    )
-  );
+export const buttons = figure => {
+  const named = kind => ({ class: 'file', 'aria-label': `${figure.picture.title} as ${kind}` });
+  const button = kind => h('button', { ...named(kind), onclick: () => save(figure, kind) }, kind);
+  return h('span', { class: 'files' }, ['SVG', 'PNG', 'CSV'].map(button));
+};

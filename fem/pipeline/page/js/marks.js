@@ -143,15 +143,10 @@ export const rule = ({ x, y, text, colour = 'soft', dash, low, name }) => ({
     if (!(at >= first - 1 && at <= last + 1)) return [];
     const d =
       x === undefined ? `M${box.left} ${at.toFixed(1)}H${box.right}` : `M${at.toFixed(1)} ${box.top}V${box.bottom}`;
-    const right = at > (box.left + box.right) / 2;
-    const spot =
-      x === undefined
-        ? { x: box.right - 4, y: at - 5, 'text-anchor': 'end' }
-        : {
-            x: right ? at - 5 : at + 5,
-            y: low ? box.bottom - 8 : box.top + 12,
-            'text-anchor': right ? 'end' : 'start'
-          };
+    const right = x === undefined || at > (box.left + box.right) / 2;
+    const [beside, high] = [right ? at - 5 : at + 5, low ? box.bottom - 8 : box.top + 12];
+    const place_of_text = x === undefined ? { x: box.right - 4, y: at - 5 } : { x: beside, y: high };
+    const spot = { ...place_of_text, 'text-anchor': right ? 'end' : 'start' };
     return [
       s('path', { d, stroke: `var(--${colour})`, 'stroke-dasharray': dash, fill: 'none' }),
       text && s('text', { class: 'soft', ...spot }, text)

@@ -27,15 +27,10 @@ function sizes({ radius, foot, orbit_radius, speed, sense }) {
   };
 }
 
-const turning = (seconds, clockwise, ...children) =>
-  s(
-    'g',
-    {
-      class: 'round',
-      style: `animation-duration:${seconds.toFixed(4)}s${clockwise ? ';animation-direction:reverse' : ''}`
-    },
-    ...children
-  );
+function turning(seconds, clockwise, ...children) {
+  const style = `animation-duration:${seconds.toFixed(4)}s${clockwise ? ';animation-direction:reverse' : ''}`;
+  return s('g', { class: 'round', style }, ...children);
+}
 
 /** Returns a band round the rim whose width shows the pressure. */
 function band_of(load, size, sense) {
@@ -66,35 +61,29 @@ function glass_nodes({ title, omega, load }, x, size) {
     : circle(rim, { 'stroke-width': 3 });
   const says = turns_of(omega, spins);
   const words = (y, content, more) => s('text', { x, y, 'text-anchor': 'middle', ...more }, content);
+  const dot = s('circle', { cx: rim.toFixed(1), r: Math.max(3, 0.16 * rim).toFixed(1), fill: 'var(--c2)' });
+  const spinning = [body, line(`M0,0H${rim.toFixed(1)}`), dot];
+  const orbiting = [
+    load ? band_of(load, size, sense) : null,
+    line(`M0,0V${base.toFixed(1)}`, { stroke: 'var(--c3)', 'stroke-width': 2.5 }),
+    s('path', { d: `M-5,${base.toFixed(1)}H5L0,${tip.toFixed(1)}Z`, fill: 'var(--c3)' }),
+    turning(Math.min(turn / Math.abs(against), 1e4), against < 0, ...spinning)
+  ];
+  const parts = [
+    circle(orbit, { stroke: 'var(--soft)', 'stroke-dasharray': '6 5' }),
+    s('circle', { r: 3, fill: 'var(--ink)' }),
+    turning(
+      turn / rate,
+      sense < 0,
+      line(`M0,0H${orbit.toFixed(1)}`, { stroke: 'var(--soft)', 'stroke-width': 0.8 }),
+      s('g', { transform: `translate(${orbit.toFixed(1)},0)` }, orbiting)
+    )
+  ];
   return [
     words(22, title, { 'font-weight': 600 }),
-    s(
-      'g',
-      { transform: `translate(${x},160)` },
-      circle(orbit, { stroke: 'var(--soft)', 'stroke-dasharray': '6 5' }),
-      s('circle', { r: 3, fill: 'var(--ink)' }),
-      turning(
-        turn / rate,
-        sense < 0,
-        line(`M0,0H${orbit.toFixed(1)}`, { stroke: 'var(--soft)', 'stroke-width': 0.8 }),
-        s(
-          'g',
-          { transform: `translate(${orbit.toFixed(1)},0)` },
-          load ? band_of(load, size, sense) : null,
-          line(`M0,0V${base.toFixed(1)}`, { stroke: 'var(--c3)', 'stroke-width': 2.5 }),
-          s('path', { d: `M-5,${base.toFixed(1)}H5L0,${tip.toFixed(1)}Z`, fill: 'var(--c3)' }),
-          turning(
-            Math.min(turn / Math.abs(against), 1e4),
-            against < 0,
-            body,
-            line(`M0,0H${rim.toFixed(1)}`),
-            s('circle', { cx: rim.toFixed(1), r: Math.max(3, 0.16 * rim).toFixed(1), fill: 'var(--c2)' })
-          )
-        )
-      )
-    ),
+    s('g', { transform: `translate(${x},160)` }, parts),
     words(302, says),
-    spins ? words(321, `${shown(omega, '.3f')} rad/s`, { class: 'soft' }) : null
+    spins ? words(321, `${shown(omega, '#.4g')} rad/s`, { class: 'soft' }) : null
   ];
 }
 

@@ -33,13 +33,8 @@ export function show_anew(picture) {
 
 const there = list => (list || []).flat(3).filter(Boolean);
 const paragraphs = text => there([text]).map(words => h('p', {}, rich(words)));
-const files_of = files =>
-  files &&
-  h(
-    'dl',
-    {},
-    files.map(([name, words]) => [h('dt', {}, h('a', { href: encodeURI(name) }, name)), h('dd', {}, rich(words))])
-  );
+const file_of = ([name, words]) => [h('dt', {}, h('a', { href: encodeURI(name) }, name)), h('dd', {}, rich(words))];
+const files_of = files => files && h('dl', {}, files.map(file_of));
 
 function section_of(doc, { title, folded, text, pictures, tables, files }) {
   const content = [
@@ -81,13 +76,8 @@ export function show_document(views) {
 export function show_alone(id, width) {
   const { text, height } = figures.get(id).alone(width);
   const parsed = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
-  document.head.append(
-    h(
-      'style',
-      {},
-      `@page { size: ${width}px ${height}px; margin: 0 } body { margin: 0; padding: 0; max-width: none } svg { display: block }`
-    )
-  );
+  const body = 'body { margin: 0; padding: 0; max-width: none } svg { display: block }';
+  document.head.append(h('style', {}, `@page { size: ${width}px ${height}px; margin: 0 } ${body}`));
   document.body.replaceChildren(parsed);
 }
 

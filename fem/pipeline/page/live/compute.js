@@ -77,7 +77,7 @@ function take(index, is_disc) {
 }
 
 /** Takes the disc of an elastic table, which does not grow with the foot, for a contact radius [m]; whether there is one. */
-const radius = 'Glass/Contact radius';
+const [radius, end_time] = ['Glass/Contact radius', 'Motion/End time'];
 function take_disc(wish) {
   const { disc, discs, values } = data.pairs[pair];
   if (disc === null) return true;
@@ -121,7 +121,10 @@ const work = {
     if (failure) return failure;
     return { ...read(solver.explore_solve(m.harmonics, m.cold || !stays ? 1 : 0)), was_cold: m.cold || !stays };
   },
-  curves: () => read(solver.explore_curves()),
+  curves: m => {
+    set(end_time, (changed[end_time] = String(m.end))); // the next study sets it back
+    return read(solver.explore_curves());
+  },
   budget: () => read(solver.explore_budget()),
   pressure: () => read(solver.explore_pressure())
 };

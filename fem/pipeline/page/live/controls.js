@@ -62,6 +62,7 @@ function slider([path, from, to, step, unit, factor, log], solve) {
 }
 
 export function make_sliders(solve) {
+  $('thickness').textContent = acts(radius) && base_value('Glass/Foot thickness') === 0.004 ? say(texts.thickness) : '';
   for (const [box, list] of [
     ['sliders', first],
     ['more-sliders', further]

@@ -1,9 +1,10 @@
 // The lesson: five steps from the hand to the terminal spin. Each asks for a prediction before it shows the answer.
-import { $, doc, found, hand_offset, remember, sense, state } from './state.js';
+import { $, at_end, centre, digits, doc, fall, found, hand_offset, is_held, remember, sense, state, value_of } from './state.js'; // prettier-ignore
 import { h } from '../js/dom.js';
 import { pressing } from '../js/series.js';
 import { say, shown } from '../js/words.js';
 import { lesson_texts } from './lesson_texts.js';
+import { failure_text, seconds_of } from './says.js';
 import { texts } from './texts.js';
 
 const t = lesson_texts;
@@ -45,20 +46,32 @@ const answers = [
       shown(doc.summary.load?.moment_ratio, '.2g')
     );
   },
-  ({ answer }) => say(answer[way() === 2 ? 2 : 1], shown(Math.abs(doc.tables.motion?.[0].hand[0] ?? NaN), '.3g')),
-  ({ answer }) => say(answer[way()], shown(1e3 * doc.summary.ring.tau_at_rest, '.3g')),
+  ({ answer }) => say(answer[way() === 2 ? 2 : 1], shown(Math.abs(doc.tables.motion?.[0].hand[0] ?? NaN), '#.3g')),
+  ({ answer }) => say(answer[way()], digits(1e3 * doc.summary.ring.tau_at_rest)),
   ({ answer, paper: beside, ...states }) => {
     const { ring, paper } = doc.summary;
-    const { omega_terminal: omega, fall } = ring;
-    if (fall) return say(states.falls, shown(fall.omega, '.3g'));
+    const { omega_terminal: omega, fall: fallen } = ring;
+    if (fallen) return say(states.falls, digits(fallen.omega));
     if (way() === 2) return states.still;
-    if (omega === 0) return states.held;
-    const compared = Number.isFinite(paper?.omega_terminal)
-      ? ' ' + say(beside, shown(paper.omega_terminal, '.3g'))
-      : '';
-    return say(answer, shown(omega, '.3g'), shown((2 * Math.PI) / Math.abs(omega), '.3g')) + compared;
+    if (is_held()) return states.held;
+    const compared = Number.isFinite(paper?.omega_terminal) ? ' ' + say(beside, digits(paper.omega_terminal)) : '';
+    return say(answer, digits(omega), seconds_of(omega)) + compared;
   }
 ];
+
+/** Returns the text after the answer of a step. */
+const thens = {
+  2: ({ then, also }) => {
+    const { a, b } = at_end().summary.load;
+    return say(then, way() === 2 ? '' : also, shown((100 * Math.hypot(a[2], b[2])) / a[0], '.2g'));
+  },
+  4: ({ then, none }) => (way() === 2 || is_held() ? none : then),
+  5: ({ then, too_high, gripped }) => {
+    const { highest } = fall();
+    if (is_held()) return gripped;
+    return hand_offset() < 0 && highest < value_of(centre) ? say(too_high, shown(1e3 * highest, '.2g')) : then;
+  }
+};
 
 /** The verdict on a prediction; *The net force* is a half-right answer where one side has more friction. */
 function verdict(step, mine) {
@@ -85,9 +98,10 @@ export function write_lesson(changed) {
   else delete document.body.dataset.lesson;
   document.body.toggleAttribute('data-told', step === 5 && chosen[5] !== undefined);
   for (const place of document.querySelectorAll('[data-picture]'))
-    place.closest('.card').classList.toggle('taught', step > 0 && at_step(pictures_before, pictures_after).includes(place.dataset.picture)); // prettier-ignore
+    place.closest('.card').classList.toggle('taught', step > 0 && Boolean(doc.summary.ring) && at_step(pictures_before, pictures_after).includes(place.dataset.picture)); // prettier-ignore
   if (!step) return;
-  const { title, question, options, then } = t.steps[step - 1];
+  const words = t.steps[step - 1];
+  const { title, question, options } = words;
   const mine = chosen[step];
   const choose = i => {
     chosen[step] = i;
@@ -98,11 +112,12 @@ export function write_lesson(changed) {
     h('button', { 'aria-pressed': String(mine === i), onclick: () => choose(i) }, say(text))
   );
   const said = [];
-  if (found.answer?.tips) said.push(h('p', {}, t.tips));
+  const { answer } = found;
+  if (answer?.error) said.push(h('p', {}, answer.tips ? t.tips : failure_text(answer)));
   else if (doc.summary.ring && mine !== undefined)
     said.push(
-      h('p', {}, h('b', {}, verdict(step, mine)), ' ', answers[step - 1](t.steps[step - 1])),
-      h('p', {}, say(then))
+      h('p', {}, h('b', {}, verdict(step, mine)), ' ', answers[step - 1](words)),
+      h('p', {}, thens[step]?.(words) ?? words.then)
     );
   const focused = buttons().indexOf(document.activeElement);
   $('lesson').replaceChildren(

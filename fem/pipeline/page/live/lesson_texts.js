@@ -33,7 +33,8 @@ export const lesson_texts = {
         'It rises and falls once: a first harmonic. At rest it is {0} N/m on the inside and {1} N/m on the outside. The moment ratio is {2}; beyond 1 a part of the rim lifts off, at 2 the glass tips.',
         'A part of the rim has lifted off, and the rest carries the glass. At rest the pressure is {0} N/m on the inside and {1} N/m on the outside. The moment ratio is {2}; beyond 1 a part of the rim lifts off, at 2 the glass tips.'
       ],
-      then: 'The pressure is also high in front: the hand pulls forwards above the table, friction holds the rim back, and the glass leans forwards. The solid curve is the load by angle, the dashed one its first harmonic only. Choose oak: a second, smaller wave is added.'
+      also: 'also ',
+      then: 'The pressure is {0}high in front: the hand pulls forwards above the table, friction holds the rim back, and the glass leans forwards. The solid curve is the load by angle, the dashed one its first harmonic only. The second harmonic is {1} % of the mean on this table.'
     },
     {
       title: 'friction',
@@ -49,14 +50,15 @@ export const lesson_texts = {
     },
     {
       title: 'torque',
-      question: 'Seen from above: which way does the friction turn the glass?',
+      question: 'Seen from above: which way does the friction drive the glass?',
       options: ['Against its orbit.', 'With its orbit.', 'Not at all.'],
       answer: [
-        'Friction turns it against its orbit. The torque at rest is {0} mN m: the coefficient of friction times the moment of the hand.',
-        'Friction turns it with its orbit. The torque at rest is {0} mN m: the coefficient of friction times the moment of the hand.',
-        'Friction does not turn it: both sides have the same friction, and the torque at rest is zero.'
+        'Friction drives it against its orbit. The torque at rest is {0} mN m: the coefficient of friction times the moment of the hand.',
+        'Friction drives it with its orbit. The torque at rest is {0} mN m: the coefficient of friction times the moment of the hand.',
+        'Friction does not drive it: both sides have the same friction, and the torque at rest is zero.'
       ],
-      then: 'The arrow round the stem is the torque that is left. Play the spin-up: the arrow shrinks.'
+      then: 'The arrow round the stem is the torque that is left. Play the spin-up: at its end the arrow is gone, or the glass tips.',
+      none: 'No torque is left, and no arrow is drawn round the stem.'
     },
     {
       title: 'terminal spin',
@@ -73,7 +75,9 @@ export const lesson_texts = {
       held: 'Friction that tilts would brake a spin. Here the fingers hold the glass: their torque is larger than that of friction.',
       falls:
         'Friction that tilts would brake the spin. This glass tips over before, at {0} rad/s. Move the hand to another height, or go slower.',
-      then: 'Now a last prediction: what happens if the hand crosses the centre of mass? Drag it up. At the centre of mass nothing turns; above, the glass spins with its orbit, and soon it tips.'
+      then: 'Now a last prediction: what happens if the hand crosses the centre of mass? Drag it. At the centre of mass nothing turns; below, the glass spins against its orbit; above, it spins with its orbit, and soon it tips.',
+      too_high: 'Now a last prediction: what happens if the hand moves up? Drag it. This glass tips with the hand at about {0} mm, before the hand is at the centre of mass.',
+      gripped: 'Set “Grip” under “More” to less than the torque at rest: the glass begins to spin.'
     }
   ]
 };

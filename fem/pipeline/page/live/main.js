@@ -28,8 +28,7 @@ function draw_picture(place) {
   const shown = found.answer && picture(name);
   if (!shown) {
     drawn.delete(name);
-    const text = queue.rests && found.answer && !doc.summary.ring ? texts.nothing : texts.budget_wait;
-    place.replaceChildren(h('p', { class: 'soft' }, text));
+    place.replaceChildren(h('p', { class: 'soft' }, document.body.dataset.rested ? texts.nothing : texts.budget_wait));
     return;
   }
   drawn.set(name, shown);
@@ -55,18 +54,24 @@ function show(reply, ms, is_last) {
   if (!reply.document || reply.was_cold) draw(calm);
 }
 
+function draw_curves() {
+  found.has_curves = true;
+  draw_scene();
+  write_lesson(draw_scene);
+}
+
 const queue = new Queue({
   show,
   late: ms => show({ error: texts.too_close }, ms, true),
   use: (name, reply) => {
     learn(reply.document);
     draw(name === 'curves' ? ['torque', 'spin'] : [name]);
-    if (name === 'curves') {
-      found.has_curves = true;
-      draw_scene();
-      write_lesson(draw_scene);
-    }
+    if (name === 'curves') draw_curves();
     if (name === 'budget') facts(queue.times[queue.times.length - 1]);
+  },
+  rest: () => {
+    if (!found.has_curves) draw_curves(); // without curves in time, the scene shows one instant
+    draw(calm.filter(name => !drawn.has(name)));
   }
 });
 function solve(cold) {

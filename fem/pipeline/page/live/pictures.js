@@ -12,7 +12,7 @@ const pictures = {
   load: [() => doc.summary.load_at_terminal, () => line_load(at_end())],
   torque: [() => doc.tables.torque, () => torque(doc)],
   spin: [() => doc.tables.spin_up, () => spin_up(doc)],
-  budget: [() => doc.tables.waterfall, () => waterfall(doc)],
+  budget: [() => doc.tables.waterfall?.length, () => waterfall(doc)],
   pressure: [() => doc.tables.foot, () => footprint(doc.tables.foot.footprint, 'pressure', '')]
 };
 /** Pictures that are not updated during a move. */
@@ -23,14 +23,8 @@ export function picture(name) {
   const [is_known, make] = pictures[name];
   const given = is_known() && make();
   if (!given) return null;
-  return {
-    ...given,
-    id: `live_${name}`,
-    title: texts[name],
-    words: '',
-    caption: '',
-    marks: given.marks.filter(Boolean)
-  };
+  const named = { id: `live_${name}`, title: texts[name], words: '', caption: '' };
+  return { ...given, ...named, marks: given.marks.filter(Boolean) };
 }
 
 /** All harmonics against the first alone, as the budget has them; nothing where that does not spin. */

@@ -1,10 +1,12 @@
 // Texts and numbers of the live page about an answer.
-import { $, band, data, digits, doc, fall, found, pair, sense, state } from './state.js';
+import { $, band, data, digits, doc, fall, found, hand, pair, sense, state, value_of } from './state.js';
 import { band_text, harmonic_effect } from './pictures.js';
 import { h } from '../js/dom.js';
 import { say, shown } from '../js/words.js';
 import { texts } from './texts.js';
 
+/** Returns the time of one turn [s] as text. */
+export const seconds_of = omega => shown((2 * Math.PI) / Math.abs(omega), '#.3g');
 const still = omega => Math.abs(omega) < 1e-6;
 let checked = null;
 
@@ -18,11 +20,11 @@ function effect_text(all, omega) {
 function answer_text({ ring, first_n, paper, load_at_terminal: load }) {
   const t = texts;
   const { omega_terminal: omega } = first_n || ring;
-  state.standing = omega;
+  state.standing = [omega, value_of(hand)];
   const way = still(omega) ? t.still : omega * sense() < 0 ? t.against : t.along;
   const turns = still(omega)
     ? `${way}.`
-    : say(t.answer, way, digits(omega), ((2 * Math.PI) / Math.abs(omega)).toFixed(2));
+    : say(t.answer, way, digits(omega), seconds_of(omega));
   const compared = first_n
     ? effect_text(ring.omega_terminal, omega)
     : Number.isFinite(paper.omega_terminal)
@@ -38,19 +40,22 @@ function answer_text({ ring, first_n, paper, load_at_terminal: load }) {
 const near_fall = 0.8; // fraction of the tipping moment
 const close_to_fall = ({ share, highest }) =>
   say(texts.close, shown(Math.min(100 * share, 99), '.2g'), shown(1e3 * highest, '.2g'));
-function failure_text({ tips, refused, error }) {
+export function failure_text({ tips, refused, error }) {
   if (tips) return texts.tips;
-  if (refused) return say(texts.refused, error);
-  return fall().share > near_fall ? `${close_to_fall(fall())} ${texts.too_close}` : error;
+  return refused ? say(texts.refused, error) : fall().share > near_fall ? [...last_known(), texts.too_close].join(' ') : error;
 }
 
-/** Shows intermediate results before the answer: the distance to tipping, and the last balance. */
+/** Returns sentences on the distance to tipping, if it is small, and on the last balance, if there was one. */
+function last_known() {
+  const is_study = !Object.keys(state.changes).length;
+  const [omega, height] = state.standing || [is_study ? pair().omega : NaN, value_of(hand)];
+  const last = Number.isFinite(omega) ? [say(texts.last, digits(omega), shown(1e3 * height, '.3g'))] : [];
+  return [...(fall().share > near_fall ? [close_to_fall(fall())] : []), ...last];
+}
+
+/** Shows intermediate results before the answer. */
 export function tell_late() {
-  const { share } = fall();
-  const known = state.standing ?? (Object.keys(state.changes).length ? null : pair().omega);
-  const last = Number.isFinite(known) ? [say(texts.last, digits(known))] : [];
-  const near = share > near_fall ? [close_to_fall(fall())] : [];
-  $('answer').textContent = [...near, ...last, texts.solving].join(' ');
+  $('answer').textContent = [...last_known(), texts.solving].join(' ');
 }
 
 function notes_of({ fit, notes = [] }) {
@@ -84,7 +89,7 @@ export function facts(ms) {
     [f.moment_ratio, number(load?.moment_ratio, 4, '')],
     [f.fraction, number(load && 100 * load.contact_fraction, 1, ' %')],
     [f.normal, number(load?.normal_force, 3, ' N')],
-    [f.tau0, Number.isFinite(ring.tau_at_rest) ? number(1e3 * ring.tau_at_rest, 4, ' mN m') : '…'],
+    [f.tau0, Number.isFinite(ring.tau_at_rest) ? number(1e3 * ring.tau_at_rest, undefined, ' mN m') : '…'],
     [f.lean, number(load?.tilt && 1e6 * Math.hypot(...load.tilt), 1, ' µrad')],
     [f.effect, harmonic_effect()],
     [f.band, band_text()],
@@ -99,7 +104,7 @@ export function tell(ms) {
   const chosen = doc.summary.first_n || doc.summary.ring;
   const spins = Number.isFinite(chosen?.omega_terminal);
   const without_spin = () =>
-    chosen.fall ? say(texts.falls, digits(chosen.fall.omega, 3)) : say(texts.no_spin, chosen.message);
+    chosen.fall ? say(texts.falls, digits(chosen.fall.omega)) : say(texts.no_spin, chosen.message);
   const text = !chosen ? failure_text(answer) : spins ? answer_text(doc.summary) : without_spin();
   $('answer').textContent = text;
   $('answer').classList.toggle('falls', !spins);

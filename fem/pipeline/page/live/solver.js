@@ -1,6 +1,6 @@
 // The solver in its worker, or in the page if workers are not supported. Only the latest request is solved;
 // older ones are cancelled if they take long.
-import { $, all_harmonics, errors, pair_name, state } from './state.js';
+import { $, all_harmonics, end_of_spin_up, errors, pair_name, state } from './state.js';
 import { begin, reply_to } from './compute.js';
 
 const longest = 500; // ms that a newer request waits for an older one
@@ -124,7 +124,10 @@ export class Queue {
     clearTimeout(this.resting);
     const harmonics = state.harmonics >= all_harmonics ? 0 : state.harmonics;
     const asked = await this.ask({ do: 'solve', pair: pair_name(), changes: { ...state.changes }, harmonics, cold });
-    if (!asked && !this.wish) this.told.late(patience);
+    if (!asked && !this.wish) {
+      this.told.late(patience);
+      this.rest({ error: true });
+    }
     if (asked) {
       const { reply, ms } = asked;
       this.times.push(ms);
@@ -136,15 +139,18 @@ export class Queue {
 
   /** After a pause: solves from a cold start like `stemware run`, then computes the slow parts. */
   async rest(reply) {
-    if (reply.error) return;
     if (!this.rests) return (this.resting = setTimeout(() => this.rest(reply), pause));
-    if (!reply.was_cold) return this.solve(true);
-    for (const name of ['curves', 'pressure', 'budget']) {
-      const asked = await this.ask({ do: name }, 4 * patience);
+    if (!reply.error && !reply.was_cold) return this.solve(true);
+    // Near tipping most models of the budget have no balance, which takes long to find out.
+    const parts = reply.error ? [] : ['pressure', 'curves', ...(reply.document.summary.ring.fall ? [] : ['budget'])];
+    for (const name of parts) {
+      const asked = await this.ask({ do: name, end: end_of_spin_up() }, name === 'curves' ? 2 * patience : patience);
       if (this.next()) return;
-      if (asked && !asked.reply.error) this.told.use(name, asked.reply); // otherwise its pictures stay grey
+      if (!asked) break; // a cancelled worker has lost the study
+      if (!asked.reply.error) this.told.use(name, asked.reply);
     }
     document.body.dataset.rested = String(this.times.length);
+    this.told.rest();
   }
 
   begin() {

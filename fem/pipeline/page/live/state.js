@@ -74,6 +74,16 @@ export function fall() {
 export const hand_offset = () => rounded(value_of(hand) - value_of(centre));
 /** A length of the foot, which keeps its shape. */
 export const similar = length => (length * value_of(radius)) / base_value(radius);
+/** Returns a time [s] at which the spin is close to its last value, at least the end time of the study. */
+export function end_of_spin_up() {
+  const { omega_terminal, fall, tau_at_rest, time_constant } = doc.summary.ring;
+  const torque = Math.abs(tau_at_rest) - value_of('Motion/Grip torque');
+  const rise = Math.abs((omega_terminal ?? fall?.omega ?? 0) * value_of('Motion/Yaw inertia')) / torque || 0;
+  const settling = Math.ceil(1.5 * rise + 4 * (time_constant || 0));
+  return Math.max(value_of('Motion/End time'), Math.min(60, settling));
+}
+/** Returns true if the fingers hold the glass against friction. */
+export const is_held = () => value_of('Motion/Grip torque') > 0 && doc.summary.ring?.omega_terminal === 0;
 export const sense = () => (text_of('Motion/Orbit sense') === 'clockwise' ? -1 : 1);
 
 /** The values of a newly selected glass or table replace earlier changes of it. */

@@ -17,7 +17,7 @@ export const texts = {
   effect: 'The harmonics beyond the first {2} change the spin by {0} ({1} rad/s).',
   effect_of_first: 'The higher harmonics change the spin by {0} ({1} rad/s).',
   unknown: 'Unknown entries in the link: {0}.',
-  nothing: 'No balance: nothing to plot.',
+  nothing: 'Nothing to plot.',
   paper_says: 'The paper’s ring: {0} rad/s.',
   full: 'The whole land is in contact.',
   lifts: 'The foot has partly lifted off: {0} % of the land is in contact.',
@@ -35,7 +35,7 @@ export const texts = {
   check_ok: 'Checked on loading from a cold start: {0} rad/s here, {1} by stemware run.',
   check_bad: 'CAUTION: this browser computes {0} rad/s, stemware run {1} rad/s.',
   solving: 'Solving …',
-  last: 'The last balance: {0} rad/s.',
+  last: 'The last balance: {0} rad/s with the hand at {1} mm.',
   close: 'The hand needs about {0} % of the moment at which the glass tips; the glass tips with the hand at about {1} mm.',
   too_close: 'This page does not solve that; use stemware run.',
   back: 'Back: let it stand',
@@ -54,6 +54,7 @@ export const texts = {
     ms: 'solved in'
   },
   similar: ', foot {0} mm thick',
+  thickness: 'Your own glass: give its contact radius, mass and centre of mass. The thickness matters little: a foot of 3 or 6 mm instead of 4 mm changes the spin by 0.3 % at most.',
   labels: {
     'Motion/Friction coefficient': 'Friction μ',
     'Motion/Orbit speed': 'Speed',

@@ -1,5 +1,5 @@
 // The scene of the live page: dragging the hand up and down, and the button for the sense of the orbit.
-import { $, at_end, doc, found, hand, hand_offset, remember, sense, state, value_of } from './state.js';
+import { $, at_end, doc, found, hand, hand_offset, is_held, remember, sense, state, value_of } from './state.js';
 import { Scene, lengths_of } from '../js/scene.js';
 import { h } from '../js/dom.js';
 import { shows } from './lesson.js';
@@ -49,10 +49,12 @@ export function draw_scene() {
   if (!found.answer || !scene) return;
   const rows = doc.tables.motion;
   const tips = !rows && found.answer.tips;
-  if (!tips && !(rows && found.has_curves) && (scene.given || !rows)) return scene.given && scene.wait(value_of(hand));
+  if (!tips && !(rows && found.has_curves) && (scene.given || !rows)) {
+    $('stand').hidden = !found.answer.error;
+    return scene.given && scene.wait(value_of(hand));
+  }
   const falls = tips || Boolean(doc.summary.ring.fall);
   $('stand').hidden = !falls;
-  const held = value_of('Motion/Grip torque') > 0 && doc.summary.ring?.omega_terminal === 0;
   const lengths = lengths_of(value_of, sense());
   scene.set({
     ...lengths,
@@ -60,7 +62,7 @@ export function draw_scene() {
     normal_force: doc.summary.load_at_terminal?.normal_force,
     falls,
     most: Math.abs(doc.summary.ring?.tau_at_rest || 0),
-    why: why({ falls, held }, pressing(at_end()), found.is_last ? hand_offset() : undefined)
+    why: why({ falls, held: is_held() }, pressing(at_end()), found.is_last ? hand_offset() : undefined)
   });
   if (rows) draw_above(lengths);
 }

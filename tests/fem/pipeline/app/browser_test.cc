@@ -3,13 +3,11 @@
 #include "tests/fem/pipeline/browser.h"
 #include "tests/fem/pipeline/matchers.h"
 
-#include <boost/algorithm/string/replace.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 
 namespace stemware::test
 {
@@ -44,17 +42,6 @@ const std::vector<Opened> &opened()
         "Motion/Force offset=-0.075:-0.055:5", "--vary", "Motion/Orbit speed=0.3:0.4:5" } },
   };
   return reports;
-}
-
-/// Returns the words separated by single blanks, with ASCII minus signs as on the console.
-std::string in_one_line(const std::string &text)
-{
-  std::istringstream words(
-    boost::replace_all_copy(boost::replace_all_copy(text, "\u00a0", " "), "\u2212", "-"));
-  std::string line;
-  for (std::string word; words >> word;)
-    line += (line.empty() ? "" : " ") + word;
-  return line;
 }
 
 /// State of a study with its expected answer and figures.

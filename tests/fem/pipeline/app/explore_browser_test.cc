@@ -13,6 +13,7 @@
 #include <cmath>
 #include <iomanip>
 #include <map>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -54,7 +55,10 @@ std::string moving_script(const std::string &page)
     frame.contentWindow.Worker.prototype.postMessage = () => {}; // the solver no longer answers
     frame.contentWindow.move("Motion/Hand height", 0.14);
     await new Promise(r => setTimeout(r, 600));
-    found[width] = { omega, errors, waits: body.matches(".busy") && body.querySelector("#answer").textContent, text: last.text, width: frame.contentDocument.documentElement.scrollWidth,
+    const answer = body.querySelector("#answer"), waits = body.matches(".busy") && answer.textContent;
+    while (width == 1100 && !body.dataset.rested)
+      await new Promise(r => setTimeout(r, 100));
+    found[width] = { omega, errors, waits, late: answer.textContent, text: last.text, width: frame.contentDocument.documentElement.scrollWidth,
                      serious: await serious(frame.contentWindow) };
     frame.remove();
   }
@@ -88,6 +92,12 @@ TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgram)
     EXPECT_THAT(found[width]["waits"].get<std::string>(), testing::HasSubstr("Solving …"));
     EXPECT_NE(found[width]["text"].get<std::string>().find("rad/s"), std::string::npos);
   }
+  // The solver does not answer: the last balance stays, with the hand at 50 mm.
+  const std::string late = in_one_line(found["1100"]["late"].get<std::string>());
+  for (const char *const words :
+       { "with the hand at about 150 mm", "rad/s with the hand at 50 mm", "use stemware run" })
+    EXPECT_THAT(late, testing::HasSubstr(words));
+  EXPECT_THAT(late, testing::Not(testing::HasSubstr("Solving")));
 }
 
 /// Returns the start of a script: opens @p page in a frame of width @p width [px].
@@ -217,19 +227,19 @@ struct Taught
 
 /// Returns a script that opens @p page in each of @p states and tries all options of the lesson. Result:
 /// "right", the accepted options of each step; "texts" after the first option; "torque", the arrow of the
-/// scene; "words" outside figures.
+/// scene; "words" outside figures; "end", the end of the spin-up in the scene; "troubles" of the scene.
 std::string states_script(const std::string &page, const std::vector<Taught> &states)
 {
   nlohmann::ordered_json wanted;
   for (const Taught &state : states)
     wanted[state.name] = state.changes;
-  return framed(page, 1100) + R"(
+  return troubles_script() + framed(page, 1100) + R"(
   const wait = async until => { while (!until()) await new Promise(r => setTimeout(r, 20)); };
   await wait(() => frame.contentWindow?.started);
   const shown = frame.contentWindow, root = shown.document, $ = id => root.getElementById(id), found = {};
   const rests = async () => {
     delete root.body.dataset.rested;
-    await wait(() => root.body.dataset.rested || $("answer").matches(".falls"));
+    await wait(() => root.body.dataset.rested);
   };
   const lesson = selector => root.querySelectorAll("#lesson " + selector);
   for (const [name, changes] of Object.entries()" +
@@ -238,8 +248,15 @@ std::string states_script(const std::string &page, const std::vector<Taught> &st
       if (path == "table") root.querySelector(`#tables [data-name="${value}"]`).click();
       else await shown.move(path, value);
     await rests();
-    const state = (found[name] = { right: [], texts: [], torque: root.querySelector("#scene svg path:last-of-type").getAttribute("d"),
-      words: root.querySelector("#scene .instant").textContent + " " + $("facts").innerText + " " + $("answer").innerText });
+    const state = (found[name] = { right: [], texts: [], troubles: troubles(root).filter(trouble => trouble.startsWith("scene")) });
+    const time = root.querySelector("#scene input"), instant = root.querySelector("#scene .instant");
+    time.value = time.max;
+    time.dispatchEvent(new shown.Event("input"));
+    state.end = instant.textContent;
+    time.value = 0;
+    time.dispatchEvent(new shown.Event("input"));
+    state.torque = root.querySelector("#scene svg path:last-of-type").getAttribute("d");
+    state.words = instant.textContent + " " + $("facts").innerText + " " + $("answer").innerText;
     $("lesson-button").click();
     for (let step = 1; step <= 5; ++step) {
       const right = [];
@@ -300,6 +317,31 @@ TEST(ExplorePage, LessonIsCorrectInEveryState)
     for (const nlohmann::json &text : found[state.name]["texts"])
       EXPECT_THAT(text.get<std::string>(),
                   testing::Not(testing::ContainsRegex("NaN|undefined|\u2013|\u207b|-0 |\u22120 ")));
+    EXPECT_EQ(found[state.name]["troubles"], nlohmann::json::array())
+      << found[state.name]["troubles"].dump(1);
+    // The same number has the same digits in the lesson and beside it.
+    const auto text = [&](std::size_t step)
+    { return in_one_line(found[state.name]["texts"][step].get<std::string>()); };
+    const std::string beside = in_one_line(found[state.name]["words"].get<std::string>());
+    std::smatch spin, torque, share;
+    if (std::regex_search(beside, spin, std::regex("orbit (at \\S+ rad/s): (one turn in \\S+ s)")))
+    {
+      EXPECT_THAT(text(4), testing::HasSubstr(spin[1].str()));
+      EXPECT_THAT(text(4), testing::HasSubstr(spin[2].str()));
+    }
+    if (std::regex_search(beside, torque, std::regex("torque at rest (-?[0-9.]*[1-9]\\d* mN m)")))
+    {
+      EXPECT_THAT(text(3), testing::HasSubstr(torque[1].str()));
+    }
+    // The spin-up of the scene ends near the terminal spin.
+    const std::string end = in_one_line(found[state.name]["end"].get<std::string>());
+    if (!spin.empty() && std::regex_search(end, share, std::regex("(\\d+) % of the largest torque")))
+    {
+      EXPECT_LE(std::stoi(share[1]), 5) << end;
+    }
+    // An arrow is mentioned if it is drawn.
+    EXPECT_EQ(text(3).find("The arrow round the stem") != std::string::npos,
+              !state.right.empty() && found[state.name]["torque"] != "");
   }
   // Rounding errors are not shown as torque or spin.
   EXPECT_EQ(found["level"]["torque"], "");
@@ -307,6 +349,40 @@ TEST(ExplorePage, LessonIsCorrectInEveryState)
   const std::string words = found["level"]["words"].get<std::string>();
   EXPECT_THAT(words, testing::HasSubstr("no torque"));
   EXPECT_THAT(words, testing::Not(testing::HasSubstr("\u22120.0")));
+}
+
+TEST(ExplorePage, LessonFitsAPhoneBelowItsScene)
+{
+  const ScratchFolder scratch;
+  const nlohmann::json found = found_in_browser(
+    scratch, troubles_script() + framed(read_text(fs::path(STEMWARE_DOCS) / "explore.html"), 400) + R"(
+  frame.style.height = "800px";
+  const wait = async until => { while (!until()) await new Promise(r => setTimeout(r, 20)); };
+  await wait(() => frame.contentWindow?.started && frame.contentDocument.body.dataset.rested);
+  const root = frame.contentDocument, found = [];
+  root.getElementById("lesson-button").click();
+  for (const height of [0.03, 0.08, 0.09]) {
+    await frame.contentWindow.move("Motion/Hand height", height);
+    delete root.body.dataset.rested;
+    await wait(() => root.body.dataset.rested);
+    for (let step = 1; step <= 5; ++step) {
+      root.querySelector("#lesson [role=group] button").click();
+      const [scene, text] = ["#scene svg", "#lesson"].map(part => root.querySelector(part).getBoundingClientRect());
+      found.push({ top: scene.top, middle: text.top - scene.bottom, bottom: text.bottom,
+                   troubles: troubles(root).filter(trouble => trouble.startsWith("scene")) });
+      root.querySelector("#lesson .row:last-child button:last-child").click();
+    }
+    for (let step = 4; step >= 1; --step) root.querySelector("#lesson .row:last-child button").click();
+  }
+  return found;)");
+  ASSERT_EQ(found.size(), 15u);
+  for (const nlohmann::json &step : found)
+  {
+    EXPECT_GE(step["top"].get<double>(), 0) << step;
+    EXPECT_GE(step["middle"].get<double>(), 0) << step;
+    EXPECT_LE(step["bottom"].get<double>(), 800) << step;
+    EXPECT_EQ(step["troubles"], nlohmann::json::array()) << step["troubles"].dump(1);
+  }
 }
 
 TEST(ExplorePage, HostileTextExecutesNothing)
