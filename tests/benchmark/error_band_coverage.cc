@@ -55,7 +55,7 @@ std::vector<unsigned int> contact_cells(const std::vector<fem::SectionPolygon> &
 /// Returns the cells at re-entrant corners, with an interior angle between 1.2 pi and 1.9 pi.
 std::vector<unsigned int> corner_cells(const std::vector<fem::SectionPolygon> &cells)
 {
-  using Point = std::pair<long long, long long>; // in picometres
+  using Point = std::pair<long long, long long>; // coordinates in picometres
   const auto point = [](const std::array<double, 2> &at) -> Point {
     return { std::llround(at[0] * 1e12), std::llround(at[1] * 1e12) };
   };
@@ -85,14 +85,14 @@ struct FineStudy
   Discretisation mesh = {};
 };
 
-/// Returns the study with all cells halved once, and the cells in contact and at corners halved @p n_halvings
+/// Returns the study with all cells halved once. Cells in contact and at corners are halved @p n_halvings
 /// times.
 FineStudy with_smaller_cells(Study study, unsigned int n_halvings)
 {
   study.contact.refinements += 1;
   Discretisation mesh;
   mesh.fineness *= std::ldexp(1, static_cast<int>(n_halvings) - 1);
-  // Without a focus (flat land, compliant interface) `refinements` has already halved all cells.
+  // If the mesh has no focus (flat land, compliant interface), `refinements` has already halved all cells.
   const bool is_focused = study.glass.profile.crown_radius > 0 || study.table.is_hard();
   for (unsigned int i = 1; i < n_halvings; ++i)
   {
@@ -108,12 +108,12 @@ FineStudy with_smaller_cells(Study study, unsigned int n_halvings)
   return { study, mesh };
 }
 
-/// Study that is more accurate on one axis.
+/// Study with one axis that is more accurate.
 struct FinerStudy
 {
   std::string axis;
   FineStudy fine;
-  FineStudy from; ///< reference of the comparison
+  FineStudy from; ///< reference to compare with
 };
 
 std::vector<FinerStudy> finer_on_one_axis(const Study &study)
@@ -127,7 +127,7 @@ std::vector<FinerStudy> finer_on_one_axis(const Study &study)
   finer.push_back({ "mesh", with_smaller_cells(study, 3), { study } });
   add("degree", [](ContactSection &contact) { ++contact.degree; });
   add("lines", [](ContactSection &contact) { contact.azimuth_lines *= 8; });
-  // The harmonics are compared on enough lines for the larger number.
+  // Harmonics are compared on lines that resolve the larger number.
   Study on_more_lines = study;
   on_more_lines.contact.azimuth_lines *= 4;
   for (const char *axis : { "harmonics", "load_harmonics" })
@@ -173,8 +173,8 @@ Solved solve(const FineStudy &fine, fem::ComplianceCache &cache, double expected
   return { foot, load, omega };
 }
 
-/// Returns the friction torque [N m] of the forces of @p points about the axis of the ring at the spin @p
-/// omega. Each force acts at its own radius: no rings, no harmonics.
+/// Returns the friction torque [N m] about the axis of the ring at the spin @p omega, for the forces of @p
+/// points. Each force acts at its own radius, without rings and harmonics.
 double torque_of_points(const std::vector<fem::PointForce> &points, const ring::Motion &motion, double omega)
 {
   double torque = 0;
@@ -204,12 +204,12 @@ double change_by_points(const Study &study, const Solved &solved)
   return -difference / slope;
 }
 
-/// Statistics of the bands of the terminal spin over all studies.
+/// Statistics of the error bands of the terminal spin over all studies.
 struct Tally
 {
   unsigned int n_spins = 0;
   unsigned int n_held = 0;
-  std::vector<double> excess; ///< band over true error
+  std::vector<double> excess; ///< ratios of error band and true error
 
   void add(const BandedQuantity &banded, double error)
   {

@@ -36,7 +36,7 @@ namespace
 struct Case
 {
   bool of_spin = false;
-  stemware::pipeline::Study study; ///< for of_spin
+  stemware::pipeline::Study study; ///< used by of_spin
   SolidSetup solid;
   RevolutionSetup revolution;
   FootResolution resolution;
@@ -49,7 +49,7 @@ struct Case
   std::optional<double> exact;
 };
 
-/// Returns the study of the terminal spin with @p values.
+/// Returns the study with @p values, for the terminal spin.
 stemware::pipeline::Study read_study(const NamedValues &values)
 {
   stemware::pipeline::Study study;
@@ -121,7 +121,7 @@ Case read_case(int argc, char **argv)
   return study;
 }
 
-/// Returns the estimate. Throws std::runtime_error if it is empty.
+/// Returns the value of @p estimate. Throws std::runtime_error if it is empty.
 template <typename Estimate>
 Estimate given_estimate(const std::optional<Estimate> &estimate)
 {
@@ -131,7 +131,7 @@ Estimate given_estimate(const std::optional<Estimate> &estimate)
   return *estimate;
 }
 
-/// Returns a_2 / a_0 of the sum over all rings as a goal; a_0 follows from the weight.
+/// Returns a_2 / a_0 of the sum over all rings as a goal. The weight determines a_0.
 ContactGoal second_harmonic(const Case &study)
 {
   const double mean = study.demand.normal_force / (2 * stemware::ring::pi);
@@ -141,8 +141,8 @@ ContactGoal second_harmonic(const Case &study)
   return goal;
 }
 
-/// Returns the reference value: body of revolution, elements of degree 4, cells half as large as usual and
-/// smaller at re-entrant edges.
+/// Returns the reference value, computed by a body of revolution with elements of degree 4 and cells half as
+/// large as usual, smaller at re-entrant edges.
 double truth(const Case &study)
 {
   RevolutionSetup setup = study.revolution;
@@ -152,7 +152,8 @@ double truth(const Case &study)
   return second_harmonic(study).of_load(MeshedRevolutionFoot(setup).solve(study.demand, study.slip).load);
 }
 
-/// Solves on @p mesh and prints a row. Returns the error estimate if @p estimates, else an empty one.
+/// Solves on @p mesh and prints a row. Returns the error estimate if @p estimates, otherwise an empty
+/// estimate.
 MeshError solve_on(const SolidMesh &mesh, const Case &study, double exact, const char *kind, bool estimates)
 {
   const ContactGoal goal = second_harmonic(study);
@@ -222,7 +223,7 @@ void run(const Case &study)
   say("body of revolution: a2/a0 = {:+.9f}\n", exact);
   say("mesh      unknowns      a2/a0     error   estimated  ratio  contact estimate (s)\n");
   FootResolution resolution = study.resolution;
-  // A hard table has no error estimate on an unrefined mesh.
+  // On a hard table, an unrefined mesh has no error estimate.
   for (resolution.refinements = study.solid.table.interface->is_hard();
        resolution.refinements <= study.max_refinements; ++resolution.refinements)
     solve_on(generate_solid_mesh(study.solid.profile, resolution), study, exact, "uniform",

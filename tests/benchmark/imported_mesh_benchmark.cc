@@ -27,22 +27,22 @@ using namespace stemware::fem;
 namespace
 {
 
-constexpr double off_axis = 0.01; // m
+constexpr double off_axis = 0.01; // [m]
 
 /// Returns the gap [m] of the foot with @p defect at a point of the table.
 double gap_of(const GlassProfile &profile, const std::string &defect, double x, double y)
 {
   if (defect == "off_axis")
     return profile.gap(std::hypot(x - off_axis, y));
-  constexpr double height_of_pads = 1e-3, amplitude = 1e-6; // m
+  constexpr double height_of_pads = 1e-3, amplitude = 1e-6; // [m]
   const double waves = std::cos(3 * std::atan2(y, x)), gap = profile.gap(std::hypot(x, y));
   if (defect == "pads")
     return gap + (waves < 0.5 ? height_of_pads : 0);
   return defect == "wavy" ? gap + amplitude * (1 + waves) : gap;
 }
 
-/// Returns the cells of @p drawn as a mesh file would give them, without the refinement history, with @p
-/// defect.
+/// Returns the cells of @p drawn with @p defect, as a mesh file would give them: without the refinement
+/// history.
 void import(const dealii::Triangulation<3> &drawn, const std::string &defect, double width, double radius,
             dealii::Triangulation<3> &mesh)
 {
@@ -68,7 +68,7 @@ void import(const dealii::Triangulation<3> &drawn, const std::string &defect, do
     mesh.copy_triangulation(flat);
     return;
   }
-  // A chip of 30 degrees out of the edge, down to the middle of the land.
+  // The chip removes 30 degrees of the edge, down to the middle of the land.
   std::set<dealii::Triangulation<3>::active_cell_iterator> removed;
   std::map<std::array<long, 3>, dealii::types::boundary_id> ids;
   const auto place_of = [](const dealii::Point<3> &x) {

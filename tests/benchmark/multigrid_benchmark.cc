@@ -32,7 +32,7 @@ struct Case
   FootResolution resolution = { 48, 2, 2, 2 };
   SolidOptions options;
   std::shared_ptr<const InterfaceLaw> interface;
-  double softening = 1; ///< see start_from_coarser_mesh()
+  double softening = 1; ///< softening of start_from_coarser_mesh()
   Resultants load;
   double tolerance = 1e-8; ///< tolerance of the timed linear solve
   bool compares = false;
@@ -76,8 +76,8 @@ Case read_case(int argc, char **argv)
   return study;
 }
 
-/// Returns the maximum of |a_n - a_n'| / a_0, n = 2 ... 8, where a_n' is the load of a body of revolution
-/// with a finer mesh, degree, harmonics and lines than usual.
+/// Returns the maximum of |a_n - a_n'| / a_0 for n = 2 ... 8. The load a_n' belongs to a body of revolution
+/// with a finer mesh, higher degree, and more harmonics and lines than usual.
 double distance_from_revolution(const Case &study, const ContactLoad &load)
 {
   RevolutionSetup setup;

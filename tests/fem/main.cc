@@ -25,8 +25,8 @@ class FailurePrinter : public testing::EmptyTestEventListener
 
 int main(int argc, char **argv)
 {
-  // Settings of Open MPI for a process without mpirun: no daemon (which needs ssh), no folder in /tmp (its
-  // name would be the same for all such processes), no network.
+  // Settings of Open MPI for a process without mpirun. No daemon: it would need ssh. No folder in /tmp: all
+  // such processes would use the same name. No network.
   if (std::getenv("OMPI_COMM_WORLD_RANK") == nullptr)
   {
     ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
@@ -40,7 +40,7 @@ int main(int argc, char **argv)
   {
     testing::TestEventListeners &listeners = testing::UnitTest::GetInstance()->listeners();
     delete listeners.Release(listeners.default_result_printer());
-    listeners.Append(new FailurePrinter); // owned by the list
+    listeners.Append(new FailurePrinter); // the list owns the listener
   }
   return RUN_ALL_TESTS();
 }

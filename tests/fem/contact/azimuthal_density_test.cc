@@ -17,7 +17,7 @@ double density_at(double azimuth)
   return 1 + 0.6 * std::cos(azimuth) + 0.3 * std::sin(azimuth);
 }
 
-/// Returns @p n_lines lines round the rim, the first one at @p first [rad].
+/// Returns @p n_lines lines around the rim. The first line is at the azimuth @p first [rad].
 ContactSurface lines_round_the_rim(unsigned int n_lines, double first)
 {
   ContactSurface surface;
@@ -53,7 +53,8 @@ TEST(AzimuthalDensity, EqualsTheDensityAtTheAzimuthsOfRadialLines)
 
 TEST(AzimuthalDensity, EqualsTheSectorMeanOnLinesThatAreNotRadial)
 {
-  // The mean of a first harmonic over a sector is its value at the middle times sin(h) / h, h half a sector.
+  // The mean of a first harmonic over a sector is its value at the middle of the sector times sin(h) / h,
+  // where h is half the sector.
   ContactSurface surface = lines_round_the_rim(4000, pi / 4000);
   surface.n_sectors = 10;
   const std::vector<AzimuthLoad> density = density_of_lines(surface, forces_on(surface));
@@ -66,7 +67,7 @@ TEST(AzimuthalDensity, EqualsTheSectorMeanOnLinesThatAreNotRadial)
 
 TEST(AzimuthalDensity, EqualsTheSectorMeanOfNodalForces)
 {
-  // Two nodes to a sector, of equal distance.
+  // Each sector has two nodes, equally spaced.
   const unsigned int n_nodes = 40;
   ContactSurface surface;
   surface.n_sectors = n_nodes / 2;

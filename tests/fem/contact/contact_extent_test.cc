@@ -24,7 +24,7 @@ namespace
 
 using stemware::ring::pi;
 
-/// A plane land of straight contact lines.
+/// Plane land made of straight contact lines.
 class PlaneLand
 {
 public:
@@ -76,7 +76,7 @@ const ContactSurface &annulus(PlaneLand &land, double inner, double outer, unsig
   return land.finished();
 }
 
-/// Contact and table motion of a rigid foot on a mat.
+/// Contact and table motion of a rigid foot pressed on a mat.
 struct Pressed
 {
   ContactExtent extent;
@@ -114,7 +114,7 @@ const ContactSurface &plate(PlaneLand &land, double length, double breadth, unsi
   return land.finished();
 }
 
-/// Returns three short radial lines that end at @p corners; their convex hull is the triangle.
+/// Returns three short radial lines that end at @p corners. Their convex hull is the triangle of the corners.
 const ContactSurface &tripod(PlaneLand &land, const std::vector<Eigen::RowVector2d> &corners)
 {
   for (const Eigen::RowVector2d &corner : corners)
@@ -127,8 +127,8 @@ const ContactSurface &tripod(PlaneLand &land, const std::vector<Eigen::RowVector
   return land.finished();
 }
 
-/// Returns the distance from the axis to the border of the convex polygon of @p corners, in counter-clockwise
-/// order, in the direction @p angle [m].
+/// Returns the distance from the axis to the border of the convex polygon of @p corners (counter-clockwise)
+/// in the direction @p angle [m].
 double distance_to_border(const std::vector<Eigen::RowVector2d> &corners, double angle)
 {
   const Eigen::RowVector2d ray(std::cos(angle), std::sin(angle));
@@ -154,21 +154,22 @@ bool tips(const ContactSurface &surface, double distance, double angle)
   {
     return true;
   }
-  catch (const ContactFailure &failure) // contact at a single point next to a corner
+  // A single point next to a corner is loaded.
+  catch (const ContactFailure &failure)
   {
     EXPECT_EQ(failure.outcome, ContactOutcome::singular_set);
   }
   return false;
 }
 
-/// The plane c + g_x x + g_y y whose positive part is the pressure under a rigid plate on a mat, from
-/// LiftedSquare on the coordinates (2 x / length, 2 y / breadth).
+/// Plane c + g_x x + g_y y. Its positive part is the pressure under a rigid plate on a mat. Computed by
+/// LiftedSquare in the coordinates (2 x / length, 2 y / breadth).
 struct PlatePressure
 {
   PlatePressure(double length, double breadth, double force, double x, double y)
   {
     const verification::LiftedSquare square({ 2 * x / length, 2 * y / breadth });
-    const double scale = 4 * force / (length * breadth); // LiftedSquare has 1 N on an area of 4
+    const double scale = 4 * force / (length * breadth); // in LiftedSquare, 1 N acts on an area of 4
     plane = scale * square.motion.cwiseProduct(Eigen::Vector3d(1, 2 / length, 2 / breadth));
     peak = scale * square.peak();
     share = square.share();
@@ -185,7 +186,7 @@ TEST(ContactExtent, AgreesWithTheClosedFormOfWideLands)
   struct Row
   {
     double inner, outer, eccentricity;
-    double share, azimuths; // quadrature by other code; no azimuth share for a disc
+    double share, azimuths; // quadrature by other code; a disc has no azimuth share
   };
   const Row rows[] = { { 0.02, 0.04, 0.9 * 0.015, 0.983415155, 1 },
                        { 0.02, 0.04, 1.2 * 0.015, 0.818702139, 1 },
@@ -204,8 +205,8 @@ TEST(ContactExtent, AgreesWithTheClosedFormOfWideLands)
       const Pressed found =
         pressed_at(annulus(land, row.inner, row.outer, n_lines), 10, row.eccentricity, 0, 1e9);
       const ContactExtent &extent = found.extent;
-      const double allowed = 12 / std::pow(n_lines, 2); // error of a kink between two lines
-      // p = slope (x - zero): closed forms of the largest pressure and of the table's motions.
+      const double allowed = 12 / std::pow(n_lines, 2); // error due to a kink between two lines
+      // Pressure p = slope (x - zero). The largest pressure and the table's motions follow in closed form.
       const double slope = 10 / exact.per_slope;
       EXPECT_NEAR(extent.peak_pressure / (slope * (row.outer - exact.zero)), 1, allowed) << row.eccentricity;
       EXPECT_NEAR(found.motion(0) / (slope * exact.zero / 1e9), 1, allowed * 0.04 / std::abs(exact.zero));
@@ -223,13 +224,14 @@ TEST(ContactExtent, AgreesWithTheClosedFormOfWideLands)
 
 TEST(ContactExtent, IsExactlyOneInFullContact)
 {
-  for (const double eccentricity : { 0., 0.005, 0.0124 }) // the kern of 20-40 mm: (r^2 + R^2) / 4R = 12.5 mm
+  // Below the kern radius of 20-40 mm, (r^2 + R^2) / 4R = 12.5 mm.
+  for (const double eccentricity : { 0., 0.005, 0.0124 })
   {
     PlaneLand land;
     const ContactExtent extent = pressed(annulus(land, 0.02, 0.04, 128), eccentricity);
     EXPECT_EQ(extent.area_share, 1);
     EXPECT_EQ(extent.azimuth_share, 1.);
-    // p = N / A (1 + x / kern).
+    // In full contact the largest pressure is N / A (1 + e / kern).
     const double mean = 10 / (pi * (0.04 * 0.04 - 0.02 * 0.02));
     EXPECT_NEAR(extent.peak_pressure / (mean * (1 + eccentricity / 0.0125)), 1, 1e-9);
   }
@@ -266,18 +268,18 @@ TEST(ContactExtent, AFootTipsAtTheBorderOfItsConvexHull)
   const Corners triangle = { { 0.04, -0.01 }, { 0.005, 0.03 }, { -0.03, -0.02 } };
   PlaneLand feet, strip;
   expect_border(tripod(feet, triangle), triangle);
-  // The outermost of 40 lines is half a line width inside the edge of the plate.
+  // The outermost of the 40 lines is half a line width inside the edge of the plate.
   constexpr double a = 0.04 * (1 - 1. / 40), b = 0.02;
   expect_border(plate(strip, 0.08, 0.04, 40), { { a, -b }, { a, b }, { -a, b }, { -a, -b } });
 }
 
-// Closed form if a triangle is loaded: p = 6 N / (a b) at the corner, with legs a and b of four times the
-// distance of the load from the edges. Otherwise LiftedSquare.
+// If a triangle is loaded, the closed form is p = 6 N / (a b) at the corner. The legs a and b are four times
+// the distances of the load from the edges. Otherwise the reference is LiftedSquare.
 TEST(ContactExtent, AgreesWithTheClosedFormUnderBiaxialEccentricity)
 {
   struct Row
   {
-    double x, y; ///< place of the load [m]
+    double x, y; ///< position of the load [m]
   };
   const double length = 0.08, breadth = 0.04, force = 10, modulus = 1e9;
   for (const Row &row : { Row{ 0.006, 0.002 }, Row{ 0.01, 0.005 }, Row{ 0.018, 0.004 }, Row{ -0.012, 0.0095 },
@@ -290,7 +292,7 @@ TEST(ContactExtent, AgreesWithTheClosedFormUnderBiaxialEccentricity)
       EXPECT_NEAR(exact.peak, 6 * force / (a * b), 1e-9 * exact.peak);
       EXPECT_NEAR(exact.share, a * b / 2 / (length * breadth), 1e-12);
     }
-    if (row.x == 0.006) // in the kern, |x|/L + |y|/B < 1/6: p = N/A (1 + 6 x/L + 6 y/B)
+    if (row.x == 0.006) // load in the kern, |x|/L + |y|/B < 1/6: p = N/A (1 + 6 x/L + 6 y/B)
     {
       EXPECT_NEAR(exact.peak, force / (length * breadth) * (1 + 6 * (row.x / length + row.y / breadth)),
                   1e-9 * exact.peak);
@@ -299,9 +301,10 @@ TEST(ContactExtent, AgreesWithTheClosedFormUnderBiaxialEccentricity)
     {
       PlaneLand land;
       const Pressed found = pressed_at(plate(land, length, breadth, n_lines), force, row.x, row.y, modulus);
-      const double allowed = 8 / std::pow(n_lines, 2); // midpoint rule over the strips
+      const double allowed = 8 / std::pow(n_lines, 2); // error of the midpoint rule over the strips
       EXPECT_NEAR(found.extent.area_share, exact.share, allowed) << row.x;
-      EXPECT_NEAR(found.extent.peak_pressure / exact.peak, 1, 1. / n_lines) << row.x; // of the outermost line
+      // The outermost line is inside the edge.
+      EXPECT_NEAR(found.extent.peak_pressure / exact.peak, 1, 1. / n_lines) << row.x;
       const Eigen::Vector3d motion = -exact.plane / modulus;
       for (unsigned int i = 0; i < 3; ++i)
         EXPECT_NEAR(found.motion(i) * (i > 0 ? 0.04 : 1), motion(i) * (i > 0 ? 0.04 : 1),
@@ -331,11 +334,11 @@ TEST(ContactExtent, AgreesWithQuadratureUnderACrownedRim)
   RigidFoot foot(surface);
   const auto mat = make_law(WinklerInterface(1e10), surface);
   for (const Row &row : rows)
-    for (const double direction : { -pi / 2, 0.02 }) // on a line, and between two
+    for (const double direction : { -pi / 2, 0.02 }) // maximum on a line, and between two lines
     {
       const ContactLoad load =
         extract_load(*mat, solve_contact(foot, *mat, load_at(row.m, direction), 0.03), 8);
-      EXPECT_NEAR(load.contact_fraction, row.share, 1e-3) << row.m; // the lines are 8e-3 apart
+      EXPECT_NEAR(load.contact_fraction, row.share, 1e-3) << row.m; // the spacing of the lines is 8e-3
       EXPECT_EQ(load.azimuth_fraction, load.contact_fraction);
       EXPECT_NEAR(load.peak_pressure / row.pressure, 1, 1e-4) << row.m;
     }

@@ -25,7 +25,7 @@ ContactOutcome outcome_on_mat(FootCase &foot, const Resultants &load, const Cont
   return outcome_of([&] { solve_contact(*foot.body, *mat, load, 0.03, control); });
 }
 
-/// A body whose linear solves return zero, so that the residual cannot decrease.
+/// Body whose linear solves return zero, so the residual cannot decrease.
 class StuckBody : public RigidFoot
 {
 public:
@@ -71,7 +71,9 @@ TEST(ContactDriver, ReportsAContactNarrowerThanItsCells)
 {
   FootCase crowned(GlassProfile(), coarse);
   crowned.solve_on_winkler(1e11,
-                           load_at(0.3)); // 0.2 mm of contact, nodes 0.5 mm apart, one of them in the middle
+                           // The contact is 0.2 mm wide, the nodes are 0.5 mm apart, one of them in the
+                           // middle.
+                           load_at(0.3));
   EXPECT_EQ(crowned.solution.outcome, ContactOutcome::narrow_contact);
   EXPECT_EQ(crowned.solution.n_nodes_across, 1u);
   EXPECT_EQ(crowned.solution.n_loaded_nodes, 2 * coarse.azimuthal_cells);
@@ -108,7 +110,7 @@ TEST(ContactDriver, ConvergedSolutionsBalanceTheDemand)
       const auto mat = make_law(WinklerInterface(modulus), foot.body->contact_surface());
       const Resultants demand = load_at(m, 2.1);
       foot.solve(*mat, demand);
-      // Resultants of the pressure points and of the nodal forces.
+      // Pressure points and nodal forces have the same resultants.
       const ContactSurface &surface = foot.body->contact_surface();
       Eigen::Vector3d of_pressure(0, 0, 0), of_nodes(0, 0, 0);
       for (const PointForce &point : mat->load(foot.solution, 1).points)

@@ -21,7 +21,7 @@ using stemware::taylor::is_derivative;
 namespace
 {
 
-/// The default rim as a rigid body on few lines, with lift-off on one side.
+/// Default rim as a rigid body on few lines, with lift-off on one side.
 struct LeaningRim
 {
   LeaningRim()
@@ -39,10 +39,10 @@ struct LeaningRim
   const ContactSurface &surface;
   const Eigen::MatrixX3d modes;
   const Eigen::VectorXd displacement; ///< normal displacement [m]
-  Eigen::VectorXd direction;          ///< a random step of it [m]
+  Eigen::VectorXd direction;          ///< random direction of the derivative [m]
 };
 
-/// Returns the moment balance with friction and tilt, whose conditions are the border of Newton's system.
+/// Returns the moment balance with friction and tilt. Its conditions are the border of Newton's system.
 ContactDemand friction_and_tilt()
 {
   ContactDemand demand(weight, 0.012, -0.01);
@@ -67,7 +67,7 @@ TEST(Derivatives, StiffnessIsTheDerivativeOfThePressure)
     const double pressure = law.pressure(depth);
     EXPECT_NEAR(law.pressure_and_stiffness(depth).first / pressure, 1, stemware::ulps(5, 1));
     EXPECT_NEAR(law.pressure_and_stiffness(depth).second / law.stiffness(depth), 1, stemware::ulps(5, 1));
-    // penetration_at() is the inverse, 1 / stiffness_at() its derivative.
+    // penetration_at() is the inverse function, and 1 / stiffness_at() is the derivative of this inverse.
     EXPECT_NEAR(law.penetration_at(pressure), depth, 1e-14);
     EXPECT_TRUE(is_derivative([&](double h) { return law.penetration_at(pressure * (1 + h)); },
                               pressure / law.stiffness_at(pressure), 0.05));
@@ -103,7 +103,7 @@ TEST(Derivatives, TangentIsTheDerivativeOfTheForces)
       return there.forces;
     };
     EXPECT_TRUE(is_derivative(forces, derivative, 0.5)) << interface->is_hard();
-    // An error of 0.1 % is detected.
+    // The test detects an error of 0.1 %.
     EXPECT_FALSE(is_derivative(forces, Eigen::VectorXd(1.001 * derivative), 0.5));
   }
 }
@@ -124,7 +124,7 @@ TEST(Derivatives, BorderIsTheDerivativeOfTheConditions)
   const Eigen::Matrix3d stiffness = motion_stiffness(start.tangent, conditions.weights(), rim.modes),
                         product = conditions.weights().transpose() * start.tangent * rim.modes;
   EXPECT_LT((stiffness - product).norm(), 1e-13 * product.norm());
-  // Derivative of the balance by the motion of the table under a rigid foot: -L'TQ + H.
+  // Under a rigid foot, the derivative of the balance with respect to the table motions is -L'TQ + H.
   const Eigen::Matrix3d border = conditions.motion_weights() - product;
   for (unsigned int i = 0; i < 3; ++i)
   {
@@ -140,8 +140,8 @@ TEST(Derivatives, BorderIsTheDerivativeOfTheConditions)
   EXPECT_LT((border * increment + residual).norm(), 1e-10 * residual.norm());
 }
 
-// Reference: moment balance of the rings with their friction and the tilt moment. It is linear in forces and
-// motion, so that the conditions equal it for any state.
+// Reference: moment balance of the rings with their friction and the tilt moment. This balance is linear in
+// forces and motion, so the conditions equal it for any state.
 TEST(Derivatives, ConditionsEqualTheMomentBalance)
 {
   const LeaningRim rim;
@@ -154,7 +154,7 @@ TEST(Derivatives, ConditionsEqualTheMomentBalance)
     const Eigen::VectorXd forces = Eigen::VectorXd::NullaryExpr(
       rim.surface.n_nodes(), [&]() { return weight / rim.surface.n_nodes() * (1 + between(engine)); });
     const Eigen::Vector3d motion(1e-6 * between(engine), 1e-4 * between(engine), 1e-4 * between(engine));
-    // Projection of nodal forces onto rings by Lagrange polynomials.
+    // Reference: nodal forces projected onto rings by Lagrange polynomials.
     std::vector<stemware::ring::RingStack::Ring> rings;
     for (const double radius : demand.ring_radii)
       rings.push_back({ radius, std::vector<double>(9, 0.), std::vector<double>(9, 0.) });
@@ -179,7 +179,7 @@ TEST(Derivatives, ConditionsEqualTheMomentBalance)
       }
     }
     const auto friction = stemware::ring::coulomb_wrench(0.3, stemware::ring::RingStack(rings), -4., 0.35);
-    // M_N = moment + h k x T + N z (-q2, q1), and the conditions are (N, -M_y, M_x).
+    // The balance is M_N = moment + h k x T + N z (-q2, q1), and the conditions are (N, -M_y, M_x).
     const Eigen::Vector2d unbalanced = moment - Eigen::Vector2d(demand.moment_x, demand.moment_y) -
                                        0.05 * Eigen::Vector2d(-friction.force_y, friction.force_x) -
                                        demand.tilt_moment * Eigen::Vector2d(-motion(2), motion(1));

@@ -16,8 +16,8 @@ namespace
 
 const double full_turn = 2 * ring::pi;
 
-/// Returns 72 cuts of 33 points up to @p reach [m] on both sides of r = 30 mm; @p pressure(azimuth, r - 30
-/// mm).
+/// Returns 72 cuts of 33 points up to @p reach [m] on both sides of r = 30 mm. @p pressure is a function of
+/// azimuth and r - 30 mm.
 PressureMap map_of(double reach, const std::function<double(double, double)> &pressure)
 {
   PressureMap footprint;
@@ -47,7 +47,7 @@ TEST(Footprint, FindsTheEdgesBetweenGridPoints)
                                          return 9e4 * std::max(0., 1 - share * share);
                                        });
   const auto cuts = loaded_cuts(footprint);
-  ASSERT_EQ(cuts.size(), 73u); // the first again after a whole turn
+  ASSERT_EQ(cuts.size(), 73u); // the first cut is repeated after a whole turn
   for (const auto &cut : cuts)
     for (const double radius : { cut.front().radius, cut.back().radius })
       EXPECT_NEAR(std::abs(radius - 0.03), half_width(cut.front().azimuth), 5e-6) << cut.front().azimuth;
@@ -81,8 +81,8 @@ TEST(Footprint, ContainsNinetyNinePercentOfTheLoadIfThePressureHasNoEdge)
   }
 }
 
-/// Pressure of 60 kPa on the outer half of the land over half the rim, with a single loaded point at the end
-/// of the land: no division of zero by zero.
+/// The pressure is 60 kPa on the outer half of the land over half the rim, with a single loaded point at the
+/// end of the land. Zero must not be divided by zero.
 TEST(Footprint, MeanIsFiniteIfASingleEndPointIsLoaded)
 {
   PressureMap footprint;
@@ -91,33 +91,33 @@ TEST(Footprint, MeanIsFiniteIfASingleEndPointIsLoaded)
   {
     footprint.cuts.emplace_back();
     for (unsigned int i = 0; i < 33; ++i)
-      // Interpolation between these radii rounds to a value outside them.
+      // Interpolation between these radii rounds to a value outside the interval.
       footprint.cuts.back().push_back({ 0.0292807 + 0.0008256591 * i / 32, full_turn * c / 36,
                                         c < 18 ? (i >= 16 ? 6e4 : 0.) : (c == 30 && i == 32 ? 6e4 : 0.) });
   }
   const FootprintMeasures measures = measures_of(footprint);
   EXPECT_NEAR(measures.mean, 6e4 * 16.25 / 16.5,
-              300); // the pressure falls to zero over half of the first interval
+              300); // the pressure falls to zero within half of the first interval
   EXPECT_EQ(measures.narrowest, 0);
   EXPECT_NEAR(measures.widest, 426e-6, 1e-6);
   const auto cuts = loaded_cuts(footprint);
   for (const PressurePoint &point : cuts[0])
     EXPECT_TRUE(std::isfinite(point.pressure));
   for (const PressurePoint &point : cuts[20])
-    EXPECT_TRUE(std::isnan(point.pressure)); // no load
+    EXPECT_TRUE(std::isnan(point.pressure)); // the cut has no load
   for (auto &cut : footprint.cuts)
     for (PressurePoint &point : cut)
       point.pressure = 0;
   EXPECT_TRUE(std::isnan(measures_of(footprint).mean));
 }
 
-/// The parameters of p_0 (1 - x^2)^a follow from its moments on a line.
+/// The parameters of the profile p_0 (1 - x^2)^a follow from the moments of the pressure on a line.
 TEST(PressureProfile, FollowsFromTheMomentsOfALine)
 {
   const double middle = 0.03, half_width = 2e-6, peak = 14e6, azimuth_width = 0.1;
   for (const double exponent : { 0.5, 0.8, 1. })
   {
-    // Many short lines along x, because each is integrated by few points.
+    // The surface has many short lines along x, because few points integrate each line.
     ContactSurface surface;
     surface.lines_are_radial = true;
     std::vector<Eigen::Vector3d> depths;
@@ -150,7 +150,7 @@ TEST(PressureProfile, FollowsFromTheMomentsOfALine)
   }
 }
 
-/// The map of Hertz pressures ends at the contact edges between its points, because the square of the
+/// The map of a Hertz pressure ends at the contact edges between its points, because the square of the
 /// pressure is interpolated.
 TEST(PressureProfile, MapEndsAtTheContactEdges)
 {

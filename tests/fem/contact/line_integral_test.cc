@@ -10,7 +10,7 @@ using namespace stemware::fem;
 
 namespace
 {
-/// Returns a radial line from 28 to 32 mm at @p azimuth, 1e-3 rad wide.
+/// Returns a radial line from 28 to 32 mm at @p azimuth with a width of 1e-3 rad.
 ContactLine radial_line(double azimuth)
 {
   ContactLine line;
@@ -27,7 +27,7 @@ ContactLine radial_line(double azimuth)
 
 TEST(LineIntegral, FindsTheIntervalsOfAPositiveQuadratic)
 {
-  // (xi - 0.5)(xi + 0.25) at -1, 0, 1.
+  // Samples of (xi - 0.5)(xi + 0.25) at -1, 0, 1.
   const PositiveSegments two(Eigen::Vector3d(1.125, -0.125, 0.625));
   ASSERT_EQ(two.n_segments, 2u);
   EXPECT_NEAR(two.segments[0].end, -0.25, stemware::ulps(18, 0.25));
@@ -42,7 +42,7 @@ TEST(LineIntegral, FindsTheIntervalsOfAPositiveQuadratic)
   EXPECT_EQ(PositiveSegments(Eigen::Vector3d(-1, -1, -1)).n_segments, 0u);
   EXPECT_EQ(PositiveSegments(Eigen::Vector3d::Zero()).n_segments, 0u);
 
-  // A linear function, and a nearly linear one for which the textbook formula cancels.
+  // A linear function, and a nearly linear function for which the textbook formula cancels.
   EXPECT_NEAR(PositiveSegments(Eigen::Vector3d(-1, 0.5, 2)).segments[0].begin, -1. / 3,
               stemware::ulps(14, 0.33));
   EXPECT_NEAR(PositiveSegments(Eigen::Vector3d(-1 + 1e-14, 0.5, 2 + 1e-14)).segments[0].begin, -1. / 3,
@@ -74,7 +74,7 @@ TEST(LineIntegral, AgreesWithTheMidpointRuleOnRandomPenetrations)
       const double radius = 0.030 + 0.002 * xi;
       brute += shape * std::max(0., shape.dot(depth)) * radius * 1e-3 * 0.004 / n_points;
     }
-    // Error of the midpoint rule at kinks: 1e-10 of the integrals, which are about 1e-7.
+    // At kinks, the midpoint rule has an error of 1e-10 of the integrals. The integrals are about 1e-7.
     EXPECT_LT((exact - brute).norm(), 2e-10 * 1.2e-7) << "sample " << sample;
   }
 }

@@ -30,7 +30,7 @@ Eigen::MatrixX2d friction_per_force(const ContactSurface &surface)
 /// Arm of the friction force [m].
 constexpr double arm = 0.05;
 
-/// Sum x f + arm T_x(f) and sum y f + arm T_y(f) [N m].
+/// Prescribed sum x f + arm T_x(f) and sum y f + arm T_y(f) [N m].
 const Eigen::Vector2d prescribed(-0.010, 0.012);
 
 LinearConditions friction_arm_conditions(const ContactSurface &surface)
@@ -46,8 +46,8 @@ double norm(const ContactSurface &surface, const Eigen::VectorXd &forces)
   return std::sqrt(surface.parts.sum(forces.squaredNorm()));
 }
 
-/// Returns the limit of solutions under prescribed resultants, corrected by the friction of the previous
-/// solution.
+/// Returns the limit of a sequence of solutions under prescribed resultants. Each solution is corrected by
+/// the friction of the previous one.
 ContactSolution by_fixed_point(ElasticBody &body, TableLaw &law)
 {
   const ContactSurface &surface = body.contact_surface();
@@ -113,7 +113,7 @@ TEST(LinearConditions, AgreeWithTheFixedPointOfTheFrictionArmUnderABodyOfRevolut
   RevolutionCase foot(profile, foot_compliance(profile, graded_cells(), MeridianOptions{ 2, 16 }), 64);
   const auto law = make_law(WinklerInterface(1e11), foot.body.contact_surface());
   expect_fixed_point(foot.body, *law);
-  // Friction also deforms the foot.
+  // With sliding, friction also deforms the foot.
   foot.body.set_sliding(SlidingTraction{ 0.25, -11. });
   expect_fixed_point(foot.body, *law);
 }
@@ -129,7 +129,7 @@ TEST(LinearConditions, RefusesInvalidConditions)
   EXPECT_THROW(LinearConditions(surface, 2 * modes, { 1, 0, 0 }), std::invalid_argument);
   EXPECT_THROW(LinearConditions(surface, modes, { 0, 0, 0 }), std::invalid_argument);
   EXPECT_THROW(LinearConditions(surface, modes, { 1, std::nan(""), 0 }), std::invalid_argument);
-  // Compressive forces have no weighted mean beyond the largest weight.
+  // A weighted mean of compressive forces cannot exceed the largest weight.
   const auto law = make_law(WinklerInterface(1e10), surface);
   Eigen::MatrixX3d shifted = modes;
   shifted.col(1).array() += 0.1;

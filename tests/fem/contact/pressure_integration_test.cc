@@ -19,7 +19,7 @@ Eigen::VectorXd point_sums(const ContactSurface &surface, const Law &law,
   for (const ContactLine &line : surface.lines)
   {
     const double inner = line.position.row(0).norm(), outer = line.position.row(2).norm();
-    Eigen::Vector3d displacement; // at the ends and the middle of the line
+    Eigen::Vector3d displacement; // displacements at the ends and the middle of the line
     for (unsigned int sample = 0; sample < 3; ++sample)
       displacement(sample) = normal_displacement(line.nodes[sample]);
     const double first = std::max(0., (0.03 - reach - inner) / (outer - inner));
@@ -51,7 +51,7 @@ Eigen::VectorXd bent(const ContactSurface &surface, double depth)
   return displacement;
 }
 
-/// Returns the largest error of the law's nodal forces over the largest of them.
+/// Returns the largest error of the law's nodal forces, relative to the largest nodal force.
 template <typename Law>
 double error_of(const Law &law, const GlassProfile &profile, unsigned int land_cells, double depth,
                 double reach = 1)
@@ -69,7 +69,7 @@ double error_of(const Law &law, const GlassProfile &profile, unsigned int land_c
 
 } // namespace
 
-// The point sums have an error of about 1e-9, under a rough interface 1e-8.
+// The point sums have an error of about 1e-9, or 1e-8 under a rough interface.
 TEST(PressureIntegration, IsExactToRoundingForAWinklerInterface)
 {
   for (const unsigned int land_cells : { 2u, 8u, 40u })
@@ -79,7 +79,7 @@ TEST(PressureIntegration, IsExactToRoundingForAWinklerInterface)
   }
 }
 
-/// The stiff spring of a hard interface: contact within a single cell.
+/// The spring is as stiff as for a hard interface. Contact occurs within a single cell.
 TEST(PressureIntegration, IsExactToRoundingForAStiffSpring)
 {
   for (const unsigned int land_cells : { 2u, 8u, 40u })
@@ -88,7 +88,7 @@ TEST(PressureIntegration, IsExactToRoundingForAStiffSpring)
 
 TEST(PressureIntegration, IsExactToRoundingForARoughInterface)
 {
-  // Mean planes apart, and overlapping.
+  // The mean planes are apart or overlap.
   for (const double decay_length : { 1e-7, 1e-6, 1e-5 })
     for (const double depth : { -3 * decay_length, 2 * decay_length, 20 * decay_length })
       for (const unsigned int land_cells : { 2u, 8u, 40u })

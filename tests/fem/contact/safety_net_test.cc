@@ -1,4 +1,4 @@
-// Damped Newton steps, which ordinary contacts do not need.
+// Damped Newton steps. Ordinary contact problems do not need damping.
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/pressure_law.h"
 #include "fem/contact/rigid_foot.h"
@@ -12,8 +12,8 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Pressure that rises from 0 to twice its middle value within a few @p width of zero penetration. Undamped
-/// Newton steps diverge from a start further away.
+/// Pressure law: from 0 to twice `middle` within a few @p width around zero penetration. Undamped Newton
+/// steps diverge from a start further away.
 struct SaturatingInterface : PressureInterface<SaturatingInterface>
 {
   SaturatingInterface(double middle, double width)
@@ -72,7 +72,8 @@ TEST(StepLength, DampsDivergingNewtonSteps)
     { shortest_step = std::min(shortest_step, iteration.step_length); };
     const ContactSolution solution = solve_contact(rigid, *law, conditions, 0.03, control, &start);
     EXPECT_LT(plain.residual(solution.forces, solution.motion).norm(), 1e-10 * weight);
-    EXPECT_LT(solution.normal_displacement.cwiseAbs().maxCoeff(), width); // p = N / area is at zero
+    // The pressure equals the mean N / area at zero penetration.
+    EXPECT_LT(solution.normal_displacement.cwiseAbs().maxCoeff(), width);
     EXPECT_LT(shortest_step, 0.5);
     EXPECT_LE(solution.n_iterations, 12u);
   }

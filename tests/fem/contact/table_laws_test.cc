@@ -1,4 +1,4 @@
-// Interface laws under a rigid narrow ring, whose load has a closed form (rough interface: modified Bessel
+// Interface laws under a rigid narrow ring. Its load has a closed form (rough interface: modified Bessel
 // functions; mat: contact angle).
 #include "fem/contact/rigid_foot.h"
 #include "fem/contact/rough_interface.h"
@@ -22,7 +22,7 @@ GlassProfile thin_ring(double crown_radius)
   return profile;
 }
 
-/// A rigid foot with the contact surface of a body of revolution.
+/// Rigid foot with the contact surface of a body of revolution.
 struct RigidRing
 {
   RigidRing(const GlassProfile &profile, unsigned int n_lines)
@@ -42,7 +42,7 @@ struct RigidRing
   RigidFoot foot;
 };
 
-/// Solves @p value(x) = @p target for a rising function by bisection of [low, high].
+/// Solves @p value(x) = @p target for an increasing function by bisection of [low, high].
 template <typename Function>
 double invert(const Function &value, double target, double low, double high)
 {
@@ -58,7 +58,7 @@ double invert(const Function &value, double target, double low, double high)
 
 TEST(RoughInterface, GivesBesselHarmonicsUnderARigidRing)
 {
-  // lambda ~ exp(x cos theta): a_n / a_0 = 2 I_n(x) / I_0(x) for any pressure scale and decay length.
+  // The load is exp(x cos theta), so a_n / a_0 = 2 I_n(x) / I_0(x) for any pressure scale and decay length.
   RigidRing ring(thin_ring(0), 256);
   for (const RoughInterface &interface : { RoughInterface(1e9, 1e-6), RoughInterface(1e12, 1e-7) })
     for (const double m : { 0.2, 0.8, 1.5 })
@@ -68,7 +68,7 @@ TEST(RoughInterface, GivesBesselHarmonicsUnderARigidRing)
       const auto ratio = [](unsigned int n, double x)
       { return 2 * boost::math::cyl_bessel_i(n, x) / boost::math::cyl_bessel_i(0, x); };
       const double x = invert([&](double y) { return ratio(1, y); }, load.a(1) / load.a(0), 0, 50);
-      EXPECT_NEAR(load.a(1) / load.a(0), m, 1e-4); // the ring is 0.1 mm wide
+      EXPECT_NEAR(load.a(1) / load.a(0), m, 1e-4); // accurate to 1e-4 because the ring is 0.1 mm wide
       for (unsigned int n = 2; n <= 8; ++n)
         EXPECT_NEAR(load.a(n) / load.a(0), ratio(n, x), 1e-5) << "m = " << m << ", n = " << n;
       EXPECT_EQ(load.contact_fraction, 1);
@@ -85,7 +85,8 @@ TEST(RoughInterface, RefusesInvalidParameters)
 
 TEST(RigidLimit, AgreesWithTheClosedFormOfACrownedRingOnAMat)
 {
-  // Rigid torus, exponent 3/2. Lift-off starts at m = 6/5 with a_2/a_0 = 6/35; other values by quadrature.
+  // On a rigid torus the exponent is 3/2. Lift-off starts at m = 6/5 with a_2/a_0 = 6/35. The other values
+  // are computed by quadrature.
   GlassProfile profile = thin_ring(0.003);
   profile.land_width = 1e-3;
   RigidRing ring(profile, 1024);
@@ -109,7 +110,7 @@ TEST(RigidLimit, AgreesWithTheClosedFormOfACrownedRingOnAMat)
   }
 }
 
-// Reference: components of the relative velocity of the point.
+// Reference: components of the relative velocity at the point.
 TEST(SlidingTraction, OpposesTheSlipInRotatedAxes)
 {
   const double mu = 0.3, spin = -40., radius = 0.03;

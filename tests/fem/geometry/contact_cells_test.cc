@@ -1,4 +1,4 @@
-// Contact cells that foot and disc share, for random sections.
+// Contact cells shared by foot and disc, for random sections.
 #include "fem/geometry/boundary_ids.h"
 #include "fem/geometry/meridian_mesh.h"
 
@@ -27,8 +27,8 @@ struct RandomSection
   TableDisc disc;
 };
 
-/// Returns a random shape, land of 0.5 to 4 mm, foot up to six times as thick, with or without a focus of up
-/// to twelve halvings on the land.
+/// Returns a random section: a land of 0.5 to 4 mm, a foot up to six times as thick, with or without a focus
+/// of up to twelve halvings on the land.
 RandomSection random_section(unsigned int seed)
 {
   std::mt19937 engine(seed);
@@ -70,11 +70,11 @@ RandomSection random_section(unsigned int seed)
     }
     catch (const std::invalid_argument &)
     {
-      // Impossible profile: draw another.
+      // The profile is impossible; another one is drawn.
     }
 }
 
-/// Returns the radii of the nodes of elements of @p degree on the contact zone, ascending [m].
+/// Returns the radii [m] of the nodes of elements of @p degree on the contact zone, in ascending order.
 std::vector<double> contact_nodes(const dealii::Triangulation<2> &triangulation, unsigned int degree)
 {
   const dealii::FE_Q<2> element(degree);
@@ -92,8 +92,8 @@ std::vector<double> contact_nodes(const dealii::Triangulation<2> &triangulation,
 
 struct Shape
 {
-  double worst = 0;            ///< aspect ratio of all cells
-  double worst_of_contact = 0; ///< aspect ratio of the cells on the contact zone
+  double worst = 0;            ///< largest aspect ratio of all cells
+  double worst_of_contact = 0; ///< largest aspect ratio of the cells on the contact zone
 };
 
 /// Returns the largest aspect ratios; infinite if a cell is inverted.
@@ -143,9 +143,9 @@ TEST(ContactCells, AreSharedByFootAndDisc)
       const Shape shape = shape_of(*mesh, section.degree);
       EXPECT_TRUE(std::isfinite(shape.worst));
       if (!section.resolution.has_focus())
-        continue; // a graded land may have elongated cells
+        continue; // the cells of a graded land may be elongated
       EXPECT_LT(shape.worst_of_contact, 5);
-      // In a disc, narrow columns of cells extend to the bottom, where the solution hardly varies along r.
+      // Narrow columns of cells in a disc extend to the bottom. The solution there hardly varies along r.
       EXPECT_LT(shape.worst, mesh == &foot ? 400 : 2000);
     }
   }
@@ -174,12 +174,12 @@ TEST(ContactCells, HaveTheRequestedSizeInTheFocus)
       if (before > 0)
       {
         EXPECT_LT(std::max(size / before, before / size),
-                  3 * (1 + 1e-9)); // one and a half at the land's borders
+                  3 * (1 + 1e-9)); // the ratio is one and a half at the land's borders
       }
       before = size;
     }
     EXPECT_EQ(n_in_focus, 24u) << half_width;
-    // Sizes double, so the number of cells grows logarithmically.
+    // The cell size doubles repeatedly, so the number of cells grows logarithmically.
     EXPECT_LT(borders.size(), 24 + 6 * std::log2(profile.land_width / resolution.focus_size));
   }
 }

@@ -62,7 +62,7 @@ TEST(FootMesh, FollowsTheProfileOfAFoot)
 
 TEST(FootMesh, LandIsRoundToTheOrderOfTheElements)
 {
-  // Chords between 24 points cut off 1 - sin(15 deg) / (15 deg in radians) = 1.138 % of the land.
+  // Chords between 24 points cut off 1 - sin(15 deg) / (15 deg in radians) = 1.138 % of the land's area.
   for (const GlassShape shape : { GlassShape::step, GlassShape::foot })
   {
     EXPECT_NEAR(land_area_error(shape, 24, 1), 1 - std::sin(pi / 12) / (pi / 12), 1e-12);
@@ -78,8 +78,7 @@ TEST(FootMesh, CellsAreWellShaped)
     make_foot_mesh(GlassProfile(), { n_sectors, 4, 2 }, triangulation);
     const MappingQ<3> mapping(2);
     const auto ratios = GridTools::compute_aspect_ratio_of_cells(mapping, triangulation, QGauss<3>(3));
-    EXPECT_LT(ratios.linfty_norm(), n_sectors < 24 ? 40 : 12)
-      << n_sectors; // infinite for a cell turned inside out
+    EXPECT_LT(ratios.linfty_norm(), n_sectors < 24 ? 40 : 12) << n_sectors; // infinite if a cell is inverted
     Triangulation<3> foot;
     make_foot_mesh(foot_profile(), { n_sectors, 4, 2 }, foot);
     const auto foot_ratios = GridTools::compute_aspect_ratio_of_cells(mapping, foot, QGauss<3>(3));
@@ -98,7 +97,7 @@ TEST_P(FootMeshOfShape, BoundaryIdsMarkLandAndCut)
 {
   GlassProfile profile;
   profile.shape = GetParam();
-  profile.underside_rise = 0; // flat underside: the boundary ids must end at the borders of the land
+  profile.underside_rise = 0; // on a flat underside, the boundary ids must end at the borders of the land
   Triangulation<3> triangulation;
   make_foot_mesh(profile, { 16, 4, 1 }, triangulation);
   unsigned int n_land = 0;
@@ -123,10 +122,10 @@ TEST_P(FootMeshOfShape, BoundaryIdsMarkLandAndCut)
     }
   }
   EXPECT_EQ(n_land, 16u * 4u);
-  EXPECT_EQ(n_cut, 16u + 16u); // a core of 4 x 4 and the ring round it
+  EXPECT_EQ(n_cut, 16u + 16u); // core of 4 x 4 cells and the ring around the core
 }
 
-/// Requirement of p4est on a coarse mesh, which p4est checks in debug builds only.
+/// p4est requires consistent edges in a coarse mesh, but checks them in debug builds only.
 TEST_P(FootMeshOfShape, CellsHaveConsistentEdgeOrientations)
 {
   GlassProfile profile;

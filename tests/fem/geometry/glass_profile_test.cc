@@ -39,12 +39,13 @@ TEST(GlassProfile, UndersideIsTangentialToTheLand)
   const GlassProfile profile = foot_profile();
   EXPECT_EQ(profile.underside(0), 0.003);
   EXPECT_NEAR(profile.underside(0.014), 0.003 * 9 / 16,
-              ulps(15, profile.underside_rise)); // half-way to the land: (1 - 1/4)^2
+              ulps(15, profile.underside_rise)); // half-way to the land the rise is (1 - 1/4)^2 of the total
   for (const double on_land : { 0.028, 0.030, 0.032 })
     EXPECT_EQ(profile.underside(on_land), 0);
   EXPECT_NEAR(profile.underside(0.033), 0.00025, ulps(15, profile.underside_rise));
   EXPECT_NEAR(profile.underside(0.034), 0.001, ulps(15, profile.underside_rise));
-  // With a slope at the border, the height would be of first order in the distance.
+  // If the underside had a slope at the border of the land, the height would be of first order in the
+  // distance.
   for (const double distance : { 1e-4, 1e-5, 1e-6 })
   {
     EXPECT_LT(profile.underside(0.028 - distance), 16 * distance * distance);
@@ -70,7 +71,8 @@ TEST(GlassProfile, TopTapersLinearlyToTheEdge)
 TEST(GlassProfile, FilletIsTangentialToStemAndTop)
 {
   for (const double rise : { 0.003, 0. })
-    for (const double edge : { 0.0015, 0.009 }) // a top that falls outwards, and one that rises
+    // Edge height of a top that falls outwards, and of a top that rises.
+    for (const double edge : { 0.0015, 0.009 })
     {
       GlassProfile profile = foot_profile();
       profile.underside_rise = rise;
@@ -89,7 +91,7 @@ TEST(GlassProfile, FilletIsTangentialToStemAndTop)
         EXPECT_NEAR(distance(profile.stem_surface(height), height), profile.fillet_radius,
                     ulps(40, profile.fillet_radius));
       }
-      // The end of the arc is the point of the straight top closest to the centre.
+      // The end of the arc is the point of the straight top that is closest to the arc's centre.
       for (const double away : { -1e-3, -1e-4, 1e-4, 1e-3 })
       {
         const double slope = (profile.topside(0.030) - profile.topside(0.025)) / 0.005;
@@ -135,16 +137,16 @@ TEST(GlassProfile, RefusalsNameTheQuantity)
         profile.*given.length = value;
         const std::string sentence = refusal(profile);
         if (shape == GlassShape::step && !given.of_both_shapes)
-          EXPECT_EQ(sentence, ""); // unused by a step
+          EXPECT_EQ(sentence, ""); // a step does not use this entry
         else
           EXPECT_TRUE(boost::icontains(sentence, given.quantity)) << value << sentence;
       }
     }
-  GlassProfile short_stem = foot_profile(); // lower than the fillet
+  GlassProfile short_stem = foot_profile(); // the stem is lower than the fillet
   short_stem.stem_height = 0.004;
   EXPECT_NE(refusal(short_stem), "");
   GlassProfile pierced =
-    foot_profile(); // by a dome under a stem so wide that its top is lower at its surface
+    foot_profile(); // a dome under a stem so wide that the top is lower at the stem's surface
   pierced.stem_radius = 0.015;
   pierced.underside_rise = 0.02;
   EXPECT_EQ(refusal(pierced).rfind("Underside rise = ", 0), 0u) << refusal(pierced);

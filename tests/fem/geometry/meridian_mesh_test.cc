@@ -17,7 +17,7 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Area of the section [m^2], and its length on the contact zone [m].
+/// Area of the section [m^2], and length of its contact zone [m].
 struct Measures
 {
   double area = 0;
@@ -69,7 +69,7 @@ TEST(MeridianMesh, FollowsTheProfileOfAFoot)
     make_meridian_mesh(profile, resolution, triangulation);
     for (const unsigned int degree : { 1u, 2u, 3u, 4u })
     {
-      // Interpolation points of the mapping on the edges, including the vertices.
+      // Interpolation points of the mapping on the edges, vertices included.
       const dealii::MappingQ<2> mapping(degree);
       const dealii::QGaussLobatto<1> edge_points(degree + 1);
       dealii::FE_Nothing<2> nothing;
@@ -89,7 +89,7 @@ TEST(MeridianMesh, FollowsTheProfileOfAFoot)
   }
 }
 
-/// The area enclosed by curves through Gauss-Lobatto points of degree p converges at order 2 p.
+/// The area enclosed by curves through Gauss-Lobatto points of degree p converges at the order 2 p.
 TEST(MeridianMesh, AreaConvergesAtTwiceTheOrderOfTheGeometry)
 {
   const GlassProfile profile = foot_profile();
@@ -112,7 +112,7 @@ TEST(MeridianMesh, AreaConvergesAtTwiceTheOrderOfTheGeometry)
   }
 }
 
-/// The level of a sharp corner between foot and stem is 1 up to rounding, which must not create a row of
+/// At a sharp corner between foot and stem, the level is 1 up to rounding. Rounding must not create a row of
 /// cells.
 TEST(MeridianMesh, AvoidsSliverCellsAtASharpCorner)
 {

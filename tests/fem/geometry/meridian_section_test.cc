@@ -23,7 +23,7 @@ namespace
 
 using Polyline = std::vector<SectionVertex>;
 
-/// Returns points (r, z) in mm, the first on line 2 of a file.
+/// Returns points (r, z) given in mm. The first point is on line 2 of a file.
 Polyline in_millimetres(const std::vector<std::pair<double, double>> &points)
 {
   Polyline polyline;
@@ -32,14 +32,14 @@ Polyline in_millimetres(const std::vector<std::pair<double, double>> &points)
   return polyline;
 }
 
-/// A plain foot on a flat land from 28 to 32 mm, corners of more than 0.2 rad, from the axis to the stem cut
-/// [mm].
+/// Plain foot with a flat land from 28 to 32 mm and corners of more than 0.2 rad, from the axis to the stem
+/// cut [mm].
 const std::vector<std::pair<double, double>> plain_foot = { { 0, 2 },  { 20, 2 }, { 28, 0 }, { 32, 0 },
                                                             { 34, 1 }, { 34, 3 }, { 16, 4 }, { 6, 8 },
                                                             { 4, 16 }, { 0, 16 } };
 
-/// Returns the area between polyline and axis [m^2] and volume of the glass [m^3]: sums over trapezia and
-/// frusta.
+/// Returns the area between polyline and axis [m^2] and the volume of the glass [m^3], as sums over trapezia
+/// and frusta.
 std::pair<double, double> area_and_volume(const Polyline &polyline)
 {
   double area = 0, volume = 0;
@@ -75,7 +75,7 @@ std::string refusal_of(const std::vector<std::pair<double, double>> &points)
   return {};
 }
 
-/// Returns the message for plain_foot with one changed point.
+/// Returns the message that refuses plain_foot after one point has been changed.
 std::string refusal_with(std::size_t index, double radius, double height)
 {
   std::vector<std::pair<double, double>> points = plain_foot;
@@ -87,7 +87,7 @@ std::string refusal_with(std::size_t index, double radius, double height)
 
 TEST(MeridianSection, FindsUndersideTopAndStemOfAPolyline)
 {
-  std::vector<std::pair<double, double>> lifted = plain_foot; // heights count from the lowest point
+  std::vector<std::pair<double, double>> lifted = plain_foot; // heights are measured from the lowest point
   for (auto &point : lifted)
     point.second += 7;
   for (const bool reversed : { false, true })
@@ -111,8 +111,8 @@ TEST(MeridianSection, FindsUndersideTopAndStemOfAPolyline)
 
 TEST(MeridianSection, TruncatesASharpEdge)
 {
-  // The edge is a wedge, 3.2 mm thick at r = 32 mm and sharp at 36 mm. The foot is 4 mm thick at the lowest
-  // point.
+  // The edge is a wedge: 3.2 mm thick at r = 32 mm and sharp at 36 mm. At the lowest point the foot is 4 mm
+  // thick.
   const MeridianSection section(in_millimetres(
     { { 0, 2 }, { 30, 0 }, { 32, 0.8 }, { 36, 2.4 }, { 32, 4 }, { 5, 4 }, { 5, 12 }, { 0, 12 } }));
   EXPECT_NEAR(section.topside(0.030) - section.underside(0.030), 0.004, ulps(16, 0.03));
@@ -145,11 +145,12 @@ TEST(MeridianSection, RefusesInvalidPolylinesWithTheLine)
   EXPECT_EQ(refusal_of(plain_foot), "");
   const auto expect_line = [](const std::string &sentence, const std::string &words)
   { EXPECT_NE(sentence.find(words), std::string::npos) << sentence; };
-  std::vector<std::pair<double, double>> points(plain_foot.begin(), plain_foot.end() - 1); // open
+  // The polyline is not closed.
+  std::vector<std::pair<double, double>> points(plain_foot.begin(), plain_foot.end() - 1);
   expect_line(refusal_of(points), "line 10");
   points.assign(plain_foot.begin() + 1, plain_foot.end());
   expect_line(refusal_of(points), "line 2");
-  points = plain_foot; // upside down
+  points = plain_foot; // the foot is upside down
   for (auto &point : points)
     point.second = -point.second;
   expect_line(refusal_of(points), "line 11");
@@ -157,11 +158,11 @@ TEST(MeridianSection, RefusesInvalidPolylinesWithTheLine)
   expect_line(refusal_of(points), "3 points");
 
   expect_line(refusal_with(1, 29, 2), "line 4");   // the underside turns back
-  expect_line(refusal_with(1, 20, 6), "(line 3)"); // it crosses the top
+  expect_line(refusal_with(1, 20, 6), "(line 3)"); // the underside crosses the top
   EXPECT_NE(refusal_with(6, 40, 4), "");
-  expect_line(refusal_with(7, 18, 3.5), "line 9"); // the outside turns back
+  expect_line(refusal_with(7, 18, 3.5), "line 9"); // the outside of the stem turns back
   EXPECT_NE(refusal_with(8, 4, 15), "");           // the cut is not horizontal
-  expect_line(refusal_with(1, -20, 2), "line 3");  // beyond the axis
+  expect_line(refusal_with(1, -20, 2), "line 3");  // the point lies beyond the axis
 }
 
 TEST(DrawnProfile, MeshFillsThePolygon)
@@ -187,11 +188,11 @@ TEST(DrawnProfile, MeshFillsThePolygon)
   }
   dealii::Triangulation<3> solid;
   make_foot_mesh(profile, { 48, 8, 4 }, solid);
-  // The cells do not resolve the corners of the polygon.
+  // The tolerance allows for the corners of the polygon, which the cells do not resolve.
   EXPECT_NEAR(dealii::GridTools::volume(solid, dealii::MappingQ<3>(3)) / volume, 1, 5e-3);
 }
 
-/// Areas of the cells cut by a half-plane add up to the section.
+/// The areas of the cells cut by a half-plane add up to the area of the section.
 TEST(DrawnProfile, SectionOfASolidMeshHasItsFullArea)
 {
   GlassProfile step;
@@ -204,13 +205,14 @@ TEST(DrawnProfile, SectionOfASolidMeshHasItsFullArea)
       const auto &a = cell[i], &b = cell[(i + 1) % cell.size()];
       area += (a[0] * b[1] - b[0] * a[1]) / 2;
     }
-  // Edges are chords of 7.5 degrees, so radii are up to 0.2 % too small.
+  // Edges are chords of 7.5 degrees, so the radii are up to 0.2 % too small.
   EXPECT_NEAR(area, 0.004 * 0.001 + 0.034 * 0.004 + 0.005 * 0.010, 3e-3 * area);
 }
 
 TEST(DrawnProfile, LandIsFlattenedWithASmoothTransition)
 {
-  // A round rim of radius 3 mm at 30 mm, 0.0417 mm above the lowest point at the borders of a land of 1 mm.
+  // Rim with a radius of 3 mm at r = 30 mm. At the borders of a land of 1 mm, it is 0.0417 mm above its
+  // lowest point.
   std::vector<std::pair<double, double>> points = { { 0, 3 }, { 20, 3 } };
   for (int i = -10; i <= 10; ++i)
     points.emplace_back(30 + 0.2 * i, 3 - std::sqrt(9 - 0.04 * i * i));
@@ -226,7 +228,7 @@ TEST(DrawnProfile, LandIsFlattenedWithASmoothTransition)
   EXPECT_NEAR(profile.underside(0.031), profile.section->underside(0.031), ulps(16, 0.03));
   EXPECT_NEAR(profile.underside(0.025), profile.section->underside(0.025), ulps(16, 0.03));
 
-  // The lowest point has to lie on the land.
+  // A profile is refused if its lowest point is not on the land.
   profile.contact_radius = 0.0306;
   EXPECT_THROW(profile.validate(), std::invalid_argument);
 }

@@ -65,8 +65,8 @@ TEST(MeshFile, RefusesSecondOrderElementsWithAnOvalRim)
   EXPECT_NE(message.find("not round"), std::string::npos) << message;
 }
 
-/// The area cut off by chords follows from the angles between them. A plate has straight edges and corners
-/// only.
+/// The area cut off by chords follows from the angles between the chords. A plate has only straight edges and
+/// corners.
 TEST(MeshFile, APlateHasNoLandAreaDeficit)
 {
   dealii::Triangulation<3> plate;

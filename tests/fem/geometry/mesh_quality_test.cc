@@ -1,4 +1,4 @@
-// Quality measures of meshes and their VTU files.
+// Quality measures of meshes, and VTU files of meshes.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/mesh_io.h"
 #include "fem/geometry/mesh_quality.h"
@@ -22,13 +22,13 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Returns a unit cube on the contact zone, moved point by point.
+/// Returns the check of a unit cube on the contact zone with each vertex moved by @p move.
 template <typename Move>
 MeshCheck check_cube(const Move &move)
 {
   Triangulation<3> cube;
   GridGenerator::hyper_cube(cube);
-  cube.begin_active()->face(4)->set_boundary_id(2); // the bottom
+  cube.begin_active()->face(4)->set_boundary_id(2); // bottom of the cube
   cube.begin_active()->face(5)->set_boundary_id(1);
   GridTools::transform(move, cube);
   return check_mesh(cube);
@@ -49,7 +49,7 @@ TEST(MeshCheck, ContactFacesCoverTheLand)
   resolution.azimuthal_cells = 24;
   Triangulation<3> foot;
   make_foot_mesh(profile, resolution, foot);
-  // Shoelace formula.
+  // Reference: area by the shoelace formula.
   double area = 0;
   for (const Quadrilateral &face : contact_faces(foot))
   {
@@ -66,12 +66,13 @@ TEST(MeshCheck, ReportsTheScaledJacobianOfSkewCells)
   const MeshCheck brick = check_cube([](const Point<3> &x) { return Point<3>(2 * x[0], 3 * x[1], x[2]); });
   EXPECT_NEAR(brick.min_jacobian, 1, stemware::ulps(5, 1));
   EXPECT_EQ(brick.n_inverted, 0u);
-  // Parallelepiped sheared by 60 degrees: the scaled Jacobian is the sine of the angle between the edges.
+  // In a parallelepiped sheared by 60 degrees, the scaled Jacobian is the sine of the angle between the
+  // edges.
   const MeshCheck sheared =
     check_cube([](const Point<3> &x) { return Point<3>(x[0] + std::sqrt(3.) * x[2], x[1], x[2]); });
   EXPECT_NEAR(sheared.min_jacobian, 0.5, stemware::ulps(9, 0.5));
   EXPECT_NEAR(sheared.mean_jacobian, 0.5, stemware::ulps(9, 0.5));
-  // One corner is moved beyond the opposite corner.
+  // One corner is moved beyond the opposite corner, so the cell is inverted.
   const MeshCheck folded = check_cube([](const Point<3> &x) { return x.norm() > 1.7 ? -1. * x : x; });
   EXPECT_EQ(folded.n_inverted, 1u);
   EXPECT_LT(folded.min_jacobian, 0);

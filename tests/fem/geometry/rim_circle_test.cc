@@ -1,5 +1,5 @@
-// Circle fitted to the points of a rim. Reference: circles from which the points were generated, exact or
-// with a known scatter.
+// Circle fitted to the points of a rim. Reference: the circles from which the points were generated, exactly
+// or with a known scatter.
 #include "fem/geometry/rim_circle.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace
 
 using Polyline = std::vector<SectionVertex>;
 
-/// Returns the underside of a foot [m]: an arc of radius @p crown at r = 30.012 mm with straight flanks. @p
-/// n_land points are on the land of width @p land, further points on both sides.
+/// Returns the underside of a foot [m]: an arc of radius @p crown at r = 30.012 mm, with straight flanks. @p
+/// n_land points are on the land of width @p land; more points follow on both sides.
 Polyline rounded_rim(double land, unsigned int n_land, double crown)
 {
   constexpr double arc = 1.1e-3, step = 2e-4; // half-width of the arc, spacing of the points on the flanks
@@ -86,7 +86,7 @@ TEST(RimCircle, IsNotFittedToFlatOrTooFewPoints)
   EXPECT_FALSE(fit_rim_circle({ { 0, 0.002 }, { 0.028, 0 }, { 0.029, 0.0001 }, { 0.036, 0.001 } }, 0.004));
 }
 
-/// Points on the top of a thin foot above the rim are not fitted.
+/// Above the rim, a thin foot has points on its top. They are not fitted.
 TEST(RimCircle, UsesTheUndersideOnly)
 {
   Polyline polyline = arc_of_six_points();
@@ -98,8 +98,9 @@ TEST(RimCircle, UsesTheUndersideOnly)
   EXPECT_NEAR(circle->crown_radius, 0.0021, 1e-12);
 }
 
-/// A shallow arc, a parabola within 2e-4: five points at -2 ... 2 mm with errors e = (1, -4, 6, -4, 1) u,
-/// which are orthogonal to every parabola, do not change the fit; sum e^2 = 70 u^2.
+/// The arc is shallow: a parabola within 2e-4. Five points at -2 ... 2 mm have the errors e = (1, -4, 6, -4,
+/// 1) u. These errors are orthogonal to every parabola and do not change the fit. Their sum of squares is 70
+/// u^2.
 TEST(RimCircle, ReportsTheRmsDistanceOfItsPoints)
 {
   constexpr double crown = 0.1, u = 1e-7, mm = 1e-3;
@@ -117,8 +118,8 @@ TEST(RimCircle, ReportsTheRmsDistanceOfItsPoints)
   EXPECT_NEAR(circle->rms_distance, u * std::sqrt(70. / 5), 1e-3 * circle->rms_distance);
 }
 
-/// The scatter grows from 20 to 40 um in steps of 0.1 um. Each step changes the contact radius little,
-/// although another point becomes the lowest: points enter and leave the fit continuously.
+/// The scatter grows from 20 to 40 um in steps of 0.1 um. Each step changes the contact radius only little,
+/// even if another point becomes the lowest, because points enter and leave the fit continuously.
 TEST(RimCircle, DependsContinuouslyOnItsPoints)
 {
   const Polyline rim = rounded_rim(1.7e-3, 10, 3e-3);
@@ -139,7 +140,8 @@ TEST(RimCircle, DependsContinuouslyOnItsPoints)
       before = circle->contact_radius;
     }
   }
-  // A point at the border of the land that enters by a jump would change it by 20 um and more.
+  // If a point at the border of the land entered the fit by a jump, the radius would change by at least 20
+  // um.
   EXPECT_LT(largest, 2e-6);
 }
 

@@ -151,7 +151,8 @@ TEST(SolidFoot, DescribesItsBodyAndCapabilities)
 TEST(SolidFoot, ReturnsTheFirstOfTwoBalances)
 {
   const auto mat = std::make_shared<WinklerInterface>(1e7);
-  const double height = 0.5, second = 1.4; // of the centre of mass [m]; moment ratio of the second balance
+  const double height = 0.5; // height of the centre of mass [m]
+  const double second = 1.4; // moment ratio of the second balance
   const double scale = weight * GlassProfile().contact_radius / 2;
   const auto under_moment = [&](double m) { return ContactDemand(weight, 0, -m * scale); };
   RevolutionSetup revolved;

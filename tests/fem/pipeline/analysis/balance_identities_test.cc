@@ -22,7 +22,7 @@ namespace
 
 using test::SolvedStudy;
 
-/// Returns true if the load at rest has a positive pressure on the whole land.
+/// Returns true if the pressure at rest is positive on the whole land.
 bool is_loaded_everywhere(const SolvedStudy &solved)
 {
   const fem::PressureMap map = solved.foot->body().pressure_map(*solved.load.contact(0));
@@ -49,7 +49,7 @@ TEST(Balance, HarmonicsHaveNoEffectOnAFlatLandOnAMat)
   }
 }
 
-/// An interface on a substrate.
+/// Interface on a substrate.
 struct Surface
 {
   const char *name;
@@ -76,7 +76,7 @@ class BalanceOnTables : public testing::TestWithParam<Surface>
 INSTANTIATE_TEST_SUITE_P(Tables, BalanceOnTables, testing::ValuesIn(surfaces),
                          [](const auto &info) { return std::string(info.param.name); });
 
-/// Returns the study of the default glass, with friction deforming foot and substrate, on a table.
+/// Returns the study of the default glass on a table, with friction that deforms foot and substrate.
 Study study_on(const Surface &surface)
 {
   Study study = test::mat_study();
@@ -88,7 +88,7 @@ Study study_on(const Surface &surface)
 
 TEST_P(BalanceOnTables, TorqueAtRestIsMuTimesTheMoment)
 {
-  // tau_z(0) = mu M_Nx with M_N = -dz k x F + z_CM k x T + N z_CM (-q2, q1).
+  // Identity tau_z(0) = mu M_Nx with M_N = -dz k x F + z_CM k x T + N z_CM (-q2, q1).
   for (const bool tilt : { true, false })
   {
     Study study = study_on(GetParam());
@@ -122,14 +122,15 @@ double coefficient_at(const ring::Motion &motion, double slip_speed)
          motion.viscous_friction * slip_speed;
 }
 
-/// Checks the energy balance without tilt: the work of the hand, with the power -T_x v at constant speed,
-/// equals I omega^2 / 2 plus the time integral of int mu p |v_rel| dA, by quadrature of the pressure.
+/// Checks the energy balance without tilt. The work of the hand (power -T_x v at constant speed) equals I
+/// omega^2 / 2 plus the time integral of int mu p |v_rel| dA. The integral is computed by quadrature of the
+/// pressure.
 void expect_energy_balance(Study study)
 {
   study.motion.tilt = false;
   const SolvedStudy solved(study);
   const ring::Motion &motion = study.motion.orbit;
-  constexpr double end = 0.3; // s, beyond the time constant
+  constexpr double end = 0.3; // several time constants [s]
   using Quadrature = boost::math::quadrature::gauss<double, 20>;
   std::vector<double> times = { 0 }, weights = { 0 };
   for (int side = -1; side <= 1; side += 2)

@@ -51,7 +51,7 @@ StudyRows rows_of(const Study &study, const ring::RingStack &load, const Executo
                            budget_variants(own_variant(study, nullptr), false));
 }
 
-/// Returns the budget of a given load.
+/// Returns the budget of a study with the load @p load.
 Budget budget_of(const Study &study, const ring::RingStack &load)
 {
   fem::ComplianceCache cache;
@@ -64,7 +64,7 @@ Budget budget_of(const Study &study)
   return test::whole_budget(study, ThreadedExecutor(cache));
 }
 
-/// Returns the rows of a contact: @p rows, followed by one for each number of harmonics.
+/// Returns the names of all rows of a foot in contact: @p rows, followed by one row per number of harmonics.
 Texts contact_rows(const Study &study, Texts rows)
 {
   fem::ComplianceCache cache;
@@ -86,7 +86,8 @@ TEST(Budget, RelativeEffectsRequireANonzeroSpin)
   const HarmonicEffect of_rounding = harmonic_effect(0.9e-9 * unit, 1e-12, unit);
   EXPECT_TRUE(of_rounding.absolute);
   EXPECT_FALSE(of_rounding.relative);
-  // A difference within rounding is zero. A glass at rest, or with the opposite spin, has no relative effect.
+  // A difference within rounding counts as zero. If the glass rests or turns in the opposite direction, the
+  // relative effect is undefined.
   EXPECT_EQ(relative_to(-3.5, 0.9e-9 * unit, unit), 0.);
   EXPECT_FALSE(harmonic_effect(-10.55, 0.9e-9 * unit, unit).relative);
   EXPECT_NEAR(*harmonic_effect(-10.55, 0.9e-9 * unit, unit).absolute, 10.55, 1e-7);
@@ -99,7 +100,7 @@ TEST(Budget, RelativeEffectsRequireANonzeroSpin)
 
 TEST(Budget, SpinScaleFollowsFromTheMoment)
 {
-  // 2 |M_Nx| / (N R) v/R with M_Nx = -dz m v^2/rho of a hand dz above the centre of mass.
+  // Expected scale: 2 |M_Nx| / (N R) v/R with M_Nx = -dz m v^2/rho, for a hand dz above the centre of mass.
   Study study = test::mat_study();
   const ring::Motion &motion = study.motion.orbit;
   const auto expected = [&]
@@ -116,7 +117,7 @@ TEST(Budget, SpinScaleFollowsFromTheMoment)
   }
   study.motion.orbit.orbit_speed = 1e-4;
   EXPECT_NEAR(study.spin_scale() / (1e-6 * study.spin_unit()), 1, 1e-13);
-  study.motion.orbit.force_offset = 0; // no moment
+  study.motion.orbit.force_offset = 0; // the moment vanishes
   EXPECT_EQ(study.spin_scale(), study.spin_unit());
   EXPECT_EQ(study_of_given_load().spin_scale(), study_of_given_load().spin_unit());
 }
@@ -168,7 +169,7 @@ TEST(Budget, ListsTheRowsOfAFirstHarmonic)
   study.load.source = LoadSource::first_harmonic;
   Budget budget = budget_of(study);
   EXPECT_EQ(rows_of(budget), (Texts{ "1 paper 1", "2 moment balance 1" }));
-  EXPECT_NEAR(*budget.rows[0].omega_terminal, -3.12055870152586, 1e-10); // docs/theory/closures.md
+  EXPECT_NEAR(*budget.rows[0].omega_terminal, -3.12055870152586, 1e-10); // from docs/theory/closures.md
   EXPECT_NEAR(*budget.rows[1].omega_terminal, -3.67874799852576, 1e-10);
   EXPECT_EQ(budget.harmonics.absolute, 0.);
   EXPECT_TRUE(budget.without.empty());
@@ -215,7 +216,7 @@ TEST(Truncation, AgreesWithTheClosedFormOfTheFirstHarmonicOnAThinStiffRing)
   study.contact.friction_coupling = FrictionCoupling::none;
   const BudgetRow row = budget_of(study).rows[2];
   EXPECT_EQ(row.name, "where the foot touches");
-  EXPECT_NEAR(*row.omega_terminal, -3.67874799852576, 1e-4); // docs/theory/closures.md
+  EXPECT_NEAR(*row.omega_terminal, -3.67874799852576, 1e-4); // from docs/theory/closures.md
 }
 
 TEST(Budget, ListsAVariantWithoutEachEffectOfTheStudy)
@@ -233,7 +234,9 @@ TEST(Budget, ListsAVariantWithoutEachEffectOfTheStudy)
     EXPECT_EQ(names_without(variant.study, variant.model).size(),
               7u -
                 (variant.name == "elasticity of the foot" || variant.name == "elasticity of the substrate"))
-      << variant.name; // without the effect itself, and without friction in a rigid body
+      // A variant has one effect less than the study; a rigid foot or substrate also has no friction that
+      // deforms it.
+      << variant.name;
   study = test::mat_study();
   study.table.interface = TableInterface::hard;
   study.contact.friction_coupling = FrictionCoupling::none;
@@ -254,7 +257,7 @@ TEST(Budget, RequiresAtLeastOneCompliance)
   study.table.substrate = TableSubstrate::elastic;
   EXPECT_TRUE(has_compliance(study, test::rigid_foot()));
   study.table = {};
-  EXPECT_TRUE(has_compliance(study, test::rigid_foot())); // of the Winkler interface
+  EXPECT_TRUE(has_compliance(study, test::rigid_foot())); // compliance of the Winkler interface
 }
 
 TEST(Budget, DifferencesAddUpToTheTotal)
@@ -332,10 +335,10 @@ TEST(Budget, AFailedRowDoesNotStopTheOthers)
   EXPECT_EQ(failed.status, ring::Status::tips);
   EXPECT_EQ(failed.reason, "it tips");
   EXPECT_TRUE(budget.rows[3].omega_terminal);
-  EXPECT_FALSE(budget.rows[3].difference); // the previous row failed
+  EXPECT_FALSE(budget.rows[3].difference); // undefined because the previous row failed
   EXPECT_TRUE(budget.rows[4].difference);
   EXPECT_TRUE(budget.rows[4].reason.empty());
-  // Without the first harmonic, the effect of the others is undefined.
+  // Without the first harmonic, the effect of the other harmonics is undefined.
   rows.by_harmonics[0] = rows.by_harmonics[1];
   const Budget without_first = find_budget(study, rows);
   EXPECT_FALSE(without_first.harmonics.absolute);
@@ -344,7 +347,7 @@ TEST(Budget, AFailedRowDoesNotStopTheOthers)
 TEST(Budget, MarksRowsWithTensileLoads)
 {
   Study study = quick_contact_study();
-  study.load.moment_ratio = 1.4; // lift-off
+  study.load.moment_ratio = 1.4; // causes lift-off
   const Budget budget = budget_of(study);
   for (const BudgetRow &row : budget.rows)
   {
@@ -353,7 +356,7 @@ TEST(Budget, MarksRowsWithTensileLoads)
   }
   EXPECT_EQ(budget.rows.front().status, ring::Status::full_contact);
   EXPECT_EQ(budget.rows.back().status, ring::Status::lift_off);
-  // A load from a file is its Fourier series.
+  // The load of a file equals its Fourier series, so a negative series means tension.
   EXPECT_EQ(budget_of(study_of_given_load(), { { 0.47, 0, 0.5 }, { 0, -0.3, 0 }, 0.03 }).rows.back().status,
             ring::Status::formal);
 }

@@ -1,4 +1,4 @@
-// A drawn section with points of the shape "foot" against that shape.
+// Drawn section with points of the shape "foot", compared with this shape.
 #include "fem/pipeline/study/study_file.h"
 #include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
@@ -13,7 +13,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns forty points of the default foot: its underside, edge, cone, fillet and stem.
+/// Returns forty points of the default foot: on its underside, edge, cone, fillet and stem.
 std::string forty_points()
 {
   const fem::GlassProfile glass = Study().glass.profile;
@@ -38,7 +38,7 @@ std::string forty_points()
   const double begin = std::asin((fillet.end_radius - fillet.centre_radius) / fillet.radius);
   for (unsigned int i = 0; i < n_arc; ++i)
   {
-    // Angle from straight down, towards the stem.
+    // Angle from the downward direction towards the stem.
     const double angle = begin + (-ring::pi / 2 - begin) * i / (n_arc - 1);
     add(fillet.centre_radius + fillet.radius * std::sin(angle),
         fillet.centre_height - fillet.radius * std::cos(angle));
@@ -61,7 +61,7 @@ TEST(DrawnFoot, SpinsLikeTheFootItWasDrawnFrom)
     const test::SolvedStudy drawn(read_study(
       "", { interface, "Glass/Shape=profile", "Glass/Profile file=" + file, "Glass/Crown radius=0.003" }));
     EXPECT_NEAR(drawn.omega() / foot.omega(), 1, 1e-4) << table;
-    // The shape matters: a thinner foot has a different spin.
+    // A thinner foot has a different spin, so the shape matters.
     const test::SolvedStudy thinner(read_study("", { interface, "Glass/Foot thickness=0.003" }));
     EXPECT_GT(std::abs(thinner.omega() / foot.omega() - 1), 2 * std::abs(drawn.omega() / foot.omega() - 1))
       << table;

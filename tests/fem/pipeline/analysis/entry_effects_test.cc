@@ -1,6 +1,7 @@
-// Every entry of a study has an effect: the terminal spin must change with it in the first of the base
-// studies in which the entry has an effect. The list below states exceptions: base study, value, and the
-// number of summary.json that must change. An entry that is read and checked but not used fails here.
+// Every entry of a study has an effect. The test changes each entry in the first base study in which the
+// entry has an effect; the terminal spin must change. The list below states the exceptions: base study,
+// value, and the number of summary.json that must change. An entry that is read and checked but not used
+// fails here.
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/base/numbers.h"
@@ -31,12 +32,13 @@ using EntryValues = std::vector<std::pair<std::string, std::string>>;
 /// Expected effect of a change of one entry.
 struct Effect
 {
-  std::string entry; ///< Section/Entry
+  std::string entry; ///< "Section/Entry"
   std::string value;
-  std::string changed; ///< place in summary.json that must change, or "/spin_up.csv" for that file; empty if
-                       ///< the entry has no effect
+  /// Path in summary.json that must change, or "/spin_up.csv" for this file; empty if the entry has no
+  /// effect.
+  std::string changed;
   EntryValues base = {};  ///< entries that differ from the quick study
-  std::string stays = {}; ///< place of a number that must not change
+  std::string stays = {}; ///< path of a number that must not change
 };
 
 std::ostream &operator<<(std::ostream &stream, const Effect &effect)
@@ -70,7 +72,7 @@ EntryValues drawn(EntryValues values)
   return values;
 }
 
-/// Returns @p values with one more entry.
+/// Returns @p values with one additional entry.
 EntryValues with(EntryValues values, const std::string &entry, const std::string &value)
 {
   values.emplace_back(entry, value);
@@ -81,7 +83,7 @@ const EntryValues solid_rough = with(solid, "Table/Interface", "rough");
 const EntryValues crowned_mesh = with(solid, "Contact/Mesh file", STEMWARE_MESHES "/crowned_foot.msh");
 const EntryValues quadratic_solid = with(solid, "Contact/Degree", "2");
 
-/// A solid foot whose mesh meets its goal.
+/// Solid foot with a mesh that meets its goal.
 const EntryValues solid_for_a2 = with(with(solid, "Contact/Goal", "a2"), "Contact/Goal tolerance", "1");
 
 const std::string nothing, second_harmonic = "/load/a/2", unknowns = "/contact/unknowns";
@@ -124,7 +126,7 @@ const std::vector<Effect> effects = {
   { "Table/Foundation modulus", "1e9", second_harmonic },
   { "Table/Foundation modulus", "1e9", second_harmonic, solid },
   { "Table/Layer thickness", "0.005", nothing, {}, second_harmonic },
-  // A factor of the pressure is an offset of the distance, so only the table motion changes.
+  // A factor on the pressure is equivalent to an offset of the distance, so only the table motion changes.
   { "Table/Reference pressure", "2e9", "/contact/table_motion/0", rough, "/ring/omega_terminal" },
   { "Table/Reference pressure", "2e9", "/contact/table_motion/0", solid_rough, "/ring/omega_terminal" },
   { "Table/Decay length", "2e-6", second_harmonic, rough },
@@ -178,7 +180,7 @@ Json results_of(const Study &study)
   return all;
 }
 
-/// Returns the base study of an effect, with or without the value of the entry; fast to solve.
+/// Returns the base study of an effect, with or without the value of the entry. The study is fast to solve.
 Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder &scratch)
 {
   EntryValues values = { { "Glass/Shape", "step" },
@@ -216,7 +218,7 @@ private:
   struct Shared
   {
     const test::ScratchFolder scratch;
-    std::map<std::string, Json> of_bases; ///< by the study as a file
+    std::map<std::string, Json> of_bases; ///< results of the base studies, by the text of their study files
   };
   static inline std::unique_ptr<Shared> shared;
 };
@@ -238,7 +240,8 @@ TEST_P(EntryEffects, ChangeTheirQuantity)
 {
   const Json before = results_of_base();
   const Json after = results_with_the_value();
-  // Relative change: above the solver tolerance, 1e-9, and below the effect of the stem height, 8e-6.
+  // Minimum relative change. It exceeds the solver tolerance (1e-9) and is below the effect of the stem
+  // height (8e-6).
   constexpr double least = 1e-7;
   if (const Json::json_pointer changed(GetParam().changed); changed.empty())
     EXPECT_EQ(after, before);
@@ -265,8 +268,8 @@ std::string name_of(const testing::TestParamInfo<Effect> &info)
   return name;
 }
 
-/// Returns another value of an entry: 10 % more, twice the count, or the next allowed word; empty, which the
-/// entry refuses, if no value can be guessed.
+/// Returns another value of an entry: 10 % more, twice the count, or the next allowed word. If no value can
+/// be guessed, returns an empty text, which the entry refuses.
 std::string another_value(const StudyEntry &entry)
 {
   if (entry.quantity != nullptr)
@@ -282,8 +285,8 @@ std::string another_value(const StudyEntry &entry)
   return place == words.end() ? "" : place + 1 == words.end() ? words.front() : *(place + 1);
 }
 
-/// Returns the listed effects, and for each other entry the terminal spin of the first base study in which it
-/// has an effect.
+/// Returns the listed effects. For every other entry, returns the effect on the terminal spin in the first
+/// base study in which the entry has an effect.
 std::vector<Effect> all_effects()
 {
   std::vector<Effect> all = effects;

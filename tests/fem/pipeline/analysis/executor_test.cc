@@ -16,7 +16,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Removes the limit of threads in the environment during its lifetime.
+/// Removes the thread limit from the environment while the object exists.
 class WithoutThreadLimit
 {
 public:
@@ -77,7 +77,7 @@ TEST(Executor, RunsTwoCallsSimultaneously)
   on_threads(2, 2,
              [&](std::size_t)
              {
-               // Each call waits for the start of the other, so that a single thread would never return.
+               // Each call waits until the other has started. A single thread would never return.
                ++n_begun;
                while (n_begun < 2)
                  std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -99,7 +99,7 @@ TEST(Executor, RethrowsAndStops)
 TEST(Executor, NestedLoopsDoNotInterleave)
 {
   // A thread that waits for its inner loop must not start another outer call. Without isolation, every
-  // twentieth call of unequal length on eight threads would.
+  // twentieth outer call of unequal length is interrupted by another one on eight threads.
   constexpr std::size_t n_outer = 200, n_inner = 8;
   thread_local bool at_work = false;
   std::atomic<std::size_t> n_mixed = 0, n_done = 0;

@@ -1,5 +1,5 @@
-// Largest pressure and contact width on hard tables within their bands: random crowned rims against Hertz
-// line contact at the local line load (Johnson, Contact Mechanics, 1985, section 4.2).
+// Largest pressure and contact width on hard tables are within their error bands. Random crowned rims are
+// compared with Hertz line contact at the local line load (Johnson, Contact Mechanics, 1985, section 4.2).
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/load/constants.h"
@@ -31,8 +31,8 @@ double log_uniform(std::mt19937 &random, double from, double to)
   return std::exp(value_between(random, std::log(from), std::log(to)));
 }
 
-/// Returns a random study of a glass on a hard table: rigid, or a thick disc stiffer or softer than the
-/// glass. A third of the studies has lift-off.
+/// Returns a random study of a glass on a hard table: a rigid table, or a thick disc that is stiffer or
+/// softer than the glass. A third of the studies has lift-off.
 Study random_hard_study(std::mt19937 &random)
 {
   Study study = test::mat_study();
@@ -54,7 +54,7 @@ Study random_hard_study(std::mt19937 &random)
   return study;
 }
 
-/// Hertz's line contact of the rim of @p study under @p line_load [N/m].
+/// Hertz line contact of the rim of @p study under @p line_load [N/m].
 struct LineContact
 {
   LineContact(const Study &study, double line_load)
@@ -68,7 +68,7 @@ struct LineContact
     peak = 2 * line_load / (ring::pi * half_width);
   }
 
-  double half_width, peak; ///< [m], [Pa]
+  double half_width, peak; ///< half-width [m], peak pressure [Pa]
 };
 
 void expect_pressures_of_random_rims(unsigned int n_studies, unsigned int seed)
@@ -92,7 +92,7 @@ void expect_pressures_of_random_rims(unsigned int n_studies, unsigned int seed)
     {
       const BandedQuantity &banded = bands[index_of(bands, key)];
       const double value = banded.quantity.value, band = banded.band;
-      // Allows for a maximum between two lines.
+      // The tolerance allows for a maximum between two lines.
       EXPECT_LE(std::abs(value - right), band + 5e-4 * right)
         << key << " of study " << i << ": " << value << ", Hertz " << right << ", m "
         << study.load.moment_ratio;

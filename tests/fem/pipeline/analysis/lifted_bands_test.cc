@@ -29,11 +29,11 @@ using test::SolvedStudy;
 using verification::LiftedFoot;
 using verification::LiftedGlass;
 
-/// A given moment, or a moment balance at a height of the centre of mass.
+/// State with a given moment, or with a moment balance at a height of the centre of mass.
 struct LiftedState
 {
-  double moment_ratio = 0, direction = 0; ///< 1, [rad]
-  double height = 0;                      ///< [m]
+  double moment_ratio = 0, direction = 0; ///< moment ratio [1], direction [rad]
+  double height = 0;                      ///< height of the centre of mass [m]
 
   Study study() const
   {
@@ -58,11 +58,11 @@ struct LiftedState
   }
 };
 
-/// Largest height of the centre of mass at which the glass spins up [m]: other code, fold over the lean at
-/// fixed spins.
+/// Largest height of the centre of mass at which the glass spins up [m]. Computed by other code as the fold
+/// over the lean at fixed spins.
 constexpr double largest_height = 0.134575746;
 
-/// Ratios of error and band by quantity, for states whose band is dominated by the azimuth lines.
+/// Ratios of error and error band by quantity, for states in which the azimuth lines dominate the error band.
 class Ratios
 {
 public:
@@ -89,8 +89,8 @@ public:
       }
   }
 
-  /// Prints worst and median ratio of each quantity, and expects a median that shows neither wide nor narrow
-  /// bands.
+  /// Prints the worst and the median ratio of each quantity. Expects a median at which the error bands are
+  /// neither too wide nor too narrow.
   void expect_fair_medians() const
   {
     std::vector<double> all;
@@ -125,7 +125,7 @@ private:
       truth["a" + std::to_string(n)] = at_rest.harmonic(n, false);
       truth["b" + std::to_string(n)] = at_rest.harmonic(n, true);
     }
-    constexpr double reach = 2e-3; // search interval around the program's spin, relative
+    constexpr double reach = 2e-3; // relative search interval around the program's spin
     const auto near = [&](LiftedGlass &of, double spin)
     { return of.terminal_spin((1 - reach) * spin, (1 + reach) * spin); };
     truth["omega_terminal"] = near(glass, omega);
@@ -214,8 +214,8 @@ TEST(LiftedBands, ContainTheErrorNextToTheTippingHeight)
   expect_limit_at_right_height(1);
 }
 
-/// Moments at which a part of the contact has slip ratio 1 at the terminal spin, so that the error of the
-/// rings decreases slowly.
+/// Moments at which part of the contact has the slip ratio 1 at the terminal spin, so the error of the rings
+/// decreases slowly.
 void expect_bands_with_vanishing_slip_hold(double smallest_moment, unsigned int n_states)
 {
   Ratios ratios;
@@ -285,7 +285,8 @@ TEST(FlatLandBands, ContainTheErrorWithLiftOffOnAMat)
     const double radius = study.glass.profile.contact_radius, outer = radius + row.width / 2;
     const verification::LiftedAnnulus exact(radius - row.width / 2, outer, row.moment_ratio * radius / 2);
     const double slope = study.motion.orbit.normal_force() / exact.per_slope, tilt = -slope / 1e9;
-    // An azimuth loses contact last at the outer border, or at the inner border on the lifted side.
+    // The azimuth loses contact last at the outer border of the land, or at the inner border on the lifted
+    // side.
     const double last = exact.zero < 0 ? radius - row.width / 2 : outer;
     expect_within_bands(study,
                         { { "contact_fraction", exact.share },
@@ -302,7 +303,8 @@ TEST(FlatLandBands, ContainTheErrorOfPunchesOnHardLayers)
 {
   struct Row
   {
-    double thickness, load, moment; ///< [m]; P/(2 E* a delta) and 3 M/(4 E* a^3 alpha)
+    /// Layer thickness [m]; load P/(2 E* a delta); moment 3 M/(4 E* a^3 alpha).
+    double thickness, load, moment;
   };
   for (const Row &row : { Row{ 3, 0.904734120, 0.940845472 }, Row{ 0.005, 5.084536833, 3.147039011 } })
   {

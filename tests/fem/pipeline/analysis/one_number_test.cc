@@ -1,4 +1,4 @@
-// Numbers that `run` reports several times are equal.
+// Numbers that `run` reports in several places are equal.
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/analysis/sweep_case.h"
@@ -46,7 +46,7 @@ TEST(OneNumber, ErrorBandsReferToTheReportedNumbers)
   ASSERT_FALSE(bands.empty());
   for (const auto &[key, band] : bands.items())
   {
-    if (key == "tau_at_spin_2") // reported only once
+    if (key == "tau_at_spin_2") // this torque is reported only once
       continue;
     EXPECT_EQ(band["value"].get<double>(), reported.at(key)) << key;
   }
@@ -65,7 +65,7 @@ TEST(OneNumber, TorquesCancelAtTheTerminalSpin)
   const Json ring = SolvedRun(study).summary()["ring"];
   const double friction = ring["tau_at_terminal"], lean = ring["lean_torque_at_terminal"],
                grip = ring["grip_torque_at_terminal"];
-  EXPECT_EQ(grip, 2e-4); // against a clockwise spin
+  EXPECT_EQ(grip, 2e-4); // the grip opposes a clockwise spin
   EXPECT_NEAR(friction + lean + grip, 0, 1e-12);
   EXPECT_GT(std::abs(lean), 1e-8); // the friction that deforms the foot breaks the symmetry
 }
@@ -73,13 +73,14 @@ TEST(OneNumber, TorquesCancelAtTheTerminalSpin)
 TEST(OneNumber, MomentRatiosReferToTheContactRadius)
 {
   Study study = quick_contact_study();
-  study.glass.profile.crown_radius = 0; // loads off the middle of the land
+  study.glass.profile.crown_radius = 0; // the load is then off the middle of the land
   study.load.moment_ratio = 1.2;
   const Json summary = SolvedRun(study).summary();
   EXPECT_NEAR(summary["load"]["moment_ratio"].get<double>(), 1.2, 1e-9);
   EXPECT_NEAR(summary["load_at_terminal"]["moment_ratio"].get<double>(), 1.2, 1e-9);
   EXPECT_NEAR(summary["ring"]["moment_ratio_at_terminal"].get<double>(), 1.2, 1e-9);
-  // The ratio of the summed harmonics differs, because the load is off the contact radius.
+  // The ratio computed from the summed harmonics differs, because the load does not act at the contact
+  // radius.
   const Json &load = summary["load"];
   const double of_harmonics =
     std::hypot(load["a"][1].get<double>(), load["b"][1].get<double>()) / load["a"][0].get<double>();
@@ -87,8 +88,9 @@ TEST(OneNumber, MomentRatiosReferToTheContactRadius)
 }
 
 // Rigid foot on the default mat. Reference: quadrature in two dimensions by other code, without rings,
-// harmonics or kernels. A terminal spin exists up to z_CM = 0.134575746 m, a balance at rest up to
-// 0.143684201 m. Just above the limit, the range of spins without a balance is narrow, around -9.2306 rad/s.
+// harmonics or kernels. A terminal spin exists up to z_CM = 0.134575746 m and a balance at rest up to
+// 0.143684201 m. Just above the first limit, only a narrow range of spins around -9.2306 rad/s has no
+// balance.
 ring::Answer row_at_height(double height, bool rigid)
 {
   static fem::ComplianceCache cache;
@@ -113,8 +115,8 @@ TEST(Fall, AgreesWithOtherCodeForARigidFoot)
   }
 }
 
-// Within 2e-7 m of the limit, two balances exist in a narrow range of spins. No verb may step from one to the
-// other.
+// Within 2e-7 m of the limit, a narrow range of spins has two balances. No verb may step from one balance to
+// the other.
 TEST(Fall, IsFoundAtTheSameSpinByEveryVerb)
 {
   Study study = mat_study();
@@ -156,7 +158,8 @@ TEST(Fall, IsReportedAsAResult)
   EXPECT_LT(ring["tau_at_rest"].get<double>(), 0);
   EXPECT_TRUE(summary["error_bands"].is_null());
   EXPECT_EQ(summary["budget"].back()["state"], "tips");
-  EXPECT_FALSE(summary["budget"].front()["omega_terminal"].is_null()); // the model of the paper does not tip
+  // In the paper's model the glass does not tip.
+  EXPECT_FALSE(summary["budget"].front()["omega_terminal"].is_null());
 }
 
 } // namespace

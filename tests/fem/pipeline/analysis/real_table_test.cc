@@ -13,7 +13,7 @@ namespace
 
 using test::SolvedStudy;
 
-/// Returns a study of the step profile with the moment balance `full` without tilt, on a hard disc.
+/// Returns a study of the step profile on a hard disc, with the moment balance `full` without tilt.
 Study hard_disc(double thickness, double young_modulus, double poisson_ratio)
 {
   Study study = test::mat_study();
@@ -27,7 +27,7 @@ Study hard_disc(double thickness, double young_modulus, double poisson_ratio)
   return study;
 }
 
-/// The terminal spin with friction that deforms neither body, the foot, or both.
+/// Terminal spin with friction that deforms neither body, the foot only, or both bodies.
 struct ByFriction
 {
   explicit ByFriction(Study study)
@@ -49,7 +49,8 @@ TEST(RealTable, FrictionInTheFootSlowsTheGlassOnHardwood)
   const ByFriction spin(study);
   EXPECT_NEAR(spin.neither, -3.678, 1e-3 * 3.678);
   EXPECT_NEAR(spin.foot, -3.632, 1e-3 * 3.632);
-  // Wood and glass deform similarly under friction, so the effect of the substrate is about 1e-4.
+  // Wood and glass deform similarly under friction, so the friction in the substrate changes the spin by
+  // about 1e-4.
   EXPECT_GT(std::abs(spin.both / spin.foot - 1), 5e-5);
   EXPECT_LT(std::abs(spin.both / spin.foot - 1), 2e-4);
 

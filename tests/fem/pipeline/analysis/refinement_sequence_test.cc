@@ -1,4 +1,4 @@
-// Observed orders, Richardson values and bands of sequences with a known limit.
+// Observed orders, Richardson extrapolations and error bands of sequences with a known limit.
 #include "fem/pipeline/analysis/refinement_study.h"
 #include "tests/ulps.h"
 
@@ -37,11 +37,12 @@ TEST(RefinementSequence, FindsTheOrderAndLimitOfAPowerLaw)
 
 TEST(RefinementSequence, BandIsTheGridConvergenceIndex)
 {
-  // v = 1 + sqrt(h), h = 1, 1/2, 1/4: the error of the finest value is 1/2, the safety factor 1.25.
+  // The values v = 1 + sqrt(h), h = 1, 1/2, 1/4, leave an error of 1/2 at the finest level. The safety factor
+  // is 1.25.
   const RefinementSequence low = assess_convergence(algebraic(1, 1, 0.5 + 1e-9, 3), AxisKind::cells, 0);
   EXPECT_NEAR(low.bands.back(), 1.25 / 2, 1e-8);
-  // Above first order, the band is the last difference times 1.25. Coarser levels add their distance from the
-  // finest.
+  // Above first order, the error band is 1.25 times the last difference. The error bands of coarser levels
+  // also include the distance from the finest value.
   const RefinementSequence second = assess_convergence(algebraic(1, 1, 2, 3), AxisKind::cells, 0);
   EXPECT_NEAR(second.bands.back(), 1.25 * 3 / 16, 1e-14);
   ASSERT_EQ(second.bands.size(), 3u);
@@ -52,7 +53,7 @@ TEST(RefinementSequence, BandIsTheGridConvergenceIndex)
 
 TEST(RefinementSequence, BandContainsTheErrorForMixedOrders)
 {
-  // Errors c h^p (1 + e h^q), as on meshes with corners.
+  // The errors c h^p (1 + e h^q) are typical of meshes with corners.
   std::mt19937 random(7);
   std::uniform_real_distribution<double> order(0.8, 4), further(0.5, 2), mixing(-0.5, 0.5);
   for (unsigned int i = 0; i < 1000; ++i)
@@ -78,7 +79,7 @@ TEST(RefinementSequence, GivesAWideBandAndNoOrderForNonMonotoneValues)
 
 TEST(RefinementSequence, GivesAWideBandForImplausibleOrders)
 {
-  // Slow convergence, and an implausibly small last difference.
+  // Sequences with slow convergence, and with an implausibly small last difference.
   for (const std::vector<double> &values :
        { std::vector<double>{ 0, 1, 1.9 }, std::vector<double>{ 0, 1, 1 + 1e-6 } })
   {
@@ -111,7 +112,8 @@ TEST(RefinementSequence, SpectralBandIsTheLastDifference)
   const RefinementSequence judged = assess_convergence({ 1, 1.1, 1.11 }, AxisKind::degree, 0);
   EXPECT_FALSE(judged.order);
   EXPECT_EQ(judged.limit, 1.11);
-  EXPECT_NEAR(judged.bands.back(), 1.25 * 0.1 / 4, 1e-14); // a quarter of the first difference is larger
+  // A quarter of the first difference exceeds the last difference.
+  EXPECT_NEAR(judged.bands.back(), 1.25 * 0.1 / 4, 1e-14);
   const RefinementSequence slow = assess_convergence({ 1, 1.1, 1.15 }, AxisKind::degree, 0);
   EXPECT_NEAR(slow.bands.back(), 1.25 * 0.05, 1e-14);
   const RefinementSequence one = assess_convergence({ 2 }, AxisKind::degree, 1e-9);

@@ -1,4 +1,4 @@
-// Levels of a refinement study, and error bands against the same study on much finer meshes.
+// Levels of a refinement study, and error bands compared with much finer studies.
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/refinement_study.h"
@@ -33,7 +33,7 @@ TEST(RefinementAxes, StayWithinTheAllowedRanges)
   study.contact.memory_limit = 1e15;
   const std::vector<RefinementAxis> axes = refinement_axes(study, 3);
   ASSERT_EQ(axes.size(), 4u);
-  EXPECT_EQ(axes[0].sizes, (Sizes{ 5, 6 })); // the mesh cannot be halved a seventh time
+  EXPECT_EQ(axes[0].sizes, (Sizes{ 5, 6 })); // the mesh cannot be halved more often
   EXPECT_EQ(axes[1].sizes, (Sizes{ 3, 4 }));
   EXPECT_EQ(axes[1].own, 1u);
   EXPECT_EQ(axes[2].sizes, (Sizes{ 10, 20 })); // 40 harmonics need 81 lines
@@ -41,10 +41,10 @@ TEST(RefinementAxes, StayWithinTheAllowedRanges)
   study.table.interface = TableInterface::hard;
   study.table.substrate = TableSubstrate::elastic;
   EXPECT_EQ(refinement_axes(study, 3)[2].sizes, (Sizes{ 10, 20 }));
-  EXPECT_EQ(refinement_axes(study, 3).size(), 4u); // hard tables have lines of their own too
+  EXPECT_EQ(refinement_axes(study, 3).size(), 4u); // hard tables have lines as well
 }
 
-/// Returns @p study with quartered cells, four times the lines and twice the harmonics.
+/// Returns @p study with cells of a quarter of the size, four times the lines and twice the harmonics.
 Study much_finer(Study study)
 {
   study.contact.refinements += 2;
@@ -58,7 +58,7 @@ BalancedLoad load_of(const Study &study, fem::ComplianceCache &cache)
   return find_load(study, study_foot(study, cache));
 }
 
-/// Quantities of a study with the bands of `run`, and of a finer study.
+/// Quantities of a study with the error bands of `run`, and quantities of a finer study.
 struct Levels
 {
   Levels(const Study &study, const Study &finer_study)
@@ -71,7 +71,7 @@ struct Levels
   {
   }
 
-  /// Returns the band of `run` for a quantity.
+  /// Returns the error band of `run` for the quantity @p key.
   const BandedQuantity &band(const std::string &key) const { return quick[index_of(quick, key)]; }
 
   static ring::Question question_of(const Study &study)
@@ -101,9 +101,9 @@ TEST(ErrorBands, ContainAFourTimesFinerRunOfThePaperStudy)
   }
   const BandedQuantity &spin = comparison.band("omega_terminal");
   EXPECT_GT(spin.band, std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value));
-  EXPECT_LT(spin.band, 1e-5); // rad/s; not too wide
+  EXPECT_LT(spin.band, 1e-5); // not too wide [rad/s]
 
-  // `converge`: three levels, with an order between re-entrant corners and a smooth section.
+  // `converge` with three levels finds an order between re-entrant corners and a smooth section.
   std::vector<RefinementAxis> axes = refinement_axes(study, 3);
   const ErrorBands full =
     refine(quantities_of_load(study, comparison.load, spins_of_interest(comparison.omega), comparison.omega),
@@ -124,7 +124,7 @@ TEST(ErrorBands, ContainAFourTimesFinerRunOfThePaperStudy)
   EXPECT_GT(*axes[0].quantities[index].order, 1.);
   EXPECT_LT(*axes[0].quantities[index].order, 4.);
 
-  // `run` and `converge` state the same rounding.
+  // `run` and `converge` report the same rounding.
   for (const BandedQuantity &banded : full)
   {
     const double rounding = comparison.band(banded.quantity.key).quantity.rounding;
@@ -141,7 +141,8 @@ void expect_band_of_spin_holds(const Study &study)
   EXPECT_LT(spin.band, 2e-3 * std::abs(spin.quantity.value));
 }
 
-// Coverage over many random studies: tests/benchmark/error_band_coverage.cc, docs/method/error_bands.md.
+// The coverage over many random studies is checked by tests/benchmark/error_band_coverage.cc
+// (docs/method/error_bands.md).
 
 TEST(ErrorBands, ContainTheErrorOfARandomStudyLong)
 {
@@ -156,8 +157,8 @@ TEST(ErrorBands, ContainTheErrorOfARandomStudyOnFewLines)
   expect_band_of_spin_holds(study);
 }
 
-/// Checks a band on a hard table: the contact cells are small, and the error comes from the corners of the
-/// step. A band from the contact cells only would miss it.
+/// Checks an error band on a hard table. The contact cells are small, so the error comes from the corners of
+/// the step. An error band from the contact cells alone would miss this error.
 void expect_band_holds_corners(unsigned int n_harmonics, unsigned int n_lines)
 {
   Study study = test::mat_study();
@@ -171,7 +172,7 @@ void expect_band_holds_corners(unsigned int n_harmonics, unsigned int n_lines)
   const Levels comparison(study, finer);
   const BandedQuantity &spin = comparison.band("omega_terminal");
   const double error = std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value);
-  EXPECT_GT(error, 4e-5); // rad/s
+  EXPECT_GT(error, 4e-5); // error that the band must contain [rad/s]
   EXPECT_LT(error, spin.parts.at("mesh") + spin.parts.at("degree"));
   EXPECT_LT(spin.parts.at("mesh") + spin.parts.at("degree"), 10 * error);
 }
@@ -190,13 +191,13 @@ TEST(ErrorBands, ContainTheResultOfManyRingsForOneRing)
 {
   Study study = test::mat_study();
   study.contact.rings = 1;
-  study.table.foundation_modulus = 1e9; // a wide contact
+  study.table.foundation_modulus = 1e9; // gives a wide contact
   Study finer = study;
   finer.contact.rings = 24;
   const Levels comparison(study, finer);
   const BandedQuantity &spin = comparison.band("omega_terminal");
   const double error = std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value);
-  EXPECT_GT(error, 0.5 * spin.band); // the band is dominated by the rings
+  EXPECT_GT(error, 0.5 * spin.band); // the rings dominate the error band
   EXPECT_LT(error, spin.band);
 }
 
@@ -221,7 +222,7 @@ public:
   fem::PressureMap pressure_map(const fem::ContactState &) const override { return {}; }
 };
 
-/// If a changed contact has no balance, as next to tipping, there are no bands and the run continues.
+/// If a changed contact has no balance, e.g. next to tipping, no error bands are given and the run continues.
 TEST(ErrorBands, AreEmptyIfAChangedContactHasNoBalance)
 {
   const test::SolvedStudy solved(test::quick_contact_study());
@@ -230,7 +231,7 @@ TEST(ErrorBands, AreEmptyIfAChangedContactHasNoBalance)
   EXPECT_TRUE(estimate_bands(solved.study, solved.foot, solved.row, std::nullopt, executor).empty());
 }
 
-/// Every row of the contact has a band; the closed forms have none.
+/// Every row that solves contact has an error band. The closed forms have none.
 TEST(ErrorBands, ExistForEveryRowOfTheContact)
 {
   Study study = test::quick_contact_study();
@@ -243,7 +244,7 @@ TEST(ErrorBands, ExistForEveryRowOfTheContact)
     rows_by_harmonics(study, solved.foot, solved.load, spin_question(study), ThreadedExecutor(cache),
                       silent_progress(), Depth::full, model_chain(study));
   std::vector<BudgetRow> rows = assess_chain(study, answers);
-  ASSERT_EQ(rows.back().step.number, 11u); // 1, 2, 3, 3a, 4 ... 11
+  ASSERT_EQ(rows.back().step.number, 11u); // rows 1, 2, 3, 3a, 4 ... 11
   const ErrorBands bands =
     estimate_bands(study, solved.foot, solved.row, answers.by_harmonics.front().row.omega_terminal(),
                    ThreadedExecutor(cache));
@@ -254,8 +255,8 @@ TEST(ErrorBands, ExistForEveryRowOfTheContact)
   for (const BudgetRow &row : rows)
     EXPECT_EQ(row.band.has_value(), row.step.number >= 3) << row.name;
   EXPECT_EQ(rows.back().band, all);
-  EXPECT_EQ(rows[3].band, first); // n <= 1 with tilt
-  // Rows of one value have one band.
+  EXPECT_EQ(rows[3].band, first); // row 3a: harmonics n <= 1 with tilt
+  // Rows with equal values have equal error bands.
   EXPECT_NEAR(*rows[rows.size() - 2].omega_terminal, *rows.back().omega_terminal, 1e-9);
   EXPECT_NEAR(*rows[rows.size() - 2].band, *all, 1e-9);
 }
@@ -289,7 +290,7 @@ TEST(ErrorBands, NameTheFailedLevel)
   const BalancedLoad load = load_of(study, cache);
   const std::vector<double> spins = { -1 };
   std::vector<RefinementAxis> axes = refinement_axes(study, 2);
-  axes[1].levels.back().study.load.moment_ratio = 2.3; // tips
+  axes[1].levels.back().study.load.moment_ratio = 2.3; // with this moment the glass tips
   EXPECT_THAT([&] { refine(quantities_of_load(study, load, spins), axes, ThreadedExecutor(cache)); },
               testing::ThrowsMessage<std::runtime_error>(
                 testing::AllOf(testing::HasSubstr("4"), testing::HasSubstr("degree"))));

@@ -37,7 +37,7 @@ Study rigid_foot_study(double foundation_modulus)
   return study;
 }
 
-/// Returns @p study with the moment ratio @p moment_ratio and the maximum of the load to the right of the
+/// Returns @p study with the moment ratio @p moment_ratio. The maximum of the load is on the right of the
 /// motion.
 Study with_moment(Study study, double moment_ratio)
 {
@@ -49,7 +49,7 @@ Study with_moment(Study study, double moment_ratio)
 TEST(RigidFoot, AgreesWithQuadratureOnAFlatAnnulusWithThePaperClosure)
 {
   Study study = rigid_foot_study(1e10);
-  study.glass.profile.crown_radius = 0; // a land from 28 to 32 mm
+  study.glass.profile.crown_radius = 0; // flat land from 28 to 32 mm
   study.motion.closure = ring::Closure::paper;
   const double expected = reference()["annulus_closure_paper"]["omega"];
   EXPECT_NEAR(expected, -3.10658352, 1e-8);
@@ -60,16 +60,18 @@ TEST(RigidFoot, AgreesWithQuadratureOnAFlatAnnulusWithThePaperClosure)
   }
 }
 
-/// A state on the default mat, given moment or balance at a height of the centre of mass, with reference
-/// values by the keys of the bands.
+/// State on the default mat with a given moment, or with a balance at a height of the centre of mass.
+/// `expected`: reference values by the keys of the error bands.
 struct ReferenceState
 {
-  double moment_ratio, height; ///< [m]; one of them is 0
+  double moment_ratio; ///< given moment ratio; 0: moment balance
+  double height;       ///< height of the centre of mass [m]; 0: given moment
   std::map<std::string, double> expected;
 };
 
-// Reference: quadrature of pressure and friction over the land, balance with tilt at every spin, differences
-// of the torque with steps from 0.003 to 0.03 rad/s that agree to 6e-10. At least nine digits.
+// Reference: quadrature of pressure and friction over the land, and balance with tilt at every spin.
+// Differences of the torque with steps from 0.003 to 0.03 rad/s agree to 6e-10. At least nine digits are
+// correct.
 TEST(RigidFoot, ErrorBandsContainTheNumbersOfOtherCode)
 {
   const std::vector<ReferenceState> states = {
@@ -167,7 +169,7 @@ TEST(RigidFoot, ErrorBandsContainTheNumbersOfOtherCode)
       ThreadedExecutor(solved.cache));
     for (const auto &[key, expected] : state.expected)
     {
-      const bool is_torque = key == "half"; // torque at half the reference terminal spin
+      const bool is_torque = key == "half"; // torque at half of the reference terminal spin
       const auto found = find_quantity(bands, is_torque ? "tau_at_spin_1" : key);
       ASSERT_NE(found, bands.end()) << key;
       const double value =
@@ -185,7 +187,8 @@ TEST(RigidFoot, ErrorBandsContainTheNumbersOfOtherCode)
   }
 }
 
-// Same reference: terminal spin without tilt, and state at the terminal spin with tilt.
+// The reference is the same. Compares the terminal spin without tilt, and the state at the terminal spin with
+// tilt.
 TEST(RigidFoot, AgreesWithoutTiltAndAtTheTerminalSpin)
 {
   struct Row
@@ -203,7 +206,7 @@ TEST(RigidFoot, AgreesWithoutTiltAndAtTheTerminalSpin)
     study.motion.orbit.centre_of_mass_height = row.height;
     const SolvedStudy solved(study, test::rigid_foot());
     EXPECT_NEAR(solved.row.at_terminal->moment_ratio, row.moment_ratio, 1e-5) << row.height;
-    // The edge is interpolated between azimuth lines 1/128 apart.
+    // The contact edge is interpolated between azimuth lines 1/128 of a turn apart.
     EXPECT_NEAR(solved.load.contact(solved.omega())->load.contact_fraction, row.share, 2e-3) << row.height;
     study.motion.tilt = false;
     EXPECT_NEAR(SolvedStudy(study, test::rigid_foot()).omega(), row.omega_without_tilt,
@@ -226,7 +229,7 @@ TEST(RigidFoot, AgreesWithTheFullMomentBalanceTiltAndGrip)
   }
 }
 
-/// A wavy foot on a soft mat in full contact, and its reference by plain sums.
+/// Wavy foot on a soft mat in full contact, and its reference by plain sums.
 struct WavyFoot
 {
   static constexpr unsigned int n_waves = 3;

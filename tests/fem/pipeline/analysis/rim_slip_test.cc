@@ -1,4 +1,4 @@
-// Slip and friction around the rim, as shown in the figure.
+// Slip and friction around the rim, as drawn in the figure.
 #include "ring_model/rim_slip.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// 1 + 1.5 sin theta, tensile at 270 degrees.
+/// The load 1 + 1.5 sin theta is tensile at 270 degrees.
 const ring::RingStack load({ 1, 0 }, { 0, 1.5 }, 0.03);
 
 TEST(RimSlip, OpposesTheMotionOfTheLoadAtRest)
@@ -25,7 +25,7 @@ TEST(RimSlip, OpposesTheMotionOfTheLoadAtRest)
     EXPECT_NEAR(place.friction_x, -std::max(0., 1 + 1.5 * std::sin(place.azimuth)), 1e-12);
     EXPECT_EQ(place.friction_y, 0);
   }
-  EXPECT_EQ(places[18].friction_x, 0); // where the series is negative
+  EXPECT_EQ(places[18].friction_x, 0); // the series is negative here
 }
 
 TEST(RimSlip, VanishesOnTheLeftAtSlipRatioOne)

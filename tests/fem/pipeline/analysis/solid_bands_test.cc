@@ -1,5 +1,5 @@
-// Error bands of a solid foot. References: refined body of revolution with its own bands; rigid plate for a
-// mesh that is not round. With MPI.
+// Error bands of a solid foot. References: a refined body of revolution with its own error bands, and a rigid
+// plate for a mesh that is not round. With MPI.
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/coupling/make_foot.h"
@@ -42,8 +42,8 @@ Study revolved(Study study, unsigned int refinements = 1)
   return study;
 }
 
-/// Expects that the two values of @p key agree within the sum of their bands. @p widest: largest ratio of
-/// band and difference; 0: unlimited, if the difference may vanish by chance.
+/// Expects that the two values of @p key agree within the sum of their error bands. @p widest: maximum ratio
+/// of error band and difference; 0: unlimited, if the difference may vanish by chance.
 void expect_within_both(const ErrorBands &solid, const ErrorBands &revolution, const std::string &key,
                         double widest = 0)
 {
@@ -98,10 +98,10 @@ void expect_band_of_flat_land(double moment_ratio)
   for (const char *key : { "omega_terminal", "tau_at_spin_1", "a2", "b3", "a4", "b5", "a6", "b7", "a8" })
     expect_within_both(solid, revolution, key);
   EXPECT_GT(solid[index_of(solid, "a2")].parts.at("interface"), 0);
-  EXPECT_LT(solid[index_of(solid, "a4")].band, 1e-2); // of a_0
+  EXPECT_LT(solid[index_of(solid, "a4")].band, 1e-2); // relative to a_0
 }
 
-/// Returns the foot of a mesh file with linear elements on a mat, without friction coupling.
+/// Returns the study of a foot from a mesh file, with linear elements on a mat, without friction coupling.
 Study study_of_mesh(const std::string &file)
 {
   Study study = test::mat_study();
@@ -113,7 +113,7 @@ Study study_of_mesh(const std::string &file)
   return study;
 }
 
-/// Returns the nearly rigid square plate of docs/verification on a mat, with the load at @p eccentricity [m]
+/// Returns the nearly rigid square plate of docs/verification on a mat. The load acts at @p eccentricity [m]
 /// in the direction @p direction [rad].
 Study plate_on_mat(double eccentricity, double direction)
 {
@@ -129,7 +129,7 @@ Study plate_on_mat(double eccentricity, double direction)
   return study;
 }
 
-/// Expects the bands of plate_on_mat() to hold.
+/// Expects that the error bands of plate_on_mat() contain the errors.
 void expect_bands_of_plate(double eccentricity, double direction)
 {
   const Study study = plate_on_mat(eccentricity, direction);
@@ -167,8 +167,8 @@ double mean_spin(const Study &study)
 
 } // namespace
 
-// The band uses loads on the other mesh at rest and at one spin. Reference: the study on that mesh, solved at
-// every spin.
+// The error band uses loads of the other mesh at rest and at one spin. Reference: the study on the other
+// mesh, solved at every spin.
 TEST(SolidBands, ContainTheChangeOfTheTerminalSpinOnAnOvalMesh)
 {
   Study study = study_of_mesh("oval_foot.msh");
@@ -182,8 +182,8 @@ TEST(SolidBands, ContainTheChangeOfTheTerminalSpinOnAnOvalMesh)
   EXPECT_LE(part, 1.5 * change);
 }
 
-// The edge of lift-off crosses the faces of the plate, where the table law is not smooth. A rigid plate does
-// not bend, so only another number of contact lines shows the error.
+// The edge of the lift-off crosses the faces of the plate. The table law is not smooth at this edge. A rigid
+// plate does not bend, so only another number of contact lines reveals the error.
 TEST(SolidBands, ContainTheErrorOfAPlateWithLiftOff)
 {
   for (const double eccentricity : { 0.62, 0.55 })
@@ -197,8 +197,8 @@ TEST(SolidBands, ContainTheErrorOfAPlateWithLiftOff)
   }
 }
 
-// In balance with friction and tilt on the coarsest possible mesh, whose band comes from halved cells. The
-// contact is a twentieth of a cell wide, so that more rings would extrapolate to its nodes.
+// The foot is in balance with friction and tilt on the coarsest possible mesh, so the error band comes from
+// halved cells. The contact is a twentieth of a cell wide; more rings would extrapolate to the nodes.
 TEST(SolidBands, ContainTheErrorOfAFootOnAMatLong)
 {
   Study study = solid_study(fem::GlassShape::foot, { 24, 2, 1 });
@@ -209,7 +209,7 @@ TEST(SolidBands, ContainTheErrorOfAFootOnAMatLong)
   expect_within_both(solid, revolution, "tau_at_spin_1");
 }
 
-// Short form with linear elements and a given moment.
+// Short version with linear elements and a given moment.
 TEST(SolidBands, ContainTheErrorOfLinearElementsOnAMat)
 {
   Study study = solid_study(fem::GlassShape::foot, { 16, 2, 1 });
@@ -223,7 +223,7 @@ TEST(SolidBands, ContainTheErrorOfLinearElementsOnAMat)
     expect_within_both(solid, revolution, key, 30);
 }
 
-// The coarser mesh has cells 1.5 times as large across the land.
+// In the coarser mesh, the cells across the land are 1.5 times as large.
 TEST(SolidBands, ContainTheErrorIfTheCellCountCannotBeHalved)
 {
   Study study = solid_study(fem::GlassShape::foot, { 16, 6, 2 });
@@ -235,7 +235,7 @@ TEST(SolidBands, ContainTheErrorIfTheCellCountCannotBeHalved)
   expect_within_both(solid, revolution, "tau_at_spin_1");
 }
 
-// At re-entrant corners the error is of first order. The band comes from doubled cells.
+// At re-entrant corners the error is of first order. The error band comes from cells of twice the size.
 TEST(SolidBands, ContainTheErrorOfAStepOnAMatLong)
 {
   const Study study = step_on_mat(1e11);
@@ -245,8 +245,7 @@ TEST(SolidBands, ContainTheErrorOfAStepOnAMatLong)
   expect_within_both(solid, revolution, "tau_at_spin_1");
 }
 
-// The contact is a hundredth of a cell wide, so the change by halved cells shows only a small part of the
-// error.
+// The contact is a hundredth of a cell wide, so the change to halved cells is only a small part of the error.
 TEST(SolidBands, ContainTheErrorOfAContactNarrowerThanItsCellsLong)
 {
   Study study = step_on_mat(1e15);
@@ -257,7 +256,7 @@ TEST(SolidBands, ContainTheErrorOfAContactNarrowerThanItsCellsLong)
   expect_within_both(solid, revolution, "tau_at_spin_1");
 }
 
-// Short form with linear elements.
+// Short version with linear elements.
 TEST(SolidBands, AgreeWithTheRevolutionBodyForLinearElementsOnAHardFlatLand)
 {
   Study study = flat_land(0.5);
@@ -269,7 +268,7 @@ TEST(SolidBands, AgreeWithTheRevolutionBodyForLinearElementsOnAHardFlatLand)
   for (const char *key : { "omega_terminal", "tau_at_spin_1", "a2", "b3", "a4" })
     expect_within_both(solid, revolution, key);
   EXPECT_GT(solid[index_of(solid, "a2")].parts.at("interface"), 0);
-  EXPECT_LT(solid[index_of(solid, "a2")].band, 0.1); // of a_0
+  EXPECT_LT(solid[index_of(solid, "a2")].band, 0.1); // relative to a_0
 }
 
 TEST(SolidBands, ContainTheErrorOfAFlatLandOnAHardTableLong)

@@ -16,7 +16,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns a foot with lift-off, on few lines and load harmonics, which do not depend on the mesh.
+/// Returns a foot with lift-off. The few lines and load harmonics do not depend on the mesh.
 Study lifting_foot()
 {
   Study study = test::mat_study();
@@ -50,7 +50,7 @@ GoalError error_of(const Study &study, const Discretisation &discretisation = {}
 
 } // namespace
 
-// Short form: one mesh, given moment.
+// Short version: a single mesh, given moment.
 TEST(SolidGoal, EstimatesEqualTheErrorsOnACoarseMesh)
 {
   for (const Goal goal : { Goal::a2, Goal::terminal_spin })
@@ -84,7 +84,7 @@ TEST(SolidGoal, KeepsTheMeshOfAStudyWithoutAGoal)
   EXPECT_FALSE(meshed.outcome);
 }
 
-// Reference: body of revolution, whose error is below a tenth of the smallest error compared.
+// Reference: body of revolution. Its error is below a tenth of the smallest compared error.
 TEST(SolidGoal, EstimatesEqualTheErrorsLong)
 {
   Study study = lifting_foot();

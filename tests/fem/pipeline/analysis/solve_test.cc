@@ -20,7 +20,8 @@ namespace
 
 using namespace stemware::test;
 
-/// Returns the spins of the budget, without each effect and on one ring, and bands; 0 for missing values.
+/// Returns the spins of the budget, the spins without each effect and on one ring, and the error bands; 0 for
+/// missing values.
 std::vector<double> digits_on(unsigned int n_threads)
 {
   const SolvedStudy solved(quick_contact_study());

@@ -28,7 +28,7 @@ SpinStudy study_spin_of(const ring::RingStack &load, const Study &study = study_
 
 TEST(SpinStudy, SpinUpCurvesAgreeWithIndependentIntegrations)
 {
-  // The four curves differ by percents.
+  // The four curves differ by several per cent.
   const Study study = study_of_given_load();
   const ring::Motion &motion = study.motion.orbit;
   const SpinUpCurves curves = study_spin_of(rich_load(), study).spin_up;
@@ -42,13 +42,13 @@ TEST(SpinStudy, SpinUpCurvesAgreeWithIndependentIntegrations)
       return ring::coulomb_wrench(motion.friction_coefficient, load, spin, motion.orbit_speed).torque /
              motion.yaw_inertia;
     };
-    for (int i = 0; i < n_steps; ++i) // midpoint rule
+    for (int i = 0; i < n_steps; ++i) // by the midpoint rule
       omega += step * rate(omega + step / 2 * rate(omega));
     return omega;
   };
   EXPECT_NEAR(curves.adaptive.back(), follow(rich_load()), 1e-6);
   EXPECT_NEAR(curves.first_harmonic.back(), follow(rich_load().truncated(1)), 1e-6);
-  // In the model of the paper the load does not depend on the spin.
+  // In the paper's model, the load does not depend on the spin.
   EXPECT_NEAR(curves.paper.back(),
               follow(ring::RingStack::first_harmonic(
                 motion.normal_force(), ring::required_moment_at_rest(ring::Closure::paper, motion), 0.03)),
@@ -87,7 +87,7 @@ TEST(SpinStudy, ReportsProgressDuringTheSpinUp)
   {
     void pieces_done(const std::string &, std::size_t n_done, std::size_t n_all) override
     {
-      if (n_all > 0) // models
+      if (n_all > 0) // progress of the models
         return;
       most = std::max(most, n_done);
       if (is_interrupted)
@@ -108,7 +108,7 @@ TEST(SpinStudy, ReportsProgressDuringTheSpinUp)
   EXPECT_THROW(followed(), std::domain_error);
 }
 
-/// Returns rich_load() up to @p last [rad/s], tipping above.
+/// Returns the load rich_load() up to the spin @p last [rad/s]. Above this spin, the glass tips.
 BalancedLoad tipping_beyond(double last)
 {
   const auto load = [last](double omega) -> ring::Sample
@@ -120,7 +120,7 @@ BalancedLoad tipping_beyond(double last)
   return { ring::Load(load), report_of(rich_load()) };
 }
 
-// With the hand at the centre of mass and friction that decreases with the slip, rest is an unstable balance.
+// If the hand is at the centre of mass and friction decreases with the slip, rest is an unstable balance.
 // Reference: the same glass with the hand 1e-6 m lower spins up.
 TEST(SpinStudy, ReportsUnstableRest)
 {
@@ -144,8 +144,8 @@ TEST(SpinStudy, ReportsUnstableRest)
   EXPECT_NEAR(started, -2.4364, 1e-4);
 }
 
-// Constant load up to tipping. The moment ratio follows from the first harmonic, the time of tipping from
-// dt = I d omega / tau(omega) by Simpson's rule.
+// The load is constant up to tipping. The moment ratio follows from the first harmonic, and the time of
+// tipping from dt = I d omega / tau(omega) by Simpson's rule.
 TEST(SpinStudy, ReportsTippingDuringTheSpinUp)
 {
   const Study study = study_of_given_load();
@@ -189,7 +189,7 @@ TEST(SpinStudy, ReportsTippingDuringTheSpinUp)
 
 TEST(Answer, GivesTheReasonIfThereIsNoTerminalSpin)
 {
-  // Tipping, no balance, and a torque without a zero.
+  // Loads that tip, have no balance, or give a torque without a zero.
   const auto refusing = [](auto failure)
   {
     return ring::Load(
@@ -209,9 +209,9 @@ TEST(Answer, GivesTheReasonIfThereIsNoTerminalSpin)
   const ring::Answer none = ring::answer(refusing(ring::NoBalance("none")), question);
   EXPECT_EQ(none.status, ring::Status::no_balance);
   EXPECT_THAT(none.reason, testing::HasSubstr("none"));
-  // Program errors are rethrown.
+  // Program errors are rethrown, not reported as a reason.
   EXPECT_THROW(ring::answer(refusing(std::runtime_error("a fault")), question), std::runtime_error);
-  // A moment that grows faster than K_1 decreases, like eps^-3, gives a torque without a zero.
+  // The torque has no zero if the moment grows faster (like eps^-3) than K_1 decreases.
   const auto with_ratio = [](double m) {
     return ring::RingStack::first_harmonic(2.943, { m * 2.943 * 0.03 / 2, 0 }, 0.03);
   };
