@@ -57,7 +57,7 @@ pid_t start(const std::vector<std::string> &command, const fs::path &folder)
   return process;
 }
 
-/// Waits for the end of a child and kills it after five minutes. Returns the status of waitpid().
+/// Waits for the end of a child process and kills it after five minutes. Returns the status of waitpid().
 int status_of(pid_t process)
 {
   int status = 0;

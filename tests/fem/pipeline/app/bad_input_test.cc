@@ -1,4 +1,4 @@
-// Bad input ends in one sentence and an exit code, without files.
+// Bad input is refused in one sentence with an exit code. No files are written.
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_file.h"
 #include "ring_model/failures.h"
@@ -15,8 +15,8 @@ namespace stemware::test
 namespace
 {
 
-/// Expects that a command is refused with one line on standard error that contains @p expected, without new
-/// files.
+/// Expects that a command is refused without new files, with one line on standard error that contains @p
+/// expected.
 void expect_refused(const ScratchFolder &scratch, const std::vector<std::string> &command,
                     const std::string &expected, int exit_code = 1)
 {
@@ -44,7 +44,7 @@ std::string study_refusal(const std::string &file, const std::vector<std::string
   }
 }
 
-// Further refusals: StudyFile, StudyChecks, QuantityText, TextReader.
+// More refusals are tested by StudyFile, StudyChecks, QuantityText and TextReader.
 TEST(BadInput, RefusesStudyFilesInOneSentence)
 {
   for (const auto &[name, text, expected] : std::vector<std::tuple<std::string, std::string, std::string>>{
@@ -130,7 +130,7 @@ TEST(BadInput, RefusesSettingsInOneSentence)
          { { solid, "Contact/Mesh file=nothing.msh" }, "nothing.msh does not exist" },
          { { solid, "Contact/Mesh file=." }, "is not a file" } })
     EXPECT_THAT(study_refusal(study, settings), testing::HasSubstr(expected)) << settings.back();
-  // Refusals that need the mesh of the foot.
+  // The following refusals need the mesh of the foot.
   for (const auto &[settings, expected] : std::vector<std::pair<std::vector<std::string>, std::string>>{
          { { "Load/Source=file", "Load/File=tipping.dat" }, "tips at 2" },
          { { "Contact/Azimuth lines=20" }, "lines" },
@@ -247,7 +247,7 @@ TEST(BadInput, QuietKeepsWarnings)
   EXPECT_THAT(heavy.err, testing::HasSubstr("write 300 g"));
 }
 
-/// Runs a shell command, in which $S is the program.
+/// Runs a shell command. $S in the command is the program.
 Ended shell(const ScratchFolder &scratch, const std::string &command)
 {
   return RunningProgram({ "/bin/sh", "-c", "S=" STEMWARE_PROGRAM "; " + command }, scratch.path()).end();
@@ -258,7 +258,7 @@ TEST(BadInput, LittleMemoryEndsInOneSentence)
   const ScratchFolder scratch;
   std::size_t n_refused = 0;
   for (const char *study : { "", " --set Table/Substrate=rigid --set Contact/Body=solid" })
-    for (const char *limit : { "600000", "700000", "1000000", "1200000" }) // kB
+    for (const char *limit : { "600000", "700000", "1000000", "1200000" }) // in kB
     {
       SCOPED_TRACE(limit + std::string(study));
       const Ended ended = shell(scratch, std::string("ulimit -c 0; ulimit -v ") + limit +
@@ -299,7 +299,7 @@ TEST(BadInput, RefusesInvalidUtf8BeforeTheComputation)
   const ScratchFolder scratch;
   scratch.write("latin\xe9.prm",
                 "subsection Table\n  set Interface = Winkler\n  set Substrate = rigid\nend\n");
-  scratch.write("study.prm", "# Verr\xe9\n"); // comments are not checked
+  scratch.write("study.prm", "# Verr\xe9\n"); // comments may contain any bytes
   scratch.write("entry.prm", "subsection Glass\n  set Profile file = verr\xe9.csv\nend\n");
   const auto before = names_in(scratch.path());
   for (const std::vector<std::string> &arguments :

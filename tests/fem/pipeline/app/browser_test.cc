@@ -1,4 +1,4 @@
-// Reports of every verb and state in a browser, in desktop and phone widths and printed.
+// Reports of every verb and state in a browser, at desktop and phone widths and in print.
 #include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/browser.h"
 #include "tests/fem/pipeline/matchers.h"
@@ -16,7 +16,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// A report and the arguments that write it.
+/// A report, and the arguments of the run that writes it.
 struct Opened
 {
   std::string name;
@@ -44,11 +44,12 @@ const std::vector<Opened> &opened()
   return reports;
 }
 
-/// State of a study with its expected answer and figures.
+/// State of a study, with the expected answer and figures.
 struct State : Opened
 {
-  std::string answer;                                  ///< words in it
-  std::vector<std::string> figures = {}, missing = {}; ///< names
+  std::string answer; ///< words of the answer
+  /// Names of figures that the report shows, and of figures that it must not show.
+  std::vector<std::string> figures = {}, missing = {};
 };
 
 const std::vector<State> &states()
@@ -120,7 +121,7 @@ const std::vector<State> &states()
   return all;
 }
 
-/// Opens a state in the browser and expects the answer of the console.
+/// Opens a state in the browser and expects the same answer as on the console.
 nlohmann::json opened_state(const ScratchFolder &scratch, const State &state)
 {
   std::vector<std::string> arguments = state.arguments;
@@ -133,7 +134,8 @@ nlohmann::json opened_state(const ScratchFolder &scratch, const State &state)
   return page;
 }
 
-/// Returns the sum of the distances of pressure points from the rim [um], and their number, by azimuth.
+/// Returns, for each azimuth, the sum of the distances of the pressure points from the rim [um] and the
+/// number of points.
 std::map<std::string, std::pair<double, int>> distances_of(const nlohmann::json &rows)
 {
   std::map<std::string, std::pair<double, int>> found;
@@ -167,7 +169,7 @@ TEST_P(BrowserStates, ShowAllFiguresWithoutDefects)
     EXPECT_TRUE(page["figures"].contains(figure)) << figure;
   for (const std::string &figure : GetParam().missing)
     EXPECT_FALSE(page["figures"].contains(figure)) << figure;
-  // The pressure of a rounded rim is symmetric about its radius, also at the onset of lift-off.
+  // The pressure of a rounded rim is symmetric about the rim's radius, even at the onset of lift-off.
   if (GetParam().name == "falling")
   {
     const double width = read_summary(scratch / "results")["load"]["contact_width"].get<double>() * 1e6;
@@ -198,7 +200,7 @@ TEST(Reports, ArePrintedCompletely)
   EXPECT_THAT(print.err, testing::Not(testing::HasSubstr(":CONSOLE")));
   const std::string printed = read_text(pdf);
   EXPECT_EQ(printed.rfind("%PDF", 0), 0u);
-  EXPECT_GT(printed.size(), 20000u); // pictures and text, not an empty page
+  EXPECT_GT(printed.size(), 20000u); // contains pictures and text; an empty page is smaller
 }
 
 /// Returns the points of the curve @p name in the CSV file of a figure.
@@ -213,8 +215,8 @@ std::vector<std::pair<double, double>> points_of(const nlohmann::json &rows, con
   return points;
 }
 
-/// Expects that each point is a row of the columns, with values times @p factor, to the six digits of a
-/// figure.
+/// Expects that each point is a row of the columns, with the values multiplied by @p factor, to the six
+/// digits of a figure.
 void expect_rows(const std::vector<std::pair<double, double>> &points, const std::vector<double> &x,
                  const std::vector<double> &y, double factor)
 {
@@ -241,7 +243,7 @@ TEST(Reports, FiguresAndTablesShowTheNumbersOfTheFiles)
   const auto torque = read_columns(scratch / "results/torque.csv"),
              spin_up = read_columns(scratch / "results/spin_up.csv"),
              load = read_columns(scratch / "results/load.csv");
-  expect_rows(points_of(figures["torque"], "all harmonics"), torque[0], torque[2], 1e3); // mN m
+  expect_rows(points_of(figures["torque"], "all harmonics"), torque[0], torque[2], 1e3); // in mN m
   expect_rows(points_of(figures["spin_up"], "all harmonics"), spin_up[0], spin_up[1], 1);
   std::vector<double> degrees = load[0];
   for (double &angle : degrees)
@@ -263,7 +265,7 @@ TEST(Reports, FiguresAndTablesShowTheNumbersOfTheFiles)
     {
       EXPECT_TRUE(ends_at(budget[i]["omega_terminal"])) << budget[i];
     }
-  // The table without one effect at a time has the numbers of the summary.
+  // The table "without one effect at a time" contains the numbers of the summary.
   const nlohmann::json &rows = page["tables"]["The complete model without one effect at a time"];
   const nlohmann::json &without = summary["without"];
   ASSERT_EQ(rows.size(), without.size() + 1);
@@ -273,7 +275,7 @@ TEST(Reports, FiguresAndTablesShowTheNumbersOfTheFiles)
     if (without[i]["omega_terminal"].is_number())
     {
       EXPECT_NEAR(std::stod(in_one_line(rows[i + 1][1])), without[i]["omega_terminal"].get<double>(),
-                  5.01e-4); // four digits
+                  5.01e-4); // the figure has four digits
     }
     else
     {
@@ -284,7 +286,7 @@ TEST(Reports, FiguresAndTablesShowTheNumbersOfTheFiles)
 
 TEST(Reports, FormattedNumbersParseToTheirValues)
 {
-  // Parses every exponent in every format, such as 9.3 · 10⁻¹⁰.
+  // Exponents in every format must be parsed, e.g. 9.3 · 10⁻¹⁰.
   const std::string script = "const { shown } = await import(" +
                              script_string("file://" + fs::path(STEMWARE_DOCS).parent_path().string() +
                                            "/fem/pipeline/page/js/words.js") +
@@ -309,8 +311,8 @@ TEST(Reports, FormattedNumbersParseToTheirValues)
   EXPECT_EQ(found_in_browser(scratch, script), nlohmann::json::array());
 }
 
-/// Returns the reports with hostile text in every text input: the name of the study for all verbs, and each
-/// file that a study reads.
+/// Returns reports with hostile text in every text input: the name of the study (all verbs) and each file
+/// that a study reads.
 std::vector<Opened> hostile_reports(const std::string &place)
 {
   std::vector<Opened> reports = opened();
@@ -351,7 +353,7 @@ TEST(Reports, HostileTextExecutesNothing)
   scratch.write(place + " speeds.csv", "t (s), v (m/s)\n0, 0.3\n100, 0.35\n");
   scratch.write(place + ".msh", read_text(fs::path(STEMWARE_DOCS) / "../meshes/flat_foot.msh"));
   std::vector<std::string> pages;
-  std::set<std::string> with_an_entry; // reports show texts of entries, not the name of the study
+  std::set<std::string> with_an_entry; // reports show the texts of entries, but not the name of the study
   for (const Opened &report : hostile_reports(place))
   {
     SCOPED_TRACE(report.name);

@@ -37,7 +37,7 @@ std::vector<std::string> keys_of(const Json &columns, const std::string &heading
     const Json names = column.value("name", Json(key));
     for (const Json &name : names.is_array() ? names : Json::array({ names }))
       if (matches(heading, name.get<std::string>() + (unit.empty() ? "" : " (" + unit + ")")) ||
-          (unit == "1" && matches(heading, name.get<std::string>()))) // sweep.csv omits the unit 1
+          (unit == "1" && matches(heading, name.get<std::string>()))) // sweep.csv omits the unit "1"
         keys.push_back(key);
   }
   return keys;
@@ -69,7 +69,7 @@ TEST(ColumnKeys, EveryColumnOfEveryFileIsDeclaredOnce)
         const Json columns = files.value(file, Json::object());
         const auto rows = parse_csv(read_text(item.path()));
         for (const std::string &heading : rows.front())
-          if (heading != "Motion/Mass (kg)") // an entry is declared by the study
+          if (heading != "Motion/Mass (kg)") // the study declares its own entries
           {
             EXPECT_EQ(keys_of(columns, heading).size(), 1u) << verb[0] << ", " << file << ": " << heading;
           }

@@ -14,7 +14,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Redirects standard output into a text during its lifetime.
+/// Redirects standard output into a text while the object exists.
 class Heard
 {
 public:

@@ -26,7 +26,7 @@ nlohmann::json run(const ScratchFolder &scratch, const std::vector<std::string> 
                 results);
 }
 
-/// Returns the harmonics of the load over a_0, cosines followed by sines.
+/// Returns the harmonics of the load divided by a_0, cosines followed by sines.
 std::vector<double> relative_harmonics(const nlohmann::json &summary)
 {
   std::vector<double> harmonics;
@@ -50,7 +50,8 @@ TEST(ContactRun, EqualStudiesGiveEqualFiles)
   const ScratchFolder scratch;
   const std::string study = scratch.write("coarse.prm", coarse_study());
   solved(scratch, { "run", study }, { "Glass/Crown radius=0.00312345678" }, "one");
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // detects time stamps in seconds
+  // Longer than a second, so that time stamps would differ.
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
   solved(scratch, { "run", study }, { "Glass/Crown radius=0.00312345678" }, "other");
   const auto one = all_files(scratch / "one"), other = all_files(scratch / "other");
   ASSERT_EQ(one.size(), other.size());
@@ -66,7 +67,7 @@ TEST(ContactRun, EqualStudiesGiveEqualFiles)
 TEST(ContactRun, LoadFileGivesTheHarmonicsOfTheContactRun)
 {
   const ScratchFolder scratch;
-  const auto contact = run(scratch, { "Contact/Rings=1" }, "contact"); // one ring, as in a load file
+  const auto contact = run(scratch, { "Contact/Rings=1" }, "contact"); // a load file has one ring
   const auto ring = run(scratch, { "Load/Source=file", "Load/File=contact/harmonics.dat" }, "ring");
   EXPECT_EQ(ring["load"]["a"], contact["load"]["a"]);
   EXPECT_EQ(ring["load"]["b"], contact["load"]["b"]);
@@ -76,7 +77,7 @@ TEST(ContactRun, LoadFileGivesTheHarmonicsOfTheContactRun)
 TEST(ContactRun, ResultsDoNotDependOnTheUnits)
 {
   const ScratchFolder scratch;
-  // The same glass in t, mm, s, N, MPa.
+  // The same glass in units of t, mm, s, N, MPa.
   const std::vector<std::string> in_millimetres = {
     "Motion/Mass=3e-4",         "Motion/Yaw inertia=0.3",      "Motion/Centre of mass height=80",
     "Motion/Force offset=-50",  "Motion/Orbit radius=150",     "Motion/Orbit speed=350",
@@ -113,7 +114,7 @@ TEST(ContactRun, ReadsMeshFiles)
 
   const auto oval = run(scratch, { "Contact/Mesh file=" STEMWARE_MESHES "/oval_foot.msh" });
   EXPECT_FALSE(oval["contact"]["mesh"]["round_rim"].get<bool>());
-  EXPECT_TRUE(oval["ring"]["phase_dependent"].get<bool>()); // the foot rotates under the moment
+  EXPECT_TRUE(oval["ring"]["phase_dependent"].get<bool>()); // the foot rotates relative to the moment
   EXPECT_FALSE(flat["ring"]["phase_dependent"].get<bool>());
   EXPECT_GT(oval["ring"]["spin_ripple"].get<double>(), 0);
   EXPECT_GT(oval["contact"]["mesh"]["land_area_deficit"].get<double>(), 0);
@@ -123,8 +124,8 @@ TEST(ContactRun, ReadsMeshFiles)
             oval["load"]);
 }
 
-/// Writes the mesh of a plate of 80 x 40 mm, scaled from the square plate of 2 m, and returns settings for a
-/// rigid plate with the load at @p eccentricity [m] in the direction @p angle [deg].
+/// Writes the mesh of a plate of 80 x 40 mm, scaled from the square plate of 2 m. Returns settings of a rigid
+/// plate with the load at @p eccentricity [m] in the direction @p angle [deg].
 std::vector<std::string> plate_settings(const ScratchFolder &scratch, double eccentricity, double angle)
 {
   std::istringstream square(read_text(STEMWARE_MESHES "/square_plate.msh"));
@@ -141,7 +142,8 @@ std::vector<std::string> plate_settings(const ScratchFolder &scratch, double ecc
     else
       plate << line << '\n';
   }
-  const double radius = (0.02 + std::hypot(0.04, 0.02)) / 2; // mean distance of the border
+  // Mean of the smallest and largest distance of the border.
+  const double radius = (0.02 + std::hypot(0.04, 0.02)) / 2;
   const auto text = [](double value) { return fmt::format(FMT_STRING("{:.12g}"), value); };
   return { "Contact/Mesh file=" + scratch.write("plate.msh", plate.str()),
            "Contact/Degree=1",
@@ -157,7 +159,7 @@ std::vector<std::string> plate_settings(const ScratchFolder &scratch, double ecc
 TEST(ContactRun, RadiusOfAPlateIsTheMeanDistanceOfItsBorder)
 {
   const ScratchFolder scratch;
-  // Beyond the kern of L/6 = 13.3 mm: 3 (L/2 - e) of the length are under pressure.
+  // The load is outside the kern of L/6 = 13.3 mm, so 3 (L/2 - e) of the length are under pressure.
   const auto summary = run(scratch, plate_settings(scratch, 0.018, 90));
   EXPECT_NEAR(summary["contact"]["mesh"]["rim_radius"].get<double>(), (0.02 + std::hypot(0.04, 0.02)) / 2,
               1e-12);
@@ -170,7 +172,7 @@ TEST(ContactRun, RadiusOfAPlateIsTheMeanDistanceOfItsBorder)
 TEST(ContactRun, RefusesAGlassThatTipsOnASoftMat)
 {
   const ScratchFolder scratch;
-  // On a soft mat the glass leans until it tips.
+  // The mat is so soft that the glass leans until it tips.
   const Ended ended =
     stemware(scratch, { "run", "--quick", "--set", "Motion/Tilt=included", "--set",
                         "Motion/Centre of mass height=0.14", "--set", "Motion/Force offset=-0.05", "--set",
@@ -193,7 +195,7 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "alone", "coarse.prm", "together" }));
   expect_same_harmonics(alone, read_summary(scratch / "together"), 1e-9);
-  // Printed once, not once per rank.
+  // The results are printed once, not once per rank.
   EXPECT_EQ(ended.out.find("Results"), ended.out.rfind("Results"));
   // Each rank writes the fields of its cells. The report names the .pvtu file.
   const std::vector<std::string> pieces = { "contact_0.vtu", "contact_1.vtu" };
@@ -212,7 +214,7 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
                        page_of_one = page_document(scratch / "alone");
   EXPECT_THAT(page["files"].dump(), testing::HasSubstr("fields/contact.pvtu"));
   EXPECT_THAT(page["files"].dump(), testing::Not(testing::HasSubstr("fields/contact.vtu")));
-  // The tables agree with one rank.
+  // One rank gives the same tables.
   const auto tables_of = [](const nlohmann::json &document)
   {
     std::set<std::string> names;
@@ -229,8 +231,8 @@ TEST(ContactRun, ARankThatCannotWriteEndsAllRanks)
 {
   const ScratchFolder scratch;
   scratch.write("coarse.prm", coarse_study());
-  // The second rank writes only its fields. The ranks communicate by TCP, because shared memory needs a
-  // larger file.
+  // The second rank writes only its fields, with a file size limit. The ranks communicate by TCP, because
+  // shared memory needs a larger file.
   const std::string command = std::string("[ \"$OMPI_COMM_WORLD_RANK\" = 0 ] || ulimit -f 4; exec ") +
                               STEMWARE_PROGRAM + " run coarse.prm --quick";
   const Ended ended = RunningProgram({ STEMWARE_MPIRUN, "--mca", "btl", "self,tcp", "--mca",

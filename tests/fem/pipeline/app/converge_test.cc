@@ -1,4 +1,4 @@
-// `stemware converge` as a program.
+// The verb `converge` as a program.
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -33,7 +33,7 @@ TEST(ConvergeRun, WritesOrdersAndBands)
   EXPECT_NEAR(spin["order"].get<double>(), order, 1e-9);
   EXPECT_NEAR(spin["limit"].get<double>(), values[2] + (values[2] - values[1]) / (std::exp2(order) - 1),
               1e-9);
-  // Between the order of re-entrant corners and the order of a smooth section.
+  // The order lies between the order of re-entrant corners and the order of a smooth section.
   EXPECT_GT(order, 0.5);
   EXPECT_LT(order, 2.05);
 

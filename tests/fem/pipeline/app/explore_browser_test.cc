@@ -1,4 +1,4 @@
-// The live page in a browser, in desktop and phone widths, against the program.
+// Live page in a browser, at desktop and phone widths, compared with the program.
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
@@ -31,7 +31,7 @@ const std::vector<std::pair<std::string, std::string>> moves = { { "Motion/Frict
                                                                  { "Motion/Centre of mass height", "0.1" },
                                                                  { "Table/Foundation modulus", "1e11" } };
 
-/// Returns a script that opens @p page in a frame of each width and makes the moves one after the other.
+/// Returns a script that opens @p page in a frame of each width and makes the moves one by one.
 std::string moving_script(const std::string &page)
 {
   return axe_script() + R"(
@@ -52,7 +52,7 @@ std::string moving_script(const std::string &page)
       omega.push(last.omega);
     }
     const errors = [...last.errors], { body } = frame.contentDocument;
-    frame.contentWindow.Worker.prototype.postMessage = () => {}; // the solver no longer answers
+    frame.contentWindow.Worker.prototype.postMessage = () => {}; // from now on, the solver gets no requests
     frame.contentWindow.move("Motion/Hand height", 0.14);
     await new Promise(r => setTimeout(r, 600));
     const answer = body.querySelector("#answer"), waits = body.matches(".busy") && answer.textContent;
@@ -86,8 +86,8 @@ TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgram)
     EXPECT_TRUE(found[width]["errors"].empty()) << found[width]["errors"];
     EXPECT_EQ(found[width]["serious"], nlohmann::json::array()) << found[width]["serious"].dump(1);
     EXPECT_LE(found[width]["width"].get<int>(), std::stoi(width)) << "the page has to be scrolled sideways";
-    // At rest a ring tips at |M_N| = N R: with k = v^2 / (rho g) = 0.0425 and mu = 0.2 at h = 0.15 m, where
-    // (h - 0.1 m)^2 k^2 + h^2 mu^2 = R^2 to a thousandth.
+    // At rest a ring tips at |M_N| = N R. With k = v^2 / (rho g) = 0.0425 and mu = 0.2, this happens at h =
+    // 0.15 m, where (h - 0.1 m)^2 k^2 + h^2 mu^2 = R^2 within a thousandth.
     EXPECT_THAT(found[width]["waits"].get<std::string>(), testing::HasSubstr("with the hand at about 150"));
     EXPECT_THAT(found[width]["waits"].get<std::string>(), testing::HasSubstr("Solving …"));
     EXPECT_NE(found[width]["text"].get<std::string>().find("rad/s"), std::string::npos);
@@ -100,7 +100,7 @@ TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgram)
   EXPECT_THAT(late, testing::Not(testing::HasSubstr("Solving")));
 }
 
-/// Returns the start of a script: opens @p page in a frame of width @p width [px].
+/// Returns the beginning of a script: it opens @p page in a frame of width @p width [px].
 std::string framed(const std::string &page, int width)
 {
   return "const frame = document.createElement('iframe');\nframe.style = 'border:0;height:900px;width:" +
@@ -108,9 +108,9 @@ std::string framed(const std::string &page, int width)
          ";\ndocument.body.append(frame);\n";
 }
 
-/// Returns a script that opens @p page, makes the first move and goes through the lesson. Result: spin,
-/// errors, texts of the lesson; "told": answer and notice for a tipping study, an unusual value and a
-/// forbidden value.
+/// Returns a script that opens @p page, makes the first move and goes through the lesson. The script's result
+/// contains the spin, errors and texts of the lesson. Its member "told" contains answer and notice for a
+/// tipping study, an unusual value and a forbidden value.
 std::string lesson_script(const std::string &page)
 {
   return framed(page, 1100) + R"(
@@ -151,7 +151,7 @@ TEST(ExplorePage, SavedPageOpensWithTheSavedValues)
   let saved;
   shown.URL.createObjectURL = blob => ((saved = blob), "#");
   shown.document.getElementById("as-page").click();
-  const text = await saved.text(); // a blob is readable only while its page exists
+  const text = await saved.text(); // a blob is readable only while its page is open
   frame.removeAttribute("srcdoc");
   frame.srcdoc = text;
   await wait(() => frame.contentWindow !== shown || !frame.contentWindow.started || frame.contentDocument.body.dataset.rested);
@@ -162,7 +162,7 @@ TEST(ExplorePage, SavedPageOpensWithTheSavedValues)
   EXPECT_EQ(found["table"], "mat");
 }
 
-/// Returns the line load at an angle [N/m] as text, from the Fourier series of "load" of a summary.
+/// Returns the line load at an angle [N/m] as text, computed from the Fourier series in "load" of a summary.
 std::string pressing(const nlohmann::json &load, double angle)
 {
   double value = 0;
@@ -190,7 +190,7 @@ TEST(ExplorePage, PageOfAStudySolvesTheStudyAndShowsTheLesson)
   const double omega = moved["ring"]["omega_terminal"].get<double>();
   const std::string page = read_text(scratch / "page.html");
   EXPECT_LT(page.size(), 1'300'000u);
-  // If workers from blob: are forbidden, the page solves in its own thread.
+  // If workers from blob: are forbidden, the page solves in its own thread instead.
   for (const std::string policy : { "worker-src blob:", "worker-src 'none'" })
   {
     SCOPED_TRACE(policy);
@@ -216,12 +216,13 @@ TEST(ExplorePage, PageOfAStudySolvesTheStudyAndShowsTheLesson)
   EXPECT_EQ(falls.exit_code, 0) << falls.err;
 }
 
-/// State of the page with the correct option of each step of the lesson and words of the last step.
+/// State of the page, with the correct option of each step of the lesson and words of the last step.
 struct Taught
 {
   std::string name;
-  std::vector<std::pair<std::string, std::string>> changes; ///< entries; "table": a button
-  std::vector<int> right;                                   ///< empty: the glass tips
+  /// Changed entries with values; "table" is a button.
+  std::vector<std::pair<std::string, std::string>> changes;
+  std::vector<int> right; ///< correct options; empty if the glass tips
   std::string words;
 };
 
@@ -279,8 +280,8 @@ std::string states_script(const std::string &page, const std::vector<Taught> &st
 TEST(ExplorePage, LessonIsCorrectInEveryState)
 {
   const std::string hand = "Motion/Hand height", centre = "Motion/Centre of mass height";
-  // A hand below the centre of mass loads the outside of the rim, whose friction turns the glass against its
-  // orbit.
+  // If the hand is below the centre of mass, the outside of the rim is loaded. Its friction turns the glass
+  // against the orbit.
   const std::vector<int> below = { 0, 1, 1, 0, 1 };
   const std::vector<Taught> states = {
     { "default", {}, below, "The rigid ring of the paper" },
@@ -417,8 +418,8 @@ TEST(ExplorePage, HostileTextExecutesNothing)
       << one << ": " << shown[one]["answer"];
 }
 
-/// Returns a script that opens @p page and loads @p tables, texts of files by name. Result for each: status,
-/// offered columns, and points in the unit @p units over the computed spin-up.
+/// Returns a script that opens @p page and loads @p tables (texts of files by name). Its result contains, for
+/// each table, status, offered columns, and the points in the unit @p units over the computed spin-up.
 std::string measured_script(const std::string &page, const nlohmann::ordered_json &tables,
                             const std::map<std::string, std::string> &units)
 {
@@ -460,11 +461,11 @@ TEST(ExplorePage, DrawsMeasuredRunsOverTheComputedCurve)
   using Points = std::vector<std::pair<double, double>>;
   const std::string hostile = "<img src=x onerror=parent.ran=1>.csv";
   const nlohmann::ordered_json tables = {
-    // phyphox with decimal commas; the axis with the largest range is offered first
+    // File of phyphox with decimal commas. The axis with the largest range is offered first.
     { "phone.csv", "\"Time (s)\";\"x (rad/s)\";\"y (rad/s)\";\"z (rad/s)\"\n"
                    "2,00;0,1;0,0;0\n2,50;0,2;0,1;-1,5\n3,00;0,1;0,0;-2,25E0\n" },
     { "degrees.csv", "t,omega\n0,0\n1,-180\n" },
-    // angles from a film, with a line before the names and an incomplete line
+    // Angles from a film, with an additional line before the names and an incomplete line.
     { "film.txt", "mass_A\nt\ttheta\n0\t0\n0.5\t-90\n1\t-270\n1.5\t\n2\t-810\n" },
     { "radians.txt", "0 0\n0.5 -1\n1 -4\n" },
     { hostile, "no numbers\nhere\n" }

@@ -1,4 +1,4 @@
-// The committed page of `stemware explore` against the program.
+// The committed page of `stemware explore`, compared with the program.
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"

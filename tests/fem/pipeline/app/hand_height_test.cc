@@ -1,5 +1,5 @@
-// Sweep of the height of the hand through the centre of mass, where the spin changes its sign: the spin of
-// the first harmonic jumps (tensile load), the spin of all harmonics is continuous.
+// Sweep of the height of the hand through the centre of mass. There the spin changes its sign: the spin of
+// the first harmonic jumps (tensile load), and the spin of all harmonics is continuous.
 #include "tests/fem/pipeline/browser.h"
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -15,8 +15,8 @@ namespace stemware::test
 namespace
 {
 
-/// Returns the largest difference of successive values of the curve @p name in a figure. @p n_values receives
-/// the number of values.
+/// Returns the largest difference between successive values of the curve @p name in a figure. Sets @p
+/// n_values to the number of values.
 double longest_line(const nlohmann::json &rows, const std::string &name, std::size_t &n_values)
 {
   double longest = 0;
@@ -45,8 +45,8 @@ TEST(HandHeight, SweepThroughZeroSpinDrawsNoFalseLines)
   const CsvTable table(sorted_by_case(read_text(scratch / "results/sweep.csv")));
   ASSERT_EQ(table.n_rows(), 41u);
 
-  // The curve of all harmonics is one line up to tipping. The other curves are interrupted at zero, where
-  // they jump by 5 rad/s and more.
+  // The curve of all harmonics is one line up to tipping. The other curves have a gap at zero spin, because
+  // they jump by at least 5 rad/s.
   const nlohmann::json picture = reports_in_browser(
     scratch, { "results/report.html" })["results/report.html"]["figures"]["omega_terminal"];
   std::size_t n_solved = 0, n_falls = 0;
@@ -58,16 +58,16 @@ TEST(HandHeight, SweepThroughZeroSpinDrawsNoFalseLines)
     EXPECT_TRUE(table.text(i, "status") == "ok" || table.text(i, "status") == "tips") << i;
   }
   EXPECT_EQ(n_solved, 38u);
-  EXPECT_EQ(n_falls, 1u); // two further cases tip at rest
-  // Just before tipping a second balance exists. Its spins would not continue the curve smoothly (third
-  // difference 0.7 and more instead of 0.12).
+  EXPECT_EQ(n_falls, 1u); // two more cases tip at rest
+  // Just before tipping, a second balance exists. With its spins, the curve would not be smooth: the third
+  // difference would be at least 0.7 instead of 0.12.
   const auto spin = [&](std::size_t i) { return table.number(i, "omega_terminal (rad/s)"); };
   EXPECT_LT(std::abs(spin(37) - 3 * spin(36) + 3 * spin(35) - spin(34)), 0.3);
   for (const char *curve : { "all harmonics", "first harmonic only", "first harmonic on a ring" })
   {
     std::size_t n_values = 0;
     EXPECT_LT(longest_line(picture, curve, n_values), 2.6) << curve;
-    // A tensile load never tips.
+    // A tensile load never makes the glass tip.
     EXPECT_EQ(n_values, n_solved + (curve == std::string("first harmonic on a ring") ? n_falls : 0)) << curve;
   }
 }

@@ -19,7 +19,7 @@ std::vector<std::string> all_verbs(const std::string &help)
   while (std::getline(lines, line) && line != "Verbs:")
     ;
   while (std::getline(lines, line) && !line.empty())
-    // "  run      Compute a study ..."; further lines of a description are indented deeper.
+    // A verb's line is "  run      Compute a study ...". Continuation lines are indented deeper.
     if (line.compare(0, 3, "   ") != 0)
       verbs.push_back(line.substr(2, line.find(' ', 2) - 2));
   return verbs;

@@ -1,5 +1,5 @@
-// Signals, full disks, simultaneous runs: a results folder is complete at any time, and the next run gives
-// the same files.
+// Signals, full disks and simultaneous runs. A results folder is complete at any time, and the next run
+// writes the same files.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(Interruption, SignalsKeepOlderResults)
   const auto hang_up = std::signal(SIGHUP, SIG_DFL); // under nohup, the program would inherit SIG_IGN
   for (const int signal : { SIGINT, SIGTERM, SIGHUP })
   {
-    // Most of the run is one factorisation.
+    // One factorisation takes most of the run.
     RunningProgram program(run_with({ "--set", "Load/Source=contact", "--set", "Contact/Body=solid", "--set",
                                       "Table/Substrate=rigid", "--set", "Contact/Linear solver=condensed" }),
                            scratch.path());
@@ -113,7 +113,7 @@ TEST(Interruption, IgnoredSignalsStayIgnored)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", coarse_study());
-  const auto before = std::signal(SIGHUP, SIG_IGN); // as nohup does
+  const auto before = std::signal(SIGHUP, SIG_IGN); // like nohup
   RunningProgram program(run_with({}), scratch.path());
   std::signal(SIGHUP, before);
   ASSERT_TRUE(program.wait_for_output("unknowns"));

@@ -1,4 +1,4 @@
-// Job steps of a scheduler without PMI: MPI is initialised only for solid feet.
+// Job steps of a scheduler without PMI. MPI is initialised only for solid feet.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@ namespace
 
 using namespace test;
 
-/// Runs the program with the environment of a Slurm job step whose Open MPI lacks Slurm's PMI, in which
-/// MPI_Init() ends the process (open-mpi issue 10286).
+/// Runs the program with the environment of a Slurm job step. Open MPI lacks Slurm's PMI, so MPI_Init() would
+/// end the process (open-mpi issue 10286).
 Ended in_slurm_step(const ScratchFolder &scratch, const std::vector<std::string> &arguments)
 {
   std::vector<std::string> command = { "/usr/bin/env" };

@@ -21,7 +21,7 @@ namespace stemware::test
 namespace
 {
 
-/// Returns the columns time, v, dv/dt and omega of a run with the speeds @p speeds.
+/// Returns the columns time, v, dv/dt and omega of a run with the orbit speeds @p speeds.
 std::vector<std::vector<double>> driven(const std::string &speeds, const std::vector<std::string> &settings,
                                         std::vector<double> *steady = nullptr)
 {
@@ -33,8 +33,9 @@ std::vector<std::vector<double>> driven(const std::string &speeds, const std::ve
   return read_columns(scratch / "results/driven_spin_up.csv");
 }
 
-/// Returns omega at equally spaced times up to @p end [s] for the first harmonic in moment balance with v =
-/// v0 + a t: sums over the rim, a linear system for a_1 and b_1, classical Runge-Kutta scheme.
+/// Returns omega at equally spaced times up to @p end [s], for the first harmonic in moment balance with v =
+/// v0 + a t. Method: sums over the rim, a linear system for a_1 and b_1, and the classical Runge-Kutta
+/// scheme.
 std::vector<double> ramp_by_hand(double v0, double a, double end)
 {
   const double m = 0.3, R = 0.03, mu = 0.3, offset = -0.05, h = 0.03, inertia = 3e-4;
@@ -43,7 +44,7 @@ std::vector<double> ramp_by_hand(double v0, double a, double end)
   const auto torque = [&](double t, double omega)
   {
     const double v = v0 + a * t;
-    // Friction (T_x, T_y, tau) of loads 1, cos, sin.
+    // Friction (T_x, T_y, tau) under the loads 1, cos and sin.
     std::array<std::array<double, 3>, 3> unit = {};
     for (unsigned int i = 0; i < n; ++i)
     {
@@ -58,10 +59,11 @@ std::vector<double> ramp_by_hand(double v0, double a, double end)
         unit[k][2] += f * shape[k] * R * (std::sin(theta) * x - std::cos(theta) * y);
       }
     }
-    // M_N = -offset m k x acceleration + h k x T; pi R (b_1, -a_1) = M_N.
+    // Moment balance M_N = -offset m k x acceleration + h k x T with pi R (b_1, -a_1) = M_N.
     const double ax = a, ay = v * v / 0.15;
     const double mx = offset * m * ay, my = -offset * m * ax, p = ring::pi * R;
-    // a_1 (p + h ux1) + b_1 h ux2 = -my - h a0 ux0;  a_1 h uy1 + b_1 (p + h uy2) = mx - h a0 uy0
+    // Linear system: a_1 (p + h ux1) + b_1 h ux2 = -my - h a0 ux0;  a_1 h uy1 + b_1 (p + h uy2) = mx - h a0
+    // uy0.
     const double c11 = p + h * unit[1][0], c12 = h * unit[2][0], c21 = h * unit[1][1],
                  c22 = p + h * unit[2][1];
     const double r1 = -my - h * a0 * unit[0][0], r2 = mx - h * a0 * unit[0][1];
@@ -71,7 +73,7 @@ std::vector<double> ramp_by_hand(double v0, double a, double end)
   };
   std::vector<double> omegas = { 0 };
   constexpr unsigned int n_outputs = 200;
-  // From rest the damping is proportional to 1 / t, so steps are proportional to t.
+  // From rest, the damping is proportional to 1 / t, so the steps are proportional to t.
   double omega = 0, t = v0 > 0 ? 0 : 1e-6;
   for (unsigned int i = 1; i <= n_outputs; ++i)
   {
@@ -107,7 +109,7 @@ TEST(OrbitSpeed, AConstantSpeedEqualsTheRunWithoutAFile)
   const auto ring = driven(constant, { "Load/Source=first harmonic" }, &steady);
   EXPECT_LT(largest_difference(ring[3], steady), 1e-10 * 0.35 / 0.03);
   const auto foot = driven(constant, {}, &steady);
-  // A driven foot is integrated to 1e-7 v / R.
+  // The motion of a driven foot is integrated to 1e-7 v / R.
   EXPECT_LT(largest_difference(foot[3], steady), 1e-7 * 0.35 / 0.03);
 }
 
@@ -128,7 +130,7 @@ TEST(OrbitSpeed, StartsFromRest)
                                omegas),
             1e-5);
   EXPECT_LT(largest_difference(from_rest(ramp, {}), expected), 0.05 * std::abs(expected.back()));
-  // A hand that rests first starts the same motion later.
+  // If the hand rests first, the same motion starts later.
   const std::vector<double> later =
     driven("t (s), v (m/s)\n0, 0\n0.5, 0\n0.75, 0.0625\n1, 0.125\n1.5, 0.25\n",
            { ring, "Motion/End time=1.5", "Motion/Orbit speed=0.2" })[3];
@@ -136,8 +138,8 @@ TEST(OrbitSpeed, StartsFromRest)
   EXPECT_NEAR(later.back() / expected.back(), 1, 0.02);
 }
 
-// A rigid flat land in full contact. Reference: tests/verification/driven_flat_land.py, quadrature over the
-// plane and its own integration.
+// Rigid flat land in full contact. Reference: tests/verification/driven_flat_land.py, which uses quadrature
+// over the plane and its own integration.
 TEST(OrbitSpeed, ErrorBandOfADrivenSpinContainsTheError)
 {
   const ScratchFolder scratch;
@@ -165,7 +167,7 @@ TEST(OrbitSpeed, BreakawayForceIsTheStaticFriction)
   const std::vector<std::string> command = { "run", "--set", "Motion/Orbit speed file=v.csv" };
   const auto breakaway = [&](const std::vector<std::string> &settings)
   { return solved(scratch, command, settings)["ring"]["driven"]["breakaway"]; };
-  // A hand 3 cm above the table exerts mu N: moment mu N h, moment ratio 2 mu h / R.
+  // A hand 3 cm above the table exerts the force mu N: moment mu N h, moment ratio 2 mu h / R.
   const std::string ring = "Load/Source=first harmonic";
   for (const auto &[settings, mu] :
        { std::pair(std::vector<std::string>{ ring }, 0.3),
@@ -179,7 +181,7 @@ TEST(OrbitSpeed, BreakawayForceIsTheStaticFriction)
     EXPECT_NEAR(found["force"].get<double>(), mu * 0.3 * 9.81, 1e-12);
     EXPECT_NEAR(found["moment_ratio"].get<double>(), 2 * mu, 1e-9);
   }
-  // An elastic foot leans, which increases the moment ratio slightly.
+  // An elastic foot leans, so the moment ratio is slightly larger.
   const double leaning = breakaway({ "Motion/Breakaway friction=0.4" })["moment_ratio"];
   EXPECT_GT(leaning, 0.8);
   EXPECT_LT(leaning, 0.8 * 1.01);
@@ -196,7 +198,7 @@ TEST(OrbitSpeed, BreakawayForceIsTheStaticFriction)
 
 TEST(OrbitSpeed, ReportsTheEffectOfTheInterpolation)
 {
-  // The given rows, and dense rows on the polygon through them. The cubic interpolation of the dense rows is
+  // The given rows, and dense rows on the polygon through the given rows. The cubic through the dense rows is
   // the polygon.
   const std::vector<std::pair<double, double>> rows = { { 0, 0.1 },  { 0.3, 0.18 }, { 0.6, 0.29 },
                                                         { 1, 0.35 }, { 1.4, 0.33 }, { 1.7, 0.24 },
@@ -221,7 +223,7 @@ TEST(OrbitSpeed, ReportsTheEffectOfTheInterpolation)
   const std::vector<double> cubic = read_columns(scratch / "results/driven_spin_up.csv")[3],
                             lines = driven(dense.str(), { "Load/Source=first harmonic" })[3];
   const double most = largest_difference(cubic, lines), at_end = std::abs(cubic.back() - lines.back());
-  EXPECT_GT(most, 1e-2); // rad/s; larger than any band
+  EXPECT_GT(most, 1e-2); // larger than any error band [rad/s]
   EXPECT_NEAR(said["interpolation_change"].get<double>() / most, 1, 0.02);
   EXPECT_NEAR(said["interpolation_change_at_end"].get<double>(), at_end, 0.02 * most);
   EXPECT_THAT(page_document(scratch / "results")["words"]["driven"].get<std::string>(),
@@ -243,8 +245,8 @@ TEST(OrbitSpeed, RefusesWrongFilesInOneSentence)
   refused("t (s), v (m/s)\n0, 0.2\n0, 0.5\n", "line 3");
   refused("t (s), v (m/s)\n0, 0.2\n2, -1\n", "greater than 0");
   refused("t (s), v (m/s)\n0, 0.2\n1, 0\n2, 0.3\n", "line 3");
-  // Tipping without friction, hand 5 cm below the centre of mass: v^2 / (rho g) = 32 mm / 5 cm, v = 0.9704
-  // m/s.
+  // The glass tips without friction with the hand 5 cm below the centre of mass: v^2 / (rho g) = 32 mm / 5
+  // cm, v = 0.9704 m/s.
   refused("t (s), v (m/s)\n0, 0.2\n2, 1.2\n", "v = 0.97", { "Motion/Closure=paper" });
   refused("t (s), v (m/s)\n0, 0.2\n1, 0.5\n", "does not reach t = 2 s");
   refused(good, "Load/Coupling = two-way", { "Load/Moment ratio=0.3" });

@@ -1,4 +1,4 @@
-// `run --quick`: answer and curves as in a full run; budget and bands are null.
+// `run --quick` gives the same answer and curves as a full run; budget and error bands are null.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/page_document.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -13,7 +13,8 @@ namespace stemware::test
 namespace
 {
 
-/// Full and quick run of one study, whose contacts have different initial guesses. Not changed by the tests.
+/// Results of one study with and without --quick. The two runs solve contact from different initial guesses.
+/// Shared by the tests, read-only.
 struct TwoRuns
 {
   TwoRuns()
@@ -36,7 +37,7 @@ const TwoRuns &two_runs()
   return runs;
 }
 
-/// Expects equal tables, each column to @p tolerance of its largest value.
+/// Expects equal tables. @p tolerance is relative to the largest value of each column.
 void expect_equal_tables(const TwoRuns &runs, const std::string &name, double tolerance)
 {
   const auto quick = read_columns(runs.scratch / "quick" / name),

@@ -34,10 +34,10 @@ TEST(RevolutionRun, SolvesOneContactIfTheSpinDoesNotMatter)
   {
     const auto &one = one_way["truncation"][i]["omega_terminal"],
                &two = two_way["truncation"][i]["omega_terminal"];
-    ASSERT_EQ(one.is_null(), two.is_null()); // a quick run solves the first and the last row only
+    ASSERT_EQ(one.is_null(), two.is_null()); // a quick run solves only the first and the last row
     EXPECT_TRUE(one.is_null() || std::abs(two.get<double>() - one.get<double>()) < 1e-10);
   }
-  // Friction that deforms the foot rotates with the spin.
+  // If friction deforms the foot, the load rotates with the spin.
   const auto turning =
     glass_run(scratch, { "Motion/Closure=paper", "Load/Coupling=two-way", "Contact/Friction coupling=elastic",
                          "Contact/Harmonics=4", "Contact/Azimuth lines=32" });
@@ -59,7 +59,7 @@ TEST(RevolutionRun, PointwiseLoadAndFootprintIntegrateToTheLoad)
     force += lines[1][i] * 2 * ring::pi / static_cast<double>(n_lines);
     moment += lines[1][i] * std::sin(lines[0][i]) * 2 * ring::pi / static_cast<double>(n_lines);
     loaded += lines[1][i] > 0 ? 1 : 0;
-    // The maximum is at -pi/2; the rim has lifted off at pi/2.
+    // The maximum of the load is at -pi/2; the rim has lifted off at pi/2.
     if (std::abs(lines[0][i] - ring::pi / 2) < 0.2)
     {
       EXPECT_EQ(lines[1][i], 0) << lines[0][i];
@@ -72,7 +72,7 @@ TEST(RevolutionRun, PointwiseLoadAndFootprintIntegrateToTheLoad)
               1. / static_cast<double>(n_lines));
   EXPECT_EQ(summary["load"]["contact_fraction"], summary["load"]["azimuth_fraction"]);
 
-  // The footprint is a grid over azimuth and radius, whose pressure integrates to the load of each line.
+  // The footprint is a grid over azimuth and radius. Its pressure integrates to the load of each line.
   const auto print = read_columns(scratch / "results/footprint.csv");
   const std::size_t n_radii = print[0].size() / n_lines;
   ASSERT_EQ(n_radii * n_lines, print[0].size());

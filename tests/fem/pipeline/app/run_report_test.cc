@@ -17,7 +17,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// Run of a body of revolution with lift-off and a short spin-up. Not changed by the tests.
+/// Run of a body of revolution with lift-off and a short spin-up. Shared by the tests, read-only.
 struct LiftedRun
 {
   const ScratchFolder scratch;
@@ -34,7 +34,8 @@ const LiftedRun &lifted_run()
   return run;
 }
 
-/// Returns the number behind the first @p words in the text @p broken, whose lines may be broken.
+/// Returns the number that follows the first @p words in the text @p broken. The lines of the text may be
+/// wrapped.
 double number_behind(const std::string &words, const std::string &broken)
 {
   const std::string text = std::regex_replace(broken, std::regex("\\s+"), " ");
@@ -69,7 +70,7 @@ TEST(RunReport, ShowsTheNumbersOfTheSummary)
   }
   EXPECT_THAT(answer, testing::HasSubstr("harmonics of the"));
   EXPECT_THAT(answer, testing::HasSubstr(per_cent(effect) + (effect > 0 ? " faster" : " slower")));
-  EXPECT_THAT(answer, testing::HasSubstr("(one-way)")); // its moment is given
+  EXPECT_THAT(answer, testing::HasSubstr("(one-way)")); // the moment is given
   EXPECT_THAT(run.ended.out,
               testing::HasSubstr("\nReport    " + fs::absolute(run.results / "report.html").string() + "\n"));
 }

@@ -27,7 +27,8 @@ std::string quick_study()
 /// A study without finite elements.
 const std::string rigid_study = "subsection Load\n  set Source = first harmonic\nend\n";
 
-/// Returns the command `stemware sweep study.prm` with further arguments; the results are in @p folder.
+/// Returns the command `stemware sweep study.prm` with the arguments @p further. The results are written to
+/// @p folder.
 std::vector<std::string> sweep(const std::vector<std::string> &further, const std::string &folder = "results")
 {
   std::vector<std::string> arguments = { "sweep", "study.prm", "--output", folder };
@@ -45,8 +46,8 @@ CsvTable table_in(const ScratchFolder &scratch)
   return CsvTable(sorted_by_case(rows_in(scratch)));
 }
 
-/// Returns the lines of a sweep.csv in alphabetical order; rows are written in the order in which cases
-/// finish.
+/// Returns the lines of a sweep.csv in alphabetical order, because rows are written in the order in which
+/// cases finish.
 std::vector<std::string> sorted_lines(const std::string &text)
 {
   std::istringstream stream(text);
@@ -57,7 +58,7 @@ std::vector<std::string> sorted_lines(const std::string &text)
   return lines;
 }
 
-/// Returns sorted_lines() of a sweep in a folder of its own.
+/// Returns sorted_lines() of a sweep that runs in a separate folder without interruption.
 std::vector<std::string> unbroken(const std::string &study, const std::vector<std::string> &further)
 {
   const ScratchFolder scratch;
@@ -141,16 +142,16 @@ TEST(Sweep, ResumesAfterTwoKills)
     const std::string rows = rows_in(scratch);
     ASSERT_GE(n_lines(rows), n_head + n);
     ASSERT_LT(n_lines(rows), n_head + 300);
-    // Rows of the killed program are kept; an incomplete row may be removed.
+    // Rows of the killed program are kept, except possibly an incomplete last row.
     EXPECT_EQ(rows.compare(0, before.rfind('\n') + 1, before, 0, before.rfind('\n') + 1), 0);
-    std::ofstream(scratch / "results/sweep.csv", std::ios::app) << "299,1.79"; // half a row
+    std::ofstream(scratch / "results/sweep.csv", std::ios::app) << "299,1.79"; // an incomplete row
     before = rows;
   }
   const Ended ended = stemware(scratch, sweep(many));
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_THAT(ended.out, testing::HasSubstr(std::to_string(n_lines(before) - n_head) + " of them are in"));
   EXPECT_EQ(sorted_lines(rows_in(scratch)), expected);
-  // A further run solves no case.
+  // Another run solves no case.
   EXPECT_EQ(stemware(scratch, sweep(many)).exit_code, 0);
   EXPECT_EQ(sorted_lines(rows_in(scratch)), expected);
 }
@@ -162,7 +163,7 @@ TEST(Sweep, ResumesAfterAKillBeforeTheFirstRow)
   const auto arguments = sweep({ "--vary", "Motion/Mass=0.3,0.31" });
   ASSERT_EQ(stemware(scratch, arguments).exit_code, 0);
   const std::string whole = rows_in(scratch);
-  scratch.write("results/sweep.csv", whole.substr(0, 700)); // in the middle of the lines with #
+  scratch.write("results/sweep.csv", whole.substr(0, 700)); // ends within the lines that begin with #
   ASSERT_EQ(stemware(scratch, arguments).exit_code, 0);
   EXPECT_EQ(sorted_lines(rows_in(scratch)), sorted_lines(whole));
 }
@@ -183,13 +184,13 @@ TEST(Sweep, RefusesAFolderOfOtherFiles)
   refused({ "--vary", "Motion/Mass=0.3,0.32" }, "\"2,0.31,");
   refused({ "--vary", "Motion/Mass=0.3" }, "\"2,0.31,");
   EXPECT_EQ(rows_in(scratch), rows);
-  // Another version in the first line.
+  // The first line names another version.
   const std::string older = "# stemware 0.1 (unknown)" + rows.substr(rows.find('\n'));
   scratch.write("results/sweep.csv", older);
   refused(two, "line 1: ");
   EXPECT_EQ(rows_in(scratch), older);
   scratch.write("results/sweep.csv", rows);
-  // Further cases of the same sweep are appended.
+  // New cases of the same sweep are appended.
   EXPECT_EQ(stemware(scratch, sweep({ "--vary", "Motion/Mass=0.3,0.31,0.32" })).exit_code, 0);
   EXPECT_EQ(table_in(scratch).n_rows(), 3u);
   scratch.write("results/note.txt", "precious");
@@ -234,7 +235,7 @@ TEST(Sweep, AFailedCaseIsARow)
                 testing::HasSubstr("Contact/Load harmonics = 900 needs more than 1800"));
   }
   EXPECT_EQ(read_summary(scratch / "results")["sweep"]["failed"], 2);
-  // Failed cases are not solved again. A sweep without a solved case fails.
+  // Failed cases are not solved again. A sweep fails if no case is solved.
   EXPECT_THAT(stemware(scratch, sweep(cases)).out, testing::HasSubstr("4 of them are in"));
   expect_refused(
     stemware(scratch, sweep({ "--vary", "Contact/Load harmonics=900:903:4", "--quiet" }, "failed")), 2,
@@ -244,7 +245,7 @@ TEST(Sweep, AFailedCaseIsARow)
 
 TEST(Sweep, TippingAtRestIsNoFailure)
 {
-  // On a very soft mat the glass leans until it tips.
+  // The mat is so soft that the glass leans until it tips.
   const ScratchFolder scratch;
   scratch.write("study.prm", quick_study());
   const Ended ended =
@@ -270,7 +271,7 @@ TEST(Sweep, ComparesSolidAndRevolutionInOneTable)
   const CsvTable table = table_in(scratch);
   const double solid = table.number(0, "omega_terminal (rad/s)"),
                revolution = table.number(1, "omega_terminal (rad/s)");
-  EXPECT_NEAR(solid, revolution, 0.01); // two bodies, one glass, on coarse meshes
+  EXPECT_NEAR(solid, revolution, 0.01); // two bodies on coarse meshes, the same glass
   EXPECT_NE(solid, revolution);
 }
 

@@ -13,7 +13,7 @@ namespace
 
 using Json = nlohmann::json;
 
-/// Returns the default glass in balance at every spin.
+/// Returns the summary of the default glass in balance at every spin.
 Json summary_of(const std::string &verb, const std::vector<std::string> &settings = {})
 {
   const ScratchFolder scratch;
@@ -43,7 +43,8 @@ TEST(Truncate, RowsAgreeWithRun)
   for (std::size_t i = 0; i < run.size(); ++i)
   {
     EXPECT_EQ(truncated[i]["harmonics"], run[i]["harmonics"]);
-    // Harmonics are accurate to 1e-11 of a_0 (ElasticFoot::accuracy()), so smaller bounds are rounding.
+    // Harmonics are accurate to 1e-11 of a_0 (ElasticFoot::accuracy()). Smaller bounds consist of rounding
+    // errors.
     const double rounding = 1e-11 * number(run[0], "bound");
     for (const char *key : { "tau_at_rest", "omega_terminal", "bound", "load_minimum" })
       EXPECT_NEAR(number(truncated[i], key), number(run[i], key),
@@ -54,12 +55,14 @@ TEST(Truncate, RowsAgreeWithRun)
 
 TEST(Truncate, ListsTheFirstHarmonicAndTheCompleteLoad)
 {
-  const double omega = -3.6490; // independent prototype, contact and friction in balance at every spin
+  // Reference: independent prototype with contact and friction in balance at every spin.
+  const double omega = -3.6490;
   const Json &rows = truncated_glass()["truncation"];
   EXPECT_NEAR(number(rows.back(), "omega_terminal"), omega, 2e-4);
   for (const char *key : { "relative_change", "bound" })
     EXPECT_EQ(number(rows.back(), key), 0) << key;
-  // The first harmonic differs from a ring of the contact radius only by the radius of the contact.
+  // The first harmonic of the contact differs from a ring of the contact radius only by the radius at which
+  // the load acts.
   EXPECT_NEAR(number(rows[0], "omega_terminal"), -3.67874799852576, 1e-3);
 }
 

@@ -35,7 +35,8 @@ void publish(const fs::path &target, const std::string &mark)
   folder.publish();
 }
 
-/// Returns the message that refuses a place for results before the computation; empty if it is accepted.
+/// Returns the message that refuses a folder for results before the computation; an empty text if the folder
+/// is accepted.
 std::string refusal_of_folder(const fs::path &target)
 {
   try
@@ -96,7 +97,7 @@ TEST(ResultsFolder, ReplacesItsOwnFilesAndKeepsHiddenFiles)
   scratch.write("paper/.ipynb_checkpoints/note", "mine");
   ResultsFolder folder(scratch / "paper");
   folder.open();
-  write_text_file(folder.working_folder() / "summary.json", "new"); // without fields
+  write_text_file(folder.working_folder() / "summary.json", "new"); // the new results have no fields
   folder.publish();
   EXPECT_EQ(read_text(scratch / "paper/summary.json"), "new");
   EXPECT_EQ(names_in(scratch / "paper"),
@@ -105,7 +106,8 @@ TEST(ResultsFolder, ReplacesItsOwnFilesAndKeepsHiddenFiles)
   EXPECT_EQ(names_in(scratch / "paper/fields"), Names{ ".DS_Store" });
   EXPECT_EQ(read_text(scratch / "paper/.ipynb_checkpoints/note"), "mine");
   EXPECT_EQ(names_in(scratch.path()), Names{ "paper" });
-  publish(scratch / "paper", "newest"); // a folder with hidden files only is still listed as Stemware's
+  // `fields/` now has hidden files only, but the stamp still lists it, so the results can be replaced again.
+  publish(scratch / "paper", "newest");
 }
 
 TEST(ResultsFolder, RefusesANameTooLongForItsPartialFolder)
@@ -113,7 +115,7 @@ TEST(ResultsFolder, RefusesANameTooLongForItsPartialFolder)
   const ScratchFolder scratch;
   const std::size_t longest = 255 - std::string(".partial-" + std::to_string(::getpid())).size();
   publish(scratch / std::string(longest, 'n'), "old");
-  publish(scratch / std::string(longest, 'n'), "new"); // the name of older results is not longer
+  publish(scratch / std::string(longest, 'n'), "new"); // the temporary name of older results is not longer
   EXPECT_EQ(read_text(scratch / std::string(longest, 'n') / "summary.json"), "new");
   expect_sentence(refusal_of_folder(scratch / std::string(longest + 1, 'n')), "File name too long");
   EXPECT_EQ(names_in(scratch.path()), Names{ std::string(longest, 'n') });
@@ -122,7 +124,7 @@ TEST(ResultsFolder, RefusesANameTooLongForItsPartialFolder)
 struct Change
 {
   std::string name;
-  std::function<void(const ScratchFolder &)> make; ///< in the folder "paper" of results
+  std::function<void(const ScratchFolder &)> make; ///< changes the results folder "paper"
   std::string reason;
 };
 
@@ -135,7 +137,7 @@ TEST_P(ChangedResults, AreRefusedBeforeAndAfterTheComputation)
   const ScratchFolder scratch;
   scratch.write("elsewhere", "years of work");
   publish(scratch / "paper", "old");
-  ResultsFolder folder(scratch / "paper"); // not changed yet
+  ResultsFolder folder(scratch / "paper"); // the folder has not been changed yet
   folder.open();
   write_results(folder.working_folder(), "new");
   GetParam().make(scratch);
@@ -146,7 +148,7 @@ TEST_P(ChangedResults, AreRefusedBeforeAndAfterTheComputation)
     folder.publish();
     ADD_FAILURE();
   }
-  catch (const OutputFailure &failure) // names the folder with the new results
+  catch (const OutputFailure &failure) // the message names the folder with the new results
   {
     expect_sentence(failure.what(), folder.final_folder().string() + ".partial-");
   }
@@ -217,7 +219,7 @@ TEST(ResultsFolder, RefusesInvalidFolders)
   expect_sentence(refusal_of_folder("/"), "contains the folder where the program was started");
   expect_sentence(refusal_of_folder("."), "contains the folder where the program was started");
   EXPECT_EQ(names_in(scratch.path()), before);
-  // Folders above the last one may be links.
+  // Parent folders may be links.
   publish(scratch / "to_folder/it's \"odd\"\n$(x)", "new");
   EXPECT_EQ(names_in(scratch / "folder"), Names{ "it's \"odd\"\n$(x)" });
 }
@@ -225,7 +227,7 @@ TEST(ResultsFolder, RefusesInvalidFolders)
 TEST(ResultsFolder, KeepsPartialFoldersOfOtherRuns)
 {
   const ScratchFolder scratch;
-  const std::string own = "paper.partial-" + std::to_string(::getpid()); // of a process with the same id
+  const std::string own = "paper.partial-" + std::to_string(::getpid()); // left by a process with the same id
   fs::create_directory(scratch / own);
   scratch.write(own + "/load.csv", "half");
   publish(scratch / "paper", "new");

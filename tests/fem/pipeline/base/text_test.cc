@@ -9,7 +9,8 @@ namespace stemware::pipeline
 TEST(Text, WrapsAtTheWidthOfTheConsole)
 {
   const std::string word(49, 'x');
-  EXPECT_EQ(wrapped(word + " " + word + "x  y"), word + " " + word + "x\ny"); // exactly 100 columns
+  // The first line has exactly 100 columns.
+  EXPECT_EQ(wrapped(word + " " + word + "x  y"), word + " " + word + "x\ny");
   EXPECT_EQ(wrapped(word + " " + word + "xx"), word + "\n" + word + "xx");
   EXPECT_EQ(wrapped(word + " " + word, "Remark  "), "Remark  " + word + "\n        " + word);
   EXPECT_EQ(wrapped(""), "");
@@ -20,7 +21,7 @@ TEST(Text, ClosestMatchToleratesTypingErrors)
   const std::vector<std::string> words = { "run", "truncate", "converge", "sweep" };
   EXPECT_EQ(closest_match("rum", words), "run");
   EXPECT_EQ(closest_match("CONVEGRE", words), "converge");
-  EXPECT_EQ(closest_match("xyz", words), std::nullopt); // differs from "run" in every letter
+  EXPECT_EQ(closest_match("xyz", words), std::nullopt); // "xyz" differs from "run" in every letter
   EXPECT_EQ(closest_match("frobnicate", words), std::nullopt);
   EXPECT_EQ(closest_match(std::string(10000000, 'r'), words), std::nullopt);
 }

@@ -45,7 +45,7 @@ struct Described
   ContactReport report;
 };
 
-/// Returns the friction of a contact by point forces, without rings and kernels.
+/// Returns the friction of a contact solution, computed by point forces without rings and kernels.
 fem_tests::ResolvedFriction friction_of(const Described &glass, const fem::ContactState &contact,
                                         const Study &study, double omega)
 {
@@ -54,8 +54,8 @@ fem_tests::ResolvedFriction friction_of(const Described &glass, const fem::Conta
                                       study.motion.orbit.orbit_speed);
 }
 
-/// Returns the forces and moments on the glass in three dimensions, from the pressure points. The axis of the
-/// glass leans opposite to the tilt of the table in the frame of the glass.
+/// Returns the forces and moments on the glass in three dimensions, computed from the pressure points. In the
+/// frame of the glass, its axis leans opposite to the tilt of the table.
 verification::PlainGlass plain_glass(const Described &glass, const fem::ContactState &contact,
                                      const Study &study, double omega)
 {
@@ -73,7 +73,8 @@ verification::PlainGlass plain_glass(const Described &glass, const fem::ContactS
 
 TEST(ContactReport, MomentsBalanceAtEverySpin)
 {
-  // Elastic foot, tilt, friction that deforms it. Reference: sums over points in three dimensions.
+  // Elastic foot with tilt and friction that deforms the foot. Reference: sums over points in three
+  // dimensions.
   const Study study = coarse_study_in_balance();
   const Described glass(study);
   const double weight = study.motion.orbit.normal_force(), rim = study.glass.profile.contact_radius;
@@ -97,7 +98,7 @@ TEST(ContactReport, LoadAtTheTerminalSpinAgreesWithThePressure)
   const ring::Motion &motion = study.motion.orbit;
   const Described glass(study);
   const double scale = motion.friction_coefficient * motion.normal_force() * 0.03;
-  // The pressure at rest would give a torque of 1e-2 of the scale.
+  // With the pressure at rest, the torque would differ by 1e-2 of the scale.
   const fem::ContactState spinning = *glass.load.contact(glass.omega);
   EXPECT_NEAR(friction_of(glass, spinning, study, glass.omega).torque, 0, 1e-5 * scale);
   const fem::ContactState &rest = glass.report.foot->at_rest;
@@ -109,7 +110,7 @@ TEST(ContactReport, LoadAtTheTerminalSpinAgreesWithThePressure)
 
 TEST(ContactReport, LoadReportAgreesWithSumsOverThePressure)
 {
-  // At rest and at the terminal spin, on a flat land with the load off the middle.
+  // Loads at rest and at the terminal spin, on a flat land with the load off the middle.
   Study study = coarse_study_in_balance();
   study.glass.profile.crown_radius = 0;
   const Described glass(study);
@@ -126,7 +127,7 @@ TEST(ContactReport, LoadReportAgreesWithSumsOverThePressure)
     }
     EXPECT_NEAR(load.mean_radius, first_moment / force, 1e-9 * rim);
     EXPECT_GT(std::abs(load.rings.radius() - load.mean_radius),
-              1e-7 * rim); // one ring has another radius than the mean of the load
+              1e-7 * rim); // the radius of a single ring differs from the mean radius of the load
     EXPECT_NEAR(load.moment_ratio, 2 * centre.norm() / (force * rim), 1e-8);
     EXPECT_NEAR(moment_ratio, 2 * centre.norm() / (force * rim), 1e-8);
   };

@@ -22,7 +22,7 @@ namespace ring = stemware::ring;
 
 constexpr double two_pi = 2 * ring::pi;
 
-/// Returns a load with an arbitrary smooth dependence on both phases and the spin.
+/// Returns a load that depends smoothly on both phases and the spin (arbitrary example).
 ring::RingStack made_up_load(double omega, const ring::Orientation &phase)
 {
   const double wave = std::exp(0.3 * std::cos(3 * phase.glass + 0.4)) / (1.5 + std::sin(2 * phase.table));
@@ -31,7 +31,7 @@ ring::RingStack made_up_load(double omega, const ring::Orientation &phase)
                          0.03 * (1 + 1e-3 * wave));
 }
 
-/// Returns tau_z over mu N R at a slip ratio, by the trapezoidal rule.
+/// Returns tau_z / (mu N R) at a slip ratio, computed by the trapezoidal rule.
 double torque(const ring::RingStack &load, double eps)
 {
   return ring::test::wrench_by_quadrature(1, load, eps, load.radius(), 4096).torque /
@@ -65,7 +65,8 @@ TEST(Waviness, RefusesOtherTexts)
 
 TEST(Marks, RotateWithOrbitAndYaw)
 {
-  // At t = 0, azimuth 0 points away from the centre of the orbit, to the right of a counter-clockwise motion.
+  // At t = 0, the azimuth 0 points away from the centre of the orbit, i.e. to the right of a
+  // counter-clockwise motion.
   ring::Motion motion;
   const double orbit = motion.orbit_speed / motion.orbit_radius;
   const ring::Orientation start = orientation_of_marks(motion, 0, 0);
@@ -112,7 +113,8 @@ TEST(PhaseSampledLoad, InterpolatesWithinTheStatedError)
           off, std::abs(torque(loads.at(omega, phase), eps) - torque(made_up_load(omega, phase), eps)));
   EXPECT_LE(off, 2 * loads.error().between);
   EXPECT_LE(loads.error().between, 1e-3);
-  EXPECT_GT(loads.n_spins(), 1u + 4u * 3u); // rest, and more than three initial spins in each interval
+  // Rest, and more spins than the three initial ones in each interval.
+  EXPECT_GT(loads.n_spins(), 1u + 4u * 3u);
 }
 
 TEST(PhaseSampledLoad, MeanAgreesWithQuadrature)
@@ -145,7 +147,7 @@ TEST(PhaseSampledLoad, MeanAgreesWithQuadrature)
 namespace
 {
 
-/// Returns a load whose b_1 has the value @p jump for about half of the phases, else 0.
+/// Returns a load with b_1 = @p jump for about half of the phases and b_1 = 0 for the others.
 LoadAtPhase jumping_load(double jump)
 {
   return [jump](double, const ring::Orientation &phase) {
@@ -155,7 +157,7 @@ LoadAtPhase jumping_load(double jump)
 
 } // namespace
 
-// The error of the mean of a jump is proportional to the spacing of the phases. Reference: share of the
+// The mean of a jump has an error proportional to the spacing of the phases. Reference: fraction of the
 // phases with sin > 0.1.
 TEST(PhaseSampledLoad, MeanOfAJumpIsWithinTheStatedError)
 {
@@ -171,7 +173,7 @@ TEST(PhaseSampledLoad, MeanOfAJumpIsWithinTheStatedError)
 }
 
 // Polynomials do not resolve a kink in the spin, so the mean has the same error as each phase. Reference: the
-// load itself, whose phase-dependent part has zero mean.
+// load itself; its phase-dependent part has zero mean.
 TEST(PhaseSampledLoad, ErrorOfTheMeanIncludesInterpolationInTheSpin)
 {
   const auto kinked = [](double omega, double phase)
@@ -191,7 +193,7 @@ TEST(PhaseSampledLoad, ErrorOfTheMeanIncludesInterpolationInTheSpin)
   EXPECT_LE(loads.error().mean, 1e-2);
 }
 
-// Spins in the allowed number of intervals are sampled, spins in further intervals are refused.
+// Spins are sampled in the allowed number of intervals. Spins in further intervals are refused.
 TEST(PhaseSampledLoad, RefusesMoreIntervalsThanAllowed)
 {
   const PhasePeriods of_glass = { two_pi / 2, 0 };

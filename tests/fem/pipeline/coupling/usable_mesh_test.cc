@@ -80,7 +80,7 @@ TEST_F(ForeignMesh, FindsTheContactZoneByIdOrHeight)
 
 TEST_F(ForeignMesh, RefusesInvertedCells)
 {
-  // One vertex of the top is moved through the cells below.
+  // One vertex of the top is moved through the cells below it.
   const dealii::Point<3> place = mesh.begin_active()->vertex(7);
   move([&](const dealii::Point<3> &x)
        { return x.distance(place) < 1e-9 ? dealii::Point<3>(x[0], x[1], x[2] - 0.02) : x; });
@@ -100,7 +100,7 @@ TEST_F(ForeignMesh, IsReadInTheGivenUnit)
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary())
       face->set_boundary_id(0);
-  EXPECT_EQ(sentence(text(), { 2, 1, 1e-4, 1e-3 }), ""); // the height is in m
+  EXPECT_EQ(sentence(text(), { 2, 1, 1e-4, 1e-3 }), ""); // the contact height is in m
 }
 
 TEST_F(ForeignMesh, RefusesAnUpsideDownFoot)
@@ -130,7 +130,7 @@ TEST_F(ForeignMesh, RefusesAContactZoneOnAWall)
   expect_sentence(text(), "100 % faces sideways");
 }
 
-/// Allowed: 0.03 mm, a thousandth of the radius.
+/// The allowed offset is 0.03 mm, a thousandth of the radius.
 TEST_F(ForeignMesh, RefusesAnOffAxisMesh)
 {
   move([](const dealii::Point<3> &x) { return dealii::Point<3>(x[0] + 0.0003, x[1], x[2]); });

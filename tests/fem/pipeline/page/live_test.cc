@@ -66,7 +66,7 @@ double spin_by_the_program(const Study &study, unsigned int n_harmonics = all_ha
     .terminal->omega;
 }
 
-/// Changes one entry at a time and compares cold starts of the page with the program.
+/// Changes one entry at a time. Compares cold starts of the page with the program.
 void expect_the_programs_spins(const Values &base, const Values &moves, const std::string &fit)
 {
   fem::ComplianceCache cache;
@@ -189,7 +189,7 @@ TEST(Live, WarmStartsAgreeWithColdStarts)
     const char *path;
     std::vector<const char *> values;
   };
-  // Small, backward and large moves; into and out of the range in which the grip holds the glass.
+  // Moves are small, backward or large, and enter and leave the range in which the grip holds the glass.
   for (const auto &[path, values] :
        { Moves{ "Motion/Friction coefficient", { "0.29", "0.27", "0.35", "0.36", "0.37", "0.36", "0.2" } },
          Moves{ "Motion/Force offset", { "-0.048", "-0.046", "-0.044", "-0.042" } },
@@ -256,10 +256,10 @@ TEST(Live, ReportsTipping)
 {
   fem::ComplianceCache cache;
   open_page({}, live_bodies(Study(), cache));
-  explore_set("Motion/Force offset", "300 mm"); // at rest
+  explore_set("Motion/Force offset", "300 mm"); // the glass tips at rest
   EXPECT_TRUE(solved().value("tips", false));
   explore_set("Motion/Force offset", "-50 mm");
-  explore_set("Motion/Centre of mass height", "138 mm"); // during the spin-up
+  explore_set("Motion/Centre of mass height", "138 mm"); // the glass tips during the spin-up
   EXPECT_FALSE(solved()["document"]["summary"]["ring"]["fall"].is_null());
 }
 
@@ -280,7 +280,8 @@ TEST(Live, CurvesAndBudgetAgreeWithTheAnswer)
   const nlohmann::json budget = tables(explore_budget());
   EXPECT_NEAR(budget["waterfall"].back()["omega_terminal"].get<double>(), omega, 1e-9);
   EXPECT_GT(tables(explore_pressure())["foot"]["footprint"]["theta"].size(), 60u);
-  // The instants range from rest to the terminal spin, where the torque is below 2 % of the initial torque.
+  // The instants range from rest to the terminal spin, at which the torque is below 2 % of the initial
+  // torque.
   const nlohmann::json &motion = curves["motion"];
   EXPECT_EQ(motion[0]["omega"], 0);
   EXPECT_NEAR(motion.back()["omega"].get<double>(), omega, 0.006 * std::abs(omega));
@@ -289,7 +290,8 @@ TEST(Live, CurvesAndBudgetAgreeWithTheAnswer)
 
 TEST(Live, FrictionOfAnInstantIntegratesToTorqueAndForce)
 {
-  // Trapezoidal rule over the points of the rim, exact for the harmonics at rest; no tilt, no grip.
+  // Reference: trapezoidal rule over the points of the rim, exact for the harmonics at rest. There is no tilt
+  // and no grip.
   fem::ComplianceCache cache;
   open_page({ { "Motion/Tilt", "neglected" } }, live_bodies(Study(), cache));
   solved();
@@ -307,7 +309,7 @@ TEST(Live, FrictionOfAnInstantIntegratesToTorqueAndForce)
   }
   const double mean = motion.friction_at_rest() * motion.normal_force() / static_cast<double>(n);
   EXPECT_NEAR(torque * mean * study.glass.profile.contact_radius, rest["torque"].get<double>(),
-              0.01 * std::abs(rest["torque"].get<double>())); // the contact is close to the radius R
+              0.01 * std::abs(rest["torque"].get<double>())); // the load acts close to the radius R
   EXPECT_NEAR(force * mean, -rest["hand"][0].get<double>(), 1e-3 * std::abs(force * mean));
 }
 

@@ -1,5 +1,5 @@
-// Command-line program for tests of the page's solver: sets each argument, such as "Motion/Mass=0.25", in the
-// default study and prints the answer of the page, or its error.
+// Command-line program that tests the page's solver. Sets each argument, such as "Motion/Mass=0.25", in the
+// default study. Prints the answer of the page, or its error.
 #include "fem/pipeline/page/explore_api.h"
 #include "fem/pipeline/page/explorer.h"
 #include "fem/pipeline/page/live_bodies.h"

@@ -1,4 +1,4 @@
-// The sentences of `run`: its answer and its remarks.
+// Sentences of `run`: answer and remarks.
 #include "fem/pipeline/analysis/ring_quantities.h"
 #include "fem/pipeline/analysis/sweep_case.h"
 #include "fem/pipeline/result/number_format.h"
@@ -32,7 +32,7 @@ ring::Answer answer_with(unsigned int harmonics, double omega)
   return row;
 }
 
-/// A default study with two answers, a budget and the band of its terminal spin.
+/// Default study with two answers, a budget and the error band of its terminal spin.
 struct SpunStudy : StudyAnswer
 {
   SpunStudy()
@@ -94,10 +94,10 @@ TEST(RunAnswer, SentenceAndTableAgreeAtEverySpeed)
     usual = effect.relative;
     const std::string sentence = harmonic_effect_sentence(study, effect);
     EXPECT_NE(sentence.find("% slower ("), std::string::npos) << sentence;
-    EXPECT_TRUE(study.is_spin(*effect.absolute)); // shown by the table
+    EXPECT_TRUE(study.is_spin(*effect.absolute)); // the table shows this effect
     EXPECT_TRUE(study.is_spin(value("omega_terminal")));
   }
-  // A change below rounding has an upper bound instead of a percentage.
+  // If a change is below rounding, an upper bound replaces the percentage.
   const HarmonicEffect none = harmonic_effect(-1e-11, -1e-11 - 1e-19, study.spin_scale());
   const std::string nothing = harmonic_effect_sentence(study, none);
   EXPECT_NE(nothing.find("less than 3.3e-18 rad/s."), std::string::npos) << nothing;
@@ -107,7 +107,7 @@ TEST(RunAnswer, OmitsThePercentageIfTheSpinChangesSign)
 {
   SpunStudy turned;
   turned.spin.budget.rows[1].omega_terminal = 3.5;
-  turned.spin.budget.rows[1].difference = 6.5; // from -3
+  turned.spin.budget.rows[1].difference = 6.5; // the difference from -3 to a positive spin
   turned.spin.budget.harmonics = harmonic_effect(3.4, -3.25, 11.7);
   EXPECT_FALSE(turned.spin.budget.harmonics.relative);
   EXPECT_NE(turned.answer().find("by -6.65 rad/s."), std::string::npos) << turned.answer();
@@ -142,7 +142,7 @@ TEST(RunAnswer, OmitsThePercentageIfThereIsNoSpin)
 
 TEST(RunAnswer, PrintedBandsContainTheBand)
 {
-  // Value and band are rounded such that the printed interval contains value -/+ band.
+  // Value and error band are rounded so that the printed interval contains value -/+ error band.
   for (const double band : { 0.00123, 0.000996, 9.99e-5, 0.12, 3. })
     for (const double value : { -3.2549, -3.25451, 1.000049 })
     {
@@ -163,7 +163,7 @@ TEST(Remarks, WarnOfALayerThickerThanTheContact)
     run.contact.load.outer_radius = 0.03 + half_width;
     return run.results().console.front().text.find("(Table/Layer thickness)") != std::string::npos;
   };
-  EXPECT_FALSE(remark(2e-4)); // no layer thickness is given
+  EXPECT_FALSE(remark(2e-4)); // the thickness of the layer is not given
   run.study.table.layer_thickness = 5e-3;
   EXPECT_TRUE(remark(2e-4));
   EXPECT_FALSE(remark(6e-3));
@@ -180,7 +180,7 @@ TEST(Remarks, NameTheScatterOfAProfile)
   run.study.glass.rim_circle = fem::RimCircle{ 0.03, 0.003, 19e-6, 10 };
   EXPECT_NE(answer().find("19 µm rms"), std::string::npos) << answer();
   EXPECT_NE(answer().find(page), std::string::npos) << answer();
-  run.study.glass.rim_circle->rms_distance = 1e-11; // rounding
+  run.study.glass.rim_circle->rms_distance = 1e-11; // scatter at rounding level
   EXPECT_EQ(answer().find(page), std::string::npos);
 }
 

@@ -1,4 +1,4 @@
-// Files and summaries of results against the analysis of a solved study.
+// Files and summaries of results, compared with the analysis of a solved study.
 #include "fem/pipeline/analysis/ring_quantities.h"
 #include "fem/pipeline/result/table_renderers.h"
 #include "fem/pipeline/result/verb_results.h"
@@ -19,7 +19,7 @@ namespace
 using test::CsvTable;
 using test::SolvedRun;
 
-/// Returns a run that is solved once. Tests change copies of its parts.
+/// Returns a run that is solved once. Each test changes copies of its parts.
 const SolvedRun &solved_run()
 {
   static const SolvedRun run(test::quick_contact_study());
@@ -128,7 +128,7 @@ TEST(RunResults, SummaryContainsTheBudgetOfTheAnalysis)
 
 TEST(RunResults, TorqueAtRestAgreesWithTheClosedForm)
 {
-  // tau_z(0) = mu M_Nx.
+  // Closed form: tau_z(0) = mu M_Nx.
   const SolvedRun &run = solved_run();
   EXPECT_NEAR(run.summary()["ring"]["tau_closed_form"].get<double>(),
               run.study.motion.orbit.friction_coefficient * run.contact.load.moment.x(), 1e-12);
@@ -146,7 +146,7 @@ TEST(RunResults, LiftOffFollowsFromContactFractionAndMinimum)
     load->minimum = 0.1;
   }
   EXPECT_TRUE(decided());
-  report.load.minimum = -1e-3; // tensile
+  report.load.minimum = -1e-3; // tensile load
   EXPECT_FALSE(decided());
   report.load.minimum = 0;
   EXPECT_TRUE(decided());
@@ -219,7 +219,7 @@ TEST(BudgetTable, OmitsHarmonicsWithoutEffect)
   rows[3].difference = 1e-13;
   const std::vector<BudgetRow> shown = shown_chain(rows, 1e-9);
   ASSERT_EQ(shown.size(), rows.size() - 1);
-  // Differences refer to the previous row of the table.
+  // Differences are relative to the previous row of the table.
   EXPECT_NEAR(shown.back().difference.value(), -3.25 + 3.2, 1e-14);
   rows.back().difference = 0; // the complete model is always shown
   EXPECT_EQ(shown_chain(rows, 1e-9).size(), rows.size() - 1);

@@ -32,7 +32,8 @@ struct Everything
 const std::vector<Everything> rows = { { "a, \"b\"", 100000, -1.23456789, 0.25, true, { 1.5, 3.5 } },
                                        { "c < d", 7, 1e-15, std::nullopt, false, { 2.5, 4.5 } } };
 
-/// Returns all fields, for each format.
+/// Returns one field for each member of Everything. Together the fields use all output formats (file,
+/// console, page).
 Fields<Everything> all_fields()
 {
   return Fields<Everything>{
@@ -84,7 +85,7 @@ TEST(Table, PrintsOnTheConsole)
 )");
 }
 
-/// Returns a table of one row of texts, with these labels.
+/// Returns a table with one row of texts. @p cells: labels and texts.
 Table texts(const std::vector<std::pair<std::string, Json>> &cells)
 {
   Table table;
@@ -177,7 +178,7 @@ TEST(NumberFormat, ShowsADashForNonFiniteNumbers)
       EXPECT_EQ(format::number(none, digits), "–") << digits;
   }
   EXPECT_EQ(format::number(-std::nan(""), "band"), "–");
-  // Data files and figures.
+  // Text in data files and in figures.
   EXPECT_EQ(to_text(-std::nan("")), "nan");
   EXPECT_EQ(to_short_text(-std::nan("")), "nan");
 }

@@ -38,8 +38,8 @@ TEST(ColumnTable, ReadsSpinsInTurnsAndDegrees)
 TEST(ColumnTable, RefusesAmbiguousNumbersWithTheLine)
 {
   for (const auto &[text, words] : std::vector<std::pair<std::string, std::string>>{
-         { "t (s),omega (rad/s)\n1,\"-1,500\"\n", "line 2, column 2" },          // -1.5 or -1500
-         { "t (ms);omega (rad/s)\n100;-1.5\n1,200;-2.5\n", "line 3, column 1" }, // 1.2 or 1200
+         { "t (s),omega (rad/s)\n1,\"-1,500\"\n", "line 2, column 2" },          // -1.5 or -1500?
+         { "t (ms);omega (rad/s)\n100;-1.5\n1,200;-2.5\n", "line 3, column 1" }, // 1.2 or 1200?
          { "t (s),omega (rad/s)\n0,1,-1,43\n", "semicolons" },
          { "t (s),omega (rad/s),ω (rad/s)\n1,2,3\n", "line 1" },
          { "frame,omega (rad/s)\n1,2\n", "line 1" },

@@ -84,7 +84,7 @@ TEST(ColumnFile, RefusesBadTextWithTheLine)
   }
 }
 
-/// Pipes and devices, which may never end, are not opened.
+/// Pipes and devices are not opened, because reading them may never end.
 TEST(ColumnFile, RefusesFoldersPipesAndLargeFiles)
 {
   const ScratchFolder scratch;

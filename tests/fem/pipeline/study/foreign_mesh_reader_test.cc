@@ -1,4 +1,5 @@
-// Mesh files of other programs, valid and broken: the mesh, or one sentence without delay.
+// Valid and broken mesh files of other programs. A file gives a mesh or is refused in one sentence, without
+// delay.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
@@ -58,7 +59,7 @@ void expect_refused(const std::string &text, const std::string &part, const std:
   EXPECT_LT(sentence.size(), 330u) << sentence;
 }
 
-/// Expects the vertices, contact faces and stem faces of the written mesh, exactly.
+/// Expects exactly the vertices, contact faces and stem faces of the written mesh.
 void expect_the_small_foot(const std::string &text)
 {
   Mesh mesh, read;
@@ -142,7 +143,7 @@ TEST(GmshMesh, IgnoresUnusedSectionsSurfacesAndNodes)
                         "\n1\n1 20\n$EndNodeData\n$NodeData\n$EndNodeData\n");
 }
 
-/// Mesh.SaveParametric: dimension, entity and parameters follow the coordinates.
+/// With Mesh.SaveParametric, dimension, entity and parameters follow the coordinates.
 TEST(GmshMesh, ReadsParametricNodes)
 {
   std::istringstream lines(written());
@@ -161,7 +162,7 @@ TEST(GmshMesh, ReadsParametricNodes)
   expect_the_small_foot(text);
 }
 
-/// Refined cells and their coarser neighbours are not connected in a file.
+/// In a mesh file, refined cells are not connected with their coarser neighbours.
 TEST(GmshMesh, RefusesAMeshWithHangingNodes)
 {
   Mesh mesh;
@@ -180,7 +181,7 @@ TEST(GmshMesh, RefusesAMeshWithHangingNodes)
             hanging.insert(cell->face(f)->vertex_index(v));
   expect_refused(fem_tests::gmsh_text(mesh),
                  "has " + std::to_string(hanging.size()) + " nodes in the middle");
-  // On a curved rim the hanging nodes are off the straight edges of the neighbours.
+  // On a curved rim, hanging nodes do not lie on the straight edges of the neighbours.
   mesh.clear();
   make_small_foot(mesh);
   mesh.begin_active()->set_refine_flag();
@@ -242,7 +243,7 @@ TEST(AnyMesh, RefusesOtherFormatsWithACommand)
   }
 }
 
-/// A sparse file of 3 GB.
+/// The file is sparse and has 3 GB.
 TEST(AnyMesh, RefusesLargeFilesUnread)
 {
   const TemporaryFile file("");

@@ -152,7 +152,7 @@ TEST(StudySize, MemoryAgreesWithMeasuredRuns)
 {
   // Measured resident memory. `stemware truncate` of version 0.2: default 189 MB, Refinements = 2 454 MB,
   // Azimuth lines = 4000 411 MB. `stemware run --quick` of version 0.4, condensed solid with 38 139 unknowns:
-  // 858 MB. The estimate must be within a factor of two.
+  // 858 MB. The estimate must agree within a factor of two.
   const auto megabytes = [](const Settings &settings)
   { return size_of(with_values(test::mat_study(), "the test", settings)).memory / 1e6; };
   for (const auto &[found, measured] :

@@ -19,7 +19,7 @@ namespace
 
 using test::ScratchFolder;
 
-/// The points of a plain foot on a land from 28 to 32 mm, in mm.
+/// Points of a plain foot with a land from 28 to 32 mm, in mm.
 const std::string plain_foot = "0, 2\n20, 2\n28, 0\n32, 0\n34, 1\n34, 3\n16, 4\n6, 8\n4, 16\n0, 16\n";
 const std::string millimetres = "r (mm), z (mm)\n";
 
@@ -69,8 +69,8 @@ TEST(ProfileFile, FitsTheRimUnlessItIsGiven)
   EXPECT_EQ(profile_note(Study()), "");
 }
 
-/// Returns a rim of radius 2.5 mm at r = 29.5 mm with ten points on the land, whose heights have errors of @p
-/// error mm with alternating signs.
+/// Returns a rim with a radius of 2.5 mm at r = 29.5 mm and ten points on the land. Their heights have errors
+/// of @p error mm with alternating signs.
 std::string scattered_foot(double error)
 {
   std::string points = millimetres + "0,3\n20,3\n";
@@ -116,7 +116,7 @@ TEST(ProfileFile, IgnoresEntriesOfOtherShapes)
             std::vector<std::string>{ "Glass/Profile file" });
 }
 
-/// Results folders state every entry, so that a repeated study has a given rim.
+/// Results folders state every entry. In a repeated study the rim is therefore given.
 TEST(ProfileFile, RepeatedStudyIsIdentical)
 {
   const ScratchFolder scratch;

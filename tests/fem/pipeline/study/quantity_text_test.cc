@@ -44,7 +44,7 @@ TEST(QuantityText, DecimalUnitsGiveTheNearestDouble)
     { "30%", "", 0.3 },
     { "8 GB", "B", 8e9 },
     { "1 bar", "Pa", 1e5 },
-    { "\u22125 cm", "m", -0.05 }, // as a report prints it
+    { "\u22125 cm", "m", -0.05 }, // minus sign of a report
     { "\u20135 cm", "m", -0.05 },
     { "5e\u22122 m", "m", 0.05 },
     { "300\u00a0g", "kg", 0.3 },
@@ -86,7 +86,7 @@ TEST(QuantityText, EveryEntryRefusesAnotherDimension)
   for (const StudyEntry &entry : study_entries(study))
     if (entry.quantity != nullptr)
     {
-      // Nothing in a study is a length to the seventh power.
+      // A length to the seventh power is not a unit of any entry.
       EXPECT_FALSE(entry.assign("0.1 m^7")) << entry.path();
       EXPECT_EQ(entry.assign("1 kg"), entry.unit == "kg") << entry.path();
       EXPECT_EQ(entry.assign(entry.text() + (entry.unit == "1" ? "" : ' ' + entry.unit)), true)

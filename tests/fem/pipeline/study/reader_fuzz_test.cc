@@ -1,6 +1,6 @@
-// Mutated files for every reader of the program. Each is read or refused in one sentence, without crash,
-// foreign exception or hang. The seed is fixed, so that failures are reproducible. The preset `sanitize` adds
-// the address sanitizer.
+// Mutated files for every reader of the program. Each file is read or refused in one sentence, without a
+// crash, an exception of another library or a hang. The seed is fixed, so that failures are reproducible. The
+// preset `sanitize` adds the address sanitizer.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/analysis/case_list.h"
 #include "fem/pipeline/base/failures.h"

@@ -1,4 +1,5 @@
-// Inconsistent and impossible values, and choices that one entry makes for another.
+// Refusals of inconsistent and impossible values; settings of one entry that follow from another entry
+// (StudyChoices).
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/mat_study.h"
@@ -31,7 +32,8 @@ TEST(StudyChecks, IgnoreTheFootIfNoContactIsSolved)
   EXPECT_NE(refusal_of(paper), "");
 }
 
-/// Settings, and the entry with value that the refusal names first; empty if the settings are allowed.
+/// Settings, and the entry with value that the refusal names first; an empty text if the settings are
+/// allowed.
 struct Check
 {
   Settings settings;
@@ -43,7 +45,7 @@ TEST(StudyChecks, RefuseInconsistentValues)
   const std::pair<std::string, std::string> elastic = { "Table/Substrate", "elastic" },
                                             solid = { "Contact/Body", "solid" };
   const std::vector<Check> checks = {
-    // Lengths in another unit; unused lengths are not checked.
+    // Lengths typed in the wrong unit. Unused lengths are not checked.
     { { { "Glass/Foot radius", "34" } }, "Glass/Foot radius = 34 m" },
     { { { "Glass/Stem height", "10" } }, "Glass/Stem height = 10 m" },
     { { { "Glass/Land width", "1e-12" } }, "Glass/Land width = 1e-12 m" },
@@ -54,7 +56,7 @@ TEST(StudyChecks, RefuseInconsistentValues)
     { { elastic, { "Table/Disc thickness", "50" } }, "Table/Disc thickness = 50 m" },
     { { { "Table/Disc radius", "150" } }, "" },
     { { { "Load/Source", "first harmonic" }, { "Glass/Stem height", "10" } }, "" },
-    // Thin layers and large discs are allowed up to computable sizes.
+    // Thin layers and large discs are allowed as long as they are computable.
     { { elastic, { "Table/Disc thickness", "5e-5" } }, "" },
     { { elastic, { "Table/Disc radius", "3" }, { "Table/Disc thickness", "3" } }, "" },
     { { elastic, { "Table/Disc thickness", "20 um" } }, "Table/Disc thickness = 2e-5 m" },
@@ -62,12 +64,12 @@ TEST(StudyChecks, RefuseInconsistentValues)
     { { { "Glass/Foot thickness", "40 um" } }, "Glass/Foot thickness = 4e-5 m" },
     { { { "Table/Foundation modulus", "1e20" } }, "" },
     { { { "Table/Foundation modulus", "1e22" } }, "Table/Foundation modulus = 1e22 Pa/m" },
-    // A solid body stands on rigid ground.
+    // A solid body needs a rigid substrate.
     { { solid, { "Table/Interface", "hard" } }, "" },
     { { solid, { "Table/Interface", "rough" } }, "" },
     { { solid, { "Load/Coupling", "two-way" } }, "" },
     { { solid, elastic }, "Table/Substrate = elastic" },
-    // Load harmonics need lines.
+    // More load harmonics need more lines.
     { { { "Contact/Load harmonics", "63" } }, "" },
     { { { "Contact/Load harmonics", "64" } }, "Contact/Load harmonics = 64" },
     { { { "Load/Source", "file" }, { "Load/File", "a.dat" }, { "Load/Moment ratio", "0.5" } },

@@ -57,7 +57,7 @@ TEST(StudyFile, HandHeightIsKeptUnlessTheForceOffsetIsGiven)
   EXPECT_EQ(hand_of("", { centre }), std::pair(0.03, 0.03 - 0.25));
   EXPECT_EQ(hand_of(offset, { centre }), std::pair(0.1875, -0.0625));
   EXPECT_EQ(hand_of("", { "Motion/Force offset=-0.0625", centre }), std::pair(0.1875, -0.0625));
-  // A file of all entries gives offset and height, and the height of the hand is unchanged.
+  // A file with all entries states both offset and height. The height of the hand is unchanged.
   const std::string all = scratch.write("all.prm", study_as_prm(read_study(offset, { centre })));
   EXPECT_EQ(hand_of(all, {}), std::pair(0.1875, -0.0625));
   EXPECT_EQ(hand_of(all, { "Motion/Centre of mass height=0.5" }), std::pair(0.1875, -0.3125));
@@ -102,7 +102,7 @@ TEST(StudyFile, PathsAreRelativeToTheStudyFile)
   // On the command line, paths are relative to the working directory.
   EXPECT_EQ(read_study(file, { "Contact/Mesh file=" + mesh }).contact.mesh_file, mesh);
   EXPECT_NE(study_refusal(file, { "Contact/Mesh file=../meshes/foot.msh" }), "");
-  // An entry is a path exactly if its name ends in "file".
+  // An entry is a path if and only if its name ends in "file".
   Study any;
   for (const StudyEntry &entry : study_entries(any))
     EXPECT_EQ(entry.name.rfind("ile") + 3 == entry.name.size(), entry.path_value != nullptr) << entry.path();
@@ -127,7 +127,6 @@ TEST(StudyFile, SuggestsEntriesForCommonSymbols)
 
 TEST(StudyFile, SuggestsExistingEntriesOnly)
 {
-  // Every suggestion must name an existing entry.
   for (const char *word :
        { "E",     "nu", "mu", "mu_k", "mu_s", "v_s", "c", "R",   "m",  "g", "v",        "rho",
          "rho_c", "z",  "h",  "hand", "dz",   "I",   "k", "p_0", "p0", "l", "Thickness" })
