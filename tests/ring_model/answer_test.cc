@@ -1,4 +1,4 @@
-// Answers of the ring model for loads that a lambda returns. Reference: closed form of the first harmonic.
+// Answers of the ring model for loads given by a lambda. Reference: closed form of the first harmonic.
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/self_consistent_ring.h"
@@ -17,7 +17,7 @@ namespace
 {
 using namespace stemware::ring;
 
-constexpr double radius = 0.03; // m
+constexpr double radius = 0.03; // [m]
 
 Motion paper_motion()
 {
@@ -99,7 +99,8 @@ TEST(Answer, GivesTheTensileShareOfANegativeLoad)
 }
 TEST(Answer, FindsAllTerminalSpinsWithTheirStability)
 {
-  // Stribeck friction with a small moment has three. Reference: sign of the torque by the trapezoidal rule.
+  // With Stribeck friction and a small moment, three terminal spins exist. Reference: sign of the torque by
+  // the trapezoidal rule.
   Motion motion;
   motion.force_offset = -0.01;
   motion.friction_law = FrictionLawKind::stribeck;

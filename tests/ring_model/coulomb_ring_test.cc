@@ -38,7 +38,8 @@ TEST(CoulombRing, AgreesWithReferenceWrenches)
 TEST(CoulombRing, AgreesWithQuadrature)
 {
   const RingStack load = reference_load();
-  // Geometric convergence away from |eps| = 1 (N for 1e-15: docs/theory/kernels.md), algebraic at it.
+  // The convergence is geometric away from |eps| = 1 (N for 1e-15: docs/theory/kernels.md) and algebraic at
+  // |eps| = 1.
   for (const auto &[eps, n_points, tolerance] : { std::tuple{ 0.1, 64u, 1e-15 },
                                                   { -0.5, 128u, 1e-15 },
                                                   { 0.9, 600u, 2e-15 },
@@ -100,7 +101,7 @@ TEST(CoulombRing, TruncationErrorStaysBelowTheBound)
       }
     }
   }
-  // The bound is sharp for the single harmonic b_3.
+  // For the single harmonic b_3, the bound is sharp.
   const RingStack single({ 1., 0., 0., 0. }, { 0., 0., 0., 0.2 }, 0.03);
   const double change =
     coulomb_wrench(0.3, single, 6., 0.35).torque - coulomb_wrench(0.3, single.truncated(2), 6., 0.35).torque;

@@ -11,8 +11,8 @@ namespace stemware::ring
 {
 namespace
 {
-/// Three rings, the second with a negative load. At 15 rad/s the slip ratio is below one on the two inner
-/// rings and above one on the outer ring.
+/// The load has three rings; the second ring has a negative load. At 15 rad/s the slip ratio is below one on
+/// the two inner rings and above one on the outer ring.
 const RingStack load({ { 0.020, { 0.30, 0.05, -0.02, 0.01 }, { 0., 0.10, 0.03, -0.02 } },
                        { 0.022, { -0.10, 0.02, 0.01, 0.04 }, { 0., -0.06, 0.02, 0.03 } },
                        { 0.040, { 0.25, -0.07, 0.06, 0.02 }, { 0., 0.04, -0.05, 0.01 } } });
@@ -21,7 +21,7 @@ const double speed = 0.35, mu = 0.3;
 
 TEST(FrictionFunctionals, AgreeWithQuadrature)
 {
-  // Reference: trapezoidal rule on the integrals, exact to rounding at these slip ratios.
+  // Reference: integrals by the trapezoidal rule, exact to rounding at these slip ratios.
   for (const double omega : { -15., -3., 0., 4., 15., 60. })
   {
     const FrictionFunctionals friction = friction_functionals(CoulombLaw(mu), radii, 3, omega, speed);

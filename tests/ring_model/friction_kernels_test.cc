@@ -20,16 +20,16 @@ using test::reference;
 using Real =
   boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>;
 
-/// P_n and K_n for n <= 64 by direct integration of their definitions with 50 digits. The panels halve
-/// towards psi = 0 until they are shorter than the distance |1 - eps| of the singularity, and none holds more
-/// than two periods of cos 64 psi.
+/// Computes P_n and K_n for n <= 64 by direct integration of their definitions with 50 digits. The panels are
+/// halved towards psi = 0 until they are shorter than the distance |1 - eps| of the singularity. No panel
+/// contains more than two periods of cos 64 psi.
 class QuadratureOracle
 {
 public:
   explicit QuadratureOracle(double slip_ratio)
   {
     const Real eps(slip_ratio), pi = boost::math::constants::pi<Real>();
-    const bool at_pi = slip_ratio < 0.; // for negative eps the slip is smallest at psi = pi
+    const bool at_pi = slip_ratio < 0.; // if eps is negative, the slip is smallest at psi = pi
     const double distance = std::abs(std::abs(slip_ratio) - 1.);
     std::vector<Real> edges;
     for (int i = 16; i >= 1; --i)
@@ -89,8 +89,8 @@ TEST(FrictionKernels, AgreeWithReferenceCases)
 
 TEST(FrictionKernels, AgreeWithFiftyDigitQuadrature)
 {
-  // Tolerance relative to the kernel. Near |eps| = 1, where U_n (|eps| < 1) or K_n (|eps| > 1) changes sign,
-  // it is relative to P_n.
+  // The tolerance is relative to the kernel. Near |eps| = 1, where U_n (|eps| < 1) or K_n (|eps| > 1) changes
+  // sign, it is relative to P_n.
   const double tolerance = 1.5e-14;
   std::vector<double> slip_ratios{ 0.1, 0.5, 0.75, 0.9, 1., -1., 2., 10., -0.97, -1.02 };
   for (const double distance : { 1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-3, 0.01, 0.018, 0.02, 0.04, 0.08 })
@@ -114,7 +114,7 @@ TEST(FrictionKernels, AgreeWithFiftyDigitQuadrature)
       {
         const double size = std::abs(static_cast<double>(expected)) + extra;
         const double error = std::abs(static_cast<double>(value - expected));
-        // 1e-40 is the rounding error of the 50-digit integrals of order one.
+        // The rounding error of the 50-digit integrals of order one is 1e-40.
         EXPECT_LE(error, tolerance * size + 1e-40)
           << name << n << "(" << ::testing::PrintToString(eps) << ")";
         if (size > 1e-20)
@@ -132,8 +132,8 @@ TEST(FrictionKernels, AgreeWithFiftyDigitQuadrature)
 
 TEST(FrictionKernels, ReachSmallSlipLimitsWithAllDigits)
 {
-  // K_n -> kappa_n eps^{n-1}, P_n -> -kappa_n eps^n / n, U_n -> (n-1)/n kappa_n eps^n, next terms of relative
-  // order eps^2.
+  // Limits: K_n -> kappa_n eps^{n-1}, P_n -> -kappa_n eps^n / n, U_n -> (n-1)/n kappa_n eps^n. The next terms
+  // are smaller by eps^2.
   const auto &kappa = reference()["kernel_small_eps"]["kappa"];
   const double eps = 1e-8;
   const auto kernels = FrictionKernels(eps, 1., 12);
@@ -171,7 +171,7 @@ TEST(FrictionKernels, SatisfyParityDualityAndRecurrenceAtRandomSlip)
       EXPECT_EQ(minus.U(n), sign * plus.U(n));
       EXPECT_NEAR(plus.P(n), eps * dual.P(n), scale);
       EXPECT_NEAR(plus.K(n), -dual.U(n), 1e-14);
-      // U_n = P_n + eps K_n, and (2n+3) P_{n+1} = 2n (eps + 1/eps) P_n - (2n-3) P_{n-1}.
+      // Identities: U_n = P_n + eps K_n, and (2n+3) P_{n+1} = 2n (eps + 1/eps) P_n - (2n-3) P_{n-1}.
       EXPECT_NEAR(plus.U(n), plus.P(n) + eps * plus.K(n), 4. * scale);
       if (n >= 1 && n < 40)
       {

@@ -1,5 +1,5 @@
-// Oracle: the liquid as vertical columns on the bottom of the bowl, whose weights and moments are summed in
-// three dimensions. It shares no formula with the code.
+// Reference: the liquid as vertical columns on the bottom of the bowl. Weights and moments of the columns are
+// summed in three dimensions. No formula is shared with the code.
 #include "ring_model/load/constants.h"
 #include "ring_model/moment_balance.h"
 #include "tests/ring_model/reference.h"
@@ -17,11 +17,11 @@ namespace
 using Eigen::Vector3d;
 using test::expect_relative;
 
-/// Mass of the liquid under a plane of slope (s_x, s_y), and moment sum r x f of the forces f = mass * @p
-/// field at the centres of the columns [kg, N m].
+/// Returns the mass of the liquid below a plane of slope (s_x, s_y) [kg], and the moment sum r x f of the
+/// forces f = mass * @p field at the centres of the columns [N m].
 std::pair<double, Vector3d> columns(const Liquid &liquid, const Eigen::Vector2d &slope, const Vector3d &field)
 {
-  // Gauss points on (0, 1) and equal angles are exact for these polynomials in x and y.
+  // For these polynomials in x and y, Gauss points on (0, 1) and equal angles are exact.
   const double node = std::sqrt(0.6) / 2, points[3] = { 0.5 - node, 0.5, 0.5 + node },
                weights[3] = { 5. / 18, 8. / 18, 5. / 18 };
   constexpr unsigned int n_angles = 16;
@@ -64,7 +64,7 @@ TEST(Liquid, MomentAgreesWithASumOverColumns)
     motion.validate();
     const Eigen::Vector2d a = motion.acceleration(), friction(-0.7, 0.2);
     const Vector3d field(-a.x(), -a.y(), -motion.gravity);
-    // The surface is perpendicular to the sum of weight and inertia.
+    // The liquid's surface is perpendicular to the sum of weight and inertia.
     const auto [liquid_mass, of_liquid] = columns(motion.liquid, -a / motion.gravity, field);
     expect_relative(liquid_mass, motion.liquid.mass, 1e-14, "mass");
     const Vector3d hand(liquid_mass * a.x() + motion.mass * a.x() - friction.x(),
@@ -100,7 +100,8 @@ TEST(Liquid, ActsAtItsMetacentreOnALeaningGlass)
     Motion motion = filled(seed);
     motion.orbit_speed = 1e-6;
     motion.orbit_acceleration = 0;
-    // In the frame of the glass, gravity and the liquid surface lean. First order in the lean.
+    // In the frame of the glass, gravity and the liquid's surface lean. The comparison is of first order in
+    // the lean.
     const double lean = 1e-5;
     const Vector3d field(motion.gravity * std::sin(lean), 0, -motion.gravity * std::cos(lean));
     const Vector3d moment = columns(motion.liquid, { std::tan(lean), 0 }, field).second +

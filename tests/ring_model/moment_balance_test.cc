@@ -85,14 +85,14 @@ TEST(Closures, ReversedOrbitIsTheMirrorImage)
       EXPECT_EQ(reversed.force_x, wrench.force_x);
       EXPECT_EQ(reversed.force_y, -wrench.force_y);
     }
-    // tau(0) = mu Delta z m rho phidot |phidot|
+    // Closed form: tau(0) = mu Delta z m rho phidot |phidot|.
     expect_relative(back.torque(0.), 0.003675, 1e-14, to_string(closure));
   }
 }
 
 TEST(Closures, BalanceTheMomentsAboutTheCentreOfMass)
 {
-  // Oracle: cross products of the forces with their heights, in three dimensions.
+  // Reference: cross products of the forces with their heights, in three dimensions.
   Motion motion;
   motion.orbit_acceleration = 0.4;
   for (const OrbitSense sense : { OrbitSense::counterclockwise, OrbitSense::clockwise })

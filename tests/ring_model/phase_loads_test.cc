@@ -1,4 +1,4 @@
-// Table of the torque over phase and spin. Reference: plain quadrature over the rim.
+// Table of the torque as a function of phase and spin. Reference: plain quadrature over the rim.
 #include "ring_model/load/constants.h"
 #include "ring_model/spin/curves.h"
 #include "ring_model/spin/phase_loads.h"
@@ -14,7 +14,7 @@ namespace
 
 using namespace stemware::ring;
 
-/// Returns a load of three harmonics. The second rotates with the table, the third with the glass.
+/// Returns a load of three harmonics. The second harmonic rotates with the table, the third with the glass.
 RingStack wavy_load(const Orientation &phase)
 {
   return RingStack({ 1., 0.2, 0.1 * std::cos(2. * phase.table), 0.05 * std::cos(3. * phase.glass) },
@@ -28,7 +28,7 @@ Load load_by_phase()
   return Load(std::make_shared<PhaseSampledLoad>(exact, periods, sample_phases(exact, periods, { 256 })));
 }
 
-/// Returns the torque [N m] at a time, yaw angle and spin by the trapezoidal rule.
+/// Returns the torque [N m] at a time, yaw angle and spin, computed by the trapezoidal rule.
 double plain_torque(const Motion &motion, double time, double yaw_angle, double omega)
 {
   const RingStack load = wavy_load(orientation_of_marks(motion, time, yaw_angle));
@@ -70,7 +70,7 @@ TEST(TabulatedTorque, IsExactAcrossTheKinkAtSlipRatioOne)
   const Motion motion;
   const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * pi * 0.03;
   const PhasedTorqueFunction torque = tabulated_torque(load, motion, scale, 0.05 * scale, 1e-9 * size);
-  for (const double share : { 0.97, 0.999, 1.01 }) // quadrature error 1e-5 next to the kink
+  for (const double share : { 0.97, 0.999, 1.01 }) // the quadrature error next to the kink is 1e-5
     EXPECT_NEAR(torque(0.3, 0.7, share * scale), plain_torque(motion, 0.3, 0.7, share * scale), 1e-5 * size)
       << share;
 }

@@ -24,7 +24,7 @@ TEST(RingStack, ResultantsAgreeWithThePointwiseLoad)
   test::Numbers numbers(1);
   const auto [a, b] = numbers.nonnegative_load(7);
   const RingStack load(a, b, 0.04);
-  // M_N = sum r x f = (sum y f, -sum x f); the trapezoidal rule is exact for these harmonics.
+  // Reference: M_N = sum r x f = (sum y f, -sum x f). For these harmonics the trapezoidal rule is exact.
   double force = 0., moment_x = 0., moment_y = 0.;
   const unsigned int n_points = 32;
   for (unsigned int i = 0; i < n_points; ++i)
@@ -73,7 +73,7 @@ TEST(RingStack, FindsTheGlobalMinimum)
 
 TEST(RingStack, TensileForceIsTheIntegralOfTheNegativePart)
 {
-  // int max(0, -(1 + m cos theta)) dtheta over the arc |theta - pi| < arccos(1/m).
+  // Closed form: int max(0, -(1 + m cos theta)) dtheta over the arc |theta - pi| < arccos(1/m).
   for (const double m : { 1.0001, 1.2, 1.9, 5. })
   {
     const RingStack load({ 2., 2. * m }, { 0., 0. }, 0.03);
@@ -81,7 +81,7 @@ TEST(RingStack, TensileForceIsTheIntegralOfTheNegativePart)
     for (const double angle : { 0., 0.5, pi / 16. })
       EXPECT_NEAR(load.rotated(angle).pulling_force(), pull, 1e-13) << m << " turned by " << angle;
   }
-  // Rotated 1 - 1.5 cos 4 theta has four tensile arcs.
+  // The rotated load 1 - 1.5 cos 4 theta has four tensile arcs.
   const RingStack four({ 1., 0., 0., 0., -1.5 }, { 0., 0., 0., 0., 0. }, 1.);
   EXPECT_NEAR(four.rotated(0.3).pulling_force(), 2. * (std::sqrt(1.25) - std::acos(1. / 1.5)), 1e-14);
   EXPECT_EQ(RingStack({ 1., 0.9 }, { 0., 0. }, 1.).pulling_force(), 0.);
@@ -107,7 +107,7 @@ TEST(RingStack, RotatesMirrorsAndTruncates)
   EXPECT_EQ(load.truncated(50).n_harmonics(), 6u);
 }
 
-/// Returns three rings, one of which is tensile nearly everywhere.
+/// Returns three rings. One of them is tensile nearly everywhere.
 RingStack three_rings()
 {
   return RingStack({ { 0.028, { 0.3, 0.1, 0.02 }, { 0., 0.05, -0.01 } },
@@ -120,7 +120,8 @@ TEST(RingStack, ResultantsOfSeveralRingsAddUp)
   const RingStack load = three_rings();
   EXPECT_NEAR(load.normal_force(), 2 * pi * 0.5, ulps(2, pi));
   EXPECT_NEAR(load.a(2), 0.055, ulps(9, 0.055));
-  // Resultants of the point forces lambda_j dtheta at r_j, by the trapezoidal rule, which is exact here.
+  // Reference: resultants of the point forces lambda_j dtheta at r_j, by the trapezoidal rule (exact for this
+  // load).
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
   for (const RingStack::Ring &ring : load.rings())
     for (int i = 0; i < 12; ++i)
@@ -132,7 +133,7 @@ TEST(RingStack, ResultantsOfSeveralRingsAddUp)
       moment += density * 2 * pi / 12 * ring.radius * Eigen::Vector2d(std::sin(theta), -std::cos(theta));
     }
   EXPECT_NEAR((load.moment() - moment).norm(), 0., ulps(4, load.moment().norm()));
-  // One ring of radius() with the summed harmonics has the same resultants.
+  // A single ring of radius() with the summed harmonics has the same resultants.
   const RingStack one({ load.a(0), load.a(1), load.a(2) }, { 0., load.b(1), load.b(2) }, load.radius());
   EXPECT_NEAR(one.moment().norm(), load.moment().norm(), ulps(4, load.moment().norm()));
   EXPECT_NEAR(load.rotated(0.4)(1.4), load(1.), ulps(2, load.normal_force()));
@@ -147,7 +148,7 @@ TEST(Sample, RoundTripsThroughItsCoefficients)
   ASSERT_EQ(row.size(), 23);
   EXPECT_EQ(row(1), -0.02);
   EXPECT_EQ(row(9), 0.030);
-  EXPECT_EQ(row(14), 0.12); // b_1 of the second ring
+  EXPECT_EQ(row(14), 0.12); // coefficient b_1 of the second ring
   const Sample again = Sample::from_coefficients(row, 3);
   EXPECT_EQ(again.coefficients(2), row);
   EXPECT_EQ(again.difference(load), 0.);

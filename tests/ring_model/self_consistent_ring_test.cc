@@ -47,7 +47,7 @@ TEST(SelfConsistentRing, BalancesMomentsAndFrictionInBothSenses)
       Motion motion;
       motion.centre_of_mass_height = 0.09;
       const RingEquilibrium there = SelfConsistentRing(closure, motion, 0.03).at(omega);
-      // M_N = -Delta z k x F + z_CM k x T, F = m a - T.
+      // Moment balance: M_N = -Delta z k x F + z_CM k x T with F = m a - T.
       const double dz = motion.force_offset, T_x = there.friction.force_x, T_y = there.friction.force_y;
       const double F_y = 0.3 * 0.35 * 0.35 / 0.15 - (closure == Closure::paper ? 0. : T_y);
       const double F_x = closure == Closure::paper ? 0. : -T_x;
@@ -83,7 +83,7 @@ TEST(SelfConsistentRing, BalancesUnderStribecksLaw)
 
 TEST(UnilateralRim, UprightSlidingIsStableForALoadThatOnlyPushes)
 {
-  // -d tau/d eps = mu N R (<cos^2> - (mu h/R) <cos>) = mu N R Var(cos) with the hand at the centre of mass.
+  // With the hand at the centre of mass, -d tau/d eps = mu N R (<cos^2> - (mu h/R) <cos>) = mu N R Var(cos).
   Motion motion;
   motion.force_offset = 0.;
   motion.centre_of_mass_height = 0.09;

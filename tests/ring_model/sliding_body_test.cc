@@ -49,7 +49,7 @@ TEST(SlidingBody, DiscAgreesWithReferenceAndClosedForms)
     expect_relative(-friction.force_x, row["f"], 1e-14, "f");
     expect_relative(-friction.torque, row["t"], 1e-14, "t");
   }
-  // Closed forms in complete elliptic integrals of modulus v/(omega R) <= 1.
+  // Reference: closed forms in complete elliptic integrals of modulus v/(omega R) <= 1.
   for (const double e : { 0.05, 0.3, 0.7, 0.95 })
   {
     const double K = boost::math::ellint_1(e), E = boost::math::ellint_2(e);

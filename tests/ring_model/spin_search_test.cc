@@ -14,9 +14,9 @@ namespace
 using test::expect_relative;
 
 const double radius = 0.03;
-const double scale = 0.35 / radius; ///< v / R [rad/s]
+const double scale = 0.35 / radius; ///< spin scale v / R [rad/s]
 
-/// Returns the last spin with a moment balance in a search that ends with the failure @p Cause [rad/s].
+/// Returns the last spin with a moment balance [rad/s], from a search that ends with the failure @p Cause.
 template <typename Cause = Tipping>
 double last_spin(const TorqueFunction &torque, const SpinSearch &search)
 {
@@ -35,7 +35,7 @@ double last_spin(const TorqueFunction &torque, const SpinSearch &search)
 
 TEST(SpinSearch, GivesNoSpinIfTheTorqueAtRestIsWithinTheNoise)
 {
-  // Zeros: -1e-12, unstable, and 0.2, stable.
+  // The zeros are -1e-12 (unstable) and 0.2 (stable).
   const auto torque = [](double omega) { return (omega + 1e-12) * (0.2 - omega); };
   SpinSearch search = { 1. };
   search.torque_noise = 1e-11;
@@ -60,7 +60,7 @@ TEST(SpinSearch, RecoversFromABadInitialGuessInFewEvaluations)
 
 TEST(SpinSearch, FindsTheFirstZeroOfRandomLoads)
 {
-  // Reference: all zeros by a scan of 300 intervals.
+  // Reference: all zeros, found by a scan of 300 intervals.
   test::Numbers numbers(7);
   unsigned int n_evaluations = 0;
   for (unsigned int i = 0; i < 200; ++i)
@@ -81,8 +81,8 @@ TEST(SpinSearch, FindsTheFirstZeroOfRandomLoads)
 
 TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorque)
 {
-  // Closed form, first harmonic: a_0 K_0(eps) + b_1(eps) K_1(eps) = tau_g sgn(omega) / (mu R), b_1 = k_0 in
-  // the moment balance `paper`. Zeros with 40 digits (mpmath, kernels by quadrature).
+  // Closed form of the first harmonic: a_0 K_0(eps) + b_1(eps) K_1(eps) = tau_g sgn(omega) / (mu R), with b_1
+  // = k_0 for the moment balance `paper`. The zeros have 40 digits (mpmath, kernels by quadrature).
   struct Row
   {
     Closure closure;
@@ -110,7 +110,7 @@ TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorque)
 
 TEST(SpinSearch, FindsRestUnderAStrongGrip)
 {
-  // |torque(0)| = mu M_x = 0.003675 N m.
+  // The torque at rest is mu M_x = 0.003675 N m.
   const SelfConsistentRing ring(Closure::full, Motion(), radius);
   const auto torque = [&](double omega) { return ring.torque(omega); };
   const SpinZero zero = find_terminal_spin(torque, { scale, -3.1, 0.0036751 });
@@ -120,7 +120,7 @@ TEST(SpinSearch, FindsRestUnderAStrongGrip)
   EXPECT_FALSE(find_terminal_spin(torque, { scale, {}, 0.0036749 }).held);
   const TerminalSpin spin = terminal_spin(torque, 3e-4, SpinSearch{ scale, {}, 0.0036751 });
   EXPECT_TRUE(spin.held && spin.stable && std::isnan(spin.time_constant));
-  // Neither driven nor held: upright sliding.
+  // In upright sliding, the glass is neither driven nor held.
   const SpinZero upright = find_terminal_spin([](double omega) { return -omega; }, { scale });
   EXPECT_TRUE(upright.omega == 0. && !upright.held);
 }
@@ -128,7 +128,7 @@ TEST(SpinSearch, FindsRestUnderAStrongGrip)
 TEST(SpinSearch, ReturnsTheFirstOfSeveralZeros)
 {
   const auto torque = [](double omega) { return -(omega - 1.) * (omega - 3.) * (omega - 4.); };
-  // The torque is positive up to 1 and between 3 and 4.
+  // The torque is positive up to 1 rad/s and between 3 and 4 rad/s.
   expect_relative(find_terminal_spin(torque, { 4., 4.0001 }).omega, 1., 1e-11, "the last one expected");
   expect_relative(find_terminal_spin(torque, { 4., 3.5 }).omega, 1., 1e-11, "a sample between the zeros");
   expect_relative(find_terminal_spin(torque, { 4. }).omega, 1., 1e-11, "nothing expected");
@@ -152,7 +152,8 @@ TEST(SpinSearch, StepsBackFromSpinsWithoutABalance)
   EXPECT_LE(last, 2.1);
   EXPECT_GT(last, 2.1 - 10. / 4096.);
   EXPECT_THROW(find_terminal_spin(torque_up_to(2., 2.0001), { 10., 1. }), BalanceLost);
-  EXPECT_THROW(find_terminal_spin(torque_up_to(-1., 2.), { 10. }), Tipping); // at rest already
+  // Without balance already at rest.
+  EXPECT_THROW(find_terminal_spin(torque_up_to(-1., 2.), { 10. }), Tipping);
 
   const auto backwards = [&](double omega) { return -torque_up_to(2.1, 2.2)(-omega); };
   EXPECT_NEAR(last_spin(backwards, { 10., -5. }), -2.1, 10. / 4096.);
@@ -160,8 +161,8 @@ TEST(SpinSearch, StepsBackFromSpinsWithoutABalance)
 
 TEST(SpinSearch, FindsALossOfBalanceBeforeADistantZero)
 {
-  // No balance between 1 and 1.2 rad/s, zero at 6. The torque rises there, so that only the scan detects the
-  // gap.
+  // No balance exists between 1 and 1.2 rad/s, and the zero is at 6 rad/s. In between, the torque rises, so
+  // only the scan detects the gap.
   const auto torque = [](double omega)
   {
     if (omega > 1. && omega < 1.2)
@@ -173,8 +174,8 @@ TEST(SpinSearch, FindsALossOfBalanceBeforeADistantZero)
 
 TEST(SpinSearch, FindsANarrowGapByTheStabilityMargin)
 {
-  // The balance ends in a fold, where the stability margin vanishes like the square root of the distance.
-  // Both directions of spin.
+  // The balance ends in a fold. There the stability margin vanishes like the square root of the distance.
+  // Both directions of spin are tested.
   const double middle = 0.7;
   const auto square = [=](double omega, double least)
   { return std::min(1., least + 2. * std::pow(omega - middle, 2)); };
@@ -197,8 +198,8 @@ TEST(SpinSearch, FindsANarrowGapByTheStabilityMargin)
 
 TEST(SpinSearch, ReportsTippingAtATorqueJumpWithALowMargin)
 {
-  // At 0.7 rad/s the torque jumps to a second balance, whose margin may have any size. The same change within
-  // 2e-3 rad/s is no jump.
+  // At 0.7 rad/s the torque jumps to a second balance with any stability margin. If the same change extends
+  // over 2e-3 rad/s, it is not a jump.
   const double end = 0.7, drop = 0.05;
   for (const double width : { 0., 2e-3 })
     for (const double beyond : { 0.1, 0.5 })

@@ -16,8 +16,8 @@ namespace
 using test::expect_relative;
 using test::reference;
 
-/// Returns the terminal slip ratio under a load that does not change with the spin and drives the ring
-/// counter-clockwise; R = 1 m, v = 1 m/s.
+/// Returns the terminal slip ratio for R = 1 m, v = 1 m/s. The load does not change with the spin and drives
+/// the ring counter-clockwise.
 template <typename LoadOfMoment>
 double terminal_slip_ratio(const LoadOfMoment &load, double moment_ratio)
 {
@@ -33,7 +33,7 @@ TEST(TerminalSpin, AgreesWithTheReferenceUnderARadialLoad)
   { return RingStack::first_harmonic(force, moment, 1.); };
   const auto on = [](double exponent)
   {
-    // Slip ratios reach 0.966; 0.966^1024 is below rounding.
+    // The slip ratio is at most 0.966, and 0.966^1024 is below rounding.
     return [foundation = test::UnilateralFoundation(1., exponent, 1024)](double force, const auto &moment)
     { return foundation.rings(force, moment); };
   };
@@ -49,7 +49,7 @@ TEST(TerminalSpin, AgreesWithTheReferenceUnderARadialLoad)
 
 TEST(TerminalSpin, FrictionBrakesAnyLoadAtSlipRatiosAboveOne)
 {
-  // Fejer kernels: compressive loads close to a point force at any azimuth.
+  // Fejer kernels are compressive loads close to a point force at any azimuth.
   constexpr unsigned int n_most = 400;
   constexpr double turn = 2 * ring::pi;
   const Motion motion;
@@ -74,7 +74,7 @@ TEST(TerminalSpin, FrictionBrakesAnyLoadAtSlipRatiosAboveOne)
       least = std::min(least, braking / unit / bound);
     }
   }
-  EXPECT_LT(least, 1.05); // the bound is sharp within 5 %
+  EXPECT_LT(least, 1.05); // so the bound is sharp within 5 %
 }
 
 TEST(TerminalSpin, FindsAllRootsWithTheirStability)
@@ -114,12 +114,12 @@ TEST(TerminalSpin, ReportsARootOnASampleOnce)
 
 TEST(TerminalSpin, UprightSlidingLosesStabilityOnlyByANegativeLoad)
 {
-  // Hand at the height of the centre of mass, moment balance `full`: the first harmonic has the damping 1/2 -
-  // (mu h/R)^2, negative for mu h / R > 1/sqrt 2; a compressive load has <cos^2> - <cos>^2 >= 0
-  // (docs/theory/closures.md).
+  // With the hand at the height of the centre of mass and the moment balance `full`, the first harmonic has
+  // the damping 1/2 - (mu h/R)^2, which is negative for mu h / R > 1/sqrt 2. A compressive load has the
+  // damping <cos^2> - <cos>^2 >= 0 (docs/theory/closures.md).
   Motion motion;
   motion.force_offset = 0.;
-  motion.centre_of_mass_height = 0.09; // mu h / R = 0.9
+  motion.centre_of_mass_height = 0.09; // gives mu h / R = 0.9
   const SelfConsistentRing ring(Closure::full, motion, 0.03);
   const auto spins = all_terminal_spins([&](double omega) { return ring.torque(omega); }, motion.yaw_inertia,
                                         0.35 / 0.03, -35., 35., 401);

@@ -17,7 +17,7 @@ namespace
 using test::expect_relative;
 using test::reference;
 
-/// Moment balance `paper`, yaw inertia of the reference.
+/// The moment balance is `paper`, with the yaw inertia of the reference.
 TEST(PaperSpinUp, AgreesWithTheReference)
 {
   const nlohmann::json &rows = reference()["time_evolution_A"];
@@ -51,7 +51,7 @@ TEST(OrbitSpeedTable, IsExactMonotoneAndDoesNotExtrapolate)
                                       table.acceleration(t + 0.002), 0.005))
       << t;
   }
-  EXPECT_NEAR(table.speed(1.2), 0.35, ulps(13, 0.35)); // no overshoot over the plateau
+  EXPECT_NEAR(table.speed(1.2), 0.35, ulps(13, 0.35)); // the cubic does not overshoot the plateau
   EXPECT_THROW(table.speed(3.1), std::out_of_range);
   EXPECT_THROW(table.acceleration(-0.1), std::out_of_range);
 
@@ -88,12 +88,12 @@ TEST(OrbitSpeedTable, InterpolatesLinearlyOnRequest)
   for (const auto &[time, acceleration] : { std::pair(0.1, 0.4), { 0.6, 0.1 }, { 1.2, 0. }, { 3., -0.1 } })
     EXPECT_NEAR(lines.acceleration(time), acceleration, 1e-13) << time;
   EXPECT_THROW(lines.speed(3.1), std::out_of_range);
-  EXPECT_GT(std::abs(table.speed(0.25) - 0.2), 1e-3); // the monotone cubic differs
+  EXPECT_GT(std::abs(table.speed(0.25) - 0.2), 1e-3); // the monotone cubic differs from the polygon
 }
 
-/// Oracle of a driven glass, which shares no code with the library: monotone cubic of Fritsch and Carlson
-/// through the rows of speeds, friction by sums over the rim, M_N = -dz m k x acceleration + (z_CM + dz) k x
-/// T, and the classical Runge-Kutta scheme with steps that end at the rows and at zero spin.
+/// Reference for a driven glass, without code of the library. Speeds: monotone cubic of Fritsch and Carlson
+/// through the rows. Friction: sums over the rim. Moment balance: M_N = -dz m k x acceleration + (z_CM + dz)
+/// k x T. Integration: classical Runge-Kutta scheme, with steps that end at the rows and at zero spin.
 struct HandByRows
 {
   std::vector<double> times, speeds;
@@ -117,7 +117,7 @@ struct HandByRows
     return slopes;
   }
 
-  /// Returns the torque without the grip, @p since seconds after the start of interval @p i [N m].
+  /// Returns the torque without the grip [N m], @p since seconds after the start of interval @p i.
   double torque(std::size_t i, double since, double omega) const
   {
     static const double turn = 2. * pi;
@@ -128,7 +128,7 @@ struct HandByRows
     const double v = a + s * (c + s * (3. * (b - a) - 2. * c - d + s * (2. * (a - b) + c + d)));
     const double acceleration =
       (c + s * (2. * (3. * (b - a) - 2. * c - d) + s * 3. * (2. * (a - b) + c + d))) / h;
-    // Columns: friction of the loads 1, cos theta and sin theta; rows: T_x, T_y and tau_z.
+    // Columns: friction under the loads 1, cos theta and sin theta. Rows: T_x, T_y and tau_z.
     Eigen::Matrix3d friction = Eigen::Matrix3d::Zero();
     constexpr unsigned int n_points = 600;
     for (unsigned int k = 0; k < n_points; ++k)
@@ -147,8 +147,8 @@ struct HandByRows
     return friction.row(2).dot(Eigen::RowVector3d(a_0, a_b.x(), a_b.y()));
   }
 
-  /// Returns the times [s] and spins [rad/s] at the rows and @p n_steps - 1 times between. @p held receives
-  /// the last time at which the glass stops.
+  /// Returns times [s] and spins [rad/s] at the rows and @p n_steps - 1 times between two rows. Sets @p held
+  /// to the last time at which the glass stops.
   std::vector<std::pair<double, double>> motion(unsigned int n_steps, double *held = nullptr) const
   {
     constexpr double inertia = 3e-4;
@@ -219,7 +219,7 @@ struct HandByRows
 
 TEST(HandDrive, TorqueOnARampAgreesWithTheMomentBalance)
 {
-  // v = 0.15 m/s + 2 m/s^2 t.
+  // The speed is v = 0.15 m/s + 2 m/s^2 t.
   const HandByRows ramp{ { 0., 0.2 }, { 0.15, 0.55 } };
   const OrbitSpeedTable table(ramp.times, ramp.speeds);
   expect_relative(driven_torque(Closure::full, Motion(), 0.03, table)(0.1, 0., -3.), ramp.torque(0, 0.1, -3.),

@@ -14,17 +14,17 @@ namespace stemware::ring
 {
 namespace
 {
-constexpr double inertia = 3e-4; // kg m^2
+constexpr double inertia = 3e-4; // [kg m^2]
 
-/// A damped ring with one mark on it, phi = psi - orbit t:
-/// tau = -damping (1 + roughness sin phi) (omega - drive) + bump cos phi.
+/// Damped ring with one mark at the phase phi = psi - orbit t: tau = -damping (1 + roughness sin phi) (omega
+/// - drive) + bump cos phi.
 struct MarkedRing
 {
   double damping = 1.2e-3; ///< [N m s]
   double drive = -3.6;     ///< [rad/s]
   double bump = 4e-4;      ///< [N m]
   double orbit = 2.3;      ///< [rad/s]
-  double roughness = 0.;   ///< of the damping, relative
+  double roughness = 0.;   ///< relative amplitude of the damping's variation with phi
   double inertia = ring::inertia;
 
   double operator()(double time, double yaw_angle, double omega) const
@@ -34,7 +34,7 @@ struct MarkedRing
   }
 };
 
-/// Returns the mean spin and ripple after many revolutions of the mark against the orbit [rad/s], integrated
+/// Returns mean spin and ripple [rad/s] after many revolutions of the mark relative to the orbit. Integrates
 /// over the angle of the mark: d omega / d angle = tau / (I (omega - orbit)), d t / d angle = 1 / (omega -
 /// orbit).
 std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns, unsigned int n_steps)
@@ -69,7 +69,8 @@ std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns
 
 TEST(YawMotion, AgreesWithAPendulum)
 {
-  // I psi'' = -A sin psi from psi = 0 at omega_0: omega = omega_0 dn(omega_0 t / 2, k), psi = 2 asin sn.
+  // Pendulum: I psi'' = -A sin psi from psi = 0 at omega_0 has the solution omega = omega_0 dn(omega_0 t / 2,
+  // k), psi = 2 asin sn.
   const double spin = 7., stiffness = 3e-3, modulus = 2. * std::sqrt(stiffness / inertia) / spin;
   const auto torque = [=](double, double angle, double) { return -stiffness * std::sin(angle); };
   const std::vector<double> times = { 0., 0.05, 0.3, 0.41 };
@@ -89,7 +90,7 @@ TEST(YawMotion, AgreesWithAPendulum)
 
 TEST(YawMotion, FollowsAForcedLinearRing)
 {
-  // I omega' = -c (omega - omega_0) + A cos(nu t) from rest: a mark on the table only.
+  // Linear ring from rest: I omega' = -c (omega - omega_0) + A cos(nu t). Only the table has a mark.
   const double damping = 1.2e-3, drive = -3.6, force = 4e-4, nu = 4.6;
   const auto torque = [=](double time, double, double omega)
   { return -damping * (omega - drive) + force * std::cos(nu * time); };
@@ -108,7 +109,7 @@ TEST(YawMotion, FollowsAForcedLinearRing)
 
 TEST(YawMotion, FollowsAStiffForcedRingThroughItsTransient)
 {
-  // The same closed form with time constants of 1e-5 to 1e-12 s and outputs 0.1 s apart. The yaw angle is the
+  // Same closed form, with time constants of 1e-5 to 1e-12 s and outputs 0.1 s apart. The yaw angle is the
   // integral of the spin.
   const double damping = 1.2e-3, drive = -3.6, force = 4e-4, nu = 4.6;
   unsigned int n_torques = 0;
@@ -138,8 +139,9 @@ TEST(YawMotion, FollowsAStiffForcedRingThroughItsTransient)
 
 TEST(YawMotion, FollowsAStiffOverdampedSpring)
 {
-  // I psi'' = -c (psi' - omega_0) - k psi is overdamped, roots near -c / I and -k / c. The steps exceed the
-  // time constant c / k = 6e-3 s, so that Newton's method needs the derivative of the torque by the angle.
+  // The ring I psi'' = -c (psi' - omega_0) - k psi is overdamped, with roots near -c / I and -k / c. The
+  // steps exceed the time constant c / k = 6e-3 s, so Newton's method needs the derivative of the torque with
+  // respect to the angle.
   const double inertia = 1e-11, damping = 1.2e-3, drive = -3.6, spring = 0.2;
   unsigned int n_torques = 0;
   const auto torque = [&](double, double angle, double omega)
@@ -164,8 +166,8 @@ TEST(YawMotion, FollowsAStiffOverdampedSpring)
 
 TEST(YawMotion, FollowsAStiffNonlinearDamping)
 {
-  // tau = I s'(t) - c (omega + omega^3 - s - s^3) has the solution s(t) = 2 + cos(nu t). The damping changes
-  // by a factor of seven within a period.
+  // The equation tau = I s'(t) - c (omega + omega^3 - s - s^3) has the solution s(t) = 2 + cos(nu t). The
+  // damping varies by a factor of seven within a period.
   const double inertia = 1e-9, damping = 1.2e-3, nu = 4.6;
   unsigned int n_torques = 0;
   const auto torque = [&](double time, double, double omega)
@@ -185,16 +187,16 @@ TEST(YawMotion, FollowsAStiffNonlinearDamping)
 
 TEST(YawMotion, AGripHoldsAndReleasesTheGlassAtEvents)
 {
-  // I omega' = A cos(nu t) - c omega - grip sgn(omega). Closed form while the glass spins. The glass stops at
-  // the root of the closed form and starts again when A |cos(nu t)| exceeds the grip. The stiff ring has a
-  // time constant of 1e-6 s.
+  // Ring with grip: I omega' = A cos(nu t) - c omega - grip sgn(omega), which has a closed form while the
+  // glass spins. The glass stops at a root of the closed form and starts again when A |cos(nu t)| exceeds the
+  // grip. The stiff ring has a time constant of 1e-6 s.
   constexpr double damping = 1.2e-3, force = 4e-3, nu = 4.6, grip = 2.5e-3;
   for (const double inertia : { 3e-4, 1e-9 })
   {
     const double rate = damping / inertia, scale = force / inertia / (rate * rate + nu * nu);
     double began = 0.;
     int turns = 1;
-    const auto turning = [&](double time) // omega(began) = 0
+    const auto turning = [&](double time) // solution with omega(began) = 0
     {
       const auto forced = [&](double t)
       { return scale * (rate * std::cos(nu * t) + nu * std::sin(nu * t)) - turns * grip / damping; };
@@ -268,7 +270,7 @@ TEST(YawMotion, StepsEndAtEachBreak)
     times.push_back(0.1 * i + 0.03);
   }
   const auto samples = yaw_motion(torque, inertia, 0., times, 1e-6, 1., 0., breaks);
-  double omega = 0.; // at the previous break
+  double omega = 0.; // spin at the previous break
   for (int i = 0; i <= 30; ++i)
   {
     const double slope = i % 2 == 0 ? 1. : -1., low = drive(0.1 * i);
@@ -307,14 +309,14 @@ TEST(LongTimeSpin, AgreesWithManyRevolutionsOfTheMark)
   EXPECT_NEAR(spin.mean, mean, 1e-8);
   EXPECT_NEAR(spin.ripple, ripple, 1e-5);
   EXPECT_LT(spin.uncertainty, 1e-8);
-  // The mean spin differs from the zero of the mean torque at second order in the bump.
+  // The mean spin differs from the zero of the mean torque by a term of second order in the bump.
   EXPECT_GT(std::abs(spin.mean - ring.drive), 1e-3);
 }
 
 TEST(LongTimeSpin, TakesLongStepsAtNegligibleInertia)
 {
-  // Without inertia, phi = psi - orbit t obeys phi' = drive - orbit + bump / damping cos phi, whose mean has
-  // a closed form. The time constant of 8e-6 s is a millionth of the windows.
+  // Without inertia, phi = psi - orbit t satisfies phi' = drive - orbit + bump / damping cos phi. The mean of
+  // phi' has a closed form. The time constant of 8e-6 s is a millionth of the windows.
   const MarkedRing ring;
   unsigned int n_torques = 0;
   const auto counted = [&](double time, double yaw_angle, double omega)
@@ -331,7 +333,8 @@ TEST(LongTimeSpin, TakesLongStepsAtNegligibleInertia)
 
 TEST(LongTimeSpin, InertiaShiftsTheMeanUnderVaryingDamping)
 {
-  // With roughness the inertia changes the mean at first order in I / damping, without it at second order.
+  // With roughness, the inertia changes the mean at first order in I / damping; without roughness, at second
+  // order.
   MarkedRing ring;
   ring.roughness = 0.5;
   ring.inertia = 2e-8;
@@ -344,7 +347,7 @@ TEST(LongTimeSpin, InertiaShiftsTheMeanUnderVaryingDamping)
 
 TEST(LongTimeSpin, AgreesForStiffAndSlowSpins)
 {
-  // The windows are 2e4 to 6e5 time constants long: explicit steps below 4e4, implicit steps above.
+  // The windows are 2e4 to 6e5 time constants long. Below 4e4 the steps are explicit, above 4e4 implicit.
   MarkedRing ring;
   for (const double stiff_inertia : { 1.5e-6, 6e-7, 5e-8 })
   {
@@ -358,7 +361,8 @@ TEST(LongTimeSpin, AgreesForStiffAndSlowSpins)
 
 TEST(LongTimeSpin, RippleIsMeasuredInTheLastWindow)
 {
-  // The spin decreases through both windows of 1 s, whose means agree to the requested 1e-5 rad/s.
+  // The spin decreases slowly through both windows of 1 s, so their means agree within the requested 1e-5
+  // rad/s.
   const double drive = -3.6, start = 1e-5, rate = 0.1;
   const auto torque = [=](double, double, double omega) { return -inertia * rate * (omega - drive); };
   const LongTimeSpin spin = long_time_spin(torque, inertia, drive + start, 1., 1e-6, 10.);
@@ -405,7 +409,7 @@ TEST(YawMotion, AnObserverIsCalledAtEveryTorqueEvaluation)
     n_heard = 0;
     long_time_spin(observed(counted, hear), ring.inertia, 0., 20., 1e-7, 10.);
     EXPECT_GT(n_heard, 2048u);
-    EXPECT_GE(latest, 40.); // two windows at least
+    EXPECT_GE(latest, 40.); // at least two windows
   }
   const auto stop = [](double time)
   {

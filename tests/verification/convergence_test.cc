@@ -41,7 +41,7 @@ double exponent_of_the_corner()
   return below;
 }
 
-/// Returns the largest difference of a_n / a_0, n = 2 ... 6, from CalculiX at 1e10 Pa/m, m = 1.2.
+/// Returns the largest difference between a_n / a_0 and CalculiX for n = 2 ... 6, at 1e10 Pa/m and m = 1.2.
 double distance_from_calculix(const ContactLoad &load)
 {
   double largest = -1;
@@ -57,8 +57,8 @@ double distance_from_calculix(const ContactLoad &load)
 
 TEST(Convergence, HarmonicsConvergeAtTheOrderOfTheCorners)
 {
-  // At the re-entrant corners of the step profile, stresses vary like r^(lambda - 1). The harmonics therefore
-  // converge like h^(2 lambda) asymptotically, for any degree, and not slower before.
+  // At the re-entrant corners of the step profile, stresses vary like r^(lambda - 1). For any degree, the
+  // harmonics therefore converge asymptotically like h^(2 lambda), and not slower on coarser meshes.
   std::vector<std::vector<ContactLoad>> loads;
   for (const unsigned int degree : { 1u, 2u, 3u })
     loads.push_back({ solve(0, degree), solve(1, degree), solve(2, degree) });
@@ -70,11 +70,11 @@ TEST(Convergence, HarmonicsConvergeAtTheOrderOfTheCorners)
   {
     const double order = order_of(loads[p - 1][0], loads[p - 1][1], loads[p - 1][2]);
     EXPECT_GT(order, order_of_corners) << "degree " << p;
-    EXPECT_LT(order, 2 * p) << "degree " << p; // order without corners
+    EXPECT_LT(order, 2 * p) << "degree " << p; // 2 p is the order without corners
   }
   EXPECT_NEAR(order_of(loads[2][0], loads[2][1], loads[2][2]), order_of_corners, 0.05);
   const ContactLoad &finest = loads[3][1];
-  // The mesh of CalculiX has an error of 2e-5.
+  // CalculiX has a mesh error of 2e-5.
   EXPECT_LT(distance_from_calculix(finest), 3e-5);
   EXPECT_LT(distance_from_calculix(loads[1][0]), 6e-5);
   EXPECT_LT(distance_from_calculix(loads[0][0]), 5e-4);

@@ -30,9 +30,10 @@ namespace
 /// Amplitudes of u_r cos(n theta), u_theta sin(n theta), u_z cos(n theta) at (r, z).
 using Field = std::function<Tensor<1, 3>(const Point<2> &)>;
 
-constexpr types::boundary_id top = 3; // of the sides of a rectangle, as deal.II colours them
+constexpr types::boundary_id top = 3; // ids of the sides of a rectangle, as in deal.II
 
-/// A cylinder 0 <= r <= 1, 0 <= z <= length of distorted cells with hanging nodes, and K_n on it.
+/// Cylinder 0 <= r <= 1, 0 <= z <= length of distorted cells with hanging nodes, and the stiffness K_n on
+/// this mesh.
 struct Cylinder
 {
   Cylinder(double length, unsigned int degree, const ElasticMaterial &material)
@@ -86,7 +87,7 @@ struct Cylinder
     return constraints;
   }
 
-  /// Returns the largest force K_n u inside the body over the largest contribution of a single node.
+  /// Returns the largest force K_n u inside the body, divided by the largest contribution of a single node.
   double unbalanced_force(unsigned int harmonic, const Field &field) const
   {
     AffineConstraints<double> none;
@@ -122,8 +123,8 @@ struct Cylinder
 
 } // namespace
 
-/// Closed form: u = grad(r^n cos(n theta)) has neither divergence nor curl, so that any material is in
-/// equilibrium without forces. The amplitudes are polynomials of degree n - 1 in r.
+/// Closed form: u = grad(r^n cos(n theta)) has neither divergence nor curl, so any material is in equilibrium
+/// without forces. The amplitudes are polynomials of degree n - 1 in r.
 TEST(FourierPatch, GradientsOfHarmonicPolynomialsNeedNoForces)
 {
   for (const unsigned int n : { 2u, 3u, 4u, 5u })
@@ -158,10 +159,10 @@ TEST(FourierPatch, GradientsThatShearTheMeridianNeedNoForces)
   }
 }
 
-/// Published: Code_Aster, test SSLV109, n = 1. A cylinder of radius 1 and length 6, E = 72, nu = 0.3,
-/// bent by the end traction sigma_zz = r cos(theta) on a plane bottom: u_r = -kappa (z^2 + nu r^2) / 2,
-/// u_theta = kappa (z^2 - nu r^2) / 2, u_z = kappa r z with kappa = 1/72. Table values: 0.25 at z = 6 on the
-/// axis, 2.08333e-3 at r = 1, z = 0. Quadratic elements contain it.
+/// Published: Code_Aster, test SSLV109, n = 1. A cylinder of radius 1 and length 6, E = 72, nu = 0.3, is bent
+/// by the end traction sigma_zz = r cos(theta) on a plane bottom: u_r = -kappa (z^2 + nu r^2) / 2, u_theta =
+/// kappa (z^2 - nu r^2) / 2, u_z = kappa r z with kappa = 1/72. Table values: 0.25 at z = 6 on the axis,
+/// 2.08333e-3 at r = 1, z = 0. Quadratic elements represent this field exactly.
 TEST(FourierPatch, CylinderBendsAsInSSLV109)
 {
   const ElasticMaterial material{ 72, 0.3 };
@@ -181,7 +182,7 @@ TEST(FourierPatch, CylinderBendsAsInSSLV109)
   DoFTools::make_hanging_node_constraints(cylinder.dofs, constraints);
   for (unsigned int i = 0; i < cylinder.dofs.n_dofs(); ++i)
   {
-    // On the axis u_theta = -u_r and u_z = 0. The bottom slides in its plane and is fixed at its centre.
+    // On the axis, u_theta = -u_r and u_z = 0. The bottom slides in its plane, and its centre is fixed.
     if (constraints.is_constrained(i))
       continue;
     const bool on_axis = cylinder.points[i][0] < 1e-12;
@@ -199,7 +200,7 @@ TEST(FourierPatch, CylinderBendsAsInSSLV109)
   }
   constraints.close();
 
-  // Forces per radian of the traction on the top.
+  // Forces per radian due to the traction on the top.
   Vector<double> forces(cylinder.dofs.n_dofs());
   FEFaceValues<2> values(cylinder.mapping, cylinder.element, QGauss<1>(4),
                          update_values | update_quadrature_points | update_JxW_values);
@@ -233,5 +234,5 @@ TEST(FourierPatch, CylinderBendsAsInSSLV109)
   std::copy(solution.data(), solution.data() + solution.size(), displacement.begin());
   constraints.distribute(displacement);
   displacement -= cylinder.nodal_values(exact);
-  EXPECT_LT(displacement.linfty_norm(), 1e-10 * 0.25); // rounding times the condition of a slender beam
+  EXPECT_LT(displacement.linfty_norm(), 1e-10 * 0.25); // rounding error times the condition of a slender beam
 }

@@ -1,5 +1,5 @@
-// Thick discs and layers against an elastic half-space and a bonded layer. References: closed forms with
-// quadrature (Boussinesq, Cerruti, transfer function of a layer); flat annular punch by other code
+// Thick discs and layers, compared with an elastic half-space and a bonded layer. References: closed forms
+// with quadrature (Boussinesq, Cerruti, transfer function of a layer); flat annular punch by other code
 // (docs/verification/annular_punch.md).
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/compute_compliance.h"
@@ -46,7 +46,7 @@ Eigen::VectorXd nodes_of(const ContactCompliance &compliance, Band band)
 
 } // namespace
 
-// Closed form. The compliance of n = 24 represents all harmonics beyond 16.
+// Reference: closed form. All harmonics above 16 use the compliance of n = 24.
 TEST(HalfSpace, NormalComplianceAgreesWithBoussinesq)
 {
   const ContactCompliance disc = compliance_of_disc({ 0.3, 0.3 }, wood, strip(0.004), 1, 16);
@@ -62,8 +62,8 @@ TEST(HalfSpace, NormalComplianceAgreesWithBoussinesq)
   }
 }
 
-// Closed form. Under harmonic 20 of the line forces, beyond its 16 harmonics, a body of revolution responds
-// like a half-space under harmonic 24. The responses to harmonics 5 and 24 differ by a factor.
+// Reference: closed form. The body of revolution has 16 harmonics. Under harmonic 20 of the line forces, it
+// responds like a half-space under harmonic 24. The responses to harmonics 5 and 24 differ by a factor.
 TEST(HalfSpace, HarmonicsBeyondTheHighestUseTheComplianceOfHarmonic24)
 {
   constexpr unsigned int n_lines = 64;
@@ -78,13 +78,14 @@ TEST(HalfSpace, HarmonicsBeyondTheHighestUseTheComplianceOfHarmonic24)
     for (unsigned int j = 0; j < n_lines; ++j)
       forces.col(j) = nodes * (2 * pi / n_lines * std::cos(2 * pi * n * j / n_lines));
     body.set_forces(forces.reshaped());
-    const Eigen::VectorXd ahead = body.contact_displacement().head(nodes.size()); // on the line theta = 0
+    // Displacement on the line theta = 0.
+    const Eigen::VectorXd ahead = body.contact_displacement().head(nodes.size());
     EXPECT_NEAR(nodes.dot(ahead) / normal_compliance(answers_as, whole, whole, wood), 1, 3e-3) << n;
   }
 }
 
-// Closed form. An outward traction lowers the surface outside. A wrong sign of either traction exceeds the
-// tolerance.
+// Reference: closed form. An outward traction lowers the surface outside. If either traction had the wrong
+// sign, the error would exceed the tolerance.
 TEST(HalfSpace, TangentialComplianceAgreesWithCerruti)
 {
   const ContactCompliance disc = compliance_of_disc({ 0.3, 0.3 }, wood, strip(0.004), 1, 6);
@@ -99,8 +100,8 @@ TEST(HalfSpace, TangentialComplianceAgreesWithCerruti)
     }
 }
 
-// Closed form (Johnson, section 5.8). A contact narrower than the layer thickness, a wider one, and a layer
-// that bulges.
+// Reference: closed form (Johnson, section 5.8). Cases: a contact narrower than the layer thickness, a wider
+// contact, and a layer that bulges.
 TEST(Layer, NormalComplianceAgreesWithTheTransferFunction)
 {
   const struct
@@ -123,14 +124,14 @@ TEST(Layer, NormalComplianceAgreesWithTheTransferFunction)
   }
 }
 
-// Reference: other code (tests/verification/annular_punch.py, a layer of 100 outer radii). A land that is
-// wide compared with the wavelength of the highest harmonic needs more than ten smooth functions in a Newton
-// step. The remaining error comes from the singular edges.
+// Reference: other code (tests/verification/annular_punch.py, a layer of 100 outer radii). If the land is
+// wide compared with the wavelength of the highest harmonic, LineNewton needs more than ten polynomials in r.
+// The remaining error comes from the singular edges.
 TEST(HalfSpace, WideAnnularPunchesConvergeOnManyCells)
 {
   const struct
   {
-    double ratio, load, moment; ///< P/(2 E* a delta) and 3 M/(4 E* a^3 alpha)
+    double ratio, load, moment; ///< ratio of the radii; P/(2 E* a delta); 3 M/(4 E* a^3 alpha)
   } punches[] = { { 0.5, 0.9895262242, 0.9960429791 },
                   { 0.7, 0.9473028987, 0.9741349404 },
                   { 0.9, 0.8269807294, 0.8624369366 } };
@@ -155,7 +156,8 @@ TEST(HalfSpace, WideAnnularPunchesConvergeOnManyCells)
       const double torque = 0.2 * force * setup.profile.contact_radius / 2;
       const ContactState state = foot.solve({ force, torque, 0 });
       const Eigen::Vector3d motion = state.solution.motion;
-      EXPECT_EQ(state.load.contact_fraction, 1) << ratio << ", " << n_cells << " cells"; // no edge lifts off
+      // No edge has lifted off.
+      EXPECT_EQ(state.load.contact_fraction, 1) << ratio << ", " << n_cells << " cells";
       const double modulus = plane_strain_modulus(wood);
       EXPECT_NEAR(std::abs(motion(0)) * 2 * modulus * outer * load / force, 1, error_of_depth)
         << ratio << ", " << n_cells << " cells";

@@ -1,5 +1,5 @@
-// A rigid flat land on a hard interface and a thin bonded layer. The stiff spring of the interface is
-// negligible, so the land settles like a strip on the layer. Reference: other code
+// Rigid flat land on a hard interface and a thin bonded layer. The compliance of the interface is negligible,
+// so the land settles like a strip on the layer. Reference: other code
 // (tests/verification/strip_on_a_layer.py). The land is a fiftieth of the radius wide, so the curvature of
 // the ring changes the settlement by 1e-4.
 #include "fem/contact/hard_interface.h"
@@ -35,7 +35,8 @@ TEST(HardLayer, SettlementAgreesWithAStrip)
     setup.meridian.n_harmonics = 2;
     setup.n_lines = 16;
     setup.normal_force = force;
-    // Cells resolve the edge zones of the pressure, whose length is the thickness of the layer.
+    // The cells resolve the edge zones of the pressure. The length of these zones is the thickness of the
+    // layer.
     setup.resolution.focus_size = std::min(width / 100, thickness / 2);
     setup.resolution.focus_width = width / 2;
     const MeshedRevolutionFoot foot(setup);

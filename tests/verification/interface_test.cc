@@ -1,4 +1,4 @@
-// Hard and compliant interfaces against another program, plain sums and the theorem of Dundurs.
+// Hard and compliant interfaces, compared with another program, plain sums and the theorem of Dundurs.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/revolution/compute_compliance.h"
@@ -22,9 +22,9 @@ ContactLoad press_on(const RevolutionSetup &setup, const Resultants &load, doubl
 
 } // namespace
 
-// Reference: CalculiX, with and without friction; the pressure is singular at the inner edge of the land,
-// where its cells are 60 um. Harmonics above the sixth: three other finite-element programs with nodal
-// contact, within their scatter.
+// Reference: CalculiX with and without friction. The pressure is singular at the inner edge of the land,
+// where CalculiX has cells of 60 um. References above the sixth harmonic: three other finite-element programs
+// with nodal contact, within their scatter.
 TEST(RigidTable, FlatLandWithLiftOffAgreesWithCalculiX)
 {
   unsigned int n_compared = 0;
@@ -75,7 +75,7 @@ TEST(YieldingTable, RigidFootAgreesWithPlainSums)
       const ContactLoad load = press_on(setup, demand);
       const Eigen::Vector3d position = plain->position_under(weight, demand.moment_x, demand.moment_y, depth);
       const std::vector<PlainPoint> points = plain->forces(position);
-      const double tolerance = m < 1 ? 2e-6 : 6e-6; // with lift-off, contact ends between two lines
+      const double tolerance = m < 1 ? 2e-6 : 6e-6; // with lift-off, the contact ends between two lines
       for (unsigned int n = 1; n <= 6; ++n)
       {
         EXPECT_NEAR(load.a(n) / load.a(0), harmonic_over_mean(points, n), tolerance) << m << ", " << n;
@@ -84,9 +84,10 @@ TEST(YieldingTable, RigidFootAgreesWithPlainSums)
     }
 }
 
-// Dundurs: tangential tractions do not change the gap between two half-spaces of one material. Checked for a
-// thick foot and a thick disc under azimuthal tractions of a harmonic that does not reach the stem or the
-// bottom of the disc. The remainder is the mesh error of the foot and decreases with refinement.
+// Dundurs: tangential tractions do not change the gap between two half-spaces of the same material. Tested
+// for a thick foot and a thick disc under azimuthal tractions, with a harmonic so high that the effect does
+// not reach the stem or the bottom of the disc. The remainder is the mesh error of the foot; it decreases
+// with refinement.
 TEST(Friction, DoesNotCoupleEqualHalfSpaces)
 {
   const ElasticMaterial wood{ 10e9, 0.3 };

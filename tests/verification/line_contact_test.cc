@@ -18,12 +18,12 @@ using stemware::verification::LineContact;
 namespace
 {
 
-/// Half-width of the contact over the ring's radius, at the mean load.
+/// Half-width of the contact at the mean load, divided by the radius of the ring.
 constexpr double slenderness = 0.01;
 constexpr unsigned int n_harmonics = 16;
 
-/// Solves a rigid ring whose crown gives the Hertz half-width slenderness * radius, on a disc of ten times
-/// its radius.
+/// Solves a rigid ring on a disc of ten times the ring's radius. The crown of the ring gives the Hertz
+/// half-width slenderness * radius.
 ContactLoad press_ring(double moment_ratio, unsigned int n_lines)
 {
   Substrate substrate;
@@ -38,8 +38,8 @@ ContactLoad press_ring(double moment_ratio, unsigned int n_lines)
   setup.table = { std::make_shared<HardInterface>(), substrate };
   setup.meridian.n_harmonics = n_harmonics;
   setup.n_lines = n_lines;
-  setup.fineness = 4; // cells of b / 16: a_2 is 0.7 % of a_0, and cells of b / 4 leave 2e-4 a_0 of noise
-  static ComplianceCache cache; // all tests use the same bodies
+  setup.fineness = 4; // cells of b / 16; with cells of b / 4, noise of 2e-4 a_0 would disturb a_2 = 0.007 a_0
+  static ComplianceCache cache; // shared because all tests use the same bodies
   MeshedRevolutionFoot foot(setup.resolved_for(weight), cache);
   return foot.solve(load_at(moment_ratio)).load;
 }
@@ -48,8 +48,8 @@ ContactLoad press_ring(double moment_ratio, unsigned int n_lines)
 
 TEST(LineContact, OracleAgreesWithPublishedValues)
 {
-  // Published values for L = 15.7555 (here 15.75552). Weakly nonlinear limit: a_2 = m^2 / (4 (L - 19/3)) =
-  // 0.0066.
+  // The published values are for L = 15.7555 (here 15.75552). In the weakly nonlinear limit, a_2 = m^2 / (4
+  // (L - 19/3)) = 0.0066.
   const LineContact contact(0.5, 33, slenderness);
   EXPECT_NEAR(contact.harmonic(2), 0.006875214728468, 3e-7);
   EXPECT_NEAR(contact.harmonic(3), -4.504165011245e-4, 3e-8);
@@ -59,10 +59,10 @@ TEST(LineContact, OracleAgreesWithPublishedValues)
 TEST(LineContact, AgreesWithTheOracleOnACrownedRingInFullContact)
 {
   const LineContact expected(0.5, 256, slenderness);
-  const ContactLoad load = press_ring(0.5, 65); // an odd number of lines
+  const ContactLoad load = press_ring(0.5, 65); // 65: an odd number of lines
   EXPECT_EQ(load.contact_fraction, 1);
-  // a_2 = 0.0069 within 1 %, the ratio of width and radius; the other harmonics within the noise of contact
-  // edges that cross cell borders.
+  // The tolerance of a_2 = 0.0069 is 1 %, the ratio of width and radius. The tolerance of the other harmonics
+  // is the noise of contact edges that cross cell borders.
   EXPECT_NEAR(load.a(2) / load.a(0), expected.harmonic(2), 6e-5);
   for (unsigned int n = 3; n <= 6; ++n)
     EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), 1.5e-5) << "n = " << n;
@@ -74,7 +74,8 @@ TEST(LineContact, AgreesWithTheOracleOnACrownedRingWithLiftOff)
   const unsigned int n_lines = 128;
   const ContactLoad load = press_ring(1.3, n_lines);
   EXPECT_NEAR(load.contact_fraction, expected.loaded_share(), 1.5 / n_lines);
-  // 0.2099, -0.0924, 0.0279, 0.0084, -0.0189; tolerance: ratio of width and radius times the largest.
+  // Expected: 0.2099, -0.0924, 0.0279, 0.0084, -0.0189. Tolerance: the ratio of width and radius, times the
+  // largest value.
   for (unsigned int n = 2; n <= 6; ++n)
     EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), n == 2 ? 1.2e-3 : 5e-4) << "n = " << n;
 }

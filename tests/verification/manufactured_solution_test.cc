@@ -1,4 +1,4 @@
-// u = d cos(k . x): -div sigma = ((lambda + mu)(d . k) k + mu |k|^2 d) cos(k . x).
+// Manufactured solution: u = d cos(k . x) with -div sigma = ((lambda + mu)(d . k) k + mu |k|^2 d) cos(k . x).
 #include "fem/solid/stiffness_3d.h"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -55,8 +55,8 @@ public:
   }
 };
 
-/// Returns the L2 error on a cube of n^3 cells whose inner vertices are moved at random (the same ones at
-/// every call).
+/// Returns the L2 error on a cube of n^3 cells. The inner vertices are moved at random, equally at every
+/// call.
 double l2_error(unsigned int degree, unsigned int n)
 {
   Triangulation<3> triangulation;
@@ -71,7 +71,7 @@ double l2_error(unsigned int degree, unsigned int n)
   VectorTools::interpolate_boundary_values(mapping, dof_handler, 0, exact, constraints);
   constraints.close();
 
-  // Displacement of the boundary, then the correction with zero boundary values.
+  // First the displacement of the boundary, then the correction with zero boundary values.
   const IndexSet dofs = complete_index_set(dof_handler.n_dofs());
   TrilinosWrappers::MPI::Vector solution(dofs, MPI_COMM_SELF), missing(dofs, MPI_COMM_SELF),
     rhs(dofs, MPI_COMM_SELF);

@@ -1,5 +1,5 @@
-// The solid body with geometric multigrid against the body of revolution (other elements and linear solver,
-// same interface law) and other programs.
+// Solid body with geometric multigrid, compared with the body of revolution (other elements and linear
+// solver, same interface law) and with other programs.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/nested_contact.h"
@@ -31,8 +31,8 @@ ContactLoad solid_load(const GlassProfile &profile, const FootResolution &resolu
 
 TEST(MultigridAgreement, CrownedFeetAgreeWithTheBodyOfRevolution)
 {
-  // The foot profile is smooth except at its edge. The step has corners of 270 degrees, where elements of any
-  // degree converge slowly.
+  // The foot profile is smooth except at its edge. The step has corners of 270 degrees; next to them,
+  // elements of any degree converge slowly.
   for (const auto &[shape, tolerance] : { std::pair(GlassShape::foot, 1e-5), { GlassShape::step, 3e-5 } })
   {
     GlassProfile profile;
@@ -48,7 +48,8 @@ TEST(MultigridAgreement, CrownedFeetAgreeWithTheBodyOfRevolution)
 
 TEST(MultigridAgreement, HangingNodesInTheContactReduceTheError)
 {
-  // The finer cells end inside and around the land. The foot has a fillet, so that no corner error dominates.
+  // The finer cells end inside and around the land. The foot has a fillet, so that errors at corners do not
+  // dominate.
   GlassProfile profile;
   profile.shape = GlassShape::foot;
   MeridianOptions options;
@@ -63,7 +64,7 @@ TEST(MultigridAgreement, HangingNodesInTheContactReduceTheError)
   EXPECT_LT(finer, 3e-5) << "uniform: " << uniform;
 }
 
-// Reference: CalculiX up to the sixth harmonic, then three other finite-element programs within their
+// References: CalculiX up to the sixth harmonic; above, three other finite-element programs within their
 // scatter.
 TEST(MultigridAgreement, HardFlatLandAgreesWithOtherPrograms)
 {
@@ -83,8 +84,8 @@ TEST(MultigridAgreement, HardFlatLandAgreesWithOtherPrograms)
     EXPECT_NEAR(load.a(n) / load.a(0), expected[n], n <= 3 ? 2e-3 : 4e-3) << "n = " << n;
 }
 
-// Cells halved five times towards the edges, against a body of revolution with halved cells of degree 3
-// graded to the corners, twice the lines and 1.5 times the harmonics.
+// Cells are halved five times towards the edges. Reference: body of revolution with halved cells of degree 3
+// graded towards the corners, twice the lines and 1.5 times the harmonics.
 TEST(MultigridAgreement, HardFlatLandAgreesWithTheBodyOfRevolutionLong)
 {
   RevolutionSetup setup;

@@ -41,7 +41,7 @@ constexpr double punch_height = 0.100;
 constexpr double flat_radius = 0.040;
 constexpr double edge_radius = 0.010;
 
-/// Punch and disc of the benchmark.
+/// Parameters of punch and disc in the benchmark.
 struct PunchParameters
 {
   ElasticMaterial punch = { 210e9, 0.3 };
@@ -60,8 +60,8 @@ double underside(double radius)
   return edge_radius - std::sqrt(std::max(edge_radius * edge_radius - x * x, 0.));
 }
 
-/// Returns the lengths of cells that fill @p length, starting with @p smallest, growing by @p growth up to @p
-/// largest [m].
+/// Returns the lengths of cells that fill @p length [m]. The lengths start with @p smallest and grow by the
+/// factor @p growth up to @p largest.
 std::vector<double> graded_lengths(double length, double smallest, double growth, double largest)
 {
   std::vector<double> cells;
@@ -87,7 +87,7 @@ void append(std::vector<double> &cells, const std::vector<double> &more)
   cells.insert(cells.end(), more.begin(), more.end());
 }
 
-/// Returns the lengths of equal cells of about @p about that fill @p length [m].
+/// Returns equal cell lengths of about @p about that fill @p length [m].
 std::vector<double> equal_lengths(double length, double about)
 {
   const long n = std::lround(length / about);
@@ -97,8 +97,8 @@ std::vector<double> equal_lengths(double length, double about)
 /// Lengths of the cells along a meridian.
 struct PunchCells
 {
-  std::vector<double> on_contact, on_punch, on_disc; ///< along r, the contact zone first
-  std::vector<double> upward, downward;              ///< along z, from the contact
+  std::vector<double> on_contact, on_punch, on_disc; ///< along r, beginning with the contact zone
+  std::vector<double> upward, downward;              ///< along z, beginning at the contact
 
   /// Adds the rounded edge beyond the contact zone, in steps of @p angle up to 90 degrees.
   void add_edge(double angle)
@@ -115,12 +115,12 @@ struct PunchCells
   }
 };
 
-/// Returns the cells of length @p smallest [m] at the contact edge that grow away from it.
+/// Returns cells with the length @p smallest [m] at the contact edge. The cells grow away from this edge.
 PunchCells fine_cells_of_punch(const PunchParameters &parameters, double smallest)
 {
   constexpr double growth = 1.25;
-  constexpr double fine = 2e-3; // beyond the flat part: contact ends at 40.4 mm
-  constexpr double end = 0.045; // of the contact zone
+  constexpr double fine = 2e-3; // width of fine cells beyond the flat part; contact ends at 40.4 mm
+  constexpr double end = 0.045; // outer radius of the contact zone [m]
   PunchCells cells;
   cells.on_contact = reversed(graded_lengths(flat_radius, smallest, growth, 3e-3));
   append(cells.on_contact, equal_lengths(fine, smallest));
@@ -162,8 +162,8 @@ void make_section(const std::vector<double> &columns, const std::vector<double> 
   GridTools::transform(shape, triangulation);
 }
 
-/// Makes the punch with its rounding as chords between the nodes. A spot on the axis of the top is fixed; its
-/// reaction vanishes, because pressure and contact are in equilibrium.
+/// Makes the punch. Its rounding consists of chords between the nodes. A spot on the axis of the top is
+/// fixed; the reaction there vanishes, because pressure and contact are in equilibrium.
 void make_punch(const PunchCells &cells, Triangulation<2> &triangulation)
 {
   const double spot = cells.on_punch.front();
@@ -182,13 +182,13 @@ void make_disc(const PunchParameters &parameters, const PunchCells &cells, Trian
     [](const Point<2> &x) { return x; }, triangulation);
 }
 
-/// Returns the vertical displacement of the contact nodes under @p pressure on the punch's top [m].
+/// Returns the vertical displacement [m] of the contact nodes under @p pressure on the top of the punch.
 Eigen::VectorXd displacement_under_top(const MeridianSpace &space, double pressure)
 {
   const FiniteElement<2> &element = space.dof_handler().get_fe();
   FEFaceValues<2> values(space.mapping(), element, QGauss<1>(element.degree + 1),
                          update_values | update_quadrature_points | update_JxW_values);
-  Vector<double> displacement(space.n_dofs()); // first the forces per radian
+  Vector<double> displacement(space.n_dofs()); // stores the forces per radian first
   std::vector<MeridianSpace::Dof> dofs(element.n_dofs_per_cell());
   for (const auto &cell : space.dof_handler().active_cell_iterators())
     for (const unsigned int face : cell->face_indices())
@@ -222,10 +222,12 @@ ContactCompliance axisymmetric_compliance(const MeridianSpace &space)
   return compliance;
 }
 
-/// Contact of punch and disc, with displacement and stress at M on the axis of the top of the disc.
+/// Punch pressed on the disc, with displacement and stress at M, the point on the axis at the top of the
+/// disc.
 struct PressedPunch
 {
-  /// @p smallest: cell length at the contact edge [m]. @p modulus: stiff spring of the hard interface [Pa/m].
+  /// @p smallest: cell length at the contact edge [m]. @p modulus: stiff spring that approximates the hard
+  /// interface [Pa/m].
   explicit PressedPunch(double smallest, double modulus = 1e17)
   {
     const PunchParameters parameters;
@@ -260,9 +262,9 @@ struct PressedPunch
 
   double displacement = 0;   ///< u_z(M) [m]
   double stress = 0;         ///< sigma_zz(M) of the disc's stress field [Pa]
-  Eigen::VectorXd pressure;  ///< at the contact nodes [Pa]
-  double force = 0;          ///< of the contact [N]
-  double contact_radius = 0; ///< of the outermost node under pressure [m]
+  Eigen::VectorXd pressure;  ///< pressure at the contact nodes [Pa]
+  double force = 0;          ///< total contact force [N]
+  double contact_radius = 0; ///< radius of the outermost node under pressure [m]
 
 private:
   void evaluate_at_m(const MeridianField &field)
@@ -292,10 +294,11 @@ TEST(NafemsPunch, FineMeshesConvergeToTheBenchmark)
   EXPECT_LT(deviation(punch.force, PunchParameters().normal_force()), 1e-12);
   EXPECT_LT(deviation(coarser.displacement, punch.displacement), 6e-4);
   EXPECT_LT(deviation(coarser.stress, punch.stress), 1e-3);
-  EXPECT_LT(deviation(punch.stress, -punch.pressure(0)), 5e-5); // the stress field meets the contact pressure
+  // The stress field agrees with the contact pressure.
+  EXPECT_LT(deviation(punch.stress, -punch.pressure(0)), 5e-5);
   EXPECT_LT(deviation(PressedPunch(2.5e-4, 1e18).displacement, punch.displacement), 2e-5);
   EXPECT_NEAR(punch.contact_radius, 0.0402, 2e-4);
-  EXPECT_LT(deviation(punch.displacement, -0.132941e-3), 0.01); // quadratic elements
-  EXPECT_LT(deviation(punch.displacement, -0.130734e-3), 0.03); // linear ones
+  EXPECT_LT(deviation(punch.displacement, -0.132941e-3), 0.01); // published value of quadratic elements
+  EXPECT_LT(deviation(punch.displacement, -0.130734e-3), 0.03); // published value of linear elements
   EXPECT_LT(deviation(punch.stress, -91.1006e6), 0.05);
 }

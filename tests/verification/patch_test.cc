@@ -1,4 +1,4 @@
-// A cylinder with nu = 0 under a central load: uniform vertical stress is the exact solution.
+// Cylinder with nu = 0 under a central load. A uniform vertical stress is the exact solution.
 #include "fem/contact/hard_interface.h"
 #include "ring_model/load/constants.h"
 #include "tests/fem/foot_case.h"
@@ -16,8 +16,8 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Makes a cylinder of radius 0.02 and height 0.03 on z = 0 with a clamped top, which does not disturb the
-/// solution for nu = 0.
+/// Makes a cylinder of radius 0.02 and height 0.03 on z = 0 with a clamped top. For nu = 0, the clamping does
+/// not disturb the solution.
 void make_cylinder(Triangulation<3> &triangulation)
 {
   Triangulation<3> lying;
@@ -49,7 +49,7 @@ protected:
       TestSolver::factors, triangulation, [](double, double) { return 0.; }, options, cork);
   }
 
-  /// Returns the largest deviation of nodal pressure f_i / int N_i dA from N / A, relative.
+  /// Returns the largest relative deviation of the nodal pressure f_i / int N_i dA from N / A.
   double nonuniformity(const ContactSolution &solution) const
   {
     const ContactSurface &surface = body->contact_surface();
@@ -73,12 +73,12 @@ TEST_P(Patch, PressureOnAMatIsUniform)
   const auto mat = make_law(WinklerInterface(1e10), body->contact_surface());
   const ContactSolution solution = solve_contact(*body, *mat, load_at(0), 0.02);
   EXPECT_LT(nonuniformity(solution), 1e-12);
-  // Motion of the table: shortening p h / E of the cylinder plus penetration p / k of the mat.
+  // The motion of the table is the shortening p h / E of the cylinder plus the penetration p / k of the mat.
   const double pressure = weight / body->contact_surface().area();
   EXPECT_NEAR(solution.motion(0) / (-pressure * (0.03 / 70e9 + 1 / 1e10)), 1, 1e-10);
 }
 
-/// The gap is exactly 0, so that contact dofs cannot be identified by a non-zero constraint value.
+/// The gap is exactly 0. Contact dofs can therefore not be identified by a non-zero constraint value.
 TEST_P(Patch, PressureOnAHardTableIsUniform)
 {
   const auto table = HardInterface().make(body->contact_surface(), 70e9 / body->contact_cell_size());

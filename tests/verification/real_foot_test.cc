@@ -1,4 +1,4 @@
-// The foot of a wine glass: convergence on its smooth section, and agreement of the two bodies.
+// Foot of a wine glass: convergence on its smooth section, and agreement of the two bodies.
 #include "tests/fem/foot_case.h"
 #include "tests/fem/geometry/profile_oracle.h"
 #include "tests/fem/revolution/revolution_case.h"
@@ -12,8 +12,8 @@ using namespace stemware::revolution_tests;
 using stemware::fem_tests::foot_profile;
 using stemware::fem_tests::FootCase;
 
-/// Returns the observed order of a_2 ... a_4 of quadratic elements under one halving, against cubic elements
-/// on the halved mesh.
+/// Returns the observed order of a_2 ... a_4 of quadratic elements under one halving. Reference: cubic
+/// elements on the halved mesh.
 double observed_order(const GlassProfile &profile)
 {
   const auto solve = [&](unsigned int refinements, unsigned int degree)
@@ -29,8 +29,8 @@ double observed_order(const GlassProfile &profile)
 
 TEST(RealFoot, HarmonicsConvergeFasterThanOnTheStep)
 {
-  // At the corners of the step (270 degrees of glass), the displacement varies like the power 0.54 of the
-  // distance.
+  // At the corners of the step (270 degrees of glass), the displacement varies like the distance to the power
+  // 0.54.
   EXPECT_GT(observed_order(foot_profile()), 3.4);
   EXPECT_LT(observed_order(GlassProfile()), 2.2);
 }

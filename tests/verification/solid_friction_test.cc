@@ -1,5 +1,5 @@
 // Friction that deforms a solid foot (lagged traction). References: body of revolution (friction in the
-// matrix) and another program.
+// matrix), and another program.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
@@ -53,7 +53,7 @@ MeshedRevolutionFoot revolution_foot(const FrictionCase &given)
 
 TEST(SolidFriction, AgreesWithTheBodyOfRevolution)
 {
-  // The tolerance covers the discretisations; friction changes a_2 / a_0 by 3e-3 to 3e-2.
+  // The tolerance covers the discretisation errors. Friction changes a_2 / a_0 by 3e-3 to 3e-2.
   const auto mat = std::make_shared<WinklerInterface>(1e11);
   const struct
   {
@@ -70,7 +70,7 @@ TEST(SolidFriction, AgreesWithTheBodyOfRevolution)
   {
     ContactDemand demand = load_at(0.8, 0.3);
     demand.n_harmonics = 8;
-    demand.tilt_moment = 0.1 * weight; // the conditions are not prescribed resultants
+    demand.tilt_moment = 0.1 * weight; // then the conditions are not prescribed resultants
     const stemware::ring::Slip slip = { -10, {} };
     const ContactState state = solid_foot(given, { 24, 2, 1, 1 }, solver).solve(demand, slip);
     const ContactState expected = revolution_foot(given).solve(demand, slip);
@@ -85,8 +85,8 @@ TEST(SolidFriction, AgreesWithTheBodyOfRevolution)
   }
 }
 
-// Reference: CalculiX with the friction of its script. On the mat, friction causes all of a_2, b_2, a_3 and
-// b_3; on the hard table, half.
+// Reference: CalculiX with the friction of its script. Friction causes all of a_2, b_2, a_3 and b_3 on the
+// mat, and half of them on the hard table.
 TEST(SolidFriction, AgreesWithCalculiX)
 {
   unsigned int n_compared = 0;

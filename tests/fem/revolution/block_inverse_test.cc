@@ -1,4 +1,5 @@
-// Parts of inverses in several threads at once against Eigen's sparse factorisation; numbers of threads.
+// Parts of inverses, computed in several threads at once and compared with Eigen's sparse factorisation.
+// Limits of threads.
 #include "fem/revolution/block_inverse.h"
 #include "fem/revolution/single_thread.h"
 
@@ -16,8 +17,8 @@ using stemware::fem::SingleThread;
 namespace
 {
 
-/// Returns the five-point Laplacian on n x n points inside a square with @p shift added to the diagonal. Its
-/// factors are dense.
+/// Returns the five-point Laplacian on n x n points inside a square, with @p shift added to the diagonal. The
+/// factors of this matrix are dense.
 LowerTriangle membrane(int n, double shift)
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -39,7 +40,7 @@ Eigen::VectorXd entries_of(const LowerTriangle &lower)
   return Eigen::Map<const Eigen::VectorXd>(lower.valuePtr(), lower.nonZeros());
 }
 
-/// Returns columns of the inverse of the membrane by Eigen.
+/// Returns columns of the inverse of the membrane, computed by Eigen.
 Eigen::MatrixXd columns_of_inverse(const LowerTriangle &lower, const std::vector<unsigned int> &columns)
 {
   Eigen::MatrixXd units = Eigen::MatrixXd::Zero(lower.rows(), static_cast<Eigen::Index>(columns.size()));
@@ -50,8 +51,8 @@ Eigen::MatrixXd columns_of_inverse(const LowerTriangle &lower, const std::vector
 
 } // namespace
 
-// The matrix is large enough for a factorisation by blocks with a BLAS that is not thread-safe. Without the
-// lock, about one run in ten fails.
+// The matrix is so large that it is factorised by blocks with a BLAS that is not thread-safe. Without the
+// lock, about one run in ten would fail.
 TEST(BlockInverse, WorksInSeveralThreadsAtOnce)
 {
   const unsigned int n = 110, n_threads = 8, n_rounds = 4, n_kept = 60;

@@ -14,7 +14,7 @@ using namespace stemware::revolution_tests;
 namespace
 {
 
-/// Returns a small problem: one harmonic beyond the mean.
+/// Returns options of a small problem with one harmonic in addition to the mean.
 MeridianOptions quick_options()
 {
   MeridianOptions options;
@@ -96,7 +96,7 @@ TEST(ComplianceCache, EvictsBeyondItsCapacity)
   const auto first = with_modulus(1e9);
   with_modulus(2e9);
   EXPECT_EQ(with_modulus(1e9), first);
-  const auto third = with_modulus(3e9); // the other two are removed
+  const auto third = with_modulus(3e9); // adding it removes the other two compliances
   EXPECT_EQ(with_modulus(3e9), third);
   EXPECT_EQ(cache.n_computed(), 3u);
   EXPECT_NE(with_modulus(1e9), first);

@@ -1,4 +1,4 @@
-// Elements of degree 1 to 4 against the same references.
+// Elements of degree 1 to 4, compared with the same references.
 #include "fem/contact/rigid_foot.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "ring_model/load/constants.h"
@@ -48,7 +48,7 @@ TEST_P(EveryDegree, LinesCoverTheLandExactlyOnce)
 
 TEST_P(EveryDegree, FlatLandOnAMatHasUniformPressure)
 {
-  // Rigid foot, flat land, no moment: uniform penetration.
+  // Under a rigid foot with a flat land and no moment, the penetration is uniform.
   GlassProfile profile = flat_profile();
   const RevolutionCase foot(profile, compliance(profile, equal_cells()), 64);
   const ContactSurface &surface = foot.body.contact_surface();

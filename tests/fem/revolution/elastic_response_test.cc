@@ -15,8 +15,8 @@ namespace
 constexpr unsigned int few_lines = 20;
 constexpr unsigned int few_harmonics = 6;
 
-/// Returns u_z on the lines under a unit force on circle @p i of line @p j [m/N], summed over the harmonics
-/// of a point force, 1 / (2 pi) + sum cos n(theta - theta_j) / pi up to n_max, with the remainder on the line
+/// Returns u_z on the lines under a unit force on circle @p i of line @p j [m/N]. Sums the harmonics of a
+/// point force, 1 / (2 pi) + sum cos n(theta - theta_j) / pi, up to n_max. The remainder acts on the line
 /// itself. The harmonics of an azimuthal force are -sin n(theta - theta_j) C^ztheta / pi.
 Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::Index i, Eigen::Index j,
                                        const SlidingTraction &traction)
@@ -27,7 +27,7 @@ Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::I
   Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(response.n_radii(), few_lines);
   for (Eigen::Index line = 0; line < few_lines; ++line)
   {
-    double left = line == j ? few_lines / (2 * pi) : 0; // remainder beyond n_max
+    double left = line == j ? few_lines / (2 * pi) : 0; // remainder of the point force beyond n_max
     for (unsigned int n = 0; n <= few_harmonics; ++n)
     {
       const double angle = n * (azimuth(line) - azimuth(j));
@@ -57,7 +57,7 @@ Eigen::MatrixXd dense_compliance(const ElasticResponse &response)
   return compliance;
 }
 
-/// Newton's method on f = law(C f + Q q) and L'f + H q = t with dense matrices.
+/// Newton's method with dense matrices for f = law(C f + Q q) and L'f + H q = t.
 class DenseContact
 {
 public:
@@ -71,7 +71,7 @@ public:
   {
   }
 
-  /// (1 + T C) df + T Q dq = law - f, L' df + H dq = -(L'f + H q - t).
+  /// Solves (1 + T C) df + T Q dq = law - f and L' df + H dq = -(L'f + H q - t).
   void step()
   {
     ContactForces contact;
@@ -115,7 +115,7 @@ public:
   Eigen::Vector3d motion_increment;
 };
 
-/// A foot small enough for dense matrices, with or without friction.
+/// Foot small enough for dense matrices, with or without friction.
 class SmallFoot : public testing::TestWithParam<double>
 {
 protected:

@@ -1,4 +1,4 @@
-// A glass that leans under its own weight.
+// Glass that leans under its own weight.
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "ring_model/load/constants.h"
 #include "tests/fem/revolution/revolution_case.h"
@@ -8,8 +8,8 @@
 using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 
-// Closed form: in full contact, a rigid annulus on a Winkler mat has the tilt stiffness
-// kappa = pi k (r2^4 - r1^4) / 4.
+// Closed form: in full contact on a Winkler mat, a rigid annulus has the tilt stiffness kappa = pi k (r2^4 -
+// r1^4) / 4.
 TEST(Tilt, AmplifiesTheMomentOfARigidAnnulusByTheClosedForm)
 {
   for (const double modulus : { 1e9, 1e10 })
@@ -34,9 +34,9 @@ TEST(Tilt, AmplifiesTheMomentOfARigidAnnulusByTheClosedForm)
     }
 }
 
-// Reference: contacts under prescribed moments without tilt moment. A rim under the moment M leans by
-// theta(M). A leaning glass is in balance if M - N z_CM theta(M) equals the prescribed moment, which holds at
-// two moments up to the maximum.
+// Reference: contact solutions under prescribed moments without tilt moment. A rim under the moment M leans
+// by theta(M). A leaning glass is in balance if M - N z_CM theta(M) equals the prescribed moment. Below the
+// maximum of this function, two moments fulfil the condition.
 TEST(Tilt, ReturnsTheFirstOfTwoBalances)
 {
   struct Case
@@ -66,7 +66,7 @@ TEST(Tilt, ReturnsTheFirstOfTwoBalances)
     ContactDemand demand = under_moment(prescribed);
     demand.tilt_moment = tilt_moment;
     MeshedRevolutionFoot leaning(setup);
-    leaning.solve(under_moment(second)); // Newton's method starts at the second balance
+    leaning.solve(under_moment(second)); // starts Newton's method at the second balance
     EXPECT_NEAR(-leaning.solve(demand).load.moment().y() / scale, below, 1e-7) << height;
   }
 }

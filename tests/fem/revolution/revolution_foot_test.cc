@@ -10,7 +10,8 @@
 using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 
-/// Hertz's ellipse by quadrature: R_y / R_x = (k^2 E - K) / (K - E), b^3 = 3 P E(e) R' / (pi k E*).
+/// Reference: Hertz's ellipse by quadrature, R_y / R_x = (k^2 E - K) / (K - E), b^3 = 3 P E(e) R' / (pi k
+/// E*).
 TEST(HardTable, CrestsAgreeWithTheWidthOfTheHertzEllipse)
 {
   constexpr double slenderness = 300;
@@ -32,7 +33,8 @@ TEST(HardTable, CrestsAgreeWithTheWidthOfTheHertzEllipse)
   setup.imperfection.table = { { 5, 0.8 * 0.03 * 0.03 / along / 25, 0 } };
   const double compliance = (1 - 0.22 * 0.22) / 70e9;
   const double cube =
-    weight * second * compliance / (pi * slenderness * (1 / across + 1 / along)); // of a third of the weight
+    // Half-width under a third of the weight.
+    weight * second * compliance / (pi * slenderness * (1 / across + 1 / along));
   EXPECT_NEAR(crest_half_width(setup, weight) / std::cbrt(cube), 1, 1e-6);
   const double even = hertz_half_width(setup, weight), crest = crest_half_width(setup, weight);
   EXPECT_GT(crest, even);
@@ -58,7 +60,7 @@ TEST(RevolutionFoot, WarmAndColdStartsAgree)
       EXPECT_NEAR(load.b(n), expected.b(n), 1e-9 * expected.a(0));
     }
   }
-  // A start from the solution itself needs one iteration.
+  // If the start is the solution itself, one iteration suffices.
   EXPECT_EQ(warm.solve(load_at(1.6, 3.2), {}, { &*before }).solution.n_iterations, 1u);
   EXPECT_GT(MeshedRevolutionFoot(setup).solve(load_at(1.6, 3.2)).solution.n_iterations, 1u);
 }
@@ -99,7 +101,7 @@ TEST(Imperfection, RotatesWithGlassAndTable)
   const double angle = 2 * pi * 21 / 256;
   const ContactLoad still = glass.solve(load_at(0.4)).load;
   EXPECT_GT(std::abs(still.a(2) / still.a(0)), 1e-3);
-  // Glass and demand rotated together: the load is rotated.
+  // If glass and demand are rotated together, the load rotates with them.
   const ContactLoad turned = glass.solve(load_at(0.4, angle), { 0, { angle, 0 } }).load;
   EXPECT_NEAR(turned.a(2), still.a(2) * std::cos(2 * angle) - still.b(2) * std::sin(2 * angle),
               1e-8 * still.a(0));

@@ -1,4 +1,5 @@
-// Fields of a foot of revolution. References: contact solution, balance of forces, fields of the solid body.
+// Fields of a foot of revolution. References: contact solution, balance of forces, and fields of the solid
+// body.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/foot_case.h"
@@ -26,7 +27,7 @@ VtuFile picture_of(MeshedRevolutionFoot &foot, const ContactState &state)
   const std::vector<FieldFile> files = foot.fields(state);
   EXPECT_EQ(files.size(), 1u);
   EXPECT_EQ(files.front().name, "contact.vtu");
-  // The file is plain XML, because the parser of ParaView fails on raw bytes.
+  // The file must be plain XML, because ParaView's parser fails on raw bytes.
   std::istringstream text(files.front().text);
   boost::property_tree::ptree tree;
   EXPECT_NO_THROW(boost::property_tree::read_xml(text, tree));
@@ -38,7 +39,8 @@ Eigen::Vector3d vector_at(const std::vector<double> &values, std::size_t point)
   return { values[3 * point], values[3 * point + 1], values[3 * point + 2] };
 }
 
-/// Integrals of a scalar times 1, x and y over a horizontal plane of lower faces of quadratic cells.
+/// Returns the integrals of a scalar times 1, x and y over a horizontal plane. The plane consists of lower
+/// faces of quadratic cells.
 Eigen::Vector3d integral_over_plane(const VtuFile &file, double height,
                                     const std::function<double(std::size_t point)> &value)
 {
@@ -53,7 +55,7 @@ Eigen::Vector3d integral_over_plane(const VtuFile &file, double height,
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t cell = 0; cell < file.n_cells(); ++cell)
   {
-    Eigen::Matrix<double, 9, 4> face; // x, y, z, value
+    Eigen::Matrix<double, 9, 4> face; // columns x, y, z, value
     for (unsigned int i = 0; i < 9; ++i)
     {
       const auto point = static_cast<std::size_t>(connectivity[27 * cell + nodes[i]]);
@@ -66,7 +68,8 @@ Eigen::Vector3d integral_over_plane(const VtuFile &file, double height,
       {
         const auto combined = [](const Eigen::Vector3d &one, const Eigen::Vector3d &other)
         {
-          const Eigen::Matrix3d product = one * other.transpose(); // [first, second coordinate], column-major
+          // Indexed by [first, second coordinate], column-major.
+          const Eigen::Matrix3d product = one * other.transpose();
           return Eigen::Map<const Eigen::Matrix<double, 9, 1>>(product.data()).eval();
         };
         const Eigen::Vector4d at = face.transpose() * combined(shape(gauss[a]), shape(gauss[b]));
@@ -81,7 +84,7 @@ Eigen::Vector3d integral_over_plane(const VtuFile &file, double height,
 
 } // namespace
 
-/// Returns the sum of elastic displacement and rigid motion [m].
+/// Returns the sum of elastic displacement and rigid motion at @p point [m].
 Eigen::Vector3d moved(const VtuFile &file, std::size_t point)
 {
   return vector_at(file.array("displacement"), point) + vector_at(file.array("rigid_motion"), point);
@@ -125,7 +128,7 @@ TEST(RevolutionFields, DisplacementsAgreeWithTheContactSolution)
 
 TEST(RevolutionFields, StressesBalanceTheLoadOnACut)
 {
-  // On the cut z = 3 mm, the stresses balance the contact forces: N, and the friction mu N along the motion.
+  // The stresses on the cut z = 3 mm balance the contact forces N and the friction mu N along the motion.
   constexpr double friction = 0.3, height = 0.003;
   RevolutionSetup setup;
   setup.friction_coefficient = friction;
@@ -161,7 +164,7 @@ TEST(RevolutionFields, PressureIntegratesToTheLoad)
       const bool is_hard = setup.table.interface->is_hard();
       if (is_hard && m > 1)
         continue;
-      // On a hard table the pressure peaks at the inner edge of the land.
+      // The tolerance is larger on a hard table, where the pressure peaks at the inner edge of the land.
       const double tolerance = is_hard ? 0.01 : 0.006;
       MeshedRevolutionFoot foot(setup.resolved_for(weight));
       const Resultants load = load_at(m, 0.7);
@@ -193,7 +196,8 @@ TEST(RevolutionFields, AgreeWithTheSolidBody)
   const VtuFile expected(
     solid.body->fields(solid.solution.motion, mat->nodal_pressure(solid.solution)).front().text);
 
-  // Common nodes, by position [um]. Stresses are compared at r = 30 mm, away from the corners of the land.
+  // The files have common nodes, identified by position [um]. Stresses are compared at r = 30 mm, away from
+  // the corners of the land.
   const auto place = [](const VtuFile &picture, std::size_t point)
   {
     const Eigen::Vector3d at = 1e6 * vector_at(picture.array("points"), point);

@@ -10,7 +10,7 @@ using namespace stemware::fem_tests;
 
 namespace
 {
-/// A foot with an elliptic land, 5 % narrower along y, on a mesh without coarser levels.
+/// Foot with an elliptic land (5 % narrower along y) on a mesh without coarser levels.
 struct OvalFoot
 {
   OvalFoot(const FootResolution &resolution, TestSolver solver, unsigned int degree)
@@ -31,7 +31,7 @@ struct OvalFoot
     body = make_body(solver, triangulation, flat_land, options);
   }
 
-  /// Returns the Newton increment under a moment in full contact.
+  /// Returns the Newton increment in full contact under a moment.
   NewtonIncrement press()
   {
     const ContactSurface &surface = body->contact_surface();
@@ -56,8 +56,8 @@ TEST(LinearSolver, SolvesAMeshFromAFileByAggregation)
   expect_equal(multigrid.press(), direct.press());
 }
 
-/// Iterations to a residual of 1e-11. The iterations of the smoother alone double when the cell size is
-/// halved.
+/// Number of iterations to a residual of 1e-11. With the smoother alone, the number would double when the
+/// cell size is halved.
 TEST(LinearSolver, IterationsHardlyGrowWithRefinement)
 {
   OvalFoot coarse({ 48, 4, 4, 0 }, TestSolver::multigrid, 1);

@@ -1,5 +1,5 @@
-// Estimated mesh error of a quantity of interest of a solid foot. Reference: body of revolution, which has
-// other elements and no estimate.
+// Estimated mesh error of a quantity of interest of a solid foot. Reference: body of revolution with other
+// elements and no estimate.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
@@ -73,14 +73,15 @@ Estimated estimated(const SolidMesh &mesh, const GlassProfile &profile, unsigned
   setup.friction_coefficient = friction;
   SolidFoot foot(mesh, setup);
   const ContactState state = foot.solve(demand_of(1.2), { 10, {} });
-  // Another solve in between must not change the estimate of the state.
+  // A solve in between must not change the estimate of an earlier state.
   if (degree == 1)
     foot.solve(demand_of(0.5));
   const ContactGoal goal = second_harmonic();
   return { goal.of_load(state.load), foot.mesh_error(state, goal, true).value() };
 }
 
-/// Returns the quantity of interest of the body of revolution, on halved elements of degree 4; error 1e-8.
+/// Returns the quantity of interest of the body of revolution, on halved elements of degree 4. Its error is
+/// 1e-8.
 double of_body_of_revolution(const GlassProfile &profile, double friction)
 {
   RevolutionSetup setup;
@@ -119,7 +120,7 @@ TEST(MeshEstimate, EqualsTheErrorOnGoalOrientedMeshesLong)
   }
 }
 
-/// Returns the ratio of estimated and true error on one mesh.
+/// Returns the ratio of the estimated to the true error on one mesh.
 double ratio_on(const FootResolution &resolution, unsigned int degree, double friction)
 {
   const GlassProfile profile = profile_of(GlassShape::foot);
@@ -128,7 +129,7 @@ double ratio_on(const FootResolution &resolution, unsigned int degree, double fr
   return found.error.correction / (truth - found.value);
 }
 
-// Short form of the long tests: one mesh, linear elements, friction.
+// Short version of the long tests: one mesh, linear elements, friction.
 TEST(MeshEstimate, EqualsTheErrorOnACoarseMesh)
 {
   EXPECT_NEAR(ratio_on({ 12, 2, 1 }, 1, 0.3), 1, 0.1);
@@ -140,8 +141,9 @@ TEST(MeshEstimate, EqualsTheErrorWithFrictionAndLinearElementsLong)
     EXPECT_NEAR(ratio_on({ 48, 2, 1 }, degree, friction), 1, 0.2) << "degree " << degree;
 }
 
-// With the stiff spring of a hard table, one Newton step underestimates the error. Reference: body of
-// revolution with cubic elements graded to the inner edge of the land and to the corners; error 2e-6.
+// With the stiff spring of a hard table, a single Newton step would underestimate the error. Reference: body
+// of revolution with cubic elements graded towards the inner edge of the land and the corners, with an error
+// of 2e-6.
 TEST(MeshEstimate, EqualsTheErrorUnderAHardFlatLandLong)
 {
   RevolutionSetup setup;
@@ -159,8 +161,8 @@ TEST(MeshEstimate, EqualsTheErrorUnderAHardFlatLandLong)
   EXPECT_NEAR(found.error.correction / (truth - found.value), 1, 0.2);
 }
 
-// Such an estimate would be at most a tenth of the error (docs/method/solid_measurements.md). The same feet
-// on a mat have an estimate.
+// In such a contact, an estimate would be at most a tenth of the error (docs/method/solid_measurements.md).
+// On a mat, the same feet have an estimate.
 TEST(MeshEstimate, IsNotGivenForAHardContactNarrowerThanItsCells)
 {
   GlassProfile flat = flat_profile();
@@ -199,7 +201,7 @@ TEST(MeshEstimate, MarksWholeRings)
   EXPECT_GT(n_whole, 0u);
 }
 
-// With 8 sectors, the sagitta of the chords exceeds the width of the inner cells of the land.
+// With 8 sectors, the sagitta of the chords exceeds the width of the cells at the inner side of the land.
 TEST(MeshEstimate, RefusesInvertedRefinedCells)
 {
   const GlassProfile profile = profile_of(GlassShape::step);
@@ -220,7 +222,7 @@ TEST(MeshEstimate, RefusesInvertedRefinedCells)
   EXPECT_THROW(map_with(8), std::runtime_error);
 }
 
-/// Returns the cells of a mesh file, on the ranks of @p communicator.
+/// Returns the cells of a mesh file, distributed over the ranks of @p communicator.
 SolidMesh mesh_of_file(MPI_Comm communicator, const std::string &file)
 {
   const auto mesh = std::make_shared<dealii::parallel::distributed::Triangulation<3>>(communicator);
@@ -231,7 +233,7 @@ SolidMesh mesh_of_file(MPI_Comm communicator, const std::string &file)
 TEST(Ranks, MeshEstimateIsIndependentOfTheRanks)
 {
   GlassProfile profile = profile_of(GlassShape::step);
-  profile.crown_radius = 0; // the file defines the gap
+  profile.crown_radius = 0; // the mesh file defines the gap
   dealii::Triangulation<3> drawn;
   make_foot_mesh(profile, { 12, 2, 1 }, drawn);
   const TemporaryFile file(gmsh_text(drawn));
@@ -247,7 +249,7 @@ TEST(Ranks, MeshEstimateIsIndependentOfTheRanks)
   const double largest = *std::max_element(alone.error.cells.begin(), alone.error.cells.end());
   for (std::size_t i = 0; i < found.error.cells.size(); ++i)
     EXPECT_NEAR(found.error.cells[i], alone.error.cells[i], 1e-3 * largest) << "cell " << i;
-  // The refined meshes agree.
+  // Both estimates give the same refined mesh.
   const std::vector<unsigned int> marked = found.error.mark(0.8);
   EXPECT_EQ(marked, alone.error.mark(0.8));
   SolidMesh mesh = mesh_of_file(MPI_COMM_WORLD, file.name);

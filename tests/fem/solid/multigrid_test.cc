@@ -1,4 +1,5 @@
-// Matrix-free geometric multigrid against the assembled system, and its iterations on refined meshes.
+// Matrix-free geometric multigrid, compared with the assembled system. Number of iterations on refined
+// meshes.
 #include "fem/solid/mesh_hierarchy.h"
 #include "fem/solid/nested_contact.h"
 #include "fem/solid/stiffness_3d.h"
@@ -27,7 +28,7 @@ SolidOptions options_of(unsigned int degree, double tolerance = 0)
   return options;
 }
 
-/// Returns the contact solved by nested iteration from coarser meshes.
+/// Returns the contact solution of a nested iteration from coarser meshes.
 ContactSolution solve_nested(FootCase &foot, const InterfaceLaw &interface, const Resultants &load)
 {
   const std::optional<ContactStart> start =
@@ -37,7 +38,7 @@ ContactSolution solve_nested(FootCase &foot, const InterfaceLaw &interface, cons
   return solve_contact(*foot.body, *law, load, foot.radius, {}, start ? &*start : nullptr);
 }
 
-/// Returns the increment of one linear solve with the tangent of a solved contact.
+/// Returns the increment of one linear solve with the tangent of a converged contact solution.
 NewtonIncrement solve_linear(FootCase &foot, const InterfaceLaw &interface, const ContactSolution &contact,
                              const Resultants &load)
 {
@@ -117,7 +118,7 @@ void expect_the_increment_of_the_factorisation(const GlassProfile &profile, cons
   expect_equal(found, expected);
 }
 
-/// Expects bounded linear iterations on @p resolution refined up to @p finest times.
+/// Expects that the linear iterations stay bounded on @p resolution, refined up to @p finest times.
 void expect_iterations_that_do_not_grow(const GlassProfile &profile, FootResolution resolution,
                                         unsigned int degree, unsigned int finest)
 {
@@ -141,7 +142,8 @@ void expect_iterations_that_do_not_grow(const GlassProfile &profile, FootResolut
 
 TEST(Multigrid, AgreesWithTheFactorisation)
 {
-  // Crowned foot with hanging nodes in the contact; flat foot with quadratic elements above linear ones.
+  // Cases: a crowned foot with hanging nodes in the contact, and a flat foot with quadratic elements above
+  // linear elements.
   expect_the_increment_of_the_factorisation(GlassProfile(), { 12, 2, 1, 1, 1 }, 1);
   expect_the_increment_of_the_factorisation(flat_profile(), { 12, 2, 1 }, 2);
 }
@@ -153,7 +155,7 @@ TEST(Multigrid, IterationsDoNotGrow)
 
 TEST(Multigrid, IterationsDoNotGrowLong)
 {
-  // More levels: multigrid_benchmark (docs/method/solid_measurements.md).
+  // multigrid_benchmark measures more levels (docs/method/solid_measurements.md).
   for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
   {
     expect_iterations_that_do_not_grow(profile, { 48, 2, 2 }, 1, 2);
@@ -178,7 +180,7 @@ TEST(Multigrid, NestedIterationGivesTheSameContact)
 
 TEST(Multigrid, MomentBalanceAgreesWithTheFactorisation)
 {
-  // Friction arm of half the radius and tilt moment: the system is not symmetric.
+  // With a friction arm of half the radius and a tilt moment, the system is not symmetric.
   FootCase direct(GlassProfile(), { 12, 2, 1, 1 }, options_of(2), TestSolver::factors);
   FootCase multigrid(GlassProfile(), { 12, 2, 1, 1 }, options_of(2));
   const auto conditions_on = [](const ContactSurface &surface)

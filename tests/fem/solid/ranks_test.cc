@@ -1,4 +1,4 @@
-// A contact on several ranks against the same contact on one rank.
+// Contact solved on several ranks, compared with the same contact solved on one rank.
 #include "fem/contact/foot.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/boundary_ids.h"
@@ -23,7 +23,7 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// A foot on a mat under a moment with friction, on the ranks of a communicator.
+/// Foot on a mat under a moment with friction, distributed over the ranks of a communicator.
 struct PressedFoot
 {
   PressedFoot(MPI_Comm communicator, const FootResolution &resolution, unsigned int degree)
@@ -59,7 +59,7 @@ ContactLoad load_on(MPI_Comm communicator, const FootResolution &resolution, uns
   return extract_load(*foot.law, foot.solution, 12);
 }
 
-/// Returns the files of all ranks of @p communicator by name, on each of them; none has a name twice.
+/// Returns the files of all ranks of @p communicator by name, on every rank. Expects that all names differ.
 std::map<std::string, std::string> files_of(const std::vector<FieldFile> &own, MPI_Comm communicator)
 {
   std::map<std::string, std::string> files;
@@ -95,10 +95,10 @@ constexpr std::pair<const char *, std::size_t> shown_fields[] = { { "displacemen
                                                                   { "stress", 9 },
                                                                   { "contact_pressure", 1 } };
 
-/// Fields at the nodes of each cell; key: mean position of the nodes [10 nm].
+/// Fields at the nodes of each cell. The key is the mean position of the nodes [10 nm].
 using ShownCells = std::map<std::array<long, 3>, std::map<std::string, std::vector<double>>>;
 
-/// Adds the cells of a VTU file and expects that none is present already.
+/// Adds the cells of a VTU file. Expects that no cell is present already.
 void add_cells(const std::string &text, ShownCells &cells)
 {
   const stemware::fem_tests::VtuFile file(text);
@@ -152,14 +152,14 @@ TEST(Ranks, ContactWithoutCoarserMeshesIsIndependentOfTheRanks)
   expect_the_same_on_all_ranks({ 24, 4, 2 }, 1);
 }
 
-// Oracle: the whole surface, on one rank.
+// Reference: the whole surface on one rank.
 TEST(Ranks, EachRankOwnsTheContactSurfaceOfItsCells)
 {
   const auto surface_on = [](MPI_Comm communicator)
   {
     const GlassProfile profile = flat_profile();
     dealii::parallel::distributed::Triangulation<3> mesh(communicator);
-    make_foot_mesh(profile, { 24, 2, 1, 1, 1 }, mesh); // with nodes that hang on others
+    make_foot_mesh(profile, { 24, 2, 1, 1, 1 }, mesh); // some nodes hang on others
     SolidOptions options;
     options.degree = 1;
     const SolidBody body(
@@ -185,12 +185,12 @@ TEST(Ranks, EachRankOwnsTheContactSurfaceOfItsCells)
   EXPECT_EQ(most < static_cast<double>(whole.lines.size()), is_shared);
 }
 
-// Reference: the file of one rank, read without deal.II.
+// Reference: the file written by one rank, read without deal.II.
 TEST(Ranks, FieldFilesContainEveryCellOnce)
 {
   const auto picture_on = [](MPI_Comm communicator)
   {
-    const PressedFoot foot(communicator, { 24, 2, 1, 0, 0, 1 }, 2); // with nodes that hang on others
+    const PressedFoot foot(communicator, { 24, 2, 1, 0, 0, 1 }, 2); // some nodes hang on others
     return files_of(foot.body->fields(foot.solution.motion, foot.law->nodal_pressure(foot.solution)),
                     communicator);
   };

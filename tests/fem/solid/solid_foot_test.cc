@@ -56,7 +56,7 @@ TEST(SolidFoot, StatesStayValidAfterTheNextSolve)
     EXPECT_EQ(foot.fields(first).front().text, fields);
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
     {
-      EXPECT_TRUE(points.empty() && pressure_map.cuts.empty()); // gathered on the first rank
+      EXPECT_TRUE(points.empty() && pressure_map.cuts.empty()); // the map is gathered on the first rank
       continue;
     }
     EXPECT_NEAR(harmonics_of(later, 1).moment().x() / first.load.moment().x(), 1, 1e-12);
@@ -64,7 +64,8 @@ TEST(SolidFoot, StatesStayValidAfterTheNextSolve)
   }
 }
 
-/// Compliance between the contact nodes against multigrid on the whole body, with friction and tilt moment.
+/// The condensed compliance of the contact nodes is compared with multigrid on the whole body, with friction
+/// and tilt moment.
 TEST(SolidFoot, CondensedSolverAgreesWithMultigrid)
 {
   const std::shared_ptr<const InterfaceLaw> interfaces[] = { std::make_shared<WinklerInterface>(1e11),
@@ -116,7 +117,7 @@ TEST(SolidFoot, AWrittenMeshGivesTheLoadOfTheGeneratedMesh)
     const auto expected_forces = generated.point_forces(generated.solve(load_at(1.3)));
     const auto forces = read.point_forces(read.solve(load_at(1.3)));
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
-      continue; // forces are gathered on the first rank
+      continue; // the forces are gathered on the first rank
     const ContactLoad expected = harmonics_of(expected_forces, 6);
     const ContactLoad load = harmonics_of(forces, 6);
     second_harmonics.push_back(load.a(2) / load.a(0));
@@ -137,7 +138,7 @@ TEST(SolidFoot, DescribesItsBodyAndCapabilities)
   const SolidMesh mesh = coarse_mesh();
   SolidFoot foot(mesh, coarse_setup(std::make_shared<WinklerInterface>()));
   EXPECT_EQ(foot.description().body, "solid");
-  EXPECT_EQ(foot.description().n_contact_nodes, 60u); // 12 round, 4 cells across
+  EXPECT_EQ(foot.description().n_contact_nodes, 60u); // 12 around the rim, 4 cells across the land
   EXPECT_GT(foot.description().n_cells.value(), 12u * 4u);
   EXPECT_FALSE(foot.description().mesh_report);
   EXPECT_TRUE(foot.capabilities().is_collective);
@@ -163,7 +164,7 @@ TEST(SolidFoot, ReturnsTheFirstOfTwoBalances)
   demand.tilt_moment = weight * height;
   const double expected = -oracle.solve(demand).load.moment().y() / scale;
   ASSERT_LT(expected, 1.2);
-  // On one rank, the automatic choice for a small foot is the condensed solver.
+  // For a small foot on one rank, the automatic choice is the condensed solver.
   for (const LinearSolver solver : { LinearSolver::automatic, LinearSolver::multigrid })
   {
     SolidSetup setup;
@@ -171,7 +172,7 @@ TEST(SolidFoot, ReturnsTheFirstOfTwoBalances)
     setup.options.linear_solver = solver;
     SolidFoot foot(generate_solid_mesh(setup.profile, { 24, 2, 1 }), setup);
     EXPECT_NEAR(-foot.solve(demand).load.moment().y() / scale, expected, 1e-4);
-    const ContactState start = foot.solve(under_moment(second)); // at the second balance
+    const ContactState start = foot.solve(under_moment(second)); // solution at the second balance
     EXPECT_NEAR(-foot.solve(demand, {}, { &start }).load.moment().y() / scale, expected, 1e-4);
   }
 }

@@ -1,5 +1,5 @@
-// A wavy foot from a mesh file, whose load depends on the direction of the moment. Reference: body of
-// revolution with the same gap.
+// Wavy foot from a mesh file. Its load depends on the direction of the moment. Reference: body of revolution
+// with the same gap.
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "ring_model/load/constants.h"
@@ -18,7 +18,8 @@ TEST(SolidFoot, AgreesWithAWavyBodyOfRevolutionInEveryDirection)
 {
   const WavinessHarmonic lobes = { 3, 1e-6, 0.4 };
   const GlassProfile profile = flat_profile();
-  const auto mat = std::make_shared<WinklerInterface>(1e10); // the penetration is less than the amplitude
+  // So stiff that the penetration is less than the amplitude.
+  const auto mat = std::make_shared<WinklerInterface>(1e10);
 
   dealii::Triangulation<3> drawn;
   make_foot_mesh(profile, { 72, 2, 1 }, drawn);
@@ -67,5 +68,5 @@ TEST(SolidFoot, AgreesWithAWavyBodyOfRevolutionInEveryDirection)
     least = std::min(least, expected.a(2) / a_0);
     largest = std::max(largest, expected.a(2) / a_0);
   }
-  EXPECT_GT(largest - least, 0.05); // the direction matters
+  EXPECT_GT(largest - least, 0.05); // the direction of the moment matters
 }

@@ -1,4 +1,4 @@
-// The terminal spin of a glass with a user-defined load, under the paper's moment balance.
+// Computes the terminal spin of a glass with a user-defined load, under the paper's moment balance.
 #include <ring_model/self_consistent_ring.h>
 #include <ring_model/spin/answer.h>
 
