@@ -28,7 +28,7 @@ inline bool has_smaller_torque(const DrivingTorque &one, const DrivingTorque &ot
 /// Estimate of the spin at which the torque vanishes.
 struct Estimate
 {
-  double spin;  ///< by the polynomial spin(torque) through at most four samples
+  double spin;  ///< estimate by the polynomial spin(torque) through at most four samples
   double error; ///< difference to the estimate without the farthest sample
 };
 

@@ -11,7 +11,7 @@ struct Liquid
   double density = 990.;      ///< [kg/m^3]
   double bowl_radius = 0.035; ///< R_b, inner radius at the surface [m]
   double bowl_height = 0.09;  ///< height of the bowl's bottom above the table [m]
-  double bowl_depth = 0.09;   ///< from that bottom to the brim [m]
+  double bowl_depth = 0.09;   ///< depth from the bottom to the brim [m]
   bool surface_leans = true;  ///< false: the liquid is a solid with a level surface
 
   /// Returns the depth h of the liquid under a level surface [m].

@@ -38,7 +38,7 @@ struct Motion
   double friction_decay_speed = 0.10; ///< v_s of Stribeck's law [m/s]
   double viscous_friction = 0.;       ///< c of Stribeck's law [s/m]
   double gravity = 9.81;              ///< g [m/s^2]
-  Liquid liquid;                      ///< in the glass; none by default
+  Liquid liquid;                      ///< liquid in the glass; no liquid by default
 
   /// Throws std::invalid_argument with one sentence about the first inadmissible value.
   void validate() const;

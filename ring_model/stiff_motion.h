@@ -32,8 +32,8 @@ private:
   /// Derivatives of the torque.
   struct Slopes
   {
-    double angle; ///< by the yaw angle [N m]
-    double spin;  ///< by the spin [N m s]
+    double angle; ///< derivative with respect to the yaw angle [N m]
+    double spin;  ///< derivative with respect to the spin [N m s]
   };
 
   Slopes slopes(const YawSample &at) const;

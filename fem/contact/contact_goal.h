@@ -16,7 +16,8 @@ struct ContactGoal
   std::vector<double> ring_radii;                      ///< radii of the projected load, ascending [m]
   ring::LoadFunctional of_load;                        ///< [J rad/N]
   Eigen::Vector2d of_moment = Eigen::Vector2d::Zero(); ///< [J/(N m)]
-  Eigen::Vector3d of_motion = Eigen::Vector3d::Zero(); ///< by the table motions [J/m, J/rad, J/rad]
+  /// Derivative with respect to the table motions [J/m, J/rad, J/rad].
+  Eigen::Vector3d of_motion = Eigen::Vector3d::Zero();
 };
 
 /// Discretisation error of a quantity of interest of a solved contact, to first order.

@@ -22,7 +22,7 @@ namespace stemware::fem
 /// Solved contact with all data of its load, fields and estimates; initial guess of the next contact.
 struct ContactState
 {
-  ContactLoad load;                      ///< in the slip frame
+  ContactLoad load;                      ///< load in the slip frame
   ContactSolution solution;              ///< slip frame
   std::vector<ContactIteration> history; ///< Newton steps
   ContactDemand demand;                  ///< required resultants that the contact has
@@ -52,7 +52,7 @@ struct FootDescription
   std::optional<unsigned int> n_cells; ///< number of cells of a three-dimensional mesh
   unsigned int n_unknowns = 0;         ///< unknowns; body of revolution: nodal forces and three motions
   unsigned int n_contact_nodes = 0;
-  std::optional<MeshReport> mesh_report; ///< of a mesh file
+  std::optional<MeshReport> mesh_report; ///< report on a mesh file
   double contact_cell_size = 0; ///< smallest extent of a contact cell of a three-dimensional mesh [m]
 };
 

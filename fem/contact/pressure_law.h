@@ -196,7 +196,7 @@ private:
 
   const ContactSurface &surface;
   const LinePattern pattern;
-  const std::vector<AreaElement> areas; ///< of the lines
+  const std::vector<AreaElement> areas; ///< area elements of the lines
   const Pressure law;
 };
 

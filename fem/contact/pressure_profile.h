@@ -14,10 +14,10 @@ namespace stemware::fem
 /// Force, centre and shape of a pressure across the contact.
 struct PressureMoments
 {
-  double azimuth = 0;  ///< of the cut [rad]
+  double azimuth = 0;  ///< azimuth of the cut [rad]
   double force = 0;    ///< int p dr [N/m]
-  double middle = 0;   ///< of the force [m]
-  double variance = 0; ///< of the radius, weighted by the pressure [m^2]
+  double middle = 0;   ///< mean radius of the force [m]
+  double variance = 0; ///< variance of the radius, weighted by the pressure [m^2]
   double kurtosis = 0; ///< fourth central moment over the square of the variance
 };
 
@@ -34,7 +34,7 @@ struct PressureProfile
   /// Returns the pressure at @p radius [Pa].
   double at(double radius) const;
 
-  double azimuth = 0;    ///< of the cut [rad]
+  double azimuth = 0;    ///< azimuth of the cut [rad]
   double middle = 0;     ///< [m]
   double half_width = 0; ///< [m]
   double exponent = 0.5;

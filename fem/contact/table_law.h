@@ -38,7 +38,7 @@ struct ContactForces
 /// whole surface.
 struct TableLoad
 {
-  SurfaceParts parts; ///< of the surface
+  SurfaceParts parts; ///< parts of the surface
   /// Point forces that resolve the harmonics: at quadrature points of the pressure, or at the nodes if the
   /// law has only nodal forces.
   std::vector<PointForce> points;

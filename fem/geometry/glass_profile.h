@@ -50,18 +50,18 @@ struct GlassProfile
   GlassShape shape = GlassShape::step;
   double contact_radius = 0.030;
   double foot_radius = 0.034;
-  double foot_thickness = 0.004; ///< of a foot: at the stem's surface, before rounding
+  double foot_thickness = 0.004; ///< thickness of a foot at the stem's surface, before rounding
   double land_width = 0.004;
-  double land_height = 0.001;  ///< of a foot: height of the underside at the outer edge
+  double land_height = 0.001;  ///< height of a foot's underside at the outer edge
   double crown_radius = 0.003; ///< radius of the rim's rounding; 0 means a flat land
   double stem_radius = 0.005;
-  double stem_height = 0.010; ///< from the top of the foot to the cut
+  double stem_height = 0.010; ///< height of the stem from the top of the foot to the cut
 
-  double underside_rise = 0.003;  ///< of a foot: height of the underside on the axis
-  double edge_thickness = 0.0015; ///< of a foot: thickness at the outer edge
-  double fillet_radius = 0.005;   ///< of a foot: rounding between its top and the stem; 0: a sharp corner
+  double underside_rise = 0.003;  ///< height of a foot's underside on the axis
+  double edge_thickness = 0.0015; ///< thickness of a foot at the outer edge
+  double fillet_radius = 0.005;   ///< rounding between the top of a foot and the stem; 0: a sharp corner
 
-  std::shared_ptr<const MeridianSection> section = {}; ///< of a profile
+  std::shared_ptr<const MeridianSection> section = {}; ///< section of a user-defined profile
 
   /// Returns the inner border of the land [m].
   double land_inner_radius() const { return contact_radius - land_width / 2; }

@@ -30,10 +30,11 @@ struct MeshCheck
   std::array<double, 2> centre = {};         ///< centroid of the contact zone (x, y)
   std::array<double, 2> rim_centre = {};     ///< centre of the circle fitted to the outer border
   double rim_deviation = 0; ///< largest distance of the outer border from this circle, over its radius
-  double mean_height = 0;   ///< of the contact faces
+  double mean_height = 0;   ///< mean height of the contact faces
 
-  double stem_height = 0;                        ///< mean z of the faces of the stem cut
-  double stem_radius = 0;                        ///< of the vertices of the stem cut, from the axis
+  double stem_height = 0; ///< mean z of the faces of the stem cut
+  /// Largest distance of the stem cut's vertices from the axis.
+  double stem_radius = 0;
   unsigned int n_disconnected = 0;               ///< cells that are not joined to the stem cut by faces
   std::array<double, 3> disconnected_place = {}; ///< centre of one disconnected cell
 

@@ -13,7 +13,7 @@ struct WavinessHarmonic
 {
   unsigned int n = 2;
   double amplitude = 0; ///< [m]
-  double azimuth = 0;   ///< of a crest, the point of largest gap [rad]
+  double azimuth = 0;   ///< azimuth of a crest, the point of largest gap [rad]
 };
 
 /// Out-of-flat rim and table: gap in addition to the crown's gap. Harmonics 0 and 1 are an offset and a tilt,

@@ -39,8 +39,8 @@ struct HarmonicCompliance
 /// Response of the contact circles of a body of revolution to forces on them, harmonic by harmonic.
 struct ContactCompliance
 {
-  Eigen::VectorXd radii;                     ///< of the contact nodes, ascending [m]
-  unsigned int degree = 0;                   ///< of the displacement along r within an element
+  Eigen::VectorXd radii;                     ///< radii of the contact nodes, ascending [m]
+  unsigned int degree = 0;                   ///< degree of the displacement along r within an element
   std::vector<HarmonicCompliance> harmonics; ///< n = 0 ... n_harmonics()
   HarmonicCompliance tail;                   ///< compliance of all harmonics above n_harmonics(), see
                                              ///< MeridianOptions::tail_harmonic()
@@ -89,7 +89,7 @@ private:
 /// Numerical parameters of the meridional problems.
 struct MeridianOptions
 {
-  unsigned int degree = 2;       ///< of the elements, 1 to 4
+  unsigned int degree = 2;       ///< degree of the elements, 1 to 4
   unsigned int n_harmonics = 16; ///< highest harmonic of the elastic response
   /// Radii between which whole elements of the land are kept [m]; no forces outside.
   double inner_radius = 0;

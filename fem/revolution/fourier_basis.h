@@ -84,8 +84,8 @@ public:
 
   private:
     friend class FourierProducts;
-    const double *differences; ///< by function, with the difference of the harmonics
-    const double *sums;        ///< by function, with the sum of the harmonics
+    const double *differences; ///< values by function, at the difference of the harmonics
+    const double *sums;        ///< values by function, at the sum of the harmonics
     double difference_factor;
     double sum_factor;
   };

@@ -25,7 +25,7 @@ public:
   /// Smooth functions of r on neighbouring circles, and the response of their amplitudes.
   struct Functions
   {
-    Eigen::Index first = 0, size = 0; ///< of the circles
+    Eigen::Index first = 0, size = 0; ///< index of the first circle, number of circles
     bool has_sliding = false;
     Eigen::MatrixXd values; ///< orthonormal polynomials in r, shape [size, n_functions]
     /// Responses by harmonic, shapes [n_functions, n_functions].
@@ -90,7 +90,7 @@ private:
   const ElasticResponse &response;
   std::vector<Range> lines;
   std::vector<Bundle> bundles;
-  Range circles; ///< of all lines together
+  Range circles; ///< circles of all lines together
   const Functions &smooth;
 };
 

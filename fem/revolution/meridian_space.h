@@ -29,7 +29,7 @@ class MeridianSpace
 {
 public:
   using Dof = dealii::types::global_dof_index;
-  using NodeDofs = std::array<Dof, 3>; ///< of one node, in the order r, theta, z
+  using NodeDofs = std::array<Dof, 3>; ///< dofs of one node, in the order r, theta, z
 
   /// Keeps a reference to @p triangulation, whose contact zone has boundary id 2 and whose clamp has 1.
   /// Throws std::invalid_argument when it has no contact zone.
@@ -98,11 +98,11 @@ private:
   const dealii::FESystem<2> element;
   dealii::DoFHandler<2> dofs;
   std::unique_ptr<MeridianStiffness> stiffness;
-  std::vector<dealii::Point<2>> points; ///< of all dofs
+  std::vector<dealii::Point<2>> points; ///< support points of all dofs
   std::vector<NodeDofs> contact_nodes;  ///< ascending radius
   std::vector<NodeDofs> axis_nodes;
   mutable std::mutex mutex;
-  mutable std::map<unsigned int, std::unique_ptr<const Factors>> by_harmonic; ///< of factors()
+  mutable std::map<unsigned int, std::unique_ptr<const Factors>> by_harmonic; ///< cache of factors()
 };
 
 } // namespace stemware::fem

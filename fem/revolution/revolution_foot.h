@@ -69,7 +69,7 @@ protected:
   double axis(const ring::Orientation &marks) const;
 
   const RevolutionSetup setup;
-  const std::shared_ptr<const ContactCompliance> compliance; ///< of the land, or of a part of it
+  const std::shared_ptr<const ContactCompliance> compliance; ///< compliance of the land, or of a part of it
   const std::shared_ptr<const InterfaceLaw> interface;       ///< penalty law if the table is hard
 
 private:

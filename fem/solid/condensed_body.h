@@ -14,8 +14,8 @@ namespace stemware::fem
 /// per unit force at the column's node [m/N], shape [n_nodes, n_nodes].
 struct NodalCompliance
 {
-  Eigen::MatrixXd normal;           ///< of vertical forces; symmetric
-  Eigen::MatrixXd along_x, along_y; ///< of horizontal forces; empty unless requested
+  Eigen::MatrixXd normal;           ///< compliance for vertical forces; symmetric
+  Eigen::MatrixXd along_x, along_y; ///< compliances for horizontal forces; empty unless requested
 };
 
 /// Returns the compliance of @p level between its contact @p nodes, by a static condensation of its
@@ -53,7 +53,7 @@ private:
   const std::shared_ptr<const NodalCompliance> compliance;
   Eigen::MatrixXd with_friction; ///< compliance of normal forces with their friction; empty without friction
   Eigen::VectorXd state, displacement;
-  Eigen::VectorXd increment, moved; ///< of the last solve()
+  Eigen::VectorXd increment, moved; ///< force and displacement increments of the last solve()
 
   const Eigen::MatrixXd &matrix() const
   {

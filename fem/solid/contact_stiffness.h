@@ -38,7 +38,7 @@ public:
 
 private:
   std::shared_ptr<const ContactNodes> contact_nodes;
-  bool is_zero = true; ///< on all ranks
+  bool is_zero = true; ///< same value on all ranks
   RowMatrix stiffness;
 };
 

@@ -11,13 +11,13 @@ namespace stemware::fem
 /// Solved contact of a solid foot, in the axes of its mesh.
 struct SolvedSolidContact
 {
-  const SolidBody &body; ///< in the state of the contact
+  const SolidBody &body; ///< body in the state of the contact
   const InterfaceLaw &interface;
   SolidGap gap;
   SlidingTraction sliding;
   ContactDemand demand = {};
   ContactSolution solution = {};
-  ContactLoad load = {}; ///< on the rings of the goal
+  ContactLoad load = {}; ///< load on the rings of the goal
   double inner_radius = 0;
   double outer_radius = 0;
   bool straight_edges = false; ///< SolidOptions::straight_edges

@@ -31,7 +31,7 @@ struct NodalCompliance;
 struct SolidMesh
 {
   std::shared_ptr<dealii::Triangulation<3, 3>> triangulation;
-  std::optional<MeshReport> report; ///< of a mesh file; std::nullopt for a generated mesh
+  std::optional<MeshReport> report; ///< report on a mesh file; std::nullopt for a generated mesh
 };
 
 /// Halves the cells @p marked of @p mesh, numbered as in MeshError::mark() of a foot on this mesh.
@@ -126,7 +126,7 @@ private:
                                                        ///< hierarchy
   const double softening_of_coarser;                   ///< see start_from_coarser_mesh()
   const std::unique_ptr<TableLaw> law;
-  const unsigned int n_contact_nodes; ///< of all ranks
+  const unsigned int n_contact_nodes; ///< number of contact nodes of all ranks
 };
 
 } // namespace stemware::fem

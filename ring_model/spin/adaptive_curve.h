@@ -85,7 +85,7 @@ private:
   /// product is not much smaller.
   double next_place(const Piece &piece) const;
 
-  std::map<double, Eigen::VectorXd> samples; ///< by x
+  std::map<double, Eigen::VectorXd> samples; ///< samples by x
   std::vector<Piece> pieces;                 ///< ascending
   std::size_t n_new = 0;                     ///< number of new samples
 };

@@ -96,7 +96,7 @@ private:
   const PhaseSamples at_rest;
   const SpinSampling sampling;
   mutable std::map<long, Interval> intervals;
-  mutable std::map<long, std::exception_ptr> failures; ///< of other intervals
+  mutable std::map<long, std::exception_ptr> failures; ///< failures of other intervals
   mutable SampleError largest_error;
 };
 

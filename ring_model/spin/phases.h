@@ -45,7 +45,8 @@ public:
 private:
   double period;
   unsigned int n_nodes;
-  Eigen::ArrayXd cosine, sine; ///< of half the nodes' angles, scaled to a full circle; shape [size()]
+  /// Cosine and sine of half the nodes' angles, scaled to a full circle; shape [size()].
+  Eigen::ArrayXd cosine, sine;
 };
 
 /// Phases of glass and table at which a load is sampled: every node of one angle with every node of the

@@ -21,8 +21,8 @@ struct TorqueEffect
   };
 
   unsigned int harmonics = 0;     ///< n
-  std::optional<AtSpin> half;     ///< at half the terminal spin; std::nullopt without a terminal spin
-  std::optional<AtSpin> terminal; ///< at the terminal spin; std::nullopt without one
+  std::optional<AtSpin> half;     ///< effect at half the terminal spin; std::nullopt without a terminal spin
+  std::optional<AtSpin> terminal; ///< effect at the terminal spin; std::nullopt without a terminal spin
   /// Delta tau_z(n) of largest absolute value between rest and the terminal spin, or tipping [N m], and its
   /// spin [rad/s]; std::nullopt if no curve was requested.
   std::optional<double> largest, largest_at;
@@ -33,7 +33,7 @@ struct TorqueEffect
 struct TorqueEffects
 {
   double torque_at_rest = 0.;     ///< |tau_z(0)|, the denominator of relative effects [N m]
-  std::vector<double> spins = {}; ///< from rest to the terminal spin, or to tipping [rad/s]
+  std::vector<double> spins = {}; ///< spins from rest to the terminal spin, or to tipping [rad/s]
   std::vector<TorqueEffect> rows = {};
 };
 

@@ -15,7 +15,7 @@ namespace stemware::verification
 /// Harmonics a_n / a_0 and b_n / a_0 of a foot under the weight of the reference cases.
 struct CalculixLoad
 {
-  std::optional<double> modulus; ///< of the mat [Pa/m]; std::nullopt: hard
+  std::optional<double> modulus; ///< modulus of the mat [Pa/m]; std::nullopt: hard
   double moment_ratio, direction, friction, spin_per_speed;
   std::vector<double> a, b; ///< n = 0 ... 6
 

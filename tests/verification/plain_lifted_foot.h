@@ -193,7 +193,7 @@ struct LiftedFoot
     double force = 0;                                   ///< [N]
     Eigen::Vector2d moment = Eigen::Vector2d::Zero();   ///< (sum y f, -sum x f) [N m]
     Eigen::Vector2d friction = Eigen::Vector2d::Zero(); ///< [N]
-    double torque = 0;                                  ///< of the friction [N m]
+    double torque = 0;                                  ///< torque of the friction [N m]
   };
 
   Resultants resultants(const Eigen::Vector3d &position, double omega, Friction part) const

@@ -56,10 +56,10 @@ struct PlainRigidFoot
   double contact_radius = 0.030, inner_radius = 0.028, outer_radius = 0.032;
   double crown_radius = 0.003; ///< 0: flat
   std::function<double(double)> wave = [](double) { return 0.; };
-  std::function<double(double)> pressure; ///< of the penetration [Pa]
+  std::function<double(double)> pressure; ///< pressure as a function of the penetration [Pa]
   bool pulls_apart = true;                ///< true: no pressure at negative penetration
   unsigned int n_azimuths = 720;
-  unsigned int n_pieces = 1; ///< of each ray, for a pressure that is not a polynomial
+  unsigned int n_pieces = 1; ///< number of pieces of each ray, for a pressure that is not a polynomial
 
   static PlainRigidFoot on_mat(double modulus)
   {
@@ -176,10 +176,11 @@ struct PlainGlass
   }
 
   Eigen::Vector3d friction = Eigen::Vector3d::Zero();
-  Eigen::Vector3d contact_moment = Eigen::Vector3d::Zero(); ///< of the normal forces about the ring's centre
-  double friction_torque = 0;                               ///< about the vertical through it
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< of all, about the centre of mass
-  double axial_torque = 0;                                  ///< moment about the leaning axis
+  /// Moment of the normal forces about the ring's centre.
+  Eigen::Vector3d contact_moment = Eigen::Vector3d::Zero();
+  double friction_torque = 0;                       ///< about the vertical through it
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero(); ///< moment of all forces about the centre of mass
+  double axial_torque = 0;                          ///< moment about the leaning axis
 };
 
 /// Returns the position of a glass on @p foot in balance at the spin @p omega: vertical force and horizontal

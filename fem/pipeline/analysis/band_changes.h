@@ -14,7 +14,7 @@ namespace stemware::pipeline
 /// Rings onto which contact pressures are projected.
 struct RingProjection
 {
-  std::vector<double> radii = {}; ///< of the rings [m]; empty: one ring
+  std::vector<double> radii = {}; ///< radii of the rings [m]; empty: one ring
   unsigned int n_harmonics = 0;
 };
 

@@ -19,7 +19,7 @@ namespace stemware::pipeline
 /// Quantity whose discretisation error is estimated.
 struct QuantityOfInterest
 {
-  std::string key;  ///< in summary.json: "omega_terminal"
+  std::string key;  ///< key in summary.json: "omega_terminal"
   std::string name; ///< displayed name: "terminal spin"; a * stands for `omega`
   std::string unit; ///< "1" for pure numbers
   double value = 0;

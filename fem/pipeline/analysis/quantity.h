@@ -29,13 +29,14 @@ enum class Face
 /// Key, unit and words of a quantity. A face for which the quantity has no word does not show it.
 struct Quantity
 {
-  std::string key = "";              ///< in summary.json, tables and the list of columns
-  std::string unit = "1";            ///< SI; "1" for pure numbers, empty for words
-  std::string description = "";      ///< one sentence; empty: not in summary.json
-  std::string name = "";             ///< heading in data files, without its unit
-  std::string column = "";           ///< description of that column
-  std::string heading = "";          ///< on the page, without its unit
-  std::string label = "";            ///< on the console, without its unit; maybe in lines: "change\nof spin"
+  std::string key = "";         ///< key in summary.json, tables and the list of columns
+  std::string unit = "1";       ///< SI; "1" for pure numbers, empty for words
+  std::string description = ""; ///< one sentence; empty: not in summary.json
+  std::string name = "";        ///< heading in data files, without its unit
+  std::string column = "";      ///< description of that column
+  std::string heading = "";     ///< heading on the page, without its unit
+  /// Label on the console, without its unit; maybe in lines: "change\nof spin".
+  std::string label = "";
   std::string digits = ".6g";        ///< displayed digits, argument of format::number()
   Json type = {};                    ///< JSON Schema of the values
   bool may_be_absent = false;        ///< no key in summary.json instead of null

@@ -25,13 +25,13 @@ struct RefinementSequence
   std::optional<double> order; ///< observed order p of the last three values; std::nullopt if there is none
   double limit = 0;            ///< Richardson value if an order was observed, else the finest value
   std::vector<double> bands;   ///< half-widths: band of the finest value plus the distance from that value
-  std::string key = {};        ///< of the quantity
+  std::string key = {};        ///< key of the quantity
 };
 
 /// One numerical parameter of a study on successively finer levels, all others unchanged.
 struct RefinementAxis
 {
-  std::string key;  ///< in summary.json and converge.csv: "meridional_mesh"
+  std::string key;  ///< key in summary.json and converge.csv: "meridional_mesh"
   std::string name; ///< displayed name: "meridional mesh"
   std::string size; ///< unit of the sizes: "halvings of every cell"
   AxisKind kind = AxisKind::cells;

@@ -24,7 +24,7 @@ struct TorqueCurve
   std::vector<double> lean_torque;     ///< Torques::lean_torque of all harmonics [N m]
   std::vector<double> grip_torque;     ///< Torques::grip_torque of all harmonics [N m]
   std::vector<double> sum;             ///< tau_z, lean and grip torque: I d omega / dt of all harmonics [N m]
-  std::vector<unsigned int> harmonics; ///< of the truncations
+  std::vector<unsigned int> harmonics; ///< number of harmonics of each truncation
   std::vector<std::vector<double>> truncations; ///< tau_z [N m], [truncation][spin]
 };
 
@@ -65,7 +65,7 @@ struct PhaseStudy
   double zero_of_mean_torque = 0; ///< zero of the torque averaged over the phases [rad/s]
   double torque_ripple = 0; ///< half of largest minus smallest torque over the phases, at the mean spin [N m]
   double least_load = 0;    ///< pointwise, at rest, of all sampled phases [N/rad]
-  double least_contact_fraction = 0; ///< at rest, of all sampled phases
+  double least_contact_fraction = 0; ///< minimum at rest over all sampled phases
   unsigned int n_glass_phases = 1;   ///< sampled
   unsigned int n_table_phases = 1;
   std::size_t n_spins = 1;        ///< sampled; 1 for a load that does not depend on the spin
@@ -90,7 +90,7 @@ struct StudyCurves
 /// Results about the spin under a load, with the curves of the first and of all harmonics.
 struct SpinStudy : StudyCurves
 {
-  std::vector<ring::Answer> rows = {}; ///< by harmonics: rows_by_harmonics()
+  std::vector<ring::Answer> rows = {}; ///< one row per number of harmonics: rows_by_harmonics()
   std::optional<ring::Answer>
     one_ring = {};    ///< all harmonics on one ring; std::nullopt if the study has one ring
   Budget budget = {}; ///< without rows for Depth::answer

@@ -20,12 +20,13 @@ const std::vector<Quantity> &sweep_columns();
 /// Result of one case of a sweep.
 struct CaseResult
 {
-  std::string outcome = {}; ///< of the contact; empty if there was none
+  std::string outcome = {}; ///< outcome of the contact solve; empty if no contact was solved
   /// "ok"; "formal" if the load, not of a contact, is negative somewhere; "tips" if the glass tips, at rest
   /// or on the way; or "failed".
   std::string status = "ok";
   std::string message = {}; ///< why there are no values, one sentence; empty if the case is solved
-  std::map<std::string, double> values = {}; ///< by key of sweep_columns(); missing values are left out
+  /// Values by key of sweep_columns(); missing values are left out.
+  std::map<std::string, double> values = {};
 
   std::optional<double> value(const std::string &key) const;
 };

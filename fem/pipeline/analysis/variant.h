@@ -52,7 +52,7 @@ struct Variant
   Model model = {};
   unsigned int n_harmonics = all_harmonics; ///< whose friction acts
   Shared shared = Shared::nothing;
-  ChainStep step = {};     ///< of VariantKind::chain
+  ChainStep step = {};     ///< step of VariantKind::chain
   std::string reason = {}; ///< reason for not being solved; empty if it is to be solved
 
   /// Returns whether it is a row of the budget's chain, with torques.

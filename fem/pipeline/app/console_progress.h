@@ -28,7 +28,7 @@ public:
 private:
   Stopwatch &stopwatch;
   std::optional<WorkProgress> bar;
-  bool has_header = false; ///< of the table of Newton steps
+  bool has_header = false; ///< true if the table of Newton steps has its header
   std::chrono::steady_clock::time_point last_line = std::chrono::steady_clock::now();
 };
 

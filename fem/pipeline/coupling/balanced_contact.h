@@ -24,7 +24,7 @@ struct ContactBalance
 {
   ring::Motion motion;
   ring::Closure closure = ring::Closure::full;
-  ring::Orientation orientation; ///< of the marks of glass and table
+  ring::Orientation orientation; ///< orientation of the marks of glass and table
   bool tilts = false;            ///< true if the weight of the tilted glass enters the balance
   bool varies_with_spin = false; ///< true if the contact is solved again at every spin
   /// Harmonics of the rings whose friction enters the moment balance.
@@ -72,7 +72,7 @@ private:
   CouplingStatistics counts;
   std::optional<fem::ContactState> before, at_rest;
   Progress &progress = silent_progress();
-  std::deque<std::pair<double, fem::ContactState>> latest; ///< by spin, newest first
+  std::deque<std::pair<double, fem::ContactState>> latest; ///< cached solutions by spin, newest first
 };
 
 } // namespace stemware::pipeline

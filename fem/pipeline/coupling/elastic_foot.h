@@ -65,7 +65,7 @@ private:
   unsigned int highest;
   bool placed = false; ///< whether set_rings() has been called
   ContactPath path;
-  std::optional<fem::ContactState> at_rest; ///< of solve_at_rest()
+  std::optional<fem::ContactState> at_rest; ///< last result of solve_at_rest()
 };
 
 /// Returns @p n_rings Chebyshev points of the band from @p inner to @p outer [m], ascending.

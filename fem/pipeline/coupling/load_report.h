@@ -43,7 +43,8 @@ struct LoadReport
     pointwise = {}; ///< lambda itself by azimuth in [0, 2 pi), sorted; empty unless from a contact
   std::optional<PhaseExtremes> over_phases = {}; ///< empty unless the load depends on the phase
 
-  double half_width() const { return (outer_radius - inner_radius) / 2; } ///< of the loaded band [m]
+  /// Half-width of the loaded range of radii [m].
+  double half_width() const { return (outer_radius - inner_radius) / 2; }
 };
 
 /// Statistics of the solves of a load that is in balance with friction at every spin.

@@ -90,7 +90,7 @@ private:
   void solve_cold(const ElasticFoot *last, unsigned int n_harmonics, LiveAnswer &answer);
 
   Study present, base;
-  Discretisation discretisation; ///< of the compliances
+  Discretisation discretisation; ///< discretisation of the compliances
   bool is_ready = false;
   std::shared_ptr<const fem::ContactCompliance> compliance, disc_compliance;
   std::shared_ptr<ElasticFoot> foot; ///< foot of the last answer

@@ -16,7 +16,7 @@ struct MeshFindings
 {
   std::string origin; ///< its file, or "generated"
   fem::MeshCheck check;
-  std::optional<fem::MeshReport> report; ///< of a file
+  std::optional<fem::MeshReport> report; ///< report on a mesh file
 };
 
 /// Returns the description of a mesh and of its weaknesses, in lines for the console.

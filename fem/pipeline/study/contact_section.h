@@ -26,7 +26,7 @@ struct BodyAbilities
   bool stands_on_elastic_disc = is_of_revolution;
   bool reads_meshes = !is_of_revolution;                  ///< takes its shape from Contact/Mesh file
   bool is_collective = !is_of_revolution;                 ///< all MPI ranks solve together
-  unsigned int highest_degree = is_of_revolution ? 4 : 2; ///< of its elements
+  unsigned int highest_degree = is_of_revolution ? 4 : 2; ///< maximum degree of the elements
 };
 
 constexpr BodyAbilities abilities(BodyKind body)
@@ -75,7 +75,8 @@ struct ContactSection
   unsigned int harmonics = 16;  ///< elastic harmonics of a body of revolution
   unsigned int azimuth_lines = 128; ///< lines on which the table law of a body of revolution is integrated
   unsigned int rings = 5;           ///< rings that represent the pressure
-  unsigned int load_harmonics = 0;  ///< of each ring; 0: as many as the lines resolve and the kernels need
+  /// Number of load harmonics of each ring; 0: as many as the lines resolve and the kernels need.
+  unsigned int load_harmonics = 0;
   FrictionCoupling friction_coupling = FrictionCoupling::elastic;
   Goal goal = Goal::none;
   double goal_tolerance = 1e-5; ///< tolerance of the goal's estimated error, relative to the goal's value

@@ -23,7 +23,7 @@ struct GlassSection
   /// Circle fitted to the points of the land, if it gives contact or crown radius.
   std::optional<fem::RimCircle> rim_circle = {};
   fem::ElasticMaterial material;
-  Waviness waviness; ///< of the rim, fixed to the glass: positive where it is higher above the table
+  Waviness waviness; ///< waviness of the rim, fixed to the glass: positive where it is higher above the table
 
   /// Declares the entries with their facts. A template, to be compiled in one file only.
   template <typename List>

@@ -17,15 +17,16 @@ namespace stemware::pipeline
 struct MotionSection
 {
   ring::Motion orbit;
-  double hand_height = 0.03; ///< of the hand's force above the table: its offset plus the centre of mass [m]
+  /// Height of the hand's force above the table: its offset plus the centre of mass [m].
+  double hand_height = 0.03;
   ring::Closure closure = ring::Closure::full;
   bool tilt = true;             ///< include the tilt of the glass; see Study::tilts()
-  double grip_torque = 0;       ///< of the fingers, against the spin [N m]
+  double grip_torque = 0;       ///< maximum torque of the fingers, against the spin [N m]
   std::string orbit_speed_file; ///< v(t) of the spin-up; empty: Motion/Orbit speed throughout
   std::shared_ptr<const ring::OrbitSpeedTable> orbit_speeds = {}; ///< table of that file, if given
   double breakaway_friction = 0; ///< friction coefficient at which a glass at rest starts to slide; 0: the
                                  ///< sliding coefficient
-  double end_time = 2;           ///< of the spin-up [s]
+  double end_time = 2;           ///< duration of the spin-up [s]
   double euler_step = 1e-3;      ///< largest step of the forward Euler method [s]
   double step_limit = 1e6;       ///< estimated steps of the spin-up above which a study is refused
 

@@ -32,7 +32,8 @@ struct StudyEntry
   std::string unit;                  ///< "1" for pure numbers, empty for words and paths
   double *quantity = nullptr;        ///< value of an entry of real numbers, else nullptr
   std::string *path_value = nullptr; ///< value of an entry of a path, else nullptr
-  bool follows_from_profile = false; ///< from the points of a drawn section, if not given
+  /// True if the value follows from the points of a drawn section, if not given.
+  bool follows_from_profile = false;
   // State of the study when its entries were requested:
   bool is_given = false;  ///< the study was given the entry (Study::given_entries)
   bool has_effect = true; ///< a result of the study depends on the entry

@@ -29,8 +29,9 @@ struct TableSection
 {
   TableInterface interface = TableInterface::rough;
   TableSubstrate substrate = TableSubstrate::elastic;
-  double foundation_modulus = 1e10; ///< of the Winkler interface [Pa/m]
-  double layer_thickness = 0;       ///< of the layer represented by a Winkler interface [m]; 0: not given
+  double foundation_modulus = 1e10; ///< modulus of the Winkler interface [Pa/m]
+  /// Thickness of the layer represented by a Winkler interface [m]; 0: not given.
+  double layer_thickness = 0;
   fem::Roughness roughness;
   fem::TableDisc disc; ///< the elastic substrate
   fem::ElasticMaterial disc_material = { 10e9, 0.3 };
