@@ -1,4 +1,4 @@
-// Generates the three feet of this folder, which README.md describes. The target `meshes` writes them.
+// Generates the three feet of this folder (described in README.md). The target `meshes` writes them.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/mesh_io.h"
 

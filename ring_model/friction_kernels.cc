@@ -22,7 +22,7 @@ struct Pair
 Pair first_pair(double complement)
 {
   if (complement <= 0.)
-    return { 0., 4. }; // |eps| = 1: the kernels contain only (1 - eps^2) q_n, which vanishes
+    return { 0., 4. }; // |eps| = 1: the kernels contain only (1 - eps^2) q_n = 0
   return { 4. / 3. * boost::math::ellint_rd(0., complement, 1.),
            4. / 3. * complement * boost::math::ellint_rd(0., 1., complement) };
 }
@@ -46,7 +46,7 @@ Pair step_up(const Pair &below, unsigned int n, double eps_squared, double compl
 /// Computes the pairs n = 1...@p n_max into q = values[3 n], g = values[3 n + 1]. Returns the pair at n_max +
 /// 1.
 ///
-/// Rounding errors of the upward recurrence grow like eps^{-2n}, which is harmless close to |eps| = 1.
+/// Rounding errors of the upward recurrence grow like eps^{-2n}. Close to |eps| = 1 this is harmless.
 /// Otherwise the recurrence runs downwards from an arbitrary start at an n so high that the effect of the
 /// start vanishes. The first pair then sets the scale.
 Pair fill_pairs(double *values, unsigned int n_max, const Pair &first, double eps, double complement)

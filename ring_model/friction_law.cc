@@ -79,7 +79,7 @@ HalfRim places_between(unsigned int n_intervals)
            Eigen::ArrayXd::Constant(n_intervals, pi / n_intervals) };
 }
 
-/// Returns Gauss rules on panels of y with psi = width sinh y, which resolve the neighbourhood of the minimum
+/// Returns Gauss rules on panels of y with psi = width sinh y. They resolve the neighbourhood of the minimum
 /// slip. No panel is longer than @p longest in psi. If the width is 0, the panels are equal in psi.
 HalfRim clustered_places(double width, unsigned int n_panels, double longest)
 {

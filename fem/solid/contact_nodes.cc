@@ -143,7 +143,7 @@ void ContactNodes::scatter_add(const Eigen::VectorXd &parts,
 
 std::vector<ContactNodes::Entry> ContactNodes::owned_rows(const Eigen::SparseMatrix<double> &parts) const
 {
-  // Dofs are sent as doubles, which represent integers below 2^53 exactly.
+  // Dofs are sent as doubles, because doubles represent integers below 2^53 exactly.
   using Packed = std::array<double, 3>;
   std::map<unsigned int, std::vector<Packed>> to_others;
   std::vector<Entry> rows;

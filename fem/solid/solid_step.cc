@@ -37,9 +37,9 @@ struct SolidIncrement
 {
   using Vector = BodyStiffness::Vector;
 
-  Vector body;                  ///< du, all displacements
+  Vector body;                  ///< increment du of all displacements
   Vector image;                 ///< K du + B' T (B du + Q dq), friction included
-  Eigen::VectorXd displacement; ///< B du, vertical displacements of the contact nodes
+  Eigen::VectorXd displacement; ///< increment B du of the vertical displacements of the contact nodes
   Eigen::Vector3d motion;       ///< scaled table motions
   unsigned int n_iterations = 0;
   double stability_margin = 1; ///< NewtonIncrement::stability_margin, without friction in the body
@@ -170,7 +170,7 @@ struct SolidBody::Border
   Eigen::MatrixX3d columns; ///< G with B G = T Q; only the part of this rank
   Eigen::Matrix3d corner;   ///< C = Q' T Q
   Eigen::Matrix3d inverse_corner;
-  /// Inverse of C - G' W - W' G + W' (K + B' T B) W, which is positive definite for any W.
+  /// Inverse of C - G' W - W' G + W' (K + B' T B) W. Positive definite for any W.
   Eigen::Matrix3d inverse_schur;
 };
 
@@ -412,7 +412,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
 void SolidBody::close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
                                  const Eigen::Vector3d &missing, SolidIncrement &solution) const
 {
-  // The body has several solutions, which differ by motions (-W q, q). The solution whose forces fulfil the
+  // The solutions of the body differ by motions (-W q, q). The solution whose forces fulfil the
   // conditions L is selected.
   Eigen::MatrixX3d response(motions.modes);
   for (unsigned int i = 0; i < 3; ++i)

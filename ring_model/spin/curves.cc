@@ -56,7 +56,7 @@ std::vector<Torques> torque_curve(const Load &load, const Question &question,
 std::vector<YawSample> spin_up(const Load &load, const Question &question, const std::vector<double> &times,
                                const std::optional<Fall> &fall)
 {
-  constexpr double accuracy = 1e-10; // of omega(t), relative to v / R
+  constexpr double accuracy = 1e-10; // accuracy of omega(t), relative to v / R
   std::vector<YawSample> samples =
     yaw_motion(torque_until(fall, load, question), question.motion.yaw_inertia, 0, times, accuracy,
                load.spin_scale(question.motion), question.grip_torque);

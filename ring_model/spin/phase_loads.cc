@@ -150,7 +150,7 @@ PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
   { return sampled_at(load, omega, phases()).columns().reshaped(); };
   const auto error_of_mean = [&](double, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)
   { return torque_difference(samples_from(interpolated).mean(), samples_from(exact).mean()); };
-  CurveTolerance tolerances; // before the last sample, which typically reduces the error by a factor of ten
+  CurveTolerance tolerances; // before the last sample; this sample typically reduces the error to a tenth
   tolerances.target = 10 * std::max(tolerance, at_rest.error().mean);
   tolerances.relaxed = std::max(tolerances.target, 1e-3);
   tolerances.coarsest = std::max(tolerances.relaxed, largest_allowed.mean);

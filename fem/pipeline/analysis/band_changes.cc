@@ -130,7 +130,7 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
   }
   const Variant coarse = changed(fewer, [](Variant &variant) { variant.discretisation.fineness /= 2; });
   changes.push_back(change_of("mesh", usual_factor, coarse, from));
-  // On a hard table, whose cells are small, a higher degree is compared on the coarse mesh. This comparison
+  // On a hard table the cells are small, so a higher degree is compared on the coarse mesh. This comparison
   // gives an upper bound.
   if (study.contact.degree < 4 && study.table.is_hard())
     changes.push_back(change_of("degree", usual_factor, changed(coarse, raise_degree), "mesh"));

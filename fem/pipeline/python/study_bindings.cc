@@ -90,7 +90,7 @@ struct PythonProgress : Progress
   std::exception_ptr cause; ///< first exception of Python; it ends the other threads too
 };
 
-/// Returns the cache of compliances, which equal feet share. It is never destroyed, because threads may
+/// Returns the cache of compliances, shared by equal feet. The cache is never destroyed, because threads may
 /// outlive the interpreter.
 std::shared_ptr<fem::ComplianceCache> &cache()
 {

@@ -178,7 +178,7 @@ std::string answer_of(const StudyAnswer &run)
 /// Returns a remark on the scatter of the points of a profile about its rim circle.
 std::string profile_remark(const std::optional<fem::RimCircle> &circle)
 {
-  constexpr double rounding = 1e-9; // of numbers in a file [m]
+  constexpr double rounding = 1e-9; // rounding of numbers in a file [m]
   if (!circle || circle->rms_distance <= rounding)
     return "";
   return "The points of the profile are " + number(circle->rms_distance, "1e6*.2g") +

@@ -169,7 +169,7 @@ struct PlatePressure
   PlatePressure(double length, double breadth, double force, double x, double y)
   {
     const verification::LiftedSquare square({ 2 * x / length, 2 * y / breadth });
-    const double scale = 4 * force / (length * breadth); // in LiftedSquare, 1 N acts on an area of 4
+    const double scale = 4 * force / (length * breadth); // a LiftedSquare has 1 N on an area of 4
     plane = scale * square.motion.cwiseProduct(Eigen::Vector3d(1, 2 / length, 2 / breadth));
     peak = scale * square.peak();
     share = square.share();

@@ -90,7 +90,7 @@ TEST(Derivatives, TangentIsTheDerivativeOfTheForces)
     ContactForces contact;
     law->evaluate(rim.displacement, contact);
     EXPECT_GT(contact.forces.maxCoeff(), 0);
-    if (interface->has_edge()) // with lift-off: some lines are loaded, some are not
+    if (interface->has_edge()) // lift-off: some lines are loaded, others are not
     {
       EXPECT_NE(std::count(contact.active_set.begin(), contact.active_set.end(), true), 0);
       EXPECT_NE(std::count(contact.active_set.begin(), contact.active_set.end(), false), 0);

@@ -42,7 +42,7 @@ TEST(SpinStudy, SpinUpCurvesAgreeWithIndependentIntegrations)
       return ring::coulomb_wrench(motion.friction_coefficient, load, spin, motion.orbit_speed).torque /
              motion.yaw_inertia;
     };
-    for (int i = 0; i < n_steps; ++i) // by the midpoint rule
+    for (int i = 0; i < n_steps; ++i) // midpoint rule
       omega += step * rate(omega + step / 2 * rate(omega));
     return omega;
   };

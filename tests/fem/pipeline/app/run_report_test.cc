@@ -70,7 +70,7 @@ TEST(RunReport, ShowsTheNumbersOfTheSummary)
   }
   EXPECT_THAT(answer, testing::HasSubstr("harmonics of the"));
   EXPECT_THAT(answer, testing::HasSubstr(per_cent(effect) + (effect > 0 ? " faster" : " slower")));
-  EXPECT_THAT(answer, testing::HasSubstr("(one-way)")); // the moment is given
+  EXPECT_THAT(answer, testing::HasSubstr("(one-way)")); // the moment of this study is given
   EXPECT_THAT(run.ended.out,
               testing::HasSubstr("\nReport    " + fs::absolute(run.results / "report.html").string() + "\n"));
 }

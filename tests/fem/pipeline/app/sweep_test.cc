@@ -24,7 +24,7 @@ std::string quick_study()
     "subsection Contact\n  set Body = revolution\n  set Harmonics = 6\n  set Azimuth lines = 64\nend\n");
 }
 
-/// A study without finite elements.
+/// Study without finite elements.
 const std::string rigid_study = "subsection Load\n  set Source = first harmonic\nend\n";
 
 /// Returns the command `stemware sweep study.prm` with the arguments @p further. The results are written to
@@ -271,7 +271,7 @@ TEST(Sweep, ComparesSolidAndRevolutionInOneTable)
   const CsvTable table = table_in(scratch);
   const double solid = table.number(0, "omega_terminal (rad/s)"),
                revolution = table.number(1, "omega_terminal (rad/s)");
-  EXPECT_NEAR(solid, revolution, 0.01); // two bodies on coarse meshes, the same glass
+  EXPECT_NEAR(solid, revolution, 0.01); // both bodies represent the same glass on coarse meshes
   EXPECT_NE(solid, revolution);
 }
 
