@@ -170,9 +170,9 @@ private:
     return std::min(reach, farthest * search.spin_scale);
   }
 
-  /// Returns a spin close to the end of the balance, which lies between @p near (in balance) and @p barrier
-  /// (no balance). The square of the stability margin is extrapolated linearly to 0. Returns std::nullopt if
-  /// the margin does not decrease.
+  /// Returns a spin close to the end of the balance. This end lies between @p near (in balance) and @p
+  /// barrier (no balance). The square of the stability margin is extrapolated linearly to 0. Returns
+  /// std::nullopt if the margin does not decrease.
   std::optional<double> next_to_the_end(double near, double barrier) const
   {
     if (!search.stability_margin)

@@ -96,7 +96,7 @@ SweepFile::SweepFile(const fs::path &wanted, const CaseList &list)
 {
   require_replaceable(folder);
   const std::string head = head_of(folder, list), text = read_text_file(file);
-  // Otherwise the run was killed before the first row.
+  // False if the run was killed before the first row.
   const bool is_begun = head.compare(0, text.size(), text) != 0;
   std::error_code error;
   if (is_begun)

@@ -18,7 +18,7 @@ TEST(SolidFoot, AgreesWithAWavyBodyOfRevolutionInEveryDirection)
 {
   const WavinessHarmonic lobes = { 3, 1e-6, 0.4 };
   const GlassProfile profile = flat_profile();
-  // So stiff that the penetration is less than the amplitude.
+  // The mat is so stiff that the penetration is less than the amplitude.
   const auto mat = std::make_shared<WinklerInterface>(1e10);
 
   dealii::Triangulation<3> drawn;
