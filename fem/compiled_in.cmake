@@ -10,7 +10,7 @@ file(
   OUTPUT ${FUNCTION}.cc
   CONTENT
     [[// Written by CMake from files of the sources.
-#include "fem/pipeline/base/shared_files.h"
+#include "fem/pipeline/base/text_file.h"
 
 namespace stemware::pipeline
 {

@@ -23,17 +23,14 @@ set(STEMWARE_PORTABLE
     fem/revolution/dense_algebra.
     fem/revolution/elastic_response.
     fem/revolution/fourier_basis.
-    fem/revolution/harmonic_stiffness.
     fem/revolution/line_bundle.
     fem/revolution/line_newton.
-    fem/revolution/moment_continuation.
     fem/revolution/pressure_field.
     fem/revolution/revolution_contact.
     fem/revolution/revolution_foot.
     fem/revolution/revolution_setup.
     fem/revolution/target_clones.
     fem/pipeline/base/failures.
-    fem/pipeline/base/html.
     fem/pipeline/base/json.
     fem/pipeline/base/numbers.
     fem/pipeline/base/progress.
@@ -59,7 +56,6 @@ set(STEMWARE_PORTABLE
     fem/pipeline/coupling/foot_load.
     fem/pipeline/coupling/load_report.
     fem/pipeline/coupling/revolution_setup.
-    fem/pipeline/coupling/ring_choice.
     fem/pipeline/coupling/study_balance.
     fem/pipeline/coupling/study_load.
     fem/pipeline/analysis/budget.

@@ -1,7 +1,14 @@
 #include "fem/geometry/mesh_content.h"
 
+#include <boost/locale/utf.hpp>
+
+#include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <map>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 namespace stemware::fem
@@ -9,6 +16,103 @@ namespace stemware::fem
 
 namespace
 {
+
+constexpr std::string_view blanks = " \t\r\n\f\v";
+
+template <typename Number>
+std::optional<Number> whole_word(std::string_view word)
+{
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-')
+    word.remove_prefix(1);
+  Number value{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size())
+    return std::nullopt;
+  return value;
+}
+
+[[noreturn]] void refuse_word(std::string_view word)
+{
+  if (word.empty())
+    throw UnreadableMesh("ends too early; export the mesh anew.");
+  throw UnreadableMesh("has \"" + printable(word, 20) + "\" where a number belongs; export the mesh anew.");
+}
+
+/// Returns the integer in @p word; std::nullopt if @p word is not an integer.
+std::optional<long> whole_number_in(std::string_view word)
+{
+  return whole_word<long>(word);
+}
+
+/// Tokens of a text, separated by blanks and line ends.
+class Tokenizer
+{
+public:
+  explicit Tokenizer(std::string_view text)
+      : rest(text)
+  {
+  }
+
+  /// Returns the next word; empty after the last.
+  std::string_view next()
+  {
+    rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+    const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
+    rest.remove_prefix(word.size());
+    return word;
+  }
+
+  /// Skips the rest of the line.
+  void skip_line() { rest.remove_prefix(std::min(rest.find('\n'), rest.size())); }
+
+  /// Reads a number. Throws UnreadableMesh if the next word is missing or is not a number.
+  double number()
+  {
+    const std::string_view word = next();
+    if (const auto value = whole_word<double>(word))
+      return *value;
+    refuse_word(word);
+  }
+  /// Reads an integer. Throws UnreadableMesh if the next word is missing or is not an integer.
+  long whole_number()
+  {
+    const std::string_view word = next();
+    if (const auto value = whole_number_in(word))
+      return *value;
+    refuse_word(word);
+  }
+
+private:
+  std::string_view rest;
+};
+
+/// Points of a file by their numbers in the file.
+class NumberedPoints
+{
+public:
+  /// Adds a point. Throws UnreadableMesh if the number was used before.
+  void add(long number, const std::array<double, 3> &point)
+  {
+    if (!index.emplace(number, static_cast<unsigned int>(points.size())).second)
+      throw UnreadableMesh("has two nodes of the number " + std::to_string(number) + "; export one part.");
+    points.push_back(point);
+  }
+
+  /// Returns the index of a point. Throws UnreadableMesh if no point has that number.
+  unsigned int at(long number) const
+  {
+    const auto found = index.find(number);
+    if (found == index.end())
+      throw UnreadableMesh("has an element at node " + std::to_string(number) +
+                           ", which it does not have; export the mesh anew.");
+    return found->second;
+  }
+
+  std::vector<std::array<double, 3>> points;
+
+private:
+  std::unordered_map<long, unsigned int> index;
+};
 
 constexpr char advice[] =
   "export hexahedra (Mesh.RecombineAll) of first or second order in format 2 or 4, ASCII.";
@@ -281,6 +385,23 @@ private:
 };
 
 } // namespace
+
+std::string printable(std::string_view text, std::size_t max_length)
+{
+  using Utf8 = boost::locale::utf::utf_traits<char>;
+  std::string shown;
+  for (auto here = text.begin(); here != text.end() && max_length > 0; --max_length)
+  {
+    const auto start = here;
+    const boost::locale::utf::code_point letter = Utf8::decode(here, text.end());
+    const bool is_control = letter < 0x20 || (letter >= 0x7f && letter < 0xa0);
+    if (boost::locale::utf::is_valid_codepoint(letter) && !is_control)
+      shown.append(start, here);
+    else
+      shown += '?';
+  }
+  return shown;
+}
 
 MeshContent read_gmsh(const std::string &text)
 {

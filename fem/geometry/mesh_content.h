@@ -3,11 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 namespace dealii
@@ -59,52 +57,9 @@ struct MeshContent
   FaceNames names;
 };
 
-/// Tokens of a text, separated by blanks and line ends.
-class Tokenizer
-{
-public:
-  explicit Tokenizer(std::string_view text)
-      : rest(text)
-  {
-  }
-
-  /// Returns the next word; empty after the last.
-  std::string_view next();
-
-  /// Skips the rest of the line.
-  void skip_line();
-
-  /// Reads a number. Throws UnreadableMesh if the next word is missing or is not a number.
-  double number();
-  /// Reads an integer. Throws UnreadableMesh if the next word is missing or is not an integer.
-  long whole_number();
-
-private:
-  std::string_view rest;
-};
-
 /// Returns at most @p max_length characters of a text of a file in UTF-8, with "?" for each that cannot be
 /// printed.
 std::string printable(std::string_view text, std::size_t max_length = 30);
-
-/// Returns the integer in @p word; std::nullopt if @p word is not an integer.
-std::optional<long> whole_number_in(std::string_view word);
-
-/// Points of a file by their numbers in the file.
-class NumberedPoints
-{
-public:
-  /// Adds a point. Throws UnreadableMesh if the number was used before.
-  void add(long number, const std::array<double, 3> &point);
-
-  /// Returns the index of a point. Throws UnreadableMesh if no point has that number.
-  unsigned int at(long number) const;
-
-  std::vector<std::array<double, 3>> points;
-
-private:
-  std::unordered_map<long, unsigned int> index;
-};
 
 /// Reads a file of read_hexahedra(). Time and memory are linear in the size of the text, whatever the
 /// numbers. Throws UnreadableMesh.

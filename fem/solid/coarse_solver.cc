@@ -1,7 +1,15 @@
 #include "fem/solid/coarse_solver.h"
 
-#include "fem/solid/coarse_preconditioner.h"
 #include "fem/solid/stiffness_3d.h"
+
+#include <Teuchos_ParameterList.hpp>
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <ml_MultiLevelPreconditioner.h>
+
+#include <memory>
+#include <stdexcept>
+#include <vector>
 
 namespace stemware::fem
 {
@@ -10,6 +18,49 @@ using namespace dealii;
 
 namespace
 {
+
+/// Parameters of ML, tuned on feet of 48 x 2 x 2 to 192 x 8 x 8 cells (docs/method/solid_measurements.md).
+struct AggregationParameters
+{
+  int n_smoothing_steps = 4;      ///< degree of the Chebyshev smoother on the intermediate levels
+  double smoothing_range = 20;    ///< largest eigenvalue divided by the lower end of the smoothed range
+  int max_factorised_rows = 4000; ///< if an aggregated level has more rows, it is aggregated again
+  /// If a matrix has more rows, it is aggregated, and the rows of the next level are denser.
+  int max_sparse_rows = 10000;
+};
+constexpr AggregationParameters parameters = {};
+
+/// Returns algebraic multigrid by smoothed aggregation (ML of Trilinos) for the stiffness @p matrix of linear
+/// elements. vmult() is one W-cycle without smoothing on the finest level, which is left to the caller:
+/// symmetric and positive semidefinite. A small matrix is factorised.
+///
+/// @p modes: displacements of the rigid motions at the rows that this rank owns, 0 at constrained rows, one
+/// motion after the other. Keeps references to both arguments.
+std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG>
+coarse_preconditioner(const dealii::TrilinosWrappers::SparseMatrix &matrix, std::vector<double> &modes)
+{
+  Teuchos::ParameterList list;
+  ML_Epetra::SetDefaults("SA", list);
+  list.set("prec type", "MGW"); // W-cycle, because the iterations of a V-cycle increase with mesh refinement
+  list.set("PDE equations", 3);
+  list.set("null space: type", "pre-computed");
+  list.set("null space: dimension", 6);
+  list.set("null space: vectors", modes.data());
+  list.set("null space: add default vectors", false);
+  list.set("aggregation: type", "Uncoupled");
+  list.set("smoother: type", "Chebyshev");
+  list.set("smoother: type (level 0)", "do-nothing"); // the caller smooths this level
+  list.set("smoother: sweeps", parameters.n_smoothing_steps);
+  list.set("smoother: Chebyshev alpha", parameters.smoothing_range);
+  list.set("smoother: pre or post", "both");
+  list.set("coarse: type", "Amesos-KLU");
+  const bool is_small = matrix.m() <= static_cast<unsigned int>(parameters.max_sparse_rows);
+  list.set("coarse: max size", is_small ? parameters.max_sparse_rows : parameters.max_factorised_rows);
+  list.set("ML output", 0);
+  auto result = std::make_unique<dealii::TrilinosWrappers::PreconditionAMG>();
+  result->initialize(matrix, list);
+  return result;
+}
 
 /// The preconditioner is set up again if T changes relatively by more than this bound. The smoother always
 /// uses the present T.
@@ -45,6 +96,50 @@ std::vector<double> rigid_motions(const SolidLevel &level)
 }
 
 } // namespace
+
+void LevelMatrix::reinit(const SolidLevel &level, const ElasticMaterial &material,
+                         const std::shared_ptr<const ContactNodes> &nodes)
+{
+  elastic = make_elastic_operator<float>(level.mapping, level.dof_handler, level.constraints, material);
+  contact = std::make_unique<ContactStiffness>(nodes);
+  n_rows = level.dof_handler.n_dofs();
+  elastic->compute_diagonal(elastic_diagonal);
+  inverse_diagonal = std::make_shared<DiagonalMatrix<FloatVector>>();
+  set_contact(Eigen::SparseMatrix<double>(nodes->n_nodes(), nodes->n_nodes()));
+}
+
+void LevelMatrix::set_contact(const Eigen::SparseMatrix<double> &tangent)
+{
+  contact->set(tangent);
+  FloatVector &diagonal = inverse_diagonal->get_vector();
+  diagonal = elastic_diagonal;
+  // Adds row sums instead of T's diagonal. Whichever part of a cell is loaded, the largest eigenvalue then
+  // equals the largest eigenvalue of the elastic operator, for which the smoother was set up.
+  contact->add_row_sums(diagonal);
+  for (float &entry : diagonal)
+    entry = 1 / entry;
+}
+
+void LevelMatrix::vmult(FloatVector &dst, const FloatVector &src) const
+{
+  elastic->vmult(dst, src);
+  contact->vmult_add(dst, src);
+}
+
+float LevelMatrix::el(size_type, size_type) const
+{
+  throw std::logic_error("an entry of a matrix that has none");
+}
+
+LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix)
+{
+  LevelSmoother::AdditionalData data;
+  data.smoothing_range = multigrid_parameters.smoothing_range;
+  data.degree = multigrid_parameters.degree;
+  data.eig_cg_n_iterations = multigrid_parameters.n_eigenvalue_iterations;
+  data.preconditioner = matrix.jacobi();
+  return data;
+}
 
 CoarseSolver::CoarseSolver(const SolidLevel &level, const LevelMatrix &matrix,
                            const ElasticMaterial &material, const std::shared_ptr<const ContactNodes> &nodes)

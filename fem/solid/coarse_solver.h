@@ -1,14 +1,72 @@
 #pragma once
 
-#include "fem/solid/level_matrix.h"
+#include "fem/solid/mesh_hierarchy.h"
 
+#include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/lac/precondition.h>
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/multigrid/mg_base.h>
 
 #include <vector>
 
 namespace stemware::fem
 {
+
+/// Vector of the V-cycle, in single precision.
+using FloatVector = dealii::LinearAlgebra::distributed::Vector<float>;
+
+/// K + B' T B on one level in single precision, with the interface of deal.II's smoothers.
+class LevelMatrix : public dealii::Subscriptor
+{
+public:
+  using value_type = float;
+  using size_type = dealii::types::global_dof_index;
+
+  /// @p nodes: contact nodes of the level.
+  void reinit(const SolidLevel &level, const ElasticMaterial &material,
+              const std::shared_ptr<const ContactNodes> &nodes);
+  /// Sets @p tangent T of the contact nodes, this rank's part.
+  void set_contact(const Eigen::SparseMatrix<double> &tangent);
+
+  void vmult(FloatVector &dst, const FloatVector &src) const;
+  void Tvmult(FloatVector &dst, const FloatVector &src) const { vmult(dst, src); }
+  size_type m() const { return n_rows; }
+  size_type n() const { return n_rows; }
+  /// Throws: the matrix has no stored entries.
+  float el(size_type, size_type) const;
+
+  void initialize_dof_vector(FloatVector &vector) const { elastic->initialize_dof_vector(vector); }
+  /// Returns the inverse diagonal of Jacobi's method, updated by set_contact().
+  const std::shared_ptr<dealii::DiagonalMatrix<FloatVector>> &jacobi() const { return inverse_diagonal; }
+
+private:
+  std::unique_ptr<ElasticOperator<float>> elastic;
+  std::unique_ptr<ContactStiffness> contact;
+  size_type n_rows = 0;
+  FloatVector elastic_diagonal;
+  std::shared_ptr<dealii::DiagonalMatrix<FloatVector>> inverse_diagonal;
+};
+
+/// Chebyshev polynomial of the Jacobi-scaled operator.
+using LevelSmoother =
+  dealii::PreconditionChebyshev<LevelMatrix, FloatVector, dealii::DiagonalMatrix<FloatVector>>;
+
+/// Parameters of multigrid, tuned on feet of 48 x 2 x 2 to 192 x 8 x 8 cells
+/// (docs/method/solid_measurements.md).
+struct MultigridParameters
+{
+  /// Degree of the smoother's polynomial, and the ratio of the largest eigenvalue to the lower end of the
+  /// smoothed range; the cost of a linear solve depends little on either.
+  unsigned int degree = 5;
+  double smoothing_range = 40;
+  unsigned int n_eigenvalue_iterations = 15; ///< for the largest eigenvalue
+};
+/// Values in use.
+inline constexpr MultigridParameters multigrid_parameters = {};
+
+/// Returns the options of the smoother of every level.
+LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix);
 
 /// Approximate inverse of K + B' T B on the coarsest level: a two-grid cycle, Chebyshev smoothing before and
 /// after a correction by coarse_preconditioner(). Symmetric and positive definite.

@@ -6,8 +6,8 @@
 #include "fem/pipeline/base/json_text.h"
 #include "fem/pipeline/base/program.h"
 #include "fem/pipeline/base/ranks.h"
-#include "fem/pipeline/base/shared_files.h"
 #include "fem/pipeline/base/text.h"
+#include "fem/pipeline/base/text_file.h"
 #include "fem/pipeline/coupling/failure_sentence.h"
 
 #include <deal.II/base/multithread_info.h>

@@ -2,11 +2,13 @@
 
 #include "fem/pipeline/base/failures.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <fmt/format.h>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <system_error>
 
 namespace stemware::pipeline
@@ -62,6 +64,25 @@ std::string read_input_text(const std::string &setting, const fs::path &file)
   ensure(fs::file_size(file) <= max_bytes,
          setting + " is larger than 16 MB; leave out rows, or name the right file.");
   return without_byte_order_mark(setting, read_text_file(file));
+}
+
+std::vector<std::filesystem::path> shared_folders()
+{
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error)
+    return {};
+  const std::filesystem::path folder = program.parent_path();
+  return { folder.parent_path() / "share/stemware", folder / "share/stemware" };
+}
+
+const std::string &text_of(const CompiledTexts &files, const std::string &name)
+{
+  const auto file =
+    std::find_if(files.begin(), files.end(), [&](const CompiledText &each) { return each.name == name; });
+  if (file == files.end())
+    throw std::logic_error("The program has no text " + name + ".");
+  return file->text;
 }
 
 } // namespace stemware::pipeline

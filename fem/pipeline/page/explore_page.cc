@@ -5,7 +5,6 @@
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/base/program.h"
-#include "fem/pipeline/base/shared_files.h"
 #include "fem/pipeline/base/text_file.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/revolution_setup.h"

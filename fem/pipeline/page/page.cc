@@ -1,9 +1,14 @@
 #include "fem/pipeline/page/page.h"
 
-#include "fem/pipeline/base/html.h"
 #include "fem/pipeline/base/json_text.h"
 #include "fem/pipeline/base/output.h"
-#include "fem/pipeline/base/shared_files.h"
+#include "fem/pipeline/base/text_file.h"
+
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+
+#include <map>
+#include <string>
 
 namespace stemware::pipeline
 {
@@ -13,6 +18,54 @@ const CompiledTexts &page_texts();
 
 namespace
 {
+
+/// Replaces each mark /*NAME*/ of @p text by the text of that name, in one pass: inserted marks are not
+/// replaced.
+std::string with_marks_replaced(const std::string &text, const std::map<std::string, std::string> &texts)
+{
+  const std::string begin = "/*", end = "*/";
+  std::string result;
+  std::size_t written = 0;
+  for (std::size_t mark = text.find(begin); mark < text.size(); mark = text.find(begin, written))
+  {
+    const std::size_t name = mark + begin.size(), name_end = text.find(end, name);
+    result += text.substr(written, mark - written) + texts.at(text.substr(name, name_end - name));
+    written = name_end + end.size();
+  }
+  return result + text.substr(written);
+}
+
+/// Returns @p text escaped for HTML elements and quoted attributes.
+std::string html_text(const std::string &text)
+{
+  std::string safe;
+  for (const char character : text)
+    if (character == '<')
+      safe += "&lt;";
+    else if (character == '>')
+      safe += "&gt;";
+    else if (character == '&')
+      safe += "&amp;";
+    else if (character == '"')
+      safe += "&quot;";
+    else if (character == '\'')
+      safe += "&#39;";
+    else
+      safe += character;
+  return safe;
+}
+
+/// Returns the base64 form of a number in hexadecimal @p digits, as a Content-Security-Policy has check sums.
+std::string base64_of_digits(const std::string &digits)
+{
+  std::string bytes;
+  for (std::size_t i = 0; i < digits.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+  using namespace boost::archive::iterators;
+  using Letters = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
+  return std::string(Letters(bytes.cbegin()), Letters(bytes.cend())) +
+         std::string((3 - bytes.size() % 3) % 3, '=');
+}
 
 /// Returns page.html filled with @p parts. Reports and live pages have different parts.
 std::string filled(const std::string &title, const std::string &answer,

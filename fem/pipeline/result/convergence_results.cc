@@ -1,7 +1,7 @@
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/result/common_sections.h"
 #include "fem/pipeline/result/number_format.h"
-#include "fem/pipeline/result/study_words.h"
+#include "fem/pipeline/result/sentences.h"
 #include "fem/pipeline/result/verb_results.h"
 #include "fem/pipeline/study/study_size.h"
 

@@ -1,7 +1,6 @@
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/result/number_format.h"
 #include "fem/pipeline/result/sentences.h"
-#include "fem/pipeline/result/study_words.h"
 #include "ring_model/load/constants.h"
 
 #include <algorithm>

@@ -1,12 +1,177 @@
 #include "fem/pipeline/result/sentences.h"
 
+#include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/result/number_format.h"
+#include "fem/pipeline/study/quantity_text.h"
+#include "fem/pipeline/study/study_entries.h"
 
 #include <cctype>
 #include <cmath>
+#include <map>
+#include <vector>
 
 namespace stemware::pipeline
 {
+
+namespace
+{
+
+/// Returns @p words without the sign.
+std::string size_of(const std::string &words)
+{
+  for (const std::string minus : { "-", "\u2212" })
+    if (words.rfind(minus, 0) == 0)
+      return words.substr(minus.size());
+  return words;
+}
+
+/// Returns the values of all entries in words, by the paths of the entries.
+std::map<std::string, std::string> values_in_words(const Study &study)
+{
+  std::map<std::string, std::string> words;
+  for (const StudyEntry &entry : entries_of(study))
+    words[entry.path()] = in_usual_unit(study, entry);
+  return words;
+}
+
+/// Returns the table as the end of a sentence, e.g. "on a mat of 1 GPa/m".
+std::string on_table(const Study &study, const std::map<std::string, std::string> &given)
+{
+  if (!study.load.is_from_contact())
+    return study.load.source == LoadSource::file ? "with a load from a file" : "with a first-harmonic load";
+  const bool disc = study.table.substrate == TableSubstrate::elastic;
+  const std::string rigid = disc ? "" : "rigid table";
+  std::string text = study.table.interface == TableInterface::winkler
+                       ? "on a mat of " + given.at("Table/Foundation modulus") + (disc ? " on" : "")
+                     : study.table.interface == TableInterface::rough ? "on a rough " + rigid
+                                                                      : "on a smooth " + rigid;
+  if (disc)
+    text += std::string(text.back() == ' ' ? "" : " ") + "disc of " + given.at("Table/Disc Young modulus") +
+            ", " + given.at("Table/Disc thickness") + " thick";
+  return text;
+}
+
+/// Returns the label of the table in the sketch.
+std::string table_of_sketch(const Study &study, const std::map<std::string, std::string> &given)
+{
+  if (!study.load.is_from_contact())
+    return "table";
+  const bool mat = study.table.interface == TableInterface::winkler;
+  std::string text = mat ? "mat, " + given.at("Table/Foundation modulus") : "";
+  if (study.table.substrate == TableSubstrate::elastic)
+    return text + (mat ? " on " : "") + "disc, " + given.at("Table/Disc Young modulus");
+  return mat                                              ? text
+         : study.table.interface == TableInterface::rough ? "rough, rigid table"
+                                                          : "smooth, rigid table";
+}
+
+/// Returns the value of an entry with ten digits, so that different values differ as text.
+std::string value_of(const StudyEntry &entry)
+{
+  const std::string text = entry.text();
+  const std::optional<double> number = parse_number(text);
+  return number && std::isfinite(*number) ? to_text(rounded(*number, 10)) : text.empty() ? "(none)" : text;
+}
+
+/// Returns the inputs as one sentence, in the units of the user.
+std::string inputs_of(const Study &study)
+{
+  const auto given = values_in_words(study);
+  const std::string &offset = given.at("Motion/Force offset");
+  const double height = study.motion.orbit.force_offset;
+  const bool by_offset = study.given_entries.count("Motion/Force offset") > 0;
+  const bool is_filled = study.motion.orbit.liquid.mass > 0;
+  return given.at("Motion/Mass") + " glass" +
+         (is_filled ? " with " + given.at("Motion/Liquid mass") + " of liquid" : "") + ", R " +
+         given.at("Glass/Contact radius") + ", led at " + given.at("Motion/Orbit speed") +
+         " round a circle of " + given.at("Motion/Orbit radius") +
+         (study.motion.orbit.sense_sign() < 0 ? ", clockwise" : "") + ", the hand " +
+         (!by_offset   ? given.at("Motion/Hand height") + " above the table"
+          : height < 0 ? size_of(offset) + " below the centre of mass"
+          : height > 0 ? offset + " above the centre of mass"
+                       : "at the height of the centre of mass") +
+         ", μ " + given.at("Motion/Friction coefficient") + ", " + on_table(study, given) +
+         (study.load.is_static() ? ", its moment ratio given as " + given.at("Load/Moment ratio") : "") +
+         (study.motion.grip_torque > 0 ? ", gripped with " + given.at("Motion/Grip torque") : "") + ".";
+}
+
+/// Returns the labels and lengths of the sketch of the glass: the values of its entries by name, the table
+/// and the hand.
+Json sketch_labels(const Study &study)
+{
+  const ring::Motion &motion = study.motion.orbit;
+  const auto given = values_in_words(study);
+  // Force with which the hand moves the glass against friction before the glass spins: F = m a - T(0).
+  const double along = motion.total_mass() * motion.acceleration().x() +
+                       motion.friction_at_rest() * motion.normal_force(),
+               inwards = motion.total_mass() * std::abs(motion.acceleration().y());
+  return { { "mass", given.at("Motion/Mass") },
+           { "speed", given.at("Motion/Orbit speed") },
+           { "orbit_radius", given.at("Motion/Orbit radius") },
+           { "height", given.at("Motion/Centre of mass height") },
+           { "offset", size_of(given.at("Motion/Force offset")) },
+           { "friction", given.at("Motion/Friction coefficient") },
+           { "radius", given.at("Glass/Contact radius") },
+           { "table", table_of_sketch(study, given) },
+           { "clockwise", motion.sense_sign() < 0 },
+           { "hand", motion.force_offset < 0   ? -1
+                     : motion.force_offset > 0 ? 1
+                                               : 0 },
+           { "force", { { "along", along }, { "inwards", inwards } } } };
+}
+
+} // namespace
+
+std::string in_usual_unit(double value, const std::string &unit)
+{
+  const std::string alone = fmt::format(FMT_STRING("{:.4g}"), value);
+  if (unit.empty() || unit == "1")
+    return alone;
+  std::string best;
+  std::vector<std::string> units = usual_units(unit);
+  units.push_back(unit);
+  for (const std::string &candidate : units)
+  {
+    const double factor = parse_quantity("1 " + candidate, unit).value();
+    const std::string text = fmt::format(FMT_STRING("{:.4g} {}"), value / factor, candidate);
+    const auto length = [](const std::string &words) { return words.find(' '); };
+    if (best.empty() || length(text) < length(best))
+      best = text;
+  }
+  return best;
+}
+
+std::string in_usual_unit(const Study &study, const StudyEntry &entry)
+{
+  if (!entry.quantity)
+    return entry.text();
+  const auto given = study.given_entries.find(entry.path());
+  if (given != study.given_entries.end() && !trailing_unit(given->second).empty() &&
+      parse_quantity(given->second, entry.unit) == *entry.quantity) // a variant has not changed the value
+    return given->second;
+  return in_usual_unit(*entry.quantity, entry.unit);
+}
+
+Results begun_results(const Study &study, const std::string &what)
+{
+  Results results = { study };
+  results.words = { { "title", (study.name == "default" ? "The default glass" : study.name) + ": " + what },
+                    { "inputs", inputs_of(study) },
+                    { "one_way", study.load.is_one_way() },
+                    { "sketch", sketch_labels(study) } };
+  const std::vector<StudyEntry> entries = entries_of(study), &defaults = default_entries();
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    const std::string value = value_of(entries[i]), by_default = value_of(defaults[i]);
+    results.entries.push_back({ { "entry", entries[i].path() },
+                                { "value", value },
+                                { "unit", entries[i].unit == "1" ? "" : entries[i].unit },
+                                { "meaning", entries[i].help } });
+    if (value != by_default)
+      results.entries.back()["default"] = by_default;
+  }
+  return results;
+}
 
 using format::number;
 

@@ -3,7 +3,6 @@
 #include "fem/pipeline/result/number_format.h"
 #include "fem/pipeline/result/pictures.h"
 #include "fem/pipeline/result/sentences.h"
-#include "fem/pipeline/result/study_words.h"
 #include "fem/pipeline/result/verb_results.h"
 
 #include <cmath>

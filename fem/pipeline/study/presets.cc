@@ -1,7 +1,6 @@
 #include "fem/pipeline/study/presets.h"
 
 #include "fem/pipeline/base/failures.h"
-#include "fem/pipeline/base/shared_files.h"
 #include "fem/pipeline/base/text.h"
 #include "fem/pipeline/base/text_file.h"
 #include "fem/pipeline/study/study_file.h"
