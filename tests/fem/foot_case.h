@@ -3,16 +3,91 @@
 #include "fem/contact/contact_load.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/foot_mesh.h"
-#include "tests/fem/factorized_body.h"
+#include "fem/solid/solid_body.h"
+#include "fem/solid/solid_contact_zone.h"
+#include "fem/solid/stiffness_3d.h"
 #include "tests/fem/reference_load.h"
 
 #include <deal.II/distributed/tria.h>
+#include <deal.II/lac/trilinos_solver.h>
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 
 namespace stemware::fem_tests
 {
+
+/// Assembled stiffness with a direct factorisation of K + B' T B, the reference for multigrid.
+class FactorizedStiffness : public BodyStiffness
+{
+public:
+  FactorizedStiffness(const dealii::Triangulation<3> &triangulation, unsigned int degree,
+                      unsigned int mapping_degree, const ElasticMaterial &material)
+      : level(std::shared_ptr<const dealii::Triangulation<3>>(std::shared_ptr<void>(), &triangulation),
+              degree, mapping_degree)
+      , nodes(std::make_shared<const ContactNodes>(level.dof_handler.locally_owned_dofs(),
+                                                   contact_dofs(level.dof_handler, level.constraints),
+                                                   level.dof_handler.get_communicator()))
+  {
+    assemble_stiffness(level.mapping, level.dof_handler, material, level.constraints, stiffness);
+  }
+
+  const SolidLevel &mesh() const override { return level; }
+  std::shared_ptr<const ContactNodes> contact_nodes() const override { return nodes; }
+  void initialize(Vector &vector) const override
+  {
+    vector.reinit(level.dof_handler.locally_owned_dofs(), level.dof_handler.get_communicator());
+  }
+  void vmult(Vector &dst, const Vector &src) const override { stiffness.vmult(dst, src); }
+  void set_contact(const Eigen::SparseMatrix<double> &tangent) override
+  {
+    factors.reset(); // holds a reference to the sum
+    sum.copy_from(stiffness);
+    for (const ContactNodes::Entry &entry : nodes->owned_rows(tangent))
+      sum.add(entry.row, entry.column, entry.value);
+    sum.compress(dealii::VectorOperation::add);
+    using Solver = dealii::TrilinosWrappers::SolverDirect;
+    factors = std::make_unique<Solver>(control, Solver::AdditionalData(false, "Amesos_Mumps"));
+    factors->initialize(sum);
+  }
+  void precondition(Vector &dst, const Vector &src) const override { factors->solve(dst, src); }
+
+private:
+  const SolidLevel level;
+  const std::shared_ptr<const ContactNodes> nodes;
+  dealii::TrilinosWrappers::SparseMatrix stiffness, sum;
+  dealii::SolverControl control;
+  std::unique_ptr<dealii::TrilinosWrappers::SolverDirect> factors;
+};
+
+inline void expect_equal(const NewtonIncrement &found, const NewtonIncrement &expected)
+{
+  const double largest = expected.displacement.lpNorm<Eigen::Infinity>();
+  EXPECT_LT((found.displacement - expected.displacement).lpNorm<Eigen::Infinity>(), 1e-8 * largest);
+  EXPECT_LT((found.motion - expected.motion).norm(), 1e-8 * expected.motion.norm());
+  EXPECT_NEAR(found.energy_curvature / expected.energy_curvature, 1, 1e-8);
+}
+
+/// Solver of a body in a test.
+enum class TestSolver
+{
+  factors, ///< FactorizedStiffness
+  multigrid
+};
+
+inline std::unique_ptr<SolidBody> make_body(TestSolver solver, const dealii::Triangulation<3> &triangulation,
+                                            const SolidGap &gap, const SolidOptions &options = {},
+                                            const ElasticMaterial &material = {})
+{
+  if (solver == TestSolver::multigrid)
+    return std::make_unique<SolidBody>(triangulation, material, gap, options);
+  const unsigned int mapping_degree = options.straight_edges ? 1 : options.degree;
+  return std::make_unique<SolidBody>(
+    std::make_unique<FactorizedStiffness>(triangulation, options.degree, mapping_degree, material), material,
+    gap, options.linear_tolerance);
+}
 
 /// A generated solid foot and its last contact solution.
 struct FootCase

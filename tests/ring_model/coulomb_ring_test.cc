@@ -10,8 +10,6 @@ namespace stemware::ring
 {
 namespace
 {
-using test::expect_relative;
-using test::reference;
 
 RingStack reference_load()
 {
@@ -59,8 +57,7 @@ TEST(CoulombRing, DissipatesEnergyUnderACompressiveLoad)
   test::Numbers numbers(7);
   for (unsigned int trial = 0; trial < 3000; ++trial)
   {
-    const auto [a, b] = numbers.nonnegative_load(1 + trial % 20);
-    const RingStack load(a, b, numbers.between(0.01, 0.1));
+    const RingStack load = numbers.nonnegative_load(1 + trial % 20, numbers.between(0.01, 0.1));
     const double speed = numbers.between(0., 1.), omega = std::sinh(numbers.between(-6., 6.));
     const Wrench wrench = coulomb_wrench(numbers.between(0., 1.), load, omega, speed);
     EXPECT_GE(-(wrench.force_x * speed + wrench.torque * omega), -1e-13 * speed);
@@ -72,8 +69,7 @@ TEST(CoulombRing, DependsOnTheFirstHarmonicOnlyAtRest)
   test::Numbers numbers(9);
   for (unsigned int trial = 0; trial < 100; ++trial)
   {
-    const auto [a, b] = numbers.nonnegative_load(12);
-    const RingStack load(a, b, 0.03);
+    const RingStack load = numbers.nonnegative_load(12);
     const Wrench wrench = coulomb_wrench(0.3, load, 0., 0.35);
     expect_relative(wrench.torque, 0.3 * load.moment().x(), 1e-14, "tau(0) = mu M_Nx");
     EXPECT_NEAR(wrench.force_x, -0.3 * load.normal_force(), 1e-14);
@@ -86,8 +82,7 @@ TEST(CoulombRing, TruncationErrorStaysBelowTheBound)
   test::Numbers numbers(10);
   for (unsigned int trial = 0; trial < 500; ++trial)
   {
-    const auto [a, b] = numbers.nonnegative_load(16);
-    const RingStack load(a, b, 0.03);
+    const RingStack load = numbers.nonnegative_load(16);
     const double omega = std::sinh(numbers.between(-4., 4.)), speed = 0.35;
     const double full = coulomb_wrench(0.3, load, omega, speed).torque;
     for (const unsigned int n_max : { 0u, 1u, 2u, 3u, 8u, 16u })

@@ -15,8 +15,6 @@ namespace stemware::ring
 {
 namespace
 {
-using test::expect_relative;
-using test::reference;
 using Real =
   boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>;
 

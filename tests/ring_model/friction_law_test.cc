@@ -12,7 +12,6 @@ namespace stemware::ring
 {
 namespace
 {
-using test::expect_relative;
 
 RingStack some_load()
 {

@@ -15,7 +15,6 @@ namespace stemware::ring
 namespace
 {
 using Eigen::Vector3d;
-using test::expect_relative;
 
 /// Returns the mass of the liquid below a plane of slope (s_x, s_y) [kg], and the moment sum r x f of the
 /// forces f = mass * @p field at the centres of the columns [N m].

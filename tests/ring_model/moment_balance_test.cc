@@ -10,8 +10,6 @@ namespace stemware::ring
 {
 namespace
 {
-using test::expect_relative;
-using test::reference;
 
 Closure closure_of(const nlohmann::json &row)
 {

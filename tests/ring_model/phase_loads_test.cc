@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <memory>
+#include <vector>
 
 namespace
 {
@@ -28,49 +29,43 @@ Load load_by_phase()
   return Load(std::make_shared<PhaseSampledLoad>(exact, periods, sample_phases(exact, periods, { 256 })));
 }
 
-/// Returns the torque [N m] at a time, yaw angle and spin, computed by the trapezoidal rule.
-double plain_torque(const Motion &motion, double time, double yaw_angle, double omega)
+/// Expects the torque, tabulated up to the spin @p last in steps of @p step, to agree with the trapezoidal
+/// rule at @p spins, each at another time and yaw angle. Spins in units of v / R, @p tolerance of mu N R.
+void expect_torques(double last, double step, const std::vector<double> &spins, double tolerance)
 {
-  const RingStack load = wavy_load(orientation_of_marks(motion, time, yaw_angle));
-  return test::wrench_by_quadrature(motion.friction_coefficient, load,
-                                    omega * load.radius() / motion.orbit_speed, load.radius(), 4096)
-    .torque;
+  const Load load = load_by_phase();
+  const Motion motion;
+  const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * pi * 0.03;
+  const PhasedTorqueFunction torque = tabulated_torque(load, motion, last * scale, step * scale, 1e-9 * size);
+  double time = 0., yaw_angle = 0.;
+  for (const double spin : spins)
+  {
+    const RingStack exact = wavy_load(orientation_of_marks(motion, time, yaw_angle));
+    const Wrench expected =
+      test::wrench_by_quadrature(motion.friction_coefficient, exact,
+                                 spin * scale * exact.radius() / motion.orbit_speed, exact.radius(), 4096);
+    EXPECT_NEAR(torque(time, yaw_angle, spin * scale), expected.torque, tolerance * size) << spin;
+    time += 0.37;
+    yaw_angle += 1.3;
+  }
 }
 
 } // namespace
 
 TEST(TabulatedTorque, InterpolatesBetweenPhasesAndSpins)
 {
-  const Load load = load_by_phase();
-  const Motion motion;
-  const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * pi * 0.03;
-  const PhasedTorqueFunction torque = tabulated_torque(load, motion, 0.4 * scale, 0.05 * scale, 1e-9 * size);
+  std::vector<double> spins;
   for (int i = 0; i < 20; ++i)
-  {
-    const double time = 0.37 * i, yaw_angle = 1.3 * i, omega = scale * (0.35 + 0.1 * i / 19.);
-    EXPECT_NEAR(torque(time, yaw_angle, omega), plain_torque(motion, time, yaw_angle, omega), 2e-9 * size)
-      << omega;
-  }
+    spins.push_back(0.35 + 0.1 * i / 19.);
+  expect_torques(0.4, 0.05, spins, 2e-9);
 }
 
 TEST(TabulatedTorque, UsesTheLoadItselfOutsideItsTable)
 {
-  const Load load = load_by_phase();
-  const Motion motion;
-  const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * pi * 0.03;
-  const PhasedTorqueFunction torque = tabulated_torque(load, motion, 0.4 * scale, 0.01 * scale, 1e-9 * size);
-  for (const double share : { -0.7, 0., 0.2, 0.6 })
-    EXPECT_NEAR(torque(0.3, 0.7, share * scale), plain_torque(motion, 0.3, 0.7, share * scale), 1e-9 * size)
-      << share;
+  expect_torques(0.4, 0.01, { -0.7, 0., 0.2, 0.6 }, 1e-9);
 }
 
 TEST(TabulatedTorque, IsExactAcrossTheKinkAtSlipRatioOne)
 {
-  const Load load = load_by_phase();
-  const Motion motion;
-  const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * pi * 0.03;
-  const PhasedTorqueFunction torque = tabulated_torque(load, motion, scale, 0.05 * scale, 1e-9 * size);
-  for (const double share : { 0.97, 0.999, 1.01 }) // the quadrature error next to the kink is 1e-5
-    EXPECT_NEAR(torque(0.3, 0.7, share * scale), plain_torque(motion, 0.3, 0.7, share * scale), 1e-5 * size)
-      << share;
+  expect_torques(1., 0.05, { 0.97, 0.999, 1.01 }, 1e-5); // the quadrature error next to the kink is 1e-5
 }

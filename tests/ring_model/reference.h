@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace stemware::ring::test
+namespace stemware::ring
 {
 /// Returns the reference numbers (ring_cases.json) with 20 digits, from ring_cases.py, which shares no code
 /// with this library.
@@ -35,6 +35,8 @@ inline void expect_relative(double actual, double expected, double tolerance, co
     << ::testing::PrintToString(expected);
 }
 
+namespace test
+{
 /// Returns the terminal spin under the load of @p ring, to rounding [rad/s].
 template <typename Ring>
 TerminalSpin terminal_spin_of(const Ring &ring, const Motion &motion = {}, double radius = 0.03)
@@ -59,8 +61,8 @@ public:
     return std::uniform_real_distribution<double>(lower, upper)(engine);
   }
 
-  /// Returns the coefficients of a compressive load with @p n_harmonics harmonics.
-  std::pair<std::vector<double>, std::vector<double>> nonnegative_load(unsigned int n_harmonics)
+  /// Returns a compressive load with @p n_harmonics harmonics.
+  RingStack nonnegative_load(unsigned int n_harmonics, double radius = 0.03)
   {
     std::vector<double> a{ 1. }, b{ 0. };
     double sum = 0.;
@@ -76,10 +78,11 @@ public:
       a[n] *= share;
       b[n] *= share;
     }
-    return { a, b };
+    return { a, b, radius };
   }
 
 private:
   std::mt19937 engine;
 };
-} // namespace stemware::ring::test
+} // namespace test
+} // namespace stemware::ring

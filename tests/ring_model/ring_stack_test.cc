@@ -17,13 +17,11 @@ namespace stemware::ring
 {
 namespace
 {
-using test::expect_relative;
 
 TEST(RingStack, ResultantsAgreeWithThePointwiseLoad)
 {
   test::Numbers numbers(1);
-  const auto [a, b] = numbers.nonnegative_load(7);
-  const RingStack load(a, b, 0.04);
+  const RingStack load = numbers.nonnegative_load(7, 0.04);
   // Reference: M_N = sum r x f = (sum y f, -sum x f). For these harmonics the trapezoidal rule is exact.
   double force = 0., moment_x = 0., moment_y = 0.;
   const unsigned int n_points = 32;
@@ -61,8 +59,7 @@ TEST(RingStack, FindsTheGlobalMinimum)
   test::Numbers numbers(2);
   for (unsigned int trial = 0; trial < 40; ++trial)
   {
-    const auto [a, b] = numbers.nonnegative_load(2 + trial % 15);
-    const RingStack random(a, b, 0.03);
+    const RingStack random = numbers.nonnegative_load(2 + trial % 15);
     double scan = std::numeric_limits<double>::infinity();
     for (unsigned int i = 0; i < 20000; ++i)
       scan = std::min(scan, random(2. * pi * i / 20000.));
@@ -91,8 +88,7 @@ TEST(RingStack, TensileForceIsTheIntegralOfTheNegativePart)
 TEST(RingStack, RotatesMirrorsAndTruncates)
 {
   test::Numbers numbers(3);
-  const auto [a, b] = numbers.nonnegative_load(6);
-  const RingStack load(a, b, 0.03);
+  const RingStack load = numbers.nonnegative_load(6);
   const RingStack turned = load.rotated(0.7), mirror = test::mirrored(load), cut = load.truncated(2);
   for (const double theta : { 0., 0.5, 2., 4. })
   {
@@ -198,10 +194,7 @@ TEST(LoadFunctional, IsLinearAndRotatesWithTheLoad)
   test::Numbers numbers(7);
   std::vector<RingStack::Ring> rings;
   for (const double radius : { 0.028, 0.032 })
-  {
-    const auto [a, b] = numbers.nonnegative_load(5);
-    rings.push_back({ radius, a, b });
-  }
+    rings.push_back(numbers.nonnegative_load(5, radius).rings().front());
   const auto random_functional = [&]
   {
     const auto random = [&] { return numbers.between(-1., 1.); };

@@ -7,8 +7,6 @@ namespace stemware::ring
 {
 namespace
 {
-using test::expect_relative;
-using test::reference;
 
 TEST(UnilateralRim, AgreesWithTheReferenceClosures)
 {

@@ -12,8 +12,6 @@ namespace stemware::ring
 {
 namespace
 {
-using test::expect_relative;
-using test::reference;
 
 TEST(SlidingBody, AgreesWithTheReferenceForAUniformRing)
 {

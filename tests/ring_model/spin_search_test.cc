@@ -11,7 +11,6 @@ namespace stemware::ring
 {
 namespace
 {
-using test::expect_relative;
 
 const double radius = 0.03;
 const double scale = 0.35 / radius; ///< spin scale v / R [rad/s]
@@ -65,11 +64,10 @@ TEST(SpinSearch, FindsTheFirstZeroOfRandomLoads)
   unsigned int n_evaluations = 0;
   for (unsigned int i = 0; i < 200; ++i)
   {
-    const auto [a, b] = numbers.nonnegative_load(8);
-    const RingStack load(a, b, radius);
+    const RingStack load = numbers.nonnegative_load(8, radius);
     const auto torque = [&](double omega) { return coulomb_wrench(0.3, load, omega, 0.35).torque; };
-    const SpinZero zero = find_terminal_spin(torque, { scale, b[1] * scale });
-    const double sign = std::copysign(1., b[1]);
+    const SpinZero zero = find_terminal_spin(torque, { scale, load.b(1) * scale });
+    const double sign = std::copysign(1., load.b(1));
     const auto all = all_terminal_spins([&](double omega) { return torque(sign * omega); }, 1., scale, 1e-9,
                                         3. * scale, 300);
     ASSERT_FALSE(all.empty());

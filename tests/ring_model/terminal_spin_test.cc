@@ -13,8 +13,6 @@ namespace stemware::ring
 {
 namespace
 {
-using test::expect_relative;
-using test::reference;
 
 /// Returns the terminal slip ratio for R = 1 m, v = 1 m/s. The load does not change with the spin and drives
 /// the ring counter-clockwise.

@@ -6,8 +6,6 @@ namespace stemware::ring
 {
 namespace
 {
-using test::expect_relative;
-using test::reference;
 
 void expect_reference_rows(const char *table, double exponent)
 {

@@ -14,8 +14,6 @@ namespace stemware::ring
 {
 namespace
 {
-using test::expect_relative;
-using test::reference;
 
 /// The moment balance is `paper`, with the yaw inertia of the reference.
 TEST(PaperSpinUp, AgreesWithTheReference)

@@ -2,7 +2,7 @@
 #include "fem/geometry/mesh_io.h"
 #include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/reference_load.h"
-#include "tests/fem/temporary_file.h"
+#include "tests/fem/scratch_folder.h"
 
 #include <deal.II/grid/grid_generator.h>
 
@@ -10,6 +10,7 @@
 
 using namespace stemware::fem;
 using namespace stemware::fem_tests;
+using stemware::test::TemporaryFile;
 
 namespace
 {

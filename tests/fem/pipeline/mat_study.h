@@ -1,6 +1,11 @@
 #pragma once
 
-#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/study/study_file.h"
+#include "tests/fem/pipeline/refusal.h"
+
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace stemware::test
 {
@@ -13,6 +18,21 @@ inline pipeline::Study mat_study()
   study.table.substrate = pipeline::TableSubstrate::rigid;
   study.table.foundation_modulus = 1e10;
   return study;
+}
+
+/// Entries and their values.
+using EntryTexts = std::vector<std::pair<std::string, std::string>>;
+
+/// Returns mat_study() with @p settings.
+inline pipeline::Study mat_study_with(const EntryTexts &settings)
+{
+  return pipeline::with_values(mat_study(), "the test", settings);
+}
+
+/// Returns the message that refuses mat_study() with @p settings; empty if they are allowed.
+inline std::string refusal_of(const EntryTexts &settings)
+{
+  return sentence_of([&] { mat_study_with(settings); });
 }
 
 } // namespace stemware::test

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/fem/pipeline/scratch_folder.h"
+#include "tests/fem/scratch_folder.h"
 
 #include <nlohmann/json.hpp>
 

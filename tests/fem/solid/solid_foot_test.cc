@@ -5,7 +5,7 @@
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/fem/reference_load.h"
-#include "tests/fem/temporary_file.h"
+#include "tests/fem/scratch_folder.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/tria.h>
@@ -16,6 +16,7 @@
 #include <sstream>
 
 using namespace stemware::fem_tests;
+using stemware::test::TemporaryFile;
 
 namespace
 {

@@ -5,7 +5,7 @@
 #include "ring_model/load/constants.h"
 #include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/reference_load.h"
-#include "tests/fem/temporary_file.h"
+#include "tests/fem/scratch_folder.h"
 
 #include <deal.II/grid/tria.h>
 
@@ -13,6 +13,7 @@
 
 using stemware::ring::pi;
 using namespace stemware::fem_tests;
+using stemware::test::TemporaryFile;
 
 TEST(SolidFoot, AgreesWithAWavyBodyOfRevolutionInEveryDirection)
 {

@@ -10,7 +10,7 @@
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/mat_study.h"
-#include "tests/fem/pipeline/scratch_folder.h"
+#include "tests/fem/scratch_folder.h"
 
 #include <gtest/gtest.h>
 

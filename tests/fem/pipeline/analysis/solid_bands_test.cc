@@ -91,6 +91,15 @@ Study flat_land(double moment_ratio)
   return study;
 }
 
+/// Compares the bands of @p keys and of the torque at half the terminal spin, on a mat.
+void expect_bands_of_mat(const Study &study, const Study &reference, const std::vector<const char *> &keys)
+{
+  const ErrorBands solid = bands_of(study), revolution = bands_of(reference);
+  for (const char *key : keys)
+    expect_within_both(solid, revolution, key, 30);
+  expect_within_both(solid, revolution, "tau_at_spin_1");
+}
+
 void expect_band_of_flat_land(double moment_ratio)
 {
   const Study study = flat_land(moment_ratio);
@@ -203,10 +212,7 @@ TEST(SolidBands, ContainTheErrorOfAFootOnAMatLong)
 {
   Study study = solid_study(fem::GlassShape::foot, { 24, 2, 1 });
   study.table.foundation_modulus = 1e12;
-  const ErrorBands solid = bands_of(study), revolution = bands_of(revolved(study));
-  expect_within_both(solid, revolution, "omega_terminal", 30);
-  expect_within_both(solid, revolution, "a2", 30);
-  expect_within_both(solid, revolution, "tau_at_spin_1");
+  expect_bands_of_mat(study, revolved(study), { "omega_terminal", "a2" });
 }
 
 // Short version with linear elements and a given moment.
@@ -229,20 +235,14 @@ TEST(SolidBands, ContainTheErrorIfTheCellCountCannotBeHalved)
   Study study = solid_study(fem::GlassShape::foot, { 16, 6, 2 });
   study.load.moment_ratio = 0.6;
   study.contact.friction_coupling = FrictionCoupling::none;
-  const ErrorBands solid = bands_of(study), revolution = bands_of(revolved(study));
-  for (const char *key : { "omega_terminal", "a2", "b3" })
-    expect_within_both(solid, revolution, key, 30);
-  expect_within_both(solid, revolution, "tau_at_spin_1");
+  expect_bands_of_mat(study, revolved(study), { "omega_terminal", "a2", "b3" });
 }
 
 // At re-entrant corners the error is of first order. The error band comes from cells of twice the size.
 TEST(SolidBands, ContainTheErrorOfAStepOnAMatLong)
 {
   const Study study = step_on_mat(1e11);
-  const ErrorBands solid = bands_of(study), revolution = bands_of(revolved(study));
-  for (const char *key : { "omega_terminal", "a2", "b3", "a4" })
-    expect_within_both(solid, revolution, key, 30);
-  expect_within_both(solid, revolution, "tau_at_spin_1");
+  expect_bands_of_mat(study, revolved(study), { "omega_terminal", "a2", "b3", "a4" });
 }
 
 // The contact is a hundredth of a cell wide, so the change to halved cells is only a small part of the error.
@@ -250,10 +250,7 @@ TEST(SolidBands, ContainTheErrorOfAContactNarrowerThanItsCellsLong)
 {
   Study study = step_on_mat(1e15);
   study.contact.friction_coupling = FrictionCoupling::none;
-  const ErrorBands solid = bands_of(study), revolution = bands_of(revolved(study, 0));
-  for (const char *key : { "omega_terminal", "a2", "b3", "a4" })
-    expect_within_both(solid, revolution, key, 30);
-  expect_within_both(solid, revolution, "tau_at_spin_1");
+  expect_bands_of_mat(study, revolved(study, 0), { "omega_terminal", "a2", "b3", "a4" });
 }
 
 // Short version with linear elements.

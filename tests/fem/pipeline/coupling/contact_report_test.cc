@@ -1,11 +1,12 @@
 // Report on the contact of a study. Reference: sums over the pressure points.
+#include "fem/contact/sliding_traction.h"
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/spin/answer.h"
 #include "tests/fem/pipeline/mat_study.h"
-#include "tests/fem/resolved_friction.h"
 #include "tests/verification/plain_rigid_foot.h"
 
 #include <gtest/gtest.h>
@@ -46,12 +47,20 @@ struct Described
 };
 
 /// Returns the friction of a contact solution, computed by point forces without rings and kernels.
-fem_tests::ResolvedFriction friction_of(const Described &glass, const fem::ContactState &contact,
-                                        const Study &study, double omega)
+ring::Wrench friction_of(const Described &glass, const fem::ContactState &contact, const Study &study,
+                         double omega)
 {
-  return fem_tests::resolved_friction(glass.foot->body().point_forces(contact),
-                                      study.motion.orbit.friction_coefficient, omega,
-                                      study.motion.orbit.orbit_speed);
+  ring::Wrench friction = {};
+  for (const fem::PointForce &point : glass.foot->body().point_forces(contact))
+  {
+    const Eigen::Vector2d force =
+      fem::coulomb_friction({ study.motion.orbit.orbit_speed - omega * point.y, omega * point.x },
+                            study.motion.orbit.friction_coefficient * point.force);
+    friction.force_x += force(0);
+    friction.force_y += force(1);
+    friction.torque += point.x * force(1) - point.y * force(0);
+  }
+  return friction;
 }
 
 /// Returns the forces and moments on the glass in three dimensions, computed from the pressure points. In the

@@ -5,7 +5,7 @@
 #include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
-#include "tests/fem/temporary_file.h"
+#include "tests/fem/scratch_folder.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -23,7 +23,7 @@ namespace
 {
 
 using fem_tests::gmsh_text;
-using fem_tests::TemporaryFile;
+using test::TemporaryFile;
 using Mesh = dealii::Triangulation<3, 3>;
 
 class ForeignMesh : public testing::Test

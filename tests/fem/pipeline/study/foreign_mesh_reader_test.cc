@@ -7,7 +7,7 @@
 #include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
-#include "tests/fem/temporary_file.h"
+#include "tests/fem/scratch_folder.h"
 
 #include <deal.II/grid/grid_generator.h>
 
@@ -24,7 +24,7 @@ namespace stemware::pipeline
 namespace
 {
 
-using fem_tests::TemporaryFile;
+using test::TemporaryFile;
 using Mesh = dealii::Triangulation<3, 3>;
 
 void make_small_foot(Mesh &mesh)

@@ -14,13 +14,8 @@ namespace stemware::pipeline
 namespace
 {
 
-using Settings = std::vector<std::pair<std::string, std::string>>;
+using Settings = test::EntryTexts;
 using Names = std::vector<std::string>;
-
-Names idle_with(const Settings &settings)
-{
-  return unused_entries(with_values(test::mat_study(), "the test", settings));
-}
 
 TEST(IdleEntries, DependOnTheChoicesOfTheStudy)
 {
@@ -78,7 +73,7 @@ TEST(IdleEntries, DependOnTheChoicesOfTheStudy)
   {
     Settings settings = all;
     settings.insert(settings.end(), choices.begin(), choices.end());
-    Names found = idle_with(settings), expected = idle;
+    Names found = unused_entries(test::mat_study_with(settings)), expected = idle;
     std::sort(found.begin(), found.end());
     std::sort(expected.begin(), expected.end());
     EXPECT_EQ(found, expected) << testing::PrintToString(settings);

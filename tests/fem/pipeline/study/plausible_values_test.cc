@@ -7,7 +7,6 @@
 #include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
-#include "tests/fem/pipeline/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -16,17 +15,13 @@ namespace stemware::pipeline
 namespace
 {
 
-using Settings = std::vector<std::pair<std::string, std::string>>;
+using test::refusal_of;
+using Settings = test::EntryTexts;
 using Texts = std::vector<std::string>;
 
 Texts notes_with(const Settings &settings)
 {
-  return implausible_notes(with_values(test::mat_study(), "the test", settings));
-}
-
-std::string why_refused(const Settings &settings)
-{
-  return test::sentence_of([&] { with_values(test::mat_study(), "the test", settings); });
+  return implausible_notes(test::mat_study_with(settings));
 }
 
 TEST(PlausibleValues, WarnOfProbableUnitErrors)
@@ -93,7 +88,7 @@ TEST(StudySize, AllowsOrdinaryStudies)
                                        { "Contact/Degree", "4" },
                                        { "Contact/Body", "solid" },
                                        { "Motion/End time", "100" } })
-    EXPECT_EQ(why_refused({ setting }), "") << setting.first;
+    EXPECT_EQ(refusal_of({ setting }), "") << setting.first;
 }
 
 TEST(StudySize, NamesTheCostliestEntryAndTheLimit)
@@ -104,10 +99,10 @@ TEST(StudySize, NamesTheCostliestEntryAndTheLimit)
     Settings settings = base;
     settings.emplace_back("Contact/Harmonics", "20");
     settings.emplace_back(entry, value);
-    EXPECT_EQ(why_refused(settings).rfind(entry + " = " + value + " would take about ", 0), 0u)
-      << why_refused(settings);
+    EXPECT_EQ(refusal_of(settings).rfind(entry + " = " + value + " would take about ", 0), 0u)
+      << refusal_of(settings);
     settings.emplace_back("Contact/Memory limit", "1e15");
-    EXPECT_EQ(why_refused(settings), "");
+    EXPECT_EQ(refusal_of(settings), "");
   };
   expect_refusal("Contact/Refinements", "6");
   expect_refusal("Contact/Harmonics", "1000");
@@ -118,9 +113,9 @@ TEST(StudySize, NamesTheCostliestEntryAndTheLimit)
   expect_refusal(
     "Contact/Azimuthal cells", "2000",
     { { "Contact/Body", "solid" }, { "Contact/Foot layers", "20" }, { "Contact/Radial cells", "40" } });
-  EXPECT_EQ(why_refused({ { "Motion/End time", "1e6" } }).rfind("Motion/End time = 1e6 s in steps of ", 0),
+  EXPECT_EQ(refusal_of({ { "Motion/End time", "1e6" } }).rfind("Motion/End time = 1e6 s in steps of ", 0),
             0u);
-  EXPECT_EQ(why_refused({ { "Motion/End time", "5000" }, { "Motion/Step limit", "1e7" } }), "");
+  EXPECT_EQ(refusal_of({ { "Motion/End time", "5000" }, { "Motion/Step limit", "1e7" } }), "");
 }
 
 TEST(StudySize, CountsAMeshFileBeforeReadingIt)
@@ -128,11 +123,10 @@ TEST(StudySize, CountsAMeshFileBeforeReadingIt)
   const test::ScratchFolder scratch;
   const auto size_with = [&](const std::string &mesh, const std::string &refinements = "0")
   {
-    return size_of(with_values(test::mat_study(), "the test",
-                               { { "Contact/Body", "solid" },
-                                 { "Contact/Degree", "1" },
-                                 { "Contact/Refinements", refinements },
-                                 { "Contact/Mesh file", scratch.write("foot.msh", mesh) } }));
+    return size_of(test::mat_study_with({ { "Contact/Body", "solid" },
+                                          { "Contact/Degree", "1" },
+                                          { "Contact/Refinements", refinements },
+                                          { "Contact/Mesh file", scratch.write("foot.msh", mesh) } }));
   };
   const std::string format_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n7000\n";
   const std::string format_4 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n1 2\n$EndEntities\n"
@@ -143,7 +137,7 @@ TEST(StudySize, CountsAMeshFileBeforeReadingIt)
   EXPECT_NEAR(size_with(format_2, "1").unknowns, 168000, 1e-9);
   const std::string large = scratch.write("large.msh", "$Nodes\n20000000\n");
   const std::string refusal =
-    why_refused({ { "Contact/Body", "solid" }, { "Contact/Degree", "2" }, { "Contact/Mesh file", large } });
+    refusal_of({ { "Contact/Body", "solid" }, { "Contact/Degree", "2" }, { "Contact/Mesh file", large } });
   EXPECT_EQ(refusal.rfind("Contact/Mesh file = ", 0), 0u) << refusal;
   EXPECT_THAT(refusal, testing::HasSubstr("give a coarser mesh, or allow more with Contact/Memory limit = "));
 }
@@ -154,7 +148,7 @@ TEST(StudySize, MemoryAgreesWithMeasuredRuns)
   // Azimuth lines = 4000 411 MB. `stemware run --quick` of version 0.4, condensed solid with 38 139 unknowns:
   // 858 MB. The estimate must agree within a factor of two.
   const auto megabytes = [](const Settings &settings)
-  { return size_of(with_values(test::mat_study(), "the test", settings)).memory / 1e6; };
+  { return size_of(test::mat_study_with(settings)).memory / 1e6; };
   for (const auto &[found, measured] :
        { std::pair(megabytes({}), 189.), std::pair(megabytes({ { "Contact/Refinements", "2" } }), 454.),
          std::pair(megabytes({ { "Contact/Azimuth lines", "4000" } }), 411.),

@@ -1,10 +1,8 @@
 // Refusals of inconsistent and impossible values; settings of one entry that follow from another entry
 // (StudyChoices).
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/matchers.h"
-#include "tests/fem/pipeline/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -13,12 +11,8 @@ namespace stemware::pipeline
 namespace
 {
 
-using Settings = std::vector<std::pair<std::string, std::string>>;
-
-std::string refusal_of(const Settings &settings)
-{
-  return test::sentence_of([&] { with_values(test::mat_study(), "the test", settings); });
-}
+using test::refusal_of;
+using Settings = test::EntryTexts;
 
 TEST(StudyChecks, IgnoreTheFootIfNoContactIsSolved)
 {
@@ -118,8 +112,7 @@ TEST(StudyChoices, AGivenMomentExcludesBalanceAndTilt)
 
 TEST(StudyChoices, TiltRequiresTheFullClosureAndAContact)
 {
-  const auto tilts = [](const Settings &settings)
-  { return with_values(test::mat_study(), "the test", settings).tilts(); };
+  const auto tilts = [](const Settings &settings) { return test::mat_study_with(settings).tilts(); };
   EXPECT_TRUE(tilts({ { "Load/Coupling", "one-way" } }));
   EXPECT_FALSE(tilts({ { "Motion/Tilt", "neglected" } }));
   EXPECT_FALSE(tilts({ { "Motion/Closure", "paper" } }));

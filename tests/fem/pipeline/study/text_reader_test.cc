@@ -5,7 +5,7 @@
 #include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
-#include "tests/fem/temporary_file.h"
+#include "tests/fem/scratch_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace stemware::pipeline
 namespace
 {
 
-using fem_tests::TemporaryFile;
+using test::TemporaryFile;
 
 template <typename Read>
 void expect_sentence_of(const Read &read, const std::string &part)

@@ -43,4 +43,16 @@ private:
   std::filesystem::path folder;
 };
 
+/// A file in a temporary folder, removed with the object.
+struct TemporaryFile
+{
+  explicit TemporaryFile(const std::string &content, const std::string &extension = ".msh")
+      : name(folder.write("file" + extension, content))
+  {
+  }
+
+  const ScratchFolder folder;
+  const std::string name;
+};
+
 } // namespace stemware::test
