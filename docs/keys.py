@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Writes docs/summary.md, the keys of summary.json, from its schema.
 
-    keys.py            writes the page
-    keys.py --check    exit code 1 if the page differs
+    keys.py SCHEMA            writes the page from build/release/share/stemware/summary.schema.json
+    keys.py SCHEMA --check    exit code 1 if the page differs
 """
 import json
 import pathlib
@@ -26,11 +26,11 @@ def rows(schema, path=""):
     return text
 
 
-schema = json.loads((here / "../fem/pipeline/result/summary.schema.json").read_text())
+schema = json.loads(pathlib.Path(sys.argv[1]).read_text())
 page = f"""# The keys of summary.json
 
-{schema["description"]} The schema is `fem/pipeline/result/summary.schema.json`, installed as \
-`share/stemware/summary.schema.json`; this page is made from it by `docs/keys.py`. Each verb writes a subset of the keys; \
+{schema["description"]} The schema is `share/stemware/summary.schema.json` of the build folder and of the installed program; \
+this page is made from it by `docs/keys.py`. Each verb writes a subset of the keys; \
 `[]` represents each entry of a list, `*` any name.
 
 `load_at_terminal` and `load_at_fall` have the keys of `load`.
@@ -39,4 +39,4 @@ page = f"""# The keys of summary.json
 if "--check" not in sys.argv:
     (here / "summary.md").write_text(page)
 elif (here / "summary.md").read_text() != page:
-    sys.exit("docs/summary.md is not what the schema declares; docs/keys.py makes it again.")
+    sys.exit("docs/summary.md is not what the schema declares; `docs/keys.py SCHEMA` makes it again.")

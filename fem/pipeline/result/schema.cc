@@ -3,8 +3,6 @@
 #include "fem/pipeline/result/common_sections.h"
 #include "fem/pipeline/result/verb_results.h"
 
-#include <algorithm>
-
 namespace stemware::pipeline
 {
 
@@ -131,29 +129,11 @@ Json schema()
   };
 }
 
-/// Returns the text of @p json. If all members of an object are objects (quantities, columns), each member
-/// has its own line, unless the whole object fits on one line.
-std::string text_of(const Json &json, const std::string &indent)
-{
-  constexpr std::size_t max_width = 300;
-  const auto is_object = [](const Json &value) { return value.is_object(); };
-  const std::string line = json.dump();
-  if (!json.is_object() || line.size() < max_width || std::none_of(json.begin(), json.end(), is_object))
-    return line;
-  const bool is_list = std::all_of(json.begin(), json.end(), is_object);
-  const std::string inner = is_list ? indent + "  " : indent;
-  std::string text;
-  for (const auto &[key, value] : json.items())
-    text += (text.empty() ? "" : ",") + (is_list ? "\n" + inner : "") + Json(key).dump() + ":" +
-            (is_list ? " " : "") + text_of(value, inner);
-  return "{" + text + "}";
-}
-
 } // namespace
 
 std::string summary_schema()
 {
-  return text_of(schema(), "") + '\n';
+  return schema().dump(1) + '\n';
 }
 
 std::string unit_in_summary(const std::string &part, const std::string &key)

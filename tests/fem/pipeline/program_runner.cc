@@ -1,5 +1,6 @@
 #include "tests/fem/pipeline/program_runner.h"
 
+#include "fem/pipeline/result/schema.h"
 #include "tests/fem/pipeline/csv_table.h"
 
 #include <gtest/gtest.h>
@@ -169,7 +170,7 @@ std::string bad_lines(const std::string &text)
 std::vector<std::string> departures_from_schema(const nlohmann::json &summary)
 {
   using valijson::adapters::NlohmannJsonAdapter;
-  static const nlohmann::json text = nlohmann::json::parse(read_text(STEMWARE_SCHEMA));
+  static const nlohmann::json text = nlohmann::json::parse(pipeline::summary_schema());
   static const auto schema = []
   {
     auto parsed = std::make_unique<valijson::Schema>();

@@ -66,7 +66,7 @@ std::vector<std::string> all_between(const std::string &text, const std::string 
 /// Returns lines that are too wide for the console or contain escape codes.
 std::string bad_lines(const std::string &text);
 
-/// Returns the violations of fem/pipeline/result/summary.schema.json in a summary, one sentence each.
+/// Returns the violations of summary_schema() in a summary, one sentence each.
 std::vector<std::string> departures_from_schema(const nlohmann::json &summary);
 
 /// Returns the summary of a results folder; a violation of the schema fails the test.

@@ -1,4 +1,5 @@
 // Every column of every results file has a key, a unit and a label in summary.schema.json.
+#include "fem/pipeline/result/schema.h"
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/program_runner.h"
 
@@ -45,7 +46,7 @@ std::vector<std::string> keys_of(const Json &columns, const std::string &heading
 
 TEST(ColumnKeys, EveryColumnOfEveryFileIsDeclaredOnce)
 {
-  const Json files = Json::parse(read_text(STEMWARE_SCHEMA))["definitions"]["files"];
+  const Json files = Json::parse(pipeline::summary_schema())["definitions"]["files"];
   const ScratchFolder scratch;
   scratch.write("study.prm", plain_study("subsection Contact\n  set Body = revolution\n  set Harmonics = 6\n"
                                          "  set Azimuth lines = 64\nend\n"));

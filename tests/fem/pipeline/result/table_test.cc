@@ -1,14 +1,10 @@
 // Data file, CSV, console and page formats of one table with every kind of cell.
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/result/number_format.h"
-#include "fem/pipeline/result/schema.h"
 #include "fem/pipeline/result/table_renderers.h"
-#include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <limits>
 
 namespace stemware::pipeline
@@ -150,16 +146,6 @@ TEST(Quantities, AreNullIfTheirPartIsMissing)
   EXPECT_EQ(fields.json(rows[0])["maybe"]["spin"], -1.23456789);
   EXPECT_EQ(fields.schema()["properties"]["part"]["type"].dump(), R"(["object","null"])");
   EXPECT_EQ(fields.schema()["required"].dump(), R"(["part","all"])");
-}
-
-TEST(Quantities, GenerateTheCommittedSchema)
-{
-  const std::string written = "summary.schema.json", schema = summary_schema();
-  if (schema == test::read_text(STEMWARE_SCHEMA))
-    return;
-  std::ofstream(written) << schema;
-  ADD_FAILURE() << "The declarations give another schema: copy " << std::filesystem::absolute(written)
-                << " to fem/pipeline/result and run docs/keys.py.";
 }
 
 TEST(NumberFormat, RoundsErrorBandsUp)
