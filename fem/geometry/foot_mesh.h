@@ -2,12 +2,7 @@
 
 #include "fem/geometry/boundary_ids.h"
 #include "fem/geometry/foot_resolution.h"
-
-namespace dealii
-{
-template <int dim, int spacedim>
-class Triangulation;
-}
+#include "fem/geometry/triangulation.h"
 
 namespace stemware::fem
 {

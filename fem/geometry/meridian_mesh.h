@@ -2,12 +2,7 @@
 
 #include "fem/geometry/contact_cells.h"
 #include "fem/geometry/table_disc.h"
-
-namespace dealii
-{
-template <int dim, int spacedim>
-class Triangulation;
-}
+#include "fem/geometry/triangulation.h"
 
 namespace stemware::fem
 {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fem/geometry/triangulation.h"
+
 #include <array>
 #include <cstddef>
 #include <map>
@@ -7,12 +9,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-namespace dealii
-{
-template <int dim, int spacedim>
-class Triangulation;
-}
 
 namespace stemware::fem
 {

@@ -2,15 +2,10 @@
 
 #include "fem/geometry/glass_profile.h"
 #include "fem/geometry/mesh_report.h"
+#include "fem/geometry/triangulation.h"
 
 #include <iosfwd>
 #include <string>
-
-namespace dealii
-{
-template <int dim, int spacedim>
-class Triangulation;
-}
 
 namespace stemware::fem
 {

@@ -1,14 +1,10 @@
 #pragma once
 
+#include "fem/geometry/triangulation.h"
+
 #include <array>
 #include <map>
 #include <vector>
-
-namespace dealii
-{
-template <int dim, int spacedim>
-class Triangulation;
-}
 
 namespace stemware::fem
 {

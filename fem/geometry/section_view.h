@@ -1,14 +1,9 @@
 #pragma once
 
 #include "fem/geometry/section_lengths.h"
+#include "fem/geometry/triangulation.h"
 
 #include <vector>
-
-namespace dealii
-{
-template <int dim, int spacedim>
-class Triangulation;
-}
 
 namespace stemware::fem
 {

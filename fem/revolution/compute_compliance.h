@@ -1,14 +1,9 @@
 #pragma once
 
+#include "fem/geometry/triangulation.h"
 #include "fem/revolution/contact_compliance.h"
 
 #include <functional>
-
-namespace dealii
-{
-template <int dim, int spacedim>
-class Triangulation;
-}
 
 namespace stemware::fem
 {

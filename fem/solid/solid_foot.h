@@ -6,18 +6,13 @@
 #include "fem/geometry/elastic_material.h"
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/glass_profile.h"
+#include "fem/geometry/triangulation.h"
 #include "fem/solid/solid_options.h"
 
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-
-namespace dealii
-{
-template <int dim, int spacedim>
-class Triangulation;
-}
 
 namespace stemware::fem
 {
