@@ -3,7 +3,6 @@
 #include "ring_model/load/constants.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 

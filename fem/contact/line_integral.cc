@@ -2,7 +2,6 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace stemware::fem

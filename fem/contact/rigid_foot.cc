@@ -5,8 +5,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include <stdexcept>
-
 namespace stemware::fem
 {
 

@@ -1,7 +1,6 @@
 #include "fem/geometry/section_lengths.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace stemware::fem

@@ -6,7 +6,6 @@
 #include <deal.II/grid/tria.h>
 
 #include <memory>
-#include <utility>
 
 namespace stemware::fem
 {

@@ -1,6 +1,5 @@
 #include "fem/revolution/pressure_field.h"
 
-#include <cmath>
 #include <utility>
 
 namespace stemware::fem

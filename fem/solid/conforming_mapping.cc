@@ -15,7 +15,6 @@
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 
 namespace stemware::fem

@@ -8,7 +8,6 @@
 
 #include <Eigen/SparseCore>
 
-#include <memory>
 #include <vector>
 
 namespace stemware::fem

@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <vector>
 
 namespace stemware::ring
 {

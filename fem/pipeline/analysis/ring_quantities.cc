@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/coupling/study_load.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace stemware::pipeline

@@ -3,10 +3,7 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/spin/curves.h"
 
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
-#include <utility>
 
 namespace stemware::pipeline
 {

@@ -4,7 +4,6 @@
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/study/study.h"
 
-#include <memory>
 #include <string>
 
 namespace stemware::pipeline

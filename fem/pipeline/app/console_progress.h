@@ -6,7 +6,6 @@
 #include "fem/pipeline/base/stopwatch.h"
 
 #include <chrono>
-#include <memory>
 #include <optional>
 
 namespace stemware::pipeline

@@ -7,7 +7,6 @@
 #include "ring_model/self_consistent_ring.h"
 
 #include <stdexcept>
-#include <utility>
 
 namespace stemware::pipeline
 {

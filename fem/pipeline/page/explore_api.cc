@@ -13,7 +13,6 @@
 #include <exception>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace stemware::pipeline
 {

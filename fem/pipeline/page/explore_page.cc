@@ -23,7 +23,6 @@
 #include <cstdint>
 #include <fmt/format.h>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace stemware::pipeline

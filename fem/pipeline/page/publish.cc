@@ -9,7 +9,6 @@
 #include "fem/pipeline/result/table_renderers.h"
 #include "fem/pipeline/study/study_file.h"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <iostream>

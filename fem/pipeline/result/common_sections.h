@@ -5,7 +5,6 @@
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/result/results.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <fmt/format.h>
 #include <optional>
 #include <string>
 

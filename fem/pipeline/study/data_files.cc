@@ -6,8 +6,6 @@
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/table_file.h"
 
-#include <boost/algorithm/string/case_conv.hpp>
-#include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>

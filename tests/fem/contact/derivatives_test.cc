@@ -10,8 +10,6 @@
 #include "tests/taylor_remainder.h"
 #include "tests/ulps.h"
 
-#include <Eigen/SparseCore>
-
 #include <random>
 
 using stemware::ring::pi;

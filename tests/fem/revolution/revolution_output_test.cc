@@ -6,7 +6,6 @@
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/fem/vtu_file.h"
 
-#include <Eigen/Geometry>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <gtest/gtest.h>
