@@ -73,30 +73,6 @@ std::vector<double> spins_of(const std::vector<ring::YawSample> &samples)
   return spins;
 }
 
-/// Returns the torques at @p spins. @p all: torques of all harmonics. @p first: torques of the first @p
-/// n_first harmonics, may be empty.
-TorqueCurve torque_curve(const std::vector<double> &spins, double spin_scale,
-                         const std::vector<ring::Torques> &all, const std::vector<ring::Torques> &first,
-                         unsigned int n_first)
-{
-  TorqueCurve curve;
-  curve.omega = spins;
-  for (std::size_t i = 0; i < spins.size(); ++i)
-  {
-    curve.slip_ratio.push_back(spins[i] / spin_scale);
-    curve.friction.push_back(all[i].friction);
-    curve.lean_torque.push_back(all[i].lean_torque);
-    curve.grip_torque.push_back(all[i].grip_torque);
-    curve.sum.push_back(all[i].torque());
-  }
-  if (!first.empty())
-  {
-    curve.harmonics = { n_first };
-    curve.truncations = { friction_torques(first) };
-  }
-  return curve;
-}
-
 /// Returns the spins of a spin-up; an empty list if the balance is lost on the way.
 std::vector<double> spin_up_of(const ring::Load &load, const ring::Question &question,
                                const std::vector<double> &times, const std::optional<ring::Fall> &fall)
@@ -153,13 +129,15 @@ StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, 
   const ring::Question question = spin_question(study);
   StudyCurves curves;
   SpinUpCurves &up = curves.spin_up;
-  std::vector<ring::Torques> all, first;
+  TorqueCurve &torque = curves.torque;
+  torque.omega = spins;
+  torque.spin_scale = of_all.load.spin_scale(study.motion.orbit);
   const auto find_all = [&]
   {
     const std::optional<ring::Fall> &fall = rows.back().row.fall;
     ring::Question observed = question;
     observed.observer = observer;
-    all = ring::torque_curve(of_all.load, question, spins);
+    torque.all = ring::torque_curve(of_all.load, question, spins);
     const std::vector<ring::YawSample> adaptive = ring::spin_up(of_all.load, observed, times, fall);
     up.time = times;
     up.adaptive = spins_of(adaptive);
@@ -178,7 +156,8 @@ StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, 
       return;
     const ring::Load curve =
       ring::interpolated_for_curves(*load, row, spins.front(), spins.back(), &of_all.load);
-    first = ring::torque_curve(curve, question, spins);
+    torque.n_first = row.harmonics;
+    torque.first = ring::torque_curve(curve, question, spins);
     up.first_harmonic = spin_up_of(curve, question, times, row.fall);
   };
   const bool has_first = rows.size() > 1;
@@ -192,7 +171,6 @@ StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, 
     curves.paper = ring::torque_curve(*paper.load, of_paper, spins);
     up.paper = spin_up_of(*paper.load, of_paper, times, paper.row.fall);
   }
-  curves.torque = torque_curve(spins, of_all.load.spin_scale(study.motion.orbit), all, first, curves.n_first);
   return curves;
 }
 

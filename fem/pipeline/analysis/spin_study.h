@@ -19,13 +19,10 @@ struct TorqueCurve
 {
   /// Spins from slightly before rest to beyond the terminal spins, or to tipping [rad/s].
   std::vector<double> omega;
-  std::vector<double> slip_ratio;      ///< omega R / v
-  std::vector<ring::Wrench> friction;  ///< friction with all harmonics
-  std::vector<double> lean_torque;     ///< Torques::lean_torque of all harmonics [N m]
-  std::vector<double> grip_torque;     ///< Torques::grip_torque of all harmonics [N m]
-  std::vector<double> sum;             ///< tau_z, lean and grip torque: I d omega / dt of all harmonics [N m]
-  std::vector<unsigned int> harmonics; ///< number of harmonics of each truncation
-  std::vector<std::vector<double>> truncations; ///< tau_z [N m], [truncation][spin]
+  double spin_scale = 1;            ///< v / R [rad/s]
+  std::vector<ring::Torques> all;   ///< torques of all harmonics
+  unsigned int n_first = 0;         ///< number of harmonics of `first`; 0 without a balance
+  std::vector<ring::Torques> first; ///< torques of the first harmonics
 };
 
 /// omega(t) from rest while the hand's speed changes.

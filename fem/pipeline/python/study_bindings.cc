@@ -251,16 +251,17 @@ py::dict curves_in(const Found &found)
   const StudyAnswer &answer = *found.answer;
   const TorqueCurve &torque = answer.spin.torque;
   const SpinUpCurves &up = answer.spin.spin_up;
-  const auto friction = numpy_of(torque.friction);
+  const py::array spins = numpy_of(torque.omega), torques = numpy_of(torque.all);
+  const py::object friction = torques["friction"], tau = friction["torque"], lean = torques["lean_torque"],
+                   grip = torques["grip_torque"];
   std::vector<fem::PressurePoint> points;
   if (answer.contact.foot)
     for (const auto &cut : answer.contact.foot->footprint.cuts)
       points.insert(points.end(), cut.begin(), cut.end());
   return py::dict(
-    "torque"_a = py::dict("omega"_a = numpy_of(torque.omega), "slip_ratio"_a = numpy_of(torque.slip_ratio),
-                          "sum"_a = numpy_of(torque.sum), "friction"_a = friction["torque"],
-                          "force_x"_a = friction["force_x"], "force_y"_a = friction["force_y"],
-                          "lean"_a = numpy_of(torque.lean_torque), "grip"_a = numpy_of(torque.grip_torque)),
+    "torque"_a = py::dict("omega"_a = spins, "slip_ratio"_a = spins / py::float_(torque.spin_scale),
+                          "sum"_a = tau + lean + grip, "friction"_a = tau, "force_x"_a = friction["force_x"],
+                          "force_y"_a = friction["force_y"], "lean"_a = lean, "grip"_a = grip),
     "spin_up"_a = py::dict("time"_a = numpy_of(up.time), "omega"_a = numpy_of(up.adaptive),
                            "yaw_angle"_a = numpy_of(up.yaw_angle), "paper"_a = numpy_of(up.paper),
                            "first_harmonic"_a = numpy_of(up.first_harmonic)),
@@ -360,6 +361,7 @@ the contacts of the last one. For one thread.)")
         [](std::size_t n) { cache() = std::make_shared<fem::ComplianceCache>(n, &check_signals); });
 
   PYBIND11_NUMPY_DTYPE(ring::Wrench, torque, force_x, force_y);
+  PYBIND11_NUMPY_DTYPE(ring::Torques, friction, lean_torque, grip_torque);
   PYBIND11_NUMPY_DTYPE_EX(fem::AzimuthLoad, azimuth, "theta", density, "density");
   PYBIND11_NUMPY_DTYPE_EX(fem::PressurePoint, radius, "r", azimuth, "theta", pressure, "p");
   py::class_<Found>(m, "Found")

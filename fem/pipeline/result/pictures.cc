@@ -137,10 +137,9 @@ void add_motion(const Study &study, const std::vector<ring::Instant> &instants, 
 
 void add_torque_columns(const TorqueCurve &curve, const std::vector<double> &of_paper, Results &results)
 {
-  Columns columns = { { "omega", thinned(curve.omega) },
-                      { "all", thinned(column_of(curve.friction, &ring::Wrench::torque)) } };
-  for (std::size_t i = 0; i < curve.harmonics.size(); ++i)
-    columns.emplace_back("up_to_" + std::to_string(curve.harmonics[i]), thinned(curve.truncations[i]));
+  Columns columns = { { "omega", thinned(curve.omega) }, { "all", thinned(friction_torques(curve.all)) } };
+  if (curve.n_first > 0)
+    columns.emplace_back("up_to_" + std::to_string(curve.n_first), thinned(friction_torques(curve.first)));
   if (!of_paper.empty())
     columns.emplace_back("paper", thinned(of_paper));
   results.add_columns("torque", columns);

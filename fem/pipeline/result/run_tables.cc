@@ -114,25 +114,29 @@ Table footprint_table(const fem::PressureMap &footprint)
 
 Table torque_table(const TorqueCurve &curve)
 {
-  using ring::Wrench;
+  using ring::Torques;
+  const auto friction = [](double ring::Wrench::*part)
+  { return [=](const Torques &torques) { return torques.friction.*part; }; };
   Table table = {
     "",
     { column_of("omega", "omega", "rad/s", "spin", curve.omega),
-      column_of("slip_ratio", "slip ratio omega R / v", "1", "slip ratio ωR/v", curve.slip_ratio),
-      column_of("tau", "tau_z, all harmonics", "N m", "torque of friction", curve.friction, &Wrench::torque),
-      column_of("force_x", "T_x", "N", "friction along the direction of travel", curve.friction,
-                &Wrench::force_x),
-      column_of("force_y", "T_y", "N", "friction to its left", curve.friction, &Wrench::force_y),
+      column_of("slip_ratio", "slip ratio omega R / v", "1", "slip ratio ωR/v", curve.omega,
+                [&](double omega) { return omega / curve.spin_scale; }),
+      column_of("tau", "tau_z, all harmonics", "N m", "torque of friction", friction_torques(curve.all)),
+      column_of("force_x", "T_x", "N", "friction along the direction of travel", curve.all,
+                friction(&ring::Wrench::force_x)),
+      column_of("force_y", "T_y", "N", "friction to its left", curve.all, friction(&ring::Wrench::force_y)),
       column_of("lean_torque", "lean torque of the normal forces, all harmonics", "N m", "lean torque",
-                curve.lean_torque),
-      column_of("grip_torque", "torque of the fingers", "N m", "torque of the fingers", curve.grip_torque),
+                curve.all, &Torques::lean_torque),
+      column_of("grip_torque", "torque of the fingers", "N m", "torque of the fingers", curve.all,
+                &Torques::grip_torque),
       column_of("torque_sum", "tau_z, lean torque and grip torque, sum", "N m", "sum of the torques",
-                curve.sum) }
+                curve.all, &Torques::torque) }
   };
-  for (std::size_t i = 0; i < curve.harmonics.size(); ++i)
+  if (curve.n_first > 0)
     table.columns.push_back(column_of("tau_up_to_*", "tau_z, harmonics up to *", "N m",
-                                      "torque of friction of the harmonics up to *", curve.truncations[i],
-                                      std::to_string(curve.harmonics[i])));
+                                      "torque of friction of the harmonics up to *",
+                                      friction_torques(curve.first), std::to_string(curve.n_first)));
   return table;
 }
 

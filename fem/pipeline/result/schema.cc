@@ -56,8 +56,7 @@ Json sweep_file_columns()
 Json files()
 {
   TorqueCurve torque;
-  torque.harmonics = { 1 };
-  torque.truncations = { {} };
+  torque.n_first = 1;
   ring::TorqueEffects effects;
   effects.rows = { ring::TorqueEffect() };
   return { { "load.csv",
