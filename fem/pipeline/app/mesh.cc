@@ -159,7 +159,6 @@ std::string mesh_text(const MeshFindings &findings)
   return text;
 }
 
-
 struct MeshOptions
 {
   StudyOptions study;
