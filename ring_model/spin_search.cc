@@ -278,8 +278,8 @@ private:
     return near;
   }
 
-  /// Returns the spin in [0, @p spin] at which the balance is most likely to end; std::nullopt if the samples
-  /// are steady or exclude an end. Near a fold the square of the stability margin is nearly linear in the
+  /// Returns the spin in [0, @p spin] at which the balance is most likely to end; std::nullopt if no interval
+  /// between samples has to be tested. Near a fold the square of the stability margin is nearly linear in the
   /// spin. Between two samples, the lines through the neighbouring samples therefore bound the square from
   /// below. Their slopes are multiplied by `safety` because the square is not exactly convex.
   std::optional<double> unsteadiest(double spin) const

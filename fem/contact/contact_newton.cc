@@ -372,7 +372,7 @@ private:
   Eigen::Vector3d motion;
   Eigen::VectorXd normal_displacement;
   ContactForces contact;
-  ContactForces other_contact; ///< contact forces at the end of the trial step, or of the previous step
+  ContactForces other_contact; ///< contact forces of the trial step during a step, else of the previous step
   Eigen::Vector3d condition_residual; ///< residual of the conditions on the contact forces
   double equilibrium = 0;             ///< relative residual of the body
   unsigned int n_steps;

@@ -28,7 +28,7 @@ struct ScaledMotions
     modes = (modes * scale.asDiagonal()).eval();
   }
 
-  Eigen::Vector3d scale;  ///< scale factors of q0, q1, q2: 1, 1/m, 1/m
+  Eigen::Vector3d scale;  ///< scale factors of q0, q1, q2: 1, 1/length, 1/length
   Eigen::MatrixX3d modes; ///< Q, with scaled columns
 };
 

@@ -46,7 +46,7 @@ ring::CurveSource rim_source(const std::vector<double> &kinks = {})
 
 TEST(AdaptiveCurve, StatedErrorContainsTheTrueError)
 {
-  // An unknown kink lies between nodes and requires more pieces.
+  // If the curve does not know the kink, the true error may be up to three times the stated error.
   for (const bool is_known : { false, true })
     for (const double upper : { 1.1, 1.5 })
       for (const double tolerance : { 1e-4, 1e-7 })

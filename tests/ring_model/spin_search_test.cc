@@ -196,8 +196,8 @@ TEST(SpinSearch, FindsANarrowGapByTheStabilityMargin)
 
 TEST(SpinSearch, ReportsTippingAtATorqueJumpWithALowMargin)
 {
-  // At 0.7 rad/s the torque jumps to a second balance with any stability margin. If the same change extends
-  // over 2e-3 rad/s, it is not a jump.
+  // At 0.7 rad/s the torque jumps to a second balance. The jump must be found for both stability margins of
+  // this balance (`beyond`). A change of the same size over 2e-3 rad/s is not a jump.
   const double end = 0.7, drop = 0.05;
   for (const double width : { 0., 2e-3 })
     for (const double beyond : { 0.1, 0.5 })

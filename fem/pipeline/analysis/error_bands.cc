@@ -262,8 +262,8 @@ Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot>
   return evaluate(loads, *foot, change.study.motion.orbit, probe);
 }
 
-/// Adds the differences between @p before and @p after as the part of @p change to @p bands. Quantities
-/// without a value after the change lose their error band.
+/// Adds the scaled difference between @p before and @p after to the part `change.part` of each error band.
+/// Removes the bands of quantities without a value after the change.
 void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &before,
               const std::vector<QuantityOfInterest> &after, ErrorBands &bands)
 {

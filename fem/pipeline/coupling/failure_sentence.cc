@@ -22,7 +22,8 @@ struct Failure
 {
   std::string sentence;
   ExitCode code = ExitCode::numerical_failure;
-  bool is_everywhere = false; ///< fails on all ranks; otherwise the other ranks would wait indefinitely
+  bool is_everywhere =
+    false; ///< true if all ranks fail alike; if false, the other ranks wait and must be aborted
 };
 
 /// Returns the failure of the exception that is currently handled.

@@ -82,7 +82,7 @@ fem::SolidSetup solid_setup(const Study &study, const Discretisation &discretisa
   return setup;
 }
 
-/// Solid foot with a key. Feet with equal keys share mesh and elements.
+/// Solid foot that stores the text of its elements. Feet with equal texts share mesh and elements.
 class StudyFoot : public fem::SolidFoot
 {
 public:

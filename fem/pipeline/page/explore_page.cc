@@ -237,7 +237,7 @@ constexpr double tolerance = 1e-11;
 /// Sizes of additional feet that a page offers on elastic tables, relative to the study's glass.
 constexpr double similar_feet[] = { 0.8, 0.9, 1.1, 1.2 };
 
-/// Glass and table, solved by the program and with the compliances of the page.
+/// Glass and table of a page, solved by the program, with the compliances that the page stores.
 struct SolvedPair
 {
   PagePair pair;

@@ -224,7 +224,7 @@ TEST(ContactExtent, AgreesWithTheClosedFormOfWideLands)
 
 TEST(ContactExtent, IsExactlyOneInFullContact)
 {
-  // Below the kern radius of 20-40 mm, (r^2 + R^2) / 4R = 12.5 mm.
+  // An annulus with r = 20 mm and R = 40 mm has the kern radius (r^2 + R^2) / 4R = 12.5 mm.
   for (const double eccentricity : { 0., 0.005, 0.0124 })
   {
     PlaneLand land;

@@ -150,8 +150,8 @@ TEST(PressureProfile, FollowsFromTheMomentsOfALine)
   }
 }
 
-/// The map of a Hertz pressure ends at the contact edges between its points, because the square of the
-/// pressure is interpolated.
+/// The pressure map interpolates the square of the pressure. The map of a Hertz pressure therefore ends at
+/// the contact edges, even if they lie between two grid points.
 TEST(PressureProfile, MapEndsAtTheContactEdges)
 {
   const auto half_width = [](double azimuth) { return 1e-6 * (2 + std::cos(azimuth)); };

@@ -214,8 +214,8 @@ TEST(LiftedBands, ContainTheErrorNextToTheTippingHeight)
   expect_limit_at_right_height(1);
 }
 
-/// Moments at which part of the contact has the slip ratio 1 at the terminal spin, so the error of the rings
-/// decreases slowly.
+/// Checks the error bands at @p n_states moments, from @p smallest_moment in steps of 0.01. At the terminal
+/// spin part of the contact has the slip ratio 1, so the error of the rings decreases slowly.
 void expect_bands_with_vanishing_slip_hold(double smallest_moment, unsigned int n_states)
 {
   Ratios ratios;

@@ -115,8 +115,8 @@ TEST(Fall, AgreesWithOtherCodeForARigidFoot)
   }
 }
 
-// Within 2e-7 m of the limit, a narrow range of spins has two balances. No verb may step from one balance to
-// the other.
+// Within 2e-7 m of the greatest height of the centre of mass with a terminal spin, a narrow range of spins
+// has two balances. No verb may step from one balance to the other.
 TEST(Fall, IsFoundAtTheSameSpinByEveryVerb)
 {
   Study study = mat_study();

@@ -63,12 +63,12 @@ void compare_bounds_of_studies(unsigned int n_studies, unsigned int seed)
   std::printf("median of bound over rest: %.2f; %u glasses tip\n", *middle, n_tipping);
 }
 
-TEST(TorqueBound, ExceedsTheRestUnderFourRandomLoads)
+TEST(TorqueBound, ExceedsTheTorqueOfOmittedHarmonicsUnderFourLoads)
 {
   compare_bounds_of_studies(4, 62);
 }
 
-TEST(TorqueBoundLong, ExceedsTheRestUnderSixtyRandomLoads)
+TEST(TorqueBoundLong, ExceedsTheTorqueOfOmittedHarmonicsUnderSixtyLoads)
 {
   compare_bounds_of_studies(60, 1);
 }

@@ -419,7 +419,8 @@ TEST(ExplorePage, HostileTextExecutesNothing)
 }
 
 /// Returns a script that opens @p page and loads @p tables (texts of files by name). Its result contains, for
-/// each table, status, offered columns, and the points in the unit @p units over the computed spin-up.
+/// each table, the status, the offered columns, and the measured points drawn over the computed spin-up. @p
+/// units: unit to choose, by file name.
 std::string measured_script(const std::string &page, const nlohmann::ordered_json &tables,
                             const std::map<std::string, std::string> &units)
 {

@@ -63,8 +63,9 @@ ring::Wrench friction_of(const Described &glass, const fem::ContactState &contac
   return friction;
 }
 
-/// Returns the forces and moments on the glass in three dimensions, computed from the pressure points. In the
-/// frame of the glass, its axis leans opposite to the tilt of the table.
+/// Returns the forces and moments on the glass in three dimensions, computed from the pressure points. The
+/// contact solution tilts the table under an upright glass. Relative to the table, the glass leans by the
+/// opposite tilt.
 verification::PlainGlass plain_glass(const Described &glass, const fem::ContactState &contact,
                                      const Study &study, double omega)
 {

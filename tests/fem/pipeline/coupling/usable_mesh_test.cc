@@ -100,7 +100,7 @@ TEST_F(ForeignMesh, IsReadInTheGivenUnit)
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary())
       face->set_boundary_id(0);
-  EXPECT_EQ(sentence(text(), { 2, 1, 1e-4, 1e-3 }), ""); // the contact height is in m
+  EXPECT_EQ(sentence(text(), { 2, 1, 1e-4, 1e-3 }), ""); // mesh in mm, contact height 1e-4 in m
 }
 
 TEST_F(ForeignMesh, RefusesAnUpsideDownFoot)
