@@ -26,7 +26,7 @@ FrictionFunctionals friction_functionals(const FrictionLaw &law, const std::vect
     const auto column = static_cast<Eigen::Index>(j);
     for (unsigned int n = 0; n <= n_max; ++n)
     {
-      // Of cos(n pi/2) and sin(n pi/2) one is zero and the other is +1 or -1.
+      // One of cos(n pi/2) and sin(n pi/2) is zero; the other equals `sign`.
       const double sign = n % 4 < 2 ? 1. : -1.;
       const bool is_even = n % 2 == 0;
       (is_even ? friction.torque.a : friction.torque.b)(n, column) = sign * radii[j] * kernels(n, 0);

@@ -35,8 +35,8 @@ Pair step_down(const Pair &above, unsigned int n, double eps_squared, double com
   return { above.q + above.g, ((2. * n + 1.) * inverse * eps_squared + feed) * above.g + feed * above.q };
 }
 
-/// Returns the pair at n + 1 from @p below, the pair at n, for small n (1 - eps^2), where the difference does
-/// not cancel.
+/// Returns the pair at n + 1 from @p below, the pair at n. For small n (1 - eps^2) only: otherwise the
+/// difference g loses its digits by cancellation.
 Pair step_up(const Pair &below, unsigned int n, double eps_squared, double complement)
 {
   const double g = ((2. * n - 1.) * below.g - complement * below.q) / ((2. * n + 1.) * eps_squared);
@@ -46,9 +46,9 @@ Pair step_up(const Pair &below, unsigned int n, double eps_squared, double compl
 /// Computes the pairs n = 1...@p n_max into q = values[3 n], g = values[3 n + 1]. Returns the pair at n_max +
 /// 1.
 ///
-/// Rounding errors of the upward recurrence grow like eps^{-2n}. Close to |eps| = 1 this is harmless.
-/// Otherwise the recurrence runs downwards from an arbitrary start at an n so high that the effect of the
-/// start vanishes. The first pair then sets the scale.
+/// Rounding errors of the upward recurrence grow like eps^{-2n}. Close to |eps| = 1 this growth is harmless.
+/// Otherwise the recurrence runs downwards from an arbitrary pair. It starts at an n so high that the choice
+/// of this pair has no effect. Afterwards all pairs are scaled to match @p first.
 Pair fill_pairs(double *values, unsigned int n_max, const Pair &first, double eps, double complement)
 {
   const double eps_squared = eps * eps;
@@ -111,8 +111,8 @@ FrictionKernels::FrictionKernels(double rim_speed, double speed, unsigned int n_
 void FrictionKernels::evaluate_slow_spin(double eps, double complement, bool divided)
 {
   const double eps_squared = eps * eps;
-  // `values` stores the pairs in the positions of P and K until the kernels are computed. `beyond` is the
-  // pair at n_max + 1.
+  // The entries of P and K in `values` store q and g until the kernels are computed. `beyond` is the pair at
+  // n_max + 1.
   const Pair first = first_pair(complement);
   const Pair beyond = fill_pairs(values.data(), highest, first, eps, complement);
 

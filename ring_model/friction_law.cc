@@ -79,8 +79,8 @@ HalfRim places_between(unsigned int n_intervals)
            Eigen::ArrayXd::Constant(n_intervals, pi / n_intervals) };
 }
 
-/// Returns Gauss rules on panels of y with psi = width sinh y. They resolve the neighbourhood of the minimum
-/// slip. No panel is longer than @p longest in psi. If the width is 0, the panels are equal in psi.
+/// Returns Gauss rules on panels of y with psi = width sinh y. The panels are shortest at psi = 0, the
+/// minimum slip. No panel is longer than @p longest in psi. If the width is 0, the panels are equal in psi.
 HalfRim clustered_places(double width, unsigned int n_panels, double longest)
 {
   using Rule = boost::math::quadrature::gauss<double, 20>;
@@ -195,7 +195,7 @@ Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, doubl
     return law.coefficient(0.) * kernels;
   }
   kernels = converged_kernels(law, { std::abs(rim_speed), speed }, n_max);
-  // A spin of the other sense is the mirror image: theta = sense 90 deg + psi.
+  // For omega < 0 the minimum slip is at theta = -90 deg instead of +90 deg. This reflection changes signs.
   if (rim_speed < 0.)
     for (unsigned int n = 0; n <= n_max; ++n)
       kernels.row(n) *=

@@ -106,7 +106,7 @@ double OrbitSpeedTable::time_of(double speed) const
   const auto i = static_cast<std::size_t>(entry - speeds.begin());
   if (i == 0 || speed <= 0.)
     return times[i == 0 ? 0 : i - 1];
-  // The speed is monotone between entries.
+  // Bisection: the speed is monotone between two entries.
   double before = times[i - 1], after = times[i];
   for (double middle = (before + after) / 2.; before < middle && middle < after;
        middle = (before + after) / 2.)

@@ -27,13 +27,13 @@ constexpr double margin_distance = 1. / 1024., margin_distance_on_the_way = 1. /
 constexpr double neighbourhood = 1. / 10.;
 constexpr double least_size = 1e-3; ///< spin below which the tolerance is absolute
 
-/// Maximum ratio, or inverse ratio, of the slope at the zero to the mean slope up to there. Beyond it the
-/// torque bends so much that an earlier zero may lie between the samples.
+/// Maximum ratio of the slope at the zero to the mean slope from rest to the zero, and of the mean slope to
+/// the slope at the zero. If a ratio is larger, an earlier zero may lie between the samples.
 constexpr double steepness_ratio = 16.;
 constexpr unsigned int max_evaluations = 200; ///< per search; prevents endless cycles
 constexpr double unsteady = 0.9;              ///< stability margin below which the balance may end nearby
 
-/// Throws BalanceLost with the nested exception @p failure, a NoBalance just beyond the spin @p last.
+/// Throws BalanceLost with the nested exception @p failure, a NoBalance thrown just above the spin @p last.
 [[noreturn]] void throw_balance_lost(const std::exception_ptr &failure, double last)
 {
   try
@@ -63,7 +63,8 @@ public:
   {
   }
 
-  /// Returns the first zero. Evaluates the spin @p first > 0 first. Throws like find_terminal_spin().
+  /// Returns the zero nearest to rest. The search starts with the spin @p first > 0. Throws like
+  /// find_terminal_spin().
   double zero(double first)
   {
     double spin = converge(samples.front(), first, {});
@@ -216,7 +217,7 @@ private:
     for (std::size_t i = 1; i < way.size(); ++i)
       if (way[i].torque >= way[i - 1].torque)
         return true;
-    // Next to the zero, rounding dominates the slope.
+    // A sample that is too close to the zero gives a slope dominated by rounding.
     const double too_close = rounding_distance * search.spin_scale;
     const DrivingTorque *nearest = nullptr;
     for (const DrivingTorque &sample : samples)
@@ -231,7 +232,7 @@ private:
   }
 
   /// Returns the first zero up to and including the zero at @p spin. Throws BalanceLost if the balance ends
-  /// before.
+  /// before the first zero.
   double scanned(double spin)
   {
     DrivingTorque near = samples.front();
@@ -248,11 +249,12 @@ private:
     return spin;
   }
 
-  /// Returns the zero at @p spin if the balance holds from rest to this spin, otherwise the first zero
-  /// before. Throws BalanceLost. Precondition: the search has a stability margin.
+  /// Returns the zero at @p spin if the balance holds from rest to this spin, otherwise the first zero before
+  /// this spin. Throws BalanceLost if the balance ends before any zero. Precondition: the search has a
+  /// stability margin.
   double reached(double spin)
   {
-    // Ends of the balance that are narrower than the spacing of the probes are missed.
+    // Intervals without a balance are missed if they are narrower than the spacing of the probes.
     constexpr unsigned int max_probes = 200;
     for (unsigned int i = 0; i < max_probes; ++i)
     {
@@ -309,11 +311,11 @@ private:
         continue;
       if (width > scan_step * search.spin_scale)
         return (left->first + right->first) / 2.;
-      // The less stable the balance, the narrower the interval: contact edges that cross a quadrature line
-      // cause small folds.
+      // Intervals must be narrower where the balance is less stable, because contact edges that cross a
+      // quadrature line cause small folds there.
       if (width > search.spin_scale * std::clamp(lower / 8., 1. / 256., scan_step))
         wide.emplace(lower, (left->first + right->first) / 2.);
-      // Slopes with which the square may fall towards the interior of the interval, from each end.
+      // Maximum rates at which the square may decrease from each end towards the interior of the interval.
       const double own = slope(left, right);
       const double from_left = safety * std::max(is_first ? 0. : -slope(std::prev(left), left), -own),
                    from_right = safety * std::max(is_last ? 0. : slope(right, std::next(right)), own);

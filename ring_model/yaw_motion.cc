@@ -20,12 +20,12 @@ namespace stemware::ring
 {
 namespace
 {
-/// Components psi and omega / spin_scale, so that one tolerance applies to both.
+/// State (psi, omega / spin_scale). The scaling allows one tolerance for both components.
 using YawState = std::array<double, 2>;
 
 /// Motion of a glass braked by the fingers with at most the grip torque. The torque is smooth while the glass
-/// turns in one direction. At omega = 0 an event ends the turning. The glass then rests until the free torque
-/// exceeds the grip, or turns back.
+/// turns in one direction. When omega reaches 0, the integration stops. The glass then rests until the free
+/// torque exceeds the grip, or turns back at once.
 class GrippedMotion
 {
 public:
@@ -132,7 +132,7 @@ private:
   /// Advances at rest until the free torque exceeds the grip, or to the end.
   void rest()
   {
-    constexpr unsigned int n_looks = 64; // minimum number of checks between outputs and breaks
+    constexpr unsigned int n_looks = 64; // checks of the torque, in addition to those at outputs and breaks
     const double look = (end - now.time) / n_looks;
     const auto excess = [&](double time) {
       return std::abs(free_torque({ time, now.yaw_angle, 0. })) - grip;
@@ -214,7 +214,7 @@ private:
     }
   }
 
-  /// Like turn(), but integrated by StiffMotion.
+  /// Integrates like turn(), but with StiffMotion.
   void turn_stiffly(int turns)
   {
     const StiffMotion motion = stiff_motion(turns);

@@ -23,7 +23,7 @@ using ring::pi;
 class AzimuthSums
 {
 public:
-  /// sum f, f y, -f x, f r, f r^2
+  /// Sums of f, f y, -f x, f r, f r^2 over the point forces f.
   using Moments = Eigen::Matrix<double, 5, 1>;
 
   /// @p radii is empty for a single ring.

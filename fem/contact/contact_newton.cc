@@ -23,9 +23,9 @@ namespace
 constexpr unsigned int min_nodes_across = 4;
 
 /// Returns the distance [m] from the axis to the convex hull of the nodes in @p direction (unit vector). The
-/// distance is the minimum of the distances to the tangents of the hull. With a moment balance, the weights L
-/// replace (x, y). The hull of a ring (@p is_ring) is nearly a circle, so its extent in @p direction
-/// suffices.
+/// distance is the minimum of the distances to the tangents of the hull. With a moment balance, the weights
+/// of the moment conditions replace (x, y). The hull of a ring (@p is_ring) is nearly a circle, so its extent
+/// in @p direction suffices.
 double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2d &direction, bool is_ring)
 {
   if (is_ring)
@@ -253,8 +253,7 @@ private:
   }
 
   /// Takes the step that minimises the energy along the increment. Returns the step length. Afterwards,
-  /// `contact` stores the contact forces at the end of the step, and `other_contact` stores the previous
-  /// contact forces.
+  /// `contact` stores the new contact forces, and `other_contact` stores the previous contact forces.
   double step_to_least_energy(const NewtonIncrement &increment, const Eigen::VectorXd &direction)
   {
     law.evaluate(normal_displacement + direction, other_contact);

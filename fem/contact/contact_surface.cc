@@ -18,7 +18,8 @@ Eigen::MatrixX3d ContactSurface::motion_modes() const
 
 unsigned int ContactSurface::n_nodes_across(const Eigen::VectorXd &pressure) const
 {
-  constexpr std::size_t n_bins_side_by_side = 8; // azimuths that differ only by rounding share 7 of 8 bins
+  // Two azimuths that differ only by rounding have at least 7 of their 8 bins in common.
+  constexpr std::size_t n_bins_side_by_side = 8;
   const std::size_t n_bins = 8 * n_bins_side_by_side * n_sectors;
   std::vector<double> n_loaded(n_bins, 0);
   Eigen::RowVector2d before(0, 0); // consecutive nodes of a line have the same azimuth

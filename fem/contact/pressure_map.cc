@@ -156,8 +156,8 @@ std::optional<double> reach_of_upright_edge(double last, double before, double s
 }
 
 /// Returns the point beyond the loaded point @p i of a cut at which the pressure vanishes, at most the next
-/// point. Three equally spaced loaded points: reach_of_upright_edge(). Two points: linear extrapolation. One
-/// point: half-way to the next point.
+/// point. Uses reach_of_upright_edge() if three equally spaced points are loaded, linear extrapolation if two
+/// are loaded, and half the spacing if only one is loaded.
 double edge_beyond(const std::vector<PressurePoint> &cut, std::size_t i, bool outwards)
 {
   if (i == (outwards ? cut.size() - 1 : 0))

@@ -11,7 +11,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Relative rounding error of lengths.
+/// Relative tolerance for rounding errors of lengths.
 constexpr double rounding = 1e-9;
 
 /// Maximum number of contact cells, because the compliances of more cells do not fit into memory.

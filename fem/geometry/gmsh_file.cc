@@ -52,7 +52,7 @@ public:
   {
   }
 
-  /// Returns the next word; empty after the last.
+  /// Returns the next word; an empty string after the last word.
   std::string_view next()
   {
     rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));

@@ -79,7 +79,8 @@ void append_shrinking(GridLines &lines, double end, const Growth &growth)
     lines.push_back(end - *distance);
 }
 
-/// Makes a tensor-product grid of the lines. Cells whose centre lies outside the section are omitted.
+/// Makes a tensor-product grid from the lines @p radii and @p heights. Cells whose centre lies outside the
+/// section are omitted.
 void make_grid(const GridLines &radii, const GridLines &heights,
                const std::function<bool(double radius, double height)> &is_inside,
                Triangulation<2> &triangulation)

@@ -110,7 +110,8 @@ void mark(const MeshFileOptions &marks, Triangulation<3> &triangulation)
     mark_by_height(marks, triangulation);
 }
 
-/// Returns the mean height of the faces of each id in the file [m], for ids within the range of the entries.
+/// Returns the mean height of the faces of each id in the file [m], for ids up to the maximum of the study's
+/// entries.
 std::map<types::boundary_id, double> heights_by_id(const Triangulation<3> &triangulation)
 {
   constexpr types::boundary_id max_entry = 65000;

@@ -16,9 +16,9 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Returns the distinct points of the underside within two half land widths of @p lowest, relative to @p
-/// lowest and in units of half the land width. The underside is the part of @p polyline between the axis and
-/// the largest radius.
+/// Returns the distinct points of the underside within one land width of @p lowest. The points are relative
+/// to @p lowest, in units of @p half_land. The underside is the part of @p polyline between the axis and the
+/// largest radius.
 std::vector<Vector2d> points_near(std::vector<SectionVertex>::const_iterator lowest,
                                   const std::vector<SectionVertex> &polyline, double half_land)
 {
@@ -38,7 +38,8 @@ std::vector<Vector2d> points_near(std::vector<SectionVertex>::const_iterator low
   return points;
 }
 
-/// Returns the weight of a point at @p offset from the middle of the window.
+/// Returns the weight of a point at @p offset from the middle of the window: 1 inside, 0 outside, smooth in
+/// between.
 double weight_at(double offset)
 {
   constexpr double full = 0.85, none = 1.15;
@@ -92,7 +93,7 @@ std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyli
         right += weight * distance * derivative;
         sum_of_weights += weight, sum_of_squares += weight * distance * distance, ++n_points;
       }
-    // The step is damped, because points that enter the window move it back.
+    // The step is damped, because points that enter the window move the window back.
     const Vector3d step = 0.7 * matrix.fullPivLu().solve(right);
     if (n_points < 3)
       break;

@@ -42,7 +42,7 @@ LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
 struct BlockInverse::Plan
 {
   Eigen::SparseMatrix<Eigen::Index> numbers; ///< index of each entry in the pattern, in elimination order
-  std::vector<Eigen::Index> of_kept;         ///< positions of the kept rows among the last rows
+  std::vector<Eigen::Index> of_kept;         ///< indices of the kept rows among the last rows
   std::unique_ptr<const CholmodFactors> symbolic;
 };
 

@@ -10,7 +10,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Position of the number of harmonics in a key.
+/// Index of the number of harmonics in the result of key_of().
 constexpr std::size_t harmonics_place = 3;
 
 /// Returns all inputs of compute_compliance() as a key: equal keys give bitwise equal compliances.

@@ -173,8 +173,8 @@ LineNewton::Functions LineNewton::chosen_functions() const
       worst = std::max(worst, rest.norm());
       if (n_functions < many_functions)
         return;
-      // Contraction factor for a rigid table: |L^-1 rest L^-T|, where L L^T is the compliance of the tail.
-      // The step treats the tail exactly.
+      // Contraction factor of an inexact step on a rigid table: |L^-1 rest L^-T| with L L^T = `tail`, the
+      // part of the compliance that the step treats exactly.
       const Eigen::MatrixXd half = factor.matrixL().solve(rest);
       contraction = std::max(contraction, factor.matrixL().solve(half.transpose()).norm());
     };

@@ -49,10 +49,10 @@ struct Path
   }
 };
 
-/// Returns the contact of @p body and @p law under @p conditions by continuation in the moment from the
-/// moment-free contact @p even, for conditions from which Newton's method does not converge directly. A
-/// failed step is halved. If the continuation ends, throws ContactFailure: tipping, if the tilt diverged
-/// under a moment that grows with tilt or friction; else the failure of the last step.
+/// Returns the contact of @p body and @p law under @p conditions. The moment grows in steps from zero
+/// (contact @p even) to its full value, because Newton's method does not converge directly. A failed step is
+/// halved. If the shortest step fails, throws ContactFailure: "tipping" if the tilt diverges and the required
+/// moment depends on the tilt or on friction, otherwise the failure of this step.
 ContactSolution continue_in_moment(BodyOfRevolution &body, TableLaw &law, const LinearConditions &conditions,
                                    double radius, const ContactControl &usual, const ContactSolution &even)
 {

@@ -256,7 +256,8 @@ std::optional<ContactStart> RevolutionFoot::predict_from(const ContactStart &sta
                                                          const Foot &similar) const
 {
   const auto *other = dynamic_cast<const RevolutionFoot *>(&similar);
-  // A contact solution of another width is no useful initial guess.
+  // The contact has another width if one foot has waviness, or if the kind of interface or the compliance
+  // differs. The solution of `similar` is then no useful initial guess.
   if (!other || !setup.imperfection.empty() || !other->setup.imperfection.empty() ||
       setup.table.interface->is_hard() != other->setup.table.interface->is_hard() ||
       setup.plane_strain_compliance() != other->setup.plane_strain_compliance())

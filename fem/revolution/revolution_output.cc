@@ -157,8 +157,8 @@ private:
   /// the span.
   unsigned int n_azimuths() const { return std::max(4 * (field.n_modes() - 1) / 2, 48u) / span * span; }
 
-  /// Returns the load [N] of a contact cell divided into @p n_pieces. Integrates by the trapezoidal rule at
-  /// the output nodes.
+  /// Returns the load [N] of a contact cell divided into @p n_pieces. The load is integrated by the
+  /// trapezoidal rule over the output nodes.
   double drawn_force(const Cell &cell, unsigned int n_pieces) const
   {
     const auto face = cell->face(contact_face(cell));
@@ -342,7 +342,7 @@ std::vector<StressedPatch> revolution_section(const MeridianField &field, double
     const MeridianField::Amplitudes amplitudes = field.amplitudes(cell, Quadrature<2>(unit_points));
     for (const int side : { 1, -1 })
     {
-      // The modes at this azimuth, and the conjugate modes.
+      // Values of the modes and of their conjugates at this azimuth.
       Eigen::VectorXd modes(field.n_modes()), conjugates(field.n_modes());
       for (unsigned int mode = 0; mode < field.n_modes(); ++mode)
       {

@@ -109,7 +109,8 @@ double crest_half_width(const RevolutionSetup &setup, double normal_force)
     second = boost::math::ellint_2(modulus);
     slenderness = std::sqrt((along / across * (first - second) + first) / second);
   }
-  // The table motions keep at least three crests in contact.
+  // Hertzian half-width under a third of the normal force: the table motions keep at least three crests in
+  // contact.
   return std::cbrt(normal_force * second * setup.plane_strain_compliance() /
                    (ring::pi * slenderness * (1 / across + 1 / along)));
 }
@@ -119,8 +120,8 @@ double expected_half_width(const RevolutionSetup &setup, double normal_force)
   if (setup.profile.crown_radius == 0)
     return 0;
   double of_bodies = hertz_half_width(setup, normal_force);
-  // The compliance of the foot in bending between the crests is unknown here, so the geometric mean of both
-  // estimates is used. It is close enough to both.
+  // A foot that is stiff in bending stands on crests only; a soft foot is in contact all around. The bending
+  // stiffness is unknown here, so the geometric mean of both half-widths is used.
   if (setup.table.interface->is_hard())
     of_bodies = std::sqrt(of_bodies * std::max(of_bodies, crest_half_width(setup, normal_force)));
   if (setup.table.substrate)

@@ -25,14 +25,15 @@ struct AggregationParameters
   int n_smoothing_steps = 4;      ///< degree of the Chebyshev smoother on the intermediate levels
   double smoothing_range = 20;    ///< largest eigenvalue divided by the lower end of the smoothed range
   int max_factorised_rows = 4000; ///< if an aggregated level has more rows, it is aggregated again
-  /// If a matrix has more rows, it is aggregated, and the rows of the next level are denser.
+  /// Maximum rows of a matrix that is factorised without aggregation. Larger than max_factorised_rows,
+  /// because aggregated levels have denser rows.
   int max_sparse_rows = 10000;
 };
 constexpr AggregationParameters parameters = {};
 
 /// Returns algebraic multigrid by smoothed aggregation (ML of Trilinos) for the stiffness @p matrix of linear
-/// elements. vmult() is one W-cycle without smoothing on the finest level, which is left to the caller:
-/// symmetric and positive semidefinite. A small matrix is factorised.
+/// elements. vmult() is one W-cycle, symmetric and positive semidefinite. The caller smooths the finest
+/// level. A small matrix is factorised instead.
 ///
 /// @p modes: displacements of the rigid motions at the rows that this rank owns, 0 at constrained rows, one
 /// motion after the other. Keeps references to both arguments.

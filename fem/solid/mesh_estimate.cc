@@ -115,9 +115,9 @@ bool touches(const Cell &cell, const std::set<unsigned int> &edges)
   return false;
 }
 
-/// Returns copies of @p mesh, each finer than the one before: halved are the contact faces between the radii
-/// @p inner and @p outer [m] and the cells along re-entrant edges of the boundary. @p mesh is distributed
-/// over its communicator. Collective.
+/// Returns copies of @p mesh, each finer than the previous copy. Every copy halves the cells along re-entrant
+/// edges of the boundary. The first copy also halves the cells in contact between the radii @p inner and @p
+/// outer [m]. @p mesh is distributed over its communicator. Collective.
 std::vector<std::shared_ptr<const Triangulation<3>>> enriched_meshes(const Triangulation<3> &mesh,
                                                                      double inner, double outer)
 {
@@ -147,11 +147,11 @@ std::vector<std::shared_ptr<const Triangulation<3>>> enriched_meshes(const Trian
 
 using DofVector = MeshHierarchy::Vector;
 
-/// Residual reduction of the dual solve. Its solution serves only as refinement indicator.
+/// Residual reduction of the dual solve. The dual solution serves only as refinement indicator.
 constexpr double dual_tolerance = 1e-4;
 
-/// Stopping rule on the finer elements. The first bound limits the change of the goal in the last step
-/// relative to its total change, the second bound the relative residual of the forces.
+/// Stopping rule on the finer elements. `last_change` bounds the change of the goal in the last step,
+/// relative to its total change. `left_unbalanced` bounds the relative residual of the forces.
 constexpr double last_change = 0.1;
 constexpr double left_unbalanced = 1e-3;
 

@@ -107,7 +107,7 @@ struct MeshHierarchy::Cycle
     transfer = std::make_unique<Transfer>(transfers, [this](unsigned int l, FloatVector &vector)
                                           { matrices[l].initialize_dof_vector(vector); });
 #if !DEAL_II_VERSION_GTE(9, 5, 0)
-    transfers.resize(0, 0); // deal.II before 9.5 copies them
+    transfers.resize(0, 0); // already copied by deal.II before 9.5
 #endif
   }
 
@@ -139,7 +139,7 @@ struct MeshHierarchy::Cycle
 
   std::vector<std::unique_ptr<SolidLevel>> levels;
   std::vector<std::shared_ptr<const ContactNodes>> contact_nodes;
-  /// From the contact nodes of the next coarser level to the contact nodes of each level.
+  /// Interpolation to the contact nodes of each level from the contact nodes of the next coarser level.
   std::vector<Eigen::SparseMatrix<double>> interpolations;
   MGLevelObject<LevelMatrix> matrices;
   MGLevelObject<MGTwoLevelTransfer<3, FloatVector>> transfers; ///< transfers between neighbouring levels
@@ -223,7 +223,7 @@ void MeshHierarchy::prolongate(unsigned int l, LinearAlgebra::distributed::Vecto
   from.copy_locally_owned_data_from(coarse);
   cycle->transfer->prolongate(l, to, from);
   fine.copy_locally_owned_data_from(to);
-  cycle->levels[l]->constraints.set_zero(fine); // the other nodes determine hanging nodes
+  cycle->levels[l]->constraints.set_zero(fine); // hanging nodes are interpolated from the other nodes
 }
 
 template void MeshHierarchy::prolongate(unsigned int, FloatVector &, const FloatVector &) const;

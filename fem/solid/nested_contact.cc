@@ -8,8 +8,8 @@ namespace stemware::fem
 namespace
 {
 
-/// Returns the stopping rule on a coarser mesh. Its tolerance is looser than the discretisation error of the
-/// finer mesh requires.
+/// Returns the stopping rule on a coarser mesh. Its tolerances are loose, because the solution is only the
+/// initial guess on the finer mesh.
 ContactControl coarse_control(double softening)
 {
   ContactControl control;

@@ -245,7 +245,8 @@ void measure(ContactSurface &surface, const ContactNodes &nodes, unsigned int li
   surface.node_area = nodes.spread(nodes.summed(areas));
   surface.lines_are_radial = !surface.parts.any(!are_radial);
   surface.is_crowned = surface.parts.any(is_crowned);
-  // Relative to the outer radius; a smaller hole is caused by a cell at the axis.
+  // Minimum inner radius of a ring, relative to its outer radius. A smaller hole is an artefact of the cells
+  // at the axis.
   constexpr double min_hole = 0.1;
   surface.is_ring = surface.parts.min(inner) > min_hole * surface.parts.max(outer);
   const double n_faces = surface.parts.sum(static_cast<double>(surface.lines.size())) / lines_per_face;

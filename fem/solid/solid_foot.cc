@@ -54,8 +54,8 @@ struct FootNumbers
   double softening = 8;
   /// Penalty of the nodal multipliers relative to E / (cell size), and residual reduction of a linear solve
   /// during the multiplier iteration. With a penalty of 1, an update halves the error of the highest modes.
-  /// With 10, it leaves a tenth of the error. With 100, the linear solves need more iterations than the
-  /// updates save.
+  /// With 10, an update leaves a tenth of this error. With 100, the linear solves need more iterations than
+  /// the updates save.
   double penalty = 10, reduction = 0.1;
   /// Reduction of the tolerance from one multiplier solve to the next. About equal to the error that one
   /// update leaves.

@@ -26,9 +26,9 @@ namespace
 
 using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
 
-/// Output fields. Elastic displacement relative to the stem's cut [m]. Rigid motion of the glass [m]: upward
-/// q0 + q1 x + q2 y, and the horizontal part of this small rotation. Stress [Pa]. Strain of isotropic
-/// elasticity. Von Mises stress [Pa].
+/// Output fields: elastic displacement relative to the stem's cut [m]; rigid motion of the glass [m], upward
+/// q0 + q1 x + q2 y and the horizontal part of this small rotation; stress [Pa]; strain of isotropic
+/// elasticity; von Mises stress [Pa].
 class GlassFields : public DataPostprocessor<3>
 {
 public:
@@ -201,7 +201,7 @@ std::vector<FieldFile> pieces_on_ranks(Picture &picture, const MPI_Comm &communi
     files.push_back({ name_of_piece(Utilities::MPI::this_mpi_process(communicator)), picture.vtu_text() });
   const std::vector<bool> have_cells = Utilities::MPI::gather(communicator, picture.has_cells());
   std::vector<std::string> pieces;
-  // Gathered on the first rank, empty on the others.
+  // `have_cells` is empty on every rank but the first.
   for (unsigned int rank = 0; rank < have_cells.size(); ++rank)
     if (have_cells[rank])
       pieces.push_back(name_of_piece(rank));

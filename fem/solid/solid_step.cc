@@ -74,7 +74,8 @@ struct StepNumbers
   /// target: a few more iterations cost less than another step.
   double nearly_last = 30;
 
-  /// Tolerances of W: loose if W only serves in the preconditioner, tight if close_conditions() uses W.
+  /// Tolerances of W ~ (K + B' T B)^-1 G: loose if W only serves in the preconditioner, tight if
+  /// close_conditions() uses W.
   double loose_border = 0.02, tight_border = 1e-3;
   /// W is omitted if the V-cycle alone captures at least this fraction of the effect of the table motions.
   double small_border = 0.2;
@@ -370,8 +371,8 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
 {
   const SymmetricStep step = begin_step(tangent, conditions.are_resultants() ? nullptr : &conditions);
 
-  // 1. Symmetric part, for the whole residual. Vectors of the whole body dominate the memory, so each vector
-  // is released right after its last use.
+  // 1. Solves the symmetric part for the whole residual. Vectors of the whole body dominate the memory, so
+  // each vector is released right after its last use.
   const Eigen::Vector3d missing = step.motions.scale.asDiagonal() * conditions.residual(forces, motion);
   double target = 0;
   SolidIncrement solution = [&]
@@ -381,7 +382,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
     return step.solve(rhs, missing, target);
   }();
 
-  // 2. Friction.
+  // 2. Corrects the increment for friction.
   if (has_friction())
   {
     Vector left = residual(forces);
@@ -391,7 +392,8 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
                          { return step.solve(of, Eigen::Vector3d::Zero(), to); });
   }
 
-  // 3. Data for Newton's method. The work of friction depends on the forces and belongs to the body.
+  // 3. Fills the result for Newton's method. residual() includes friction, so the energy of the body includes
+  // the work of friction.
   const Eigen::VectorXd change = step.forces_of(solution);
   const SurfaceParts &parts = contact.nodes().parts();
   NewtonIncrement result;
@@ -402,7 +404,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
   result.energy_curvature = solution.image * solution.body - parts.sum(change.dot(result.displacement));
   result.energy_slope = parts.sum(forces.dot(result.displacement)) - residual(forces) * solution.body;
 
-  // 4. The increment is stored for update().
+  // 4. Stores the increment for update().
   increment.swap(solution.body);
   increment_forces.swap(solution.image);
   increment_forces -= contact_load(change);
@@ -412,8 +414,8 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
 void SolidBody::close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
                                  const Eigen::Vector3d &missing, SolidIncrement &solution) const
 {
-  // The solutions of the body differ by motions (-W q, q). The solution whose forces fulfil the
-  // conditions L is selected.
+  // Adding (-W q, q) for any table motion q gives another solution of the body. The motion `further` is
+  // chosen so that the forces fulfil the conditions.
   Eigen::MatrixX3d response(motions.modes);
   for (unsigned int i = 0; i < 3; ++i)
     response.col(i) -= contact.nodes().gather(eliminated_border[i]);

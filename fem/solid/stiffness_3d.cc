@@ -20,7 +20,7 @@ namespace
 {
 
 /// Computes the stiffness of one cell from the products [3 a + i, 3 b + j] = int d_i N_a d_j N_b. A single
-/// matrix product gives all of them.
+/// matrix product gives all these integrals.
 void compute_cell_stiffness(const FEValues<3> &values, const ElasticMaterial &material,
                             FullMatrix<double> &matrix)
 {

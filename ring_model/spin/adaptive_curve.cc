@@ -41,7 +41,7 @@ Eigen::VectorXd AdaptiveCurve::Piece::at(double x) const
 
 double AdaptiveCurve::Piece::error() const
 {
-  constexpr Eigen::Index min_nodes = 4; // the estimate requires at least two added nodes
+  constexpr Eigen::Index min_nodes = 4; // the error estimate requires the two ends and two added nodes
   return nodes.size() < min_nodes ? std::numeric_limits<double>::infinity() : estimate;
 }
 
@@ -85,7 +85,7 @@ AdaptiveCurve::AdaptiveCurve(const CurveSource &source, double lower, double upp
       refine(source, *worst);
       continue;
     }
-    // Halves of the piece in its smooth coordinate.
+    // Splits the piece at the middle of its smooth coordinate.
     const double middle = worst->place(0.5);
     const Piece left = through_ends(source, worst->begin, middle, worst->kink_at_begin, false);
     *worst = through_ends(source, middle, worst->end, false, worst->kink_at_end);

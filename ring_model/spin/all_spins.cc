@@ -13,8 +13,8 @@ namespace stemware::ring
 namespace
 {
 
-/// Returns the number of consecutive steps of @p step from rest that have a balance, at most @p n_most. Tests
-/// every @p stride-th step.
+/// Returns the largest n <= @p n_most for which the glass is in balance at the spins step, 2 step, ... n
+/// step. Tests every @p stride-th spin and, near the end of the balance, every spin.
 int n_balances(const Load &load, double step, int stride, int n_most)
 {
   int n_found = 0;
@@ -32,10 +32,10 @@ struct Reach
   int n_steps, stride;
 };
 
-/// Returns true if friction brakes at @p omega and beyond, by much more than the lean torque. If the whole
-/// rim turns faster than it travels, eps = |omega| r / v > 1, friction brakes at every point of the rim with
-/// an arm of at least sqrt(1 - 1 / eps^2) r. This holds for any load without tension, for example the load of
-/// a contact.
+/// Returns true if friction certainly brakes at @p omega and at higher spins, with more than ten times the
+/// lean torque. If the whole rim turns faster than it travels, eps = |omega| r / v > 1, friction brakes at
+/// every point of the rim with an arm of at least sqrt(1 - 1 / eps^2) r. This holds for any load without
+/// tension, for example the load of a contact.
 bool brakes_beyond(double omega, const Load &load, const Motion &motion)
 {
   constexpr double much = 10;
@@ -51,8 +51,8 @@ bool brakes_beyond(double omega, const Load &load, const Motion &motion)
   return much * std::abs(at_spin.lean_torque()) < min_torque;
 }
 
-/// Returns the range in which friction may drive. The range ends where friction brakes for any load
-/// distribution or where the load has no balance, otherwise at 1.5 v / R.
+/// Returns the range of spins in which friction may drive the glass. The range ends where friction brakes for
+/// any load distribution or where the load has no balance, otherwise at 1.5 v / R.
 Reach reach_of(const Load &load, const Motion &motion)
 {
   const double unit = load.spin_scale(motion);

@@ -143,12 +143,13 @@ double find_terminal(const Load &load, const Question &question, Answer &found)
   return asked;
 }
 
-/// Fills @p found up to the first failure.
+/// Fills @p found. If the glass tips, @p found contains the fall instead of the terminal spin. Results from
+/// before an exception are kept.
 void find_spin(const Load &load, const Question &question, Answer &found)
 {
   found.harmonics = load.n_harmonics();
   found.at_rest = ring_state(load.at(0), question, 0);
-  Answer searched = found; // without a terminal spin unless all results are found
+  Answer searched = found; // a copy, because `found` must contain no terminal spin if the glass tips
   double asked = 0;
   try
   {

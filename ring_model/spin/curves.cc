@@ -86,8 +86,8 @@ PhasedTorqueFunction tabulated_torque(const Load &load, const Motion &motion, do
                                       double tolerance)
 {
   const PhaseGrids &grids = load.phases()->phases();
-  // The table ends at the range of one polynomial: beyond that range, the load would need further contact
-  // solves and has a kink.
+  // The table is limited to the range of one polynomial. At the end of this range the interpolated load has a
+  // kink, and further spins would need more contact solves.
   const auto [slowest, fastest] = load.phases()->polynomial_range(middle);
   const double lower = std::max(middle - reach, slowest), upper = std::min(middle + reach, fastest);
   const auto at_phases = [&](double omega)
@@ -158,7 +158,8 @@ Load interpolated_for_curves(const Load &load, const Answer &found, double lower
     return find_or_nullopt(
       [&] { return load.interpolated(std::min(one, other), std::max(one, other), tolerance, similar); });
   };
-  CurveTolerance near_fall; // smaller, because the load is steep near the end of the balance
+  // Looser after `usual_samples`, because the load is steep near the end of the balance.
+  CurveTolerance near_fall;
   near_fall.relaxed = near_fall.coarsest;
   if (found.fall)
     return between(0, found.fall->omega, near_fall).value_or(load);

@@ -47,7 +47,7 @@ struct Load::Source
   }
 };
 
-/// Interpolated coefficients of a load, or of the difference between a load and a similar one.
+/// Interpolated coefficients of a load, or of the difference between a load and the load `similar`.
 struct Load::Interpolant
 {
   unsigned int n_harmonics;

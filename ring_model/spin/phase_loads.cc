@@ -21,8 +21,8 @@ constexpr double tolerance = 1e-5;
 /// Maximum error of the mean over the phases (part of the error band) and of the load between two phases
 /// (affects the ripple only).
 constexpr SampleError largest_allowed = { 3e-2, 0.3 };
-/// Initial number of phases per angle (alone; with a second angle). Powers of two, so that the error is
-/// estimated from every second and every fourth phase.
+/// Initial number of phases per angle, for loads that depend on one angle and on two angles. Powers of two,
+/// so that the error can be estimated from every second and every fourth phase.
 constexpr unsigned int first_phases = 8, first_phases_of_two = 4;
 constexpr unsigned int max_phases = 128; ///< per angle
 
@@ -150,7 +150,8 @@ PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
   { return sampled_at(load, omega, phases()).columns().reshaped(); };
   const auto error_of_mean = [&](double, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)
   { return torque_difference(samples_from(interpolated).mean(), samples_from(exact).mean()); };
-  CurveTolerance tolerances; // before the last sample; this sample typically reduces the error to a tenth
+  // Ten times the wanted error, because the last sample typically reduces the error to a tenth.
+  CurveTolerance tolerances;
   tolerances.target = 10 * std::max(tolerance, at_rest.error().mean);
   tolerances.relaxed = std::max(tolerances.target, 1e-3);
   tolerances.coarsest = std::max(tolerances.relaxed, largest_allowed.mean);

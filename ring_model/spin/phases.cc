@@ -76,7 +76,7 @@ Eigen::VectorXd PhaseGrids::interpolated(const Eigen::Ref<const Eigen::MatrixXd>
 {
   const Eigen::VectorXd weights_there = weights(phase);
   Eigen::Index nearest = 0;
-  // The angle is a phase of the grid.
+  // A phase of the grid needs no interpolation.
   if (weights_there.maxCoeff(&nearest) == 1 && weights_there.lpNorm<1>() == 1)
     return columns.col(nearest);
   return columns * weights_there;
