@@ -16,11 +16,11 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Safety factor of changes that converge at first order or faster.
+/// Safety factor for changes that converge at first order or faster.
 constexpr double usual_factor = 1.25;
 
-/// Safety factor of a change of the contact lines if the load ends between two lines. The larger of the two
-/// changes may be only half of the error.
+/// Safety factor for the changes of add_lines() if the load ends between two contact lines. The larger of the
+/// two changes may be only half of the error.
 constexpr double factor_of_lines = 2.5;
 
 /// Minimum number of elastic harmonics for a comparison of meshes.
@@ -35,7 +35,7 @@ Variant changed(Variant copy, const Setting &change)
 }
 
 /// Returns the change @p variant for the part @p part of the error band. The variant is solved on its own
-/// foot and compared with the change @p from (empty: with the study).
+/// foot and compared with the change of the part @p from; with the study if @p from is empty.
 BandChange change_of(const std::string &part, double factor, Variant variant, const std::string &from = "",
                      bool compares_over_spins = false)
 {
@@ -65,8 +65,8 @@ std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned 
 }
 
 /// Adds changes of the rings and harmonics, applied to the pressure of the existing contact solutions. These
-/// changes are doubled, because the friction force in the moment balance adds an error of the same size. If
-/// the foot has at least two rings, their number is replaced by each of @p ring_counts, and the largest
+/// changes get the factor 2, because the friction force in the moment balance adds an error of the same size.
+/// If the foot has at least two rings, their number is replaced by each of @p ring_counts, and the largest
 /// change counts. A single ring is replaced by the rings of a study with Contact/Rings = usual_rings.
 void add_ring_projections(const Variant &own_study, const ElasticFoot &foot,
                           const std::vector<unsigned int> &ring_counts, std::vector<BandChange> &changes)
@@ -93,7 +93,7 @@ void add_ring_projections(const Variant &own_study, const ElasticFoot &foot,
 
 /// Adds changes to three and four times the contact lines, set by @p multiply(variant, factor). If the load
 /// ends between two lines, the error depends on the position of the contact edge between them and has either
-/// sign. With a single other number of lines, the two results may agree by chance.
+/// sign. A single comparison could agree by chance.
 void add_lines(const Variant &own, const std::function<void(Variant &, unsigned int factor)> &multiply,
                std::vector<BandChange> &changes)
 {
@@ -149,14 +149,13 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
   if (study.table.is_hard())
     changes.push_back(change_of("interface", 1.5, changed(own, harden)));
   // If the slip vanishes between two rings, the error depends on the position of this point between the rings
-  // and has either sign. With a single other number of rings, or with common radii, the two results may agree
-  // by chance.
+  // and has either sign. A single comparison, or one with common radii, could agree by chance.
   const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
   add_ring_projections(own, foot, { 2 * n_rings, 2 * n_rings + 1, 4 * n_rings }, changes);
   return changes;
 }
 
-/// Study on a coarser mesh. @p ratio is the smallest growth of the cells among the three directions.
+/// Study on a coarser mesh. `ratio` is the growth of the cell size, the smallest of the three directions.
 struct CoarserStudy
 {
   Variant variant;
@@ -238,7 +237,8 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
     throw BadInput("quadratic elements would exceed Contact/Memory limit");
   const Variant &cheapest = coarse ? coarse->variant : own;
   const std::string as_cheapest = coarse ? "mesh" : "";
-  // Each halving of the cells adds the same indentation of a narrow contact.
+  // The change to halved cells is no bound for a narrow contact: each further halving adds the same
+  // indentation.
   if (is_narrow)
     changes.push_back(change_of(
       "mesh", usual_factor,

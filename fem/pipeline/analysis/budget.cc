@@ -106,7 +106,7 @@ std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
       add_row(other.variant.step, other.variant.name, other.variant.study, other, rows);
   if (study.load.source == LoadSource::first_harmonic)
     return rows;
-  // Adds the rows 3 or 3a, 4, 5, ... of a study whose load has higher harmonics.
+  // Adds the rows 3 (3a if the glass tilts), 4, 5, ... of a study whose load has higher harmonics.
   const std::vector<LoadedRow> &by_harmonics = solved.by_harmonics;
   const LoadedRow &first = by_harmonics.front();
   add_row({ 3, study.tilts() }, study.tilts() ? "tilt" : "where the foot touches", study, first, rows);
@@ -120,8 +120,8 @@ std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
     add_row(step, "harmonics", study, first, rows);
   BudgetRow &all = rows.back();
   all.harmonics.reset();
-  // The truncated series of a pressure with an edge is slightly negative beyond the edge, although the
-  // pressure is not.
+  // With lift-off, the truncated Fourier series of the load is slightly negative outside the contact,
+  // although the pressure is not.
   if (study.load.is_from_contact() && all.status == ring::Status::formal)
     all.status = ring::Status::lift_off;
   return rows;

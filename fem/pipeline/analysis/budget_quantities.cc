@@ -11,7 +11,8 @@ namespace
 
 using Number = std::optional<double>;
 
-/// Returns "formal" or the reason of a missing value; an empty text if the row has neither.
+/// Returns the reason that @p row states. Without a reason, returns the status if it is formal or if the
+/// terminal spin is missing; otherwise, an empty text.
 std::string remark_of(const BudgetRow &row)
 {
   if (!row.reason.empty())

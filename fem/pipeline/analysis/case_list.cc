@@ -27,9 +27,9 @@ namespace
 /// Maximum number of cases, so that their texts fit into memory.
 constexpr std::size_t max_cases = 1000000;
 
-/// Returns @p value as the study file states it for @p entry, in the SI unit. Assigns the value to a separate
-/// study for this purpose. Throws BadInput, beginning with @p origin, if the entry refuses the value or the
-/// file of the entry is missing.
+/// Returns @p value in the SI unit, as a study file would state it. Assigns the value to @p entry of a
+/// separate study. Throws BadInput if @p entry refuses the value or if a file named by the value is missing.
+/// The message begins with @p origin.
 std::string canonical(const StudyEntry &entry, const std::string &origin, const std::string &value)
 {
   assign(entry, origin, value);
@@ -47,7 +47,7 @@ std::vector<std::string> pieces(const std::string &text, char separator)
   return parts;
 }
 
-/// Returns @p value of a range, rounded to the 15th digit of the larger end.
+/// Returns @p value of a range, rounded to the 15th significant digit of the end of larger magnitude.
 double snapped(double value, double first, double last)
 {
   const double largest = std::max(std::abs(first), std::abs(last));
@@ -57,7 +57,7 @@ double snapped(double value, double first, double last)
   return rounded(std::round(value / unit) * unit, 15) + 0.; // + 0. avoids -0
 }
 
-/// Returns the values of first:last:number or first:last:number:log in @p unit.
+/// Returns the values of the range first:last:number or first:last:number:log, as numbers in @p unit.
 std::vector<std::string> range_values(const std::string &origin, const std::vector<std::string> &parts,
                                       const std::string &unit)
 {

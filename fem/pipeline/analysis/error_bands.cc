@@ -24,8 +24,8 @@ namespace
 /// Spins and phases at which a study and its changes are compared.
 struct EvaluationPoints
 {
-  /// Rest, half of, once and one and a half times the terminal spin. Four spins close to the terminal spin
-  /// follow if the first four do not resolve the slope.
+  /// 0, 0.5, 1 and 1.5 times the terminal spin. If these spins do not resolve the slope of the torque, four
+  /// spins close to the terminal spin follow.
   std::vector<double> spins;
   std::optional<double> first; ///< terminal spin of the first harmonic only
   std::vector<ring::Orientation> phases;
@@ -125,7 +125,7 @@ std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &
   constexpr unsigned int n_phases = 4;
   std::vector<ring::Orientation> phases;
   for (unsigned int i = 0; i < n_phases; ++i)
-    // Glass and table rotate in opposite directions.
+    // The table runs backwards (3 i mod 4 = 0, 3, 2, 1): glass and table rotate in opposite directions.
     phases.push_back({ start.glass + periods.glass * i / n_phases,
                        start.table + periods.table * (3 * i % n_phases) / n_phases });
   return phases;

@@ -60,7 +60,7 @@ void scale(fem::MeshError &error, double factor)
     share *= std::abs(factor);
 }
 
-/// Cells are halved in decreasing order of their error until they cover this fraction of the error.
+/// Fraction of the error that the halved cells cover. The cells with the largest errors are halved first.
 constexpr double marked_share = 0.8;
 
 GoalError error_of(const Study &study, const Discretisation &discretisation, const Executor &executor)
@@ -85,8 +85,8 @@ double sum_of_shares(const fem::MeshError &error)
   return std::accumulate(error.cells.begin(), error.cells.end(), 0.);
 }
 
-/// Throws if the next mesh for a goal exceeds the memory limit. The size of this mesh is not known earlier.
-/// @p before: error on the mesh before the last halvings of @p meshed.
+/// Throws if the next mesh for a goal exceeds the memory limit. @p before: error on the mesh before the last
+/// halvings of @p meshed. A halved cell becomes 8 cells; linear elements have 4.5 unknowns per cell.
 void require_memory(const Study &study, const Discretisation &meshed, const GoalError &before)
 {
   constexpr double per_unknown = 10e3; // measured [bytes]; most of the memory is used by the error estimate

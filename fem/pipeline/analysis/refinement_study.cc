@@ -21,7 +21,7 @@ struct Parameter
   RefinementAxis axis;
   unsigned int &value;
   unsigned int min, max;
-  unsigned int step = 0; ///< sizes are doubled multiples of `step`; 0: sizes increase by one
+  unsigned int step = 0; ///< sizes are doubled and multiples of `step`; 0: sizes increase by one
 };
 
 std::vector<Parameter> parameters_of(ContactSection &contact)
@@ -96,7 +96,7 @@ RefinementSequence assess_convergence(const std::vector<double> &values, AxisKin
   double band = rounding;
   if (kind != AxisKind::cells)
     band +=
-      // Fine_step alone may be small by chance.
+      // The last step alone may be small by chance.
       1.25 * std::max(std::abs(fine_step), std::abs(coarse_step) / 4);
   else if (0.5 <= order && order <= 8)
   {

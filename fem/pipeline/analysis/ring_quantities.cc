@@ -13,8 +13,8 @@ namespace
 using Number = std::optional<double>;
 using Effect = ring::TorqueEffect;
 
-/// Returns a function that reads a number of one state of an answer; std::nullopt if the answer lacks this
-/// state.
+/// Returns a function that reads a number of one state of an answer. The function returns std::nullopt if the
+/// answer lacks the state.
 template <typename Read>
 auto in_state(std::optional<ring::RingState> ring::Answer::*state, Read read)
 {
@@ -36,8 +36,8 @@ std::array<double, 2> force_of(const ring::RingState &state)
   return { state.friction.force_x, state.friction.force_y };
 }
 
-/// Returns a function that reads the change, rest or bound of the effect at one of its spins; std::nullopt
-/// without a terminal spin.
+/// Returns a function that reads one member of an AtSpin: the effect at half or at the full terminal spin.
+/// The function returns std::nullopt without a terminal spin.
 auto of_effect(std::optional<Effect::AtSpin> Effect::*spin, double Effect::AtSpin::*value)
 {
   return [=](const Truncation &row)

@@ -73,7 +73,7 @@ std::vector<double> spins_of(const std::vector<ring::YawSample> &samples)
   return spins;
 }
 
-/// Returns the spins of a spin-up; an empty list if the balance is lost on the way.
+/// Returns the spins of a spin-up; an empty list if the balance is lost before the last of @p times.
 std::vector<double> spin_up_of(const ring::Load &load, const ring::Question &question,
                                const std::vector<double> &times, const std::optional<ring::Fall> &fall)
 {
@@ -211,7 +211,7 @@ std::optional<double> driven_band(const SpinStudy &spin, const std::optional<dou
   const auto &driven = spin.spin_up.driven;
   if (!driven || !band || omega.value_or(0) == 0)
     return std::nullopt;
-  // At another speed, the relative error of the load equals the relative error at the terminal spin.
+  // The relative error due to the load is assumed to be the same as at the terminal spin.
   return driven->integration_error + std::abs(driven->omega.back() / *omega) * *band;
 }
 
@@ -238,7 +238,7 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   const ring::TimeObserver observer = motion_observer(progress);
   SpinStudy result = { find_curves(study, solved.by_harmonics, solved.others.front(), curve, executor,
                                    study.motion.euler_step, observer) };
-  // Each torque evaluation takes minutes.
+  // With a solid foot, each torque evaluation takes minutes: further terminal spins are not searched for.
   const bool is_slow = study.load.is_in_balance() && is_collective(study);
   if (depth == Depth::full)
     result.budget = find_budget(study, solved);

@@ -18,7 +18,7 @@ std::string size_text(const fem::FootDescription &foot)
   const std::string cells = foot.n_cells ? fmt::format(FMT_STRING("{} cells, "), *foot.n_cells) : "";
   std::string text = fmt::format(FMT_STRING("{}, {}{} unknowns, {} contact nodes"), foot.body, cells,
                                  foot.n_unknowns, foot.n_contact_nodes);
-  if (foot.mesh_report) // stated because moment ratios refer to Glass/Contact radius
+  if (foot.mesh_report) // the radius matters: moment ratios refer to Glass/Contact radius
     text += foot.mesh_report->round_rim
               ? fmt::format(FMT_STRING("\n          the mesh's rim has a radius of {:.6g} m"),
                             foot.mesh_report->rim_radius)

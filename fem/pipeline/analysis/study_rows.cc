@@ -195,8 +195,8 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
   }
   question.with_slope = false;
   question.zero_guess = whole.row.zero_guess();
-  // Guess for the models with fewer harmonics or without an effect: the spin at which the complete model
-  // tips.
+  // The spin at which the complete model tips is the initial guess for the models with fewer harmonics and
+  // for the models without one of the effects.
   if (whole.row.fall)
     question.initial_guess = whole.row.fall->omega;
   std::vector<Variant> variants;

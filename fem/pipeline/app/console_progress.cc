@@ -33,7 +33,7 @@ void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, s
   }
   const auto now = std::chrono::steady_clock::now();
   if (bar || now - last_line < std::chrono::seconds(3))
-    return; // the progress bar already shows this progress
+    return; // the bar shows the progress; without a bar, at most one line every 3 s
   last_line = now;
   console() << fmt::format(FMT_STRING("  {} {}"), n_done, what) << std::endl;
 }

@@ -18,7 +18,7 @@ struct ConvergeOptions : StudyOptions
 };
 
 /// Solves a study on finer and coarser levels of each of its numerical parameters. Writes observed orders,
-/// limits and error bands. Collective over all ranks. Throws like run().
+/// limits and error bands. Collective over all ranks. Throws the exceptions of run() in run.cc.
 void converge(const ConvergeOptions &options)
 {
   StudyWork work(options);

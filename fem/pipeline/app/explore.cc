@@ -25,13 +25,13 @@ struct ExploreOptions
   unsigned int max_nodes = 0;
 };
 
-/// Rigid table, a preset of pages only. `run` sets its entries directly.
+/// Preset of a rigid table, offered on pages only. A study file for `run` states these entries itself.
 const Preset rigid_table = { "rigid",
                              "a table that yields nothing",
                              {},
                              "subsection Table\n  set Interface = hard\n  set Substrate = rigid\nend\n" };
 
-/// Writes the page. Throws BadInput and OutputFailure.
+/// Writes the HTML page with the live solver. Throws BadInput and OutputFailure.
 void explore(const ExploreOptions &options)
 {
   PageOptions wish;

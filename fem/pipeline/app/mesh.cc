@@ -35,12 +35,12 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Checked mesh.
+/// Result of the checks of a mesh.
 struct MeshFindings
 {
-  std::string origin; ///< its file, or "generated"
+  std::string origin; ///< mesh file, or "generated"
   fem::MeshCheck check;
-  std::optional<fem::MeshReport> report; ///< report on a mesh file
+  std::optional<fem::MeshReport> report; ///< std::nullopt for a generated mesh
 };
 
 unsigned int n_faces(const fem::MeshCheck &check, fem::FootBoundary id)
@@ -49,7 +49,7 @@ unsigned int n_faces(const fem::MeshCheck &check, fem::FootBoundary id)
   return found == check.n_faces.end() ? 0 : found->second;
 }
 
-/// Returns the number of faces with unused ids. These faces are treated as free.
+/// Returns the number of faces whose boundary id has no meaning. These faces are treated as free.
 unsigned int n_other_faces(const fem::MeshCheck &check)
 {
   unsigned int n = 0;
@@ -95,7 +95,7 @@ std::string rim_text(const fem::MeshReport &report)
             : "");
 }
 
-/// Returns the machine-readable description, in SI units.
+/// Returns the description of a mesh as JSON, in SI units.
 Json mesh_summary(const MeshFindings &findings)
 {
   const fem::MeshCheck &check = findings.check;
@@ -125,7 +125,7 @@ Json mesh_summary(const MeshFindings &findings)
   return json;
 }
 
-/// Returns the description of a mesh and of its weaknesses, in lines for the console.
+/// Returns the description of a mesh with its warnings, in lines for the console.
 std::string mesh_text(const MeshFindings &findings)
 {
   const fem::MeshCheck &check = findings.check;
@@ -166,8 +166,8 @@ struct MeshOptions
   std::vector<std::string> writes; ///< files to write, .msh or .vtu
 };
 
-/// Returns true if a study is needed: for its own mesh, or for the options and reference lengths of a mesh
-/// file. Without file and study, the default study is used.
+/// Returns true if a study is read: if a study file or an override is given, or if no mesh file is to be
+/// checked. The study gives the mesh or, for a mesh file, the options and reference lengths.
 bool has_study(const MeshOptions &options)
 {
   return !options.study.study_file.empty() || options.check.empty() || !options.study.overrides.empty();
@@ -213,7 +213,7 @@ void write_mesh(const Mesh &mesh, const std::string &file)
   console() << "Written   " << file << std::endl;
 }
 
-/// Prints the findings as one line of JSON on standard output.
+/// Prints @p findings as one line of JSON on standard output.
 void print_json(const MeshFindings &findings, const MeshOptions &options)
 {
   Json line = { { "verb", "mesh" }, { "written", options.writes } };
@@ -234,7 +234,7 @@ void mesh(const MeshOptions &options)
   print_note("Profile   ", study ? profile_note(*study) : "");
   const std::string file = options.check.empty() ? study->contact.mesh_file : options.check;
 
-  // 2. Findings, and checks of the mesh.
+  // 2. Mesh and its checks.
   Mesh mesh;
   const ContactSection contact = study ? study->contact : ContactSection();
   const MeshFindings findings = file.empty() ? generate_mesh(*study, mesh) : read_mesh(file, contact, mesh);

@@ -56,7 +56,7 @@ void write_study(const std::string &file, const std::vector<StudyPart> &parts, c
   console() << "\nNext      stemware run " << file << std::endl;
 }
 
-/// Throws like write_study().
+/// Writes the study of a glass preset on a table preset. Throws like write_study().
 void write_new_study(const NewOptions &options)
 {
   const Preset &glass = preset_of(glass_presets(), "--glass", options.glass);
@@ -65,7 +65,7 @@ void write_new_study(const NewOptions &options)
               ": " + glass.name + " on " + table.name);
 }
 
-/// Throws like write_study().
+/// Writes the study of a cookbook. Throws like write_study().
 void write_cookbook(const NewOptions &options)
 {
   const std::string file = options.file.empty() ? options.cookbook + ".prm" : options.file;
@@ -107,7 +107,7 @@ void add_new_verb(CLI::App &program, Verb &chosen)
       ->type_name("NAME")
       ->excludes(glass)
       ->excludes(table);
-  verb->footer(""); // without this, CLI11 prints the program's footer
+  verb->footer(""); // clears the footer that the verb inherits from the program
   // The footer is made only for --help, because it lists the folder of cookbooks.
   verb->footer(
     []

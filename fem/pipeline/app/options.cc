@@ -30,8 +30,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the error of an empty study name; an empty text for other names. An empty name is an error (an
-/// unset shell variable) and does not mean the default study.
+/// Returns the error of an empty study name; an empty text for other names. An empty name usually results
+/// from an unset shell variable and does not mean the default study.
 std::string why_no_study(const std::string &text)
 {
   return text.empty()

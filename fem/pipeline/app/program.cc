@@ -46,7 +46,7 @@ std::vector<std::string> options_of(const CLI::App &verb)
 }
 
 /// Returns the error of an unknown @p word, with the closest known word if one is close. The text ends with
-/// "see".
+/// "see"; the caller appends the reference.
 std::string not_known(const std::string &word, const std::vector<std::string> &known,
                       const std::string &otherwise)
 {

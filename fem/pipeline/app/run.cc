@@ -17,7 +17,7 @@ namespace
 
 struct RunOptions : StudyOptions
 {
-  bool quick = false; ///< solves answer and curves only
+  bool quick = false; ///< true: no budget and no error bands
 };
 
 /// Solves a study and writes the folder of its results. Collective over all ranks. Throws BadInput,

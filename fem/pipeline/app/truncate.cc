@@ -11,7 +11,7 @@ namespace
 {
 
 /// Solves a study like `run`, then again with fewer harmonics of the load. Writes the folder of the results.
-/// Collective over all ranks. Throws like run().
+/// Collective over all ranks. Throws the exceptions of run() in run.cc.
 void truncate(const StudyOptions &options)
 {
   StudyWork work(options);

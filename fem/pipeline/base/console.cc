@@ -45,7 +45,7 @@ void open_missing_streams()
   for (const int descriptor : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
     if (::fcntl(descriptor, F_GETFD) < 0)
     {
-      ::open("/dev/null", O_RDWR); // receives the lowest free number, i.e. the missing descriptor
+      ::open("/dev/null", O_RDWR); // open() assigns the lowest free number: the missing descriptor
       stdout_was_missing = stdout_was_missing || descriptor == STDOUT_FILENO;
     }
 }

@@ -43,8 +43,8 @@ void take_smaller(MemoryLeft &least, double limit, double used, const std::strin
     least = { limit - used, fmt::format(FMT_STRING("{} ({:.2g} GB)"), name, limit / 1e9), is_address_space };
 }
 
-/// Reads the limits of the control groups of a line "0::/a/b" of /proc/self/cgroup, innermost group first. In
-/// a container only the root may be visible.
+/// Lowers @p least to the memory that a control group leaves, for the group /a/b of a line "0::/a/b" of
+/// /proc/self/cgroup and for all its parents. In a container, only the root group may be visible.
 void take_groups(MemoryLeft &least, const fs::path &root, const fs::path &path, const std::string &limit,
                  const std::string &usage)
 {

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Names in a results folder and in its folder of fields: files listed in the stamp (before their folder),
-/// hidden and system files, and files of the user.
+/// Names in a results folder and in its folder fields. `own`: files listed in the stamp, before their folder;
+/// `hidden`: hidden and system files; `others`: files of the user.
 struct Content
 {
   std::vector<std::string> own, hidden, others;

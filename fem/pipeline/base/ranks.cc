@@ -46,7 +46,7 @@ struct Launcher
   bool has_several = false; ///< false only if the launcher states a single process
 };
 
-/// Returns the launcher, from the rank and size variables of Open MPI, MPICH and Slurm with PMIx.
+/// Returns the launcher, detected from the rank and size variables of Open MPI, MPICH and Slurm with PMIx.
 Launcher launcher()
 {
   for (const auto &[rank, size] :
@@ -57,10 +57,10 @@ Launcher launcher()
   return {};
 }
 
-/// Sets Open MPI's environment for a single process. No daemon: it would need ssh. No session folder in /tmp:
-/// two simultaneous processes would use the same name, and one would abort. No network: its libraries take
-/// 0.2 s to detect that no network is available. In a Slurm step, an Open MPI without Slurm's PMI would abort
-/// when it asks for the ranks.
+/// Sets Open MPI's environment for a single process. Disables the daemon, because it needs ssh. Disables the
+/// session folder in /tmp, because two simultaneous processes would use the same name, and one would abort.
+/// Disables the network, because its libraries take 0.2 s to detect that no network is available. Hides a
+/// Slurm step of one process, because an Open MPI without Slurm's PMI would abort when it asks for the ranks.
 void prepare_to_stand_alone()
 {
   for (const auto &[name, value] : { std::pair("OMPI_MCA_ess_singleton_isolated", "1"),

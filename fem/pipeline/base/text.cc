@@ -110,7 +110,7 @@ std::optional<std::string> closest_match(const std::string &word, const std::vec
   {
     const std::size_t shorter = std::min(word.size(), candidate.size());
     if (std::max(word.size(), candidate.size()) - shorter > max_slips)
-      continue; // too different in length; also avoids comparing very long words
+      continue; // the distance is at least the difference in length
     const std::size_t distance = edit_distance(word, candidate);
     // A candidate that differs in every letter cannot result from a typing error.
     if (distance < least && distance < candidate.size())

@@ -52,7 +52,7 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
     demand.tilt_moment = motion.normal_force() * motion.overturning_height();
   if (arm == 0)
     return demand;
-  // The moment of the friction is h k x T = h (-T_y, T_x).
+  // The moment of the friction is h e_z x T = h (-T_y, T_x).
   const ring::FrictionFunctionals friction =
     ring::friction_functionals(motion, radii, std::min(balance.n_harmonics, foot->n_harmonics()), omega);
   demand.friction_x = -arm * friction.side.of_rotated(rotation);

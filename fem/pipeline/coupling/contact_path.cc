@@ -67,7 +67,7 @@ std::optional<fem::ContactStart> ContactPath::between(std::vector<const Found *>
                                                       std::size_t n_least)
 {
   constexpr std::size_t max_points = 4;
-  constexpr double largest_sum = 8; // maximum sum of the weights; a larger sum means extrapolation too far
+  constexpr double largest_sum = 8; // maximum of sum |weight|; a larger sum means extrapolation too far
   std::sort(points.begin(), points.end(),
             [&](const Found *one, const Found *other) {
               return std::abs(one->slip.spin_per_speed - spin) < std::abs(other->slip.spin_per_speed - spin);
@@ -111,8 +111,8 @@ std::optional<fem::ContactStart> ContactPath::expected(const std::vector<const F
       least = std::min(least, std::abs(one->slip.spin_per_speed - spin));
     return least;
   };
-  // Solutions of this foot predict better. Solutions of the similar foot are preferred only if the nearest
-  // one is closer by more than a tenth of the spin.
+  // Solutions of this foot predict better than solutions of the similar foot. The similar foot is used only
+  // if its nearest solution is closer by more than a tenth of the spin.
   const bool own_are_far = distance(similar_at_marks) + 0.1 * std::abs(spin) < distance(own);
   const std::optional<fem::ContactStart> start = own_are_far ? std::nullopt : between(own, spin, 2);
   return start ? start : between(own_are_far ? similar_at_marks : similar, spin, 1);

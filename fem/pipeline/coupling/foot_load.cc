@@ -24,8 +24,9 @@ namespace
 {
 
 /// Returns the range of loaded radii in @p state. With nodal contact on a hard table, possibly only one
-/// circle of nodes is loaded. Rings within zero width would extrapolate extremely to the neighbouring nodes,
-/// and the balance also needs these nodes. The range is then extended by @p cell on both sides.
+/// circle of nodes is loaded. Rings in a range of zero width would extrapolate too far to the neighbouring
+/// nodes, which the balance also needs. The range of a single circle is therefore extended by @p cell on both
+/// sides.
 fem::ContactWidth band_of(const fem::ContactState &state, double cell)
 {
   const bool is_wide = state.outer_radius - state.inner_radius > 1e-3 * cell;
@@ -45,8 +46,8 @@ unsigned int rings_for(const fem::ContactWidth &band, double eps, unsigned int l
   return std::max(least, static_cast<unsigned int>(std::min<double>(wanted, max_rings)));
 }
 
-/// Returns the number of harmonics that the kernels require: K_n(eps) decreases like |eps|^n. Valid up to 1.5
-/// times the spin.
+/// Returns the number of harmonics that the kernels require: K_n(eps) decreases like |eps|^n. The number
+/// suffices up to 1.5 times the spin of @p eps.
 unsigned int harmonics_for(double eps)
 {
   constexpr unsigned int least = 24, most = std::numeric_limits<unsigned int>::max();
@@ -57,7 +58,8 @@ unsigned int harmonics_for(double eps)
 }
 
 /// Chooses the rings of @p foot from the contact @p at_rest: Chebyshev points of its loaded band of radii, as
-/// many as the slip ratio at the terminal spin of its load requires. Without such a spin: Contact/Rings.
+/// many as the slip ratio at the terminal spin of its load requires. Without a terminal spin, the number is
+/// Contact/Rings.
 void choose_rings(const ContactSection &contact, const ring::Motion &motion, ElasticFoot &foot,
                   const fem::ContactState &at_rest)
 {
@@ -81,7 +83,7 @@ void choose_rings(const ContactSection &contact, const ring::Motion &motion, Ela
     if (n_rings > 1)
       n_rings = rings_for(band, eps, n_rings);
   }
-  catch (const ring::NoBalance &) // without an expected spin, the rings of the load at rest are kept
+  catch (const ring::NoBalance &) // no terminal spin: Contact/Rings is kept
   {
   }
   set_rings(n_rings, contact.load_harmonics > 0 ? contact.load_harmonics : n_harmonics);
@@ -97,7 +99,7 @@ fem::ContactDemand demand_at_rest(const Study &study)
   return demand;
 }
 
-/// Returns the load with the marks in the same orientation as in @p at_rest, whatever the spin.
+/// Returns the load with the marks in the same orientation as in @p at_rest at every spin.
 BalancedLoad load_at_one_phase(const std::shared_ptr<ElasticFoot> &foot, ContactBalance balance,
                                const fem::ContactState &at_rest, Progress &progress)
 {
@@ -160,12 +162,12 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
     }
     return load->second.at(omega);
   };
-  // The number of phases is limited, so that a study takes seconds, if each phase needs a curve over the
-  // spins or if the contact is hard (ten times slower).
+  // Fewer phases keep a study within seconds if each phase needs a curve over the spins, or if the contact is
+  // hard (ten times slower).
   const bool follows = balance.varies_with_spin;
   ring::RestSampling at_rest_sampling;
   at_rest_sampling.max_samples = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;
-  // Coarse sampling serves results without an error band. These results cannot report a larger error.
+  // Results from coarse sampling have no error band, so their error must be smaller than the default.
   if (is_coarse)
     at_rest_sampling.max_error = 1e-3;
   const ring::PhaseSamples samples = ring::sample_phases(exact, periods, at_rest_sampling);

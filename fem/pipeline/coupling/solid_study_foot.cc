@@ -54,7 +54,7 @@ fem::SolidMesh solid_mesh(const Study &study, const Discretisation &discretisati
 }
 
 /// Returns the linear solver of @p study. Replaces `automatic` by multigrid if the study needs only one or
-/// two contact solves, because a condensation costs about as much as four.
+/// two contact solves, because a condensation costs about as much as four solves by multigrid.
 fem::LinearSolver linear_solver_of(const Study &study, const Discretisation &discretisation)
 {
   const ContactSection &contact = study.contact;
@@ -86,7 +86,7 @@ fem::SolidSetup solid_setup(const Study &study, const Discretisation &discretisa
 class StudyFoot : public fem::SolidFoot
 {
 public:
-  /// Precondition: @p similar, if given, has the same @p elements_given.
+  /// Precondition: @p similar, if given, was made with the same text @p elements_given.
   StudyFoot(const fem::SolidMesh &mesh, const fem::SolidSetup &setup, const StudyFoot *similar,
             std::string elements_given)
       : SolidFoot(mesh, setup, similar)

@@ -51,7 +51,8 @@ Json load_summary(const ring::RingState &state, double contact_radius)
   return load;
 }
 
-/// Returns the state at the end of the spin-up; the state at rest if the study has no spin-up.
+/// Returns the state at the terminal spin, or at tipping if the glass tips; otherwise, the state at rest.
+/// Returns nullptr if the answer has no state.
 const ring::RingState *end_of(const ring::Answer &row)
 {
   return row.at_terminal ? &*row.at_terminal
@@ -98,7 +99,7 @@ Json answer_document(const LiveAnswer &found)
   return document_of(results, summary);
 }
 
-/// Returns a failure with notes on implausible values, the likely cause.
+/// Returns a failure as JSON, with notes on implausible values (the likely cause).
 Json failure_of(const std::string &message, bool tips)
 {
   return { { "error", message }, { "tips", tips }, { "notes", implausible_notes(explorer->study()) } };

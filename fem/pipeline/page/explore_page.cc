@@ -34,10 +34,11 @@ namespace
 /// Compliance in the compressed form of the page. The numbers of `normal`, `radial` and `azimuthal` are
 /// quantised: they are integer multiples of a step, 2^-bits of the largest number of each kind.
 ///
-/// The head of packed() and the steps are stored unchanged. Each integer is predicted from the previous
-/// harmonic and then from three neighbours in both radii. Only the residual of the prediction is stored.
-/// Residuals are small because compliances vary smoothly. They are mapped to unsigned numbers and stored by
-/// bytes, lowest bytes first. This format is five times smaller than compressed floats.
+/// The head of packed() and the steps are stored unchanged. Each integer is predicted from the same matrix of
+/// the previous harmonic and from its three neighbours at smaller row and column numbers. Only the residual
+/// of the prediction is stored. Residuals are small because compliances vary smoothly. Residuals are mapped
+/// to unsigned numbers and stored in four passes: the lowest bytes of all numbers, then the next higher
+/// bytes. This format is five times smaller than compressed floats.
 class PagedCompliance
 {
 public:
@@ -87,7 +88,7 @@ public:
 private:
   std::size_t head() const { return 6 + n; }
   std::size_t size(std::size_t kind) const { return kind == 0 ? n * (n + 1) / 2 : n * n; }
-  /// Returns the position of a matrix in packed().
+  /// Returns the index of the first number of a matrix in packed().
   std::size_t begin(std::size_t m, std::size_t kind) const
   {
     std::size_t place = head() + m * (size(0) + 2 * size(1));
@@ -177,7 +178,7 @@ ring::Answer answer_in_page(const Study &study, double fineness, const PagedComp
   return explorer.solve(all_harmonics, true).full.value();
 }
 
-/// Set of the compliances of all pairs, without duplicates.
+/// Compliances of all pairs of glass and table, without duplicates.
 class Bodies
 {
 public:
@@ -221,7 +222,8 @@ Json buttons(const std::vector<Preset> &presets, const std::string &own)
   return list;
 }
 
-/// Returns the presets, or a single nullptr for the study's own glass or table.
+/// Returns pointers to the presets. Without presets, returns a single nullptr: the study's own glass or
+/// table.
 std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
 {
   std::vector<const Preset *> list;
@@ -234,7 +236,7 @@ std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
 /// be ten times larger.
 constexpr double tolerance = 1e-11;
 
-/// Sizes of additional feet that a page offers on elastic tables, relative to the study's glass.
+/// Sizes of additional feet that a page offers on elastic tables, relative to the foot of the study.
 constexpr double similar_feet[] = { 0.8, 0.9, 1.1, 1.2 };
 
 /// Glass and table of a page, solved by the program, with the compliances that the page stores.
@@ -242,7 +244,7 @@ struct SolvedPair
 {
   PagePair pair;
   Study study;
-  double fineness; ///< fineness of the mesh
+  double fineness; ///< Discretisation::fineness
   PagedCompliance foot;
   std::optional<PagedCompliance> disc;
   /// Compliances of an elastic table, by the radius of a similar foot [m].

@@ -52,10 +52,10 @@ struct BalanceNearby
   ring::Sample load;
 };
 
-/// Returns the balance of @p study near the spin @p near, with friction of the load's first @p n_harmonics.
-/// Starts from @p contact on @p foot, whose rings are already chosen. Two or three contact solves give the
-/// spin to 1e-8 rad/s. Returns std::nullopt if the search leaves the neighbourhood or the study is not in
-/// balance at every spin. Throws ring::NoBalance.
+/// Returns the balance of @p study near the spin @p near, with the friction under the first @p n_harmonics of
+/// the load. Starts from @p contact on @p foot. Two or three contact solves give the spin to 1e-8 rad/s.
+/// Returns std::nullopt if the search fails near @p near, if the load does not vary with the spin, or if @p
+/// foot has a single ring or does not fit @p contact. Throws ring::NoBalance.
 std::optional<BalanceNearby> balance_near(const ring::ZeroGuess &near, const fem::ContactState &contact,
                                           const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                           unsigned int n_harmonics)
@@ -225,7 +225,7 @@ void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, Liv
   if (last)
     foot->set_rings(last->ring_radii(), last->n_harmonics());
   ring::Question question = spin_question(present);
-  question.with_slope = !last; // slow parts are computed only after the slider has stopped
+  question.with_slope = !last; // the slope is slow: not computed while the slider moves
   if (last)
     question.zero_guess = zero;
   const BalancedLoad load = find_load(present, foot);

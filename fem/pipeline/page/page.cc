@@ -55,7 +55,8 @@ std::string html_text(const std::string &text)
   return safe;
 }
 
-/// Returns the base64 form of a number in hexadecimal @p digits, as a Content-Security-Policy has check sums.
+/// Returns the base64 form of a number in hexadecimal @p digits, the form of checksums in a
+/// Content-Security-Policy.
 std::string base64_of_digits(const std::string &digits)
 {
   std::string bytes;

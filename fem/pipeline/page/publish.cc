@@ -31,7 +31,7 @@ void require_finite(const Json &value, const std::string &path)
       require_finite(part, path + "/" + key);
 }
 
-/// Writes this rank's fields into the folder fields/ of a folder that all ranks can see.
+/// Writes this rank's fields into fields/ in @p folder. All ranks must see the same @p folder.
 void write_fields(const std::vector<fem::FieldFile> &fields, const fs::path &folder)
 {
   if (fields.empty())

@@ -122,7 +122,7 @@ Sample stack_of(const Row &radii, const std::vector<Row> &a, const std::vector<R
   return { RingStack(std::move(rings)), tilt };
 }
 
-/// Returns a member of all rings. Shape (J,) or (J, n_max + 1).
+/// Returns one member of all J rings as an array of shape (J,), or (J, n_max + 1) for coefficients.
 template <auto member>
 py::array of_rings(const Sample &load)
 {
@@ -132,8 +132,9 @@ py::array of_rings(const Sample &load)
   return py::array(all);
 }
 
-/// Friction on a load. The velocity (v_x, v_y) [m/s] is in the load's frame, the spin omega in [rad/s]. The
-/// friction law must outlive the object.
+/// Friction wrench as a function of velocity and spin, for a load, a sliding body or a self-consistent ring.
+/// The velocity (v_x, v_y) [m/s] is in the load's frame, the spin omega in [rad/s]. The friction law must
+/// outlive the object.
 struct Friction
 {
   Friction(const Sample &load, const FrictionLaw &law)
@@ -268,7 +269,7 @@ void bind_motion(py::module_ &m)
     "liquid_mass", liquid.density, "liquid_density", liquid.bowl_radius, "bowl_radius", liquid.bowl_height,
     "bowl_height", liquid.bowl_depth, "bowl_depth", liquid.surface_leans, "surface_leans");
   const py::object names = py::dtype::of<M>().attr("names");
-  static constexpr auto flags = { "clockwise", "stribeck" }; // enumerations with two values
+  static constexpr auto flags = { "clockwise", "stribeck" }; // enumerations with two values, bool in Python
   const auto as_dict = [=](const M &one)
   {
     py::dict all(py::module_::import("builtins").attr("zip")(names, py::array_t<M>(1, &one).attr("item")()));

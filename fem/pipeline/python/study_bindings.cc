@@ -145,7 +145,8 @@ struct Found
   }
 };
 
-/// Returns @p given after reading its files again and checking it like the program at its start.
+/// Reads the files of @p given again and returns the study, with the same checks as at the start of the
+/// program.
 Study checked(const Study &given)
 {
   Study study = with_values(given, "", {});
@@ -175,7 +176,7 @@ Found results_of(const std::string &verb, const Study &given, bool quick, unsign
   return solved(listener, n_threads, work);
 }
 
-/// Returns the numbers of one case of a sweep, by key.
+/// Returns the numbers of one case of a sweep, by the names of the quantities.
 py::dict case_of(const Study &given, Start *start)
 {
   const CaseResult found =
@@ -188,8 +189,8 @@ py::dict case_of(const Study &given, Start *start)
   return all;
 }
 
-/// Yaw torque of a study as a function of the spin, without the grip. Serves spin-ups with any grip and yaw
-/// inertia.
+/// Yaw torque of a study as a function of the spin, without the grip. Used for spin-ups with various grips
+/// and yaw inertias.
 class FreeTorque
 {
 public:
@@ -289,7 +290,7 @@ void translate(const py::object &raised)
 }
 
 /// Translates the program's exceptions into exceptions of stemware.ring. If several translations match, the
-/// last one is used.
+/// translation that was registered last is used.
 void bind_failures(py::module_ &m)
 {
   const py::module_ ring = py::module_::import("stemware._ring");

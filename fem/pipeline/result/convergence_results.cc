@@ -44,7 +44,7 @@ Fields<LevelRow> level_fields(const ErrorBands &bands)
   return fields;
 }
 
-/// Source of the members of `converge`'s summary.
+/// Data from which converge_fields() reads the members of the summary.
 struct ConvergeRow
 {
   const std::vector<RefinementAxis> &axes;

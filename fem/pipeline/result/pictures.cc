@@ -18,7 +18,8 @@ using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
 
 constexpr double degree = ring::pi / 180;
 
-/// Returns every k-th value and the last value: at most @p max_size values, the resolution of a picture.
+/// Returns every k-th value and the last value, about @p max_size values. The default is the resolution of a
+/// picture.
 std::vector<double> thinned(const std::vector<double> &values, std::size_t max_size = 200)
 {
   const std::size_t step = std::max<std::size_t>(1, (values.size() + max_size - 1) / max_size);
@@ -63,7 +64,7 @@ Json thousandths(std::vector<double> values)
   return rounded_number(values);
 }
 
-/// Returns a member or function of each of the @p rows.
+/// Returns the column of the values of one member (variable or function) of all @p rows.
 template <typename Rows, typename Value>
 std::vector<double> column_of(const Rows &rows, Value value)
 {

@@ -106,8 +106,8 @@ Json section_of(const std::vector<fem::SectionPolygon> &cells, double contact_ra
            { "outer", band.outer * millimetres } };
 }
 
-/// Adds "foot", numbers of the pictures of a foot: pressures, stresses, section and rim, if known; @p
-/// bands: of the study's numbers.
+/// Adds the table "foot", the data of the pictures of a foot: pressures, stresses, section and, if known, the
+/// rim. @p bands: error bands of the study.
 void add_foot_pictures(const Study &study, const FootReport &foot, const ErrorBands &bands, Results &results)
 {
   constexpr double share_of_radius = 0.12;
@@ -115,7 +115,7 @@ void add_foot_pictures(const Study &study, const FootReport &foot, const ErrorBa
   Json &pictures = results.tables["foot"];
   double largest = fem::largest_pressure(foot.footprint);
   if (foot.footprint_at_end)
-    // Both footprints have one scale.
+    // Both footprints use the same pressure scale.
     largest = std::max(largest, fem::largest_pressure(*foot.footprint_at_end));
   const std::optional<double> band = band_of(bands, "peak_pressure");
   pictures["footprint"] =
@@ -130,7 +130,7 @@ void add_foot_pictures(const Study &study, const FootReport &foot, const ErrorBa
   const double crown = study.contact.mesh_file.empty() ? study.glass.profile.crown_radius : 0;
   const fem::ContactWidth zone = fem::loaded_band(foot.footprint);
   pictures["section"] = section_of(foot.section, radius, crown, zone);
-  // Footprint seen from above. Its distance from the rim is magnified.
+  // The picture magnifies the distance of the footprint from the rim circle.
   const double extent = std::max({ radius - zone.inner, zone.outer - radius, 1e-4 * radius });
   pictures["magnification"] = std::max(1., round_down(share_of_radius * radius / extent));
 }
@@ -190,8 +190,8 @@ Json key_figures_of(const SpinStudy &spin, const ErrorBands &bands)
            { "harmonic_effect_relative", spin.budget.harmonics.relative } };
 }
 
-/// Returns the chain of models for page and console. Rounding errors are omitted, and the error band of the
-/// last row determines the number of digits.
+/// Returns the chain of models for page and console. Differences below rounding are omitted. The error band
+/// of the last row determines the number of digits.
 Table shown_chain_table(const Study &study, const std::vector<BudgetRow> &rows, Face face)
 {
   const std::optional<double> band = rows.empty() ? std::nullopt : rows.back().band;

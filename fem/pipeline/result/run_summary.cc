@@ -23,8 +23,8 @@ ring::Status status_of(const ContactReport &report, const SpinStudy &spin)
   const ring::Status status = spin.answer().status;
   if (status == ring::Status::full_contact && report.load_at_end.contact_fraction < 1)
     return ring::Status::lift_off;
-  // The truncated series of a pressure with an edge is slightly negative beyond the edge, although the
-  // pressure is not.
+  // With lift-off, the truncated Fourier series of the load is slightly negative outside the contact,
+  // although the pressure is not.
   return status == ring::Status::formal && report.foot ? ring::Status::lift_off : status;
 }
 
@@ -163,8 +163,7 @@ const Fields<FootReport> &contact_fields()
   return fields;
 }
 
-/// Returns M_Nx of the load at rest [N m]. With waviness, returns the mean over the phases, as for the
-/// torque.
+/// Returns M_Nx of the load at rest [N m]. With waviness, M_Nx is the mean over the phases.
 double moment_at_rest(const StudyAnswer &run)
 {
   return run.spin.phases ? run.spin.answer().at_rest.value().load.moment().x() : run.contact.load.moment.x();

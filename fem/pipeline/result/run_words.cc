@@ -39,7 +39,8 @@ std::string lift_off_sentences(const std::vector<std::pair<std::string, const Lo
   return text;
 }
 
-/// Returns the row of the budget with the largest step except harmonics; nullptr if no step exceeds rounding.
+/// Returns the row of the budget with the largest change of the spin, rows of harmonics excluded; nullptr if
+/// no change exceeds rounding.
 const BudgetRow *largest_other_step(const StudyAnswer &run)
 {
   const BudgetRow *largest = nullptr;
@@ -137,8 +138,9 @@ std::string spinning_answer(const StudyAnswer &run, double omega)
   return text;
 }
 
-/// Returns a sentence with the largest pressure and the contact width of a load; an empty text without a
-/// contact. Error bands above a tenth of the value are added. The error bands at rest are used at every spin.
+/// Returns a sentence with the largest pressure and the contact width of a load; an empty text if the load
+/// does not come from a contact. Error bands above a tenth of the value are added. The error bands at rest
+/// are used at every spin.
 std::string pressed_sentence(const std::string &state, const LoadReport &load, const ErrorBands &bands)
 {
   if (!load.peak_pressure)
@@ -185,7 +187,8 @@ std::string profile_remark(const std::optional<fem::RimCircle> &circle)
          "shows how to compute its effect on the spin.";
 }
 
-/// Returns a remark on lift-off at the terminal spin; at rest if the glass does not spin.
+/// Returns a remark on lift-off: at rest and at tipping if the glass tips; otherwise at the terminal spin or,
+/// without lift-off there, at rest.
 std::string lift_off_remark(const StudyAnswer &run)
 {
   const auto &[study, goal, contact, spin, bands] = run;

@@ -16,7 +16,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns @p words without the sign.
+/// Returns @p words without a leading minus sign.
 std::string size_of(const std::string &words)
 {
   for (const std::string minus : { "-", "\u2212" })
@@ -147,7 +147,7 @@ std::string in_usual_unit(const Study &study, const StudyEntry &entry)
     return entry.text();
   const auto given = study.given_entries.find(entry.path());
   if (given != study.given_entries.end() && !trailing_unit(given->second).empty() &&
-      parse_quantity(given->second, entry.unit) == *entry.quantity) // a variant has not changed the value
+      parse_quantity(given->second, entry.unit) == *entry.quantity) // the value is still the given one
     return given->second;
   return in_usual_unit(*entry.quantity, entry.unit);
 }

@@ -35,7 +35,7 @@ std::string csv_row(const std::vector<std::string> &cells)
   return row + '\n';
 }
 
-/// Returns size and time of the input files of all cases, one file per line.
+/// Returns the input files of all cases with their sizes and modification times, one file per line.
 std::string read_files(const fs::path &folder, const CaseList &list)
 {
   const std::vector<std::string> of_base = files_of(list.base);
@@ -96,7 +96,7 @@ SweepFile::SweepFile(const fs::path &wanted, const CaseList &list)
 {
   require_replaceable(folder);
   const std::string head = head_of(folder, list), text = read_text_file(file);
-  // False if the run was killed before the first row.
+  // False if the file is missing or ends within its head, because the run was killed before the first row.
   const bool is_begun = head.compare(0, text.size(), text) != 0;
   std::error_code error;
   if (is_begun)

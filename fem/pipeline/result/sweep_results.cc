@@ -29,7 +29,7 @@ std::vector<QuantityRange> ranges_of(const CaseList &list, const FinishedCases &
   std::vector<QuantityRange> ranges;
   for (const auto &[quantity, value_of] : study_quantities().all())
   {
-    std::map<double, std::size_t> cases; // case of each value
+    std::map<double, std::size_t> cases; // index of a case with this value
     std::size_t n = 0;
     for (const auto &[index, result] : finished)
       if (const auto value = result.value(quantity.key); value && result.status != "formal")
@@ -118,7 +118,7 @@ struct FailureRow
 Table failure_table(const CaseList &list, const FinishedCases &finished)
 {
   constexpr std::size_t max_rows = 20;
-  // First case and number of cases, by message.
+  // Index of the first case and number of cases, by message.
   std::map<std::string, std::pair<std::size_t, std::size_t>> reasons;
   for (const auto &[index, result] : finished)
     if (result.status == "failed")
@@ -215,7 +215,7 @@ std::string answer_of(const CaseList &list, const FinishedCases &finished,
   return text;
 }
 
-/// Source of the members of `sweep`'s summary.
+/// Data from which sweep_fields() reads the members of the summary.
 struct SweepRow
 {
   const CaseList &list;

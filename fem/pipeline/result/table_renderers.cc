@@ -77,7 +77,7 @@ std::string side_by_side(const std::vector<const LaidOutColumn *> &columns)
   return text;
 }
 
-/// Returns @p text with lines of at most the console's width. Longer lines are wrapped.
+/// Returns @p text with lines of at most the console's width.
 std::string wrapped_lines(const std::string &text)
 {
   std::istringstream lines(text);

@@ -1,4 +1,4 @@
-// Writes summary.schema.json: stemware_schema FILE.
+// Program `stemware_schema FILE`: writes the JSON schema of summary.json to FILE.
 #include "fem/pipeline/result/schema.h"
 
 #include <fstream>

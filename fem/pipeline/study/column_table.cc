@@ -19,8 +19,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the unit after the column's name, or an empty text if no unit follows; std::nullopt if the heading
-/// is another.
+/// Returns the unit that follows the name of @p column in a heading; an empty text if no unit follows;
+/// std::nullopt if the heading does not name the column.
 std::optional<std::string> unit_text_in(const std::string &cell, const FileColumn &column)
 {
   const std::string typed = as_typed(cell), heading = boost::to_lower_copy(typed);
@@ -151,7 +151,8 @@ private:
                        });
   }
 
-  /// Returns the layout with the columns in their usual order. Throws BadInput if the first row is a heading.
+  /// Returns the layout with the columns in their usual order. Throws BadInput if the first row is a heading
+  /// that does not name the columns.
   Layout layout_without_heading() const
   {
     const TableRow &row = table.rows.front();
@@ -177,8 +178,9 @@ private:
            "\", or leave the header out.";
   }
 
-  /// Accepts commas as decimal marks. Throws BadInput if the commas may be thousands separators: if other
-  /// numbers have points, or if, in a comma-separated table, three digits follow every comma.
+  /// Accepts commas as decimal marks. Throws BadInput if the commas may be thousands separators. This is the
+  /// case if other numbers have points, or if the table is comma-separated and three digits follow every
+  /// comma.
   void decide_about_commas(const Layout &layout)
   {
     const bool may_be_thousands = table.separator == ',';

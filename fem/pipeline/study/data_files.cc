@@ -22,11 +22,11 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Maximum number of harmonics. With this number the torque still takes only seconds. The kernels are
-/// negligible for much smaller harmonics.
+/// Maximum number of harmonics. The torque of this number of harmonics takes seconds. The kernels of much
+/// lower orders are already negligible.
 constexpr std::size_t max_harmonics = 1000;
 
-/// Maximum of loads and radii. Larger values are unit errors and would overflow.
+/// Maximum of loads and radii in SI units. Larger values are unit errors and would overflow.
 constexpr double largest_number = 1e12;
 
 /// Maximum ratio of a coefficient to a_0. Without tension, the ratio is at most 2.

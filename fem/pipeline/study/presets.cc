@@ -52,7 +52,7 @@ std::vector<Preset> presets_in(const CompiledTexts &texts)
   return presets;
 }
 
-/// Returns a name in the form in which names are compared.
+/// Returns @p name for comparisons: in lower case, with blanks instead of - and _, and trimmed.
 std::string plain(std::string name)
 {
   std::replace_if(

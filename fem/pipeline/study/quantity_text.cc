@@ -146,7 +146,7 @@ std::optional<double> shifted(const std::string &number, int decimal)
                       std::to_string(std::clamp(exponent, -9999L, 9999L) + decimal));
 }
 
-/// Kind of quantity, with one SI unit: name and usual units.
+/// Kind of quantity: all quantities with the same SI unit.
 struct Kind
 {
   std::string unit;
@@ -186,7 +186,7 @@ Unit known_unit(const std::string &unit)
   return parse_unit(unit.empty() ? "1" : unit).value();
 }
 
-/// Returns the usual units as text, " in kg, g, mg, oz or lb"; for pure numbers ", also in %".
+/// Returns the accepted units as text: " in kg, g, mg, oz or lb", or ", also in %" for pure numbers.
 std::string units_of(const Kind &kind)
 {
   if (kind.unit == "1")

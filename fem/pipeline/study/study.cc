@@ -34,10 +34,10 @@ std::shared_ptr<const fem::InterfaceLaw> make_interface(const TableSection &tabl
   throw std::logic_error("a table without an interface");
 }
 
-/// Returns true if friction that bends the foot changes the pressure noticeably. This requires a hard
-/// interface on a rigid table, or on a substrate with at least 1/100 of the foot's modulus: there, this
-/// friction cancels the effect of the harmonics. A substrate with 1/1000 of the modulus follows the bent
-/// foot.
+/// Returns true if the table is so stiff that friction which bends the foot may change the pressure and
+/// cancel the effect of the harmonics. This requires a hard interface on a rigid table, or on a substrate
+/// with at least 1/100 of Young's modulus of the foot. A substrate with 1/1000 of this modulus follows the
+/// bent foot.
 bool has_stiff_contact(const Study &study)
 {
   const TableSection &table = study.table;

@@ -86,8 +86,8 @@ void require_alike_lengths(const std::vector<StudyEntry> &entries, double radius
     }
 }
 
-/// Refuses studies that require a feature of the other kind of body. Refuses more load harmonics than the
-/// lines resolve: more than two lines per wavelength are required.
+/// Refuses studies that require a feature which the chosen kind of body lacks. Refuses more load harmonics
+/// than the lines resolve: more than two lines per wavelength are required.
 void require_able_body(const ContactSection &contact, const TableSection &table)
 {
   const BodyAbilities can = abilities(contact.body);
@@ -230,7 +230,8 @@ void require_known_speeds(const Study &study)
       throw BadInput(filled("{} does not reach t = {} s; give speeds from 0 to Motion/End time = {} s.",
                             { entry, to_text(time), to_text(study.motion.end_time) }));
     }
-  // Number of times at which the liquid must stay in the bowl and the glass on its foot.
+  // Number of intervals of the spin-up. At each of their ends, the liquid must stay in the bowl and the glass
+  // must not tip.
   constexpr unsigned int n_times = 1000;
   for (unsigned int i = 0; i <= n_times && study.motion.orbit.liquid.mass > 0; ++i)
     try

@@ -198,8 +198,8 @@ std::string prm_text(const std::vector<StudyEntry> &entries, bool comments)
 }
 
 /// If the file states every entry (as written by `stemware defaults` or in results), entries with default
-/// values no longer count as given. Two kinds stay given, so that the study can be run again with the same
-/// values: entries replaced by a user-defined section, and the height of the hand.
+/// values no longer count as given. Two kinds of entries stay given, so that the same values are used when
+/// the study is run again: entries that a user-defined section replaces, and the height of the hand.
 void forget_stated_defaults(Study &study)
 {
   const std::vector<StudyEntry> &standard = default_entries(), own = entries_of(study);

@@ -40,8 +40,8 @@ void add_body_of_revolution(const Study &study, StudySize &size)
 }
 
 /// Returns the number of nodes in a mesh file: the number in the section $Nodes or $ParametricNodes (in
-/// Gmsh's format 4, the second number). For other files, returns the file size divided by the bytes per node,
-/// cells included. Returns 0 if the file does not exist.
+/// Gmsh's format 4, the second number). For other files, estimates the number as file size / bytes_per_node
+/// (cells included). Returns 0 if the file does not exist.
 double n_nodes(const std::string &file)
 {
   constexpr double bytes_per_node = 80;
@@ -130,7 +130,8 @@ StudySize size_of(const Study &study)
 {
   StudySize size;
   size.memory = memory_of_the_program;
-  // The adaptive method takes about ten steps per second of motion. Forward Euler uses the step of its entry.
+  // The adaptive method takes about ten steps per second of motion. Forward Euler uses the step Motion/Euler
+  // step.
   constexpr double longest_step = 0.1;
   size.steps = study.motion.end_time / std::min(study.motion.euler_step, longest_step);
   if (study.load.is_from_contact() && abilities(study.contact.body).is_of_revolution)

@@ -14,7 +14,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the separator of the row that starts at @p begin; a line end if the row has a single cell.
+/// Returns the separator of the cells in the row that starts at @p begin; '\n' if the row has a single cell.
 char separator_of(const std::string &text, std::size_t begin, bool blanks_separate)
 {
   std::string row;
@@ -32,7 +32,8 @@ char separator_of(const std::string &text, std::size_t begin, bool blanks_separa
 }
 
 /// Returns the separator of a first line such as "sep=;" (a convention of Excel); std::nullopt if the first
-/// line is another. Throws BadInput for a separator that is not supported. The message starts with @p origin.
+/// line is not of this form. Throws BadInput for a separator that is not supported. The message starts with
+/// @p origin.
 std::optional<char> named_separator(const std::string &origin, const std::string &text)
 {
   const std::string line = boost::trim_right_copy_if(text.substr(0, text.find('\n')), boost::is_any_of("\r"));
@@ -115,7 +116,7 @@ private:
     table.rows.push_back(row);
   }
 
-  /// Reads a cell and the following separator or line end.
+  /// Reads a cell and the following separator or line end. Sets @p is_last to true at the end of the row.
   std::string read_cell(bool &is_last)
   {
     std::string cell, quoted;
