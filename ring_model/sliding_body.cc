@@ -15,8 +15,8 @@ namespace stemware::ring
 namespace
 {
 /// Calls add(r, weight) for a 40-point Gauss rule on [lower, upper] with points clustered at both ends. r is
-/// a polynomial of t whose first three derivatives vanish at both ends. Square-root and x ln x singularities
-/// therefore become smooth.
+/// a polynomial of the Gauss coordinate whose first three derivatives vanish at both ends. Singularities of
+/// the kinds sqrt(x) and x ln x therefore become smooth.
 template <typename Add>
 void points_gathered_at_ends(double lower, double upper, const Add &add)
 {

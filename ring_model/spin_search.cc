@@ -22,6 +22,8 @@ constexpr double shortest_interval = 1. / 4096.;
 constexpr double scan_step = 1. / 16.; ///< step of a scan: two zeros closer together may be missed
 /// Minimum distance of two samples whose difference is above rounding.
 constexpr double rounding_distance = 1e-6;
+/// Minimum distance of two spins for a slope of the stability margin: at the end of the balance, and between
+/// rest and the zero.
 constexpr double margin_distance = 1. / 1024., margin_distance_on_the_way = 1. / 8192.;
 /// Maximum distance of an iterate from the known spin in find_terminal_spin_near().
 constexpr double neighbourhood = 1. / 10.;
@@ -343,8 +345,8 @@ private:
   {
     constexpr double unsteady_at_jump = 0.3; // stability margin next to the end of a balance
     const double narrowest = search.spin_scale / 131072.;
-    double largest = 0.005 * samples.front().torque;
-    std::map<double, double> torques; // by spin
+    double largest = 0.005 * samples.front().torque; // smaller changes are no jump
+    std::map<double, double> torques;                // by spin
     for (const DrivingTorque &sample : samples)
       if (sample.spin <= spin)
         torques[sample.spin] = sample.torque;

@@ -15,7 +15,7 @@ namespace stemware::ring
 {
 namespace
 {
-/// Returns the terminal spin for the zero of @p torque at @p omega, with the slope there.
+/// Returns the terminal spin at @p omega, a zero of @p torque, with the slope of the torque.
 TerminalSpin described(const TorqueFunction &torque, double yaw_inertia, double omega, double spin_scale)
 {
   const double slope = [&]

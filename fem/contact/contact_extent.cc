@@ -144,7 +144,8 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
   deepest = surface.parts.max(deepest);
   ContactExtent extent;
   extent.peak_pressure = pressure(deepest);
-  // Penetration at the edge of the contact. Only laws with lines reach this statement; they are not hard.
+  // Penetration at the edge of the contact. The law is not hard, because only laws that are integrated along
+  // lines get here.
   const double edge = law.penetration_at(rounding_share * extent.peak_pressure);
 
   std::vector<CutValue> cuts;

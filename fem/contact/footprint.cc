@@ -32,7 +32,7 @@ std::vector<PressurePoint> across_contact(const std::vector<PressurePoint> &cut,
   const std::optional<ContactWidth> width = contact_width(cut, has_edge);
   if (!width)
     return std::vector<PressurePoint>(n, { cut.front().radius, azimuth, nothing });
-  // Loaded points of the cut, and the edges if they lie further out.
+  // Loaded points of the cut, and the edges of the contact if they lie outside these points.
   std::vector<PressurePoint> loaded;
   std::copy_if(cut.begin(), cut.end(), std::back_inserter(loaded),
                [&](const PressurePoint &point) { return point.pressure > 0 || !has_edge; });

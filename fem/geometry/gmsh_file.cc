@@ -166,7 +166,7 @@ std::map<std::string, std::string_view> sections_of_gmsh(std::string_view text)
   }
 }
 
-/// Parser of one file.
+/// Parser of one Gmsh file.
 class GmshReader
 {
 public:

@@ -129,8 +129,9 @@ AdaptiveCurve::Piece AdaptiveCurve::through_ends(const CurveSource &source, doub
 
 void AdaptiveCurve::refine(const CurveSource &source, Piece &piece)
 {
-  constexpr double safety = 2;      // the error may be larger at other points
-  constexpr double usual_gain = 10; // maximum reduction by one sample; a larger one may be accidental
+  constexpr double safety = 2; // the error may be larger at other points
+  // Maximum reduction of the error by one sample. A larger reduction may be accidental.
+  constexpr double usual_gain = 10;
   const double x = next_place(piece);
   const Eigen::VectorXd &exact = sample(source, x);
   piece.estimate = std::max(safety * source.error(x, piece.at(x), exact), piece.estimate / usual_gain);

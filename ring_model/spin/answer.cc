@@ -116,7 +116,7 @@ double find_terminal(const Load &load, const Question &question, Answer &found)
   search.stability_margin = [&load](double omega) { return load.stability_margin(omega); };
   search.nearest_unbalanced_spin = [&load](double omega) { return load.nearest_unbalanced_spin(omega); };
   // A hand at the height of the centre of mass gives no torque at rest. Rounding must not determine the
-  // direction.
+  // direction of the spin.
   search.torque_noise = 1e-9 * motion.friction_at_rest() * motion.normal_force() * load.radius();
   if (const PhaseSampledLoad *phases = load.phases())
     if (const std::optional<double> near = spin_at_first_phase(*phases, motion, search))

@@ -123,8 +123,8 @@ std::vector<Instant> instants_of(const std::vector<YawSample> &spin_up, const Lo
                                  const Question &question)
 {
   constexpr std::size_t n_intervals = 24;
-  constexpr double near = 0.995;
-  std::size_t n = 0; // samples before tipping
+  constexpr double near = 0.995; // fraction of the final spin at the last instant
+  std::size_t n = 0;             // samples before tipping
   while (n < spin_up.size() && std::isfinite(spin_up[n].omega))
     ++n;
   std::vector<Instant> instants;
