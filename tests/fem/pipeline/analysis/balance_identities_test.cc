@@ -49,7 +49,7 @@ TEST(Balance, HarmonicsHaveNoEffectOnAFlatLandOnAMat)
   }
 }
 
-/// Interface on a substrate.
+/// Table with a given interface and substrate.
 struct Surface
 {
   const char *name;
@@ -88,7 +88,8 @@ Study study_on(const Surface &surface)
 
 TEST_P(BalanceOnTables, TorqueAtRestIsMuTimesTheMoment)
 {
-  // Identity tau_z(0) = mu M_Nx with M_N = -dz k x F + z_CM k x T + N z_CM (-q2, q1).
+  // Friction torque at rest tau_z(0) = mu M_Nx with the contact moment M_N = -dz k x F + z_CM k x T + N z_CM
+  // (-q2, q1).
   for (const bool tilt : { true, false })
   {
     Study study = study_on(GetParam());
@@ -122,9 +123,8 @@ double coefficient_at(const ring::Motion &motion, double slip_speed)
          motion.viscous_friction * slip_speed;
 }
 
-/// Checks the energy balance without tilt. The work of the hand (power -T_x v at constant speed) equals I
-/// omega^2 / 2 plus the time integral of int mu p |v_rel| dA. The integral is computed by quadrature of the
-/// pressure.
+/// Checks the energy balance without tilt: work of the hand int -T_x v dt = I omega^2 / 2 + int int mu p
+/// |v_slip| dA dt. Friction is summed over the contact points, the time integrals by Gauss quadrature.
 void expect_energy_balance(Study study)
 {
   study.motion.tilt = false;

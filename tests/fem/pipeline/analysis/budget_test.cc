@@ -25,7 +25,7 @@ namespace
 using namespace stemware::test;
 using Texts = std::vector<std::string>;
 
-/// Returns "step name n" of every row.
+/// Returns "step name harmonics" of every row, e.g. "4 harmonics 2".
 Texts rows_of(const Budget &budget)
 {
   Texts rows;
@@ -43,7 +43,7 @@ Texts names_without(const Study &study, const Model &model = {})
   return names;
 }
 
-/// Returns the rows of a study without a foot under @p load.
+/// Returns the rows of a study with the given load @p load, without a foot.
 StudyRows rows_of(const Study &study, const ring::RingStack &load, const Executor &executor)
 {
   return rows_by_harmonics(study, nullptr, given_load(load), spin_question(study), executor,
@@ -64,7 +64,7 @@ Budget budget_of(const Study &study)
   return test::whole_budget(study, ThreadedExecutor(cache));
 }
 
-/// Returns the names of all rows of a foot in contact: @p rows, followed by one row per number of harmonics.
+/// Returns the expected labels for a foot in contact: @p rows, then one row per truncation order above 1.
 Texts contact_rows(const Study &study, Texts rows)
 {
   fem::ComplianceCache cache;
@@ -122,7 +122,7 @@ TEST(Budget, SpinScaleFollowsFromTheMoment)
   EXPECT_EQ(study_of_given_load().spin_scale(), study_of_given_load().spin_unit());
 }
 
-TEST(Budget, AFilledGlassEqualsAnEmptyOneWithTheMetacentre)
+TEST(Budget, AFilledGlassSpinsLikeAPointMassAtTheMetacentre)
 {
   Study filled = test::quick_contact_study();
   ring::Motion &motion = filled.motion.orbit;
@@ -130,7 +130,7 @@ TEST(Budget, AFilledGlassEqualsAnEmptyOneWithTheMetacentre)
   motion.liquid = { 0.15, 1000, 0.03, 0.09 };
   const double level = 0.15 / (1000 * ring::pi * 0.03 * 0.03), up = 0.03 * 0.03 / (4 * level),
                slope = 0.35 * 0.35 / 0.15 / motion.gravity, middle = 0.09 + level / 2;
-  const auto empty = [&](double of_liquid) // height at which the liquid acts [m]
+  const auto empty = [&](double of_liquid) // spin with the liquid as a point mass at this height [m]
   {
     Study study = test::quick_contact_study();
     study.motion.orbit.mass = 0.3;
@@ -163,7 +163,7 @@ TEST(Budget, ListsTheRowsOfALoadFile)
   EXPECT_EQ(rows_of(budget_of(study, rich_load())).at(1), "2a grip 1");
 }
 
-TEST(Budget, ListsTheRowsOfAFirstHarmonic)
+TEST(Budget, ListsTheRowsOfAFirstHarmonicLoad)
 {
   Study study = test::mat_study();
   study.load.source = LoadSource::first_harmonic;
@@ -184,7 +184,7 @@ TEST(Budget, ListsTheRowsOfAFirstHarmonic)
   EXPECT_EQ(rows_of(budget), (Texts{ "1 paper 1", "2 moment balance 1", "2a grip 1" }));
   EXPECT_NEAR(*budget.rows[1].omega_terminal, -3.67874799852576, 1e-10);
   const ring::SelfConsistentRing ring(ring::Closure::full, study.motion.orbit, 0.03);
-  EXPECT_NEAR(ring.torque(*budget.rows[2].omega_terminal), -2e-4, 1e-12); // balances the grip
+  EXPECT_NEAR(ring.torque(*budget.rows[2].omega_terminal), -2e-4, 1e-12); // friction balances the grip
 }
 
 TEST(Budget, ListsTheRowsOfAFootInContact)
@@ -234,8 +234,7 @@ TEST(Budget, ListsAVariantWithoutEachEffectOfTheStudy)
     EXPECT_EQ(names_without(variant.study, variant.model).size(),
               7u -
                 (variant.name == "elasticity of the foot" || variant.name == "elasticity of the substrate"))
-      // A variant has one effect less than the study; a rigid foot or substrate also has no friction that
-      // deforms it.
+      // Each variant lacks one of the eight effects. A rigid body also lacks its friction effect.
       << variant.name;
   study = test::mat_study();
   study.table.interface = TableInterface::hard;
@@ -338,7 +337,7 @@ TEST(Budget, AFailedRowDoesNotStopTheOthers)
   EXPECT_FALSE(budget.rows[3].difference); // undefined because the previous row failed
   EXPECT_TRUE(budget.rows[4].difference);
   EXPECT_TRUE(budget.rows[4].reason.empty());
-  // Without the first harmonic, the effect of the other harmonics is undefined.
+  // If the row of the first harmonic failed, the effect of the other harmonics is undefined.
   rows.by_harmonics[0] = rows.by_harmonics[1];
   const Budget without_first = find_budget(study, rows);
   EXPECT_FALSE(without_first.harmonics.absolute);

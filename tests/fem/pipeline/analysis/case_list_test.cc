@@ -26,7 +26,7 @@ TEST(CaseList, RangesHaveDecimalValues)
   EXPECT_EQ(values_of("Load/Moment ratio=0.1:1.9:7"),
             (Values{ "0.1", "0.4", "0.7", "1", "1.3", "1.6", "1.9" }));
   EXPECT_EQ(values_of(" Motion/Force offset = 5 : -5 cm : 3 "), (Values{ "0.05", "0", "-0.05" }));
-  // In double precision, -0.3 + 3 * 0.1 is 5.6e-17.
+  // In double precision, -0.3 + 3 * 0.1 is 5.6e-17, not 0.
   EXPECT_EQ(values_of("Motion/Force offset=-0.3:0.6:10"),
             (Values{ "-0.3", "-0.2", "-0.1", "0", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6" }));
   EXPECT_EQ(values_of("Table/Foundation modulus=1e8:1e12:5:log"),

@@ -1,4 +1,4 @@
-// Drawn section with points of the shape "foot", compared with this shape.
+// Compares a foot from a profile file with the built-in shape "foot".
 #include "fem/pipeline/study/study_file.h"
 #include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
@@ -38,7 +38,7 @@ std::string forty_points()
   const double begin = std::asin((fillet.end_radius - fillet.centre_radius) / fillet.radius);
   for (unsigned int i = 0; i < n_arc; ++i)
   {
-    // Angle from the downward direction towards the stem.
+    // Angle from the downward direction, negative towards the stem [rad].
     const double angle = begin + (-ring::pi / 2 - begin) * i / (n_arc - 1);
     add(fillet.centre_radius + fillet.radius * std::sin(angle),
         fillet.centre_height - fillet.radius * std::cos(angle));
@@ -61,7 +61,7 @@ TEST(DrawnFoot, SpinsLikeTheFootItWasDrawnFrom)
     const test::SolvedStudy drawn(read_study(
       "", { interface, "Glass/Shape=profile", "Glass/Profile file=" + file, "Glass/Crown radius=0.003" }));
     EXPECT_NEAR(drawn.omega() / foot.omega(), 1, 1e-4) << table;
-    // A thinner foot has a different spin, so the shape matters.
+    // The test is sensitive to the shape: a thinner foot changes the spin at least twice as much.
     const test::SolvedStudy thinner(read_study("", { interface, "Glass/Foot thickness=0.003" }));
     EXPECT_GT(std::abs(thinner.omega() / foot.omega() - 1), 2 * std::abs(drawn.omega() / foot.omega() - 1))
       << table;

@@ -1,7 +1,6 @@
-// Every entry of a study has an effect. The test changes each entry in the first base study in which the
-// entry has an effect; the terminal spin must change. The list below states the exceptions: base study,
-// value, and the number of summary.json that must change. An entry that is read and checked but not used
-// fails here.
+// Checks that every entry of a study is used. Each entry is changed in the first base study to which the
+// entry applies, and the terminal spin must change. The list `effects` contains the exceptions: base study,
+// value, and the result that must change.
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/base/numbers.h"
@@ -83,7 +82,7 @@ const EntryValues solid_rough = with(solid, "Table/Interface", "rough");
 const EntryValues crowned_mesh = with(solid, "Contact/Mesh file", STEMWARE_MESHES "/crowned_foot.msh");
 const EntryValues quadratic_solid = with(solid, "Contact/Degree", "2");
 
-/// Solid foot with a mesh that meets its goal.
+/// Solid foot with an accuracy goal that the first mesh meets.
 const EntryValues solid_for_a2 = with(with(solid, "Contact/Goal", "a2"), "Contact/Goal tolerance", "1");
 
 const std::string nothing, second_harmonic = "/load/a/2", unknowns = "/contact/unknowns";
@@ -126,7 +125,7 @@ const std::vector<Effect> effects = {
   { "Table/Foundation modulus", "1e9", second_harmonic },
   { "Table/Foundation modulus", "1e9", second_harmonic, solid },
   { "Table/Layer thickness", "0.005", nothing, {}, second_harmonic },
-  // A factor on the pressure is equivalent to an offset of the distance, so only the table motion changes.
+  // The rough interface is exponential: a factor of the pressure shifts the table and changes nothing else.
   { "Table/Reference pressure", "2e9", "/contact/table_motion/0", rough, "/ring/omega_terminal" },
   { "Table/Reference pressure", "2e9", "/contact/table_motion/0", solid_rough, "/ring/omega_terminal" },
   { "Table/Decay length", "2e-6", second_harmonic, rough },
@@ -180,7 +179,8 @@ Json results_of(const Study &study)
   return all;
 }
 
-/// Returns the base study of an effect, with or without the value of the entry. The study is fast to solve.
+/// Returns the base study of an effect, with or without the changed entry. Few harmonics and lines keep the
+/// study fast.
 Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder &scratch)
 {
   EntryValues values = { { "Glass/Shape", "step" },
@@ -236,12 +236,11 @@ void EntryEffects::SetUpTestSuite()
   scratch.write("thin.csv", plate + "0.034,0.004\n0.006,0.004\n0.006,0.02\n0,0.02\n");
 }
 
-TEST_P(EntryEffects, ChangeTheirQuantity)
+TEST_P(EntryEffects, ChangeTheExpectedResult)
 {
   const Json before = results_of_base();
   const Json after = results_with_the_value();
-  // Minimum relative change. It exceeds the solver tolerance (1e-9) and is below the effect of the stem
-  // height (8e-6).
+  // Minimum relative change: above the solver tolerance (1e-9), below the effect of the stem height (8e-6).
   constexpr double least = 1e-7;
   if (const Json::json_pointer changed(GetParam().changed); changed.empty())
     EXPECT_EQ(after, before);
@@ -268,8 +267,8 @@ std::string name_of(const testing::TestParamInfo<Effect> &info)
   return name;
 }
 
-/// Returns another value of an entry: 10 % more, twice the count, or the next allowed word. If no value can
-/// be guessed, returns an empty text, which the entry refuses.
+/// Returns a changed value of an entry: 1.1 times a quantity (if it is 0, a tenth of the plausible maximum),
+/// twice a count, or the next allowed word. Returns "" for any other entry, so that the test fails.
 std::string another_value(const StudyEntry &entry)
 {
   if (entry.quantity != nullptr)

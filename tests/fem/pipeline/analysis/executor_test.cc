@@ -45,7 +45,7 @@ void on_threads(unsigned int n_threads, std::size_t n, const std::function<void(
 
 } // namespace
 
-TEST(Executor, CallsEachOnceOnAtMostTheGivenThreads)
+TEST(Executor, CallsEachIndexOnceOnAtMostTheGivenThreads)
 {
   const WithoutThreadLimit unlimited;
   for (const unsigned int n_threads : { 1u, 2u, 3u })
@@ -84,7 +84,7 @@ TEST(Executor, RunsTwoCallsSimultaneously)
              });
 }
 
-TEST(Executor, RethrowsAndStops)
+TEST(Executor, RethrowsAnExceptionAndStartsNoMoreCalls)
 {
   std::atomic<unsigned int> n_calls = 0;
   const auto work = [&](std::size_t)
@@ -98,8 +98,8 @@ TEST(Executor, RethrowsAndStops)
 
 TEST(Executor, NestedLoopsDoNotInterleave)
 {
-  // A thread that waits for its inner loop must not start another outer call. Without isolation, every
-  // twentieth outer call of unequal length is interrupted by another one on eight threads.
+  // A thread that waits for its inner loop must not start another outer call. Without task isolation, one in
+  // twenty of these outer calls would start another one.
   constexpr std::size_t n_outer = 200, n_inner = 8;
   thread_local bool at_work = false;
   std::atomic<std::size_t> n_mixed = 0, n_done = 0;

@@ -1,5 +1,5 @@
-// Largest pressure and contact width on hard tables are within their error bands. Random crowned rims are
-// compared with Hertz line contact at the local line load (Johnson, Contact Mechanics, 1985, section 4.2).
+// Peak pressure and contact width of random crowned rims on hard tables agree with Hertz line contact at the
+// maximum line load within their error bands (Johnson, Contact Mechanics, 1985, section 4.2).
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/load/constants.h"
@@ -92,7 +92,7 @@ void expect_pressures_of_random_rims(unsigned int n_studies, unsigned int seed)
     {
       const BandedQuantity &banded = bands[index_of(bands, key)];
       const double value = banded.quantity.value, band = banded.band;
-      // The tolerance allows for a maximum between two lines.
+      // 5e-4: the maximum line load may be between two azimuth lines.
       EXPECT_LE(std::abs(value - right), band + 5e-4 * right)
         << key << " of study " << i << ": " << value << ", Hertz " << right << ", m "
         << study.load.moment_ratio;

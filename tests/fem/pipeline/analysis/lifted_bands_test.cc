@@ -1,5 +1,5 @@
 // Error bands with lift-off and on flat lands. Reference for random states of a rigid crowned foot on a mat:
-// quadrature up to the contact edges by other code (tests/verification/plain_lifted_foot.h).
+// quadrature up to the contact edges by independent code (tests/verification/plain_lifted_foot.h).
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/load/constants.h"
@@ -58,11 +58,10 @@ struct LiftedState
   }
 };
 
-/// Largest height of the centre of mass at which the glass spins up [m]. Computed by other code as the fold
-/// over the lean at fixed spins.
+/// Maximum height of the centre of mass with a terminal spin [m], computed by independent code.
 constexpr double largest_height = 0.134575746;
 
-/// Ratios of error and error band by quantity, for states in which the azimuth lines dominate the error band.
+/// Collects the ratios error / error band of each quantity.
 class Ratios
 {
 public:
@@ -89,8 +88,8 @@ public:
       }
   }
 
-  /// Prints the worst and the median ratio of each quantity. Expects a median at which the error bands are
-  /// neither too wide nor too narrow.
+  /// Prints the worst and the median ratio of each quantity. Expects a median of all ratios above 0.1 (error
+  /// bands not too wide) and below 0.5 (not too narrow).
   void expect_fair_medians() const
   {
     std::vector<double> all;
@@ -125,7 +124,7 @@ private:
       truth["a" + std::to_string(n)] = at_rest.harmonic(n, false);
       truth["b" + std::to_string(n)] = at_rest.harmonic(n, true);
     }
-    constexpr double reach = 2e-3; // relative search interval around the program's spin
+    constexpr double reach = 2e-3; // half-width of the search interval, relative to the program's spin
     const auto near = [&](LiftedGlass &of, double spin)
     { return of.terminal_spin((1 - reach) * spin, (1 + reach) * spin); };
     truth["omega_terminal"] = near(glass, omega);
@@ -147,14 +146,14 @@ double uniform(std::mt19937 &random, double from, double to)
   return from + (to - from) * static_cast<double>(random()) / 4294967296.;
 }
 
-/// Returns a random moment ratio and direction, with lift-off.
+/// Returns a state with lift-off under a random moment.
 LiftedState random_moment(std::mt19937 &random)
 {
   const double ratio = uniform(random, 1.21, 1.96);
   return { ratio, uniform(random, -2.2, -0.9) };
 }
 
-/// Returns a random height of the centre of mass, with lift-off.
+/// Returns a state with lift-off at a random height of the centre of mass.
 LiftedState random_height(std::mt19937 &random)
 {
   return { 0, 0, uniform(random, 0.109, 0.134) };
@@ -209,13 +208,14 @@ TEST(LiftedBands, ContainTheErrorUpToTheTippingHeightLong)
   expect_limit_at_right_height(20);
 }
 
-TEST(LiftedBands, ContainTheErrorNextToTheTippingHeight)
+TEST(LiftedBands, ContainTheErrorJustBelowTheTippingHeight)
 {
   expect_limit_at_right_height(1);
 }
 
-/// Checks the error bands at @p n_states moments, from @p smallest_moment in steps of 0.01. At the terminal
-/// spin part of the contact has the slip ratio 1, so the error of the rings decreases slowly.
+/// Checks the error bands at @p n_states moment ratios from @p smallest_moment in steps of 0.01. At the
+/// terminal spin, the slip vanishes inside the contact, so the result converges slowly with the number of
+/// rings.
 void expect_bands_with_vanishing_slip_hold(double smallest_moment, unsigned int n_states)
 {
   Ratios ratios;
@@ -239,10 +239,10 @@ TEST(LiftedBands, ContainTheErrorIfTheSlipVanishesAtOneMoment)
   expect_bands_with_vanishing_slip_hold(1.95, 1);
 }
 
-// Rigid flat lands. References: closed forms on a mat; annular punch by other code on a hard bonded layer
-// (tests/verification/annular_punch.py).
+// Rigid flat lands. References: closed forms on a mat; for an annular punch on a hard bonded layer,
+// independent code (tests/verification/annular_punch.py).
 
-/// Returns a flat land under a given moment in the direction @p direction [rad].
+/// Returns the study of a flat land under a given moment in the direction @p direction [rad].
 Study flat_study(double width, double moment_ratio, double direction)
 {
   Study study = test::mat_study();
@@ -285,8 +285,8 @@ TEST(FlatLandBands, ContainTheErrorWithLiftOffOnAMat)
     const double radius = study.glass.profile.contact_radius, outer = radius + row.width / 2;
     const verification::LiftedAnnulus exact(radius - row.width / 2, outer, row.moment_ratio * radius / 2);
     const double slope = study.motion.orbit.normal_force() / exact.per_slope, tilt = -slope / 1e9;
-    // The azimuth loses contact last at the outer border of the land, or at the inner border on the lifted
-    // side.
+    // An azimuth is in contact if one of its points is: its outermost point if zero > 0, else its innermost
+    // point.
     const double last = exact.zero < 0 ? radius - row.width / 2 : outer;
     expect_within_bands(study,
                         { { "contact_fraction", exact.share },
@@ -303,7 +303,8 @@ TEST(FlatLandBands, ContainTheErrorOfPunchesOnHardLayers)
 {
   struct Row
   {
-    /// Layer thickness [m]; load P/(2 E* a delta); moment 3 M/(4 E* a^3 alpha).
+    /// Layer thickness [m]; load P/(2 E* a delta) [1]; moment 3 M/(4 E* a^3 alpha) [1]. Outer radius a,
+    /// indentation delta, tilt alpha.
     double thickness, load, moment;
   };
   for (const Row &row : { Row{ 3, 0.904734120, 0.940845472 }, Row{ 0.005, 5.084536833, 3.147039011 } })

@@ -87,10 +87,9 @@ TEST(OneNumber, MomentRatiosReferToTheContactRadius)
   EXPECT_GT(std::abs(of_harmonics - 1.2), 1e-3);
 }
 
-// Rigid foot on the default mat. Reference: quadrature in two dimensions by other code, without rings,
+// Rigid foot on the default mat. Reference: quadrature in two dimensions by independent code, without rings,
 // harmonics or kernels. A terminal spin exists up to z_CM = 0.134575746 m and a balance at rest up to
-// 0.143684201 m. Just above the first limit, only a narrow range of spins around -9.2306 rad/s has no
-// balance.
+// 0.143684201 m. Just above 0.134575746 m, only a narrow range of spins around -9.2306 rad/s has no balance.
 ring::Answer row_at_height(double height, bool rigid)
 {
   static fem::ComplianceCache cache;
@@ -116,8 +115,8 @@ TEST(Fall, AgreesWithOtherCodeForARigidFoot)
 }
 
 // Within 2e-7 m of the greatest height of the centre of mass with a terminal spin, a narrow range of spins
-// has two balances. No verb may step from one balance to the other.
-TEST(Fall, IsFoundAtTheSameSpinByEveryVerb)
+// has two balances. No verb may jump from one balance to the other.
+TEST(Fall, IsFoundAtTheSameHeightsByEveryVerb)
 {
   Study study = mat_study();
   study.glass.material.young_modulus = 2e20;

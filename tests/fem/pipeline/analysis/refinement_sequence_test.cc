@@ -79,7 +79,7 @@ TEST(RefinementSequence, GivesAWideBandAndNoOrderForNonMonotoneValues)
 
 TEST(RefinementSequence, GivesAWideBandForImplausibleOrders)
 {
-  // Sequences with slow convergence, and with an implausibly small last difference.
+  // The first sequence converges slowly; the last difference of the second sequence is implausibly small.
   for (const std::vector<double> &values :
        { std::vector<double>{ 0, 1, 1.9 }, std::vector<double>{ 0, 1, 1 + 1e-6 } })
   {
@@ -107,12 +107,12 @@ TEST(RefinementSequence, AssumesFirstOrderForTwoLevels)
   EXPECT_NEAR(judged.bands[0], 2.5 * 0.5, ulps(5, 1));
 }
 
-TEST(RefinementSequence, SpectralBandIsTheLastDifference)
+TEST(RefinementSequence, SpectralBandFollowsFromTheLastDifference)
 {
   const RefinementSequence judged = assess_convergence({ 1, 1.1, 1.11 }, AxisKind::degree, 0);
   EXPECT_FALSE(judged.order);
   EXPECT_EQ(judged.limit, 1.11);
-  // A quarter of the first difference exceeds the last difference.
+  // The larger of the last difference and a quarter of the first difference counts.
   EXPECT_NEAR(judged.bands.back(), 1.25 * 0.1 / 4, 1e-14);
   const RefinementSequence slow = assess_convergence({ 1, 1.1, 1.15 }, AxisKind::degree, 0);
   EXPECT_NEAR(slow.bands.back(), 1.25 * 0.05, 1e-14);

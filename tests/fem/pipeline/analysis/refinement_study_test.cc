@@ -33,15 +33,15 @@ TEST(RefinementAxes, StayWithinTheAllowedRanges)
   study.contact.memory_limit = 1e15;
   const std::vector<RefinementAxis> axes = refinement_axes(study, 3);
   ASSERT_EQ(axes.size(), 4u);
-  EXPECT_EQ(axes[0].sizes, (Sizes{ 5, 6 })); // the mesh cannot be halved more often
+  EXPECT_EQ(axes[0].sizes, (Sizes{ 5, 6 })); // at most 6 refinements
   EXPECT_EQ(axes[1].sizes, (Sizes{ 3, 4 }));
   EXPECT_EQ(axes[1].own, 1u);
-  EXPECT_EQ(axes[2].sizes, (Sizes{ 10, 20 })); // 40 harmonics need 81 lines
+  EXPECT_EQ(axes[2].sizes, (Sizes{ 10, 20 })); // 40 harmonics would need 81 lines
   EXPECT_EQ(axes[3].sizes, (Sizes{ 64, 128, 256 }));
   study.table.interface = TableInterface::hard;
   study.table.substrate = TableSubstrate::elastic;
   EXPECT_EQ(refinement_axes(study, 3)[2].sizes, (Sizes{ 10, 20 }));
-  EXPECT_EQ(refinement_axes(study, 3).size(), 4u); // hard tables have lines as well
+  EXPECT_EQ(refinement_axes(study, 3).size(), 4u); // hard tables also have the axis of azimuth lines
 }
 
 /// Returns @p study with cells of a quarter of the size, four times the lines and twice the harmonics.
@@ -103,7 +103,7 @@ TEST(ErrorBands, ContainAFourTimesFinerRunOfThePaperStudy)
   EXPECT_GT(spin.band, std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value));
   EXPECT_LT(spin.band, 1e-5); // not too wide [rad/s]
 
-  // `converge` with three levels finds an order between re-entrant corners and a smooth section.
+  // The order of `converge` is between 1 (re-entrant corners) and 4 (smooth section).
   std::vector<RefinementAxis> axes = refinement_axes(study, 3);
   const ErrorBands full =
     refine(quantities_of_load(study, comparison.load, spins_of_interest(comparison.omega), comparison.omega),
@@ -172,7 +172,7 @@ void expect_band_holds_corners(unsigned int n_harmonics, unsigned int n_lines)
   const Levels comparison(study, finer);
   const BandedQuantity &spin = comparison.band("omega_terminal");
   const double error = std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value);
-  EXPECT_GT(error, 4e-5); // error that the band must contain [rad/s]
+  EXPECT_GT(error, 4e-5); // the error is significant [rad/s]
   EXPECT_LT(error, spin.parts.at("mesh") + spin.parts.at("degree"));
   EXPECT_LT(spin.parts.at("mesh") + spin.parts.at("degree"), 10 * error);
 }
@@ -187,7 +187,7 @@ TEST(ErrorBands, IncludeTheErrorOfCornersOnFewLines)
   expect_band_holds_corners(6, 64);
 }
 
-TEST(ErrorBands, ContainTheResultOfManyRingsForOneRing)
+TEST(ErrorBands, ContainTheErrorOfASingleRing)
 {
   Study study = test::mat_study();
   study.contact.rings = 1;
@@ -201,7 +201,7 @@ TEST(ErrorBands, ContainTheResultOfManyRingsForOneRing)
   EXPECT_LT(error, spin.band);
 }
 
-/// A foot without a moment balance.
+/// Foot whose solve() always throws ring::NoBalance.
 class FootWithoutBalance : public fem::Foot
 {
 public:
@@ -222,7 +222,7 @@ public:
   fem::PressureMap pressure_map(const fem::ContactState &) const override { return {}; }
 };
 
-/// If a changed contact has no balance, e.g. next to tipping, no error bands are given and the run continues.
+/// If a changed discretisation has no balance, e.g. just before tipping, estimate_bands() returns no bands.
 TEST(ErrorBands, AreEmptyIfAChangedContactHasNoBalance)
 {
   const test::SolvedStudy solved(test::quick_contact_study());
@@ -231,7 +231,7 @@ TEST(ErrorBands, AreEmptyIfAChangedContactHasNoBalance)
   EXPECT_TRUE(estimate_bands(solved.study, solved.foot, solved.row, std::nullopt, executor).empty());
 }
 
-/// Every row that solves contact has an error band. The closed forms have none.
+/// Every budget row with a contact solution has an error band. Rows with a closed form have none.
 TEST(ErrorBands, ExistForEveryRowOfTheContact)
 {
   Study study = test::quick_contact_study();
@@ -261,7 +261,7 @@ TEST(ErrorBands, ExistForEveryRowOfTheContact)
   EXPECT_NEAR(*rows[rows.size() - 2].band, *all, 1e-9);
 }
 
-TEST(ErrorBands, AreLimitedByTheDifferenceBetweenRows)
+TEST(ErrorBands, AreAtMostTheLastBandPlusTheDifferenceFromTheLastRow)
 {
   const auto row = [](unsigned int number, double omega) { return BudgetRow{ { number }, "", {}, omega }; };
   std::vector<BudgetRow> rows = { row(1, -3),      row(2, -3.6),   row(3, -3.7),   row(4, -3.6),

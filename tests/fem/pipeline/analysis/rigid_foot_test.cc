@@ -1,5 +1,5 @@
-// Terminal spin of a rigid foot on a Winkler mat. Reference: quadrature in two dimensions by other code,
-// without rings, harmonics or kernels (tests/verification/rigid_foot.py, plain_rigid_foot.h).
+// Terminal spin of a rigid foot on a Winkler mat. Reference: quadrature in two dimensions by independent
+// code, without rings, harmonics or kernels (tests/verification/rigid_foot.py, plain_rigid_foot.h).
 #include "fem/pipeline/analysis/error_bands.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
@@ -37,8 +37,8 @@ Study rigid_foot_study(double foundation_modulus)
   return study;
 }
 
-/// Returns @p study with the moment ratio @p moment_ratio. The maximum of the load is on the right of the
-/// motion.
+/// Returns @p study with the moment ratio @p moment_ratio. The maximum of the load is to the right of the
+/// direction of motion.
 Study with_moment(Study study, double moment_ratio)
 {
   study.load.moment_ratio = moment_ratio;
@@ -49,7 +49,7 @@ Study with_moment(Study study, double moment_ratio)
 TEST(RigidFoot, AgreesWithQuadratureOnAFlatAnnulusWithThePaperClosure)
 {
   Study study = rigid_foot_study(1e10);
-  study.glass.profile.crown_radius = 0; // flat land from 28 to 32 mm
+  study.glass.profile.crown_radius = 0; // flat land between the radii 28 and 32 mm
   study.motion.closure = ring::Closure::paper;
   const double expected = reference()["annulus_closure_paper"]["omega"];
   EXPECT_NEAR(expected, -3.10658352, 1e-8);
@@ -69,9 +69,9 @@ struct ReferenceState
   std::map<std::string, double> expected;
 };
 
-// Reference: quadrature of pressure and friction over the land, and balance with tilt at every spin.
-// Differences of the torque with steps from 0.003 to 0.03 rad/s agree to 6e-10. At least nine digits are
-// correct.
+// Reference: quadrature of pressure and friction over the land, and balance with tilt at every spin. Time
+// constants by finite differences of the torque; steps from 0.003 to 0.03 rad/s agree to 6e-10. At least nine
+// digits of the other values are correct.
 TEST(RigidFoot, ErrorBandsContainTheNumbersOfOtherCode)
 {
   const std::vector<ReferenceState> states = {
@@ -187,9 +187,9 @@ TEST(RigidFoot, ErrorBandsContainTheNumbersOfOtherCode)
   }
 }
 
-// The reference is the same. Compares the terminal spin without tilt, and the state at the terminal spin with
-// tilt.
-TEST(RigidFoot, AgreesWithoutTiltAndAtTheTerminalSpin)
+// Compares the terminal spin without tilt, and the state at the terminal spin with tilt, with the same
+// quadrature.
+TEST(RigidFoot, AgreesInTheSpinWithoutTiltAndInTheTerminalState)
 {
   struct Row
   {
@@ -206,7 +206,7 @@ TEST(RigidFoot, AgreesWithoutTiltAndAtTheTerminalSpin)
     study.motion.orbit.centre_of_mass_height = row.height;
     const SolvedStudy solved(study, test::rigid_foot());
     EXPECT_NEAR(solved.row.at_terminal->moment_ratio, row.moment_ratio, 1e-5) << row.height;
-    // The contact edge is interpolated between azimuth lines 1/128 of a turn apart.
+    // 2e-3: the contact edge is interpolated between azimuth lines 1/128 of a turn apart.
     EXPECT_NEAR(solved.load.contact(solved.omega())->load.contact_fraction, row.share, 2e-3) << row.height;
     study.motion.tilt = false;
     EXPECT_NEAR(SolvedStudy(study, test::rigid_foot()).omega(), row.omega_without_tilt,
@@ -229,7 +229,7 @@ TEST(RigidFoot, AgreesWithTheFullMomentBalanceTiltAndGrip)
   }
 }
 
-/// Wavy foot on a soft mat in full contact, and its reference by plain sums.
+/// Wavy foot on a soft mat in full contact, and its reference by sums over points.
 struct WavyFoot
 {
   static constexpr unsigned int n_waves = 3;
@@ -247,7 +247,7 @@ struct WavyFoot
                orbit.orbit_radius, orbit.orbit_speed, orbit.friction_coefficient,  orbit.gravity };
   }
 
-  /// Turns the mark of the glass to the azimuth @p phase.
+  /// Rotates the waviness of the reference by @p phase [rad].
   void turn(double phase)
   {
     plain.wave = [phase](double theta) { return amplitude * std::cos(n_waves * (theta - phase - crest)); };

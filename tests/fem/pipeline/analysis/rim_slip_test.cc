@@ -1,4 +1,4 @@
-// Slip and friction around the rim, as drawn in the figure.
+// Slip and friction around the rim, as drawn in the figure of the report.
 #include "ring_model/rim_slip.h"
 
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The load 1 + 1.5 sin theta is tensile at 270 degrees.
+/// Load 1 + 1.5 sin(theta), negative (tensile) around theta = 270 degrees.
 const ring::RingStack load({ 1, 0 }, { 0, 1.5 }, 0.03);
 
-TEST(RimSlip, OpposesTheMotionOfTheLoadAtRest)
+TEST(RimSlip, FrictionOpposesTheMotionWithoutSpin)
 {
   ring::Motion motion;
   const std::vector<ring::RimSlip> places = ring::rim_slip(motion, 0.03, load, 0);
@@ -25,7 +25,7 @@ TEST(RimSlip, OpposesTheMotionOfTheLoadAtRest)
     EXPECT_NEAR(place.friction_x, -std::max(0., 1 + 1.5 * std::sin(place.azimuth)), 1e-12);
     EXPECT_EQ(place.friction_y, 0);
   }
-  EXPECT_EQ(places[18].friction_x, 0); // the series is negative here
+  EXPECT_EQ(places[18].friction_x, 0); // theta = 270 degrees
 }
 
 TEST(RimSlip, VanishesOnTheLeftAtSlipRatioOne)
@@ -33,7 +33,7 @@ TEST(RimSlip, VanishesOnTheLeftAtSlipRatioOne)
   ring::Motion motion;
   const double radius = 0.03, omega = motion.orbit_speed / radius; // the slip ratio is 1
   const std::vector<ring::RimSlip> places = ring::rim_slip(motion, radius, load, omega);
-  EXPECT_NEAR(places[6].slip_x, 0, 1e-12); // no slip on the left
+  EXPECT_NEAR(places[6].slip_x, 0, 1e-12); // theta = 90 degrees
   EXPECT_NEAR(places[0].slip_x, 1, 1e-12);
   EXPECT_NEAR(places[0].slip_y, 1, 1e-12);
   EXPECT_NEAR(places[0].friction_y, -std::sqrt(0.5), 1e-12);

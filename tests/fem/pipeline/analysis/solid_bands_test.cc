@@ -1,5 +1,5 @@
 // Error bands of a solid foot. References: a refined body of revolution with its own error bands, and a rigid
-// plate for a mesh that is not round. With MPI.
+// plate without rotational symmetry. Runs with MPI.
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/coupling/make_foot.h"
@@ -43,7 +43,8 @@ Study revolved(Study study, unsigned int refinements = 1)
 }
 
 /// Expects that the two values of @p key agree within the sum of their error bands. @p widest: maximum ratio
-/// of error band and difference; 0: unlimited, if the difference may vanish by chance.
+/// of the solid foot's error band to the difference; 0: no limit, because the difference may vanish by
+/// chance.
 void expect_within_both(const ErrorBands &solid, const ErrorBands &revolution, const std::string &key,
                         double widest = 0)
 {
@@ -68,7 +69,7 @@ Study solid_study(fem::GlassShape shape, const fem::FootResolution &resolution)
   return study;
 }
 
-/// Returns a section with re-entrant corners and lift-off on a mat, under a given moment.
+/// Returns the study of a step (re-entrant corners) with lift-off on a mat, under a given moment.
 Study step_on_mat(double foundation_modulus)
 {
   Study study = solid_study(fem::GlassShape::step, { 24, 2, 1 });
@@ -79,7 +80,7 @@ Study step_on_mat(double foundation_modulus)
   return study;
 }
 
-/// Returns a flat land of 2 mm on a hard table, under a given moment.
+/// Returns the study of a 2 mm wide flat land on a hard table, under a given moment.
 Study flat_land(double moment_ratio)
 {
   Study study = solid_study(fem::GlassShape::step, { 24, 4, 2 });
@@ -91,7 +92,7 @@ Study flat_land(double moment_ratio)
   return study;
 }
 
-/// Compares the bands of @p keys and of the torque at half the terminal spin, on a mat.
+/// Compares the quantities @p keys and the torque at half the terminal spin with the reference.
 void expect_bands_of_mat(const Study &study, const Study &reference, const std::vector<const char *> &keys)
 {
   const ErrorBands solid = bands_of(study), revolution = bands_of(reference);
@@ -138,7 +139,7 @@ Study plate_on_mat(double eccentricity, double direction)
   return study;
 }
 
-/// Expects that the error bands of plate_on_mat() contain the errors.
+/// Expects that the error bands of plate_on_mat() contain the exact values.
 void expect_bands_of_plate(double eccentricity, double direction)
 {
   const Study study = plate_on_mat(eccentricity, direction);
@@ -166,7 +167,7 @@ void expect_bands_of_plate(double eccentricity, double direction)
   EXPECT_TRUE(truth.empty()) << truth.begin()->first << " has no band";
 }
 
-/// Returns the terminal spin of the mean torque over the phases [rad/s].
+/// Returns the spin at which the mean torque over the phases of the foot vanishes [rad/s].
 double mean_spin(const Study &study)
 {
   fem::ComplianceCache cache;
@@ -176,8 +177,7 @@ double mean_spin(const Study &study)
 
 } // namespace
 
-// The error band uses loads of the other mesh at rest and at one spin. Reference: the study on the other
-// mesh, solved at every spin.
+// The error band compares degree 1 with degree 2 at rest and at one spin. Reference: degree 2 at every spin.
 TEST(SolidBands, ContainTheChangeOfTheTerminalSpinOnAnOvalMesh)
 {
   Study study = study_of_mesh("oval_foot.msh");
@@ -191,8 +191,8 @@ TEST(SolidBands, ContainTheChangeOfTheTerminalSpinOnAnOvalMesh)
   EXPECT_LE(part, 1.5 * change);
 }
 
-// The edge of the lift-off crosses the faces of the plate. The table law is not smooth at this edge. A rigid
-// plate does not bend, so only another number of contact lines reveals the error.
+// The contact edge crosses element faces, and the pressure has a kink there. A rigid plate does not bend, so
+// finer elements do not change the result; only another number of contact lines reveals the error.
 TEST(SolidBands, ContainTheErrorOfAPlateWithLiftOff)
 {
   for (const double eccentricity : { 0.62, 0.55 })
@@ -206,8 +206,8 @@ TEST(SolidBands, ContainTheErrorOfAPlateWithLiftOff)
   }
 }
 
-// The foot is in balance with friction and tilt on the coarsest possible mesh, so the error band comes from
-// halved cells. The contact is a twentieth of a cell wide; more rings would extrapolate to the nodes.
+// Moment balance with friction and tilt. The mesh is the coarsest possible one, so the error band comes from
+// halved cells. The contact is a twentieth of a cell wide.
 TEST(SolidBands, ContainTheErrorOfAFootOnAMatLong)
 {
   Study study = solid_study(fem::GlassShape::foot, { 24, 2, 1 });
@@ -215,7 +215,7 @@ TEST(SolidBands, ContainTheErrorOfAFootOnAMatLong)
   expect_bands_of_mat(study, revolved(study), { "omega_terminal", "a2" });
 }
 
-// Short version with linear elements and a given moment.
+// Short version of ContainTheErrorOfAFootOnAMatLong: linear elements and a given moment.
 TEST(SolidBands, ContainTheErrorOfLinearElementsOnAMat)
 {
   Study study = solid_study(fem::GlassShape::foot, { 16, 2, 1 });
@@ -229,7 +229,7 @@ TEST(SolidBands, ContainTheErrorOfLinearElementsOnAMat)
     expect_within_both(solid, revolution, key, 30);
 }
 
-// In the coarser mesh, the cells across the land are 1.5 times as large.
+// The error band comes from a coarser mesh, whose cells across the land are 1.5 times as wide.
 TEST(SolidBands, ContainTheErrorIfTheCellCountCannotBeHalved)
 {
   Study study = solid_study(fem::GlassShape::foot, { 16, 6, 2 });
@@ -253,7 +253,7 @@ TEST(SolidBands, ContainTheErrorOfAContactNarrowerThanItsCellsLong)
   expect_bands_of_mat(study, revolved(study, 0), { "omega_terminal", "a2", "b3", "a4" });
 }
 
-// Short version with linear elements.
+// Short version of ContainTheErrorOfAFlatLandOnAHardTableLong: linear elements.
 TEST(SolidBands, AgreeWithTheRevolutionBodyForLinearElementsOnAHardFlatLand)
 {
   Study study = flat_land(0.5);

@@ -1,4 +1,4 @@
-// Contact/Goal of a solid foot. Reference: body of revolution. With MPI.
+// Error estimates for Contact/Goal of a solid foot. Reference: body of revolution. Runs with MPI.
 #include "fem/pipeline/analysis/goal_mesh.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/coupling/make_foot.h"
@@ -16,7 +16,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns a foot with lift-off. The few lines and load harmonics do not depend on the mesh.
+/// Returns the study of a foot with lift-off. The numbers of lines and load harmonics are fixed, so that only
+/// the mesh contributes to the error.
 Study lifting_foot()
 {
   Study study = test::mat_study();
@@ -50,8 +51,8 @@ GoalError error_of(const Study &study, const Discretisation &discretisation = {}
 
 } // namespace
 
-// Short version: a single mesh, given moment.
-TEST(SolidGoal, EstimatesEqualTheErrorsOnACoarseMesh)
+// Short version of EstimatesAreCloseToTheErrorsLong: a single mesh and a given moment.
+TEST(SolidGoal, EstimatesAreCloseToTheErrorsOnACoarseMesh)
 {
   for (const Goal goal : { Goal::a2, Goal::terminal_spin })
   {
@@ -85,7 +86,7 @@ TEST(SolidGoal, KeepsTheMeshOfAStudyWithoutAGoal)
 }
 
 // Reference: body of revolution. Its error is below a tenth of the smallest compared error.
-TEST(SolidGoal, EstimatesEqualTheErrorsLong)
+TEST(SolidGoal, EstimatesAreCloseToTheErrorsLong)
 {
   Study study = lifting_foot();
   const Study of_revolution = study;

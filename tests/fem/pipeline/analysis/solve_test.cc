@@ -20,8 +20,8 @@ namespace
 
 using namespace stemware::test;
 
-/// Returns the spins of the budget, the spins without each effect and on one ring, and the error bands; 0 for
-/// missing values.
+/// Returns the spins of the budget, the spins without each effect and on one ring, and the error bands. A
+/// missing spin is 0.
 std::vector<double> digits_on(unsigned int n_threads)
 {
   const SolvedStudy solved(quick_contact_study());
@@ -80,7 +80,7 @@ TEST(Solve, AFailedVariantGivesItsReasonAndTheOthersContinue)
   EXPECT_EQ(solved[2].value(), study.glass.profile.contact_radius);
 }
 
-TEST(Solve, FailuresBelongToTheirVariantExceptOnSeveralRanks)
+TEST(Solve, FailuresAreStoredPerVariantButRethrownOnSeveralRanks)
 {
   const std::vector<Variant> variants(2, { VariantKind::study, "", quick_contact_study() });
   const auto question = [](const Variant &, const std::shared_ptr<ElasticFoot> &) -> int

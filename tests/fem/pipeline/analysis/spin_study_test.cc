@@ -28,7 +28,7 @@ SpinStudy study_spin_of(const ring::RingStack &load, const Study &study = study_
 
 TEST(SpinStudy, SpinUpCurvesAgreeWithIndependentIntegrations)
 {
-  // The four curves differ by several per cent.
+  // Reference: midpoint rule with 4000 steps.
   const Study study = study_of_given_load();
   const ring::Motion &motion = study.motion.orbit;
   const SpinUpCurves curves = study_spin_of(rich_load(), study).spin_up;
@@ -42,7 +42,7 @@ TEST(SpinStudy, SpinUpCurvesAgreeWithIndependentIntegrations)
       return ring::coulomb_wrench(motion.friction_coefficient, load, spin, motion.orbit_speed).torque /
              motion.yaw_inertia;
     };
-    for (int i = 0; i < n_steps; ++i) // midpoint rule
+    for (int i = 0; i < n_steps; ++i)
       omega += step * rate(omega + step / 2 * rate(omega));
     return omega;
   };
@@ -87,7 +87,7 @@ TEST(SpinStudy, ReportsProgressDuringTheSpinUp)
   {
     void pieces_done(const std::string &, std::size_t n_done, std::size_t n_all) override
     {
-      if (n_all > 0) // progress of the models
+      if (n_all > 0) // progress of the model rows, not of the spin-up
         return;
       most = std::max(most, n_done);
       if (is_interrupted)
@@ -211,7 +211,7 @@ TEST(Answer, GivesTheReasonIfThereIsNoTerminalSpin)
   EXPECT_THAT(none.reason, testing::HasSubstr("none"));
   // Program errors are rethrown, not reported as a reason.
   EXPECT_THROW(ring::answer(refusing(std::runtime_error("a fault")), question), std::runtime_error);
-  // The torque has no zero if the moment grows faster (like eps^-3) than K_1 decreases.
+  // The torque has no zero if the moment grows faster (like omega^3) than the kernel K_1 decreases.
   const auto with_ratio = [](double m) {
     return ring::RingStack::first_harmonic(2.943, { m * 2.943 * 0.03 / 2, 0 }, 0.03);
   };
