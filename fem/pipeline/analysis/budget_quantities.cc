@@ -25,7 +25,7 @@ Number spin_above(const BudgetRow &row)
   return row.difference ? Number(*row.omega_terminal - *row.difference) : std::nullopt;
 }
 
-/// Heading of a column without a visible heading.
+/// Heading of a column without a visible heading. An empty heading would omit the column.
 constexpr char no_heading[] = " ";
 
 } // namespace

@@ -17,7 +17,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// While an object exists, limits deal.II to a number of threads, and thereby TBB in the whole process.
+/// Limits deal.II, and thereby TBB in the whole process, to a number of threads during its lifetime.
 class ThreadLimit
 {
 public:
@@ -34,7 +34,7 @@ private:
   const unsigned int before;
 };
 
-/// Implements Executor::for_each() on @p n_threads.
+/// Implements Executor::for_each() on @p n_threads threads.
 void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &work)
 {
   const ThreadLimit limit(n_threads);

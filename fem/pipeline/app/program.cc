@@ -22,7 +22,7 @@
 namespace stemware::pipeline
 {
 
-/// Returns the files of help/.
+/// Returns the compiled-in files help/*.txt.
 const CompiledTexts &compiled_help();
 
 namespace

@@ -70,7 +70,7 @@ std::ostream &console()
 void require_printed()
 {
   std::cout << std::flush;
-  // Both C++ streams write through C's stdout, so stdout has recorded every failure.
+  // std::cout writes through C's stdout, so stdout has recorded every failure.
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw OutputFailure(
       "Standard output is incomplete (disk full?); results written to a folder are complete.");

@@ -163,7 +163,7 @@ void require_writable(const fs::path &file)
   const fs::file_status status = fs::symlink_status(file, error);
   const bool is_own = fs::is_regular_file(status) && read_text_file(file).find(written_by_stemware) < 512;
   ensure_output(!fs::exists(status) || is_own, file, " exists without a mark of Stemware; remove it or");
-  // Tests by writing: root has permission even on file systems that refuse to write.
+  // A check of permissions is not enough: root has permission even on read-only file systems.
   const std::string probe = partial_name(file);
   ensure_output(file.has_filename() && std::ofstream(probe), file, " cannot be written;");
   std::remove(probe.c_str());

@@ -201,7 +201,8 @@ private:
   std::map<std::string, std::size_t> known;
 };
 
-/// Returns a focused mesh of @p study with at most @p max_nodes nodes; 0: any number.
+/// Returns a focused mesh of @p study with at most @p max_nodes nodes; any number of nodes if @p max_nodes is
+/// 0.
 Discretisation coarsened(const Study &study, unsigned int max_nodes, fem::ComplianceCache &cache)
 {
   Discretisation mesh;

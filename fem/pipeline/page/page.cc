@@ -13,7 +13,7 @@
 namespace stemware::pipeline
 {
 
-/// Returns the HTML of pages, and bundled scripts and styles with checksums.
+/// Returns the compiled-in files: HTML of the pages, scripts, styles and their checksums.
 const CompiledTexts &page_texts();
 
 namespace

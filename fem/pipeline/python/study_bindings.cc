@@ -54,8 +54,8 @@ void check_signals()
     throw Interrupted{ std::make_exception_ptr(py::error_already_set()) };
 }
 
-/// Progress that checks for Ctrl-C and calls a Python function (stage, done, all) or None. Called by one
-/// thread at a time.
+/// Progress that checks for Ctrl-C and calls a Python function f(stage, done, all), unless it is None. Called
+/// by one thread at a time.
 struct PythonProgress : Progress
 {
   void stage_done(const std::string &stage) override { tell(stage, 1, 1); }
@@ -87,7 +87,7 @@ struct PythonProgress : Progress
   }
 
   py::object listener;
-  std::exception_ptr cause; ///< first exception of Python; it ends the other threads too
+  std::exception_ptr cause; ///< first exception of Python; also ends the other threads
 };
 
 /// Returns the cache of compliances, shared by equal feet. The cache is never destroyed, because threads may

@@ -28,7 +28,7 @@ ring::Status status_of(const ContactReport &report, const SpinStudy &spin)
   return status == ring::Status::formal && report.foot ? ring::Status::lift_off : status;
 }
 
-/// Terminal spin, and whether the glass reaches it from rest.
+/// Terminal spin. `from_rest` is true if the glass reaches this spin from rest.
 struct SpinRow
 {
   ring::TerminalSpin spin;
@@ -236,7 +236,7 @@ const Fields<PhaseStudy> &waviness_fields()
   return fields;
 }
 
-/// Returns the quantities of a drawn profile and of its rim circle.
+/// Returns the quantities of a user-defined profile and of its rim circle.
 const Fields<GlassSection> &profile_fields()
 {
   using Glass = GlassSection;

@@ -40,7 +40,7 @@ std::string unit_behind_number(const StudyEntry &entry)
   return entry.unit == "1" ? "" : ' ' + entry.unit;
 }
 
-/// Returns e.g. "Motion/Mass = 300 kg".
+/// Returns an assignment as text, e.g. "Motion/Mass = 300 kg".
 std::string assignment(const StudyEntry &entry, double value)
 {
   return entry.path() + " = " + to_short_text(value) + unit_behind_number(entry);
@@ -199,9 +199,9 @@ void require_hand_above_table(const std::vector<StudyEntry> &entries, const Moti
                 { text, to_short_text(-hand), to_text(centre), to_text(by_offset ? -centre : 0) }));
 }
 
-/// Returns the part of the moment of @p now that friction cannot reduce, divided by the maximum moment of a
-/// pressure on the land. If the ratio is 1 or more, the glass tips at every spin. If it is slightly smaller,
-/// contact solves are slow and fail before the glass tips.
+/// Returns the part of the moment required by the motion @p now that friction cannot reduce, divided by the
+/// maximum moment of a pressure on the land. If the ratio is 1 or more, the glass tips at every spin. If it
+/// is slightly smaller, contact solves are slow and fail before the glass tips.
 double certain_tipping_share(ring::Closure closure, const fem::GlassProfile &profile, const ring::Motion &now)
 {
   const double friction = now.has_constant_friction()

@@ -223,7 +223,7 @@ std::string suggestion(const std::vector<StudyEntry> &entries, const std::string
     meant = closest_match(word, paths);
   if (const auto likely = closest_match(name, names); likely && !meant)
     meant = paths[static_cast<std::size_t>(std::find(names.begin(), names.end(), *likely) - names.begin())];
-  for (const StudyEntry &entry : entries) // a name whose last words are missing
+  for (const StudyEntry &entry : entries) // finds a name whose last words are missing in `word`
     if (!meant && !name.empty() && boost::istarts_with(entry.name, name + ' ') &&
         (name == word || word.rfind(entry.section + '/', 0) == 0))
       meant = entry.path();

@@ -232,7 +232,7 @@ void read_text(const std::string &origin, const std::string &text, bool is_json,
   is_json ? read_json(shortened_path(origin), text, entries) : read_prm(origin, text, entries);
 }
 
-/// Reads the files that the study names, and checks the study.
+/// Reads the files that entries of the study name, and checks the study.
 void read_files_and_check(Study &study)
 {
   attach_profile(study);
