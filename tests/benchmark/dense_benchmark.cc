@@ -1,4 +1,4 @@
-// Dense linear systems of a foot of revolution, beside Eigen's PartialPivLU.
+// Computing time of the dense linear solvers for a foot of revolution, compared with Eigen's PartialPivLU.
 // Build: cmake --preset bench && cmake --build --preset bench --target dense_benchmark
 // Run: build/bench/dense_benchmark
 
@@ -12,7 +12,8 @@ namespace
 {
 using namespace stemware::fem;
 
-/// Returns the compliance of @p n circles with a line load each: a full, diagonally dominant matrix.
+/// Returns a full, diagonally dominant n x n matrix, similar to the compliance of @p n circles under line
+/// loads.
 RowMatrix compliance(Eigen::Index n)
 {
   return RowMatrix::NullaryExpr(n, n,
@@ -44,7 +45,8 @@ void dense_eigen(benchmark::State &state)
   }
 }
 
-/// Eight lines of range(0) circles, T = 1.
+/// Times Newton's linear systems of one contact line per SIMD lane, with range(0) circles each and the
+/// identity as tangent.
 void lines_stemware(benchmark::State &state)
 {
   const Eigen::Index n = state.range(0);

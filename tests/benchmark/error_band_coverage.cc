@@ -1,12 +1,12 @@
 // Checks the error bands of `stemware run` on random studies of seed SEED. Each study is compared with a
-// finer reference that is independent of the levels of the band:
+// finer reference, which does not use the refinement levels of the band:
 //   axes      one axis at a time is refined, the other axes keep the study's values, and the changes are
 //             added: contact cells and corner cells 1/8 of the size, a higher degree, 8 times the azimuth
 //             lines, 4 times the elastic harmonics and the harmonics of the load, a spring 100 times
 //             stiffer for a hard interface, sums over points instead of rings
-//   together  all at once: cells 1/4 of the size, 4 times the lines and harmonics, the stiffer spring, and
-//             sums over points
-//   converge  as together, and also the bands of `stemware converge`
+//   together  all axes are refined at once: cells 1/4 of the size, 4 times the lines and harmonics, the
+//             stiffer spring, and sums over points
+//   converge  the reference of `together`; the bands of `stemware converge` are checked, too
 // Wavy rims and tables are excluded. Build: cmake --preset bench && cmake --build --preset bench
 // Run for the studies FIRST ... N:
 //   build/bench/error_band_coverage [axes|together|converge [N [SEED [FIRST]]]]
@@ -52,7 +52,7 @@ std::vector<unsigned int> contact_cells(const std::vector<fem::SectionPolygon> &
   return found;
 }
 
-/// Returns the cells at re-entrant corners, with an interior angle between 1.2 pi and 1.9 pi.
+/// Returns the indices of the cells at re-entrant corners (interior angle between 1.2 pi and 1.9 pi).
 std::vector<unsigned int> corner_cells(const std::vector<fem::SectionPolygon> &cells)
 {
   using Point = std::pair<long long, long long>; // coordinates in picometres
@@ -92,7 +92,8 @@ FineStudy with_smaller_cells(Study study, unsigned int n_halvings)
   study.contact.refinements += 1;
   Discretisation mesh;
   mesh.fineness *= std::ldexp(1, static_cast<int>(n_halvings) - 1);
-  // If the mesh has no focus (flat land, compliant interface), `refinements` has already halved all cells.
+  // Without a focus (flat land, compliant interface), `fineness` halves all cells. The contact cells are
+  // halved further.
   const bool is_focused = study.glass.profile.crown_radius > 0 || study.table.is_hard();
   for (unsigned int i = 1; i < n_halvings; ++i)
   {
@@ -108,12 +109,12 @@ FineStudy with_smaller_cells(Study study, unsigned int n_halvings)
   return { study, mesh };
 }
 
-/// Study with one axis that is more accurate.
+/// Study refined along one axis.
 struct FinerStudy
 {
   std::string axis;
   FineStudy fine;
-  FineStudy from; ///< reference to compare with
+  FineStudy from; ///< same study without this refinement
 };
 
 std::vector<FinerStudy> finer_on_one_axis(const Study &study)
@@ -127,7 +128,7 @@ std::vector<FinerStudy> finer_on_one_axis(const Study &study)
   finer.push_back({ "mesh", with_smaller_cells(study, 3), { study } });
   add("degree", [](ContactSection &contact) { ++contact.degree; });
   add("lines", [](ContactSection &contact) { contact.azimuth_lines *= 8; });
-  // Harmonics are compared on lines that resolve the larger number.
+  // Both studies have four times the azimuth lines, which resolve the additional harmonics.
   Study on_more_lines = study;
   on_more_lines.contact.azimuth_lines *= 4;
   for (const char *axis : { "harmonics", "load_harmonics" })
@@ -173,8 +174,8 @@ Solved solve(const FineStudy &fine, fem::ComplianceCache &cache, double expected
   return { foot, load, omega };
 }
 
-/// Returns the friction torque [N m] about the axis of the ring at the spin @p omega, for the forces of @p
-/// points. Each force acts at its own radius, without rings and harmonics.
+/// Returns the friction torque [N m] about the axis at the spin @p omega: a sum over @p points at their own
+/// radii, without projection onto rings or harmonics.
 double torque_of_points(const std::vector<fem::PointForce> &points, const ring::Motion &motion, double omega)
 {
   double torque = 0;

@@ -10,8 +10,8 @@
 // (known reference value instead of a body of revolution), goal=a2|spin.
 //
 // goal=spin: terminal spin of a study with this foot. The moment follows from the moment balance, with a hand
-// offset=1.6 times as far from the centre of mass as usual (moment= is ignored). friction= is the coefficient
-// of the friction that deforms the foot; mu stays. The first mesh is the study's (uniform= is ignored).
+// offset=1.6 times as far from the centre of mass as usual (moment= is ignored). friction=0 switches the
+// deformation by friction off; mu keeps its default. The first mesh is the study's (uniform= is ignored).
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/pipeline/analysis/goal_mesh.h"
@@ -36,7 +36,7 @@ namespace
 struct Case
 {
   bool of_spin = false;
-  stemware::pipeline::Study study; ///< used by of_spin
+  stemware::pipeline::Study study; ///< used if of_spin is true
   SolidSetup solid;
   RevolutionSetup revolution;
   FootResolution resolution;
@@ -49,7 +49,7 @@ struct Case
   std::optional<double> exact;
 };
 
-/// Returns the study with @p values, for the terminal spin.
+/// Returns the study described by @p values, with the terminal spin as goal.
 stemware::pipeline::Study read_study(const NamedValues &values)
 {
   stemware::pipeline::Study study;
@@ -152,8 +152,8 @@ double truth(const Case &study)
   return second_harmonic(study).of_load(MeshedRevolutionFoot(setup).solve(study.demand, study.slip).load);
 }
 
-/// Solves on @p mesh and prints a row. Returns the error estimate if @p estimates, otherwise an empty
-/// estimate.
+/// Solves the contact on @p mesh and prints a row of the table. Returns the error estimate if @p estimates is
+/// true, otherwise a default MeshError.
 MeshError solve_on(const SolidMesh &mesh, const Case &study, double exact, const char *kind, bool estimates)
 {
   const ContactGoal goal = second_harmonic(study);
@@ -223,7 +223,7 @@ void run(const Case &study)
   say("body of revolution: a2/a0 = {:+.9f}\n", exact);
   say("mesh      unknowns      a2/a0     error   estimated  ratio  contact estimate (s)\n");
   FootResolution resolution = study.resolution;
-  // On a hard table, an unrefined mesh has no error estimate.
+  // On a hard table, the first mesh is refined once, because an unrefined mesh has no error estimate.
   for (resolution.refinements = study.solid.table.interface->is_hard();
        resolution.refinements <= study.max_refinements; ++resolution.refinements)
     solve_on(generate_solid_mesh(study.solid.profile, resolution), study, exact, "uniform",

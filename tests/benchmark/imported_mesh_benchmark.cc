@@ -27,7 +27,7 @@ using namespace stemware::fem;
 namespace
 {
 
-constexpr double off_axis = 0.01; // [m]
+constexpr double off_axis = 0.01; // distance of the foot's axis from the z axis [m]
 
 /// Returns the gap [m] of the foot with @p defect at a point of the table.
 double gap_of(const GlassProfile &profile, const std::string &defect, double x, double y)
@@ -41,8 +41,8 @@ double gap_of(const GlassProfile &profile, const std::string &defect, double x, 
   return defect == "wavy" ? gap + amplitude * (1 + waves) : gap;
 }
 
-/// Returns the cells of @p drawn with @p defect, as a mesh file would give them: without the refinement
-/// history.
+/// Copies the cells of @p drawn, changed by @p defect, to @p mesh. The copy has no refinement history, like a
+/// mesh read from a file.
 void import(const dealii::Triangulation<3> &drawn, const std::string &defect, double width, double radius,
             dealii::Triangulation<3> &mesh)
 {

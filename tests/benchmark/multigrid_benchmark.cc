@@ -1,4 +1,4 @@
-// Cost of the solid body: matrix-free operators, a linear solve by geometric multigrid, a whole contact.
+// Cost of the solid body: matrix-free operators, a linear solve by geometric multigrid, a contact solution.
 //
 //   multigrid_benchmark [name=value]...
 //
@@ -32,7 +32,7 @@ struct Case
   FootResolution resolution = { 48, 2, 2, 2 };
   SolidOptions options;
   std::shared_ptr<const InterfaceLaw> interface;
-  double softening = 1; ///< softening of start_from_coarser_mesh()
+  double softening = 1; ///< factor by which coarser meshes soften the interface
   Resultants load;
   double tolerance = 1e-8; ///< tolerance of the timed linear solve
   bool compares = false;

@@ -28,8 +28,7 @@ std::vector<double> slip_ratios()
   return ratios;
 }
 
-/// Measures all kernels n <= 32 at one slip ratio. The relevant counters are median and maximum over the slip
-/// ratios.
+/// Times the kernels n <= 32 at each slip ratio. Counters: median and maximum of these times [us].
 void kernels_to_32(benchmark::State &state)
 {
   const std::vector<double> ratios = slip_ratios();
@@ -53,7 +52,7 @@ void kernels_to_32(benchmark::State &state)
 }
 BENCHMARK(kernels_to_32)->Unit(benchmark::kMillisecond);
 
-/// Measures two seconds of spin-up with tolerance 1e-10 and 201 output times.
+/// Times the integration of two seconds of spin-up with tolerance 1e-10 and 201 output times.
 void trajectory(benchmark::State &state, Closure closure)
 {
   const Motion motion;

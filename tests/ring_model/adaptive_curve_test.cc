@@ -1,4 +1,4 @@
-// Interpolation of loads over the spin.
+// Interpolation of loads as functions of the spin or of the moment ratio.
 #include "ring_model/spin/adaptive_curve.h"
 #include "ring_model/spin/load.h"
 #include "tests/ring_model/unilateral_rim.h"
@@ -46,7 +46,7 @@ ring::CurveSource rim_source(const std::vector<double> &kinks = {})
 
 TEST(AdaptiveCurve, StatedErrorContainsTheTrueError)
 {
-  // If the curve does not know the kink, the true error may be up to three times the stated error.
+  // Without a known kink, the true error may be up to three times the stated error.
   for (const bool is_known : { false, true })
     for (const double upper : { 1.1, 1.5 })
       for (const double tolerance : { 1e-4, 1e-7 })
@@ -98,7 +98,8 @@ TEST(Load, InterpolatesWithinTheStatedError)
   EXPECT_LE(stated, 1e-6);
   for (double omega = -3.97; omega < 0.5; omega += 0.13)
     EXPECT_LE(curve.at(omega).difference(exact(omega)), stated) << omega;
-  EXPECT_EQ(curve.at(2.5).difference(exact(2.5)), 0); // beyond the samples, the exact load is used
+  // Outside the interpolated interval, the exact load is used.
+  EXPECT_EQ(curve.at(2.5).difference(exact(2.5)), 0);
 }
 
 TEST(Load, InterpolatesTheDifferenceToASimilarLoad)

@@ -1,4 +1,5 @@
-// Answers of the ring model for loads given by a lambda. Reference: closed form of the first harmonic.
+// Answers of the ring model for loads given by C++ functions of the spin. Reference: closed form of the first
+// harmonic.
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/self_consistent_ring.h"

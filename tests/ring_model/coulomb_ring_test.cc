@@ -36,8 +36,8 @@ TEST(CoulombRing, AgreesWithReferenceWrenches)
 TEST(CoulombRing, AgreesWithQuadrature)
 {
   const RingStack load = reference_load();
-  // The convergence is geometric away from |eps| = 1 (N for 1e-15: docs/theory/kernels.md) and algebraic at
-  // |eps| = 1.
+  // The convergence is geometric away from |eps| = 1 (number of points for 1e-15: docs/theory/kernels.md) and
+  // algebraic at |eps| = 1.
   for (const auto &[eps, n_points, tolerance] : { std::tuple{ 0.1, 64u, 1e-15 },
                                                   { -0.5, 128u, 1e-15 },
                                                   { 0.9, 600u, 2e-15 },
@@ -64,7 +64,7 @@ TEST(CoulombRing, DissipatesEnergyUnderACompressiveLoad)
   }
 }
 
-TEST(CoulombRing, DependsOnTheFirstHarmonicOnlyAtRest)
+TEST(CoulombRing, HigherHarmonicsHaveNoEffectAtRest)
 {
   test::Numbers numbers(9);
   for (unsigned int trial = 0; trial < 100; ++trial)

@@ -87,8 +87,8 @@ TEST(FrictionKernels, AgreeWithReferenceCases)
 
 TEST(FrictionKernels, AgreeWithFiftyDigitQuadrature)
 {
-  // The tolerance is relative to the kernel. Near |eps| = 1, where U_n (|eps| < 1) or K_n (|eps| > 1) changes
-  // sign, it is relative to P_n.
+  // The tolerance is relative to the kernel. U_n (for |eps| <= 1) and K_n (for |eps| > 1) change sign near
+  // |eps| = 1; there, |P_n| is added to the scale.
   const double tolerance = 1.5e-14;
   std::vector<double> slip_ratios{ 0.1, 0.5, 0.75, 0.9, 1., -1., 2., 10., -0.97, -1.02 };
   for (const double distance : { 1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-3, 0.01, 0.018, 0.02, 0.04, 0.08 })
@@ -130,8 +130,8 @@ TEST(FrictionKernels, AgreeWithFiftyDigitQuadrature)
 
 TEST(FrictionKernels, ReachSmallSlipLimitsWithAllDigits)
 {
-  // Limits: K_n -> kappa_n eps^{n-1}, P_n -> -kappa_n eps^n / n, U_n -> (n-1)/n kappa_n eps^n. The next terms
-  // are smaller by eps^2.
+  // Limits for eps -> 0: K_n -> kappa_n eps^{n-1}, P_n -> -kappa_n eps^n / n, U_n -> (n-1)/n kappa_n eps^n.
+  // The next terms are smaller by eps^2.
   const auto &kappa = reference()["kernel_small_eps"]["kappa"];
   const double eps = 1e-8;
   const auto kernels = FrictionKernels(eps, 1., 12);

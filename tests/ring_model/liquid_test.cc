@@ -1,5 +1,5 @@
-// Reference: the liquid as vertical columns on the bottom of the bowl. Weights and moments of the columns are
-// summed in three dimensions. No formula is shared with the code.
+// Moments of the liquid in the bowl. Reference: vertical columns of liquid on the bottom of the bowl. Weights
+// and moments of the columns are summed in three dimensions. No formula is shared with the code.
 #include "ring_model/load/constants.h"
 #include "ring_model/moment_balance.h"
 #include "tests/ring_model/reference.h"
@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 /// forces f = mass * @p field at the centres of the columns [N m].
 std::pair<double, Vector3d> columns(const Liquid &liquid, const Eigen::Vector2d &slope, const Vector3d &field)
 {
-  // For these polynomials in x and y, Gauss points on (0, 1) and equal angles are exact.
+  // Quadrature by Gauss points along r and equal angles, exact for these polynomials in x and y.
   const double node = std::sqrt(0.6) / 2, points[3] = { 0.5 - node, 0.5, 0.5 + node },
                weights[3] = { 5. / 18, 8. / 18, 5. / 18 };
   constexpr unsigned int n_angles = 16;
@@ -99,8 +99,8 @@ TEST(Liquid, ActsAtItsMetacentreOnALeaningGlass)
     Motion motion = filled(seed);
     motion.orbit_speed = 1e-6;
     motion.orbit_acceleration = 0;
-    // In the frame of the glass, gravity and the liquid's surface lean. The comparison is of first order in
-    // the lean.
+    // In the frame of the glass, gravity and the liquid's surface lean. The comparison is accurate to first
+    // order in the lean.
     const double lean = 1e-5;
     const Vector3d field(motion.gravity * std::sin(lean), 0, -motion.gravity * std::cos(lean));
     const Vector3d moment = columns(motion.liquid, { std::tan(lean), 0 }, field).second +

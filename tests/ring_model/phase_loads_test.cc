@@ -30,7 +30,8 @@ Load load_by_phase()
 }
 
 /// Expects the torque, tabulated up to the spin @p last in steps of @p step, to agree with the trapezoidal
-/// rule at @p spins, each at another time and yaw angle. Spins in units of v / R, @p tolerance of mu N R.
+/// rule at @p spins, each at another time and yaw angle. Spins are in units of v / R, @p tolerance in units
+/// of mu N R.
 void expect_torques(double last, double step, const std::vector<double> &spins, double tolerance)
 {
   const Load load = load_by_phase();
@@ -67,5 +68,5 @@ TEST(TabulatedTorque, UsesTheLoadItselfOutsideItsTable)
 
 TEST(TabulatedTorque, IsExactAcrossTheKinkAtSlipRatioOne)
 {
-  expect_torques(1., 0.05, { 0.97, 0.999, 1.01 }, 1e-5); // the quadrature error next to the kink is 1e-5
+  expect_torques(1., 0.05, { 0.97, 0.999, 1.01 }, 1e-5); // the quadrature error at the kink is 1e-5 of mu N R
 }

@@ -103,7 +103,7 @@ TEST(RingStack, RotatesMirrorsAndTruncates)
   EXPECT_EQ(load.truncated(50).n_harmonics(), 6u);
 }
 
-/// Returns three rings. One of them is tensile nearly everywhere.
+/// Returns three rings. The load of the third ring is negative everywhere.
 RingStack three_rings()
 {
   return RingStack({ { 0.028, { 0.3, 0.1, 0.02 }, { 0., 0.05, -0.01 } },

@@ -79,7 +79,7 @@ TEST(SelfConsistentRing, BalancesUnderStribecksLaw)
   }
 }
 
-TEST(UnilateralRim, UprightSlidingIsStableForALoadThatOnlyPushes)
+TEST(UnilateralRim, UprightSlidingIsStableUnderACompressiveLoad)
 {
   // With the hand at the centre of mass, -d tau/d eps = mu N R (<cos^2> - (mu h/R) <cos>) = mu N R Var(cos).
   Motion motion;

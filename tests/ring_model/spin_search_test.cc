@@ -150,7 +150,7 @@ TEST(SpinSearch, StepsBackFromSpinsWithoutABalance)
   EXPECT_LE(last, 2.1);
   EXPECT_GT(last, 2.1 - 10. / 4096.);
   EXPECT_THROW(find_terminal_spin(torque_up_to(2., 2.0001), { 10., 1. }), BalanceLost);
-  // Without balance already at rest.
+  // If no balance exists even at rest, the search rethrows the failure.
   EXPECT_THROW(find_terminal_spin(torque_up_to(-1., 2.), { 10. }), Tipping);
 
   const auto backwards = [&](double omega) { return -torque_up_to(2.1, 2.2)(-omega); };

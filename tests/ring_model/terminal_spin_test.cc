@@ -47,7 +47,8 @@ TEST(TerminalSpin, AgreesWithTheReferenceUnderARadialLoad)
 
 TEST(TerminalSpin, FrictionBrakesAnyLoadAtSlipRatiosAboveOne)
 {
-  // Fejer kernels are compressive loads close to a point force at any azimuth.
+  // Fejer kernels are compressive loads close to a point force at any azimuth. Lower bound of the braking
+  // torque: mu N R sqrt(1 - 1 / eps^2).
   constexpr unsigned int n_most = 400;
   constexpr double turn = 2 * ring::pi;
   const Motion motion;
@@ -110,7 +111,7 @@ TEST(TerminalSpin, ReportsARootOnASampleOnce)
   EXPECT_FALSE(spins[1].stable);
 }
 
-TEST(TerminalSpin, UprightSlidingLosesStabilityOnlyByANegativeLoad)
+TEST(TerminalSpin, UprightSlidingLosesStabilityOnlyUnderANegativeLoad)
 {
   // With the hand at the height of the centre of mass and the moment balance `full`, the first harmonic has
   // the damping 1/2 - (mu h/R)^2, which is negative for mu h / R > 1/sqrt 2. A compressive load has the

@@ -33,7 +33,7 @@ double torque_by_quadrature(double omega, unsigned int n)
     .torque;
 }
 
-/// Rounding errors of mu N R = 0.03 N m. The quadrature error, (omega R / v)^4000, is negligible.
+/// Tolerance: rounding errors of mu N R = 0.03 N m. The quadrature error, (omega R / v)^4000, is negligible.
 const double tolerance = ulps(16, 0.03);
 
 TEST(TorqueEffect, AgreesWithQuadratureOfTheTruncatedLoad)

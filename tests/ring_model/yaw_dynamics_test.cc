@@ -37,7 +37,7 @@ TEST(PaperSpinUp, AgreesWithTheReference)
   expect_spin(0.2, rows["omega_at_t0p2"]);
 }
 
-TEST(OrbitSpeedTable, IsExactMonotoneAndDoesNotExtrapolate)
+TEST(OrbitSpeedTable, InterpolatesMonotonicallyAndDoesNotExtrapolate)
 {
   const OrbitSpeedTable table({ 0., 0.5, 1., 1.5, 3. }, { 0.1, 0.3, 0.35, 0.35, 0.2 });
   EXPECT_EQ(table.speed(0.5), 0.3);

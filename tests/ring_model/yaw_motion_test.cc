@@ -70,7 +70,7 @@ std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns
 TEST(YawMotion, AgreesWithAPendulum)
 {
   // Pendulum: I psi'' = -A sin psi from psi = 0 at omega_0 has the solution omega = omega_0 dn(omega_0 t / 2,
-  // k), psi = 2 asin sn.
+  // k), psi = 2 asin(sn(omega_0 t / 2, k)).
   const double spin = 7., stiffness = 3e-3, modulus = 2. * std::sqrt(stiffness / inertia) / spin;
   const auto torque = [=](double, double angle, double) { return -stiffness * std::sin(angle); };
   const std::vector<double> times = { 0., 0.05, 0.3, 0.41 };
@@ -109,7 +109,7 @@ TEST(YawMotion, FollowsAForcedLinearRing)
 
 TEST(YawMotion, FollowsAStiffForcedRingThroughItsTransient)
 {
-  // Same closed form, with time constants of 1e-5 to 1e-12 s and outputs 0.1 s apart. The yaw angle is the
+  // Closed form of the forced linear ring, with time constants of 1e-5 to 1e-12 s. The yaw angle is the
   // integral of the spin.
   const double damping = 1.2e-3, drive = -3.6, force = 4e-4, nu = 4.6;
   unsigned int n_torques = 0;
@@ -316,7 +316,8 @@ TEST(LongTimeSpin, AgreesWithManyRevolutionsOfTheMark)
 TEST(LongTimeSpin, TakesLongStepsAtNegligibleInertia)
 {
   // Without inertia, phi = psi - orbit t satisfies phi' = drive - orbit + bump / damping cos phi. The mean of
-  // phi' has a closed form. The time constant of 8e-6 s is a millionth of the windows.
+  // phi' has a closed form. The time constant of 8e-6 s is less than a millionth of an averaging window (25
+  // s).
   const MarkedRing ring;
   unsigned int n_torques = 0;
   const auto counted = [&](double time, double yaw_angle, double omega)
@@ -345,9 +346,10 @@ TEST(LongTimeSpin, InertiaShiftsTheMeanUnderVaryingDamping)
   EXPECT_NEAR(spin.mean, mean, 5e-9);
 }
 
-TEST(LongTimeSpin, AgreesForStiffAndSlowSpins)
+TEST(LongTimeSpin, IsAccurateWithExplicitAndImplicitSteps)
 {
-  // The windows are 2e4 to 6e5 time constants long. Below 4e4 the steps are explicit, above 4e4 implicit.
+  // The averaging windows of 25 s are 2e4 to 6e5 time constants long. Below 4e4 time constants the steps are
+  // explicit, above implicit.
   MarkedRing ring;
   for (const double stiff_inertia : { 1.5e-6, 6e-7, 5e-8 })
   {

@@ -30,7 +30,7 @@ namespace
 /// Amplitudes of u_r cos(n theta), u_theta sin(n theta), u_z cos(n theta) at (r, z).
 using Field = std::function<Tensor<1, 3>(const Point<2> &)>;
 
-constexpr types::boundary_id top = 3; // ids of the sides of a rectangle, as in deal.II
+constexpr types::boundary_id top = 3; // boundary id of the upper side of a rectangle in deal.II
 
 /// Cylinder 0 <= r <= 1, 0 <= z <= length of distorted cells with hanging nodes, and the stiffness K_n on
 /// this mesh.

@@ -19,7 +19,7 @@ namespace
 
 const ElasticMaterial wood{ 10e9, 0.3 };
 
-/// Returns a land of equal cells.
+/// Returns a profile with a flat land of @p width [m].
 GlassProfile strip(double width)
 {
   GlassProfile profile;
@@ -63,7 +63,7 @@ TEST(HalfSpace, NormalComplianceAgreesWithBoussinesq)
 }
 
 // Reference: closed form. The body of revolution has 16 harmonics. Under harmonic 20 of the line forces, it
-// responds like a half-space under harmonic 24. The responses to harmonics 5 and 24 differ by a factor.
+// responds like a half-space under harmonic 24. Harmonic 5 uses its own compliance.
 TEST(HalfSpace, HarmonicsBeyondTheHighestUseTheComplianceOfHarmonic24)
 {
   constexpr unsigned int n_lines = 64;
@@ -100,8 +100,8 @@ TEST(HalfSpace, TangentialComplianceAgreesWithCerruti)
     }
 }
 
-// Reference: closed form (Johnson, section 5.8). Cases: a contact narrower than the layer thickness, a wider
-// contact, and a layer that bulges.
+// Reference: closed form (Johnson, section 5.8). Cases: layers thicker than the contact is wide, with nu = 0
+// and with nu = 0.3, and a thin layer.
 TEST(Layer, NormalComplianceAgreesWithTheTransferFunction)
 {
   const struct
@@ -156,7 +156,7 @@ TEST(HalfSpace, WideAnnularPunchesConvergeOnManyCells)
       const double torque = 0.2 * force * setup.profile.contact_radius / 2;
       const ContactState state = foot.solve({ force, torque, 0 });
       const Eigen::Vector3d motion = state.solution.motion;
-      // No edge has lifted off.
+      // The whole land is in contact.
       EXPECT_EQ(state.load.contact_fraction, 1) << ratio << ", " << n_cells << " cells";
       const double modulus = plane_strain_modulus(wood);
       EXPECT_NEAR(std::abs(motion(0)) * 2 * modulus * outer * load / force, 1, error_of_depth)

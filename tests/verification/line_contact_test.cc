@@ -22,9 +22,9 @@ namespace
 {
 
 /// Returns the displacement at the middle of a line load cos(n theta) with Hertz half-width b around a ring,
-/// in units of line load / (pi E*), minus 2 ln(16 R / b) + 1. For n b << R it is -4 sum_{k <= n} 1 / (2k -
-/// 1); the second term is the difference between 2 int p K_0(n |x| / R) dx of a straight line and its
-/// logarithm. @p slenderness: b / R.
+/// in units of line load / (pi E*), minus the constant 2 ln(16 R / b) + 1. For n b << R it is -4 sum_{k <= n}
+/// 1 / (2k - 1); the second term is the difference between 2 int p K_0(n |x| / R) dx of a straight line and
+/// its logarithm. @p slenderness: b / R.
 double half_space_eigenvalue(unsigned int n, double slenderness)
 {
   double sum = 0;
@@ -163,7 +163,7 @@ TEST(LineContact, OracleAgreesWithPublishedValues)
 TEST(LineContact, AgreesWithTheOracleOnACrownedRingInFullContact)
 {
   const LineContact expected(0.5, 256, slenderness);
-  const ContactLoad load = press_ring(0.5, 65); // 65: an odd number of lines
+  const ContactLoad load = press_ring(0.5, 65); // with an odd number of lines
   EXPECT_EQ(load.contact_fraction, 1);
   // The tolerance of a_2 = 0.0069 is 1 %, the ratio of width and radius. The tolerance of the other harmonics
   // is the noise of contact edges that cross cell borders.

@@ -71,7 +71,7 @@ double l2_error(unsigned int degree, unsigned int n)
   VectorTools::interpolate_boundary_values(mapping, dof_handler, 0, exact, constraints);
   constraints.close();
 
-  // First the displacement of the boundary, then the correction with zero boundary values.
+  // The solution is the sum of the boundary displacement and a correction with zero boundary values.
   const IndexSet dofs = complete_index_set(dof_handler.n_dofs());
   TrilinosWrappers::MPI::Vector solution(dofs, MPI_COMM_SELF), missing(dofs, MPI_COMM_SELF),
     rhs(dofs, MPI_COMM_SELF);

@@ -27,7 +27,7 @@ struct CrownedFoot
     expected = revolution.solve_on_winkler(1e11, load);
   }
 
-  /// Returns the largest difference of the harmonics of a solid foot.
+  /// Returns the largest difference of harmonics between a solid foot and the body of revolution.
   double error_of(const FootResolution &resolution) const
   {
     SolidOptions options;

@@ -45,7 +45,7 @@ protected:
     SolidOptions options;
     options.degree = GetParam();
     const ElasticMaterial cork{ 70e9, 0 };
-    body = make_body( // a patch test to rounding
+    body = make_body( // direct solver: only rounding errors remain
       TestSolver::factors, triangulation, [](double, double) { return 0.; }, options, cork);
   }
 

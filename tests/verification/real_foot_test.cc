@@ -1,4 +1,5 @@
-// Foot of a wine glass: convergence on its smooth section, and agreement of the two bodies.
+// Foot of a wine glass: convergence on its smooth section, and agreement of the solid body with the body of
+// revolution.
 #include "tests/fem/foot_case.h"
 #include "tests/fem/geometry/profile_oracle.h"
 #include "tests/fem/revolution/revolution_case.h"

@@ -70,7 +70,7 @@ TEST(SolidFriction, AgreesWithTheBodyOfRevolution)
   {
     ContactDemand demand = load_at(0.8, 0.3);
     demand.n_harmonics = 8;
-    demand.tilt_moment = 0.1 * weight; // then the conditions are not prescribed resultants
+    demand.tilt_moment = 0.1 * weight; // with a tilt moment, the conditions are not prescribed resultants
     const stemware::ring::Slip slip = { -10, {} };
     const ContactState state = solid_foot(given, { 24, 2, 1, 1 }, solver).solve(demand, slip);
     const ContactState expected = revolution_foot(given).solve(demand, slip);
@@ -85,8 +85,8 @@ TEST(SolidFriction, AgreesWithTheBodyOfRevolution)
   }
 }
 
-// Reference: CalculiX with the friction of its script. Friction causes all of a_2, b_2, a_3 and b_3 on the
-// mat, and half of them on the hard table.
+// Reference: CalculiX with the friction prescribed in calculix_foot.py. Friction causes all of a_2, b_2, a_3
+// and b_3 on the mat, and half of them on the hard table.
 TEST(SolidFriction, AgreesWithCalculiX)
 {
   unsigned int n_compared = 0;

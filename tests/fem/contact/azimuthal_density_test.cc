@@ -81,7 +81,7 @@ TEST(AzimuthalDensity, EqualsTheSectorMeanOfNodalForces)
     forces(i) = density_at(azimuth) * 2 * pi / n_nodes;
   }
   const double mean =
-    std::cos(pi / n_nodes); // mean of a first harmonic at two nodes over its value between them
+    std::cos(pi / n_nodes); // mean of a first harmonic at two nodes, divided by its value midway between them
   for (const AzimuthLoad &place : density_of_nodes(surface, forces))
     EXPECT_NEAR(place.density, 1 + (density_at(place.azimuth) - 1) * mean, 1e-12) << place.azimuth;
 }

@@ -13,7 +13,7 @@ using namespace stemware::fem;
 
 TEST(ContactDemand, NodeValuesEqualTheFunctionalOfUnitForces)
 {
-  // Nodes at mirrored and at equal azimuths. The code evaluates such nodes together.
+  // Some nodes have mirrored or equal azimuths. node_values() evaluates these nodes together.
   const std::vector<double> radii = { 0.0297, 0.03, 0.0303 };
   const auto functional =
     stemware::ring::friction_functionals(stemware::ring::CoulombLaw(0.3), radii, 8, -4., 0.35).side;

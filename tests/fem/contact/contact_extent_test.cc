@@ -1,5 +1,5 @@
 // Share of the land in contact, largest pressure and motion of rigid feet on a mat. References: closed forms
-// of annuli and plates, quadrature of a rigid ring by other code.
+// of annuli and plates, and quadrature under a crowned rim by other code.
 #include "fem/contact/line_integral.h"
 #include "fem/contact/rigid_foot.h"
 #include "ring_model/load/constants.h"
@@ -28,7 +28,7 @@ using stemware::ring::pi;
 class PlaneLand
 {
 public:
-  /// @p across_begin and @p across_end: width vectors at the ends of the line [m].
+  /// Adds a straight line. @p across_begin and @p across_end are its width vectors at the ends [m].
   void add_line(const Eigen::RowVector2d &begin, const Eigen::RowVector2d &end,
                 const Eigen::RowVector2d &across_begin, const Eigen::RowVector2d &across_end,
                 double azimuth_width)
@@ -93,7 +93,7 @@ Pressed pressed_at(const ContactSurface &surface, double normal_force, double x,
   return { mat->extent(solution), solution.motion };
 }
 
-/// Returns the contact under 10 N at @p eccentricity in x [m] on 1e9 Pa/m.
+/// Returns the contact under a force of 10 N at x = @p eccentricity [m], on a mat of 1e9 Pa/m.
 ContactExtent pressed(const ContactSurface &surface, double eccentricity)
 {
   return pressed_at(surface, 10, eccentricity, 0, 1e9).extent;
@@ -154,7 +154,7 @@ bool tips(const ContactSurface &surface, double distance, double angle)
   {
     return true;
   }
-  // A single point next to a corner is loaded.
+  // With a single loaded point next to a corner, the contact set is singular.
   catch (const ContactFailure &failure)
   {
     EXPECT_EQ(failure.outcome, ContactOutcome::singular_set);
@@ -162,7 +162,7 @@ bool tips(const ContactSurface &surface, double distance, double angle)
   return false;
 }
 
-/// Plane c + g_x x + g_y y. Its positive part is the pressure under a rigid plate on a mat. Computed by
+/// Pressure under a rigid plate on a mat: the positive part of a plane c + g_x x + g_y y, computed by
 /// LiftedSquare in the coordinates (2 x / length, 2 y / breadth).
 struct PlatePressure
 {
@@ -222,7 +222,7 @@ TEST(ContactExtent, AgreesWithTheClosedFormOfWideLands)
   }
 }
 
-TEST(ContactExtent, IsExactlyOneInFullContact)
+TEST(ContactExtent, SharesAreExactlyOneInFullContact)
 {
   // An annulus with r = 20 mm and R = 40 mm has the kern radius (r^2 + R^2) / 4R = 12.5 mm.
   for (const double eccentricity : { 0., 0.005, 0.0124 })
@@ -303,7 +303,7 @@ TEST(ContactExtent, AgreesWithTheClosedFormUnderBiaxialEccentricity)
       const Pressed found = pressed_at(plate(land, length, breadth, n_lines), force, row.x, row.y, modulus);
       const double allowed = 8 / std::pow(n_lines, 2); // error of the midpoint rule over the strips
       EXPECT_NEAR(found.extent.area_share, exact.share, allowed) << row.x;
-      // The outermost line is inside the edge.
+      // The outermost line is half a line width inside the edge.
       EXPECT_NEAR(found.extent.peak_pressure / exact.peak, 1, 1. / n_lines) << row.x;
       const Eigen::Vector3d motion = -exact.plane / modulus;
       for (unsigned int i = 0; i < 3; ++i)
@@ -334,11 +334,12 @@ TEST(ContactExtent, AgreesWithQuadratureUnderACrownedRim)
   RigidFoot foot(surface);
   const auto mat = make_law(WinklerInterface(1e10), surface);
   for (const Row &row : rows)
-    for (const double direction : { -pi / 2, 0.02 }) // maximum on a line, and between two lines
+    for (const double direction : { -pi / 2, 0.02 }) // pressure maximum on a line, and between two lines
     {
       const ContactLoad load =
         extract_load(*mat, solve_contact(foot, *mat, load_at(row.m, direction), 0.03), 8);
-      EXPECT_NEAR(load.contact_fraction, row.share, 1e-3) << row.m; // the spacing of the lines is 8e-3
+      // The spacing of the lines is 8e-3 of the rim.
+      EXPECT_NEAR(load.contact_fraction, row.share, 1e-3) << row.m;
       EXPECT_EQ(load.azimuth_fraction, load.contact_fraction);
       EXPECT_NEAR(load.peak_pressure / row.pressure, 1, 1e-4) << row.m;
     }

@@ -71,8 +71,8 @@ TEST(ContactDriver, ReportsAContactNarrowerThanItsCells)
 {
   FootCase crowned(GlassProfile(), coarse);
   crowned.solve_on_winkler(1e11,
-                           // The contact is 0.2 mm wide, the nodes are 0.5 mm apart, one of them in the
-                           // middle.
+                           // The contact is 0.2 mm wide and the nodes are 0.5 mm apart, so only the
+                           // middle node is loaded.
                            load_at(0.3));
   EXPECT_EQ(crowned.solution.outcome, ContactOutcome::narrow_contact);
   EXPECT_EQ(crowned.solution.n_nodes_across, 1u);
@@ -130,7 +130,7 @@ TEST(ContactDriver, ConvergedSolutionsBalanceTheDemand)
     }
 }
 
-TEST(ContactDriver, HardInterfaceIsComplementary)
+TEST(ContactDriver, HardInterfaceSatisfiesComplementarity)
 {
   FootCase foot(GlassProfile(), coarse, linear_elements());
   const ContactSurface &surface = foot.body->contact_surface();

@@ -16,8 +16,8 @@ namespace
 
 const double full_turn = 2 * ring::pi;
 
-/// Returns 72 cuts of 33 points up to @p reach [m] on both sides of r = 30 mm. @p pressure is a function of
-/// azimuth and r - 30 mm.
+/// Returns a pressure map with 72 radial cuts of 33 points each, up to @p reach [m] on both sides of r = 30
+/// mm. @p pressure is a function of azimuth and r - 30 mm.
 PressureMap map_of(double reach, const std::function<double(double, double)> &pressure)
 {
   PressureMap footprint;
@@ -97,7 +97,7 @@ TEST(Footprint, MeanIsFiniteIfASingleEndPointIsLoaded)
   }
   const FootprintMeasures measures = measures_of(footprint);
   EXPECT_NEAR(measures.mean, 6e4 * 16.25 / 16.5,
-              300); // the pressure falls to zero within half of the first interval
+              300); // at the inner edge, the pressure falls to zero within half an interval
   EXPECT_EQ(measures.narrowest, 0);
   EXPECT_NEAR(measures.widest, 426e-6, 1e-6);
   const auto cuts = loaded_cuts(footprint);

@@ -1,5 +1,5 @@
-// Conditions L'f = t with L != Q, as in a moment balance with a friction arm. Reference: fixed-point
-// iteration over prescribed resultants.
+// Linear conditions L'f = t whose weights L differ from the motion modes Q, as in a moment balance with a
+// friction arm. Reference: fixed-point iteration over prescribed resultants.
 #include "fem/contact/rigid_foot.h"
 #include "fem/contact/sliding_traction.h"
 #include "tests/fem/foot_case.h"

@@ -70,7 +70,7 @@ double error_of(const Law &law, const GlassProfile &profile, unsigned int land_c
 } // namespace
 
 // The point sums have an error of about 1e-9, or 1e-8 under a rough interface.
-TEST(PressureIntegration, IsExactToRoundingForAWinklerInterface)
+TEST(PressureIntegration, AgreesWithPointSumsForAWinklerInterface)
 {
   for (const unsigned int land_cells : { 2u, 8u, 40u })
   {
@@ -80,15 +80,15 @@ TEST(PressureIntegration, IsExactToRoundingForAWinklerInterface)
 }
 
 /// The spring is as stiff as for a hard interface. Contact occurs within a single cell.
-TEST(PressureIntegration, IsExactToRoundingForAStiffSpring)
+TEST(PressureIntegration, AgreesWithPointSumsForAStiffSpring)
 {
   for (const unsigned int land_cells : { 2u, 8u, 40u })
     EXPECT_LT(error_of(WinklerInterface(1e15), GlassProfile(), land_cells, 1e-8, 2e-5), 5e-9) << land_cells;
 }
 
-TEST(PressureIntegration, IsExactToRoundingForARoughInterface)
+TEST(PressureIntegration, AgreesWithPointSumsForARoughInterface)
 {
-  // The mean planes are apart or overlap.
+  // The mean planes of the surfaces are apart (depth < 0) or overlap (depth > 0).
   for (const double decay_length : { 1e-7, 1e-6, 1e-5 })
     for (const double depth : { -3 * decay_length, 2 * decay_length, 20 * decay_length })
       for (const unsigned int land_cells : { 2u, 8u, 40u })

@@ -12,8 +12,8 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Pressure law: from 0 to twice `middle` within a few @p width around zero penetration. Undamped Newton
-/// steps diverge from a start further away.
+/// Pressure law that rises from 0 to twice `middle` within a few @p width around zero penetration. Newton
+/// steps without damping diverge if they start further away.
 struct SaturatingInterface : PressureInterface<SaturatingInterface>
 {
   SaturatingInterface(double middle, double width)

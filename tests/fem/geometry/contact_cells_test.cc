@@ -174,7 +174,7 @@ TEST(ContactCells, HaveTheRequestedSizeInTheFocus)
       if (before > 0)
       {
         EXPECT_LT(std::max(size / before, before / size),
-                  3 * (1 + 1e-9)); // the ratio is one and a half at the land's borders
+                  3 * (1 + 1e-9)); // factor 2 by halving, times 1.5 at the borders of the land
       }
       before = size;
     }

@@ -71,7 +71,7 @@ TEST(GlassProfile, TopTapersLinearlyToTheEdge)
 TEST(GlassProfile, FilletIsTangentialToStemAndTop)
 {
   for (const double rise : { 0.003, 0. })
-    // Edge height of a top that falls outwards, and of a top that rises.
+    // The top falls outwards for the first edge thickness and rises for the second.
     for (const double edge : { 0.0015, 0.009 })
     {
       GlassProfile profile = foot_profile();

@@ -112,8 +112,8 @@ TEST(MeridianMesh, AreaConvergesAtTwiceTheOrderOfTheGeometry)
   }
 }
 
-/// At a sharp corner between foot and stem, the level is 1 up to rounding. Rounding must not create a row of
-/// cells.
+/// Without a fillet, the stem begins at the top of the foot up to rounding. The rounding error must not
+/// create a row of cells.
 TEST(MeridianMesh, AvoidsSliverCellsAtASharpCorner)
 {
   for (const double stem_radius : { 0.004, 0.0045, 0.005, 0.0061, 0.0074774, 0.00761733 })

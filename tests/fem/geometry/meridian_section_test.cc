@@ -32,8 +32,8 @@ Polyline in_millimetres(const std::vector<std::pair<double, double>> &points)
   return polyline;
 }
 
-/// Plain foot with a flat land from 28 to 32 mm and corners of more than 0.2 rad, from the axis to the stem
-/// cut [mm].
+/// Polyline (r, z) [mm] of a plain foot from the axis to the stem cut, with a flat land from 28 to 32 mm and
+/// corners of more than 0.2 rad.
 const std::vector<std::pair<double, double>> plain_foot = { { 0, 2 },  { 20, 2 }, { 28, 0 }, { 32, 0 },
                                                             { 34, 1 }, { 34, 3 }, { 16, 4 }, { 6, 8 },
                                                             { 4, 16 }, { 0, 16 } };
@@ -140,7 +140,7 @@ TEST(MeridianSection, OmitsRedundantPoints)
     EXPECT_NEAR(section.topside(radius), plain.topside(radius), 4e-7) << radius;
 }
 
-TEST(MeridianSection, RefusesInvalidPolylinesWithTheLine)
+TEST(MeridianSection, RefusalsNameTheLineOfTheFile)
 {
   EXPECT_EQ(refusal_of(plain_foot), "");
   const auto expect_line = [](const std::string &sentence, const std::string &words)
@@ -161,8 +161,8 @@ TEST(MeridianSection, RefusesInvalidPolylinesWithTheLine)
   expect_line(refusal_with(1, 20, 6), "(line 3)"); // the underside crosses the top
   EXPECT_NE(refusal_with(6, 40, 4), "");
   expect_line(refusal_with(7, 18, 3.5), "line 9"); // the outside of the stem turns back
-  EXPECT_NE(refusal_with(8, 4, 15), "");           // the cut is not horizontal
-  expect_line(refusal_with(1, -20, 2), "line 3");  // the point lies beyond the axis
+  EXPECT_NE(refusal_with(8, 4, 15), "");           // the stem cut is not horizontal
+  expect_line(refusal_with(1, -20, 2), "line 3");  // a radius is negative
 }
 
 TEST(DrawnProfile, MeshFillsThePolygon)

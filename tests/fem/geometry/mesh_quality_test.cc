@@ -22,7 +22,7 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Returns the check of a unit cube on the contact zone with each vertex moved by @p move.
+/// Returns check_mesh() of a unit cube with each vertex moved by @p move. The bottom is the contact zone.
 template <typename Move>
 MeshCheck check_cube(const Move &move)
 {

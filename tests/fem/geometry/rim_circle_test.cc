@@ -40,7 +40,7 @@ Polyline rounded_rim(double land, unsigned int n_land, double crown)
   return polyline;
 }
 
-/// Returns points with Gaussian errors of @p radial and @p vertical [m].
+/// Returns the points with Gaussian errors of the standard deviations @p radial and @p vertical [m].
 Polyline scattered(Polyline polyline, double radial, double vertical, unsigned int seed)
 {
   std::mt19937 generator(seed);
@@ -86,7 +86,7 @@ TEST(RimCircle, IsNotFittedToFlatOrTooFewPoints)
   EXPECT_FALSE(fit_rim_circle({ { 0, 0.002 }, { 0.028, 0 }, { 0.029, 0.0001 }, { 0.036, 0.001 } }, 0.004));
 }
 
-/// Above the rim, a thin foot has points on its top. They are not fitted.
+/// A thin foot also has points of its top above the rim. These points are not fitted.
 TEST(RimCircle, UsesTheUndersideOnly)
 {
   Polyline polyline = arc_of_six_points();
@@ -98,9 +98,9 @@ TEST(RimCircle, UsesTheUndersideOnly)
   EXPECT_NEAR(circle->crown_radius, 0.0021, 1e-12);
 }
 
-/// The arc is shallow: a parabola within 2e-4. Five points at -2 ... 2 mm have the errors e = (1, -4, 6, -4,
-/// 1) u. These errors are orthogonal to every parabola and do not change the fit. Their sum of squares is 70
-/// u^2.
+/// The arc is shallow and equals a parabola within 2e-4. Five points at -2 ... 2 mm have the errors e = (1,
+/// -4, 6, -4, 1) u. These errors are orthogonal to every parabola and do not change the fit. Their sum of
+/// squares is 70 u^2.
 TEST(RimCircle, ReportsTheRmsDistanceOfItsPoints)
 {
   constexpr double crown = 0.1, u = 1e-7, mm = 1e-3;

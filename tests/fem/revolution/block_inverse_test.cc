@@ -1,5 +1,5 @@
-// Parts of inverses, computed in several threads at once and compared with Eigen's sparse factorisation.
-// Limits of threads.
+// Parts of inverse matrices, computed in several threads at once and compared with Eigen's sparse
+// factorisation. Thread limits of SingleThread.
 #include "fem/revolution/block_inverse.h"
 #include "fem/revolution/single_thread.h"
 

@@ -1,4 +1,4 @@
-// Elements of degree 1 to 4, compared with the same references.
+// Elements of degree 1 to 4, compared with references that do not depend on the degree.
 #include "fem/contact/rigid_foot.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "ring_model/load/constants.h"

@@ -41,7 +41,8 @@ TEST(Tilt, ReturnsTheFirstOfTwoBalances)
 {
   struct Case
   {
-    double height, between, second; // z_CM [m], and moment ratios between the two balances, at the second
+    // z_CM [m], a moment ratio between the two balances, and the moment ratio of the second balance.
+    double height, between, second;
   };
   RevolutionSetup setup;
   setup.table.interface = std::make_shared<WinklerInterface>(1e7);
@@ -66,7 +67,7 @@ TEST(Tilt, ReturnsTheFirstOfTwoBalances)
     ContactDemand demand = under_moment(prescribed);
     demand.tilt_moment = tilt_moment;
     MeshedRevolutionFoot leaning(setup);
-    leaning.solve(under_moment(second)); // starts Newton's method at the second balance
+    leaning.solve(under_moment(second)); // the next solve starts at the second balance
     EXPECT_NEAR(-leaning.solve(demand).load.moment().y() / scale, below, 1e-7) << height;
   }
 }

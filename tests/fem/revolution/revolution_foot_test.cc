@@ -33,7 +33,7 @@ TEST(HardTable, CrestsAgreeWithTheWidthOfTheHertzEllipse)
   setup.imperfection.table = { { 5, 0.8 * 0.03 * 0.03 / along / 25, 0 } };
   const double compliance = (1 - 0.22 * 0.22) / 70e9;
   const double cube =
-    // Half-width under a third of the weight.
+    // Cube of the half-width of one of three crests, under a third of the weight.
     weight * second * compliance / (pi * slenderness * (1 / across + 1 / along));
   EXPECT_NEAR(crest_half_width(setup, weight) / std::cbrt(cube), 1, 1e-6);
   const double even = hertz_half_width(setup, weight), crest = crest_half_width(setup, weight);

@@ -47,7 +47,7 @@ struct OvalFoot
 };
 } // namespace
 
-TEST(LinearSolver, SolvesAMeshFromAFileByAggregation)
+TEST(LinearSolver, AggregationAgreesWithTheFactorisation)
 {
   const FootResolution resolution = { 48, 4, 4, 0 };
   OvalFoot direct(resolution, TestSolver::factors, 1);

@@ -1,5 +1,5 @@
-// Estimated mesh error of a quantity of interest of a solid foot. Reference: body of revolution with other
-// elements and no estimate.
+// Estimated mesh error of a quantity of interest of a solid foot. Reference: body of revolution, which has
+// other elements and does not use the estimate.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
@@ -33,7 +33,7 @@ ContactDemand demand_of(double m)
   return demand;
 }
 
-/// Returns a_2 / a_0 of both rings together.
+/// Returns a_2 / a_0 of the sum over both rings as a goal.
 ContactGoal second_harmonic()
 {
   const double mean = weight / (2 * pi);
@@ -162,8 +162,8 @@ TEST(MeshEstimate, EqualsTheErrorUnderAHardFlatLandLong)
   EXPECT_NEAR(found.error.correction / (truth - found.value), 1, 0.2);
 }
 
-// In such a contact, an estimate would be at most a tenth of the error (docs/method/solid_measurements.md).
-// On a mat, the same feet have an estimate.
+// If a hard contact is narrower than its cells, an estimate would be at most a tenth of the error
+// (docs/method/solid_measurements.md). On a mat, the same feet have an estimate.
 TEST(MeshEstimate, IsNotGivenForAHardContactNarrowerThanItsCells)
 {
   GlassProfile flat = flat_profile();
@@ -183,7 +183,7 @@ TEST(MeshEstimate, IsNotGivenForAHardContactNarrowerThanItsCells)
     }
 }
 
-TEST(MeshEstimate, MarksWholeRings)
+TEST(MeshEstimate, MarksWholeRingsOfCells)
 {
   const GlassProfile profile = profile_of(GlassShape::step);
   const SolidMesh mesh = mesh_on(MPI_COMM_WORLD, profile, { 24, 2, 1 });

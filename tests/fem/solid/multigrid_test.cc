@@ -142,18 +142,18 @@ void expect_iterations_that_do_not_grow(const GlassProfile &profile, FootResolut
 
 TEST(Multigrid, AgreesWithTheFactorisation)
 {
-  // Cases: a crowned foot with hanging nodes in the contact, and a flat foot with quadratic elements above
-  // linear elements.
+  // Cases: a crowned foot with hanging nodes in the contact, and a flat foot with quadratic elements on the
+  // fine level and linear elements on the coarse levels.
   expect_the_increment_of_the_factorisation(GlassProfile(), { 12, 2, 1, 1, 1 }, 1);
   expect_the_increment_of_the_factorisation(flat_profile(), { 12, 2, 1 }, 2);
 }
 
-TEST(Multigrid, IterationsDoNotGrow)
+TEST(Multigrid, IterationsDoNotGrowWithRefinement)
 {
   expect_iterations_that_do_not_grow(GlassProfile(), { 24, 2, 1 }, 1, 2);
 }
 
-TEST(Multigrid, IterationsDoNotGrowLong)
+TEST(Multigrid, IterationsDoNotGrowWithRefinementLong)
 {
   // multigrid_benchmark measures more levels (docs/method/solid_measurements.md).
   for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
@@ -163,7 +163,7 @@ TEST(Multigrid, IterationsDoNotGrowLong)
   }
 }
 
-TEST(Multigrid, NestedIterationGivesTheSameContact)
+TEST(Multigrid, NestedIterationAgreesWithTheFactorisation)
 {
   const WinklerInterface mat(1e11);
   FootCase direct(GlassProfile(), refined(1), options_of(2), TestSolver::factors);

@@ -95,10 +95,10 @@ constexpr std::pair<const char *, std::size_t> shown_fields[] = { { "displacemen
                                                                   { "stress", 9 },
                                                                   { "contact_pressure", 1 } };
 
-/// Fields at the nodes of each cell. The key is the mean position of the nodes [10 nm].
+/// Fields at the nodes of each cell. Key of the map: mean position of the cell's nodes, in units of 10 nm.
 using ShownCells = std::map<std::array<long, 3>, std::map<std::string, std::vector<double>>>;
 
-/// Adds the cells of a VTU file. Expects that no cell is present already.
+/// Adds the cells of a VTU file to @p cells. Expects each cell to be new.
 void add_cells(const std::string &text, ShownCells &cells)
 {
   const stemware::fem_tests::VtuFile file(text);
@@ -159,7 +159,7 @@ TEST(Ranks, EachRankOwnsTheContactSurfaceOfItsCells)
   {
     const GlassProfile profile = flat_profile();
     dealii::parallel::distributed::Triangulation<3> mesh(communicator);
-    make_foot_mesh(profile, { 24, 2, 1, 1, 1 }, mesh); // some nodes hang on others
+    make_foot_mesh(profile, { 24, 2, 1, 1, 1 }, mesh); // creates hanging nodes
     SolidOptions options;
     options.degree = 1;
     const SolidBody body(
@@ -190,7 +190,7 @@ TEST(Ranks, FieldFilesContainEveryCellOnce)
 {
   const auto picture_on = [](MPI_Comm communicator)
   {
-    const PressedFoot foot(communicator, { 24, 2, 1, 0, 0, 1 }, 2); // some nodes hang on others
+    const PressedFoot foot(communicator, { 24, 2, 1, 0, 0, 1 }, 2); // creates hanging nodes
     return files_of(foot.body->fields(foot.solution.motion, foot.law->nodal_pressure(foot.solution)),
                     communicator);
   };

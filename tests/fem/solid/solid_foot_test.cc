@@ -139,7 +139,7 @@ TEST(SolidFoot, DescribesItsBodyAndCapabilities)
   const SolidMesh mesh = coarse_mesh();
   SolidFoot foot(mesh, coarse_setup(std::make_shared<WinklerInterface>()));
   EXPECT_EQ(foot.description().body, "solid");
-  EXPECT_EQ(foot.description().n_contact_nodes, 60u); // 12 around the rim, 4 cells across the land
+  EXPECT_EQ(foot.description().n_contact_nodes, 60u); // 12 nodes around the rim, 5 across the land
   EXPECT_GT(foot.description().n_cells.value(), 12u * 4u);
   EXPECT_FALSE(foot.description().mesh_report);
   EXPECT_TRUE(foot.capabilities().is_collective);
