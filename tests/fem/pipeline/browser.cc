@@ -28,7 +28,7 @@ std::string in_one_line(const std::string &text)
 
 std::string axe_script()
 {
-  return "const axe_source = " + script_string(read_text(STEMWARE_AXE)) // empty if it is not installed
+  return "const axe_source = " + script_string(read_text(STEMWARE_AXE)) // empty if axe-core is not installed
          + R"(;
 const serious = async shown => {
   if (!axe_source)
@@ -117,7 +117,8 @@ holder.contentDocument.open();
   const Ended ended = chromium(scratch, { "--allow-file-access-from-files", "--dump-dom", "file://" + file });
   if (!forbids)
   {
-    EXPECT_EQ(all_between(ended.err, ":CONSOLE", "\n").size(), 1u) << ended.err; // the test's own output
+    EXPECT_EQ(all_between(ended.err, ":CONSOLE", "\n").size(), 1u)
+      << ended.err; // the message "the browser has found"
   }
   const nlohmann::json found = nlohmann::json::parse(between(ended.out, "FOUND", "FOUND"), nullptr, false);
   EXPECT_TRUE(!found.is_discarded() && !found.contains("failed")) << ended.out.substr(0, 500) << ended.err;

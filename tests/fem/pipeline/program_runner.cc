@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Starts a command in @p folder with standard output and error in the files .out and .err.
+/// Starts a command in @p folder. Standard output and error are written to the files .out and .err.
 pid_t start(const std::vector<std::string> &command, const fs::path &folder)
 {
   std::vector<char *> arguments;
@@ -80,7 +80,7 @@ Ended ended_with(int status, const fs::path &folder)
   return ended;
 }
 
-/// Sets one thread per process.
+/// Limits BLAS and OpenMP to one thread per process.
 void set_environment()
 {
   for (const char *name : { "OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS" })
@@ -194,7 +194,7 @@ nlohmann::json read_summary(const fs::path &results)
   return summary;
 }
 
-/// Returns the columns of a table with one line of names; NaN for empty fields.
+/// Returns the columns of a CSV text with one header line. Empty fields are NaN.
 std::vector<std::vector<double>> csv_columns(const std::string &text)
 {
   const auto rows = parse_csv(text);

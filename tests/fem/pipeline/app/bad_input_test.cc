@@ -1,4 +1,4 @@
-// Bad input is refused in one sentence with an exit code. No files are written.
+// Bad input: the program prints one sentence, returns an exit code and writes no files.
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_file.h"
 #include "ring_model/failures.h"
@@ -15,8 +15,8 @@ namespace stemware::test
 namespace
 {
 
-/// Expects that a command is refused without new files, with one line on standard error that contains @p
-/// expected.
+/// Expects that a command writes no files, returns @p exit_code and prints one line with @p expected on
+/// standard error.
 void expect_refused(const ScratchFolder &scratch, const std::vector<std::string> &command,
                     const std::string &expected, int exit_code = 1)
 {
@@ -130,7 +130,7 @@ TEST(BadInput, RefusesSettingsInOneSentence)
          { { solid, "Contact/Mesh file=nothing.msh" }, "nothing.msh does not exist" },
          { { solid, "Contact/Mesh file=." }, "is not a file" } })
     EXPECT_THAT(study_refusal(study, settings), testing::HasSubstr(expected)) << settings.back();
-  // The following refusals need the mesh of the foot.
+  // These settings are refused after the foot is meshed.
   for (const auto &[settings, expected] : std::vector<std::pair<std::vector<std::string>, std::string>>{
          { { "Load/Source=file", "Load/File=tipping.dat" }, "tips at 2" },
          { { "Contact/Azimuth lines=20" }, "lines" },
@@ -216,7 +216,7 @@ TEST(BadInput, RefusesCommandsInOneSentence)
     EXPECT_EQ(read_text(scratch / name), "# mine\n");
 }
 
-TEST(BadInput, NamesImplausibleValuesBeforeTipping)
+TEST(BadInput, ImplausibleValuesAreReportedBeforeTipping)
 {
   const ScratchFolder scratch;
   const std::vector<std::string> slips = { "run",
@@ -247,18 +247,18 @@ TEST(BadInput, QuietKeepsWarnings)
   EXPECT_THAT(heavy.err, testing::HasSubstr("write 300 g"));
 }
 
-/// Runs a shell command. $S in the command is the program.
+/// Runs a shell command, in which $S is the path of the program.
 Ended shell(const ScratchFolder &scratch, const std::string &command)
 {
   return RunningProgram({ "/bin/sh", "-c", "S=" STEMWARE_PROGRAM "; " + command }, scratch.path()).end();
 }
 
-TEST(BadInput, LittleMemoryEndsInOneSentence)
+TEST(BadInput, LackOfMemoryIsReportedInOneSentence)
 {
   const ScratchFolder scratch;
   std::size_t n_refused = 0;
   for (const char *study : { "", " --set Table/Substrate=rigid --set Contact/Body=solid" })
-    for (const char *limit : { "600000", "700000", "1000000", "1200000" }) // in kB
+    for (const char *limit : { "600000", "700000", "1000000", "1200000" }) // virtual memory [kB]
     {
       SCOPED_TRACE(limit + std::string(study));
       const Ended ended = shell(scratch, std::string("ulimit -c 0; ulimit -v ") + limit +
@@ -273,7 +273,7 @@ TEST(BadInput, LittleMemoryEndsInOneSentence)
   EXPECT_GE(n_refused, 1u);
 }
 
-TEST(BadInput, LostOutputIsAFailure)
+TEST(BadInput, AFailedWriteToStandardOutputIsAnError)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", "subsection Load\n  set Source = first harmonic\nend\n");
@@ -291,7 +291,7 @@ TEST(BadInput, LostOutputIsAFailure)
   EXPECT_EQ(closed.exit_code, 3);
   EXPECT_THAT(closed.err, testing::HasSubstr("--json"));
   EXPECT_FALSE(std::filesystem::exists(scratch / "results"));
-  EXPECT_EQ(shell(scratch, "$S run study.prm --quiet > /dev/full").exit_code, 0); // prints nothing
+  EXPECT_EQ(shell(scratch, "$S run study.prm --quiet > /dev/full").exit_code, 0); // --quiet prints nothing
 }
 
 TEST(BadInput, RefusesInvalidUtf8BeforeTheComputation)
@@ -321,7 +321,7 @@ TEST(BadInput, RefusesInvalidUtf8BeforeTheComputation)
   }
 }
 
-TEST(BadInput, MessagesShortenLongInput)
+TEST(BadInput, LongInputIsShortenedInMessages)
 {
   const ScratchFolder scratch;
   const std::string file = scratch.write(

@@ -1,4 +1,4 @@
-// Reports of every verb and state in a browser, at desktop and phone widths and in print.
+// Opens the reports of all verbs in a browser (desktop width, phone width, print).
 #include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/browser.h"
 #include "tests/fem/pipeline/matchers.h"
@@ -16,7 +16,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// A report, and the arguments of the run that writes it.
+/// Report with the arguments of the run that writes it.
 struct Opened
 {
   std::string name;
@@ -44,10 +44,10 @@ const std::vector<Opened> &opened()
   return reports;
 }
 
-/// State of a study, with the expected answer and figures.
+/// Report of a study with its expected answer and figures.
 struct State : Opened
 {
-  std::string answer; ///< words of the answer
+  std::string answer; ///< text that the answer contains
   /// Names of figures that the report shows, and of figures that it must not show.
   std::vector<std::string> figures = {}, missing = {};
 };
@@ -121,7 +121,7 @@ const std::vector<State> &states()
   return all;
 }
 
-/// Opens a state in the browser and expects the same answer as on the console.
+/// Runs the program and opens the report in the browser. Expects the same answer as on the console.
 nlohmann::json opened_state(const ScratchFolder &scratch, const State &state)
 {
   std::vector<std::string> arguments = state.arguments;
@@ -169,7 +169,7 @@ TEST_P(BrowserStates, ShowAllFiguresWithoutDefects)
     EXPECT_TRUE(page["figures"].contains(figure)) << figure;
   for (const std::string &figure : GetParam().missing)
     EXPECT_FALSE(page["figures"].contains(figure)) << figure;
-  // The pressure of a rounded rim is symmetric about the rim's radius, even at the onset of lift-off.
+  // The pressure on a rounded rim is symmetric about the contact radius, even at the onset of lift-off.
   if (GetParam().name == "falling")
   {
     const double width = read_summary(scratch / "results")["load"]["contact_width"].get<double>() * 1e6;
@@ -200,7 +200,7 @@ TEST(Reports, ArePrintedCompletely)
   EXPECT_THAT(print.err, testing::Not(testing::HasSubstr(":CONSOLE")));
   const std::string printed = read_text(pdf);
   EXPECT_EQ(printed.rfind("%PDF", 0), 0u);
-  EXPECT_GT(printed.size(), 20000u); // contains pictures and text; an empty page is smaller
+  EXPECT_GT(printed.size(), 20000u); // an empty page is smaller
 }
 
 /// Returns the points of the curve @p name in the CSV file of a figure.
@@ -215,8 +215,8 @@ std::vector<std::pair<double, double>> points_of(const nlohmann::json &rows, con
   return points;
 }
 
-/// Expects that each point is a row of the columns, with the values multiplied by @p factor, to the six
-/// digits of a figure.
+/// Expects that each point (x, @p factor y) is a row of the columns @p x and @p y, to the six digits of a
+/// figure.
 void expect_rows(const std::vector<std::pair<double, double>> &points, const std::vector<double> &x,
                  const std::vector<double> &y, double factor)
 {
@@ -234,7 +234,7 @@ void expect_rows(const std::vector<std::pair<double, double>> &points, const std
   }
 }
 
-TEST(Reports, FiguresAndTablesShowTheNumbersOfTheFiles)
+TEST(Reports, FiguresAndTablesShowTheNumbersOfTheResultsFiles)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", plain_study());
@@ -251,7 +251,7 @@ TEST(Reports, FiguresAndTablesShowTheNumbersOfTheFiles)
   const auto summary = read_summary(scratch / "results");
   expect_rows(points_of(figures["line_load"], "first harmonic"), degrees, load[2],
               1 / summary["load"]["ring_radius"].get<double>());
-  // The bars of the budget end at the spins of the rows.
+  // Each bar of the budget ends at the terminal spin of its row.
   const nlohmann::json &budget = summary["budget"];
   const nlohmann::json &bars = figures["waterfall"];
   const auto ends_at = [&](double omega)
@@ -275,7 +275,7 @@ TEST(Reports, FiguresAndTablesShowTheNumbersOfTheFiles)
     if (without[i]["omega_terminal"].is_number())
     {
       EXPECT_NEAR(std::stod(in_one_line(rows[i + 1][1])), without[i]["omega_terminal"].get<double>(),
-                  5.01e-4); // the figure has four digits
+                  5.01e-4); // the table has four digits
     }
     else
     {
@@ -311,8 +311,7 @@ TEST(Reports, FormattedNumbersParseToTheirValues)
   EXPECT_EQ(found_in_browser(scratch, script), nlohmann::json::array());
 }
 
-/// Returns reports with hostile text in every text input: the name of the study (all verbs) and each file
-/// that a study reads.
+/// Returns reports whose study names (all verbs) and input files contain the hostile text @p place.
 std::vector<Opened> hostile_reports(const std::string &place)
 {
   std::vector<Opened> reports = opened();
@@ -353,7 +352,7 @@ TEST(Reports, HostileTextExecutesNothing)
   scratch.write(place + " speeds.csv", "t (s), v (m/s)\n0, 0.3\n100, 0.35\n");
   scratch.write(place + ".msh", read_text(fs::path(STEMWARE_DOCS) / "../meshes/flat_foot.msh"));
   std::vector<std::string> pages;
-  std::set<std::string> with_an_entry; // reports show the texts of entries, but not the name of the study
+  std::set<std::string> with_an_entry; // these reports show the hostile text; study names are not shown
   for (const Opened &report : hostile_reports(place))
   {
     SCOPED_TRACE(report.name);

@@ -14,7 +14,7 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// Returns true if @p text is @p pattern with a number in place of the *.
+/// Returns true if @p text equals @p pattern with a number for its *.
 bool matches(const std::string &text, const std::string &pattern)
 {
   const auto star = pattern.find('*');
@@ -28,7 +28,7 @@ bool matches(const std::string &text, const std::string &pattern)
   return number.find_first_not_of("0123456789+-.e") == number.npos;
 }
 
-/// Keys of the columns with the heading @p heading, "name (unit)".
+/// Returns the keys of the columns with the heading @p heading, "name (unit)".
 std::vector<std::string> keys_of(const Json &columns, const std::string &heading)
 {
   std::vector<std::string> keys;
@@ -70,7 +70,7 @@ TEST(ColumnKeys, EveryColumnOfEveryFileIsDeclaredOnce)
         const Json columns = files.value(file, Json::object());
         const auto rows = parse_csv(read_text(item.path()));
         for (const std::string &heading : rows.front())
-          if (heading != "Motion/Mass (kg)") // the study declares its own entries
+          if (heading != "Motion/Mass (kg)") // varied entry, not in the schema
           {
             EXPECT_EQ(keys_of(columns, heading).size(), 1u) << verb[0] << ", " << file << ": " << heading;
           }

@@ -45,12 +45,12 @@ void expect_same_harmonics(const nlohmann::json &one, const nlohmann::json &othe
     EXPECT_NEAR(first[i], second[i], tolerance) << i;
 }
 
-TEST(ContactRun, EqualStudiesGiveEqualFiles)
+TEST(ContactRun, RepeatedRunsWriteEqualFiles)
 {
   const ScratchFolder scratch;
   const std::string study = scratch.write("coarse.prm", coarse_study());
   solved(scratch, { "run", study }, { "Glass/Crown radius=0.00312345678" }, "one");
-  // Longer than a second, so that time stamps would differ.
+  // A pause above one second, so that time stamps in the files would differ.
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));
   solved(scratch, { "run", study }, { "Glass/Crown radius=0.00312345678" }, "other");
   const auto one = all_files(scratch / "one"), other = all_files(scratch / "other");
@@ -77,7 +77,7 @@ TEST(ContactRun, LoadFileGivesTheHarmonicsOfTheContactRun)
 TEST(ContactRun, ResultsDoNotDependOnTheUnits)
 {
   const ScratchFolder scratch;
-  // The same glass in units of t, mm, s, N, MPa.
+  // The same glass in the consistent units t, mm, s, N and MPa.
   const std::vector<std::string> in_millimetres = {
     "Motion/Mass=3e-4",         "Motion/Yaw inertia=0.3",      "Motion/Centre of mass height=80",
     "Motion/Force offset=-50",  "Motion/Orbit radius=150",     "Motion/Orbit speed=350",
@@ -114,7 +114,7 @@ TEST(ContactRun, ReadsMeshFiles)
 
   const auto oval = run(scratch, { "Contact/Mesh file=" STEMWARE_MESHES "/oval_foot.msh" });
   EXPECT_FALSE(oval["contact"]["mesh"]["round_rim"].get<bool>());
-  EXPECT_TRUE(oval["ring"]["phase_dependent"].get<bool>()); // the foot rotates relative to the moment
+  EXPECT_TRUE(oval["ring"]["phase_dependent"].get<bool>()); // the oval foot rotates relative to the moment
   EXPECT_FALSE(flat["ring"]["phase_dependent"].get<bool>());
   EXPECT_GT(oval["ring"]["spin_ripple"].get<double>(), 0);
   EXPECT_GT(oval["contact"]["mesh"]["land_area_deficit"].get<double>(), 0);
@@ -124,8 +124,8 @@ TEST(ContactRun, ReadsMeshFiles)
             oval["load"]);
 }
 
-/// Writes the mesh of a plate of 80 x 40 mm, scaled from the square plate of 2 m. Returns settings of a rigid
-/// plate with the load at @p eccentricity [m] in the direction @p angle [deg].
+/// Writes the mesh of a plate of 80 mm x 40 mm, scaled from the 2 m square plate. Returns the settings of a
+/// rigid plate with the load at @p eccentricity [m] in the direction @p angle [deg].
 std::vector<std::string> plate_settings(const ScratchFolder &scratch, double eccentricity, double angle)
 {
   std::istringstream square(read_text(STEMWARE_MESHES "/square_plate.msh"));
@@ -142,7 +142,7 @@ std::vector<std::string> plate_settings(const ScratchFolder &scratch, double ecc
     else
       plate << line << '\n';
   }
-  // Mean of the smallest and largest distance of the border.
+  // Mean of the smallest and largest distance of the border from the centre [m].
   const double radius = (0.02 + std::hypot(0.04, 0.02)) / 2;
   const auto text = [](double value) { return fmt::format(FMT_STRING("{:.12g}"), value); };
   return { "Contact/Mesh file=" + scratch.write("plate.msh", plate.str()),
@@ -156,10 +156,10 @@ std::vector<std::string> plate_settings(const ScratchFolder &scratch, double ecc
            "Load/Moment direction=" + text(angle) + " deg" };
 }
 
-TEST(ContactRun, RadiusOfAPlateIsTheMeanDistanceOfItsBorder)
+TEST(ContactRun, RimRadiusOfAPlateIsTheMeanDistanceOfItsBorder)
 {
   const ScratchFolder scratch;
-  // The load is outside the kern of L/6 = 13.3 mm, so 3 (L/2 - e) of the length are under pressure.
+  // The load is outside the kern of L/6 = 13.3 mm, so the contact length is 3 (L/2 - e) = 66 mm.
   const auto summary = run(scratch, plate_settings(scratch, 0.018, 90));
   EXPECT_NEAR(summary["contact"]["mesh"]["rim_radius"].get<double>(), (0.02 + std::hypot(0.04, 0.02)) / 2,
               1e-12);
@@ -169,7 +169,7 @@ TEST(ContactRun, RadiusOfAPlateIsTheMeanDistanceOfItsBorder)
   EXPECT_NEAR(summary["load"]["peak_pressure"].get<double>() / (2 * 2.943 / (3 * 0.022 * 0.04)), 1, 1e-3);
 }
 
-TEST(ContactRun, RefusesAGlassThatTipsOnASoftMat)
+TEST(ContactRun, ReportsAGlassThatTipsOnASoftMat)
 {
   const ScratchFolder scratch;
   // The mat is so soft that the glass leans until it tips.
@@ -197,7 +197,7 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
   expect_same_harmonics(alone, read_summary(scratch / "together"), 1e-9);
   // The results are printed once, not once per rank.
   EXPECT_EQ(ended.out.find("Results"), ended.out.rfind("Results"));
-  // Each rank writes the fields of its cells. The report names the .pvtu file.
+  // Each rank writes the fields of its cells; the report lists only the .pvtu file.
   const std::vector<std::string> pieces = { "contact_0.vtu", "contact_1.vtu" };
   EXPECT_EQ(names_in(scratch / "together/fields"),
             (std::vector<std::string>{ "contact.pvtu", pieces[0], pieces[1] }));
@@ -214,7 +214,7 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
                        page_of_one = page_document(scratch / "alone");
   EXPECT_THAT(page["files"].dump(), testing::HasSubstr("fields/contact.pvtu"));
   EXPECT_THAT(page["files"].dump(), testing::Not(testing::HasSubstr("fields/contact.vtu")));
-  // One rank gives the same tables.
+  // The page contains the same tables as with one rank.
   const auto tables_of = [](const nlohmann::json &document)
   {
     std::set<std::string> names;
@@ -231,8 +231,8 @@ TEST(ContactRun, ARankThatCannotWriteEndsAllRanks)
 {
   const ScratchFolder scratch;
   scratch.write("coarse.prm", coarse_study());
-  // The second rank writes only its fields, with a file size limit. The ranks communicate by TCP, because
-  // shared memory needs a larger file.
+  // A file size limit makes the second rank fail when its fields are written. The ranks communicate by TCP,
+  // because shared memory would need a file above the limit.
   const std::string command = std::string("[ \"$OMPI_COMM_WORLD_RANK\" = 0 ] || ulimit -f 4; exec ") +
                               STEMWARE_PROGRAM + " run coarse.prm --quick";
   const Ended ended = RunningProgram({ STEMWARE_MPIRUN, "--mca", "btl", "self,tcp", "--mca",

@@ -31,7 +31,7 @@ const std::vector<std::pair<std::string, std::string>> moves = { { "Motion/Frict
                                                                  { "Motion/Centre of mass height", "0.1" },
                                                                  { "Table/Foundation modulus", "1e11" } };
 
-/// Returns a script that opens @p page in a frame of each width and makes the moves one by one.
+/// Returns a script that opens @p page in frames of both widths and sets the sliders to `moves` one by one.
 std::string moving_script(const std::string &page)
 {
   return axe_script() + R"(
@@ -86,13 +86,13 @@ TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgram)
     EXPECT_TRUE(found[width]["errors"].empty()) << found[width]["errors"];
     EXPECT_EQ(found[width]["serious"], nlohmann::json::array()) << found[width]["serious"].dump(1);
     EXPECT_LE(found[width]["width"].get<int>(), std::stoi(width)) << "the page has to be scrolled sideways";
-    // At rest a ring tips at |M_N| = N R. With k = v^2 / (rho g) = 0.0425 and mu = 0.2, this happens at h =
-    // 0.15 m, where (h - 0.1 m)^2 k^2 + h^2 mu^2 = R^2 within a thousandth.
+    // At rest, a ring tips at |M_N| = N R, i.e. (h - 0.1 m)^2 k^2 + h^2 mu^2 = R^2. For k = v^2 / (rho g) =
+    // 0.0425 and mu = 0.2, the hand height is h = 0.15 m.
     EXPECT_THAT(found[width]["waits"].get<std::string>(), testing::HasSubstr("with the hand at about 150"));
     EXPECT_THAT(found[width]["waits"].get<std::string>(), testing::HasSubstr("Solving …"));
     EXPECT_NE(found[width]["text"].get<std::string>().find("rad/s"), std::string::npos);
   }
-  // The solver does not answer: the last balance stays, with the hand at 50 mm.
+  // The solver does not answer, so the page still shows the last balance, with the hand at 50 mm.
   const std::string late = in_one_line(found["1100"]["late"].get<std::string>());
   for (const char *const words :
        { "with the hand at about 150 mm", "rad/s with the hand at 50 mm", "use stemware run" })
@@ -100,7 +100,7 @@ TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgram)
   EXPECT_THAT(late, testing::Not(testing::HasSubstr("Solving")));
 }
 
-/// Returns the beginning of a script: it opens @p page in a frame of width @p width [px].
+/// Returns the first lines of a script. They open @p page in a frame of width @p width [px].
 std::string framed(const std::string &page, int width)
 {
   return "const frame = document.createElement('iframe');\nframe.style = 'border:0;height:900px;width:" +
@@ -108,9 +108,9 @@ std::string framed(const std::string &page, int width)
          ";\ndocument.body.append(frame);\n";
 }
 
-/// Returns a script that opens @p page, makes the first move and goes through the lesson. The script's result
-/// contains the spin, errors and texts of the lesson. Its member "told" contains answer and notice for a
-/// tipping study, an unusual value and a forbidden value.
+/// Returns a script that opens @p page, sets the first slider of `moves` and goes through the lesson. The
+/// script returns the spin, errors and texts of the lesson. "told": answer and notice for a tipping study, an
+/// implausible value and a forbidden value.
 std::string lesson_script(const std::string &page)
 {
   return framed(page, 1100) + R"(
@@ -190,7 +190,7 @@ TEST(ExplorePage, PageOfAStudySolvesTheStudyAndShowsTheLesson)
   const double omega = moved["ring"]["omega_terminal"].get<double>();
   const std::string page = read_text(scratch / "page.html");
   EXPECT_LT(page.size(), 1'300'000u);
-  // If workers from blob: are forbidden, the page solves in its own thread instead.
+  // If the policy forbids workers from blob:, the page solves in its main thread.
   for (const std::string policy : { "worker-src blob:", "worker-src 'none'" })
   {
     SCOPED_TRACE(policy);
@@ -216,19 +216,20 @@ TEST(ExplorePage, PageOfAStudySolvesTheStudyAndShowsTheLesson)
   EXPECT_EQ(falls.exit_code, 0) << falls.err;
 }
 
-/// State of the page, with the correct option of each step of the lesson and words of the last step.
+/// State of the page with the expected lesson.
 struct Taught
 {
   std::string name;
-  /// Changed entries with values; "table" is a button.
+  /// Changed entries and their values; "table" selects a table by its button.
   std::vector<std::pair<std::string, std::string>> changes;
-  std::vector<int> right; ///< correct options; empty if the glass tips
+  std::vector<int> right; ///< correct option of each step; empty if the glass tips
   std::string words;
 };
 
-/// Returns a script that opens @p page in each of @p states and tries all options of the lesson. Result:
-/// "right", the accepted options of each step; "texts" after the first option; "torque", the arrow of the
-/// scene; "words" outside figures; "end", the end of the spin-up in the scene; "troubles" of the scene.
+/// Returns a script that opens @p page in each of @p states and tries all options of the lesson. The script
+/// returns for each state "right": accepted options of each step; "texts": text of each step; "torque": path
+/// of the torque arrow; "words": texts outside the lesson; "end": text at the end of the spin-up; "troubles":
+/// layout errors of the scene.
 std::string states_script(const std::string &page, const std::vector<Taught> &states)
 {
   nlohmann::ordered_json wanted;
@@ -320,7 +321,7 @@ TEST(ExplorePage, LessonIsCorrectInEveryState)
                   testing::Not(testing::ContainsRegex("NaN|undefined|\u2013|\u207b|-0 |\u22120 ")));
     EXPECT_EQ(found[state.name]["troubles"], nlohmann::json::array())
       << found[state.name]["troubles"].dump(1);
-    // The same number has the same digits in the lesson and beside it.
+    // The lesson and the rest of the page show the same digits of a number.
     const auto text = [&](std::size_t step)
     { return in_one_line(found[state.name]["texts"][step].get<std::string>()); };
     const std::string beside = in_one_line(found[state.name]["words"].get<std::string>());
@@ -334,17 +335,17 @@ TEST(ExplorePage, LessonIsCorrectInEveryState)
     {
       EXPECT_THAT(text(3), testing::HasSubstr(torque[1].str()));
     }
-    // The spin-up of the scene ends near the terminal spin.
+    // The spin-up of the scene ends near the terminal spin: at most 5 % of the largest torque is left.
     const std::string end = in_one_line(found[state.name]["end"].get<std::string>());
     if (!spin.empty() && std::regex_search(end, share, std::regex("(\\d+) % of the largest torque")))
     {
       EXPECT_LE(std::stoi(share[1]), 5) << end;
     }
-    // An arrow is mentioned if it is drawn.
+    // The lesson mentions the torque arrow only if the arrow is drawn.
     EXPECT_EQ(text(3).find("The arrow round the stem") != std::string::npos,
               !state.right.empty() && found[state.name]["torque"] != "");
   }
-  // Rounding errors are not shown as torque or spin.
+  // With the hand at the centre of mass ("level"), rounding errors are not shown as torque or spin.
   EXPECT_EQ(found["level"]["torque"], "");
   EXPECT_NE(found["default"]["torque"], "");
   const std::string words = found["level"]["words"].get<std::string>();
@@ -418,9 +419,8 @@ TEST(ExplorePage, HostileTextExecutesNothing)
       << one << ": " << shown[one]["answer"];
 }
 
-/// Returns a script that opens @p page and loads @p tables (texts of files by name). Its result contains, for
-/// each table, the status, the offered columns, and the measured points drawn over the computed spin-up. @p
-/// units: unit to choose, by file name.
+/// Returns a script that opens @p page and loads @p tables (file name to text) with the units @p units (file
+/// name to unit). For each table, the script returns the status, the offered columns and the drawn points.
 std::string measured_script(const std::string &page, const nlohmann::ordered_json &tables,
                             const std::map<std::string, std::string> &units)
 {
@@ -462,11 +462,11 @@ TEST(ExplorePage, DrawsMeasuredRunsOverTheComputedCurve)
   using Points = std::vector<std::pair<double, double>>;
   const std::string hostile = "<img src=x onerror=parent.ran=1>.csv";
   const nlohmann::ordered_json tables = {
-    // File of phyphox with decimal commas. The axis with the largest range is offered first.
+    // phyphox file with decimal commas. The column with the largest range is offered first.
     { "phone.csv", "\"Time (s)\";\"x (rad/s)\";\"y (rad/s)\";\"z (rad/s)\"\n"
                    "2,00;0,1;0,0;0\n2,50;0,2;0,1;-1,5\n3,00;0,1;0,0;-2,25E0\n" },
     { "degrees.csv", "t,omega\n0,0\n1,-180\n" },
-    // Angles from a film, with an additional line before the names and an incomplete line.
+    // Angles from a film, with a title line and an incomplete row.
     { "film.txt", "mass_A\nt\ttheta\n0\t0\n0.5\t-90\n1\t-270\n1.5\t\n2\t-810\n" },
     { "radians.txt", "0 0\n0.5 -1\n1 -4\n" },
     { hostile, "no numbers\nhere\n" }

@@ -1,4 +1,4 @@
-// The committed page of `stemware explore`, compared with the program.
+// Compares docs/explore.html, written by `stemware explore`, with the program.
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"

@@ -1,4 +1,4 @@
-// Friction that depends on the slip speed, in every verb that computes a spin.
+// Stribeck friction in `run`, `truncate` and `sweep`.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
@@ -57,14 +57,15 @@ TEST(FrictionLawStudy, EqualCoefficientsGiveCoulombFriction)
           << part << n;
   };
   expect_equal(quick_run(with_law("0.3", "0.3", "0.1")));
-  // Slightly different coefficients use quadrature and pointwise friction in the foot.
+  // With slightly different coefficients, the Stribeck law is integrated by quadrature and friction acts
+  // pointwise in the foot.
   expect_equal(quick_run(with_law("0.3", "0.300000000000001", "0.1")));
 }
 
 TEST(FrictionLawStudy, ViscousFrictionAgreesWithTheClosedForm)
 {
   // The friction T = -c int lambda v_rel is linear, so tau_z = c (v M_Nx - omega N <r^2>). With the moment
-  // balance `paper`, omega = v M_Nx / (N <r^2>), on a ring and on the rings of a contact.
+  // balance `paper`, omega = v M_Nx / (N <r^2>) for a single ring and for the rings of a contact.
   Settings viscous = with_law("3e-11", "3e-11", "0.1", "1 s/m");
   viscous.push_back("Motion/Closure=paper");
   const double v = 0.35, N = 0.3 * 9.81, moment = -0.05 * 0.3 * v * v / 0.15;
@@ -80,14 +81,14 @@ TEST(FrictionLawStudy, ViscousFrictionAgreesWithTheClosedForm)
   EXPECT_NEAR(spin_of(elastic) / (v * moment / (N * square / force)), 1, 1e-9);
   viscous.push_back("Load/Source=first harmonic");
   EXPECT_NEAR(spin_of(quick_run(viscous)) / (v * moment / (N * 0.03 * 0.03)), 1, 2e-10);
-  // With the moment balance `full`: M_N = (M - h T_y, h T_x) and T = -c (v N - omega M_Nx', ...), where h is
-  // the height of the hand.
+  // With the moment balance `full`: M_N = (M - h T_y, h T_x), where h is the height of the hand. The
+  // fixed-point iteration below solves the balance.
   viscous[5] = "Motion/Closure=full";
   const double h = 0.03, R = 0.03;
   double omega = 0;
   for (unsigned int i = 0; i < 200; ++i)
   {
-    // Equations: M_x = M - h T_y, M_y = h T_x, T_x = -(v N - omega M_x), T_y = omega M_y, omega = v M_x / (N
+    // Balance: M_x = M - h T_y, M_y = h T_x, T_x = -(v N - omega M_x), T_y = omega M_y, omega = v M_x / (N
     // R^2).
     const double a = h * omega, moment_x = (moment + a * h * v * N) / (1 + a * a);
     omega = v * moment_x / (N * R * R);
@@ -100,13 +101,13 @@ TEST(FrictionLawStudy, EveryVerbUsesTheLaw)
   const Settings law = with_law("0.2", "0.5", "0.3 m/s");
   const nlohmann::json run = solved(ScratchFolder(), { "run" }, law);
   const double spin = spin_of(run), mu = 0.2 + 0.3 * std::exp(-std::pow(0.35 / 0.3, 2));
-  // At rest, every point slips with the speed v.
+  // Without spin, every point slips with the orbit speed.
   EXPECT_NEAR(run["ring"]["tau_at_rest"].get<double>() / (mu * run["load"]["moment"][0].get<double>()), 1,
               1e-9);
   const nlohmann::json truncated = solved(ScratchFolder(), { "truncate" }, law);
   EXPECT_NEAR(truncated["truncation"].back()["omega_terminal"].get<double>(), spin, 1e-9 * std::abs(spin));
 
-  // The variant without the law uses the coefficient at the orbit speed.
+  // The variant without the Stribeck law uses the friction coefficient at the orbit speed.
   const nlohmann::json constant =
     solved(ScratchFolder(), { "run" }, { "Motion/Friction coefficient=" + nlohmann::json(mu).dump() });
   EXPECT_NEAR(spin_without(run, "dependence of friction on slip"), spin_of(constant), 1e-8);

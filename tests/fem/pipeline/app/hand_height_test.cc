@@ -1,5 +1,5 @@
-// Sweep of the height of the hand through the centre of mass. There the spin changes its sign: the spin of
-// the first harmonic jumps (tensile load), and the spin of all harmonics is continuous.
+// Sweep of the hand height through the centre of mass, where the spin changes its sign. The spin of the first
+// harmonic jumps there (tensile load); the spin of all harmonics is continuous.
 #include "tests/fem/pipeline/browser.h"
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -34,7 +34,7 @@ double longest_line(const nlohmann::json &rows, const std::string &name, std::si
   return longest;
 }
 
-TEST(HandHeight, SweepThroughZeroSpinDrawsNoFalseLines)
+TEST(HandHeight, CurvesHaveGapsWhereTheSpinJumps)
 {
   const ScratchFolder scratch;
   const Ended ended =
@@ -45,7 +45,7 @@ TEST(HandHeight, SweepThroughZeroSpinDrawsNoFalseLines)
   const CsvTable table(sorted_by_case(read_text(scratch / "results/sweep.csv")));
   ASSERT_EQ(table.n_rows(), 41u);
 
-  // The curve of all harmonics is one line up to tipping. The other curves have a gap at zero spin, because
+  // The curve of all harmonics is continuous up to tipping. The other curves have a gap at zero spin, where
   // they jump by at least 5 rad/s.
   const nlohmann::json picture = reports_in_browser(
     scratch, { "results/report.html" })["results/report.html"]["figures"]["omega_terminal"];
@@ -59,15 +59,15 @@ TEST(HandHeight, SweepThroughZeroSpinDrawsNoFalseLines)
   }
   EXPECT_EQ(n_solved, 38u);
   EXPECT_EQ(n_falls, 1u); // two more cases tip at rest
-  // Just before tipping, a second balance exists. With its spins, the curve would not be smooth: the third
-  // difference would be at least 0.7 instead of 0.12.
+  // Just before tipping, a second balance exists. If its spin were reported, the third difference would be at
+  // least 0.7 rad/s instead of 0.12 rad/s.
   const auto spin = [&](std::size_t i) { return table.number(i, "omega_terminal (rad/s)"); };
   EXPECT_LT(std::abs(spin(37) - 3 * spin(36) + 3 * spin(35) - spin(34)), 0.3);
   for (const char *curve : { "all harmonics", "first harmonic only", "first harmonic on a ring" })
   {
     std::size_t n_values = 0;
     EXPECT_LT(longest_line(picture, curve, n_values), 2.6) << curve;
-    // A tensile load never makes the glass tip.
+    // The first harmonic on a ring may be tensile, so the glass does not tip.
     EXPECT_EQ(n_values, n_solved + (curve == std::string("first harmonic on a ring") ? n_falls : 0)) << curve;
   }
 }

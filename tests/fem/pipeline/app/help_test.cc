@@ -51,7 +51,7 @@ TEST(Help, FitsTheConsoleAndNamesExistingPages)
   EXPECT_EQ(stemware(scratch, { "help", "run" }).out, stemware(scratch, { "run", "--help" }).out);
 }
 
-TEST(Help, DefaultsOfOneSectionAreAStudy)
+TEST(Help, DefaultsOfOneSectionAreAValidStudyFile)
 {
   const ScratchFolder scratch;
   const Ended table = stemware(scratch, { "defaults", "table" });
@@ -105,7 +105,7 @@ TEST(DefaultStudy, RunsWithoutAStudyFile)
             (std::vector<std::string>{ "default", "default-sweep", "default-truncate", "empty" }));
 }
 
-TEST(Container, SolvesAContactWithoutOtherPrograms)
+TEST(Container, SolvesAContactIfNoOtherProgramIsOnThePath)
 {
   const ScratchFolder scratch;
   scratch.write("coarse.prm", coarse_study());

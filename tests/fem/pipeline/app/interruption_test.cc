@@ -1,5 +1,4 @@
-// Signals, full disks and simultaneous runs. A results folder is complete at any time, and the next run
-// writes the same files.
+// Signals, full disks and simultaneous runs leave a complete results folder.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +26,7 @@ void write_study(const ScratchFolder &scratch)
   scratch.write("study.prm", "subsection Load\n  set Source = first harmonic\nend\n");
 }
 
-TEST(Interruption, SignalsKeepOlderResults)
+TEST(Interruption, SignalsLeaveOlderResultsUnchanged)
 {
   const ScratchFolder scratch;
   write_study(scratch);
@@ -36,7 +35,7 @@ TEST(Interruption, SignalsKeepOlderResults)
   const auto hang_up = std::signal(SIGHUP, SIG_DFL); // under nohup, the program would inherit SIG_IGN
   for (const int signal : { SIGINT, SIGTERM, SIGHUP })
   {
-    // One factorisation takes most of the run.
+    // The run lasts long enough for the signal: the factorisation takes most of its time.
     RunningProgram program(run_with({ "--set", "Load/Source=contact", "--set", "Contact/Body=solid", "--set",
                                       "Table/Substrate=rigid", "--set", "Contact/Linear solver=condensed" }),
                            scratch.path());
@@ -49,7 +48,7 @@ TEST(Interruption, SignalsKeepOlderResults)
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "results", "study.prm" }));
 }
 
-TEST(Interruption, AtAnyMomentTheFolderHoldsOldOrNewResults)
+TEST(Interruption, AKilledRunLeavesEitherOldOrNewResults)
 {
   const ScratchFolder scratch, reference;
   write_study(scratch);
@@ -78,7 +77,7 @@ TEST(Interruption, AtAnyMomentTheFolderHoldsOldOrNewResults)
   EXPECT_EQ(all_files(scratch / "results"), fresh);
 }
 
-TEST(Interruption, TwoRunsIntoOneFolderStayComplete)
+TEST(Interruption, TwoSimultaneousRunsLeaveACompleteFolder)
 {
   const ScratchFolder scratch, other;
   for (const ScratchFolder *folder : { &scratch, &other })
@@ -92,7 +91,7 @@ TEST(Interruption, TwoRunsIntoOneFolderStayComplete)
             names_in(scratch / "results"));
 }
 
-TEST(Interruption, AFullDiskKeepsOlderResults)
+TEST(Interruption, AFullDiskLeavesOlderResultsUnchanged)
 {
   const ScratchFolder scratch;
   write_study(scratch);
@@ -113,7 +112,7 @@ TEST(Interruption, IgnoredSignalsStayIgnored)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", coarse_study());
-  const auto before = std::signal(SIGHUP, SIG_IGN); // like nohup
+  const auto before = std::signal(SIGHUP, SIG_IGN); // as set by nohup
   RunningProgram program(run_with({}), scratch.path());
   std::signal(SIGHUP, before);
   ASSERT_TRUE(program.wait_for_output("unknowns"));

@@ -30,7 +30,7 @@ TEST(MeshVerb, CheckReportsTheMeasuresOfAMesh)
   EXPECT_EQ(found["faces"]["stem_cut"], 12);
   EXPECT_EQ(found["rim"]["round"], false);
   EXPECT_NEAR(found["rim"]["land_area_deficit"].get<double>(), 0.0114, 5e-4);
-  // The land has 24 sides from 29 to 31 mm and is 5 % narrower along y.
+  // The land is a ring of 24 sides with the radii 29 mm and 31 mm, scaled by 0.95 along y.
   const auto &zone = found["contact_zone"];
   EXPECT_NEAR(zone["area"].get<double>(), 0.95 * 12 * std::sin(ring::pi / 12) * 0.002 * 0.06, 1e-14);
   EXPECT_NEAR(zone["radii"][0].get<double>(), 0.95 * 0.029, 1e-12);

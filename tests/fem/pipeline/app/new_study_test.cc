@@ -1,4 +1,4 @@
-// `stemware new`: studies of twelve commented entries from every preset, and copies of the cookbooks.
+// `stemware new`: studies with twelve commented entries from presets, and copies of the cookbooks.
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/study/study_checks.h"
@@ -61,7 +61,7 @@ TEST(NewStudy, EveryPairOfPresetsIsAPlausibleStudy)
     }
 }
 
-TEST(NewStudy, AcceptsNamesInAnyCaseAndWithHyphens)
+TEST(NewStudy, AcceptsPresetNamesInAnyCaseAndWithHyphens)
 {
   EXPECT_EQ(pipeline::preset_of(table_presets(), "--table", "Cork-Mat").name, "cork mat");
   EXPECT_EQ(pipeline::preset_of(glass_presets(), "--glass", "bordeaux").name, "Bordeaux");

@@ -33,7 +33,7 @@ TEST(StudyOptions, JsonPrintsOneLine)
   EXPECT_THAT(ended.err, testing::HasSubstr("Results   there"));
 }
 
-TEST(StudyOptions, TextFitsTheConsole)
+TEST(StudyOptions, ConsoleTextIsAtMost100ColumnsWide)
 {
   const ScratchFolder scratch;
   const Ended ended = stemware(

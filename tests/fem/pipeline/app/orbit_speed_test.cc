@@ -21,7 +21,8 @@ namespace stemware::test
 namespace
 {
 
-/// Returns the columns time, v, dv/dt and omega of a run with the orbit speeds @p speeds.
+/// Returns the columns time, v, dv/dt and omega of a run with the orbit speed file @p speeds. @p steady:
+/// omega without this file.
 std::vector<std::vector<double>> driven(const std::string &speeds, const std::vector<std::string> &settings,
                                         std::vector<double> *steady = nullptr)
 {
@@ -33,9 +34,9 @@ std::vector<std::vector<double>> driven(const std::string &speeds, const std::ve
   return read_columns(scratch / "results/driven_spin_up.csv");
 }
 
-/// Returns omega at equally spaced times up to @p end [s], for the first harmonic in moment balance with v =
-/// v0 + a t. Method: sums over the rim, a linear system for a_1 and b_1, and the classical Runge-Kutta
-/// scheme.
+/// Returns omega at equally spaced times up to @p end [s], for a load of the first harmonic in moment balance
+/// at v = v0 + a t. Friction is summed over the rim, a_1 and b_1 solve a linear system, and omega is
+/// integrated by the classical Runge-Kutta method.
 std::vector<double> ramp_by_hand(double v0, double a, double end)
 {
   const double m = 0.3, R = 0.03, mu = 0.3, offset = -0.05, h = 0.03, inertia = 3e-4;
@@ -44,7 +45,7 @@ std::vector<double> ramp_by_hand(double v0, double a, double end)
   const auto torque = [&](double t, double omega)
   {
     const double v = v0 + a * t;
-    // Friction (T_x, T_y, tau) under the loads 1, cos and sin.
+    // Friction (T_x, T_y, tau) under the unit loads 1, cos(theta) and sin(theta).
     std::array<std::array<double, 3>, 3> unit = {};
     for (unsigned int i = 0; i < n; ++i)
     {
@@ -62,8 +63,8 @@ std::vector<double> ramp_by_hand(double v0, double a, double end)
     // Moment balance M_N = -offset m k x acceleration + h k x T with pi R (b_1, -a_1) = M_N.
     const double ax = a, ay = v * v / 0.15;
     const double mx = offset * m * ay, my = -offset * m * ax, p = ring::pi * R;
-    // Linear system: a_1 (p + h ux1) + b_1 h ux2 = -my - h a0 ux0;  a_1 h uy1 + b_1 (p + h uy2) = mx - h a0
-    // uy0.
+    // Linear system with u = unit: a_1 (p + h u_1x) + b_1 h u_2x = -my - h a0 u_0x, a_1 h u_1y + b_1 (p + h
+    // u_2y) = mx - h a0 u_0y.
     const double c11 = p + h * unit[1][0], c12 = h * unit[2][0], c21 = h * unit[1][1],
                  c22 = p + h * unit[2][1];
     const double r1 = -my - h * a0 * unit[0][0], r2 = mx - h * a0 * unit[0][1];
@@ -73,7 +74,7 @@ std::vector<double> ramp_by_hand(double v0, double a, double end)
   };
   std::vector<double> omegas = { 0 };
   constexpr unsigned int n_outputs = 200;
-  // From rest, the damping is proportional to 1 / t, so the steps are proportional to t.
+  // If the motion starts from rest, the damping is proportional to 1 / t, so the steps are proportional to t.
   double omega = 0, t = v0 > 0 ? 0 : 1e-6;
   for (unsigned int i = 1; i <= n_outputs; ++i)
   {
@@ -124,13 +125,14 @@ TEST(OrbitSpeed, StartsFromRest)
   const std::string ramp = "0, 0\n1, 0.25\n", ring = "Load/Source=first harmonic";
   const std::vector<double> omegas = from_rest(ramp, { ring });
   EXPECT_LT(largest_difference(omegas, expected), 1e-7);
-  // Stribeck's law with nearly equal coefficients uses quadrature instead of kernels.
+  // With nearly equal coefficients, the Stribeck law gives Coulomb friction, but by quadrature instead of
+  // kernels.
   EXPECT_LT(largest_difference(from_rest(ramp, { ring, "Motion/Friction law=Stribeck",
                                                  "Motion/Static friction coefficient=0.3000001" }),
                                omegas),
             1e-5);
   EXPECT_LT(largest_difference(from_rest(ramp, {}), expected), 0.05 * std::abs(expected.back()));
-  // If the hand rests first, the same motion starts later.
+  // If the hand rests for 0.5 s first, the motion is delayed by 0.5 s.
   const std::vector<double> later =
     driven("t (s), v (m/s)\n0, 0\n0.5, 0\n0.75, 0.0625\n1, 0.125\n1.5, 0.25\n",
            { ring, "Motion/End time=1.5", "Motion/Orbit speed=0.2" })[3];
@@ -139,7 +141,7 @@ TEST(OrbitSpeed, StartsFromRest)
 }
 
 // Rigid flat land in full contact. Reference: tests/verification/driven_flat_land.py, which uses quadrature
-// over the plane and its own integration.
+// in two dimensions and a separate time integration.
 TEST(OrbitSpeed, ErrorBandOfADrivenSpinContainsTheError)
 {
   const ScratchFolder scratch;
@@ -167,7 +169,8 @@ TEST(OrbitSpeed, BreakawayForceIsTheStaticFriction)
   const std::vector<std::string> command = { "run", "--set", "Motion/Orbit speed file=v.csv" };
   const auto breakaway = [&](const std::vector<std::string> &settings)
   { return solved(scratch, command, settings)["ring"]["driven"]["breakaway"]; };
-  // A hand 3 cm above the table exerts the force mu N: moment mu N h, moment ratio 2 mu h / R.
+  // The hand exerts the force mu N at the height h = 3 cm, so the moment is mu N h and the moment ratio 2 mu
+  // h / R = 2 mu.
   const std::string ring = "Load/Source=first harmonic";
   for (const auto &[settings, mu] :
        { std::pair(std::vector<std::string>{ ring }, 0.3),
@@ -196,10 +199,10 @@ TEST(OrbitSpeed, BreakawayForceIsTheStaticFriction)
               testing::HasSubstr("at least the coefficient of sliding"));
 }
 
-TEST(OrbitSpeed, ReportsTheEffectOfTheInterpolation)
+TEST(OrbitSpeed, ReportsTheEffectOfInterpolatingTheSpeeds)
 {
-  // The given rows, and dense rows on the polygon through the given rows. The cubic through the dense rows is
-  // the polygon.
+  // Compares the given rows with dense rows on the polygon through them. The cubic through the dense rows is
+  // nearly the polygon.
   const std::vector<std::pair<double, double>> rows = { { 0, 0.1 },  { 0.3, 0.18 }, { 0.6, 0.29 },
                                                         { 1, 0.35 }, { 1.4, 0.33 }, { 1.7, 0.24 },
                                                         { 2, 0.15 } };
@@ -223,7 +226,7 @@ TEST(OrbitSpeed, ReportsTheEffectOfTheInterpolation)
   const std::vector<double> cubic = read_columns(scratch / "results/driven_spin_up.csv")[3],
                             lines = driven(dense.str(), { "Load/Source=first harmonic" })[3];
   const double most = largest_difference(cubic, lines), at_end = std::abs(cubic.back() - lines.back());
-  EXPECT_GT(most, 1e-2); // larger than any error band [rad/s]
+  EXPECT_GT(most, 1e-2); // larger than the error band [rad/s]
   EXPECT_NEAR(said["interpolation_change"].get<double>() / most, 1, 0.02);
   EXPECT_NEAR(said["interpolation_change_at_end"].get<double>(), at_end, 0.02 * most);
   EXPECT_THAT(page_document(scratch / "results")["words"]["driven"].get<std::string>(),
@@ -245,8 +248,8 @@ TEST(OrbitSpeed, RefusesWrongFilesInOneSentence)
   refused("t (s), v (m/s)\n0, 0.2\n0, 0.5\n", "line 3");
   refused("t (s), v (m/s)\n0, 0.2\n2, -1\n", "greater than 0");
   refused("t (s), v (m/s)\n0, 0.2\n1, 0\n2, 0.3\n", "line 3");
-  // The glass tips without friction with the hand 5 cm below the centre of mass: v^2 / (rho g) = 32 mm / 5
-  // cm, v = 0.9704 m/s.
+  // With the hand 5 cm below the centre of mass and closure `paper`, the glass tips at v^2 / (rho g) = 32 mm
+  // / 5 cm, v = 0.9704 m/s.
   refused("t (s), v (m/s)\n0, 0.2\n2, 1.2\n", "v = 0.97", { "Motion/Closure=paper" });
   refused("t (s), v (m/s)\n0, 0.2\n1, 0.5\n", "does not reach t = 2 s");
   refused(good, "Load/Coupling = two-way", { "Load/Moment ratio=0.3" });

@@ -1,4 +1,4 @@
-// `run --quick` gives the same answer and curves as a full run; budget and error bands are null.
+// `run --quick` gives the answer and curves of a full run; budget and error bands are null.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/page_document.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -13,8 +13,8 @@ namespace stemware::test
 namespace
 {
 
-/// Results of one study with and without --quick. The two runs solve contact from different initial guesses.
-/// Shared by the tests, read-only.
+/// Results of one study with and without --quick, from different initial guesses. Shared by the tests,
+/// read-only.
 struct TwoRuns
 {
   TwoRuns()
@@ -69,7 +69,7 @@ TEST(QuickRun, ReproducesTheAnswerAndCurvesOfAFullRun)
   expect_equal_tables(runs, "spin_up.csv", 1e-7);
 }
 
-TEST(QuickRun, StatesItsOmissionsFirst)
+TEST(QuickRun, AnswerStartsWithTheOmissions)
 {
   const TwoRuns &runs = two_runs();
   for (const char *key : { "budget", "without", "error_bands", "one_ring" })

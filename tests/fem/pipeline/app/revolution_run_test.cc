@@ -22,7 +22,7 @@ nlohmann::json glass_run(const ScratchFolder &scratch, const std::vector<std::st
 
 } // namespace
 
-TEST(RevolutionRun, SolvesOneContactIfTheSpinDoesNotMatter)
+TEST(RevolutionRun, SolvesOneContactIfTheLoadDoesNotDependOnTheSpin)
 {
   const ScratchFolder scratch;
   const auto one_way = glass_run(scratch, { "Motion/Closure=paper" });
@@ -34,10 +34,10 @@ TEST(RevolutionRun, SolvesOneContactIfTheSpinDoesNotMatter)
   {
     const auto &one = one_way["truncation"][i]["omega_terminal"],
                &two = two_way["truncation"][i]["omega_terminal"];
-    ASSERT_EQ(one.is_null(), two.is_null()); // a quick run solves only the first and the last row
+    ASSERT_EQ(one.is_null(), two.is_null()); // --quick solves only the first and the last row
     EXPECT_TRUE(one.is_null() || std::abs(two.get<double>() - one.get<double>()) < 1e-10);
   }
-  // If friction deforms the foot, the load rotates with the spin.
+  // If friction deforms the foot, the load depends on the spin.
   const auto turning =
     glass_run(scratch, { "Motion/Closure=paper", "Load/Coupling=two-way", "Contact/Friction coupling=elastic",
                          "Contact/Harmonics=4", "Contact/Azimuth lines=32" });
@@ -67,7 +67,7 @@ TEST(RevolutionRun, PointwiseLoadAndFootprintIntegrateToTheLoad)
   }
   EXPECT_NEAR(force, 2.943, 1e-9);
   EXPECT_NEAR(moment / ring::pi, summary["load"]["b"][1].get<double>(), 1e-9);
-  // The contact ends between two lines.
+  // The edge of the contact is between two azimuth lines.
   EXPECT_NEAR(loaded / static_cast<double>(n_lines), summary["load"]["contact_fraction"].get<double>(),
               1. / static_cast<double>(n_lines));
   EXPECT_EQ(summary["load"]["contact_fraction"], summary["load"]["azimuth_fraction"]);

@@ -1,4 +1,4 @@
-// The report of `run`: answer with the numbers of summary.json, list of files, changed entries.
+// Report of `run`: numbers of the answer, list of files, changed entries.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/page_document.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -34,8 +34,7 @@ const LiftedRun &lifted_run()
   return run;
 }
 
-/// Returns the number that follows the first @p words in the text @p broken. The lines of the text may be
-/// wrapped.
+/// Returns the number after the first @p words in the text @p broken, which may be wrapped.
 double number_behind(const std::string &words, const std::string &broken)
 {
   const std::string text = std::regex_replace(broken, std::regex("\\s+"), " ");
@@ -70,7 +69,7 @@ TEST(RunReport, ShowsTheNumbersOfTheSummary)
   }
   EXPECT_THAT(answer, testing::HasSubstr("harmonics of the"));
   EXPECT_THAT(answer, testing::HasSubstr(per_cent(effect) + (effect > 0 ? " faster" : " slower")));
-  EXPECT_THAT(answer, testing::HasSubstr("(one-way)")); // the moment of this study is given
+  EXPECT_THAT(answer, testing::HasSubstr("(one-way)")); // a given moment implies one-way coupling
   EXPECT_THAT(run.ended.out,
               testing::HasSubstr("\nReport    " + fs::absolute(run.results / "report.html").string() + "\n"));
 }

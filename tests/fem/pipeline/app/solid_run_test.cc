@@ -1,4 +1,4 @@
-// Studies with a solid foot in balance with its friction. Reference: body of revolution.
+// Solid feet in moment balance with friction. Reference: body of revolution.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace stemware::test
 namespace
 {
 
-/// Flat land of 2 mm on a mat, with full moment balance, tilt and friction in the foot.
+/// 2 mm wide flat land on a mat, with full moment balance, tilt and friction in the foot.
 const std::vector<std::string> flat_land = {
   "Motion/Friction coefficient=0.3", "Motion/End time=0.2",           "Glass/Shape=step",
   "Glass/Land width=0.002",          "Glass/Crown radius=0",          "Table/Interface=Winkler",
@@ -31,8 +31,7 @@ double truncated_spin(const std::string &setting)
 TEST(SolidRun, AgreesWithARingOnOneCircleOfNodes)
 {
   // A thick foot of linear elements on a hard table is in contact only at the nodes on the contact radius.
-  // Without tilt, the balance equals the closed form of a first harmonic on a ring (second row of the
-  // budget).
+  // Without tilt, the first harmonic of the contact has the closed form of a ring (second row of the budget).
   const std::vector<std::string> thick_foot = { "Motion/Mass=0.566464",
                                                 "Motion/Centre of mass height=0.0531084",
                                                 "Motion/Force offset=-0.05",
@@ -66,7 +65,7 @@ TEST(SolidRun, AgreesWithARingOnOneCircleOfNodes)
   ASSERT_EQ(budget[1]["step"], "2");
   const double ring = budget[1]["omega_terminal"];
   EXPECT_GT(std::abs(ring), 1e-3);
-  // Harmonics n <= 1 of the contact.
+  // Row of the contact with the harmonics n <= 1.
   EXPECT_NEAR(budget[2]["omega_terminal"].get<double>(), ring, 1e-7 * ring);
 }
 
@@ -79,7 +78,7 @@ TEST(SolidRun, TerminalSpinAgreesWithTheBodyOfRevolution)
   EXPECT_GT(std::abs(without / expected - 1), 1e-3);
 }
 
-/// Settings of a coarse solid foot. Its error estimate takes a second.
+/// Settings of a coarse solid foot, whose error estimate takes one second.
 const std::vector<std::string> coarse_with_goal = { "Contact/Body=solid",
                                                     "Contact/Degree=1",
                                                     "Contact/Azimuthal cells=12",

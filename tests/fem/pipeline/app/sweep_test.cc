@@ -1,4 +1,4 @@
-// The verb `sweep`: agreement with single runs, independence of threads and interruptions, refusals.
+// `stemware sweep`: agreement with single runs, independence of threads and interruptions, bad input.
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -27,8 +27,7 @@ std::string quick_study()
 /// Study without finite elements.
 const std::string rigid_study = "subsection Load\n  set Source = first harmonic\nend\n";
 
-/// Returns the command `stemware sweep study.prm` with the arguments @p further. The results are written to
-/// @p folder.
+/// Returns the arguments "sweep study.prm" and @p further, with the results folder @p folder.
 std::vector<std::string> sweep(const std::vector<std::string> &further, const std::string &folder = "results")
 {
   std::vector<std::string> arguments = { "sweep", "study.prm", "--output", folder };
@@ -58,7 +57,7 @@ std::vector<std::string> sorted_lines(const std::string &text)
   return lines;
 }
 
-/// Returns sorted_lines() of a sweep that runs in a separate folder without interruption.
+/// Returns sorted_lines() of an uninterrupted sweep in a separate folder.
 std::vector<std::string> unbroken(const std::string &study, const std::vector<std::string> &further)
 {
   const ScratchFolder scratch;
@@ -142,7 +141,7 @@ TEST(Sweep, ResumesAfterTwoKills)
     const std::string rows = rows_in(scratch);
     ASSERT_GE(n_lines(rows), n_head + n);
     ASSERT_LT(n_lines(rows), n_head + 300);
-    // Rows of the killed program are kept, except possibly an incomplete last row.
+    // A resumed sweep keeps all complete rows of the killed sweep.
     EXPECT_EQ(rows.compare(0, before.rfind('\n') + 1, before, 0, before.rfind('\n') + 1), 0);
     std::ofstream(scratch / "results/sweep.csv", std::ios::app) << "299,1.79"; // an incomplete row
     before = rows;
@@ -151,7 +150,7 @@ TEST(Sweep, ResumesAfterTwoKills)
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_THAT(ended.out, testing::HasSubstr(std::to_string(n_lines(before) - n_head) + " of them are in"));
   EXPECT_EQ(sorted_lines(rows_in(scratch)), expected);
-  // Another run solves no case.
+  // A repeated sweep of finished cases solves nothing and keeps the rows.
   EXPECT_EQ(stemware(scratch, sweep(many)).exit_code, 0);
   EXPECT_EQ(sorted_lines(rows_in(scratch)), expected);
 }
@@ -163,12 +162,12 @@ TEST(Sweep, ResumesAfterAKillBeforeTheFirstRow)
   const auto arguments = sweep({ "--vary", "Motion/Mass=0.3,0.31" });
   ASSERT_EQ(stemware(scratch, arguments).exit_code, 0);
   const std::string whole = rows_in(scratch);
-  scratch.write("results/sweep.csv", whole.substr(0, 700)); // ends within the lines that begin with #
+  scratch.write("results/sweep.csv", whole.substr(0, 700)); // the file ends within its header lines
   ASSERT_EQ(stemware(scratch, arguments).exit_code, 0);
   EXPECT_EQ(sorted_lines(rows_in(scratch)), sorted_lines(whole));
 }
 
-TEST(Sweep, RefusesAFolderOfOtherFiles)
+TEST(Sweep, RefusesTheFolderOfAnotherSweepOrOtherFiles)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", rigid_study);
@@ -184,7 +183,7 @@ TEST(Sweep, RefusesAFolderOfOtherFiles)
   refused({ "--vary", "Motion/Mass=0.3,0.32" }, "\"2,0.31,");
   refused({ "--vary", "Motion/Mass=0.3" }, "\"2,0.31,");
   EXPECT_EQ(rows_in(scratch), rows);
-  // The first line names another version.
+  // A file of another version is refused.
   const std::string older = "# stemware 0.1 (unknown)" + rows.substr(rows.find('\n'));
   scratch.write("results/sweep.csv", older);
   refused(two, "line 1: ");
@@ -216,7 +215,7 @@ TEST(Sweep, RefusesFinishedCasesWithAChangedFile)
   expect_refused(stemware(scratch, arguments), 3, "reads ../b.dat");
 }
 
-TEST(Sweep, AFailedCaseIsARow)
+TEST(Sweep, AFailedCaseIsReportedInItsRow)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", quick_study());
@@ -243,7 +242,7 @@ TEST(Sweep, AFailedCaseIsARow)
   EXPECT_NE(rows_in(scratch, "failed"), "");
 }
 
-TEST(Sweep, TippingAtRestIsNoFailure)
+TEST(Sweep, TippingAtRestHasTheStatusTips)
 {
   // The mat is so soft that the glass leans until it tips.
   const ScratchFolder scratch;

@@ -1,4 +1,4 @@
-// A glass on a flat land tips at the border of the land. Reference: closed form of a rigid annulus on a mat.
+// Tipping of a glass with a flat land. Reference: closed form of a rigid annulus on a mat.
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -13,7 +13,7 @@ namespace
 
 constexpr double land_inner = 0.020, land_outer = 0.040, crest_radius = 0.030, glass_weight = 10;
 
-/// Returns the study of a rigid foot on a mat, with a land from 20 to 40 mm under 10 N.
+/// Returns the study of a rigid foot on a mat, with a flat land between the radii 20 and 40 mm, under 10 N.
 std::string wide_land(const std::string &moment_ratio)
 {
   return "subsection Motion\n  set Mass = 1\n  set Gravity = 10\nend\n"
@@ -41,10 +41,10 @@ TEST(Tipping, AFlatLandTipsAtItsOuterBorder)
   }
 }
 
-TEST(Tipping, LimitsAgreeInEntriesOptionsAndSweeps)
+TEST(Tipping, RunAndSweepUseTheSameTippingLimit)
 {
   const ScratchFolder scratch;
-  scratch.write("falls.prm", wide_land("2.7")); // exceeds the limit 2 * 40 / 30
+  scratch.write("falls.prm", wide_land("2.7")); // above the tipping limit 2 * 40 mm / 30 mm
   const std::vector<std::string> run = { "run", "falls.prm", "--quick" };
   const Ended refused = stemware(scratch, run);
   EXPECT_EQ(refused.exit_code, 1) << refused.err;

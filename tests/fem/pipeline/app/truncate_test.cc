@@ -1,4 +1,4 @@
-// `stemware truncate`: answers by number of harmonics.
+// `stemware truncate`: terminal spin by number of harmonics.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace
 
 using Json = nlohmann::json;
 
-/// Returns the summary of the default glass in balance at every spin.
+/// Returns the summary of @p verb for a glass with two-way coupling.
 Json summary_of(const std::string &verb, const std::vector<std::string> &settings = {})
 {
   const ScratchFolder scratch;
@@ -43,8 +43,8 @@ TEST(Truncate, RowsAgreeWithRun)
   for (std::size_t i = 0; i < run.size(); ++i)
   {
     EXPECT_EQ(truncated[i]["harmonics"], run[i]["harmonics"]);
-    // Harmonics are accurate to 1e-11 of a_0 (ElasticFoot::accuracy()). Smaller bounds consist of rounding
-    // errors.
+    // Harmonics are accurate to 1e-11 of a_0 (ElasticFoot::accuracy()). Bounds below this error consist of
+    // rounding errors.
     const double rounding = 1e-11 * number(run[0], "bound");
     for (const char *key : { "tau_at_rest", "omega_terminal", "bound", "load_minimum" })
       EXPECT_NEAR(number(truncated[i], key), number(run[i], key),
@@ -61,8 +61,7 @@ TEST(Truncate, ListsTheFirstHarmonicAndTheCompleteLoad)
   EXPECT_NEAR(number(rows.back(), "omega_terminal"), omega, 2e-4);
   for (const char *key : { "relative_change", "bound" })
     EXPECT_EQ(number(rows.back(), key), 0) << key;
-  // The first harmonic of the contact differs from a ring of the contact radius only by the radius at which
-  // the load acts.
+  // Reference: ring of the contact radius. The contact differs only in the radius at which its load acts.
   EXPECT_NEAR(number(rows[0], "omega_terminal"), -3.67874799852576, 1e-3);
 }
 
