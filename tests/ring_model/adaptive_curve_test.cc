@@ -44,7 +44,7 @@ ring::CurveSource rim_source(const std::vector<double> &kinks = {})
            kinks };
 }
 
-TEST(AdaptiveCurve, StatedErrorContainsTheTrueError)
+TEST(AdaptiveCurve, TrueErrorIsBoundedByTheStatedError)
 {
   // Without a known kink, the true error may be up to three times the stated error.
   for (const bool is_known : { false, true })

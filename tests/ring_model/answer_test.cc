@@ -89,7 +89,7 @@ TEST(Answer, ReportsTheHarmonicsOfATruncatedLoad)
   EXPECT_NEAR(*related.relative_change, one.terminal->omega / all.terminal->omega - 1, stemware::ulps(5, 1));
 }
 
-TEST(Answer, GivesTheTensileShareOfANegativeLoad)
+TEST(Answer, GivesTheTensileShareOfAPartlyNegativeLoad)
 {
   constexpr double m = 1.3;
   const Load load([](double) -> Sample { return RingStack({ 1., 0. }, { 0., m }, radius); });

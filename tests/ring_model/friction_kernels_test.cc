@@ -200,7 +200,7 @@ TEST(FrictionKernels, KIsMinusTheDerivativeOfP)
       << eps;
 }
 
-TEST(FrictionKernels, DoNotDependOnTheHighestHarmonic)
+TEST(FrictionKernels, AreIndependentOfTheNumberOfHarmonics)
 {
   for (const double eps : { 1e-3, 0.4, 0.69, 0.72, 0.95, 0.985, 0.999, 1.004, 3. })
   {

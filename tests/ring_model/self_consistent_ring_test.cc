@@ -37,7 +37,7 @@ TEST(UnilateralRim, AgreesWithTheReferenceClosures)
   }
 }
 
-TEST(SelfConsistentRing, BalancesMomentsAndFrictionInBothSenses)
+TEST(SelfConsistentRing, BalancesMomentsAndFrictionInBothOrbitSenses)
 {
   for (const Closure closure : { Closure::paper, Closure::hand, Closure::full })
     for (const double omega : { 0., -4., 6., 15. })

@@ -75,7 +75,7 @@ TEST(SlidingBody, AgreesWithTheClosedFormsUnderHertzPressure)
   EXPECT_NEAR(body.friction(1., 2., 0.).force_x, -1., 1e-13);
 }
 
-TEST(SlidingBody, UniformPressureIsTheAnnulus)
+TEST(SlidingBody, UniformPressureGivesTheFrictionOfTheAnnulus)
 {
   const auto three = [](const std::vector<double> &radii) { return std::vector<double>(radii.size(), 3.); };
   const SlidingBody given = SlidingBody::with_pressure(three, 0.4, 1.),

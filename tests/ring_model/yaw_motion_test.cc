@@ -16,8 +16,8 @@ namespace
 {
 constexpr double inertia = 3e-4; // [kg m^2]
 
-/// Damped ring with one mark at the phase phi = psi - orbit t: tau = -damping (1 + roughness sin phi) (omega
-/// - drive) + bump cos phi.
+/// Damped ring whose torque depends on the angle phi = psi - orbit t of a mark: tau = -damping (1 + roughness
+/// sin phi) (omega - drive) + bump cos phi.
 struct MarkedRing
 {
   double damping = 1.2e-3; ///< [N m s]
@@ -34,9 +34,9 @@ struct MarkedRing
   }
 };
 
-/// Returns mean spin and ripple [rad/s] after many revolutions of the mark relative to the orbit. Integrates
-/// over the angle of the mark: d omega / d angle = tau / (I (omega - orbit)), d t / d angle = 1 / (omega -
-/// orbit).
+/// Returns mean spin and ripple [rad/s] after @p n_turns revolutions of the mark relative to the orbit.
+/// Integrates over the angle of the mark: d omega / d angle = tau / (I (omega - orbit)), d t / d angle = 1 /
+/// (omega - orbit).
 std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns, unsigned int n_steps)
 {
   const double step = -2. * pi / n_steps; // the mark lags behind the orbit
@@ -90,7 +90,8 @@ TEST(YawMotion, AgreesWithAPendulum)
 
 TEST(YawMotion, FollowsAForcedLinearRing)
 {
-  // Linear ring from rest: I omega' = -c (omega - omega_0) + A cos(nu t). Only the table has a mark.
+  // Linear ring from rest: I omega' = -c (omega - omega_0) + A cos(nu t). The periodic part of the torque
+  // depends on time only.
   const double damping = 1.2e-3, drive = -3.6, force = 4e-4, nu = 4.6;
   const auto torque = [=](double time, double, double omega)
   { return -damping * (omega - drive) + force * std::cos(nu * time); };

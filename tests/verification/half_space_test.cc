@@ -62,9 +62,10 @@ TEST(HalfSpace, NormalComplianceAgreesWithBoussinesq)
   }
 }
 
-// Reference: closed form. The body of revolution has 16 harmonics. Under harmonic 20 of the line forces, it
-// responds like a half-space under harmonic 24. Harmonic 5 uses its own compliance.
-TEST(HalfSpace, HarmonicsBeyondTheHighestUseTheComplianceOfHarmonic24)
+// Reference: closed form. The compliances end at harmonic 16; higher harmonics use the compliance of n = 24.
+// The body therefore responds to harmonic 20 like a half-space to harmonic 24. Harmonic 5 uses its own
+// compliance.
+TEST(HalfSpace, HarmonicsAboveTheHighestUseTheComplianceOfHarmonic24)
 {
   constexpr unsigned int n_lines = 64;
   const ContactCompliance disc = compliance_of_disc({ 0.3, 0.3 }, wood, strip(0.004), 1, 16);

@@ -15,7 +15,8 @@ using namespace stemware::revolution_tests;
 namespace
 {
 
-/// A crowned foot on a mat under the moment ratio 1.2, with the load of a body of revolution on halved cells.
+/// Crowned foot on a mat under the moment ratio 1.2. Reference: load of a body of revolution on twice halved
+/// cells.
 struct CrownedFoot
 {
   explicit CrownedFoot(GlassShape shape)

@@ -7,7 +7,7 @@
 //
 // Accuracy of the published values: SSNA122 uses 671 cells of 6 mm. At M, on the axis of the top of the disc,
 // it gives u_z = -0.130734 mm and sigma_zz = -91.1006 MPa with linear elements, -0.132941 mm and -94.1221 MPa
-// with quadratic elements, and calls the uncertainty important. Here, cells of 0.5, 0.25 and 0.125 mm at the
+// with quadratic elements, and states a large uncertainty. Here, cells of 0.5, 0.25 and 0.125 mm at the
 // contact edge give -0.13402, -0.13396 and -0.13396 mm, and -87.28, -87.21 and -87.21 MPa. The displacement
 // differs by 2.5 % from the linear and 0.8 % from the quadratic elements, the stress by 4.3 % and 7 %.
 #include "fem/contact/contact_newton.h"

@@ -61,7 +61,7 @@ public:
   ContactSurface surface;
 };
 
-/// Returns the annulus between two radii on @p n_lines azimuths; a disc if @p inner is 0.
+/// Returns the annulus between two radii with @p n_lines radial lines; a disc if @p inner is 0.
 const ContactSurface &annulus(PlaneLand &land, double inner, double outer, unsigned int n_lines)
 {
   for (unsigned int j = 0; j < n_lines; ++j)

@@ -59,7 +59,7 @@ TEST(ContactLoad, RadiusPreservesTheMomentOfTwoRings)
               pi * load.radius() * std::hypot(load.a(1), load.b(1)), ulps(5, load.normal_force() * 0.03));
 }
 
-TEST(ContactLoad, RadiusAtZeroMomentIsTheLimitOfASmallMoment)
+TEST(ContactLoad, RadiusAtZeroMomentIsTheLimitForVanishingMoment)
 {
   std::vector<PointForce> forces;
   for (unsigned int i = 0; i < 24; ++i)

@@ -93,7 +93,7 @@ TEST(MeshCheck, ReportsTheMeasuresOfAGeneratedFoot)
   EXPECT_EQ(check.upward_share, 0);
 }
 
-TEST(MeshWriter, VtuHoldsQualityAndBoundaries)
+TEST(MeshWriter, VtuFileContainsJacobiansAndBoundaryIds)
 {
   Triangulation<3> foot;
   make_foot_mesh(GlassProfile(), { 8, 2, 1 }, foot);

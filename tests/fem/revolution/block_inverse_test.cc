@@ -53,7 +53,7 @@ Eigen::MatrixXd columns_of_inverse(const LowerTriangle &lower, const std::vector
 
 // The matrix is so large that it is factorised by blocks with a BLAS that is not thread-safe. Without the
 // lock, about one run in ten would fail.
-TEST(BlockInverse, WorksInSeveralThreadsAtOnce)
+TEST(BlockInverse, IsThreadSafe)
 {
   const unsigned int n = 110, n_threads = 8, n_rounds = 4, n_kept = 60;
   const LowerTriangle lower = membrane(n, 0.5);

@@ -10,7 +10,7 @@ using namespace stemware::revolution_tests;
 
 // Closed form: in full contact on a Winkler mat, a rigid annulus has the tilt stiffness kappa = pi k (r2^4 -
 // r1^4) / 4.
-TEST(Tilt, AmplifiesTheMomentOfARigidAnnulusByTheClosedForm)
+TEST(Tilt, AmplificationUnderARigidAnnulusAgreesWithTheClosedForm)
 {
   for (const double modulus : { 1e9, 1e10 })
     for (const double height : { 0., 0.08, 0.3 })

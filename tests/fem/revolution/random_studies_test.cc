@@ -1,4 +1,5 @@
-// Random studies in which contact is difficult to solve. Each of them converges under every moment.
+// Random studies in which contact is difficult to solve. The contact of each study converges under every
+// moment.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"

@@ -125,7 +125,7 @@ TEST(RevolutionFields, DisplacementsAgreeWithTheContactSolution)
   }
 }
 
-TEST(RevolutionFields, StressesBalanceTheLoadOnACut)
+TEST(RevolutionFields, StressesOnACutBalanceTheLoad)
 {
   // The stresses on the cut z = 3 mm balance the contact forces N and the friction mu N along the motion.
   constexpr double friction = 0.3, height = 0.003;

@@ -56,8 +56,8 @@ TEST(LinearSolver, AggregationAgreesWithTheFactorisation)
   expect_equal(multigrid.press(), direct.press());
 }
 
-/// Number of iterations to a residual of 1e-11. With the smoother alone, the number would double when the
-/// cell size is halved.
+/// Compares the numbers of iterations to a residual of 1e-11. With the smoother alone, the number would
+/// double when the cell size is halved.
 TEST(LinearSolver, IterationsHardlyGrowWithRefinement)
 {
   OvalFoot coarse({ 48, 4, 4, 0 }, TestSolver::multigrid, 1);

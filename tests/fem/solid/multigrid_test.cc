@@ -90,7 +90,7 @@ void expect_the_assembled_matrix(unsigned int degree, unsigned int land_refineme
   EXPECT_LT(diagonal_error, tolerance) << "degree " << degree;
 }
 
-TEST(MatrixFree, OperatorIsTheAssembledMatrix)
+TEST(MatrixFree, OperatorEqualsTheAssembledMatrix)
 {
   for (const unsigned int degree : { 1u, 2u, 3u })
   {

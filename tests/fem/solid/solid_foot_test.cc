@@ -65,8 +65,8 @@ TEST(SolidFoot, StatesStayValidAfterTheNextSolve)
   }
 }
 
-/// The condensed compliance of the contact nodes is compared with multigrid on the whole body, with friction
-/// and tilt moment.
+/// Compares the condensed compliance of the contact nodes with multigrid on the whole body, with friction and
+/// tilt moment.
 TEST(SolidFoot, CondensedSolverAgreesWithMultigrid)
 {
   const std::shared_ptr<const InterfaceLaw> interfaces[] = { std::make_shared<WinklerInterface>(1e11),
