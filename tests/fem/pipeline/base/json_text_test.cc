@@ -8,7 +8,7 @@ namespace stemware::pipeline
 namespace
 {
 
-TEST(JsonText, EscapesMarkupAndPreservesValues)
+TEST(JsonText, EscapesMarkupAndParsesToTheSameValues)
 {
   const nlohmann::ordered_json json = { { "</SCRIPT><!--<script>", "\u2028 \u2029 & \\ \\u003c \"<b>\"" },
                                         { "number", 1.5 },

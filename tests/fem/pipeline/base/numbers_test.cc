@@ -11,7 +11,7 @@ namespace stemware::pipeline
 namespace
 {
 
-TEST(Numbers, TextIsTheShortestThatParsesExactly)
+TEST(Numbers, TextIsTheShortestThatParsesToTheSameNumber)
 {
   EXPECT_EQ(to_text(0.03), "0.03");
   EXPECT_EQ(to_text(70e9), "7e10");
@@ -23,7 +23,7 @@ TEST(Numbers, TextIsTheShortestThatParsesExactly)
     EXPECT_EQ(parse_number(to_text(value)), value) << to_text(value);
 }
 
-TEST(Numbers, ShortTextKeepsSixDigits)
+TEST(Numbers, ShortTextHasSixSignificantDigits)
 {
   EXPECT_EQ(to_short_text(9.080892337936447), "9.08089");
   EXPECT_EQ(to_short_text(1.23456789e-7), "1.23457e-7");

@@ -35,7 +35,7 @@ void publish(const fs::path &target, const std::string &mark)
   folder.publish();
 }
 
-/// Returns the message that refuses a folder for results before the computation; an empty text if the folder
+/// Returns the message that refuses the results folder @p target before the computation; empty if the folder
 /// is accepted.
 std::string refusal_of_folder(const fs::path &target)
 {
@@ -56,7 +56,7 @@ void expect_sentence(const std::string &sentence, const std::string &part)
   EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
 }
 
-TEST(ResultsFolder, AppearsCompleteOrNotAtAll)
+TEST(ResultsFolder, IsPublishedCompletelyOrNotAtAll)
 {
   const ScratchFolder scratch;
   {
@@ -97,7 +97,7 @@ TEST(ResultsFolder, ReplacesItsOwnFilesAndKeepsHiddenFiles)
   scratch.write("paper/.ipynb_checkpoints/note", "mine");
   ResultsFolder folder(scratch / "paper");
   folder.open();
-  write_text_file(folder.working_folder() / "summary.json", "new"); // the new results have no fields
+  write_text_file(folder.working_folder() / "summary.json", "new"); // the new results have no folder fields
   folder.publish();
   EXPECT_EQ(read_text(scratch / "paper/summary.json"), "new");
   EXPECT_EQ(names_in(scratch / "paper"),
@@ -106,7 +106,8 @@ TEST(ResultsFolder, ReplacesItsOwnFilesAndKeepsHiddenFiles)
   EXPECT_EQ(names_in(scratch / "paper/fields"), Names{ ".DS_Store" });
   EXPECT_EQ(read_text(scratch / "paper/.ipynb_checkpoints/note"), "mine");
   EXPECT_EQ(names_in(scratch.path()), Names{ "paper" });
-  // `fields/` now has hidden files only, but the stamp still lists it, so the results can be replaced again.
+  // `fields/` now contains hidden files only. The file .stemware still lists it, so the results can be
+  // replaced again.
   publish(scratch / "paper", "newest");
 }
 
@@ -115,7 +116,8 @@ TEST(ResultsFolder, RefusesANameTooLongForItsPartialFolder)
   const ScratchFolder scratch;
   const std::size_t longest = 255 - std::string(".partial-" + std::to_string(::getpid())).size();
   publish(scratch / std::string(longest, 'n'), "old");
-  publish(scratch / std::string(longest, 'n'), "new"); // the temporary name of older results is not longer
+  publish(scratch / std::string(longest, 'n'),
+          "new"); // the temporary name of the older results is short enough, too
   EXPECT_EQ(read_text(scratch / std::string(longest, 'n') / "summary.json"), "new");
   expect_sentence(refusal_of_folder(scratch / std::string(longest + 1, 'n')), "File name too long");
   EXPECT_EQ(names_in(scratch.path()), Names{ std::string(longest, 'n') });
@@ -132,12 +134,12 @@ class ChangedResults : public testing::TestWithParam<Change>
 {
 };
 
-TEST_P(ChangedResults, AreRefusedBeforeAndAfterTheComputation)
+TEST_P(ChangedResults, AreNotOverwritten)
 {
   const ScratchFolder scratch;
   scratch.write("elsewhere", "years of work");
   publish(scratch / "paper", "old");
-  ResultsFolder folder(scratch / "paper"); // the folder has not been changed yet
+  ResultsFolder folder(scratch / "paper"); // accepted: the folder is unchanged
   folder.open();
   write_results(folder.working_folder(), "new");
   GetParam().make(scratch);
@@ -219,7 +221,7 @@ TEST(ResultsFolder, RefusesInvalidFolders)
   expect_sentence(refusal_of_folder("/"), "contains the folder where the program was started");
   expect_sentence(refusal_of_folder("."), "contains the folder where the program was started");
   EXPECT_EQ(names_in(scratch.path()), before);
-  // Parent folders may be links.
+  // The parent of a results folder may be a link.
   publish(scratch / "to_folder/it's \"odd\"\n$(x)", "new");
   EXPECT_EQ(names_in(scratch / "folder"), Names{ "it's \"odd\"\n$(x)" });
 }
@@ -227,7 +229,8 @@ TEST(ResultsFolder, RefusesInvalidFolders)
 TEST(ResultsFolder, KeepsPartialFoldersOfOtherRuns)
 {
   const ScratchFolder scratch;
-  const std::string own = "paper.partial-" + std::to_string(::getpid()); // left by a process with the same id
+  const std::string own =
+    "paper.partial-" + std::to_string(::getpid()); // folder of an older process with the same id
   fs::create_directory(scratch / own);
   scratch.write(own + "/load.csv", "half");
   publish(scratch / "paper", "new");
@@ -235,7 +238,7 @@ TEST(ResultsFolder, KeepsPartialFoldersOfOtherRuns)
   EXPECT_EQ(names_in(scratch / own), Names{ "load.csv" });
 }
 
-TEST(ResultsFolder, TheLaterOfTwoRunsStays)
+TEST(ResultsFolder, TheRunThatPublishesLastReplacesTheOther)
 {
   const ScratchFolder scratch;
   ResultsFolder one(scratch / "paper"), two(scratch / "paper");

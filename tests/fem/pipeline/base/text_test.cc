@@ -6,7 +6,7 @@
 namespace stemware::pipeline
 {
 
-TEST(Text, WrapsAtTheWidthOfTheConsole)
+TEST(Text, WrapsLinesAt100Columns)
 {
   const std::string word(49, 'x');
   // The first line has exactly 100 columns.

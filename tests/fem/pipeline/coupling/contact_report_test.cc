@@ -1,4 +1,4 @@
-// Report on the contact of a study. Reference: sums over the pressure points.
+// Contact report of a study. Reference: sums over the pressure points.
 #include "fem/contact/sliding_traction.h"
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/contact_report.h"
@@ -19,7 +19,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the default glass with few harmonics and lines, in balance at every spin.
+/// Returns the study of a glass on a mat with few harmonics and lines and two-way coupling.
 Study coarse_study_in_balance()
 {
   Study study = test::mat_study();
@@ -46,7 +46,7 @@ struct Described
   ContactReport report;
 };
 
-/// Returns the friction of a contact solution, computed by point forces without rings and kernels.
+/// Returns the friction of a contact solution as the sum of point forces, without rings and kernels.
 ring::Wrench friction_of(const Described &glass, const fem::ContactState &contact, const Study &study,
                          double omega)
 {
@@ -64,8 +64,8 @@ ring::Wrench friction_of(const Described &glass, const fem::ContactState &contac
 }
 
 /// Returns the forces and moments on the glass in three dimensions, computed from the pressure points. The
-/// contact solution tilts the table under an upright glass. Relative to the table, the glass leans by the
-/// opposite tilt.
+/// contact solution describes the tilt of the table under an upright glass, so the glass leans by the
+/// opposite angles.
 verification::PlainGlass plain_glass(const Described &glass, const fem::ContactState &contact,
                                      const Study &study, double omega)
 {
@@ -83,8 +83,7 @@ verification::PlainGlass plain_glass(const Described &glass, const fem::ContactS
 
 TEST(ContactReport, MomentsBalanceAtEverySpin)
 {
-  // Elastic foot with tilt and friction that deforms the foot. Reference: sums over points in three
-  // dimensions.
+  // Elastic foot with tilt and friction coupling. Reference: sums over points in three dimensions.
   const Study study = coarse_study_in_balance();
   const Described glass(study);
   const double weight = study.motion.orbit.normal_force(), rim = study.glass.profile.contact_radius;
@@ -93,7 +92,7 @@ TEST(ContactReport, MomentsBalanceAtEverySpin)
   {
     const verification::PlainGlass plain = plain_glass(glass, *glass.load.contact(omega), study, omega);
     EXPECT_NEAR(plain.moment.head<2>().norm(), 0, 1e-8 * weight * rim) << omega;
-    // The lean torque is 2e-6 of the scale.
+    // The lean torque is about 2e-6 of the scale, so it is not rounding.
     const double lean = plain.axial_torque - plain.friction_torque;
     EXPECT_GT(std::abs(lean), 1e-6 * scale) << omega;
     EXPECT_NEAR(glass.load.at(omega).lean_torque() / lean, 1, 1e-3) << omega;
@@ -108,7 +107,7 @@ TEST(ContactReport, LoadAtTheTerminalSpinAgreesWithThePressure)
   const ring::Motion &motion = study.motion.orbit;
   const Described glass(study);
   const double scale = motion.friction_coefficient * motion.normal_force() * 0.03;
-  // With the pressure at rest, the torque would differ by 1e-2 of the scale.
+  // The friction torque vanishes with the pressure at the terminal spin, but not with the pressure at rest.
   const fem::ContactState spinning = *glass.load.contact(glass.omega);
   EXPECT_NEAR(friction_of(glass, spinning, study, glass.omega).torque, 0, 1e-5 * scale);
   const fem::ContactState &rest = glass.report.foot->at_rest;
@@ -120,7 +119,7 @@ TEST(ContactReport, LoadAtTheTerminalSpinAgreesWithThePressure)
 
 TEST(ContactReport, LoadReportAgreesWithSumsOverThePressure)
 {
-  // Loads at rest and at the terminal spin, on a flat land with the load off the middle.
+  // Loads at rest and at the terminal spin on a flat land, whose load acts off the middle of the land.
   Study study = coarse_study_in_balance();
   study.glass.profile.crown_radius = 0;
   const Described glass(study);
@@ -148,9 +147,9 @@ TEST(ContactReport, LoadReportAgreesWithSumsOverThePressure)
   EXPECT_GT(std::abs(row.at_terminal->moment_ratio - row.at_rest->moment_ratio), 1e-3);
 }
 
-TEST(ContactReport, FrictionInTheFootFollowsOmegaOverV)
+TEST(ContactReport, FrictionInTheFootDependsOnOmegaOverV)
 {
-  // Reference: a foot under the prescribed resultants of the balance, with friction at omega / v.
+  // Reference: the foot under the resultants of the balance, with friction for the slip at omega / v.
   const Study study = coarse_study_in_balance();
   const Described glass(study);
   const double speed = study.motion.orbit.orbit_speed;

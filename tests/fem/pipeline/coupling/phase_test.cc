@@ -1,4 +1,4 @@
-// Loads that depend on the orientation of glass and table: waviness entries and interpolation over the phase.
+// Waviness entries, and interpolation of loads over the phases of glass and table.
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
@@ -22,7 +22,7 @@ namespace ring = stemware::ring;
 
 constexpr double two_pi = 2 * ring::pi;
 
-/// Returns a load that depends smoothly on both phases and the spin (arbitrary example).
+/// Returns an arbitrary load that depends smoothly on both phases and the spin.
 ring::RingStack made_up_load(double omega, const ring::Orientation &phase)
 {
   const double wave = std::exp(0.3 * std::cos(3 * phase.glass + 0.4)) / (1.5 + std::sin(2 * phase.table));
@@ -40,7 +40,7 @@ double torque(const ring::RingStack &load, double eps)
 
 } // namespace
 
-TEST(Waviness, IsReadAndWrittenExactly)
+TEST(Waviness, IsWrittenAndReadBackExactly)
 {
   const auto waviness = parse_waviness(" 2 : 5e-6 @ 0.3,3:-2.000000000000001e-6 ");
   ASSERT_TRUE(waviness);
@@ -65,8 +65,8 @@ TEST(Waviness, RefusesOtherTexts)
 
 TEST(Marks, RotateWithOrbitAndYaw)
 {
-  // At t = 0, the azimuth 0 points away from the centre of the orbit, i.e. to the right of a
-  // counter-clockwise motion.
+  // At t = 0, the marks are on the side away from the centre of the orbit: on the right of a
+  // counter-clockwise motion, azimuth -pi/2.
   ring::Motion motion;
   const double orbit = motion.orbit_speed / motion.orbit_radius;
   const ring::Orientation start = orientation_of_marks(motion, 0, 0);
@@ -81,7 +81,7 @@ TEST(Marks, RotateWithOrbitAndYaw)
   EXPECT_DOUBLE_EQ(mirrored.table, -later.table);
 }
 
-TEST(Marks, RepeatWithTheCommonDivisorOfTheHarmonics)
+TEST(Marks, PeriodIsAFullTurnOverTheCommonDivisorOfTheWaves)
 {
   const auto period = [](const Waviness &glass, const Waviness &table) {
     return stemware::pipeline::phase_periods({ glass, table });
@@ -113,7 +113,7 @@ TEST(PhaseSampledLoad, InterpolatesWithinTheStatedError)
           off, std::abs(torque(loads.at(omega, phase), eps) - torque(made_up_load(omega, phase), eps)));
   EXPECT_LE(off, 2 * loads.error().between);
   EXPECT_LE(loads.error().between, 1e-3);
-  // Rest, and more spins than the three initial ones in each interval.
+  // Rest and four intervals; at least one interval needs more than the three initial spins.
   EXPECT_GT(loads.n_spins(), 1u + 4u * 3u);
 }
 
@@ -157,8 +157,8 @@ LoadAtPhase jumping_load(double jump)
 
 } // namespace
 
-// The mean of a jump has an error proportional to the spacing of the phases. Reference: fraction of the
-// phases with sin > 0.1.
+// At a jump, the error of the mean is proportional to the spacing of the phases. Reference: exact fraction of
+// the phases with b_1 = jump.
 TEST(PhaseSampledLoad, MeanOfAJumpIsWithinTheStatedError)
 {
   const double jump = 0.1, share = 0.5 - std::asin(0.1) / ring::pi;
@@ -172,8 +172,8 @@ TEST(PhaseSampledLoad, MeanOfAJumpIsWithinTheStatedError)
   EXPECT_LT(loads.error().mean, 0.05 * jump);
 }
 
-// Polynomials do not resolve a kink in the spin, so the mean has the same error as each phase. Reference: the
-// load itself; its phase-dependent part has zero mean.
+// Polynomials do not resolve a kink in the spin, so the mean is no more accurate than each phase. Reference:
+// the load at phase 0, which equals the exact mean.
 TEST(PhaseSampledLoad, ErrorOfTheMeanIncludesInterpolationInTheSpin)
 {
   const auto kinked = [](double omega, double phase)
@@ -193,7 +193,7 @@ TEST(PhaseSampledLoad, ErrorOfTheMeanIncludesInterpolationInTheSpin)
   EXPECT_LE(loads.error().mean, 1e-2);
 }
 
-// Spins are sampled in the allowed number of intervals. Spins in further intervals are refused.
+// With two allowed intervals of the spin, a spin in a third interval is refused.
 TEST(PhaseSampledLoad, RefusesMoreIntervalsThanAllowed)
 {
   const PhasePeriods of_glass = { two_pi / 2, 0 };

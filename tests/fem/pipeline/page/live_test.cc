@@ -34,7 +34,7 @@ Study study_of(const Values &values)
   return study;
 }
 
-/// Initialises the page with a study and its compliances.
+/// Initialises the solver of the page with the entries @p values and the compliances @p bodies.
 void open_page(const Values &values, const LiveBodies &bodies)
 {
   explore_begin();
@@ -51,13 +51,13 @@ nlohmann::json solved(unsigned int n_harmonics = 0, bool cold = true)
   return nlohmann::json::parse(explore_solve(n_harmonics, cold));
 }
 
-/// Returns the terminal spin in the part @p row of the summary of an answer [rad/s].
+/// Returns the terminal spin in the summary member @p row of an answer [rad/s].
 double omega_of(const nlohmann::json &answer, const char *row = "ring")
 {
   return answer.at("document").at("summary").at(row).at("omega_terminal").get<double>();
 }
 
-/// Returns the terminal spin of the program for the same study [rad/s].
+/// Returns the terminal spin of @p study by the program's solver [rad/s].
 double spin_by_the_program(const Study &study, unsigned int n_harmonics = all_harmonics)
 {
   fem::ComplianceCache cache;
@@ -66,7 +66,8 @@ double spin_by_the_program(const Study &study, unsigned int n_harmonics = all_ha
     .terminal->omega;
 }
 
-/// Changes one entry at a time. Compares cold starts of the page with the program.
+/// Changes one entry of @p base at a time and compares the terminal spins (cold start) of the page and the
+/// program.
 void expect_the_programs_spins(const Values &base, const Values &moves, const std::string &fit)
 {
   fem::ComplianceCache cache;
@@ -117,13 +118,13 @@ TEST(Live, TwentyChangedEntriesAgreeWithTheProgram)
                             "same");
 }
 
-TEST(Live, AgreesOnHardAndElasticTables)
+TEST(Live, AgreesWithTheProgramOnHardAndElasticTables)
 {
   expect_the_programs_spins(hard, { { "Motion/Friction coefficient", "0.2" } }, "same");
   expect_the_programs_spins(bare_wood, { { "Motion/Force offset", "-30 mm" } }, "same");
 }
 
-TEST(Live, AgreesOnRoughTables)
+TEST(Live, AgreesWithTheProgramOnRoughTables)
 {
   expect_the_programs_spins({ { "Table/Interface", "rough" }, { "Table/Substrate", "elastic" } },
                             { { "Motion/Friction coefficient", "0.2" },
@@ -132,7 +133,7 @@ TEST(Live, AgreesOnRoughTables)
                             "same");
 }
 
-TEST(Live, AgreesWithinTheBandOnACloseMesh)
+TEST(Live, AgreesWithinTheStatedBandOnACloseMesh)
 {
   for (const Values &base : { hard, bare_wood })
   {
@@ -172,7 +173,7 @@ TEST(Live, ASimilarFootAgreesWithTheProgram)
   }
 }
 
-TEST(Live, AgreesForTheFirstHarmonics)
+TEST(Live, AgreesWithTheProgramForOneAndTwoHarmonics)
 {
   fem::ComplianceCache cache;
   open_page({}, live_bodies(Study(), cache));
@@ -189,7 +190,7 @@ TEST(Live, WarmStartsAgreeWithColdStarts)
     const char *path;
     std::vector<const char *> values;
   };
-  // Moves are small, backward or large, and enter and leave the range in which the grip holds the glass.
+  // The changes are small, backward or large. With 5e-3 N m, the grip holds the glass.
   for (const auto &[path, values] :
        { Moves{ "Motion/Friction coefficient", { "0.29", "0.27", "0.35", "0.36", "0.37", "0.36", "0.2" } },
          Moves{ "Motion/Force offset", { "-0.048", "-0.046", "-0.044", "-0.042" } },
@@ -217,7 +218,7 @@ TEST(Live, WarmStartsAgreeWithColdStarts)
   }
 }
 
-TEST(Live, PreviewSolvesContactNextToTheSpinOnly)
+TEST(Live, WarmStartOmitsTheLoadAtRest)
 {
   fem::ComplianceCache cache;
   open_page({}, live_bodies(Study(), cache));
@@ -230,7 +231,7 @@ TEST(Live, PreviewSolvesContactNextToTheSpinOnly)
   EXPECT_EQ(document["tables"]["motion"].size(), 1u);
 }
 
-TEST(Live, RefusesUnresolvedChanges)
+TEST(Live, RefusesChangesThatNeedAnotherMesh)
 {
   fem::ComplianceCache cache;
   const LiveBodies bodies = live_bodies(study_of(mat), cache);
@@ -245,7 +246,7 @@ TEST(Live, RefusesUnresolvedChanges)
   open_page(hard, live_bodies(study_of(hard), cache));
   EXPECT_NE(refusal("Motion/Mass", "1 kg").find("width"), std::string::npos);
 
-  // On a narrow part of the land, the contact reaches the border.
+  // With the compliances of a narrow part of the land, the contact reaches the border of this part.
   LiveBodies narrow = bodies;
   narrow.foot = bodies.foot.part(6, 5);
   open_page(mat, narrow);
@@ -280,7 +281,7 @@ TEST(Live, CurvesAndBudgetAgreeWithTheAnswer)
   const nlohmann::json budget = tables(explore_budget());
   EXPECT_NEAR(budget["waterfall"].back()["omega_terminal"].get<double>(), omega, 1e-9);
   EXPECT_GT(tables(explore_pressure())["foot"]["footprint"]["theta"].size(), 60u);
-  // The instants range from rest to the terminal spin, at which the torque is below 2 % of the initial
+  // The drawn motion begins at rest and ends near the terminal spin, with less than 2 % of the initial
   // torque.
   const nlohmann::json &motion = curves["motion"];
   EXPECT_EQ(motion[0]["omega"], 0);
@@ -290,8 +291,8 @@ TEST(Live, CurvesAndBudgetAgreeWithTheAnswer)
 
 TEST(Live, FrictionOfAnInstantIntegratesToTorqueAndForce)
 {
-  // Reference: trapezoidal rule over the points of the rim, exact for the harmonics at rest. There is no tilt
-  // and no grip.
+  // Reference: trapezoidal rule over the points of the rim, exact for the harmonics at rest. Without tilt and
+  // grip, only friction contributes to the torque.
   fem::ComplianceCache cache;
   open_page({ { "Motion/Tilt", "neglected" } }, live_bodies(Study(), cache));
   solved();

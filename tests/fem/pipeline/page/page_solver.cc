@@ -1,5 +1,5 @@
-// Command-line program that tests the page's solver. Sets each argument, such as "Motion/Mass=0.25", in the
-// default study. Prints the answer of the page, or its error.
+// Command-line program that tests the page's solver. Assigns each argument, e.g. "Motion/Mass=0.25", to the
+// default study. Prints the answer or the error as JSON.
 #include "fem/pipeline/page/explore_api.h"
 #include "fem/pipeline/page/explorer.h"
 #include "fem/pipeline/page/live_bodies.h"

@@ -1,5 +1,4 @@
-// Writes the first random studies of a seed as study files 1.prm, 2.prm, ...: random_study_files N SEED
-// FOLDER
+// Writes N random studies as 1.prm, 2.prm, ... into a folder. Usage: random_study_files N SEED FOLDER
 
 #include "tests/benchmark/random_study.h"
 

@@ -32,7 +32,7 @@ ring::Answer answer_with(unsigned int harmonics, double omega)
   return row;
 }
 
-/// Default study with two answers, a budget and the error band of its terminal spin.
+/// Made-up results of the default study: two rows, a budget and the error band of the terminal spin.
 struct SpunStudy : StudyAnswer
 {
   SpunStudy()
@@ -61,7 +61,8 @@ void expect_all(const std::string &text, const std::vector<std::string> &numbers
 
 TEST(RunAnswer, ContainsTheNumbersOfTheAnalysis)
 {
-  // One turn takes 2 pi / omega. The largest step of the budget is from -3 to -3.5 rad/s.
+  // Expected: time of one turn 2 pi / |omega| = 1.93 s (paper: 2.09 s), largest budget step from -3 to -3.5
+  // rad/s.
   expect_all(SpunStudy().answer(), { " 1.93 s", " 2.09 s", "-3.250 rad/s (± 1.3e-03 rad/s by", "-3.000 rad/s",
                                      "0.05 more friction by +0.08 rad/s", "4.41 % slower", "+0.15 rad/s",
                                      "-0.5 rad/s (16.7 % faster)" });
@@ -77,9 +78,10 @@ TEST(RunAnswer, ContainsTheNumbersOfTheAnalysis)
   expect_all(falling.answer(), { "9.12 rad/s", "1.68", "1.432", "-0.001234 N m", "2.09 s" });
 }
 
-TEST(RunAnswer, SentenceAndTableAgreeAtEverySpeed)
+TEST(RunAnswer, SentenceAndTableShowTheEffectAtAnySpeed)
 {
-  // The moment and the slip ratio are proportional to v^2: at 0.1 mm/s the slip ratio is 8e-9.
+  // The slip ratio is proportional to v^2. At 0.1 mm/s, it is only 8e-9, but the effect must still be
+  // reported.
   Study study = quick_contact_study();
   std::optional<double> usual;
   for (const double speed : { 1e-2, 1e-4 })
@@ -94,7 +96,7 @@ TEST(RunAnswer, SentenceAndTableAgreeAtEverySpeed)
     usual = effect.relative;
     const std::string sentence = harmonic_effect_sentence(study, effect);
     EXPECT_NE(sentence.find("% slower ("), std::string::npos) << sentence;
-    EXPECT_TRUE(study.is_spin(*effect.absolute)); // the table shows this effect
+    EXPECT_TRUE(study.is_spin(*effect.absolute)); // not rounding, so the table shows it
     EXPECT_TRUE(study.is_spin(value("omega_terminal")));
   }
   // If a change is below rounding, an upper bound replaces the percentage.
@@ -140,9 +142,9 @@ TEST(RunAnswer, OmitsThePercentageIfThereIsNoSpin)
   expect_all(resting.answer(), { "not spin" });
 }
 
-TEST(RunAnswer, PrintedBandsContainTheBand)
+TEST(RunAnswer, PrintedIntervalContainsTheErrorBand)
 {
-  // Value and error band are rounded so that the printed interval contains value -/+ error band.
+  // The printed interval must contain value ± band.
   for (const double band : { 0.00123, 0.000996, 9.99e-5, 0.12, 3. })
     for (const double value : { -3.2549, -3.25451, 1.000049 })
     {
@@ -163,7 +165,7 @@ TEST(Remarks, WarnOfALayerThickerThanTheContact)
     run.contact.load.outer_radius = 0.03 + half_width;
     return run.results().console.front().text.find("(Table/Layer thickness)") != std::string::npos;
   };
-  EXPECT_FALSE(remark(2e-4)); // the thickness of the layer is not given
+  EXPECT_FALSE(remark(2e-4)); // layer thickness not given
   run.study.table.layer_thickness = 5e-3;
   EXPECT_TRUE(remark(2e-4));
   EXPECT_FALSE(remark(6e-3));
@@ -171,7 +173,7 @@ TEST(Remarks, WarnOfALayerThickerThanTheContact)
   EXPECT_FALSE(remark(2e-4));
 }
 
-TEST(Remarks, NameTheScatterOfAProfile)
+TEST(Remarks, ReportTheScatterOfAProfile)
 {
   SpunStudy run;
   const auto answer = [&] { return run.answer(); };

@@ -19,7 +19,7 @@ namespace
 using test::CsvTable;
 using test::SolvedRun;
 
-/// Returns a run that is solved once. Each test changes copies of its parts.
+/// Returns a solved run, shared by the tests.
 const SolvedRun &solved_run()
 {
   static const SolvedRun run(test::quick_contact_study());
@@ -134,7 +134,7 @@ TEST(RunResults, TorqueAtRestAgreesWithTheClosedForm)
               run.study.motion.orbit.friction_coefficient * run.contact.load.moment.x(), 1e-12);
 }
 
-TEST(RunResults, LiftOffFollowsFromContactFractionAndMinimum)
+TEST(RunResults, LiftOffIsDecidedByContactFractionAndMinimum)
 {
   StudyAnswer run = solved_run();
   run.bands = {};
@@ -190,7 +190,7 @@ TEST(RunResults, SummaryContainsTheGoalOfTheMesh)
   EXPECT_FALSE(solved_run().summary().contains("goal"));
 }
 
-TEST(TruncationResults, CountTheHarmonicsForATolerance)
+TEST(TruncationResults, ReportTheHarmonicsForATolerance)
 {
   StudyAnswer run = solved_run();
   std::vector<ring::Answer> &rows = run.spin.rows;
@@ -219,7 +219,7 @@ TEST(BudgetTable, OmitsHarmonicsWithoutEffect)
   rows[3].difference = 1e-13;
   const std::vector<BudgetRow> shown = shown_chain(rows, 1e-9);
   ASSERT_EQ(shown.size(), rows.size() - 1);
-  // Differences are relative to the previous row of the table.
+  // The difference refers to the previous shown row.
   EXPECT_NEAR(shown.back().difference.value(), -3.25 + 3.2, 1e-14);
   rows.back().difference = 0; // the complete model is always shown
   EXPECT_EQ(shown_chain(rows, 1e-9).size(), rows.size() - 1);

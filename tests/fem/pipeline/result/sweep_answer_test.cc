@@ -1,4 +1,4 @@
-// The answer of a sweep from given case results.
+// Answer of a sweep, computed from given case results.
 #include "fem/pipeline/result/verb_results.h"
 
 #include <gmock/gmock.h>
@@ -8,7 +8,7 @@ namespace stemware::test
 namespace
 {
 
-TEST(SweepAnswer, NamesNoCaseIfAllCasesAreEqual)
+TEST(SweepAnswer, NamesNoCaseIfAllSpinsAreEqual)
 {
   const pipeline::CaseList list = pipeline::cases_of_grid({ "Motion/Mass=0.2,0.3" });
   const auto solved = [](double spin, double torque)

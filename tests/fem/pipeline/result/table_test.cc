@@ -1,4 +1,4 @@
-// Data file, CSV, console and page formats of one table with every kind of cell.
+// Formats of a table with every kind of cell: data file, CSV, console, page.
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/result/number_format.h"
 #include "fem/pipeline/result/table_renderers.h"
@@ -14,7 +14,7 @@ namespace
 
 const double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// A row with every kind of cell.
+/// Row with every kind of cell.
 struct Everything
 {
   std::string who;
@@ -28,8 +28,7 @@ struct Everything
 const std::vector<Everything> rows = { { "a, \"b\"", 100000, -1.23456789, 0.25, true, { 1.5, 3.5 } },
                                        { "c < d", 7, 1e-15, std::nullopt, false, { 2.5, 4.5 } } };
 
-/// Returns one field for each member of Everything. Together the fields use all output formats (file,
-/// console, page).
+/// Returns one field for each member of Everything. Every output format (file, console, page) occurs.
 Fields<Everything> all_fields()
 {
   return Fields<Everything>{
@@ -123,7 +122,7 @@ TEST(Table, ConsoleShowsADashForNonFiniteNumbers)
   EXPECT_EQ(console_table(texts({ { "x", nothing } })), "  x\n  -\n");
 }
 
-TEST(Quantities, AreInTheSummaryIfTheyHaveADescription)
+TEST(Quantities, AreWrittenToTheSummaryIfTheyHaveADescription)
 {
   EXPECT_EQ(all_fields().json(rows[1]).dump(), R"({"who":"c < d","spin":1e-15,"half":null,"at":[2.5,4.5]})");
   const Json schema = all_fields().schema();
@@ -164,7 +163,7 @@ TEST(NumberFormat, ShowsADashForNonFiniteNumbers)
       EXPECT_EQ(format::number(none, digits), "–") << digits;
   }
   EXPECT_EQ(format::number(-std::nan(""), "band"), "–");
-  // Text in data files and in figures.
+  // Data files and figures contain "nan" instead of the dash.
   EXPECT_EQ(to_text(-std::nan("")), "nan");
   EXPECT_EQ(to_short_text(-std::nan("")), "nan");
 }

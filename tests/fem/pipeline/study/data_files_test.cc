@@ -1,4 +1,4 @@
-// Files of numbers in columns: accepted formats, and refusals in one sentence.
+// Column files: accepted formats, and refusals in one sentence.
 #include "fem/pipeline/study/data_files.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -84,7 +84,7 @@ TEST(ColumnFile, RefusesBadTextWithTheLine)
   }
 }
 
-/// Pipes and devices are not opened, because reading them may never end.
+/// Pipes and devices are refused unopened, because a read might never end.
 TEST(ColumnFile, RefusesFoldersPipesAndLargeFiles)
 {
   const ScratchFolder scratch;

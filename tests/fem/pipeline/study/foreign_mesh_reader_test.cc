@@ -1,5 +1,4 @@
-// Valid and broken mesh files of other programs. A file gives a mesh or is refused in one sentence, without
-// delay.
+// Mesh files of other programs. Valid files are read; broken files are refused in one sentence.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
@@ -59,7 +58,7 @@ void expect_refused(const std::string &text, const std::string &part, const std:
   EXPECT_LT(sentence.size(), 330u) << sentence;
 }
 
-/// Expects exactly the vertices, contact faces and stem faces of the written mesh.
+/// Expects that @p text is read with exactly the vertices, contact faces and stem faces of make_small_foot().
 void expect_the_small_foot(const std::string &text)
 {
   Mesh mesh, read;
@@ -99,7 +98,7 @@ TEST(GmshMesh, ChecksCountsAndVersions)
   expect_refused(boost::replace_first_copy(text, " 3 2 1 1 ", " 4 2 1 1 "), "Gmsh's type 4");
 }
 
-/// Returns @p text with @p elements of Gmsh format 2.2 (without numbers) appended to its elements.
+/// Returns @p text (Gmsh format 2.2) with the additional elements @p elements, given without their numbers.
 std::string with_elements(const std::string &text, const std::vector<std::string> &elements)
 {
   const std::size_t count = text.find("$Elements\n") + 10;
@@ -111,7 +110,7 @@ std::string with_elements(const std::string &text, const std::vector<std::string
                                    more + "$EndElements");
 }
 
-/// Returns @p text with @p nodes appended to its nodes.
+/// Returns @p text with the additional nodes @p nodes.
 std::string with_nodes(const std::string &text, const std::vector<std::string> &nodes)
 {
   const std::size_t count = text.find("$Nodes\n") + 7;
@@ -125,7 +124,7 @@ TEST(GmshMesh, IgnoresUnusedSectionsSurfacesAndNodes)
   const std::string text = written();
   // Two unused nodes, one of them far away.
   expect_the_small_foot(with_nodes(text, { "900001 1e9 0 0", "900002 0 0 0.5" }));
-  // A physical surface inside the body, and triangles, lines and points.
+  // A physical surface inside the body, a triangle, a line and a point.
   Mesh mesh;
   make_small_foot(mesh);
   std::string inner;
@@ -137,13 +136,14 @@ TEST(GmshMesh, IgnoresUnusedSectionsSurfacesAndNodes)
         inner += " " + std::to_string(face->vertex_index(v) + 1);
     }
   expect_the_small_foot(with_elements(text, { inner, "2 2 9 9 1 2 3", "1 2 9 9 1 2", "15 2 9 9 1" }));
-  // Sections of periodic entities and of data.
+  // Sections $Periodic and $NodeData.
   expect_the_small_foot(text +
                         "$Periodic\n1\n2 1 2\n1\n1 2\n$EndPeriodic\n$NodeData\n1\n\"T\"\n1\n0.0\n3\n0\n1"
                         "\n1\n1 20\n$EndNodeData\n$NodeData\n$EndNodeData\n");
 }
 
-/// With Mesh.SaveParametric, dimension, entity and parameters follow the coordinates.
+/// With the Gmsh option Mesh.SaveParametric, dimension, entity and parameters follow the coordinates of a
+/// node.
 TEST(GmshMesh, ReadsParametricNodes)
 {
   std::istringstream lines(written());
@@ -162,7 +162,8 @@ TEST(GmshMesh, ReadsParametricNodes)
   expect_the_small_foot(text);
 }
 
-/// In a mesh file, refined cells are not connected with their coarser neighbours.
+/// A mesh file has no constraints for hanging nodes, so refined cells would be separated from coarser
+/// neighbours.
 TEST(GmshMesh, RefusesAMeshWithHangingNodes)
 {
   Mesh mesh;
@@ -204,7 +205,7 @@ TEST(GmshMesh, RefusesTwoIdsOfOneFace)
   expect_refused(with_elements(text, { "3 2 7 7 " + nodes }), "the ids 1 and 7");
 }
 
-TEST(GmshMesh, NamesForeignIdsAndTheirEntries)
+TEST(GmshMesh, NamesUnexpectedIdsAndTheEntriesToSet)
 {
   Mesh mesh;
   make_small_foot(mesh);
@@ -243,8 +244,8 @@ TEST(AnyMesh, RefusesOtherFormatsWithACommand)
   }
 }
 
-/// The file is sparse and has 3 GB.
-TEST(AnyMesh, RefusesLargeFilesUnread)
+/// The file has 3 GB, but is sparse.
+TEST(AnyMesh, RefusesLargeFilesBeforeReading)
 {
   const TemporaryFile file("");
   std::filesystem::resize_file(file.name, 3000000000);
@@ -262,7 +263,7 @@ TEST(AnyMesh, RefusesLargeFilesUnread)
   EXPECT_THROW(require_affordable(study), BadInput);
 }
 
-TEST(AnyMesh, RefusesMeshesThatAreNoBody)
+TEST(AnyMesh, RefusesMeshesWithInvalidCells)
 {
   const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n9\n1 0 0 0\n2 1 0 0\n3 1 1 0\n"
                            "4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n9 0 0 2\n$EndNodes\n$Elements\n";

@@ -1,4 +1,4 @@
-// Given entries without effect on the study.
+// Entries that are given but have no effect on the study (unused_entries()).
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_file.h"
@@ -17,7 +17,7 @@ namespace
 using Settings = test::EntryTexts;
 using Names = std::vector<std::string>;
 
-TEST(IdleEntries, DependOnTheChoicesOfTheStudy)
+TEST(IdleEntries, FollowFromTheOtherEntries)
 {
   const Settings table = { { "Table/Foundation modulus", "1e9" },
                            { "Table/Decay length", "2e-6" },
@@ -80,7 +80,7 @@ TEST(IdleEntries, DependOnTheChoicesOfTheStudy)
   }
 }
 
-TEST(IdleEntries, DifferFromTheDefaultsInACompleteFile)
+TEST(IdleEntries, AreReportedInCompleteFilesIfTheyDifferFromTheDefault)
 {
   const test::ScratchFolder scratch;
   const std::string all = scratch.write("all.prm", commented_defaults());
@@ -96,7 +96,7 @@ TEST(IdleEntries, DifferFromTheDefaultsInACompleteFile)
     Names({ "Table/Foundation modulus" }));
 }
 
-TEST(IdleEntries, DoNotOccurInCookbooks)
+TEST(IdleEntries, AreAbsentFromCookbooks)
 {
   unsigned int n_studies = 0;
   for (const auto &item : std::filesystem::directory_iterator(STEMWARE_COOKBOOKS))

@@ -13,7 +13,7 @@ namespace
 
 using test::ScratchFolder;
 
-TEST(LoadFile, IsReadAsWritten)
+TEST(LoadFile, IsWrittenAndReadBackExactly)
 {
   const ScratchFolder scratch;
   const ring::RingStack load({ 0.47, 0.1 / 3, -1e-7 }, { 0, -0.13, 2e-300 }, 0.0300007);

@@ -1,4 +1,4 @@
-// Warnings for implausible values, and refusals of studies that exceed the memory.
+// Warnings for implausible values, and refusals of studies that exceed the memory limit.
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
@@ -46,7 +46,7 @@ TEST(PlausibleValues, IgnoreUnusedEntries)
   EXPECT_EQ(notes_with({ { "Glass/Crown radius", "0" } }), Texts());
 }
 
-TEST(PlausibleValues, AreInTheTableOfThePage)
+TEST(PlausibleValues, AreListedInDocsValues)
 {
   const std::string page = test::read_text(STEMWARE_DOCS "/values.md");
   for (const StudyEntry &entry : entries_of(Study()))
@@ -60,7 +60,7 @@ TEST(PlausibleValues, AreInTheTableOfThePage)
     }
 }
 
-TEST(PlausibleValues, DefaultsAndRangesAreThemselvesPlausible)
+TEST(PlausibleValues, DefaultsAreWithinTheirRanges)
 {
   Study study;
   unsigned int n_ranges = 0;
@@ -118,7 +118,7 @@ TEST(StudySize, NamesTheCostliestEntryAndTheLimit)
   EXPECT_EQ(refusal_of({ { "Motion/End time", "5000" }, { "Motion/Step limit", "1e7" } }), "");
 }
 
-TEST(StudySize, CountsAMeshFileBeforeReadingIt)
+TEST(StudySize, EstimatesAMeshFileBeforeReadingIt)
 {
   const test::ScratchFolder scratch;
   const auto size_with = [&](const std::string &mesh, const std::string &refinements = "0")

@@ -1,4 +1,4 @@
-// Sections of a glass from a file of points: fitted rims and refusals in one sentence.
+// Profile files: rim fitted to the points, and refusals in one sentence.
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_checks.h"
@@ -19,11 +19,11 @@ namespace
 
 using test::ScratchFolder;
 
-/// Points of a plain foot with a land from 28 to 32 mm, in mm.
+/// Points (r, z) of a foot with a flat land from 28 to 32 mm [mm].
 const std::string plain_foot = "0, 2\n20, 2\n28, 0\n32, 0\n34, 1\n34, 3\n16, 4\n6, 8\n4, 16\n0, 16\n";
 const std::string millimetres = "r (mm), z (mm)\n";
 
-/// Returns the study of a drawn foot.
+/// Returns the study of a foot with the profile file @p points and the additional settings @p more.
 Study study_of(const ScratchFolder &scratch, const std::string &points, const std::vector<std::string> &more)
 {
   std::vector<std::string> overrides = { "Glass/Shape=profile",
@@ -38,14 +38,14 @@ Study study_of(const std::string &points,
   return study_of(ScratchFolder(), points, more);
 }
 
-/// Returns the message that refuses a file; empty if the file is accepted.
+/// Returns the message that refuses the profile file @p points; empty if the file is accepted.
 std::string profile_refusal(const std::string &points,
                             const std::vector<std::string> &more = { "Glass/Crown radius=0.003" })
 {
   return test::sentence_of([&] { study_of(points, more); });
 }
 
-TEST(ProfileFile, FitsTheRimUnlessItIsGiven)
+TEST(ProfileFile, FitsTheRimUnlessItsRadiiAreGiven)
 {
   std::string points = "0,3\n20,3\n";
   for (int i = -5; i <= 5; ++i)
@@ -69,8 +69,8 @@ TEST(ProfileFile, FitsTheRimUnlessItIsGiven)
   EXPECT_EQ(profile_note(Study()), "");
 }
 
-/// Returns a rim with a radius of 2.5 mm at r = 29.5 mm and ten points on the land. Their heights have errors
-/// of @p error mm with alternating signs.
+/// Returns the profile of a rim at r = 29.5 mm with the crown radius 2.5 mm. The heights of its ten points on
+/// the land have alternating errors of @p error [mm].
 std::string scattered_foot(double error)
 {
   std::string points = millimetres + "0,3\n20,3\n";
@@ -116,15 +116,16 @@ TEST(ProfileFile, IgnoresEntriesOfOtherShapes)
             std::vector<std::string>{ "Glass/Profile file" });
 }
 
-/// Results folders state every entry. In a repeated study the rim is therefore given.
-TEST(ProfileFile, RepeatedStudyIsIdentical)
+/// The study file of a results folder contains every entry, so a repeated study gives the rim instead of
+/// fitting it.
+TEST(ProfileFile, WrittenStudyIsReadIdentically)
 {
   const ScratchFolder scratch;
   const Study study = study_of(scratch, millimetres + plain_foot, { "Glass/Crown radius=0.003" });
   const Study again = read_study(scratch.write("again.prm", study_as_prm(study)), {});
   EXPECT_EQ(study_as_prm(again), study_as_prm(study));
 
-  // A fitted rim stays fitted, although its values are given in the repeated study.
+  // The repeated study still reports a fitted rim, although its file contains the fitted values.
   const Study fitted = study_of(scratch, scattered_foot(0.001), { "Glass/Land width=0.0021" });
   const Study repeated = read_study(scratch.write("again.prm", study_as_prm(fitted)), {});
   EXPECT_EQ(study_as_prm(repeated), study_as_prm(fitted));

@@ -1,4 +1,4 @@
-// Values with units. Reference: definition of each unit.
+// Values with units. Reference: definitions of the units.
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/matchers.h"
@@ -44,7 +44,7 @@ TEST(QuantityText, DecimalUnitsGiveTheNearestDouble)
     { "30%", "", 0.3 },
     { "8 GB", "B", 8e9 },
     { "1 bar", "Pa", 1e5 },
-    { "\u22125 cm", "m", -0.05 }, // minus sign of a report
+    { "\u22125 cm", "m", -0.05 }, // minus sign as in reports
     { "\u20135 cm", "m", -0.05 },
     { "5e\u22122 m", "m", 0.05 },
     { "300\u00a0g", "kg", 0.3 },
@@ -55,7 +55,7 @@ TEST(QuantityText, DecimalUnitsGiveTheNearestDouble)
     EXPECT_EQ(parse_quantity(text, unit), expected) << text;
 }
 
-TEST(QuantityText, OtherUnitsAreExactToRounding)
+TEST(QuantityText, OtherUnitsAreExactWithinRounding)
 {
   EXPECT_NEAR(*parse_quantity("180 deg", "rad"), 3.141592653589793, ulps(2, 3.14));
   EXPECT_NEAR(*parse_quantity("-90\u00b0", "rad"), -1.5707963267948966, ulps(3, 1.57));
@@ -120,7 +120,7 @@ TEST(QuantityText, AUnitAfterTheLastNumberAppliesToAll)
   EXPECT_EQ(with_shared_unit({}), Texts());
 }
 
-TEST(QuantityText, StudiesAreStoredInSi)
+TEST(QuantityText, ValuesAreStoredInSiUnits)
 {
   const Study study = with_values(Study(), "the test",
                                   { { "Motion/Mass", "250 g" },

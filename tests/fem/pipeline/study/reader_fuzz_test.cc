@@ -1,6 +1,6 @@
-// Mutated files for every reader of the program. Each file is read or refused in one sentence, without a
-// crash, an exception of another library or a hang. The seed is fixed, so that failures are reproducible. The
-// preset `sanitize` adds the address sanitizer.
+// Fuzz test of all file readers. Each randomly mutated file must be read or refused in one sentence, without
+// crash, hang or an exception of another library. The seed is fixed, so failures are reproducible. The preset
+// `sanitize` adds the address sanitizer.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/analysis/case_list.h"
 #include "fem/pipeline/base/failures.h"
@@ -68,7 +68,7 @@ private:
                       n = below(std::min<std::size_t>(text.size() - at, 200) + 1);
     switch (below(8))
     {
-    case 0: // a byte
+    case 0: // change a byte
       if (at < text.size())
         text[at] = static_cast<char>(random());
       break;
@@ -81,17 +81,17 @@ private:
     case 3:
       text.insert(at, word());
       break;
-    case 4: // cut short
+    case 4: // truncate the file
       text.resize(at);
       break;
-    case 5: // another number
+    case 5: // replace a number
     {
       const std::size_t begin = text.find_first_of("0123456789", at);
       if (begin != std::string::npos)
         text.replace(begin, text.find_first_not_of("0123456789.e-", begin) - begin, word());
       break;
     }
-    case 6: // a line removed or doubled
+    case 6: // remove or double a line
     {
       const std::size_t end = text.find('\n', at),
                         next = end == std::string::npos ? end : text.find('\n', end + 1);
@@ -99,7 +99,7 @@ private:
         below(2) == 0 ? text.erase(end, next - end) : text.insert(end, text.substr(end, next - end));
       break;
     }
-    default: // a part repeated many times
+    default: // insert a part many times
     {
       const std::string part = below(2) == 0 ? word() : text.substr(at, std::min<std::size_t>(n, 20));
       for (std::size_t i = below(3000); i > 0 && text.size() < 300000; --i)
@@ -111,7 +111,7 @@ private:
   std::mt19937 random;
 };
 
-/// A reader, its seed files, and the number of trials.
+/// Reader with its seed files and the number of trials.
 struct FuzzedReader
 {
   std::string name, extension;

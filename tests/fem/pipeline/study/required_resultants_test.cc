@@ -30,7 +30,7 @@ TEST(RequiredResultants, FullClosureAddsTheMomentOfTheFriction)
   const Study study;
   const fem::Resultants load = study.required_resultants();
   EXPECT_DOUBLE_EQ(load.moment_x, -0.01225);
-  // The moment is -z_F mu N. The hand is z_F = 3 cm above the table.
+  // M_Ny = -z_F mu N with the hand z_F = 3 cm above the table.
   EXPECT_NEAR(load.moment_y, -0.03 * 0.3 * 2.943, ulps(4, load.moment_y));
 }
 
@@ -48,7 +48,7 @@ TEST(RequiredResultants, ReproduceTheGivenMomentRatioAndDirection)
   }
 }
 
-TEST(RequiredResultants, RefusalPrintsEnoughDigitsNextToTheLimit)
+TEST(RequiredResultants, MomentJustAboveTheTippingLimitIsPrintedWithEnoughDigits)
 {
   Study study;
   study.motion.closure = ring::Closure::paper;

@@ -1,4 +1,4 @@
-// Refusals of inconsistent and impossible values; settings of one entry that follow from another entry
+// Refusals of inconsistent and impossible values (StudyChecks), and choices that follow from other entries
 // (StudyChoices).
 #include "fem/pipeline/study/study_entries.h"
 #include "tests/fem/pipeline/mat_study.h"
@@ -16,7 +16,7 @@ using Settings = test::EntryTexts;
 
 TEST(StudyChecks, IgnoreTheFootIfNoContactIsSolved)
 {
-  // A ring of 65 mm is larger than the default foot of 34 mm.
+  // The ring radius 65 mm exceeds the default foot radius 34 mm.
   const Settings ring = { { "Glass/Contact radius", "65 mm" } };
   EXPECT_THAT(refusal_of(ring), testing::HasSubstr("Glass/Foot radius"));
   Settings paper = ring;
@@ -26,8 +26,7 @@ TEST(StudyChecks, IgnoreTheFootIfNoContactIsSolved)
   EXPECT_NE(refusal_of(paper), "");
 }
 
-/// Settings, and the entry with value that the refusal names first; an empty text if the settings are
-/// allowed.
+/// Settings, and the beginning of their refusal ("entry = value"); empty if the settings are allowed.
 struct Check
 {
   Settings settings;
@@ -50,7 +49,7 @@ TEST(StudyChecks, RefuseInconsistentValues)
     { { elastic, { "Table/Disc thickness", "50" } }, "Table/Disc thickness = 50 m" },
     { { { "Table/Disc radius", "150" } }, "" },
     { { { "Load/Source", "first harmonic" }, { "Glass/Stem height", "10" } }, "" },
-    // Thin layers and large discs are allowed as long as they are computable.
+    // Thin layers and large discs are allowed within the range that can be computed.
     { { elastic, { "Table/Disc thickness", "5e-5" } }, "" },
     { { elastic, { "Table/Disc radius", "3" }, { "Table/Disc thickness", "3" } }, "" },
     { { elastic, { "Table/Disc thickness", "20 um" } }, "Table/Disc thickness = 2e-5 m" },
@@ -63,7 +62,7 @@ TEST(StudyChecks, RefuseInconsistentValues)
     { { solid, { "Table/Interface", "rough" } }, "" },
     { { solid, { "Load/Coupling", "two-way" } }, "" },
     { { solid, elastic }, "Table/Substrate = elastic" },
-    // More load harmonics need more lines.
+    // The 128 azimuth lines resolve at most 63 load harmonics.
     { { { "Contact/Load harmonics", "63" } }, "" },
     { { { "Contact/Load harmonics", "64" } }, "Contact/Load harmonics = 64" },
     { { { "Load/Source", "file" }, { "Load/File", "a.dat" }, { "Load/Moment ratio", "0.5" } },
@@ -100,7 +99,7 @@ TEST(StudyChecks, RefuseAGoalIfTheErrorCannotBeEstimated)
   }
 }
 
-TEST(StudyChoices, AGivenMomentExcludesBalanceAndTilt)
+TEST(StudyChoices, AGivenMomentDisablesBalanceAndTilt)
 {
   Study study;
   EXPECT_TRUE(study.load.is_in_balance());
@@ -120,7 +119,7 @@ TEST(StudyChoices, TiltRequiresTheFullClosureAndAContact)
   EXPECT_FALSE(tilts({ { "Load/Source", "first harmonic" } }));
 }
 
-TEST(StudyChecks, LibraryMessagesNameEntries)
+TEST(StudyChecks, MessagesOfTheLibraryAreCompletedWithEntryNames)
 {
   EXPECT_EQ(with_entries("Foot radius = -1 m is no length; change the foot radius or the disc radius."),
             "Glass/Foot radius = -1 m is no length; change the Glass/Foot radius or the Table/Disc radius.");

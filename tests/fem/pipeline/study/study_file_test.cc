@@ -33,7 +33,7 @@ TEST(StudyFile, WrittenStudyIsReadIdentically)
   EXPECT_EQ(study_as_json(study)["Load"]["Source"], "first harmonic");
 }
 
-TEST(StudyFile, CommentedDefaultsAreAStudyOfDefaults)
+TEST(StudyFile, CommentedDefaultsAreReadAsTheDefaultStudy)
 {
   const ScratchFolder scratch;
   const Study study = read_study(scratch.write("defaults.prm", commented_defaults()));
@@ -57,7 +57,8 @@ TEST(StudyFile, HandHeightIsKeptUnlessTheForceOffsetIsGiven)
   EXPECT_EQ(hand_of("", { centre }), std::pair(0.03, 0.03 - 0.25));
   EXPECT_EQ(hand_of(offset, { centre }), std::pair(0.1875, -0.0625));
   EXPECT_EQ(hand_of("", { "Motion/Force offset=-0.0625", centre }), std::pair(0.1875, -0.0625));
-  // A file with all entries states both offset and height. The height of the hand is unchanged.
+  // A file with all entries contains both force offset and hand height. If the centre of mass changes, the
+  // hand height is kept.
   const std::string all = scratch.write("all.prm", study_as_prm(read_study(offset, { centre })));
   EXPECT_EQ(hand_of(all, {}), std::pair(0.1875, -0.0625));
   EXPECT_EQ(hand_of(all, { "Motion/Centre of mass height=0.5" }), std::pair(0.1875, -0.3125));
@@ -102,7 +103,7 @@ TEST(StudyFile, PathsAreRelativeToTheStudyFile)
   // On the command line, paths are relative to the working directory.
   EXPECT_EQ(read_study(file, { "Contact/Mesh file=" + mesh }).contact.mesh_file, mesh);
   EXPECT_NE(study_refusal(file, { "Contact/Mesh file=../meshes/foot.msh" }), "");
-  // An entry is a path if and only if its name ends in "file".
+  // An entry is a path if and only if its name ends in "file" or "File".
   Study any;
   for (const StudyEntry &entry : study_entries(any))
     EXPECT_EQ(entry.name.rfind("ile") + 3 == entry.name.size(), entry.path_value != nullptr) << entry.path();

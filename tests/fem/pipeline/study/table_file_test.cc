@@ -1,4 +1,4 @@
-// Text tables of spreadsheets, phones and instruments.
+// Text tables as written by spreadsheets, phones and instruments.
 #include "fem/pipeline/study/table_file.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
@@ -12,7 +12,7 @@ namespace
 
 using Cells = std::vector<std::string>;
 
-TEST(TableFile, TakesTheSeparatorOfTheFirstRow)
+TEST(TableFile, DetectsTheSeparatorInTheFirstRow)
 {
   for (const std::string text :
        { "a,b c\n1,2.5\n", "a;b c\r\n1;2,5\r\n", "a\tb c\n1\t2,5", "# by hand\n\n a , b c \n1 ,2.5\n" })

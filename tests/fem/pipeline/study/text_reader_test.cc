@@ -1,5 +1,5 @@
-// Text files from other programs and editors: byte order marks, broken and deeply nested JSON, impossible
-// numbers. Each file is read, or refused in one sentence with the position of the error.
+// Text files with byte order marks, broken or deeply nested JSON, and impossible numbers are read, or refused
+// in one sentence with the position of the error.
 #include "fem/pipeline/base/json_text.h"
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
@@ -73,7 +73,7 @@ TEST(TextReader, RefusesDeeplyNestedJson)
   expect_refused_study(repeated("{\"a\":", 100000), ".json", "nested more than 100");
   EXPECT_EQ(
     parse_json("text", "{\"a\": \"" + repeated("[", 1000) + "\\\"[\"}")["a"].get<std::string>().size(),
-    1002u); // except within strings
+    1002u); // brackets within strings do not count
 }
 
 TEST(TextReader, RefusesImpossibleNumbers)
