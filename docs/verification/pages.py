@@ -18,10 +18,10 @@ kinds = {
     "closed form": "a formula evaluated by the test, or an identity (a derivative against differences); no code of Stemware",
     "published": "numbers of a publication; no code of Stemware",
     "other code": "another program, CalculiX or numpy and scipy; no code of Stemware. A program named with its path prints its numbers again; "
-                  "of the others only the numbers are kept",
+                  "of the other programs only the numbers are kept",
     "plain quadrature": "the definition, integrated numerically; no code of Stemware",
     "other body": "Stemware's other body: the elasticity shares no code; contact driver, interface laws and extraction of the load are the same code, "
-                  "so an error in these would not be found",
+                  "so the comparison would not find an error in this code",
 }
 
 
@@ -80,11 +80,11 @@ def index(claims):
     run, tested = [c for c in claims if c.get("cases")], [c for c in claims if not c.get("cases")]
     n_checks = sum(len(case["checks"]) for c in run for case in c["cases"])
     lines = ["# What are Stemware's numbers checked against?", "",
-             f"Each of the {len(claims)} claims below has a reference of one of [five kinds](#kinds-of-references), by the code that it shares with Stemware. "
+             f"Each of the {len(claims)} claims below has one or more references. [Five kinds](#kinds-of-references) of references differ in the code that they share with Stemware. "
              f"{len(run)} claims are studies with {n_checks} numbers that you can run yourself:", "",
              "    python3 /usr/share/stemware/verification/verify.py --quick", "",
              "The script prints each number, its reference, the accepted difference and `pass` or `FAIL`. "
-             "`--quick` leaves out the claims without a mark; without it all studies run. "
+             "With `--quick` only the studies marked in the column *quick* run, otherwise all. "
              "Studies, references (`claims.json`) and script are in `share/stemware/verification`.", "",
              "| claim | kind of reference | numbers | quick |", "|---|---|---|---|"]
     for c in run:
