@@ -88,8 +88,8 @@ Study study_on(const Surface &surface)
 
 TEST_P(BalanceOnTables, TorqueAtRestIsMuTimesTheMoment)
 {
-  // Friction torque at rest tau_z(0) = mu M_Nx with the contact moment M_N = -dz k x F + z_CM k x T + N z_CM
-  // (-q2, q1).
+  // Friction torque at rest: tau_z(0) = mu M_Nx.
+  // Contact moment: M_N = -dz k x F + z_CM k x T + N z_CM (-q2, q1), with the tilt (q1, q2).
   for (const bool tilt : { true, false })
   {
     Study study = study_on(GetParam());
@@ -123,8 +123,8 @@ double coefficient_at(const ring::Motion &motion, double slip_speed)
          motion.viscous_friction * slip_speed;
 }
 
-/// Checks the energy balance without tilt: work of the hand int -T_x v dt = I omega^2 / 2 + int int mu p
-/// |v_slip| dA dt. Friction is summed over the contact points, the time integrals by Gauss quadrature.
+/// Checks the energy balance without tilt: the work of the hand, int -T_x v dt, equals
+/// I omega^2 / 2 + int int mu p |v_slip| dA dt. Area integral: sum over the contact points. Time: Gauss rule.
 void expect_energy_balance(Study study)
 {
   study.motion.tilt = false;

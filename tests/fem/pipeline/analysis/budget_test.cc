@@ -86,8 +86,8 @@ TEST(Budget, RelativeEffectsRequireANonzeroSpin)
   const HarmonicEffect of_rounding = harmonic_effect(0.9e-9 * unit, 1e-12, unit);
   EXPECT_TRUE(of_rounding.absolute);
   EXPECT_FALSE(of_rounding.relative);
-  // A difference within rounding counts as zero. If the glass rests or turns in the opposite direction, the
-  // relative effect is undefined.
+  // Values below 1e-9 `unit` are rounding: a difference counts as zero. If the glass rests or turns in the
+  // opposite direction, the relative effect is undefined.
   EXPECT_EQ(relative_to(-3.5, 0.9e-9 * unit, unit), 0.);
   EXPECT_FALSE(harmonic_effect(-10.55, 0.9e-9 * unit, unit).relative);
   EXPECT_NEAR(*harmonic_effect(-10.55, 0.9e-9 * unit, unit).absolute, 10.55, 1e-7);
@@ -355,7 +355,7 @@ TEST(Budget, MarksRowsWithTensileLoads)
   }
   EXPECT_EQ(budget.rows.front().status, ring::Status::full_contact);
   EXPECT_EQ(budget.rows.back().status, ring::Status::lift_off);
-  // The load of a file equals its Fourier series, so a negative series means tension.
+  // A load file contains a Fourier series. If the series is negative somewhere, the load is tensile.
   EXPECT_EQ(budget_of(study_of_given_load(), { { 0.47, 0, 0.5 }, { 0, -0.3, 0 }, 0.03 }).rows.back().status,
             ring::Status::formal);
 }

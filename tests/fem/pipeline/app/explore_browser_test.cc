@@ -86,8 +86,8 @@ TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgram)
     EXPECT_TRUE(found[width]["errors"].empty()) << found[width]["errors"];
     EXPECT_EQ(found[width]["serious"], nlohmann::json::array()) << found[width]["serious"].dump(1);
     EXPECT_LE(found[width]["width"].get<int>(), std::stoi(width)) << "the page has to be scrolled sideways";
-    // At rest, a ring tips at |M_N| = N R, i.e. (h - 0.1 m)^2 k^2 + h^2 mu^2 = R^2. For k = v^2 / (rho g) =
-    // 0.0425 and mu = 0.2, the hand height is h = 0.15 m.
+    // At rest, a ring tips at |M_N| = N R, i.e. at the hand height h with (h - 0.1 m)^2 k^2 + h^2 mu^2 = R^2.
+    // For k = v^2 / (rho g) = 0.0425 and mu = 0.2: h = 0.15 m.
     EXPECT_THAT(found[width]["waits"].get<std::string>(), testing::HasSubstr("with the hand at about 150"));
     EXPECT_THAT(found[width]["waits"].get<std::string>(), testing::HasSubstr("Solving …"));
     EXPECT_NE(found[width]["text"].get<std::string>().find("rad/s"), std::string::npos);

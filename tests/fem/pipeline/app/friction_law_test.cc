@@ -88,8 +88,8 @@ TEST(FrictionLawStudy, ViscousFrictionAgreesWithTheClosedForm)
   double omega = 0;
   for (unsigned int i = 0; i < 200; ++i)
   {
-    // Balance: M_x = M - h T_y, M_y = h T_x, T_x = -(v N - omega M_x), T_y = omega M_y, omega = v M_x / (N
-    // R^2).
+    // Balance for c = 1 s/m: M_x = M - h T_y, M_y = h T_x, T_x = -(v N - omega M_x), T_y = omega M_y,
+    // omega = v M_x / (N R^2).
     const double a = h * omega, moment_x = (moment + a * h * v * N) / (1 + a * a);
     omega = v * moment_x / (N * R * R);
   }

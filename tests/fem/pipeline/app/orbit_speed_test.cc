@@ -63,8 +63,8 @@ std::vector<double> ramp_by_hand(double v0, double a, double end)
     // Moment balance M_N = -offset m k x acceleration + h k x T with pi R (b_1, -a_1) = M_N.
     const double ax = a, ay = v * v / 0.15;
     const double mx = offset * m * ay, my = -offset * m * ax, p = ring::pi * R;
-    // Linear system with u = unit: a_1 (p + h u_1x) + b_1 h u_2x = -my - h a0 u_0x, a_1 h u_1y + b_1 (p + h
-    // u_2y) = mx - h a0 u_0y.
+    // Linear system with u = unit:
+    // a_1 (p + h u_1x) + b_1 h u_2x = -my - h a0 u_0x,  a_1 h u_1y + b_1 (p + h u_2y) = mx - h a0 u_0y.
     const double c11 = p + h * unit[1][0], c12 = h * unit[2][0], c21 = h * unit[1][1],
                  c22 = p + h * unit[2][1];
     const double r1 = -my - h * a0 * unit[0][0], r2 = mx - h * a0 * unit[0][1];
@@ -169,8 +169,7 @@ TEST(OrbitSpeed, BreakawayForceIsTheStaticFriction)
   const std::vector<std::string> command = { "run", "--set", "Motion/Orbit speed file=v.csv" };
   const auto breakaway = [&](const std::vector<std::string> &settings)
   { return solved(scratch, command, settings)["ring"]["driven"]["breakaway"]; };
-  // The hand exerts the force mu N at the height h = 3 cm, so the moment is mu N h and the moment ratio 2 mu
-  // h / R = 2 mu.
+  // The hand exerts the force mu N at the height h = R = 3 cm. Moment mu N h, moment ratio 2 mu h / R = 2 mu.
   const std::string ring = "Load/Source=first harmonic";
   for (const auto &[settings, mu] :
        { std::pair(std::vector<std::string>{ ring }, 0.3),
@@ -248,8 +247,8 @@ TEST(OrbitSpeed, RefusesWrongFilesInOneSentence)
   refused("t (s), v (m/s)\n0, 0.2\n0, 0.5\n", "line 3");
   refused("t (s), v (m/s)\n0, 0.2\n2, -1\n", "greater than 0");
   refused("t (s), v (m/s)\n0, 0.2\n1, 0\n2, 0.3\n", "line 3");
-  // With the hand 5 cm below the centre of mass and closure `paper`, the glass tips at v^2 / (rho g) = 32 mm
-  // / 5 cm, v = 0.9704 m/s.
+  // With the hand 5 cm below the centre of mass and the closure `paper`, the glass tips at v = 0.9704 m/s,
+  // i.e. v^2 / (rho g) = 32 mm / 5 cm.
   refused("t (s), v (m/s)\n0, 0.2\n2, 1.2\n", "v = 0.97", { "Motion/Closure=paper" });
   refused("t (s), v (m/s)\n0, 0.2\n1, 0.5\n", "does not reach t = 2 s");
   refused(good, "Load/Coupling = two-way", { "Load/Moment ratio=0.3" });

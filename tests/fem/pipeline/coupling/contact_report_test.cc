@@ -92,7 +92,7 @@ TEST(ContactReport, MomentsBalanceAtEverySpin)
   {
     const verification::PlainGlass plain = plain_glass(glass, *glass.load.contact(omega), study, omega);
     EXPECT_NEAR(plain.moment.head<2>().norm(), 0, 1e-8 * weight * rim) << omega;
-    // The lean torque is about 2e-6 of the scale, so it is not rounding.
+    // The lean torque, about 2e-6 of the scale, is above the rounding.
     const double lean = plain.axial_torque - plain.friction_torque;
     EXPECT_GT(std::abs(lean), 1e-6 * scale) << omega;
     EXPECT_NEAR(glass.load.at(omega).lean_torque() / lean, 1, 1e-3) << omega;

@@ -61,8 +61,8 @@ void expect_all(const std::string &text, const std::vector<std::string> &numbers
 
 TEST(RunAnswer, ContainsTheNumbersOfTheAnalysis)
 {
-  // Expected: time of one turn 2 pi / |omega| = 1.93 s (paper: 2.09 s), largest budget step from -3 to -3.5
-  // rad/s.
+  // Expected: one turn in 2 pi / |omega| = 1.93 s (paper: 2.09 s).
+  // Largest step of the budget: from -3 to -3.5 rad/s.
   expect_all(SpunStudy().answer(), { " 1.93 s", " 2.09 s", "-3.250 rad/s (± 1.3e-03 rad/s by", "-3.000 rad/s",
                                      "0.05 more friction by +0.08 rad/s", "4.41 % slower", "+0.15 rad/s",
                                      "-0.5 rad/s (16.7 % faster)" });
@@ -96,7 +96,7 @@ TEST(RunAnswer, SentenceAndTableShowTheEffectAtAnySpeed)
     usual = effect.relative;
     const std::string sentence = harmonic_effect_sentence(study, effect);
     EXPECT_NE(sentence.find("% slower ("), std::string::npos) << sentence;
-    EXPECT_TRUE(study.is_spin(*effect.absolute)); // not rounding, so the table shows it
+    EXPECT_TRUE(study.is_spin(*effect.absolute)); // above rounding, so the table shows the effect
     EXPECT_TRUE(study.is_spin(value("omega_terminal")));
   }
   // If a change is below rounding, an upper bound replaces the percentage.

@@ -144,9 +144,9 @@ TEST(StudySize, EstimatesAMeshFileBeforeReadingIt)
 
 TEST(StudySize, MemoryAgreesWithMeasuredRuns)
 {
-  // Measured resident memory. `stemware truncate` of version 0.2: 189 MB (default), 454 MB (Refinements =
-  // 2), 411 MB (Azimuth lines = 4000). `stemware run --quick` of version 0.4: 858 MB (condensed solid with
-  // 38139 unknowns). The estimate must agree within a factor of two.
+  // The estimate must agree with the measured resident memory within a factor of two. Measured with
+  // `stemware truncate` of version 0.2 (body of revolution) and `stemware run --quick` of version 0.4
+  // (solid).
   const auto megabytes = [](const Settings &settings)
   { return size_of(test::mat_study_with(settings)).memory / 1e6; };
   for (const auto &[found, measured] :
