@@ -130,7 +130,7 @@ TEST(BadInput, RefusesSettingsInOneSentence)
          { { solid, "Contact/Mesh file=nothing.msh" }, "nothing.msh does not exist" },
          { { solid, "Contact/Mesh file=." }, "is not a file" } })
     EXPECT_THAT(study_refusal(study, settings), testing::HasSubstr(expected)) << settings.back();
-  // These settings are refused after the foot is meshed.
+  // These settings are accepted by read_study() and refused later in the run.
   for (const auto &[settings, expected] : std::vector<std::pair<std::vector<std::string>, std::string>>{
          { { "Load/Source=file", "Load/File=tipping.dat" }, "tips at 2" },
          { { "Contact/Azimuth lines=20" }, "lines" },
