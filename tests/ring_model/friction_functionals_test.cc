@@ -11,7 +11,7 @@ namespace stemware::ring
 {
 namespace
 {
-/// The load has three rings; the second ring has a negative load. At 15 rad/s the slip ratio is below one on
+/// Load of three rings; the second ring has a negative mean load. At 15 rad/s the slip ratio is below one on
 /// the two inner rings and above one on the outer ring.
 const RingStack load({ { 0.020, { 0.30, 0.05, -0.02, 0.01 }, { 0., 0.10, 0.03, -0.02 } },
                        { 0.022, { -0.10, 0.02, 0.01, 0.04 }, { 0., -0.06, 0.02, 0.03 } },

@@ -71,7 +71,7 @@ TEST(FrictionLaw, ConstantLawsUseTheKernels)
 
 TEST(FrictionLaw, ViscousFrictionIsLinearInTheSlip)
 {
-  // With mu = c |v_rel|, the force is -c int lambda v_rel, a polynomial in the coefficients of the load.
+  // With mu = c |v_rel|, the force is -c int lambda v_rel, linear in the coefficients of the load.
   const RingStack load = some_load();
   const double c = 0.4, omega = 9., speed = 0.35, R = load.radius();
   const Wrench found = friction_functionals(StribeckLaw({ 0., 0., 0.1, c, 2. }), load.radii(),

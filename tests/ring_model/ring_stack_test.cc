@@ -188,7 +188,7 @@ TEST(RingStack, RefusesBadInput)
   EXPECT_THROW(RingStack::first_harmonic(-1., { 0., 0. }, 0.03), std::invalid_argument);
 }
 
-// Reference: rotation of the load itself; definition of sums and multiples.
+// References: the rotated load, and the definition of sums and multiples.
 TEST(LoadFunctional, IsLinearAndRotatesWithTheLoad)
 {
   test::Numbers numbers(7);

@@ -79,8 +79,8 @@ TEST(SpinSearch, FindsTheFirstZeroOfRandomLoads)
 
 TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorque)
 {
-  // Closed form of the first harmonic: a_0 K_0(eps) + b_1(eps) K_1(eps) = tau_g sgn(omega) / (mu R), with b_1
-  // = k_0 for the moment balance `paper`. The zeros have 40 digits (mpmath, kernels by quadrature).
+  // Closed form of the first harmonic: a_0 K_0(eps) + b_1(eps) K_1(eps) = tau_g sgn(omega) / (mu R), with
+  // constant b_1 for the moment balance `paper`. The zeros have 40 digits (mpmath, kernels by quadrature).
   struct Row
   {
     Closure closure;
@@ -159,7 +159,7 @@ TEST(SpinSearch, StepsBackFromSpinsWithoutABalance)
 
 TEST(SpinSearch, FindsALossOfBalanceBeforeADistantZero)
 {
-  // No balance exists between 1 and 1.2 rad/s, and the zero is at 6 rad/s. In between, the torque rises, so
+  // No balance exists between 1 and 1.2 rad/s, and the zero is at 6 rad/s. The torque rises up to 3 rad/s, so
   // only the scan detects the gap.
   const auto torque = [](double omega)
   {

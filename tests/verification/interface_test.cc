@@ -86,8 +86,8 @@ TEST(YieldingTable, RigidFootAgreesWithPlainSums)
 
 // Dundurs: tangential tractions do not change the gap between two half-spaces of the same material. Tested
 // for a thick foot and a thick disc under azimuthal tractions, with a harmonic so high that the effect does
-// not reach the stem or the bottom of the disc. The remainder is the mesh error of the foot; it decreases
-// with refinement.
+// not reach the stem or the bottom of the disc. The remaining coupling is a mesh error of the foot, which
+// decreases with refinement.
 TEST(Friction, DoesNotCoupleEqualHalfSpaces)
 {
   const ElasticMaterial wood{ 10e9, 0.3 };

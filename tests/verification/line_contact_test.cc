@@ -1,6 +1,6 @@
 // Hard contact of a rigid crowned ring with a thick elastic disc, with and without lift-off. Reference: line
-// contact on a half-space whose width depends on the load, to leading order in width / radius, with all
-// harmonics that the lines resolve.
+// contact with load-dependent width on a half-space, to leading order in width / radius, with all harmonics
+// that the lines resolve.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/meshed_revolution_foot.h"

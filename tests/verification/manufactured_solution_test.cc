@@ -55,8 +55,8 @@ public:
   }
 };
 
-/// Returns the L2 error on a cube of n^3 cells. The inner vertices are moved at random, equally at every
-/// call.
+/// Returns the L2 error on a cube of n^3 cells. The inner vertices are moved at random, in the same way at
+/// every call.
 double l2_error(unsigned int degree, unsigned int n)
 {
   Triangulation<3> triangulation;

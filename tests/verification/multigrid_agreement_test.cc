@@ -58,8 +58,8 @@ TEST(MultigridAgreement, CrownedFeetAgreeWithTheBodyOfRevolution)
 
 TEST(MultigridAgreement, HangingNodesInTheContactReduceTheError)
 {
-  // The finer cells end inside and around the land. The foot has a fillet, so that errors at corners do not
-  // dominate.
+  // The refined cells end inside and around the land, so hanging nodes lie in the contact. The foot has a
+  // fillet, so that errors at corners do not dominate.
   const CrownedFoot foot(GlassShape::foot);
   const double uniform = foot.error_of({ 24, 2, 1, 1 }), finer = foot.error_of({ 24, 2, 1, 1, 1 });
   EXPECT_LT(finer, uniform);

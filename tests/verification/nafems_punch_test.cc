@@ -226,8 +226,8 @@ ContactCompliance axisymmetric_compliance(const MeridianSpace &space)
 /// disc.
 struct PressedPunch
 {
-  /// @p smallest: cell length at the contact edge [m]. @p modulus: stiff spring that approximates the hard
-  /// interface [Pa/m].
+  /// Solves the contact. @p smallest: cell length at the contact edge [m]. @p modulus: stiff spring that
+  /// approximates the hard interface [Pa/m].
   explicit PressedPunch(double smallest, double modulus = 1e17)
   {
     const PunchParameters parameters;

@@ -76,7 +76,7 @@ const ContactSurface &annulus(PlaneLand &land, double inner, double outer, unsig
   return land.finished();
 }
 
-/// Contact and table motion of a rigid foot pressed on a mat.
+/// Contact extent and table motion of a rigid foot pressed on a mat.
 struct Pressed
 {
   ContactExtent extent;
@@ -93,7 +93,7 @@ Pressed pressed_at(const ContactSurface &surface, double normal_force, double x,
   return { mat->extent(solution), solution.motion };
 }
 
-/// Returns the contact under a force of 10 N at x = @p eccentricity [m], on a mat of 1e9 Pa/m.
+/// Returns the contact extent under a force of 10 N at x = @p eccentricity [m], on a mat of 1e9 Pa/m.
 ContactExtent pressed(const ContactSurface &surface, double eccentricity)
 {
   return pressed_at(surface, 10, eccentricity, 0, 1e9).extent;
@@ -338,7 +338,7 @@ TEST(ContactExtent, AgreesWithQuadratureUnderACrownedRim)
     {
       const ContactLoad load =
         extract_load(*mat, solve_contact(foot, *mat, load_at(row.m, direction), 0.03), 8);
-      // The spacing of the lines is 8e-3 of the rim.
+      // The spacing of the lines is 8e-3 of the circumference.
       EXPECT_NEAR(load.contact_fraction, row.share, 1e-3) << row.m;
       EXPECT_EQ(load.azimuth_fraction, load.contact_fraction);
       EXPECT_NEAR(load.peak_pressure / row.pressure, 1, 1e-4) << row.m;

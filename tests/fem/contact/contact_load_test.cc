@@ -14,8 +14,8 @@ namespace
 {
 using stemware::ring::pi;
 
-/// Returns lambda(theta) = 0.5 + 0.3 cos + 0.1 sin + 0.05 cos 2 - 0.02 sin 3, sampled as @p n forces on a
-/// circle.
+/// Returns lambda(theta) = 0.5 + 0.3 cos(theta) + 0.1 sin(theta) + 0.05 cos(2 theta) - 0.02 sin(3 theta),
+/// sampled as @p n forces on a circle.
 std::vector<PointForce> ring_of_forces(unsigned int n, double radius)
 {
   std::vector<PointForce> forces;
@@ -141,8 +141,8 @@ TEST(ContactLoad, RingsPreserveRadialMomentsAtEveryHarmonic)
 
 TEST(ContactLoad, MinimumIsFoundBetweenTheLines)
 {
-  // 0.5 + 0.45 cos(theta - phase) has the minimum 0.05. The lowest line is up to 2e-3 above this minimum; a
-  // parabola through three lines misses it by 1e-5.
+  // 0.5 + 0.45 cos(theta - phase) has the minimum 0.05. The lowest sample is up to 2e-3 above this minimum; a
+  // parabola through three samples misses the minimum by 1e-5.
   for (const unsigned int n : { 32u, 33u })
     for (const double phase : { 0., 0.1, 0.3, 0.5, 0.9 })
     {

@@ -65,7 +65,8 @@ TEST(Derivatives, StiffnessIsTheDerivativeOfThePressure)
     const double pressure = law.pressure(depth);
     EXPECT_NEAR(law.pressure_and_stiffness(depth).first / pressure, 1, stemware::ulps(5, 1));
     EXPECT_NEAR(law.pressure_and_stiffness(depth).second / law.stiffness(depth), 1, stemware::ulps(5, 1));
-    // penetration_at() is the inverse function, and 1 / stiffness_at() is the derivative of this inverse.
+    // penetration_at() is the inverse of pressure(), and 1 / stiffness_at() is the derivative of this
+    // inverse.
     EXPECT_NEAR(law.penetration_at(pressure), depth, 1e-14);
     EXPECT_TRUE(is_derivative([&](double h) { return law.penetration_at(pressure * (1 + h)); },
                               pressure / law.stiffness_at(pressure), 0.05));
@@ -139,7 +140,7 @@ TEST(Derivatives, BorderIsTheDerivativeOfTheConditions)
 }
 
 // Reference: moment balance of the rings with their friction and the tilt moment. This balance is linear in
-// forces and motion, so the conditions equal it for any state.
+// forces and motion, so the conditions equal the balance for any state.
 TEST(Derivatives, ConditionsEqualTheMomentBalance)
 {
   const LeaningRim rim;

@@ -82,7 +82,7 @@ TEST(Footprint, ContainsNinetyNinePercentOfTheLoadIfThePressureHasNoEdge)
 }
 
 /// The pressure is 60 kPa on the outer half of the land over half the rim, with a single loaded point at the
-/// end of the land. Zero must not be divided by zero.
+/// end of the land. The mean must not become 0 / 0.
 TEST(Footprint, MeanIsFiniteIfASingleEndPointIsLoaded)
 {
   PressureMap footprint;
@@ -117,7 +117,7 @@ TEST(PressureProfile, FollowsFromTheMomentsOfALine)
   const double middle = 0.03, half_width = 2e-6, peak = 14e6, azimuth_width = 0.1;
   for (const double exponent : { 0.5, 0.8, 1. })
   {
-    // The surface has many short lines along x, because few points integrate each line.
+    // The surface has many short lines along x, because each line is integrated with few points.
     ContactSurface surface;
     surface.lines_are_radial = true;
     std::vector<Eigen::Vector3d> depths;

@@ -72,7 +72,7 @@ TEST(StepLength, DampsDivergingNewtonSteps)
     { shortest_step = std::min(shortest_step, iteration.step_length); };
     const ContactSolution solution = solve_contact(rigid, *law, conditions, 0.03, control, &start);
     EXPECT_LT(plain.residual(solution.forces, solution.motion).norm(), 1e-10 * weight);
-    // The pressure equals the mean N / area at zero penetration.
+    // At zero penetration, the pressure equals N / area, so the solution has nearly zero penetration.
     EXPECT_LT(solution.normal_displacement.cwiseAbs().maxCoeff(), width);
     EXPECT_LT(shortest_step, 0.5);
     EXPECT_LE(solution.n_iterations, 12u);

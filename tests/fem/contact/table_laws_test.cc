@@ -1,5 +1,5 @@
-// Interface laws under a rigid narrow ring. Its load has a closed form (rough interface: modified Bessel
-// functions; mat: contact angle).
+// Interface laws under a rigid narrow ring. The load of the ring has a closed form (rough interface: modified
+// Bessel functions; mat: contact angle).
 #include "fem/contact/rigid_foot.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/contact/sliding_traction.h"
@@ -58,7 +58,8 @@ double invert(const Function &value, double target, double low, double high)
 
 TEST(RoughInterface, GivesBesselHarmonicsUnderARigidRing)
 {
-  // The load is exp(x cos theta), so a_n / a_0 = 2 I_n(x) / I_0(x) for any pressure scale and decay length.
+  // The load is proportional to exp(x cos theta), so a_n / a_0 = 2 I_n(x) / I_0(x) for any pressure scale and
+  // decay length.
   RigidRing ring(thin_ring(0), 256);
   for (const RoughInterface &interface : { RoughInterface(1e9, 1e-6), RoughInterface(1e12, 1e-7) })
     for (const double m : { 0.2, 0.8, 1.5 })
@@ -110,7 +111,7 @@ TEST(RigidLimit, AgreesWithTheClosedFormOfACrownedRingOnAMat)
   }
 }
 
-// Reference: components of the relative velocity at the point.
+// Reference: components of the relative velocity at the contact point.
 TEST(SlidingTraction, OpposesTheSlipInRotatedAxes)
 {
   const double mu = 0.3, spin = -40., radius = 0.03;

@@ -146,7 +146,7 @@ TEST(GlassProfile, RefusalsNameTheQuantity)
   short_stem.stem_height = 0.004;
   EXPECT_NE(refusal(short_stem), "");
   GlassProfile pierced =
-    foot_profile(); // a dome under a stem so wide that the top is lower at the stem's surface
+    foot_profile(); // the dome under a wide stem is higher than the top at the stem's surface
   pierced.stem_radius = 0.015;
   pierced.underside_rise = 0.02;
   EXPECT_EQ(refusal(pierced).rfind("Underside rise = ", 0), 0u) << refusal(pierced);

@@ -211,8 +211,8 @@ TEST(DrawnProfile, SectionOfASolidMeshHasItsFullArea)
 
 TEST(DrawnProfile, LandIsFlattenedWithASmoothTransition)
 {
-  // Rim with a radius of 3 mm at r = 30 mm. At the borders of a land of 1 mm, it is 0.0417 mm above its
-  // lowest point.
+  // Rim with a radius of 3 mm at r = 30 mm. At the borders of a land of 1 mm, the underside is 0.0417 mm
+  // above the lowest point.
   std::vector<std::pair<double, double>> points = { { 0, 3 }, { 20, 3 } };
   for (int i = -10; i <= 10; ++i)
     points.emplace_back(30 + 0.2 * i, 3 - std::sqrt(9 - 0.04 * i * i));

@@ -19,7 +19,7 @@ using Polyline = std::vector<SectionVertex>;
 /// n_land points are on the land of width @p land; more points follow on both sides.
 Polyline rounded_rim(double land, unsigned int n_land, double crown)
 {
-  constexpr double arc = 1.1e-3, step = 2e-4; // half-width of the arc, spacing of the points on the flanks
+  constexpr double arc = 1.1e-3, step = 2e-4; // half-width of the arc, spacing of points on the flanks [m]
   const auto height = [=](double offset)
   {
     const double x = std::min(std::abs(offset), arc), lift = std::sqrt(crown * crown - x * x);
@@ -53,7 +53,7 @@ Polyline scattered(Polyline polyline, double radial, double vertical, unsigned i
   return polyline;
 }
 
-/// Returns six exact points of a circle between two other points.
+/// Returns six exact points of a circle, and one point off the circle on each side.
 Polyline arc_of_six_points()
 {
   Polyline polyline = { { 0, 0.503, 1 } };

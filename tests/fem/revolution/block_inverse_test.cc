@@ -40,7 +40,7 @@ Eigen::VectorXd entries_of(const LowerTriangle &lower)
   return Eigen::Map<const Eigen::VectorXd>(lower.valuePtr(), lower.nonZeros());
 }
 
-/// Returns columns of the inverse of the membrane, computed by Eigen.
+/// Returns columns of the inverse of @p lower, computed by Eigen.
 Eigen::MatrixXd columns_of_inverse(const LowerTriangle &lower, const std::vector<unsigned int> &columns)
 {
   Eigen::MatrixXd units = Eigen::MatrixXd::Zero(lower.rows(), static_cast<Eigen::Index>(columns.size()));

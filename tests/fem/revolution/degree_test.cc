@@ -16,7 +16,7 @@ namespace
 class EveryDegree : public testing::TestWithParam<unsigned int>
 {
 protected:
-  /// Returns the compliance of few harmonics, for tests that do not depend on elasticity.
+  /// Returns the compliance for harmonics 0 and 1 only, for tests that do not depend on elasticity.
   ContactCompliance compliance(const GlassProfile &profile, const MeridianResolution &resolution) const
   {
     return foot_compliance(profile, resolution, { GetParam(), 1 });

@@ -74,7 +74,7 @@ Estimated estimated(const SolidMesh &mesh, const GlassProfile &profile, unsigned
   setup.friction_coefficient = friction;
   SolidFoot foot(mesh, setup);
   const ContactState state = foot.solve(demand_of(1.2), { 10, {} });
-  // A solve in between must not change the estimate of an earlier state.
+  // Another solve must not change the estimate of an earlier state.
   if (degree == 1)
     foot.solve(demand_of(0.5));
   const ContactGoal goal = second_harmonic();
