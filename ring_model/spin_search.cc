@@ -412,7 +412,7 @@ std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const To
 {
   constexpr unsigned int max_steps = 8;
   constexpr double nearly = 1e-7;    // maximum relative distance of two spins with the same load
-  constexpr double of_another = 0.1; // relative error of the slope of a similar torque
+  constexpr double of_another = 0.1; // assumed relative error of `known.slope`
   const double grip = std::copysign(search.grip_torque, known.omega);
   const double scale = std::max(std::abs(known.omega), least_size * search.spin_scale);
   double spin = known.omega, slope = known.slope, slope_error = of_another;

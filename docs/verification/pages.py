@@ -56,7 +56,7 @@ def page(claim):
             settings = ""
     if drawing := figure(claim):
         lines += ["", f"![{drawing[0]}](figures/{claim['name']}.svg)"]
-    lines += ["", "Harmonics are over a₀; the others are [keys](../summary.md) in SI units.", "", "*Tolerance.* " + claim["why"], "",
+    lines += ["", "Harmonics are divided by a₀. The other quantities are [keys](../summary.md) of `summary.json`, in SI units.", "", "*Tolerance.* " + claim["why"], "",
               f"    python3 /usr/share/stemware/verification/verify.py {claim['name']}"]
     if claim.get("tests"):
         lines += ["", "Tests: " + ", ".join(f"`{test}`" for test in claim["tests"]) + "."]

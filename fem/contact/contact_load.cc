@@ -259,8 +259,8 @@ double least_load(const std::vector<AzimuthLoad> &pointwise)
 
 unsigned int n_line_parts(std::size_t n_rings)
 {
-  // Four Gauss points are exact up to degree 7. If the line is twice as long as the contact is wide, nine
-  // parts resolve the radial moment of order 12 to 1e-4 and the moment of order 24 to 1 %.
+  // Four Gauss points are exact up to degree 7. For 25 rings there are nine parts. On a line twice as long as
+  // the contact is wide, they resolve the radial moment of order 12 to 1e-4 and of order 24 to 1 %.
   constexpr std::size_t max_rings_of_four_points = 8;
   return n_rings <= max_rings_of_four_points ? 1 : static_cast<unsigned int>(n_rings / 3 + 1);
 }

@@ -251,8 +251,9 @@ void meet_corners(const GlassProfile &profile, double size, GridLines &radii)
   }
 }
 
-/// Returns the growth of the cell rows above the land. Without a focus, the lowest row ends at @p end (in the
-/// section's own coordinate). With a focus, the lowest row is as high as the coarse contact cells are wide.
+/// Returns the growth of the cell rows above the land, in the coordinate of @p end. Without a focus, the
+/// lowest row ends at @p end. With a focus, the lowest row is at most as high as the coarse contact cells are
+/// wide.
 Growth rows_of(const ContactCells &contact, const GlassProfile &profile, double end)
 {
   return { contact.has_focus ? end * std::min(1., contact.coarse_size / lowest_cell_height(profile)) : end };

@@ -93,7 +93,8 @@ std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyli
         right += weight * distance * derivative;
         sum_of_weights += weight, sum_of_squares += weight * distance * distance, ++n_points;
       }
-    // The step is damped, because points that enter the window move the window back.
+    // The step is damped against oscillation: the window of points is centred on the circle, so a step
+    // changes the fitted points.
     const Vector3d step = 0.7 * matrix.fullPivLu().solve(right);
     if (n_points < 3)
       break;

@@ -15,7 +15,8 @@ namespace stemware::fem
 namespace
 {
 
-/// Tolerance of a step: norm of the compliance outside the span of the functions, relative to the total.
+/// Tolerance of a Newton step: norm of the compliance outside the span of the polynomials in r, relative to
+/// the norm of the compliance.
 constexpr double step_accuracy = 1e-4;
 /// If a step needs at least this number of functions, an inexact step is accepted, provided that it reduces
 /// the error by slowest_contraction. Many functions are needed if the land is wide compared with the

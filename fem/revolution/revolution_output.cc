@@ -153,8 +153,8 @@ private:
     return numbers::invalid_unsigned_int;
   }
 
-  /// Returns the number of azimuths: at least four per wavelength of the highest harmonic, and a multiple of
-  /// the span.
+  /// Returns the number of azimuths: at least 48 and at least four per wavelength of the highest harmonic,
+  /// and a multiple of `span`, the intervals of an output cell.
   unsigned int n_azimuths() const { return std::max(4 * (field.n_modes() - 1) / 2, 48u) / span * span; }
 
   /// Returns the load [N] of a contact cell divided into @p n_pieces. The load is integrated by the

@@ -109,8 +109,8 @@ double crest_half_width(const RevolutionSetup &setup, double normal_force)
     second = boost::math::ellint_2(modulus);
     slenderness = std::sqrt((along / across * (first - second) + first) / second);
   }
-  // Hertzian half-width under a third of the normal force: the table motions keep at least three crests in
-  // contact.
+  // Hertzian half-width of one crest under a third of the normal force: at rest the foot stands on at least
+  // three crests.
   return std::cbrt(normal_force * second * setup.plane_strain_compliance() /
                    (ring::pi * slenderness * (1 / across + 1 / along)));
 }

@@ -223,7 +223,7 @@ void MeshHierarchy::prolongate(unsigned int l, LinearAlgebra::distributed::Vecto
   from.copy_locally_owned_data_from(coarse);
   cycle->transfer->prolongate(l, to, from);
   fine.copy_locally_owned_data_from(to);
-  cycle->levels[l]->constraints.set_zero(fine); // hanging nodes are interpolated from the other nodes
+  cycle->levels[l]->constraints.set_zero(fine); // distribute() interpolates hanging nodes later
 }
 
 template void MeshHierarchy::prolongate(unsigned int, FloatVector &, const FloatVector &) const;

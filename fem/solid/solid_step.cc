@@ -129,8 +129,8 @@ struct TangentPreconditioner
   void vmult(BodyVector &dst, const BodyVector &src) const { elastic.precondition(dst, src); }
 };
 
-/// Returns NewtonIncrement::stability_margin. @p resistance: net resistance against the motions. @p leaning:
-/// the part H of the weight.
+/// Returns NewtonIncrement::stability_margin. @p leaning: H, the moment of the weight per tilt. @p
+/// resistance: R - H, with the stiffness R of body and table against the table motions.
 double stability_margin_of(const Eigen::Matrix3d &resistance, const Eigen::Matrix3d &leaning)
 {
   return leaning.isZero(0) ? 1 : resistance.determinant() / (resistance + leaning).determinant();

@@ -78,7 +78,7 @@ std::vector<unsigned int> corner_cells(const std::vector<fem::SectionPolygon> &c
   return found;
 }
 
-/// Study with its mesh.
+/// Study with refined cells: refinements in `study`, further halvings in `mesh`.
 struct FineStudy
 {
   Study study;

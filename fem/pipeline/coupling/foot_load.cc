@@ -57,9 +57,9 @@ unsigned int harmonics_for(double eps)
   return std::max(least, static_cast<unsigned int>(std::ceil(std::log(1e-14) / std::log(fastest))));
 }
 
-/// Chooses the rings of @p foot from the contact @p at_rest: Chebyshev points of its loaded band of radii, as
-/// many as the slip ratio at the terminal spin of its load requires. Without a terminal spin, the number is
-/// Contact/Rings.
+/// Chooses the rings of @p foot: Chebyshev points of the band of radii loaded in @p at_rest. The number of
+/// rings follows from the slip ratio at the terminal spin of the load at rest. Without a terminal spin, the
+/// number is Contact/Rings.
 void choose_rings(const ContactSection &contact, const ring::Motion &motion, ElasticFoot &foot,
                   const fem::ContactState &at_rest)
 {

@@ -248,7 +248,7 @@ struct SolvedPair
   double fineness; ///< Discretisation::fineness
   PagedCompliance foot;
   std::optional<PagedCompliance> disc;
-  /// Compliances of an elastic table, by the radius of a similar foot [m].
+  /// Compliances of an elastic table under scaled feet (`similar_feet`), by contact radius [m].
   std::map<double, PagedCompliance> discs;
   std::optional<double> here; ///< terminal spin that an Explorer computes from these compliances [rad/s]
 };

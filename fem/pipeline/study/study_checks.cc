@@ -199,9 +199,10 @@ void require_hand_above_table(const std::vector<StudyEntry> &entries, const Moti
                 { text, to_short_text(-hand), to_text(centre), to_text(by_offset ? -centre : 0) }));
 }
 
-/// Returns the part of the moment required by the motion @p now that friction cannot reduce, divided by the
-/// maximum moment of a pressure on the land. If the ratio is 1 or more, the glass tips at every spin. If it
-/// is slightly smaller, contact solves are slow and fail before the glass tips.
+/// Returns a lower bound of the required moment, divided by the maximum moment of a pressure on the land. The
+/// bound is the moment without friction minus the maximum moment of friction. @p now: motion at one instant.
+/// If the ratio is 1 or more, the glass tips at every spin. If it is slightly smaller, contact solves are
+/// slow and fail before the glass tips.
 double certain_tipping_share(ring::Closure closure, const fem::GlassProfile &profile, const ring::Motion &now)
 {
   const double friction = now.has_constant_friction()

@@ -128,7 +128,7 @@ TEST(SolidFoot, AWrittenMeshGivesTheLoadOfTheGeneratedMesh)
       EXPECT_NEAR(load.b(n) / load.a(0), expected.b(n) / expected.a(0), tolerance) << n;
     }
   }
-  if (second_harmonics.size() == 2) // the file preserves the crown
+  if (second_harmonics.size() == 2) // on the first rank
   {
     EXPECT_GT(std::abs(second_harmonics[0] - second_harmonics[1]), 0.03);
   }

@@ -26,7 +26,7 @@ std::string wide_land(const std::string &moment_ratio)
          moment_ratio + "\nend\n";
 }
 
-TEST(Tipping, AFlatLandTipsAtItsOuterBorder)
+TEST(Tipping, LiftedFlatLandAgreesWithTheClosedForm)
 {
   const ScratchFolder scratch;
   scratch.write("wide.prm", wide_land("2.2"));

@@ -168,7 +168,7 @@ TEST(NumberFormat, ShowsADashForNonFiniteNumbers)
   EXPECT_EQ(to_short_text(-std::nan("")), "nan");
 }
 
-TEST(NumberFormat, FormatsDigits)
+TEST(NumberFormat, FollowsTheFormatSpecification)
 {
   EXPECT_EQ(format::number(-3.1290926, ".6g"), "-3.12909");
   EXPECT_EQ(format::number(-3.12, "#.6g"), "-3.12000");

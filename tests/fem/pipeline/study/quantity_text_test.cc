@@ -70,7 +70,7 @@ TEST(QuantityText, OtherUnitsAreExactWithinRounding)
   EXPECT_NEAR(*parse_quantity("360 deg/s", "rad/s"), 6.283185307179586, 1e-14);
 }
 
-TEST(QuantityText, RefusesOtherTexts)
+TEST(QuantityText, RefusesMalformedNumbersAndWrongUnits)
 {
   for (const char *text :
        { "",         " ",        "g",       "30 mm",   "300 gramm", "nan",    "inf g",  "-inf",
