@@ -7,6 +7,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <fmt/format.h>
 #include <map>
 #include <vector>
 

@@ -7,6 +7,7 @@
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace stemware::pipeline
 {
