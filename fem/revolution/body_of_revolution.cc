@@ -3,6 +3,8 @@
 #include "fem/contact/line_integral.h"
 #include "ring_model/load/lagrange.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 
