@@ -70,12 +70,12 @@ MeridianField MeshedRevolutionFoot::field(const ContactState &state) const
   const Zone &zone = zone_of(state);
   const ContactCompliance &part = zone.body.contact_compliance();
   const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
-  // Each harmonic costs one factorisation. The highest harmonics are omitted as long as their load is below
-  // 1e-4 of the mean load.
+  // Each harmonic costs one factorisation. The last one kept is next to the highest harmonic with 1e-4 of the
+  // mean load, because friction has the harmonics beside those of the load.
   const auto load = [&](Eigen::Index mode)
   { return std::abs(modes.normal.col(mode).sum()) / FourierBasis::norm(static_cast<unsigned int>(mode)); };
   Eigen::Index n_modes = modes.normal.cols();
-  while (n_modes > 3 && std::max(load(n_modes - 1), load(n_modes - 2)) < 1e-4 * load(0))
+  while (n_modes > 5 && std::max(load(n_modes - 3), load(n_modes - 4)) < 1e-4 * load(0))
     n_modes -= 2;
   const auto kept = [&](const Eigen::MatrixXd &forces) -> Eigen::MatrixXd
   { return part.extended_to_land(forces.leftCols(std::min(n_modes, forces.cols()))); };

@@ -293,8 +293,8 @@ private:
     Eigen::Matrix3d stress;
   };
 
-  /// Returns the elastic displacement and the stress in the slip frame, computed from cylindrical components.
-  /// The table motion is added to the displacement of the glass.
+  /// Returns the elastic displacement, the rigid motion of the glass and the stress in the slip frame,
+  /// computed from cylindrical components.
   PointFields in_slip_frame(const Point<2> &at, double azimuth, const Eigen::Matrix<double, 6, 1> &in_phase,
                             const Eigen::Vector3d &conjugate) const
   {
