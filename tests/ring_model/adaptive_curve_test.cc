@@ -1,4 +1,3 @@
-// Interpolation of loads as functions of the spin or of the moment ratio.
 #include "ring_model/spin/adaptive_curve.h"
 #include "ring_model/spin/load.h"
 #include "tests/ring_model/unilateral_rim.h"
@@ -16,14 +15,12 @@ namespace
 constexpr double weight = 2.943; // [N]
 constexpr double rim = 0.03;     // [m]
 
-/// Returns the load of the rim at @p moment_ratio.
 ring::RingStack rim_load(double moment_ratio)
 {
   return ring::test::UnilateralFoundation(rim, 1.5).rings(weight, { 0, -moment_ratio * weight * rim / 2 });
 }
 
-/// Moment ratio at the onset of lift-off for lambda ~ cos^3(theta / 2), from 2 int lambda cos theta / int
-/// lambda.
+/// Moment ratio at the onset of lift-off: 2 int lambda cos theta / int lambda for lambda ~ cos^3(theta / 2).
 constexpr double lift_off = 1.2;
 
 constexpr unsigned int n_harmonics = 24;
@@ -33,7 +30,6 @@ ring::CurveTolerance to(double wanted)
   return { wanted, wanted, wanted, 20, 1000 };
 }
 
-/// Returns the load of the rim as a function of the moment ratio. @p kinks: onset of lift-off, if known.
 ring::CurveSource rim_source(const std::vector<double> &kinks = {})
 {
   const auto load_of = [](const Eigen::VectorXd &row) { return ring::Sample::from_coefficients(row, 1); };
@@ -46,7 +42,7 @@ ring::CurveSource rim_source(const std::vector<double> &kinks = {})
 
 TEST(AdaptiveCurve, TrueErrorIsBoundedByTheStatedError)
 {
-  // Without a known kink, the true error may be up to three times the stated error.
+  // If the kink is not given, the true error may be up to three times the stated error.
   for (const bool is_known : { false, true })
     for (const double upper : { 1.1, 1.5 })
       for (const double tolerance : { 1e-4, 1e-7 })
@@ -80,7 +76,6 @@ TEST(AdaptiveCurve, ReportsAnErrorAboveTheToleranceIfSamplesRunOut)
   EXPECT_LT(curve.n_samples(), 100u);
 }
 
-/// Rigid round rim in balance, and its load as a function of the spin.
 struct Rim
 {
   ring::test::BalancedRim glass{ ring::Closure::full, ring::Motion(),
@@ -98,7 +93,6 @@ TEST(Load, InterpolatesWithinTheStatedError)
   EXPECT_LE(stated, 1e-6);
   for (double omega = -3.97; omega < 0.5; omega += 0.13)
     EXPECT_LE(curve.at(omega).difference(exact(omega)), stated) << omega;
-  // Outside the interpolated interval, the exact load is used.
   EXPECT_EQ(curve.at(2.5).difference(exact(2.5)), 0);
 }
 
@@ -113,7 +107,7 @@ TEST(Load, InterpolatesTheDifferenceToASimilarLoad)
     const ring::Sample load = exact(omega);
     const Eigen::VectorXd row = load.coefficients(load.n_harmonics());
     Eigen::VectorXd scaled = (1 + 1e-3 * omega / 4) * row;
-    scaled(2) = row(2); // the radius is unchanged
+    scaled(2) = row(2);
     return ring::Sample::from_coefficients(scaled, 1);
   };
   const ring::Load like = ring::Load::solved_once(exact, exact(0)).interpolated(-4, 0.5);

@@ -1,5 +1,4 @@
-// Answers of the ring model for loads given by C++ functions of the spin. Reference: closed form of the first
-// harmonic.
+// Loads given by C++ functions of the spin. Reference: closed form for a load of the first harmonic.
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/self_consistent_ring.h"
@@ -27,7 +26,6 @@ Motion paper_motion()
   return motion;
 }
 
-/// Returns the load of the paper's glass, in moment balance at every spin.
 Load balanced_load(const Motion &motion)
 {
   return Load([ring = SelfConsistentRing(Closure::full, motion, radius)](double omega) -> Sample
@@ -100,7 +98,7 @@ TEST(Answer, GivesTheTensileShareOfAPartlyNegativeLoad)
 }
 TEST(Answer, FindsAllTerminalSpinsWithTheirStability)
 {
-  // With Stribeck friction and a small moment, three terminal spins exist. Reference: sign of the torque by
+  // Stribeck friction and a small moment give three terminal spins. Reference: sign changes of the torque by
   // the trapezoidal rule.
   Motion motion;
   motion.force_offset = -0.01;

@@ -36,8 +36,8 @@ TEST(CoulombRing, AgreesWithReferenceWrenches)
 TEST(CoulombRing, AgreesWithQuadrature)
 {
   const RingStack load = reference_load();
-  // The convergence is geometric away from |eps| = 1 (number of points for 1e-15: docs/theory/kernels.md) and
-  // algebraic at |eps| = 1.
+  // The trapezoidal rule converges geometrically for |eps| != 1 (docs/theory/kernels.md) and algebraically
+  // for |eps| = 1.
   for (const auto &[eps, n_points, tolerance] : { std::tuple{ 0.1, 64u, 1e-15 },
                                                   { -0.5, 128u, 1e-15 },
                                                   { 0.9, 600u, 2e-15 },
@@ -96,7 +96,7 @@ TEST(CoulombRing, TruncationErrorStaysBelowTheBound)
       }
     }
   }
-  // For the single harmonic b_3, the bound is sharp.
+  // The bound is sharp for a load whose only harmonic is b_3.
   const RingStack single({ 1., 0., 0., 0. }, { 0., 0., 0., 0.2 }, 0.03);
   const double change =
     coulomb_wrench(0.3, single, 6., 0.35).torque - coulomb_wrench(0.3, single.truncated(2), 6., 0.35).torque;

@@ -21,7 +21,7 @@ const double speed = 0.35, mu = 0.3;
 
 TEST(FrictionFunctionals, AgreeWithQuadrature)
 {
-  // Reference: integrals by the trapezoidal rule, exact to rounding at these slip ratios.
+  // The trapezoidal rule is exact to rounding at these slip ratios.
   for (const double omega : { -15., -3., 0., 4., 15., 60. })
   {
     const FrictionFunctionals friction = friction_functionals(CoulombLaw(mu), radii, 3, omega, speed);

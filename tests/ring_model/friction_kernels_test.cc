@@ -18,16 +18,15 @@ namespace
 using Real =
   boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>;
 
-/// Computes P_n and K_n for n <= 64 by direct integration of their definitions with 50 digits. The panels are
-/// halved towards psi = 0 until they are shorter than the distance |1 - eps| of the singularity. No panel
-/// contains more than two periods of cos 64 psi.
+/// Computes P_n and K_n for n <= 64 from their integrals with 50 digits. The panels are halved towards psi =
+/// 0 until they are shorter than |1 - eps|, the distance of the singularity.
 class QuadratureOracle
 {
 public:
   explicit QuadratureOracle(double slip_ratio)
   {
     const Real eps(slip_ratio), pi = boost::math::constants::pi<Real>();
-    const bool at_pi = slip_ratio < 0.; // if eps is negative, the slip is smallest at psi = pi
+    const bool at_pi = slip_ratio < 0.; // the slip is smallest at psi = pi for eps < 0
     const double distance = std::abs(std::abs(slip_ratio) - 1.);
     std::vector<Real> edges;
     for (int i = 16; i >= 1; --i)
@@ -87,8 +86,8 @@ TEST(FrictionKernels, AgreeWithReferenceCases)
 
 TEST(FrictionKernels, AgreeWithFiftyDigitQuadrature)
 {
-  // The tolerance is relative to the kernel. U_n (for |eps| <= 1) and K_n (for |eps| > 1) change sign near
-  // |eps| = 1; there, |P_n| is added to the scale.
+  // U_n (for |eps| <= 1) and K_n (for |eps| > 1) change sign near |eps| = 1, so |P_n| is added to the scale
+  // of the tolerance.
   const double tolerance = 1.5e-14;
   std::vector<double> slip_ratios{ 0.1, 0.5, 0.75, 0.9, 1., -1., 2., 10., -0.97, -1.02 };
   for (const double distance : { 1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-3, 0.01, 0.018, 0.02, 0.04, 0.08 })
@@ -112,7 +111,7 @@ TEST(FrictionKernels, AgreeWithFiftyDigitQuadrature)
       {
         const double size = std::abs(static_cast<double>(expected)) + extra;
         const double error = std::abs(static_cast<double>(value - expected));
-        // The rounding error of the 50-digit integrals of order one is 1e-40.
+        // The absolute error of the 50-digit integrals is 1e-40.
         EXPECT_LE(error, tolerance * size + 1e-40)
           << name << n << "(" << ::testing::PrintToString(eps) << ")";
         if (size > 1e-20)

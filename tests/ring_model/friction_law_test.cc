@@ -18,7 +18,7 @@ RingStack some_load()
   return { { 0.5, 0.12, -0.07, 0.03, 0.02 }, { 0., -0.15, 0.05, -0.04, 0.01 }, 0.03 };
 }
 
-/// Constant law that is not recognised as constant, so that the quadrature is used.
+/// Constant law of a user-defined class, so that FrictionLaw uses quadrature and not the kernels.
 class DisguisedCoulombLaw : public FrictionLaw
 {
 public:
@@ -71,7 +71,8 @@ TEST(FrictionLaw, ConstantLawsUseTheKernels)
 
 TEST(FrictionLaw, ViscousFrictionIsLinearInTheSlip)
 {
-  // With mu = c |v_rel|, the force is -c int lambda v_rel, linear in the coefficients of the load.
+  // Closed form: for mu = c |v_rel| the friction -c int lambda v_rel is linear in the coefficients of the
+  // load.
   const RingStack load = some_load();
   const double c = 0.4, omega = 9., speed = 0.35, R = load.radius();
   const Wrench found = friction_functionals(StribeckLaw({ 0., 0., 0.1, c, 2. }), load.radii(),
@@ -90,7 +91,7 @@ TEST(FrictionLaw, StribeckCoefficientApproachesItsLimits)
   EXPECT_FALSE(law.is_constant());
 }
 
-// Cases: narrow and wide decay, slip ratios on both sides of 1, two rings.
+// Cases: narrow and wide decay, slip ratios on both sides of 1, and two rings.
 TEST(FrictionLaw, StribeckAgreesWithATrapezoidalSum)
 {
   const RingStack load({ { 0.028, { 0.2, 0.05, -0.03, 0.01, 0. }, { 0., -0.06, 0.02, 0.01, 0. } },
@@ -111,7 +112,7 @@ TEST(FrictionLaw, StribeckAgreesWithATrapezoidalSum)
   }
 }
 
-/// Returns int_0^s mu ds' in closed form, for a law with the exponent 1 or 2 [m/s].
+/// Returns int_0^s mu ds' [m/s] in closed form for s = @p slip_speed and the exponent 1 or 2 of @p law.
 double potential_of(const StribeckLaw::Parameters &law, double slip_speed)
 {
   const double x = slip_speed / law.decay_speed;
@@ -121,8 +122,8 @@ double potential_of(const StribeckLaw::Parameters &law, double slip_speed)
          law.viscous * slip_speed * slip_speed / 2.;
 }
 
-// Reference: closed form of the dissipation potential at a point, summed over the ring by the trapezoidal
-// rule. Friction is the negative gradient of the potential with respect to the velocity of the ring.
+// Friction is the negative gradient of the dissipation potential with respect to the velocity of the ring.
+// Reference: closed form of the potential at a point, summed over the ring by the trapezoidal rule.
 TEST(FrictionLaw, FrictionIsMinusTheDerivativeOfAPotential)
 {
   const RingStack load = some_load();
@@ -137,7 +138,7 @@ TEST(FrictionLaw, FrictionIsMinusTheDerivativeOfAPotential)
       const double speed = 0.35, omega = eps * speed / R;
       const Wrench friction =
         friction_functionals(StribeckLaw(law), load.radii(), load.n_harmonics(), omega, speed)(load);
-      // Random direction in the space of both velocity components and the rim speed.
+      // The vector (along, across, turning) is a random direction of (v_x, v_y, omega).
       const double along = numbers.between(-1., 1.), across = numbers.between(-1., 1.),
                    turning = numbers.between(-1., 1.) / R;
       const auto potential = [&](double h)

@@ -1,5 +1,5 @@
-// Moments of the liquid in the bowl. Reference: vertical columns of liquid on the bottom of the bowl. Weights
-// and moments of the columns are summed in three dimensions. No formula is shared with the code.
+// Moments of the liquid in the bowl. Reference: weights and moments of vertical columns of liquid, summed in
+// three dimensions.
 #include "ring_model/load/constants.h"
 #include "ring_model/moment_balance.h"
 #include "tests/ring_model/reference.h"
@@ -16,11 +16,11 @@ namespace
 {
 using Eigen::Vector3d;
 
-/// Returns the mass of the liquid below a plane of slope (s_x, s_y) [kg], and the moment sum r x f of the
+/// Returns the mass of @p liquid below a plane of slope (s_x, s_y) [kg], and the moment sum r x f of the
 /// forces f = mass * @p field at the centres of the columns [N m].
 std::pair<double, Vector3d> columns(const Liquid &liquid, const Eigen::Vector2d &slope, const Vector3d &field)
 {
-  // Quadrature by Gauss points along r and equal angles, exact for these polynomials in x and y.
+  // Gauss points along r and equal angles are exact for these polynomials in x and y.
   const double node = std::sqrt(0.6) / 2, points[3] = { 0.5 - node, 0.5, 0.5 + node },
                weights[3] = { 5. / 18, 8. / 18, 5. / 18 };
   constexpr unsigned int n_angles = 16;
@@ -63,7 +63,6 @@ TEST(Liquid, MomentAgreesWithASumOverColumns)
     motion.validate();
     const Eigen::Vector2d a = motion.acceleration(), friction(-0.7, 0.2);
     const Vector3d field(-a.x(), -a.y(), -motion.gravity);
-    // The liquid's surface is perpendicular to the sum of weight and inertia.
     const auto [liquid_mass, of_liquid] = columns(motion.liquid, -a / motion.gravity, field);
     expect_relative(liquid_mass, motion.liquid.mass, 1e-14, "mass");
     const Vector3d hand(liquid_mass * a.x() + motion.mass * a.x() - friction.x(),
@@ -74,7 +73,7 @@ TEST(Liquid, MomentAgreesWithASumOverColumns)
     const Eigen::Vector2d moment = required_moment(Closure::full, motion, friction);
     EXPECT_NEAR((moment + others.head<2>()).norm(), 0, ulps(500, others.norm())) << seed;
 
-    // The moment balance `hand` omits the moment of the friction about the common centre of mass.
+    // required_moment() of Closure::hand omits the moment of the friction about the common centre of mass.
     const double rise = Vector3d(columns(motion.liquid, -a / motion.gravity, { 1, 0, 0 }).second).y();
     const double centre = (rise + motion.mass * z) / (liquid_mass + motion.mass);
     const Eigen::Vector2d of_hand = required_moment(Closure::hand, motion, friction);
@@ -99,8 +98,8 @@ TEST(Liquid, ActsAtItsMetacentreOnALeaningGlass)
     Motion motion = filled(seed);
     motion.orbit_speed = 1e-6;
     motion.orbit_acceleration = 0;
-    // In the frame of the glass, gravity and the liquid's surface lean. The comparison is accurate to first
-    // order in the lean.
+    // In the frame of a leaning glass, gravity and the liquid's surface lean. The metacentre is accurate to
+    // first order in the lean.
     const double lean = 1e-5;
     const Vector3d field(motion.gravity * std::sin(lean), 0, -motion.gravity * std::cos(lean));
     const Vector3d moment = columns(motion.liquid, { std::tan(lean), 0 }, field).second +

@@ -90,7 +90,6 @@ TEST(Closures, ReversedOrbitIsTheMirrorImage)
 
 TEST(Closures, BalanceTheMomentsAboutTheCentreOfMass)
 {
-  // Reference: cross products of the forces with their heights, in three dimensions.
   Motion motion;
   motion.orbit_acceleration = 0.4;
   for (const OrbitSense sense : { OrbitSense::counterclockwise, OrbitSense::clockwise })

@@ -1,4 +1,3 @@
-// Table of the torque as a function of phase and spin. Reference: plain quadrature over the rim.
 #include "ring_model/load/constants.h"
 #include "ring_model/spin/curves.h"
 #include "ring_model/spin/phase_loads.h"
@@ -15,7 +14,7 @@ namespace
 
 using namespace stemware::ring;
 
-/// Returns a load of three harmonics. The second harmonic rotates with the table, the third with the glass.
+/// The second harmonic rotates with the table, the third with the glass.
 RingStack wavy_load(const Orientation &phase)
 {
   return RingStack({ 1., 0.2, 0.1 * std::cos(2. * phase.table), 0.05 * std::cos(3. * phase.glass) },
@@ -29,9 +28,8 @@ Load load_by_phase()
   return Load(std::make_shared<PhaseSampledLoad>(exact, periods, sample_phases(exact, periods, { 256 })));
 }
 
-/// Expects the torque, tabulated up to the spin @p last in steps of @p step, to agree with the trapezoidal
-/// rule at @p spins, each at another time and yaw angle. Spins are in units of v / R, @p tolerance in units
-/// of mu N R.
+/// Expects a torque tabulated up to @p last in steps of @p step to agree with the trapezoidal rule at @p
+/// spins. Spins are in units of v / R, @p tolerance in units of mu N R.
 void expect_torques(double last, double step, const std::vector<double> &spins, double tolerance)
 {
   const Load load = load_by_phase();

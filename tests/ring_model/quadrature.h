@@ -10,8 +10,8 @@
 
 namespace stemware::ring::test
 {
-/// Returns the mirror image of @p load about the direction of motion, lambda'(theta) = lambda(-theta): all
-/// b_n change sign.
+/// Returns the load lambda'(theta) = lambda(-theta), the mirror image of @p load about the direction of
+/// motion.
 inline RingStack mirrored(const RingStack &load)
 {
   std::vector<RingStack::Ring> reversed = load.rings();
@@ -21,9 +21,8 @@ inline RingStack mirrored(const RingStack &load)
   return RingStack(std::move(reversed));
 }
 
-/// Returns the friction of a load with the coefficient @p coefficient(slip speed), by the periodic
-/// trapezoidal rule on @p n_points angles. It shares no code with kernels and functionals, and converges
-/// slowly near |eps| = 1. Points without slip have no friction.
+/// Returns the friction of @p load by the periodic trapezoidal rule on @p n_points angles, which converges
+/// slowly near |eps| = 1. @p coefficient: mu as a function of the slip speed [m/s].
 inline Wrench wrench_by_quadrature(const std::function<double(double)> &coefficient, const RingStack &load,
                                    double omega, double speed, unsigned int n_points)
 {
@@ -33,7 +32,7 @@ inline Wrench wrench_by_quadrature(const std::function<double(double)> &coeffici
   {
     for (unsigned int i = 0; i < n_points; ++i)
     {
-      // Half a cell off psi = 0, where the slip vanishes at eps = 1.
+      // The points lie half a cell off psi = 0, where the slip vanishes for eps = 1.
       const double theta = pi / 2. + (i + 0.5) * width;
       double density = ring.a[0];
       for (unsigned int n = 1; n < ring.a.size(); ++n)
@@ -52,7 +51,6 @@ inline Wrench wrench_by_quadrature(const std::function<double(double)> &coeffici
   return sum;
 }
 
-/// Returns Coulomb friction with the coefficient @p mu, by the same rule.
 inline Wrench wrench_by_quadrature(double mu, const RingStack &load, double omega, double speed,
                                    unsigned int n_points)
 {

@@ -15,8 +15,7 @@
 
 namespace stemware::ring
 {
-/// Returns the reference numbers (ring_cases.json) with 20 digits, from ring_cases.py, which shares no code
-/// with this library.
+/// Returns ring_cases.json, 20-digit results of ring_cases.py, which shares no code with this library.
 inline const nlohmann::json &reference()
 {
   static const nlohmann::json cases = []
@@ -27,7 +26,6 @@ inline const nlohmann::json &reference()
   return cases;
 }
 
-/// Checks |actual - expected| <= tolerance * |expected|.
 inline void expect_relative(double actual, double expected, double tolerance, const std::string &what)
 {
   EXPECT_LE(std::abs(actual - expected), tolerance * std::abs(expected))
@@ -37,7 +35,6 @@ inline void expect_relative(double actual, double expected, double tolerance, co
 
 namespace test
 {
-/// Returns the terminal spin under the load of @p ring, to rounding [rad/s].
 template <typename Ring>
 TerminalSpin terminal_spin_of(const Ring &ring, const Motion &motion = {}, double radius = 0.03)
 {
@@ -61,7 +58,6 @@ public:
     return std::uniform_real_distribution<double>(lower, upper)(engine);
   }
 
-  /// Returns a compressive load with @p n_harmonics harmonics.
   RingStack nonnegative_load(unsigned int n_harmonics, double radius = 0.03)
   {
     std::vector<double> a{ 1. }, b{ 0. };

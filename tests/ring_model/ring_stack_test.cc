@@ -22,7 +22,7 @@ TEST(RingStack, ResultantsAgreeWithThePointwiseLoad)
 {
   test::Numbers numbers(1);
   const RingStack load = numbers.nonnegative_load(7, 0.04);
-  // Reference: M_N = sum r x f = (sum y f, -sum x f). For these harmonics the trapezoidal rule is exact.
+  // Reference: M_N = (sum y f, -sum x f). The trapezoidal rule is exact for these harmonics.
   double force = 0., moment_x = 0., moment_y = 0.;
   const unsigned int n_points = 32;
   for (unsigned int i = 0; i < n_points; ++i)
@@ -103,7 +103,6 @@ TEST(RingStack, RotatesMirrorsAndTruncates)
   EXPECT_EQ(load.truncated(50).n_harmonics(), 6u);
 }
 
-/// Returns three rings. The load of the third ring is negative everywhere.
 RingStack three_rings()
 {
   return RingStack({ { 0.028, { 0.3, 0.1, 0.02 }, { 0., 0.05, -0.01 } },
@@ -116,8 +115,7 @@ TEST(RingStack, ResultantsOfSeveralRingsAddUp)
   const RingStack load = three_rings();
   EXPECT_NEAR(load.normal_force(), 2 * pi * 0.5, ulps(2, pi));
   EXPECT_NEAR(load.a(2), 0.055, ulps(9, 0.055));
-  // Reference: resultants of the point forces lambda_j dtheta at r_j, by the trapezoidal rule (exact for this
-  // load).
+  // Reference: trapezoidal rule, which is exact for this load.
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
   for (const RingStack::Ring &ring : load.rings())
     for (int i = 0; i < 12; ++i)
@@ -129,7 +127,6 @@ TEST(RingStack, ResultantsOfSeveralRingsAddUp)
       moment += density * 2 * pi / 12 * ring.radius * Eigen::Vector2d(std::sin(theta), -std::cos(theta));
     }
   EXPECT_NEAR((load.moment() - moment).norm(), 0., ulps(4, load.moment().norm()));
-  // A single ring of radius() with the summed harmonics has the same resultants.
   const RingStack one({ load.a(0), load.a(1), load.a(2) }, { 0., load.b(1), load.b(2) }, load.radius());
   EXPECT_NEAR(one.moment().norm(), load.moment().norm(), ulps(4, load.moment().norm()));
   EXPECT_NEAR(load.rotated(0.4)(1.4), load(1.), ulps(2, load.normal_force()));
@@ -188,7 +185,6 @@ TEST(RingStack, RefusesBadInput)
   EXPECT_THROW(RingStack::first_harmonic(-1., { 0., 0. }, 0.03), std::invalid_argument);
 }
 
-// References: the rotated load, and the definition of sums and multiples.
 TEST(LoadFunctional, IsLinearAndRotatesWithTheLoad)
 {
   test::Numbers numbers(7);

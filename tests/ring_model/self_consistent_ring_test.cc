@@ -63,7 +63,7 @@ TEST(SelfConsistentRing, BalancesMomentsAndFrictionInBothOrbitSenses)
     }
 }
 
-TEST(SelfConsistentRing, BalancesUnderStribecksLaw)
+TEST(SelfConsistentRing, BalancesMomentsUnderStribecksLaw)
 {
   Motion motion;
   motion.friction_law = FrictionLawKind::stribeck;
@@ -81,7 +81,8 @@ TEST(SelfConsistentRing, BalancesUnderStribecksLaw)
 
 TEST(UnilateralRim, UprightSlidingIsStableUnderACompressiveLoad)
 {
-  // With the hand at the centre of mass, -d tau/d eps = mu N R (<cos^2> - (mu h/R) <cos>) = mu N R Var(cos).
+  // Closed form for a hand at the centre of mass: -d tau/d eps = mu N R (<cos^2> - (mu h/R) <cos>) = mu N R
+  // Var(cos).
   Motion motion;
   motion.force_offset = 0.;
   motion.centre_of_mass_height = 0.09;

@@ -15,7 +15,7 @@ namespace
 const double radius = 0.03;
 const double scale = 0.35 / radius; ///< spin scale v / R [rad/s]
 
-/// Returns the last spin with a moment balance [rad/s], from a search that ends with the failure @p Cause.
+/// Returns the last spin with a moment balance [rad/s]. Requires a search that fails with @p Cause.
 template <typename Cause = Tipping>
 double last_spin(const TorqueFunction &torque, const SpinSearch &search)
 {
@@ -32,9 +32,8 @@ double last_spin(const TorqueFunction &torque, const SpinSearch &search)
   return std::nan("");
 }
 
-TEST(SpinSearch, GivesNoSpinIfTheTorqueAtRestIsWithinTheNoise)
+TEST(SpinSearch, ReturnsZeroSpinIfTheTorqueAtRestIsWithinTheNoise)
 {
-  // The zeros are -1e-12 (unstable) and 0.2 (stable).
   const auto torque = [](double omega) { return (omega + 1e-12) * (0.2 - omega); };
   SpinSearch search = { 1. };
   search.torque_noise = 1e-11;
@@ -59,7 +58,7 @@ TEST(SpinSearch, RecoversFromABadInitialGuessInFewEvaluations)
 
 TEST(SpinSearch, FindsTheFirstZeroOfRandomLoads)
 {
-  // Reference: all zeros, found by a scan of 300 intervals.
+  // Reference: all zeros, by a scan of 300 intervals.
   test::Numbers numbers(7);
   unsigned int n_evaluations = 0;
   for (unsigned int i = 0; i < 200; ++i)
@@ -79,8 +78,8 @@ TEST(SpinSearch, FindsTheFirstZeroOfRandomLoads)
 
 TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorque)
 {
-  // Closed form of the first harmonic: a_0 K_0(eps) + b_1(eps) K_1(eps) = tau_g sgn(omega) / (mu R), with
-  // constant b_1 for the moment balance `paper`. The zeros have 40 digits (mpmath, kernels by quadrature).
+  // Closed form of the first harmonic: a_0 K_0(eps) + b_1(eps) K_1(eps) = tau_g sgn(omega) / (mu R); b_1 is
+  // constant for Closure::paper. The zeros have 40 digits (mpmath, kernels by quadrature).
   struct Row
   {
     Closure closure;
@@ -108,7 +107,6 @@ TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorque)
 
 TEST(SpinSearch, FindsRestUnderAStrongGrip)
 {
-  // The torque at rest is mu M_x = 0.003675 N m.
   const SelfConsistentRing ring(Closure::full, Motion(), radius);
   const auto torque = [&](double omega) { return ring.torque(omega); };
   const SpinZero zero = find_terminal_spin(torque, { scale, -3.1, 0.0036751 });
@@ -118,7 +116,7 @@ TEST(SpinSearch, FindsRestUnderAStrongGrip)
   EXPECT_FALSE(find_terminal_spin(torque, { scale, {}, 0.0036749 }).held);
   const TerminalSpin spin = terminal_spin(torque, 3e-4, SpinSearch{ scale, {}, 0.0036751 });
   EXPECT_TRUE(spin.held && spin.stable && std::isnan(spin.time_constant));
-  // In upright sliding, the glass is neither driven nor held.
+  // Upright sliding: the torque vanishes at rest, so no grip holds the glass.
   const SpinZero upright = find_terminal_spin([](double omega) { return -omega; }, { scale });
   EXPECT_TRUE(upright.omega == 0. && !upright.held);
 }
@@ -126,7 +124,6 @@ TEST(SpinSearch, FindsRestUnderAStrongGrip)
 TEST(SpinSearch, ReturnsTheFirstOfSeveralZeros)
 {
   const auto torque = [](double omega) { return -(omega - 1.) * (omega - 3.) * (omega - 4.); };
-  // The torque is positive up to 1 rad/s and between 3 and 4 rad/s.
   expect_relative(find_terminal_spin(torque, { 4., 4.0001 }).omega, 1., 1e-11, "the last one expected");
   expect_relative(find_terminal_spin(torque, { 4., 3.5 }).omega, 1., 1e-11, "a sample between the zeros");
   expect_relative(find_terminal_spin(torque, { 4. }).omega, 1., 1e-11, "nothing expected");
@@ -150,7 +147,6 @@ TEST(SpinSearch, StepsBackFromSpinsWithoutABalance)
   EXPECT_LE(last, 2.1);
   EXPECT_GT(last, 2.1 - 10. / 4096.);
   EXPECT_THROW(find_terminal_spin(torque_up_to(2., 2.0001), { 10., 1. }), BalanceLost);
-  // If no balance exists even at rest, the search rethrows the failure.
   EXPECT_THROW(find_terminal_spin(torque_up_to(-1., 2.), { 10. }), Tipping);
 
   const auto backwards = [&](double omega) { return -torque_up_to(2.1, 2.2)(-omega); };
@@ -159,8 +155,8 @@ TEST(SpinSearch, StepsBackFromSpinsWithoutABalance)
 
 TEST(SpinSearch, FindsALossOfBalanceBeforeADistantZero)
 {
-  // No balance exists between 1 and 1.2 rad/s, and the zero is at 6 rad/s. The torque rises up to 3 rad/s, so
-  // only the scan detects the gap.
+  // The torque rises up to 3 rad/s and vanishes at 6 rad/s, so only the scan detects the gap without a
+  // balance.
   const auto torque = [](double omega)
   {
     if (omega > 1. && omega < 1.2)
@@ -172,8 +168,8 @@ TEST(SpinSearch, FindsALossOfBalanceBeforeADistantZero)
 
 TEST(SpinSearch, FindsANarrowGapByTheStabilityMargin)
 {
-  // The balance ends in a fold. There the stability margin vanishes like the square root of the distance.
-  // Both directions of spin are tested.
+  // The balance ends in a fold, where the stability margin vanishes like the square root of the distance to
+  // the fold.
   const double middle = 0.7;
   const auto square = [=](double omega, double least)
   { return std::min(1., least + 2. * std::pow(omega - middle, 2)); };
@@ -196,8 +192,8 @@ TEST(SpinSearch, FindsANarrowGapByTheStabilityMargin)
 
 TEST(SpinSearch, ReportsTippingAtATorqueJumpWithALowMargin)
 {
-  // At 0.7 rad/s the torque jumps to a second balance. The jump must be found for both stability margins of
-  // this balance (`beyond`). A change of the same size over 2e-3 rad/s is not a jump.
+  // The torque jumps to a second balance at 0.7 rad/s. `beyond` is the stability margin of the second
+  // balance. If the torque changes by the same amount over 2e-3 rad/s, it has no jump.
   const double end = 0.7, drop = 0.05;
   for (const double width : { 0., 2e-3 })
     for (const double beyond : { 0.1, 0.5 })
@@ -229,7 +225,7 @@ TEST(SpinSearch, ReportsTippingAtATorqueJumpWithALowMargin)
     }
 }
 
-TEST(SpinSearch, EndsAtTheNoiseOfTheTorque)
+TEST(SpinSearch, StopsWhenTheTorqueIsBelowItsNoise)
 {
   const auto torque = [](double omega) { return 1. - omega + 1e-9 * std::sin(1e12 * omega); };
   SpinSearch search{ 3. };
@@ -237,7 +233,6 @@ TEST(SpinSearch, EndsAtTheNoiseOfTheTorque)
   const SpinZero zero = find_terminal_spin(torque, search);
   EXPECT_NEAR(zero.omega, 1., 1e-7);
   EXPECT_LE(zero.n_evaluations, 5u);
-  // With a tolerance below the noise, the search bisects down to the noise.
   EXPECT_NEAR(find_terminal_spin(torque, { 3. }).omega, 1., 3e-9);
 }
 

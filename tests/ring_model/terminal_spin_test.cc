@@ -14,7 +14,7 @@ namespace stemware::ring
 namespace
 {
 
-/// Returns the terminal slip ratio for R = 1 m, v = 1 m/s. The load does not change with the spin and drives
+/// Returns the terminal slip ratio for R = 1 m and v = 1 m/s. The load does not depend on the spin and drives
 /// the ring counter-clockwise.
 template <typename LoadOfMoment>
 double terminal_slip_ratio(const LoadOfMoment &load, double moment_ratio)
@@ -31,7 +31,7 @@ TEST(TerminalSpin, AgreesWithTheReferenceUnderARadialLoad)
   { return RingStack::first_harmonic(force, moment, 1.); };
   const auto on = [](double exponent)
   {
-    // The slip ratio is at most 0.966, and 0.966^1024 is below rounding.
+    // The highest harmonic is negligible: the slip ratio is at most 0.966, and 0.966^1024 is below rounding.
     return [foundation = test::UnilateralFoundation(1., exponent, 1024)](double force, const auto &moment)
     { return foundation.rings(force, moment); };
   };
@@ -73,7 +73,7 @@ TEST(TerminalSpin, FrictionBrakesAnyLoadAtSlipRatiosAboveOne)
       least = std::min(least, braking / unit / bound);
     }
   }
-  EXPECT_LT(least, 1.05); // so the bound is sharp within 5 %
+  EXPECT_LT(least, 1.05);
 }
 
 TEST(TerminalSpin, FindsAllRootsWithTheirStability)
@@ -113,12 +113,12 @@ TEST(TerminalSpin, ReportsARootOnASampleOnce)
 
 TEST(TerminalSpin, UprightSlidingLosesStabilityOnlyUnderANegativeLoad)
 {
-  // With the hand at the height of the centre of mass and the moment balance `full`, the first harmonic has
-  // the damping 1/2 - (mu h/R)^2, which is negative for mu h / R > 1/sqrt 2. A compressive load has the
-  // damping <cos^2> - <cos>^2 >= 0 (docs/theory/closures.md).
+  // If the hand is at the height of the centre of mass, the damping under the first harmonic is 1/2 - (mu
+  // h/R)^2, which is negative for mu h / R > 1/sqrt 2. The damping under a compressive load is <cos^2> -
+  // <cos>^2 >= 0 (docs/theory/closures.md).
   Motion motion;
   motion.force_offset = 0.;
-  motion.centre_of_mass_height = 0.09; // gives mu h / R = 0.9
+  motion.centre_of_mass_height = 0.09; // mu h / R = 0.9
   const SelfConsistentRing ring(Closure::full, motion, 0.03);
   const auto spins = all_terminal_spins([&](double omega) { return ring.torque(omega); }, motion.yaw_inertia,
                                         0.35 / 0.03, -35., 35., 401);

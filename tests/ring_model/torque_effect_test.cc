@@ -1,4 +1,3 @@
-// Effect of each harmonic on the torque. Reference: friction of the truncated loads by plain quadrature.
 #include "ring_model/spin/torque_effect.h"
 #include "tests/ring_model/quadrature.h"
 #include "tests/ulps.h"
@@ -13,7 +12,6 @@ namespace
 {
 constexpr double radius = 0.03;
 
-/// Returns a load of three rings. Moment and higher harmonics change with the spin @p omega [rad/s].
 RingStack load_at(double omega)
 {
   const double s = 1. + 0.02 * omega;
@@ -24,7 +22,7 @@ RingStack load_at(double omega)
 
 const Load the_load([](double omega) -> Sample { return load_at(omega); });
 
-/// Returns tau_z [N m] at @p omega of the load truncated after harmonic @p n, by the trapezoidal rule.
+/// Returns tau_z [N m] of the load truncated after harmonic @p n, by the trapezoidal rule.
 double torque_by_quadrature(double omega, unsigned int n)
 {
   const Motion motion;
@@ -33,7 +31,7 @@ double torque_by_quadrature(double omega, unsigned int n)
     .torque;
 }
 
-/// Tolerance: rounding errors of mu N R = 0.03 N m. The quadrature error, (omega R / v)^4000, is negligible.
+/// Rounding error of torques of mu N R = 0.03 N m. The quadrature error, (omega R / v)^4000, is negligible.
 const double tolerance = ulps(16, 0.03);
 
 TEST(TorqueEffect, AgreesWithQuadratureOfTheTruncatedLoad)
@@ -70,7 +68,7 @@ TEST(TorqueEffect, LargestEffectAgreesWithADenseScan)
       const double change = TorqueByHarmonics(motion, load_at(omega), omega).change(row.harmonics);
       largest = std::abs(change) > std::abs(largest) ? change : largest;
     }
-    // The scan misses the maximum of a parabola by 1e-8 of the maximum.
+    // The scan steps over the maximum; its largest value is too small by the factor 1 - 1e-8.
     EXPECT_NEAR(*row.largest, largest, 1e-7 * std::abs(largest));
     EXPECT_NEAR(*row.largest,
                 TorqueByHarmonics(motion, load_at(*row.largest_at), *row.largest_at).change(row.harmonics),

@@ -17,8 +17,7 @@
 
 namespace stemware::ring::test
 {
-/// Returns the integral by double exponential quadrature, for integrands that vanish like a root at an end of
-/// the interval.
+/// Returns int_0^@p upper. The double exponential rule suits integrands that vanish like a root at an end.
 template <typename Integrand>
 double integral(const Integrand &integrand, double upper)
 {
@@ -33,18 +32,18 @@ inline double full_pressure(double kappa, double t)
   return (1. - kappa) + 2. * kappa * s * s;
 }
 
-/// Returns (cos theta - c)^p dtheta/dv, up to a factor, with sin(theta/2) = sqrt(s) cos v, s = (1 - c)/2:
-/// there cos theta - c = 2 s sin^2 v.
+/// Returns (cos theta - c)^p dtheta/dv up to a factor, for sin(theta/2) = sqrt(s) cos v and s = (1 - c)/2.
+/// Identity: cos theta - c = 2 s sin^2 v.
 inline double partial_pressure(double s, double p, double v)
 {
   const double sine_squared = std::pow(std::sin(v), 2);
-  // The limit at v = 0 also where s = 1 makes the quotient 0/0.
+  // For s = 1 the quotient at v = 0 would be 0/0.
   return sine_squared == 0. ? 0. : std::pow(sine_squared, p + 0.5) / std::sqrt((1. - s) + s * sine_squared);
 }
 
-/// Calls, for full contact, visit(n, a_n / a_{n-1}) for n = n_max...1, with 2 a_0 in place of a_0, by the
-/// recurrence (n + 1 + p) a_{n+1} = 2 c n a_n - (n - 1 - p) a_{n-1}. The recurrence starts so far above n_max
-/// that the initial guess has decayed: |a_n| ~ exp(-n decay), cosh(decay) = -c.
+/// Calls visit(n, a_n / a_{n-1}) for n = n_max...1 in full contact, with 2 a_0 in place of a_0. The
+/// recurrence (n + 1 + p) a_{n+1} = 2 c n a_n - (n - 1 - p) a_{n-1} runs downwards. It starts far enough
+/// above n_max for the error of its initial guess, |a_n| ~ exp(-n decay), to be below rounding.
 template <typename Visit>
 void descend(double c, double p, double decay, unsigned int n_max, const Visit &visit)
 {
@@ -67,7 +66,6 @@ void descend(double c, double p, double decay, unsigned int n_max, const Visit &
 class UnilateralFoundation
 {
 public:
-  /// @p radius: R [m]. @p exponent: p > 0. @p n_harmonics: highest harmonic of the returned loads.
   UnilateralFoundation(double radius, double exponent, unsigned int n_harmonics = 128)
       : ring_radius(radius)
       , p(exponent)
@@ -77,17 +75,15 @@ public:
 
   double radius() const { return ring_radius; }
 
-  /// Returns the moment ratio above which a part of the ring is unloaded.
   double lift_off_ratio() const { return 2. * p / (p + 1.); }
 
-  /// Returns the load with the resultants N = @p normal_force [N] and M_N = @p moment [N m]. Throws as
-  /// edge().
+  /// Throws Tipping as edge().
   RingStack rings(double normal_force, const Eigen::Vector2d &moment) const
   {
     std::vector<double> a = shape(moment.norm() / (0.5 * normal_force * ring_radius));
     for (double &coefficient : a)
       coefficient *= normal_force / (2. * pi);
-    // M_N = (pi R b_1, -pi R a_1): the load's maximum lies at the angle of (a_1, b_1).
+    // The maximum of the load lies at the angle of (a_1, b_1), and M_N = (pi R b_1, -pi R a_1).
     const double direction = std::atan2(moment.x(), -moment.y());
     std::vector<double> b(a.size(), 0.);
     return RingStack(std::move(a), std::move(b), ring_radius).rotated(direction);
@@ -106,7 +102,6 @@ public:
       return -1.;
     if (p == 1. && moment_ratio < onset)
       return -1. / moment_ratio;
-    // Both ratios are monotone.
     const auto zero = [](const auto &excess, double at_0, double at_1)
     { return bracketed_zero(excess, 0., 1., at_0, at_1, "the contact edge"); };
     if (moment_ratio < onset)
@@ -116,7 +111,7 @@ public:
                           2. - moment_ratio, onset - moment_ratio);
   }
 
-  /// Returns a_n / a_0 for n = 0...n_harmonics, the load's maximum at theta = 0. Throws as edge().
+  /// Throws Tipping as edge().
   std::vector<double> shape(double moment_ratio) const
   {
     const double c = edge(moment_ratio);
@@ -124,8 +119,7 @@ public:
     a[0] = 1.;
     a[1] = moment_ratio;
     if (std::isinf(c) || (p == 1. && c < -1.))
-      return a; // full contact on a linear mat is exactly first harmonic
-    // (n + 1 + p) a_{n+1} = 2 c n a_n - (n - 1 - p) a_{n-1}, with 2 a_0 in a_0's place.
+      return a; // on a linear mat (p = 1), full contact has only the first harmonic
     const double decay = c < -1. ? std::acosh(-c) : 0.; // full contact: |a_n| falls like exp(-n decay)
     if (n_max * decay < 1.)
     {
@@ -182,7 +176,7 @@ private:
   unsigned int n_max;
 };
 
-/// Rim on a foundation in moment balance at every spin, M = M_N(T(lambda(M))), by Newton's method with
+/// Rim on a foundation in moment balance M = M_N(T(lambda(M))) at every spin, by Newton's method with
 /// difference quotients.
 struct BalancedRim
 {

@@ -15,7 +15,6 @@ namespace stemware::ring
 namespace
 {
 
-/// The moment balance is `paper`, with the yaw inertia of the reference.
 TEST(PaperSpinUp, AgreesWithTheReference)
 {
   const nlohmann::json &rows = reference()["time_evolution_A"];
@@ -89,9 +88,9 @@ TEST(OrbitSpeedTable, InterpolatesLinearlyOnRequest)
   EXPECT_GT(std::abs(table.speed(0.25) - 0.2), 1e-3); // the monotone cubic differs from the polygon
 }
 
-/// Reference for a driven glass, without code of the library. Speeds: monotone cubic of Fritsch and Carlson
-/// through the rows. Friction: sums over the rim. Moment balance: M_N = -dz m k x acceleration + (z_CM + dz)
-/// k x T. Integration: classical Runge-Kutta scheme, with steps that end at the rows and at zero spin.
+/// Reference for a driven glass, without code of the library. Speeds: monotone cubic of Fritsch and Carlson.
+/// Friction: sums over the rim. Moment balance: M_N = -dz m k x acceleration + (z_CM + dz) k x T. Time
+/// integration: classical Runge-Kutta, with steps that end at the rows and at zero spin.
 struct HandByRows
 {
   std::vector<double> times, speeds;
@@ -115,7 +114,7 @@ struct HandByRows
     return slopes;
   }
 
-  /// Returns the torque without the grip [N m], @p since seconds after the start of interval @p i.
+  /// Returns the torque without the grip [N m], @p since [s] after the start of interval @p i.
   double torque(std::size_t i, double since, double omega) const
   {
     static const double turn = 2. * pi;
@@ -145,8 +144,8 @@ struct HandByRows
     return friction.row(2).dot(Eigen::RowVector3d(a_0, a_b.x(), a_b.y()));
   }
 
-  /// Returns times [s] and spins [rad/s] at the rows and @p n_steps - 1 times between two rows. Sets @p held
-  /// to the last time at which the glass stops.
+  /// Returns times [s] and spins [rad/s], with @p n_steps steps per interval of rows. Sets @p held to the
+  /// last time at which the glass stops.
   std::vector<std::pair<double, double>> motion(unsigned int n_steps, double *held = nullptr) const
   {
     constexpr double inertia = 3e-4;
@@ -198,7 +197,6 @@ struct HandByRows
     return found;
   }
 
-  /// Returns the largest difference between driven_motion() and motion() [rad/s].
   double largest_error(double accuracy, unsigned int n_steps) const
   {
     const auto expected = motion(n_steps);
@@ -217,7 +215,6 @@ struct HandByRows
 
 TEST(HandDrive, TorqueOnARampAgreesWithTheMomentBalance)
 {
-  // The speed is v = 0.15 m/s + 2 m/s^2 t.
   const HandByRows ramp{ { 0., 0.2 }, { 0.15, 0.55 } };
   const OrbitSpeedTable table(ramp.times, ramp.speeds);
   expect_relative(driven_torque(Closure::full, Motion(), 0.03, table)(0.1, 0., -3.), ramp.torque(0, 0.1, -3.),
@@ -232,7 +229,6 @@ TEST(HandDrive, IsAccurateAtAndBetweenTheRows)
 
 TEST(HandDrive, AGlassHeldByTheFingersStaysAtRest)
 {
-  // The hand slows down until the grip holds the glass, moves on slowly, and speeds up until the grip slips.
   const HandByRows hand{ { 0., 0.4, 0.8, 1., 1.5, 2. }, { 0.35, 0.35, 0.05, 0.05, 0.3, 0.35 }, 0.0009 };
   double held = 0.;
   const auto expected = hand.motion(100, &held);

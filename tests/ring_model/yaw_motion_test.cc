@@ -16,8 +16,8 @@ namespace
 {
 constexpr double inertia = 3e-4; // [kg m^2]
 
-/// Damped ring whose torque depends on the angle phi = psi - orbit t of a mark: tau = -damping (1 + roughness
-/// sin phi) (omega - drive) + bump cos phi.
+/// Damped ring with the torque tau = -damping (1 + roughness sin phi) (omega - drive) + bump cos phi, where
+/// phi = psi - orbit t is the angle of a mark on the ring.
 struct MarkedRing
 {
   double damping = 1.2e-3; ///< [N m s]
@@ -34,12 +34,11 @@ struct MarkedRing
   }
 };
 
-/// Returns mean spin and ripple [rad/s] after @p n_turns revolutions of the mark relative to the orbit.
-/// Integrates over the angle of the mark: d omega / d angle = tau / (I (omega - orbit)), d t / d angle = 1 /
-/// (omega - orbit).
+/// Returns mean and ripple of the spin [rad/s] after @p n_turns revolutions of the mark. Integrates d omega /
+/// d phi = tau / (I (omega - orbit)) and d t / d phi = 1 / (omega - orbit).
 std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns, unsigned int n_steps)
 {
-  const double step = -2. * pi / n_steps; // the mark lags behind the orbit
+  const double step = -2. * pi / n_steps; // the ring turns slower than the orbit, so phi decreases
   const auto rates = [&](double angle, double omega)
   {
     return std::array{ ring(0., angle, omega) / (ring.inertia * (omega - ring.orbit)),
@@ -69,8 +68,8 @@ std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns
 
 TEST(YawMotion, AgreesWithAPendulum)
 {
-  // Pendulum: I psi'' = -A sin psi from psi = 0 at omega_0 has the solution omega = omega_0 dn(omega_0 t / 2,
-  // k), psi = 2 asin(sn(omega_0 t / 2, k)).
+  // Pendulum I psi'' = -A sin psi from psi = 0 at omega_0: omega = omega_0 dn(omega_0 t / 2, k), psi = 2
+  // asin(sn(omega_0 t / 2, k)).
   const double spin = 7., stiffness = 3e-3, modulus = 2. * std::sqrt(stiffness / inertia) / spin;
   const auto torque = [=](double, double angle, double) { return -stiffness * std::sin(angle); };
   const std::vector<double> times = { 0., 0.05, 0.3, 0.41 };
@@ -90,8 +89,7 @@ TEST(YawMotion, AgreesWithAPendulum)
 
 TEST(YawMotion, FollowsAForcedLinearRing)
 {
-  // Linear ring from rest: I omega' = -c (omega - omega_0) + A cos(nu t). The periodic part of the torque
-  // depends on time only.
+  // Linear ring from rest: I omega' = -c (omega - omega_0) + A cos(nu t).
   const double damping = 1.2e-3, drive = -3.6, force = 4e-4, nu = 4.6;
   const auto torque = [=](double time, double, double omega)
   { return -damping * (omega - drive) + force * std::cos(nu * time); };
@@ -110,8 +108,7 @@ TEST(YawMotion, FollowsAForcedLinearRing)
 
 TEST(YawMotion, FollowsAStiffForcedRingThroughItsTransient)
 {
-  // Closed form of the forced linear ring, with time constants of 1e-5 to 1e-12 s. The yaw angle is the
-  // integral of the spin.
+  // Closed form of the forced linear ring, with time constants of 1e-5 to 1e-12 s.
   const double damping = 1.2e-3, drive = -3.6, force = 4e-4, nu = 4.6;
   unsigned int n_torques = 0;
   const auto torque = [&](double time, double, double omega)
@@ -140,9 +137,8 @@ TEST(YawMotion, FollowsAStiffForcedRingThroughItsTransient)
 
 TEST(YawMotion, FollowsAStiffOverdampedSpring)
 {
-  // The ring I psi'' = -c (psi' - omega_0) - k psi is overdamped, with roots near -c / I and -k / c. The
-  // steps exceed the time constant c / k = 6e-3 s, so Newton's method needs the derivative of the torque with
-  // respect to the angle.
+  // Overdamped ring I psi'' = -c (psi' - omega_0) - k psi with roots near -c / I and -k / c. The time steps
+  // exceed c / k = 6e-3 s, so Newton's method needs the derivative of the torque with respect to the angle.
   const double inertia = 1e-11, damping = 1.2e-3, drive = -3.6, spring = 0.2;
   unsigned int n_torques = 0;
   const auto torque = [&](double, double angle, double omega)
@@ -167,8 +163,8 @@ TEST(YawMotion, FollowsAStiffOverdampedSpring)
 
 TEST(YawMotion, FollowsAStiffNonlinearDamping)
 {
-  // The equation tau = I s'(t) - c (omega + omega^3 - s - s^3) has the solution s(t) = 2 + cos(nu t). The
-  // damping varies by a factor of seven within a period.
+  // Manufactured solution: tau = I s'(t) - c (omega + omega^3 - s - s^3) with the spin s(t) = 2 + cos(nu t).
+  // The damping varies by a factor of seven within a period.
   const double inertia = 1e-9, damping = 1.2e-3, nu = 4.6;
   unsigned int n_torques = 0;
   const auto torque = [&](double time, double, double omega)
@@ -188,9 +184,8 @@ TEST(YawMotion, FollowsAStiffNonlinearDamping)
 
 TEST(YawMotion, AGripHoldsAndReleasesTheGlassAtEvents)
 {
-  // Ring with grip: I omega' = A cos(nu t) - c omega - grip sgn(omega), which has a closed form while the
-  // glass spins. The glass stops at a root of the closed form and starts again when A |cos(nu t)| exceeds the
-  // grip. The stiff ring has a time constant of 1e-6 s.
+  // I omega' = A cos(nu t) - c omega - grip sgn(omega) has a closed form while the glass spins. The glass
+  // stops at a root of the closed form and starts again when A |cos(nu t)| exceeds the grip.
   constexpr double damping = 1.2e-3, force = 4e-3, nu = 4.6, grip = 2.5e-3;
   for (const double inertia : { 3e-4, 1e-9 })
   {
@@ -257,8 +252,7 @@ TEST(YawMotion, AHeldGlassStaysAtRest)
 
 TEST(YawMotion, StepsEndAtEachBreak)
 {
-  // The time derivative of the torque jumps thirty times. Closed form: omega = drive(t) - drive'(t) / rate +
-  // decaying parts.
+  // The time derivative of the torque jumps thirty times.
   const double rate = 4.;
   const auto drive = [](double t)
   { return std::abs(std::remainder(t, 0.2)); }; // corners at multiples of 0.1 s
@@ -310,15 +304,13 @@ TEST(LongTimeSpin, AgreesWithManyRevolutionsOfTheMark)
   EXPECT_NEAR(spin.mean, mean, 1e-8);
   EXPECT_NEAR(spin.ripple, ripple, 1e-5);
   EXPECT_LT(spin.uncertainty, 1e-8);
-  // The mean spin differs from the zero of the mean torque by a term of second order in the bump.
   EXPECT_GT(std::abs(spin.mean - ring.drive), 1e-3);
 }
 
 TEST(LongTimeSpin, TakesLongStepsAtNegligibleInertia)
 {
-  // Without inertia, phi = psi - orbit t satisfies phi' = drive - orbit + bump / damping cos phi. The mean of
-  // phi' has a closed form. The time constant of 8e-6 s is less than a millionth of an averaging window (25
-  // s).
+  // Without inertia, phi = psi - orbit t satisfies phi' = drive - orbit + bump / damping cos phi, and the
+  // mean of phi' has a closed form. The time constant of the ring is 8e-6 s, the averaging window 25 s.
   const MarkedRing ring;
   unsigned int n_torques = 0;
   const auto counted = [&](double time, double yaw_angle, double omega)
@@ -335,8 +327,6 @@ TEST(LongTimeSpin, TakesLongStepsAtNegligibleInertia)
 
 TEST(LongTimeSpin, InertiaShiftsTheMeanUnderVaryingDamping)
 {
-  // With roughness, the inertia changes the mean at first order in I / damping; without roughness, at second
-  // order.
   MarkedRing ring;
   ring.roughness = 0.5;
   ring.inertia = 2e-8;
@@ -349,7 +339,7 @@ TEST(LongTimeSpin, InertiaShiftsTheMeanUnderVaryingDamping)
 
 TEST(LongTimeSpin, IsAccurateWithExplicitAndImplicitSteps)
 {
-  // The averaging windows of 25 s are 2e4 to 6e5 time constants long. Below 4e4 time constants the steps are
+  // The averaging windows of 25 s are 2e4 to 6e5 time constants long. Up to 4e4 time constants the steps are
   // explicit, above implicit.
   MarkedRing ring;
   for (const double stiff_inertia : { 1.5e-6, 6e-7, 5e-8 })
@@ -364,8 +354,8 @@ TEST(LongTimeSpin, IsAccurateWithExplicitAndImplicitSteps)
 
 TEST(LongTimeSpin, RippleIsMeasuredInTheLastWindow)
 {
-  // The spin decreases slowly through both windows of 1 s, so their means agree within the requested 1e-5
-  // rad/s.
+  // The spin decreases slowly through both windows of 1 s, so the means of the windows agree within the
+  // requested 1e-5 rad/s.
   const double drive = -3.6, start = 1e-5, rate = 0.1;
   const auto torque = [=](double, double, double omega) { return -inertia * rate * (omega - drive); };
   const LongTimeSpin spin = long_time_spin(torque, inertia, drive + start, 1., 1e-6, 10.);

@@ -8,7 +8,7 @@
 int main()
 {
   using namespace stemware::ring;
-  Motion motion; // 0.30 kg, moved on a circle of 0.15 m at 0.35 m/s, mu = 0.30
+  Motion motion; // defaults: 0.30 kg, orbit of 0.15 m at 0.35 m/s, mu = 0.30
   motion.force_offset = -0.05;
   const SelfConsistentRing ring(Closure::paper, motion, 0.03);
   const Load load([&](double omega) -> Sample { return ring.at(omega).load; });
