@@ -63,7 +63,7 @@ TEST(SelfConsistentRing, BalancesMomentsAndFrictionInBothOrbitSenses)
     }
 }
 
-TEST(SelfConsistentRing, BalancesMomentsUnderStribecksLaw)
+TEST(SelfConsistentRing, BalancesUnderStribecksLaw)
 {
   Motion motion;
   motion.friction_law = FrictionLawKind::stribeck;

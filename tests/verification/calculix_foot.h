@@ -1,7 +1,7 @@
 #pragma once
 
-// calculix_foot.json: feet with the step profile by CalculiX (calculix_foot.py), another program with other
-// elements, and a contact integrated in numpy.
+// Reference results in calculix_foot.json: elastic compliances by CalculiX (calculix_foot.py), contact solved
+// in numpy.
 #include <nlohmann/json.hpp>
 
 #include <fstream>
@@ -12,10 +12,9 @@
 namespace stemware::verification
 {
 
-/// Harmonics a_n / a_0 and b_n / a_0 of a foot under the weight of the reference cases.
 struct CalculixLoad
 {
-  std::optional<double> modulus; ///< modulus of the mat [Pa/m]; std::nullopt: hard
+  std::optional<double> modulus; ///< modulus of the mat [Pa/m]; std::nullopt: hard interface
   double moment_ratio, direction, friction, spin_per_speed;
   std::vector<double> a, b; ///< n = 0 ... 6
 
@@ -26,7 +25,7 @@ struct CalculixLoad
   }
 };
 
-/// The foot "flat" (land 2 mm) or "crown" (land 4 mm, crown 3 mm).
+/// Foot of @p kind "flat" (land 2 mm wide) or "crown" (land 4 mm wide, crown radius 3 mm).
 struct CalculixFoot
 {
   explicit CalculixFoot(const std::string &kind)
@@ -42,7 +41,7 @@ struct CalculixFoot
                         load.at("a_over_a0"), load.at("b_over_a0") });
   }
 
-  /// int u_z r dr over the land under a unit pressure or traction of harmonic n on it [m^5/N].
+  /// int u_z r dr over the land under a unit pressure or traction of harmonic n on the land [m^5/N].
   std::vector<double> normal, radial, azimuthal;
   std::vector<CalculixLoad> loads;
 };

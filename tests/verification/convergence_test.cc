@@ -1,5 +1,3 @@
-// Convergence of the harmonics with mesh and degree. References: another program (calculix_foot.json),
-// theoretical order.
 #include "ring_model/load/constants.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/calculix_foot.h"
@@ -21,7 +19,6 @@ ContactLoad solve(unsigned int refinements, unsigned int degree)
   return foot.solve_on_winkler(1e10, load_at(1.2));
 }
 
-/// Returns the observed order of a_2 / a_0 on three meshes with halved cells.
 double order_of(const ContactLoad &one, const ContactLoad &halved, const ContactLoad &quartered)
 {
   const auto value = [](const ContactLoad &load) { return load.a(2) / load.a(0); };
@@ -41,7 +38,6 @@ double exponent_of_the_corner()
   return below;
 }
 
-/// Returns the largest difference between a_n / a_0 and CalculiX for n = 2 ... 6, at 1e10 Pa/m and m = 1.2.
 double distance_from_calculix(const ContactLoad &load)
 {
   double largest = -1;
@@ -57,8 +53,8 @@ double distance_from_calculix(const ContactLoad &load)
 
 TEST(Convergence, HarmonicsConvergeAtTheOrderOfTheCorners)
 {
-  // At the re-entrant corners of the step profile, stresses vary like r^(lambda - 1). For any degree, the
-  // harmonics therefore converge asymptotically like h^(2 lambda), and not slower on coarser meshes.
+  // At the re-entrant corners of the step profile, stresses vary like r^(lambda - 1). The harmonics therefore
+  // converge like h^(2 lambda) for any degree.
   std::vector<std::vector<ContactLoad>> loads;
   for (const unsigned int degree : { 1u, 2u, 3u })
     loads.push_back({ solve(0, degree), solve(1, degree), solve(2, degree) });
@@ -70,16 +66,15 @@ TEST(Convergence, HarmonicsConvergeAtTheOrderOfTheCorners)
   {
     const double order = order_of(loads[p - 1][0], loads[p - 1][1], loads[p - 1][2]);
     EXPECT_GT(order, order_of_corners) << "degree " << p;
-    EXPECT_LT(order, 2 * p) << "degree " << p; // 2 p is the order without corners
+    EXPECT_LT(order, 2 * p) << "degree " << p; // order without re-entrant corners
   }
   EXPECT_NEAR(order_of(loads[2][0], loads[2][1], loads[2][2]), order_of_corners, 0.05);
   const ContactLoad &finest = loads[3][1];
-  // CalculiX has a mesh error of 2e-5.
+  // The mesh error of CalculiX is 2e-5.
   EXPECT_LT(distance_from_calculix(finest), 3e-5);
   EXPECT_LT(distance_from_calculix(loads[1][0]), 6e-5);
   EXPECT_LT(distance_from_calculix(loads[0][0]), 5e-4);
   EXPECT_GT(distance_from_calculix(loads[0][0]), 3 * distance_from_calculix(finest));
-  // Raising the degree by one reduces the error as much as halving the cells.
   for (unsigned int p = 1; p < 3; ++p)
     EXPECT_LT(largest_difference(loads[p + 1][0], loads[p][1]),
               0.3 * largest_difference(loads[p][0], loads[p][1]))

@@ -1,5 +1,4 @@
-// Elastic foot, compared with other programs: CalculiX (calculix_foot.py) and spectral elements in numpy
-// (foot_contact.py).
+// Elastic foot. References: CalculiX (calculix_foot.py) and spectral elements in numpy (foot_contact.py).
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/calculix_foot.h"
 
@@ -15,8 +14,8 @@ using stemware::verification::CalculixLoad;
 namespace
 {
 
-/// Compares a_n / a_0 with the reference file for every mat and moment of @p foot. Allowed: the error band of
-/// the reference plus @p tolerance, the error of the quadratic elements at the corners of the land.
+/// Compares a_n / a_0 with foot_contact.json for every mat and moment of @p foot. The allowed error is the
+/// error band of the reference plus @p tolerance for the quadratic elements at the corners of the land.
 void compare_with_reference(const std::string &foot, const GlassProfile &profile,
                             const MeridianResolution &resolution, double tolerance)
 {
@@ -47,7 +46,7 @@ void compare_with_calculix(const std::string &kind, const GlassProfile &profile,
   for (unsigned int n = 0; n <= 6; ++n)
   {
     const HarmonicCompliance &here = compliance.harmonics[n];
-    // Harmonics 0 and 1 bend the corner at the stem, where the cells of CalculiX are coarse, but they do not
+    // Harmonics 0 and 1 bend the corner at the stem, where the cells of CalculiX are coarse; they do not
     // affect the load. For n > 3, the error of the 48 sectors of CalculiX is larger.
     const double part = n == 2 || n == 3 ? 3e-3 : 1.2e-2;
     EXPECT_NEAR(nodes.dot(here.normal * nodes) / reference.normal[n], 1, part) << n;
@@ -77,7 +76,6 @@ void compare_with_calculix(const std::string &kind, const GlassProfile &profile,
 
 } // namespace
 
-// Friction of a wrong sign or size would change every a_n and b_n.
 TEST(FootReference, FlatFootAgreesWithCalculiX)
 {
   compare_with_calculix("flat", flat_profile(), equal_cells(1), 1e-4);
@@ -98,11 +96,10 @@ TEST(FootReference, FlatFootAgreesWithSpectralElements)
   compare_with_reference("flat, land width 0.002", flat_profile(), equal_cells(1), 2e-4);
 }
 
-// Only friction causes the second harmonic.
+// The second harmonic of this load is caused by friction only.
 TEST(FrictionCoupling, SecondHarmonicOfTheFlatFootAgreesWithCalculiX)
 {
   RevolutionCase foot(flat_profile(), foot_compliance(flat_profile(), equal_cells(1)));
-  // CalculiX: a_2 / a_0 = 4.0e-4, 3.45e-3 and 1.43e-2 on mats of 1e9, 1e10 and 1e11 Pa/m.
   unsigned int n_compared = 0;
   for (const auto &expected : stemware::verification::CalculixFoot("flat").loads)
     if (expected.modulus && expected.friction > 0 && expected.spin_per_speed == 0)

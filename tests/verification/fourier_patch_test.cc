@@ -1,5 +1,5 @@
-// Patch tests of the meridional problem of a harmonic. References: closed forms (harmonic potentials) and
-// Code_Aster SSLV109 (bending of a cylinder, exact).
+// Patch tests of the problem of a harmonic on the meridian. References: harmonic potentials and Code_Aster
+// SSLV109.
 #include "fem/revolution/block_inverse.h"
 #include "fem/revolution/meridian_stiffness.h"
 #include "tests/ulps.h"
@@ -32,8 +32,7 @@ using Field = std::function<Tensor<1, 3>(const Point<2> &)>;
 
 constexpr types::boundary_id top = 3; // boundary id of the upper side of a rectangle in deal.II
 
-/// Cylinder 0 <= r <= 1, 0 <= z <= length of distorted cells with hanging nodes, and the stiffness K_n on
-/// this mesh.
+/// Stiffness K_n of the cylinder 0 <= r <= 1, 0 <= z <= length, on distorted cells with hanging nodes.
 struct Cylinder
 {
   Cylinder(double length, unsigned int degree, const ElasticMaterial &material)
@@ -87,7 +86,7 @@ struct Cylinder
     return constraints;
   }
 
-  /// Returns the largest force K_n u inside the body, divided by the largest contribution of a single node.
+  /// Returns the largest force K_n u at an inner node, divided by the largest contribution of a single node.
   double unbalanced_force(unsigned int harmonic, const Field &field) const
   {
     AffineConstraints<double> none;
@@ -123,8 +122,7 @@ struct Cylinder
 
 } // namespace
 
-/// Closed form: u = grad(r^n cos(n theta)) has neither divergence nor curl, so any material is in equilibrium
-/// without forces. The amplitudes are polynomials of degree n - 1 in r.
+/// Closed form: u = grad(r^n cos(n theta)) has neither divergence nor curl, so no material needs forces.
 TEST(FourierPatch, GradientsOfHarmonicPolynomialsNeedNoForces)
 {
   for (const unsigned int n : { 2u, 3u, 4u, 5u })
@@ -138,14 +136,13 @@ TEST(FourierPatch, GradientsOfHarmonicPolynomialsNeedNoForces)
       << "n = " << n;
     if (n > 2)
     {
-      // Elements of lower degree cannot represent the field.
       EXPECT_GT(Cylinder(1, n - 2, ElasticMaterial{ 72, 0.3 }).unbalanced_force(n, gradient), 1e-5)
         << "n = " << n;
     }
   }
 }
 
-/// Closed form: u = grad(z r^n cos(n theta)) of degree n, with shear in the meridian.
+/// Closed form: u = grad(z r^n cos(n theta)), which shears the meridian.
 TEST(FourierPatch, GradientsThatShearTheMeridianNeedNoForces)
 {
   for (const unsigned int n : { 1u, 2u, 3u, 4u })
@@ -159,10 +156,9 @@ TEST(FourierPatch, GradientsThatShearTheMeridianNeedNoForces)
   }
 }
 
-/// Published: Code_Aster, test SSLV109, n = 1. A cylinder of radius 1 and length 6, E = 72, nu = 0.3, is bent
-/// by the end traction sigma_zz = r cos(theta) on a plane bottom: u_r = -kappa (z^2 + nu r^2) / 2, u_theta =
-/// kappa (z^2 - nu r^2) / 2, u_z = kappa r z with kappa = 1/72. Table values: 0.25 at z = 6 on the axis,
-/// 2.08333e-3 at r = 1, z = 0. Quadratic elements represent this field exactly.
+/// Code_Aster SSLV109, n = 1: the end traction sigma_zz = r cos(theta) bends a cylinder of radius 1 and
+/// length 6 with E = 72 and nu = 0.3. Solution with kappa = 1/72: u_r = -kappa (z^2 + nu r^2) / 2, u_theta =
+/// kappa (z^2 - nu r^2) / 2, u_z = kappa r z. Quadratic elements represent this solution exactly.
 TEST(FourierPatch, CylinderBendsAsInSSLV109)
 {
   const ElasticMaterial material{ 72, 0.3 };
@@ -200,7 +196,6 @@ TEST(FourierPatch, CylinderBendsAsInSSLV109)
   }
   constraints.close();
 
-  // Forces per radian due to the traction on the top.
   Vector<double> forces(cylinder.dofs.n_dofs());
   FEFaceValues<2> values(cylinder.mapping, cylinder.element, QGauss<1>(4),
                          update_values | update_quadrature_points | update_JxW_values);
@@ -234,5 +229,5 @@ TEST(FourierPatch, CylinderBendsAsInSSLV109)
   std::copy(solution.data(), solution.data() + solution.size(), displacement.begin());
   constraints.distribute(displacement);
   displacement -= cylinder.nodal_values(exact);
-  EXPECT_LT(displacement.linfty_norm(), 1e-10 * 0.25); // rounding error times the condition of a slender beam
+  EXPECT_LT(displacement.linfty_norm(), 1e-10 * 0.25); // the stiffness of a slender beam is ill-conditioned
 }

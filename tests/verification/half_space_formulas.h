@@ -1,7 +1,6 @@
 #pragma once
 
-// Elastic half-spaces and layers under ring loads: published kernels and plain quadrature. Shares only the
-// elastic constants with the program.
+// Elastic half-spaces and layers under loads on a ring, by published kernels and plain quadrature.
 #include "fem/geometry/elastic_material.h"
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -15,22 +14,19 @@ namespace stemware::verification
 
 using fem::ElasticMaterial;
 
-/// A ring r1 < r < r2 [m].
 struct Band
 {
   double inner, outer;
 };
 
-/// Returns E / (1 - nu^2) [Pa].
 inline double plane_strain_modulus(const ElasticMaterial &material)
 {
   return material.young_modulus / (1 - material.poisson_ratio * material.poisson_ratio);
 }
 
-/// Returns the surface displacement of a layer bonded to a rigid base over the displacement of a half-space,
-/// under a pressure of wave number k without friction. @p thickness in units of 1 / k, infinite for the
-/// half-space. Tends to k h (1 - 2 nu) / (2 (1 - nu)^2) for a thin layer (Johnson, Contact Mechanics, 1985,
-/// section 5.8).
+/// Returns the surface displacement of a layer bonded to a rigid base, divided by that displacement of a
+/// half-space, under a frictionless pressure of wave number k. @p thickness: k h, infinite for a half-space.
+/// A thin layer gives k h (1 - 2 nu) / (2 (1 - nu)^2) (Johnson, Contact Mechanics, 1985, section 5.8).
 inline double layer_over_half_space(double thickness, double poisson_ratio)
 {
   if (thickness > 300)
@@ -40,7 +36,6 @@ inline double layer_over_half_space(double thickness, double poisson_ratio)
          (2 * kappa * std::cosh(2 * thickness) + 1 + kappa * kappa + 4 * thickness * thickness);
 }
 
-/// Returns the integral of @p f by ten-point Gauss rules on @p n equal pieces.
 template <typename Function>
 double integral(const Function &f, double from, double to, unsigned int n)
 {
@@ -51,8 +46,8 @@ double integral(const Function &f, double from, double to, unsigned int n)
   return sum;
 }
 
-/// Returns int u_z r dr over @p seen under a unit pressure cos(n theta) on @p loaded, at theta = 0 [m^5/N]:
-/// Hankel transforms of both bands with the kernel 2 / (E* k) of Boussinesq or of a layer.
+/// Returns int u_z r dr over @p seen at theta = 0 under a unit pressure cos(n theta) on @p loaded [m^5/N],
+/// from Hankel transforms of both bands and the kernel 2 / (E* k) of Boussinesq or of a layer.
 inline double normal_compliance(unsigned int n, Band loaded, Band seen, const ElasticMaterial &material,
                                 double thickness = std::numeric_limits<double>::infinity())
 {
@@ -68,7 +63,8 @@ inline double normal_compliance(unsigned int n, Band loaded, Band seen, const El
     return layer_over_half_space(k * thickness, material.poisson_ratio) * of_load *
            (is_same ? of_load : transform(seen, k));
   };
-  // In k the integrand oscillates with the radius and decays like k^-3, or faster between two bands.
+  // The integrand oscillates in k with the radius as frequency and decays like k^-3, or faster between two
+  // bands.
   const double width = std::min(loaded.outer - loaded.inner, seen.outer - seen.inner);
   const double radius = seen.outer;
   const double end = 50 / width;
@@ -76,18 +72,17 @@ inline double normal_compliance(unsigned int n, Band loaded, Band seen, const El
          integral(integrand, 0, end, static_cast<unsigned int>(end * radius / 6) + 1);
 }
 
-/// Integrated normal displacement under radial tractions cos(n theta) and azimuthal tractions sin(n theta)
-/// [m^5/N].
+/// int u_z r dr under radial tractions cos(n theta) and azimuthal tractions sin(n theta) [m^5/N].
 struct TangentialCompliance
 {
   double radial, azimuthal;
 };
 
-/// Returns the same compliance under unit tractions, of a half-space *below* the plane, z upwards, n >= 1.
-/// Cerruti: a force Q along x lowers the surface ahead of it, u_z = -(1 - 2 nu) / (4 pi G) Q x / rho^2
-/// (Johnson, eq. 3.7). With x / rho^2 the gradient of ln rho, whose harmonics are -(pi / n) (smaller / larger
-/// radius)^n, the ring of radius s does (1 - 2 nu) / (4 G s) times (r/s)^n (f_r + f_theta) within, (s/r)^n
-/// (f_theta - f_r) outside.
+/// Returns the compliance of a half-space below the plane (z upwards) under unit tractions, n >= 1. Cerruti:
+/// a force Q along x displaces the surface by u_z = -(1 - 2 nu) / (4 pi G) Q x / rho^2 (Johnson, eq. 3.7).
+/// Because x / rho^2 is the gradient of ln rho with the harmonics -(pi / n) (smaller / larger radius)^n, the
+/// ring of radius s gives (1 - 2 nu) / (4 G s) times (r/s)^n (f_r + f_theta) for r < s and (s/r)^n (f_theta -
+/// f_r) for r > s.
 inline TangentialCompliance tangential_compliance(unsigned int n, Band loaded, Band seen,
                                                   const ElasticMaterial &material)
 {

@@ -1,6 +1,5 @@
-// Thick discs and layers, compared with an elastic half-space and a bonded layer. References: closed forms
-// with quadrature (Boussinesq, Cerruti, transfer function of a layer); flat annular punch by other code
-// (docs/verification/annular_punch.md).
+// References: closed forms with quadrature (Boussinesq, Cerruti, transfer function of a layer); for punches
+// annular_punch.py (docs/verification/annular_punch.md).
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/compute_compliance.h"
 #include "fem/revolution/meshed_revolution_foot.h"
@@ -19,7 +18,6 @@ namespace
 
 const ElasticMaterial wood{ 10e9, 0.3 };
 
-/// Returns a profile with a flat land of @p width [m].
 GlassProfile strip(double width)
 {
   GlassProfile profile;
@@ -46,7 +44,7 @@ Eigen::VectorXd nodes_of(const ContactCompliance &compliance, Band band)
 
 } // namespace
 
-// Reference: closed form. All harmonics above 16 use the compliance of n = 24.
+// All harmonics above 16 use the compliance of n = 24.
 TEST(HalfSpace, NormalComplianceAgreesWithBoussinesq)
 {
   const ContactCompliance disc = compliance_of_disc({ 0.3, 0.3 }, wood, strip(0.004), 1, 16);
@@ -62,9 +60,8 @@ TEST(HalfSpace, NormalComplianceAgreesWithBoussinesq)
   }
 }
 
-// Reference: closed form. The compliances end at harmonic 16; higher harmonics use the compliance of n = 24.
-// The body therefore responds to harmonic 20 like a half-space to harmonic 24. Harmonic 5 uses its own
-// compliance.
+// The compliances end at harmonic 16, and higher harmonics use the compliance of n = 24. The disc therefore
+// responds to harmonic 20 like a half-space to harmonic 24.
 TEST(HalfSpace, HarmonicsAboveTheHighestUseTheComplianceOfHarmonic24)
 {
   constexpr unsigned int n_lines = 64;
@@ -85,8 +82,6 @@ TEST(HalfSpace, HarmonicsAboveTheHighestUseTheComplianceOfHarmonic24)
   }
 }
 
-// Reference: closed form. An outward traction lowers the surface outside. If either traction had the wrong
-// sign, the error would exceed the tolerance.
 TEST(HalfSpace, TangentialComplianceAgreesWithCerruti)
 {
   const ContactCompliance disc = compliance_of_disc({ 0.3, 0.3 }, wood, strip(0.004), 1, 6);
@@ -101,8 +96,8 @@ TEST(HalfSpace, TangentialComplianceAgreesWithCerruti)
     }
 }
 
-// Reference: closed form (Johnson, section 5.8). Cases: layers thicker than the contact is wide, with nu = 0
-// and with nu = 0.3, and a thin layer.
+// Reference: Johnson, Contact Mechanics, section 5.8. Cases: layers thicker than the contact is wide, with nu
+// = 0 and nu = 0.3, and a thin layer.
 TEST(Layer, NormalComplianceAgreesWithTheTransferFunction)
 {
   const struct
@@ -125,14 +120,13 @@ TEST(Layer, NormalComplianceAgreesWithTheTransferFunction)
   }
 }
 
-// Reference: other code (tests/verification/annular_punch.py, a layer of 100 outer radii). If the land is
-// wide compared with the wavelength of the highest harmonic, LineNewton needs more than ten polynomials in r.
-// The remaining error comes from the singular edges.
+// Reference: tests/verification/annular_punch.py, a layer of 100 outer radii. The remaining error comes from
+// the singular pressure at the edges.
 TEST(HalfSpace, WideAnnularPunchesConvergeOnManyCells)
 {
   const struct
   {
-    double ratio, load, moment; ///< ratio of the radii; P/(2 E* a delta); 3 M/(4 E* a^3 alpha)
+    double ratio, load, moment; ///< radii inner / outer; P/(2 E* a delta); 3 M/(4 E* a^3 alpha)
   } punches[] = { { 0.5, 0.9895262242, 0.9960429791 },
                   { 0.7, 0.9473028987, 0.9741349404 },
                   { 0.9, 0.8269807294, 0.8624369366 } };
@@ -157,7 +151,6 @@ TEST(HalfSpace, WideAnnularPunchesConvergeOnManyCells)
       const double torque = 0.2 * force * setup.profile.contact_radius / 2;
       const ContactState state = foot.solve({ force, torque, 0 });
       const Eigen::Vector3d motion = state.solution.motion;
-      // The whole land is in contact.
       EXPECT_EQ(state.load.contact_fraction, 1) << ratio << ", " << n_cells << " cells";
       const double modulus = plane_strain_modulus(wood);
       EXPECT_NEAR(std::abs(motion(0)) * 2 * modulus * outer * load / force, 1, error_of_depth)

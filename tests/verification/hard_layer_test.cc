@@ -1,7 +1,6 @@
-// Rigid flat land on a hard interface and a thin bonded layer. The compliance of the interface is negligible,
-// so the land settles like a strip on the layer. Reference: other code
-// (tests/verification/strip_on_a_layer.py). The land is a fiftieth of the radius wide, so the curvature of
-// the ring changes the settlement by 1e-4.
+// A rigid flat land on a thin bonded layer settles like a strip, because the compliance of the hard interface
+// is negligible. Reference: tests/verification/strip_on_a_layer.py. The land is a fiftieth of the radius
+// wide, so the curvature of the ring changes the settlement by 1e-4.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "ring_model/load/constants.h"
@@ -35,8 +34,7 @@ TEST(HardLayer, SettlementAgreesWithAStrip)
     setup.meridian.n_harmonics = 2;
     setup.n_lines = 16;
     setup.normal_force = force;
-    // The cells resolve the edge zones of the pressure. The length of these zones is the thickness of the
-    // layer.
+    // The zones of high pressure at the edges are as long as the layer is thick.
     setup.resolution.focus_size = std::min(width / 100, thickness / 2);
     setup.resolution.focus_width = width / 2;
     const MeshedRevolutionFoot foot(setup);

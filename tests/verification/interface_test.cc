@@ -1,4 +1,3 @@
-// Hard and compliant interfaces, compared with another program, plain sums and the theorem of Dundurs.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/revolution/compute_compliance.h"
@@ -22,9 +21,8 @@ ContactLoad press_on(const RevolutionSetup &setup, const Resultants &load, doubl
 
 } // namespace
 
-// Reference: CalculiX with and without friction. The pressure is singular at the inner edge of the land,
-// where CalculiX has cells of 60 um. References above the sixth harmonic: three other finite-element programs
-// with nodal contact, within their scatter.
+// The pressure is singular at the inner edge of the land, where CalculiX has cells of 60 um. References above
+// the sixth harmonic: the range of three other finite-element programs with nodal contact.
 TEST(RigidTable, FlatLandWithLiftOffAgreesWithCalculiX)
 {
   unsigned int n_compared = 0;
@@ -84,10 +82,9 @@ TEST(YieldingTable, RigidFootAgreesWithPlainSums)
     }
 }
 
-// Dundurs: tangential tractions do not change the gap between two half-spaces of the same material. Tested
-// for a thick foot and a thick disc under azimuthal tractions, with a harmonic so high that the effect does
-// not reach the stem or the bottom of the disc. The remaining coupling is a mesh error of the foot, which
-// decreases with refinement.
+// Dundurs: tangential tractions do not change the gap between two half-spaces of the same material. The
+// harmonic is so high that its displacements do not reach the stem or the bottom of the disc. The remaining
+// coupling is a mesh error of the foot and decreases with refinement.
 TEST(Friction, DoesNotCoupleEqualHalfSpaces)
 {
   const ElasticMaterial wood{ 10e9, 0.3 };

@@ -1,6 +1,6 @@
 #pragma once
 
-// A rigid flat annulus or disc on a Winkler mat with lift-off: closed forms of circular segments.
+// A rigid flat annulus or disc on a Winkler mat with lift-off, from closed forms of circular segments.
 #include "ring_model/load/constants.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace stemware::verification
 {
 
-/// Area of the part x > c of the disc with radius a, and its first and second moments in x.
+/// Area of the part x > c of a disc of radius a, and first and second moments of the area in x.
 struct Segment
 {
   Segment(double a, double c)
@@ -23,8 +23,8 @@ struct Segment
   double area, first, second;
 };
 
-/// Edge of contact c of an annulus on a mat, p ~ x - c for x > c, with its centre of pressure at @p
-/// eccentricity, and the share of the area beyond it. In full contact the share is 1.
+/// Contact edge c of an annulus under the pressure p ~ x - c for x > c with its centre at @p eccentricity,
+/// and the share of the area with x > c (1 in full contact).
 struct LiftedAnnulus
 {
   LiftedAnnulus(double inner, double outer, double eccentricity)

@@ -1,6 +1,6 @@
 #pragma once
 
-// A rigid square plate on a Winkler mat with lift-off, tilted in any direction; exact up to rounding.
+// Rigid square plate on a Winkler mat with lift-off, tilted in any direction; exact up to rounding.
 #include <Eigen/Dense>
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -13,12 +13,12 @@
 namespace stemware::verification
 {
 
-/// Square plate [-1, 1]^2 [m] with the penetration max(0, motion . (1, x, y)) on a mat of 1 N/m^3, under 1 N
-/// at a given point.
+/// Square plate [-1, 1]^2 [m] on a mat of 1 N/m^3 with the penetration max(0, motion . (1, x, y)), under a
+/// force of 1 N at the point `centre`.
 class LiftedSquare
 {
 public:
-  /// Solves the balance by Newton's method, with the load moved from the middle in steps.
+  /// Solves the balance by Newton's method; the force moves from the middle to @p centre in steps.
   explicit LiftedSquare(const Eigen::Vector2d &centre)
   {
     const Eigen::Vector3d demand(1, centre(0), centre(1));
@@ -32,7 +32,7 @@ public:
     }
   }
 
-  /// Coefficients of the penetration in (1, x, y) [m].
+  /// Coefficients of the penetration for (1, x, y) [m].
   Eigen::Vector3d motion = { 0.25, 0, 0 };
 
   double share() const
@@ -40,10 +40,9 @@ public:
     return integral([](const Eigen::Vector3d &) { return 1.; }) / 4;
   }
 
-  /// Returns the largest depth, at a corner [m].
   double peak() const { return motion(0) + std::abs(motion(1)) + std::abs(motion(2)); }
 
-  /// Returns the harmonic a_n / a_0 or b_n / a_0 of the load about the origin, n > 0.
+  /// Returns a_n / a_0 or, for @p of_sine, b_n / a_0 of the load about the origin, n > 0.
   double harmonic(unsigned int n, bool of_sine) const
   {
     return 2 * integral(
@@ -55,7 +54,6 @@ public:
   }
 
 private:
-  /// Returns the corners of the part of the square under pressure, counter-clockwise.
   std::vector<Eigen::Vector3d> loaded() const
   {
     const std::vector<Eigen::Vector3d> square = { { 1, -1, -1 }, { 1, 1, -1 }, { 1, 1, 1 }, { 1, -1, 1 } };
@@ -72,14 +70,14 @@ private:
     return corners;
   }
 
-  /// Returns the integral of @p of(1, x, y) over the loaded part, by signed triangles from the origin to its
-  /// edges. Along a ray the integrand is a polynomial of degree 2 times a function of the azimuth.
+  /// Returns int @p of(1, x, y) over the loaded part, by signed triangles between the origin and the edges.
+  /// Along a ray the integrand is a polynomial of degree 2 times a function of the azimuth.
   double integral(const std::function<double(const Eigen::Vector3d &)> &of) const
   {
     using Gauss = boost::math::quadrature::gauss<double, 30>;
     using Few = boost::math::quadrature::gauss<double, 7>;
     const std::vector<Eigen::Vector3d> corners = loaded();
-    constexpr unsigned int n_parts = 60; // for an edge that passes close to the origin
+    constexpr unsigned int n_parts = 60; // enough for an edge close to the origin
     double sum = 0;
     for (std::size_t i = 0; i < corners.size(); ++i)
     {

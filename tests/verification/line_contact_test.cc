@@ -1,6 +1,5 @@
-// Hard contact of a rigid crowned ring with a thick elastic disc, with and without lift-off. Reference: line
-// contact with load-dependent width on a half-space, to leading order in width / radius, with all harmonics
-// that the lines resolve.
+// Hard contact of a rigid crowned ring with a thick elastic disc. Reference: line contact with load-dependent
+// width on a half-space, to leading order in width / radius.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/meshed_revolution_foot.h"
@@ -21,10 +20,10 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Returns the displacement at the middle of a line load cos(n theta) with Hertz half-width b around a ring,
-/// in units of line load / (pi E*), minus the constant 2 ln(16 R / b) + 1. For n b << R it is -4 sum_{k <= n}
-/// 1 / (2k - 1); the second term is the difference between 2 int p K_0(n |x| / R) dx of a straight line and
-/// its logarithm. @p slenderness: b / R.
+/// Returns the displacement at the middle of a line load cos(n theta) with Hertz half-width b on a ring of
+/// radius R, in units of line load / (pi E*), minus the constant 2 ln(16 R / b) + 1. For n b << R the
+/// displacement is -4 sum_{k <= n} 1 / (2k - 1). The second term is 2 int p K_0(n |x| / R) dx of a straight
+/// line minus its logarithm. @p slenderness: b / R.
 double half_space_eigenvalue(unsigned int n, double slenderness)
 {
   double sum = 0;
@@ -42,8 +41,8 @@ double half_space_eigenvalue(unsigned int n, double slenderness)
   return -4 * sum + 2 * stemware::verification::integral(beyond_logarithm, 0, pi / 2, 4);
 }
 
-/// Solves x (L - ln x) + S[x] = w_0 + w_1 cos(theta) for the relative line load x = q / mean q > 0, with
-/// L = 2 ln(16 R / b_0) + 1 and the eigenvalues S of the harmonics, by Newton's method on the loaded lines.
+/// Solves x (L - ln x) + S[x] = w_0 + w_1 cos(theta) for the relative line load x = q / mean q > 0 by
+/// Newton's method. L = 2 ln(16 R / b_0) + 1; S has the eigenvalues of the harmonics.
 class LineContact
 {
 public:
@@ -70,7 +69,6 @@ public:
     solve(moment_ratio);
   }
 
-  /// Returns a_n / a_0.
   double harmonic(unsigned int n) const
   {
     double sum = 0;
@@ -122,12 +120,11 @@ private:
   Eigen::VectorXd load;
 };
 
-/// Half-width of the contact at the mean load, divided by the radius of the ring.
 constexpr double slenderness = 0.01;
 constexpr unsigned int n_harmonics = 16;
 
-/// Solves a rigid ring on a disc of ten times the ring's radius. The crown of the ring gives the Hertz
-/// half-width slenderness * radius.
+/// Presses a rigid ring on a disc of ten times the radius of the ring. The crown gives the Hertz half-width
+/// slenderness * radius.
 ContactLoad press_ring(double moment_ratio, unsigned int n_lines)
 {
   Substrate substrate;
@@ -142,8 +139,8 @@ ContactLoad press_ring(double moment_ratio, unsigned int n_lines)
   setup.table = { std::make_shared<HardInterface>(), substrate };
   setup.meridian.n_harmonics = n_harmonics;
   setup.n_lines = n_lines;
-  setup.fineness = 4; // cells of b / 16; with cells of b / 4, noise of 2e-4 a_0 would disturb a_2 = 0.007 a_0
-  static ComplianceCache cache; // shared because all tests use the same bodies
+  setup.fineness = 4; // cells of b / 16; cells of b / 4 would give a_2 = 0.007 a_0 an error of 2e-4 a_0
+  static ComplianceCache cache;
   MeshedRevolutionFoot foot(setup.resolved_for(weight), cache);
   return foot.solve(load_at(moment_ratio)).load;
 }
@@ -152,8 +149,7 @@ ContactLoad press_ring(double moment_ratio, unsigned int n_lines)
 
 TEST(LineContact, OracleAgreesWithPublishedValues)
 {
-  // The published values are for L = 15.7555 (here 15.75552). In the weakly nonlinear limit, a_2 = m^2 / (4
-  // (L - 19/3)) = 0.0066.
+  // The published values are for L = 15.7555; here L = 15.75552.
   const LineContact contact(0.5, 33, slenderness);
   EXPECT_NEAR(contact.harmonic(2), 0.006875214728468, 3e-7);
   EXPECT_NEAR(contact.harmonic(3), -4.504165011245e-4, 3e-8);
@@ -163,10 +159,10 @@ TEST(LineContact, OracleAgreesWithPublishedValues)
 TEST(LineContact, AgreesWithTheOracleOnACrownedRingInFullContact)
 {
   const LineContact expected(0.5, 256, slenderness);
-  const ContactLoad load = press_ring(0.5, 65); // with an odd number of lines
+  const ContactLoad load = press_ring(0.5, 65); // odd number of lines
   EXPECT_EQ(load.contact_fraction, 1);
   // The tolerance of a_2 = 0.0069 is 1 %, the ratio of width and radius. The tolerance of the other harmonics
-  // is the noise of contact edges that cross cell borders.
+  // is the error from contact edges that cross cell borders.
   EXPECT_NEAR(load.a(2) / load.a(0), expected.harmonic(2), 6e-5);
   for (unsigned int n = 3; n <= 6; ++n)
     EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), 1.5e-5) << "n = " << n;
@@ -178,13 +174,13 @@ TEST(LineContact, AgreesWithTheOracleOnACrownedRingWithLiftOff)
   const unsigned int n_lines = 128;
   const ContactLoad load = press_ring(1.3, n_lines);
   EXPECT_NEAR(load.contact_fraction, expected.loaded_share(), 1.5 / n_lines);
-  // Expected: 0.2099, -0.0924, 0.0279, 0.0084, -0.0189. Tolerance: the ratio of width and radius, times the
+  // Expected: 0.2099, -0.0924, 0.0279, 0.0084, -0.0189. Tolerance: ratio of width and radius times the
   // largest value.
   for (unsigned int n = 2; n <= 6; ++n)
     EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), n == 2 ? 1.2e-3 : 5e-4) << "n = " << n;
 }
 
-/// NAFEMS R0094, contact benchmark 1: a steel cylinder of radius 50 mm on aluminium under 35 kN/mm has a
+/// NAFEMS R0094, contact benchmark 1: under 35 kN/mm, a steel cylinder of radius 50 mm on aluminium has a
 /// half-width of 6.21 mm and a peak pressure of 3585.37 MPa.
 TEST(LineContact, HalfWidthAgreesWithHertz)
 {

@@ -1,5 +1,3 @@
-// Solid body with geometric multigrid, compared with the body of revolution (other elements and linear
-// solver, same interface law) and with other programs.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/nested_contact.h"
@@ -15,8 +13,7 @@ using namespace stemware::revolution_tests;
 namespace
 {
 
-/// Crowned foot on a mat under the moment ratio 1.2. Reference: load of a body of revolution on twice halved
-/// cells.
+/// Crowned foot on a mat under the moment ratio 1.2. Reference: body of revolution on cells halved twice.
 struct CrownedFoot
 {
   explicit CrownedFoot(GlassShape shape)
@@ -28,7 +25,6 @@ struct CrownedFoot
     expected = revolution.solve_on_winkler(1e11, load);
   }
 
-  /// Returns the largest difference of harmonics between a solid foot and the body of revolution.
   double error_of(const FootResolution &resolution) const
   {
     SolidOptions options;
@@ -50,24 +46,23 @@ struct CrownedFoot
 
 TEST(MultigridAgreement, CrownedFeetAgreeWithTheBodyOfRevolution)
 {
-  // The foot profile is smooth except at its edge. The step has corners of 270 degrees; next to them,
-  // elements of any degree converge slowly.
+  // The profile of GlassShape::foot is smooth except at the edge of the foot. Next to the 270-degree corners
+  // of GlassShape::step, elements of any degree converge slowly.
   EXPECT_LT(CrownedFoot(GlassShape::foot).error_of({ 48, 2, 2, 1 }), 1e-5);
   EXPECT_LT(CrownedFoot(GlassShape::step).error_of({ 48, 2, 2, 1 }), 3e-5);
 }
 
 TEST(MultigridAgreement, HangingNodesInTheContactReduceTheError)
 {
-  // The refined cells end inside and around the land, so hanging nodes lie in the contact. The foot has a
-  // fillet, so that errors at corners do not dominate.
+  // The refined cells end inside and around the land. GlassShape::foot has a fillet, so that errors at
+  // corners do not dominate.
   const CrownedFoot foot(GlassShape::foot);
   const double uniform = foot.error_of({ 24, 2, 1, 1 }), finer = foot.error_of({ 24, 2, 1, 1, 1 });
   EXPECT_LT(finer, uniform);
   EXPECT_LT(finer, 3e-5) << "uniform: " << uniform;
 }
 
-// References: CalculiX up to the sixth harmonic; above, three other finite-element programs within their
-// scatter.
+// References: CalculiX up to the sixth harmonic; above, the range of three other finite-element programs.
 TEST(MultigridAgreement, HardFlatLandAgreesWithOtherPrograms)
 {
   SolidSetup setup;

@@ -1,15 +1,9 @@
-// A punch with rounded edges pressed into a disc, with contact on the axis and without friction. Reference:
-// NAFEMS R0094, contact benchmark 2, axisymmetric; values of Code_Aster SSNA122.
-//
-// The test uses the elements, contact lines and Newton method of the program. Contact on the axis is possible
-// for n = 0 only, so every harmonic gets the compliance of n = 0 and each azimuth line is an axisymmetric
-// contact.
-//
-// Accuracy of the published values: SSNA122 uses 671 cells of 6 mm. At M, on the axis of the top of the disc,
-// it gives u_z = -0.130734 mm and sigma_zz = -91.1006 MPa with linear elements, -0.132941 mm and -94.1221 MPa
-// with quadratic elements, and states a large uncertainty. Here, cells of 0.5, 0.25 and 0.125 mm at the
-// contact edge give -0.13402, -0.13396 and -0.13396 mm, and -87.28, -87.21 and -87.21 MPa. The displacement
-// differs by 2.5 % from the linear and 0.8 % from the quadratic elements, the stress by 4.3 % and 7 %.
+// Frictionless axisymmetric punch with rounded edges on a disc: NAFEMS R0094, contact benchmark 2; values of
+// Code_Aster SSNA122. Contact on the axis is possible for n = 0 only, so every harmonic gets the compliance
+// of n = 0 and each azimuth line is an axisymmetric contact. SSNA122 (cells of 6 mm) gives at M, on the axis
+// of the top of the disc, u_z = -0.130734 mm and sigma_zz = -91.1006 MPa with linear elements, -0.132941 mm
+// and -94.1221 MPa with quadratic elements. Cells of 0.5, 0.25 and 0.125 mm at the contact edge give
+// -0.13402, -0.13396 and -0.13396 mm, and -87.28, -87.21 and -87.21 MPa in this test.
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/boundary_ids.h"
@@ -41,7 +35,6 @@ constexpr double punch_height = 0.100;
 constexpr double flat_radius = 0.040;
 constexpr double edge_radius = 0.010;
 
-/// Parameters of punch and disc in the benchmark.
 struct PunchParameters
 {
   ElasticMaterial punch = { 210e9, 0.3 };
@@ -53,7 +46,6 @@ struct PunchParameters
   double normal_force() const { return pressure_on_top * pi * punch_radius * punch_radius; }
 };
 
-/// Returns the height of the punch's lower side above the disc, 0 up to the rounded edge.
 double underside(double radius)
 {
   const double x = std::max(radius - flat_radius, 0.);
@@ -87,20 +79,18 @@ void append(std::vector<double> &cells, const std::vector<double> &more)
   cells.insert(cells.end(), more.begin(), more.end());
 }
 
-/// Returns equal cell lengths of about @p about that fill @p length [m].
 std::vector<double> equal_lengths(double length, double about)
 {
   const long n = std::lround(length / about);
   return std::vector<double>(static_cast<std::size_t>(n), length / static_cast<double>(n));
 }
 
-/// Lengths of the cells along a meridian.
 struct PunchCells
 {
   std::vector<double> on_contact, on_punch, on_disc; ///< along r, beginning with the contact zone
   std::vector<double> upward, downward;              ///< along z, beginning at the contact
 
-  /// Adds the rounded edge beyond the contact zone, in steps of @p angle up to 90 degrees.
+  /// Adds the rounded edge outside the contact zone, in steps of @p angle up to 90 degrees.
   void add_edge(double angle)
   {
     double radius = std::accumulate(on_contact.begin(), on_contact.end(), 0.);
@@ -115,11 +105,10 @@ struct PunchCells
   }
 };
 
-/// Returns cells with the length @p smallest [m] at the contact edge. The cells grow away from this edge.
 PunchCells fine_cells_of_punch(const PunchParameters &parameters, double smallest)
 {
   constexpr double growth = 1.25;
-  constexpr double fine = 2e-3; // width of fine cells beyond the flat part; contact ends at 40.4 mm
+  constexpr double fine = 2e-3; // width of fine cells outside the flat part; contact ends at 40.4 mm
   constexpr double end = 0.045; // outer radius of the contact zone [m]
   PunchCells cells;
   cells.on_contact = reversed(graded_lengths(flat_radius, smallest, growth, 3e-3));
@@ -134,8 +123,8 @@ PunchCells fine_cells_of_punch(const PunchParameters &parameters, double smalles
   return cells;
 }
 
-/// Makes a section 0 <= r <= radius of columns and rows of cells. The contact zone is the first @p n_contact
-/// faces at z = 0. @p held marks the clamped faces, @p shape moves the vertices.
+/// Makes the section 0 <= r <= radius of @p columns and @p rows of cells. The first @p n_contact faces at z =
+/// 0 are the contact zone, faces with @p held are clamped, and @p shape moves the vertices.
 void make_section(const std::vector<double> &columns, const std::vector<double> &rows, bool downward,
                   std::size_t n_contact, const std::function<bool(const Point<2> &)> &held,
                   const std::function<Point<2>(const Point<2> &)> &shape, Triangulation<2> &triangulation)
@@ -162,8 +151,8 @@ void make_section(const std::vector<double> &columns, const std::vector<double> 
   GridTools::transform(shape, triangulation);
 }
 
-/// Makes the punch. Its rounding consists of chords between the nodes. A spot on the axis of the top is
-/// fixed; the reaction there vanishes, because pressure and contact are in equilibrium.
+/// A spot on the axis of the top is fixed. Its reaction vanishes, because pressure and contact force are in
+/// equilibrium.
 void make_punch(const PunchCells &cells, Triangulation<2> &triangulation)
 {
   const double spot = cells.on_punch.front();
@@ -182,13 +171,13 @@ void make_disc(const PunchParameters &parameters, const PunchCells &cells, Trian
     [](const Point<2> &x) { return x; }, triangulation);
 }
 
-/// Returns the vertical displacement [m] of the contact nodes under @p pressure on the top of the punch.
+/// Returns the vertical displacement of the contact nodes [m] under @p pressure on the top of the punch.
 Eigen::VectorXd displacement_under_top(const MeridianSpace &space, double pressure)
 {
   const FiniteElement<2> &element = space.dof_handler().get_fe();
   FEFaceValues<2> values(space.mapping(), element, QGauss<1>(element.degree + 1),
                          update_values | update_quadrature_points | update_JxW_values);
-  Vector<double> displacement(space.n_dofs()); // stores the forces per radian first
+  Vector<double> displacement(space.n_dofs()); // first stores the forces per radian
   std::vector<MeridianSpace::Dof> dofs(element.n_dofs_per_cell());
   for (const auto &cell : space.dof_handler().active_cell_iterators())
     for (const unsigned int face : cell->face_indices())
@@ -222,12 +211,11 @@ ContactCompliance axisymmetric_compliance(const MeridianSpace &space)
   return compliance;
 }
 
-/// Punch pressed on the disc, with displacement and stress at M, the point on the axis at the top of the
-/// disc.
+/// Punch pressed on the disc. M is the point on the axis at the top of the disc.
 struct PressedPunch
 {
-  /// Solves the contact. @p smallest: cell length at the contact edge [m]. @p modulus: stiff spring that
-  /// approximates the hard interface [Pa/m].
+  /// @p smallest: cell length at the contact edge [m]. @p modulus: stiff spring that approximates the hard
+  /// interface [Pa/m].
   explicit PressedPunch(double smallest, double modulus = 1e17)
   {
     const PunchParameters parameters;
@@ -261,8 +249,8 @@ struct PressedPunch
   }
 
   double displacement = 0;   ///< u_z(M) [m]
-  double stress = 0;         ///< sigma_zz(M) of the disc's stress field [Pa]
-  Eigen::VectorXd pressure;  ///< pressure at the contact nodes [Pa]
+  double stress = 0;         ///< sigma_zz(M) in the disc [Pa]
+  Eigen::VectorXd pressure;  ///< at the contact nodes [Pa]
   double force = 0;          ///< total contact force [N]
   double contact_radius = 0; ///< radius of the outermost node under pressure [m]
 
@@ -294,11 +282,11 @@ TEST(NafemsPunch, FineMeshesConvergeToTheBenchmark)
   EXPECT_LT(deviation(punch.force, PunchParameters().normal_force()), 1e-12);
   EXPECT_LT(deviation(coarser.displacement, punch.displacement), 6e-4);
   EXPECT_LT(deviation(coarser.stress, punch.stress), 1e-3);
-  // The stress field agrees with the contact pressure.
+  // The stress in the disc at M equals the contact pressure.
   EXPECT_LT(deviation(punch.stress, -punch.pressure(0)), 5e-5);
   EXPECT_LT(deviation(PressedPunch(2.5e-4, 1e18).displacement, punch.displacement), 2e-5);
   EXPECT_NEAR(punch.contact_radius, 0.0402, 2e-4);
-  EXPECT_LT(deviation(punch.displacement, -0.132941e-3), 0.01); // published value of quadratic elements
-  EXPECT_LT(deviation(punch.displacement, -0.130734e-3), 0.03); // published value of linear elements
+  EXPECT_LT(deviation(punch.displacement, -0.132941e-3), 0.01); // SSNA122, quadratic elements
+  EXPECT_LT(deviation(punch.displacement, -0.130734e-3), 0.03); // SSNA122, linear elements
   EXPECT_LT(deviation(punch.stress, -91.1006e6), 0.05);
 }

@@ -1,4 +1,4 @@
-// Cylinder with nu = 0 under a central load. A uniform vertical stress is the exact solution.
+// For nu = 0, a uniform vertical stress in a cylinder under a central load is the exact solution.
 #include "fem/contact/hard_interface.h"
 #include "ring_model/load/constants.h"
 #include "tests/fem/foot_case.h"
@@ -16,8 +16,7 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Makes a cylinder of radius 0.02 and height 0.03 on z = 0 with a clamped top. For nu = 0, the clamping does
-/// not disturb the solution.
+/// Makes a cylinder of radius 0.02 and height 0.03 on z = 0 with a clamped top.
 void make_cylinder(Triangulation<3> &triangulation)
 {
   Triangulation<3> lying;
@@ -73,12 +72,12 @@ TEST_P(Patch, PressureOnAMatIsUniform)
   const auto mat = make_law(WinklerInterface(1e10), body->contact_surface());
   const ContactSolution solution = solve_contact(*body, *mat, load_at(0), 0.02);
   EXPECT_LT(nonuniformity(solution), 1e-12);
-  // The motion of the table is the shortening p h / E of the cylinder plus the penetration p / k of the mat.
+  // The table moves by the shortening p h / E of the cylinder plus the penetration p / k of the mat.
   const double pressure = weight / body->contact_surface().area();
   EXPECT_NEAR(solution.motion(0) / (-pressure * (0.03 / 70e9 + 1 / 1e10)), 1, 1e-10);
 }
 
-/// The gap is exactly 0. Contact dofs can therefore not be identified by a non-zero constraint value.
+/// The gap is exactly 0, so contact dofs cannot be identified by a non-zero constraint value.
 TEST_P(Patch, PressureOnAHardTableIsUniform)
 {
   const auto table = HardInterface().make(body->contact_surface(), 70e9 / body->contact_cell_size());

@@ -1,7 +1,7 @@
 #pragma once
 
-// A rigid crowned foot on a Winkler mat, with or without lift-off, by plain quadrature up to the contact
-// edges. It shares no code with the program and uses no rings, harmonics or kernels.
+// Rigid crowned foot on a Winkler mat with lift-off, by plain quadrature up to the contact edges. It shares
+// no code with the program and uses no rings, harmonics or kernels.
 #include "ring_model/load/constants.h"
 #include "tests/verification/plain_rigid_foot.h"
 
@@ -16,7 +16,7 @@
 namespace stemware::verification
 {
 
-/// The default glass on a rigid foot, counter-clockwise orbit at constant speed, Coulomb friction; SI units.
+/// Default glass on a rigid foot on a counter-clockwise orbit at constant speed, Coulomb friction; SI units.
 struct LiftedFoot
 {
   double contact_radius = 0.030, crown_radius = 0.003, foundation_modulus = 1e10;
@@ -39,7 +39,7 @@ struct LiftedFoot
     {
     }
 
-    /// Returns the largest penetration at the angle @p phi from the direction of the lean [m].
+    /// Returns the largest penetration [m] along the ray at the angle @p phi from the direction of the lean.
     double deepest(double phi) const
     {
       const double slope = lean * std::cos(phi);
@@ -57,7 +57,7 @@ struct LiftedFoot
     double azimuth_share() const { return edge() / ring::pi; }
     double largest_pressure() const { return foot.foundation_modulus * deepest(0); }
 
-    /// Returns the line load at @p phi [N/rad]: closed form of the parabola across the rim.
+    /// Returns the line load at @p phi [N/rad], the closed form of a parabola across the rim.
     double line_load(double phi) const
     {
       const double top = std::max(0., deepest(phi)), half_width = std::sqrt(2 * foot.crown_radius * top);
@@ -65,8 +65,8 @@ struct LiftedFoot
              (foot.contact_radius + foot.crown_radius * lean * std::cos(phi));
     }
 
-    /// Calls visit(phi, weight [rad]) over the loaded arc, with panels that end at the contact edges and at
-    /// the angle @p split; equidistant points without lift-off.
+    /// Calls visit(phi, weight [rad]) at Gauss points of panels that end at the contact edges and at @p
+    /// split, or at equidistant angles without lift-off.
     template <typename Visitor>
     void for_each_azimuth(double split, const Visitor &visit) const
     {
@@ -82,8 +82,7 @@ struct LiftedFoot
       }
     }
 
-    /// Calls visit(x, y, force) for quadrature points of the contact, split at the point without slip at @p
-    /// omega.
+    /// Calls visit(x, y, force) at quadrature points. The panels end at the point without slip at @p omega.
     template <typename Visitor>
     void for_each_force(double omega, const Visitor &visit) const
     {
@@ -109,7 +108,6 @@ struct LiftedFoot
                        });
     }
 
-    /// Returns a_n (@p sine: b_n) over a_0.
     double harmonic(unsigned int n, bool sine) const
     {
       double sum = 0, force = 0;
@@ -129,7 +127,7 @@ struct LiftedFoot
     void for_each_force_of_first_harmonic(const Visitor &visit) const
     {
       const double R = foot.contact_radius, crown = foot.crown_radius;
-      const auto radii = [&](double slope) // where the penetration vanishes at that slope
+      const auto radii = [&](double slope) // radii at which the penetration vanishes for @p slope
       {
         const double top = R + crown * slope;
         const double half =
@@ -164,7 +162,8 @@ struct LiftedFoot
   private:
     static constexpr unsigned int n_azimuths = 1440;
 
-    /// Gauss points graded like x^3 towards both ends, for roots and kinks there.
+    /// Calls visit at Gauss points graded like x^3 towards both ends, because roots and kinks lie at the
+    /// ends.
     template <typename Visitor>
     static void for_graded(double from, double to, const Visitor &visit)
     {
@@ -180,14 +179,12 @@ struct LiftedFoot
     }
   };
 
-  /// Part of the pressure that has friction.
   enum class Friction
   {
     whole,
     first_harmonic
   };
 
-  /// Forces on the foot at the spin @p omega.
   struct Resultants
   {
     double force = 0;                                   ///< [N]
@@ -237,13 +234,13 @@ struct LiftedFoot
     Eigen::Vector3d position = flat_position();
     position.tail<2>() +=
       1e-3 * position(0) / contact_radius * Eigen::Vector2d(std::cos(direction), std::sin(direction));
-    const unsigned int n_steps = 20; // the moment grows, so that each step is small
+    const unsigned int n_steps = 20; // the moment grows in small steps
     for (unsigned int i = 1; i <= n_steps; ++i)
       position = solve([&](const Eigen::Vector3d &at) { return residual(m * i / n_steps, at); }, position);
     return position;
   }
 
-  /// Returns the position in moment balance at the spin @p omega, with the initial guess @p position. Throws
+  /// Returns the position in moment balance at @p omega, from the initial guess @p position. Throws
   /// std::runtime_error if Newton's method does not converge.
   Eigen::Vector3d position_in_balance(double omega, const Eigen::Vector3d &position, Friction part) const
   {
@@ -262,7 +259,6 @@ struct LiftedFoot
       position);
   }
 
-  /// Returns the position without a lean.
   Eigen::Vector3d flat_position() const
   {
     const double per_depth =
@@ -279,7 +275,7 @@ private:
   }
 };
 
-/// Torque of the glass over the spin, with the position continued from one spin to the next.
+/// Torque of the glass over the spin. The position at a spin is the initial guess for the next spin.
 class LiftedGlass
 {
   using Friction = LiftedFoot::Friction;
@@ -316,7 +312,7 @@ public:
     return sum.torque + lean;
   }
 
-  /// Returns the terminal spin between two spins [rad/s], in either order.
+  /// Returns the terminal spin between @p one and @p other [rad/s], in either order.
   double terminal_spin(double one, double other)
   {
     const double least = std::min(one, other), most = std::max(one, other);
@@ -339,7 +335,6 @@ public:
 private:
   static Eigen::Vector3d standing(const LiftedFoot &foot, Friction part)
   {
-    // Friction and acceleration are increased in steps.
     LiftedFoot partly = foot;
     Eigen::Vector3d position = foot.flat_position();
     position(1) = 1e-3 * position(0) / foot.contact_radius;
@@ -365,7 +360,7 @@ private:
     position = foot.position_in_balance(spin, position, part);
   }
 
-  static constexpr double rest = 1e-9; ///< [rad/s]
+  static constexpr double rest = 1e-9;
   const Friction part;
   const bool in_balance;
   const Eigen::Vector3d at_rest;

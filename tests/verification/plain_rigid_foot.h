@@ -1,6 +1,6 @@
 #pragma once
 
-// A rigid, crowned or flat, possibly wavy foot on a compliant interface, by plain sums over points of its
+// Rigid foot, crowned or flat, possibly wavy, on a compliant interface, by plain sums over points of its
 // land. It shares no code with the program and uses no rings, harmonics or kernels.
 #include "ring_model/load/constants.h"
 
@@ -21,8 +21,8 @@ struct PlainPoint
   double x, y, force; ///< [m], [N]
 };
 
-/// Returns the zero of @p residual(position) by damped Newton's method with difference quotients; entries in
-/// units of @p scale. Throws std::runtime_error if it does not converge.
+/// Returns the zero of @p residual(position) by damped Newton's method with difference quotients in units of
+/// @p scale. Throws std::runtime_error if the iteration does not converge.
 template <typename Residual>
 Eigen::Vector3d find_position(const Residual &residual, Eigen::Vector3d position,
                               const Eigen::Vector3d &scale)
@@ -49,14 +49,13 @@ Eigen::Vector3d find_position(const Residual &residual, Eigen::Vector3d position
   throw std::runtime_error("Newton's method of the plain foot did not converge");
 }
 
-/// Penetration d(r, theta) = d0 + d1 x + d2 y - (r - R)^2 / (2 crown) - wave(theta) on r_inner < r < r_outer,
-/// with the pressure pressure(d).
+/// Penetration d(r, theta) = d0 + d1 x + d2 y - (r - R)^2 / (2 crown) - wave(theta) on r_inner < r < r_outer.
 struct PlainRigidFoot
 {
   double contact_radius = 0.030, inner_radius = 0.028, outer_radius = 0.032;
   double crown_radius = 0.003; ///< 0: flat
   std::function<double(double)> wave = [](double) { return 0.; };
-  std::function<double(double)> pressure; ///< pressure as a function of the penetration [Pa]
+  std::function<double(double)> pressure; ///< as a function of the penetration [Pa]
   bool pulls_apart = true;                ///< true: no pressure at negative penetration
   unsigned int n_azimuths = 720;
   unsigned int n_pieces = 1; ///< number of pieces of each ray, for a pressure that is not a polynomial
@@ -117,7 +116,6 @@ struct PlainRigidFoot
       return Eigen::Vector3d(sum / force);
     };
     const double tilt = depth / contact_radius;
-    // The moment is increased in steps.
     Eigen::Vector3d position(depth, 0, 0);
     const double full_x = moment_x, full_y = moment_y;
     for (unsigned int part = 0; part <= 8; ++part)
@@ -130,7 +128,7 @@ struct PlainRigidFoot
   }
 };
 
-/// Returns a_n (sine: b_n) over a_0 of point forces.
+/// Returns a_n / a_0 or, for @p sine, b_n / a_0 of point forces.
 inline double harmonic_over_mean(const std::vector<PlainPoint> &points, unsigned int n, bool sine = false)
 {
   double sum = 0, force = 0;
@@ -143,15 +141,13 @@ inline double harmonic_over_mean(const std::vector<PlainPoint> &points, unsigned
   return sum / force;
 }
 
-/// Counter-clockwise orbit at constant speed with Coulomb friction; SI units.
 struct PlainMotion
 {
   double mass, inertia, centre_of_mass_height, force_offset, orbit_radius, speed, friction, gravity;
 };
 
-/// Forces on a glass on point forces and their moment about the centre of mass, in three dimensions. The axis
-/// leans with the foot. The force of the hand, m a - T, acts on the axis at force_offset above the centre of
-/// mass.
+/// Moments of all forces on a glass about its centre of mass, in three dimensions. The axis leans with the
+/// foot. The force of the hand, m a - T, acts on the axis at force_offset above the centre of mass.
 struct PlainGlass
 {
   PlainGlass(const std::vector<PlainPoint> &points, const Eigen::Vector3d &position, double omega,
@@ -172,19 +168,18 @@ struct PlainGlass
     const Eigen::Vector3d pull =
       Eigen::Vector3d(0, motion.mass * motion.speed * motion.speed / motion.orbit_radius, 0) - friction;
     moment += motion.force_offset * axis.cross(pull);
-    axial_torque = moment.dot(axis); // the axis is longer than one by 1e-9
+    axial_torque = moment.dot(axis); // the length of `axis` differs from one by 1e-9
   }
 
   Eigen::Vector3d friction = Eigen::Vector3d::Zero();
   /// Moment of the normal forces about the ring's centre.
   Eigen::Vector3d contact_moment = Eigen::Vector3d::Zero();
-  double friction_torque = 0;                       ///< about the vertical through it
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero(); ///< moment of all forces about the centre of mass
-  double axial_torque = 0;                          ///< moment about the leaning axis
+  double friction_torque = 0;                       ///< about the vertical through the ring's centre
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero(); ///< of all forces, about the centre of mass
+  double axial_torque = 0;                          ///< about the leaning axis
 };
 
-/// Returns the position of a glass on @p foot in balance at the spin @p omega: vertical force and horizontal
-/// moments vanish.
+/// Returns the position at which the vertical force and the horizontal moments vanish at the spin @p omega.
 inline Eigen::Vector3d position_in_balance(const PlainRigidFoot &foot, const PlainMotion &motion,
                                            double omega, const Eigen::Vector3d &start, double depth)
 {

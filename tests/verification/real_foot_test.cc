@@ -1,5 +1,3 @@
-// Foot of a wine glass: convergence on its smooth section, and agreement of the solid body with the body of
-// revolution.
 #include "tests/fem/foot_case.h"
 #include "tests/fem/geometry/profile_oracle.h"
 #include "tests/fem/revolution/revolution_case.h"
@@ -30,8 +28,7 @@ double observed_order(const GlassProfile &profile)
 
 TEST(RealFoot, HarmonicsConvergeFasterThanOnTheStep)
 {
-  // At the corners of the step (270 degrees of glass), the displacement varies like the distance to the power
-  // 0.54.
+  // At the 270-degree corners of the step, the displacement varies like the distance to the power 0.54.
   EXPECT_GT(observed_order(foot_profile()), 3.4);
   EXPECT_LT(observed_order(GlassProfile()), 2.2);
 }

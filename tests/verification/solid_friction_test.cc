@@ -1,5 +1,4 @@
-// Friction that deforms a solid foot (lagged traction). References: body of revolution (friction in the
-// matrix), and another program.
+// The solid foot lags the friction; the body of revolution has the friction in its matrix.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
@@ -85,8 +84,8 @@ TEST(SolidFriction, AgreesWithTheBodyOfRevolution)
   }
 }
 
-// Reference: CalculiX with the friction prescribed in calculix_foot.py. Friction causes all of a_2, b_2, a_3
-// and b_3 on the mat, and half of them on the hard table.
+// Reference: friction prescribed in calculix_foot.py. Friction causes a_2, b_2, a_3 and b_3 completely on the
+// mat and by half on the hard table.
 TEST(SolidFriction, AgreesWithCalculiX)
 {
   unsigned int n_compared = 0;
