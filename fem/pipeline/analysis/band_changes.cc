@@ -16,11 +16,11 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Safety factor for changes that converge at first order or faster.
+/// Safety factor for changes to another mesh or degree. With an error of first order, the change to a mesh
+/// with twice the cell size equals the error.
 constexpr double usual_factor = 1.25;
 
-/// Safety factor for the changes of add_lines() if the load ends between two contact lines. The larger of the
-/// two changes may be only half of the error.
+/// Safety factor for add_lines(): the larger of its two changes may be only half of the error.
 constexpr double factor_of_lines = 2.5;
 
 /// Minimum number of elastic harmonics for a comparison of meshes.
@@ -34,8 +34,8 @@ Variant changed(Variant copy, const Setting &change)
   return copy;
 }
 
-/// Returns the change @p variant for the part @p part of the error band. The variant is solved on its own
-/// foot and compared with the change of the part @p from; with the study if @p from is empty.
+/// Returns a change for the part @p part of the error band. @p factor scales its difference to the change of
+/// the part @p from, or to the study if @p from is empty.
 BandChange change_of(const std::string &part, double factor, Variant variant, const std::string &from = "",
                      bool compares_over_spins = false)
 {
@@ -56,7 +56,7 @@ void harden(Variant &variant)
 /// Number of rings that suffices unless the slip ratio is close to 1.
 constexpr unsigned int usual_rings = 5;
 
-/// Returns @p n_rings Chebyshev radii, at least two, on the interval whose Chebyshev radii are @p radii.
+/// Returns @p n_rings >= 2 Chebyshev radii on the interval whose Chebyshev radii are @p radii.
 std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned int n_rings)
 {
   const double middle = (radii.back() + radii.front()) / 2, reach = (radii.back() - radii.front()) / 2;
@@ -64,10 +64,9 @@ std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned 
   return chebyshev_radii(middle - half, middle + half, n_rings);
 }
 
-/// Adds changes of the rings and harmonics, applied to the pressure of the existing contact solutions. These
-/// changes get the factor 2, because the friction force in the moment balance adds an error of the same size.
-/// If the foot has at least two rings, their number is replaced by each of @p ring_counts, and the largest
-/// change counts. A single ring is replaced by the rings of a study with Contact/Rings = usual_rings.
+/// Adds changes of the rings and harmonics, applied to the pressure of the existing contact solutions. The
+/// factor is 2, because the friction force in the moment balance adds an error of the same size. With two or
+/// more rings, the largest change among @p ring_counts counts.
 void add_ring_projections(const Variant &own_study, const ElasticFoot &foot,
                           const std::vector<unsigned int> &ring_counts, std::vector<BandChange> &changes)
 {
@@ -91,9 +90,9 @@ void add_ring_projections(const Variant &own_study, const ElasticFoot &foot,
   }
 }
 
-/// Adds changes to three and four times the contact lines, set by @p multiply(variant, factor). If the load
-/// ends between two lines, the error depends on the position of the contact edge between them and has either
-/// sign. A single comparison could agree by chance.
+/// Adds changes to three and four times the contact lines. If the load ends between two lines, the error has
+/// either sign, depending on the distance from the contact edge to the next line. A single change could
+/// therefore vanish by chance.
 void add_lines(const Variant &own, const std::function<void(Variant &, unsigned int factor)> &multiply,
                std::vector<BandChange> &changes)
 {
@@ -130,8 +129,8 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
   }
   const Variant coarse = changed(fewer, [](Variant &variant) { variant.discretisation.fineness /= 2; });
   changes.push_back(change_of("mesh", usual_factor, coarse, from));
-  // On a hard table the cells are small, so a higher degree is compared on the coarse mesh. This comparison
-  // gives an upper bound.
+  // On a hard table the cells are small, so a higher degree is compared on the coarse mesh, where the change
+  // is an upper bound.
   if (study.contact.degree < 4 && study.table.is_hard())
     changes.push_back(change_of("degree", usual_factor, changed(coarse, raise_degree), "mesh"));
   else if (study.contact.degree < 4)
@@ -148,22 +147,20 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
       changes);
   if (study.table.is_hard())
     changes.push_back(change_of("interface", 1.5, changed(own, harden)));
-  // If the slip vanishes between two rings, the error depends on the position of this point between the rings
-  // and has either sign. A single comparison, or one with common radii, could agree by chance.
+  // Three numbers of rings: if the slip vanishes between two rings, the error has either sign, and a single
+  // change could vanish by chance.
   const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
   add_ring_projections(own, foot, { 2 * n_rings, 2 * n_rings + 1, 4 * n_rings }, changes);
   return changes;
 }
 
-/// Study on a coarser mesh. `ratio` is the growth of the cell size, the smallest of the three directions.
+/// Study on a coarser mesh. `ratio` is the growth of the cell size, the minimum over the three directions.
 struct CoarserStudy
 {
   Variant variant;
   double ratio = 2;
 };
 
-/// Returns the study of a solid foot on cells about twice as large; std::nullopt if such a mesh is not
-/// possible.
 std::optional<CoarserStudy> on_coarser_mesh(const Variant &own)
 {
   CoarserStudy coarse = { own };
@@ -174,7 +171,8 @@ std::optional<CoarserStudy> on_coarser_mesh(const Variant &own)
     --contact.refinements;
   else if (contact.mesh_file.empty())
   {
-    // The number of cells is rounded up to an allowed number: 6 cells across the land become 4.
+    // The halved number of cells is rounded up to a multiple of @p multiple: with multiple = 2, 6 cells
+    // become 4.
     const auto coarsen = [&](unsigned int &n, unsigned int multiple)
     {
       const unsigned int before = n;
@@ -193,10 +191,10 @@ std::optional<CoarserStudy> on_coarser_mesh(const Variant &own)
   return coarse;
 }
 
-/// Returns a factor on the compliance of the interface. It represents the indentation of the glass that cells
-/// of size @p cell do not resolve. Under a line load p on a contact of half-width b < cell, this indentation
-/// is 2 (1 - nu^2) / (pi E) p ln(cell / b), while the interface yields by p / (2 b k) (Johnson, Contact
-/// Mechanics, 1985, section 4.2).
+/// Returns a factor on the compliance of the interface. The factor represents the indentation of the glass
+/// that cells of size @p cell do not resolve. A line load p on a contact of half-width b < cell causes the
+/// indentation 2 (1 - nu^2) / (pi E) p ln(cell / b) of the glass and p / (2 b k) of the interface (Johnson,
+/// Contact Mechanics, 1985, section 4.2).
 double softening_by_narrow_contact(const Study &study, const LoadReport &load, double cell)
 {
   const double b = load.half_width(), nu = study.glass.material.poisson_ratio;
@@ -222,8 +220,8 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
   const std::optional<CoarserStudy> coarse = on_coarser_mesh(own);
   const Variant finer = changed(own, [](Variant &variant) { ++variant.study.contact.refinements; }),
                 quadratic = changed(own, raise_degree);
-  // An error of first order equals the change from a mesh with twice the cell size, or twice the change to
-  // halved cells. The safety factors are 1.5 and 1.25.
+  // With an error of first order, the error equals the change from a mesh with twice the cell size, or twice
+  // the change to halved cells. The safety factors are 1.5 and 1.25.
   if (coarse)
     changes.push_back(change_of("mesh", 1.5 / (coarse->ratio - 1), coarse->variant, "", true));
   else if (study.contact.degree == 2 && is_affordable(finer))
@@ -249,15 +247,15 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
     changes.push_back(change_of("interface", 2, changed(cheapest, harden), as_cheapest));
   else if (uses_penalty_for_hard_table(study, own.discretisation))
     changes.push_back(change_of("interface", 2, changed(own, harden)));
-  // The contact edge crosses the faces of a mesh file in any direction, and the faces of a generated mesh if
-  // there is lift-off. Contact with nodal multipliers has no lines.
+  // More lines matter only if the contact edge crosses faces: in a mesh file always, in a generated mesh only
+  // with lift-off. Contact with nodal multipliers has no lines.
   if ((!is_full || !study.contact.mesh_file.empty()) &&
       (!study.table.is_hard() || uses_penalty_for_hard_table(study, own.discretisation)))
     add_lines(
       own, [](Variant &variant, unsigned int factor) { variant.discretisation.line_factor *= factor; },
       changes);
-  // If the contact is much narrower than the spacing of the nodes, more rings would amplify rounding: the
-  // moment balance extrapolates from the rings to the nodes.
+  // The number of rings is reduced, because more rings may amplify rounding: if the contact is much narrower
+  // than the node spacing, the moment balance extrapolates from the rings to the nodes.
   const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
   add_ring_projections(own, foot, { n_rings == 2 ? usual_rings : n_rings - 1 }, changes);
   return changes;

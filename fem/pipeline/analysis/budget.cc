@@ -16,7 +16,6 @@ std::optional<double> unless_nan(double value)
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-/// Adds the row of a solved model to @p rows.
 void add_row(const ChainStep &step, const std::string &name, const Study &study, const LoadedRow &solved,
              std::vector<BudgetRow> &rows)
 {
@@ -42,8 +41,7 @@ WithoutRow judge_without(const LoadedRow &solved, const ring::Answer &complete)
   return row;
 }
 
-/// Returns the changes of the terminal spin due to changed inputs. Omits changes below rounding and inputs
-/// without a terminal spin.
+/// Returns the effect of each changed input on the terminal spin. Effects below rounding are omitted.
 std::vector<InputRow> judge_inputs(const Study &study, const std::vector<LoadedRow> &others)
 {
   std::optional<double> unchanged;
@@ -106,7 +104,6 @@ std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
       add_row(other.variant.step, other.variant.name, other.variant.study, other, rows);
   if (study.load.source == LoadSource::first_harmonic)
     return rows;
-  // Adds the rows 3 (3a if the glass tilts), 4, 5, ... of a study whose load has higher harmonics.
   const std::vector<LoadedRow> &by_harmonics = solved.by_harmonics;
   const LoadedRow &first = by_harmonics.front();
   add_row({ 3, study.tilts() }, study.tilts() ? "tilt" : "where the foot touches", study, first, rows);

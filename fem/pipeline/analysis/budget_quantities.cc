@@ -11,8 +11,6 @@ namespace
 
 using Number = std::optional<double>;
 
-/// Returns the reason that @p row states. Without a reason, returns the status if it is formal or if the
-/// terminal spin is missing; otherwise, an empty text.
 std::string remark_of(const BudgetRow &row)
 {
   if (!row.reason.empty())
@@ -25,7 +23,7 @@ Number spin_above(const BudgetRow &row)
   return row.difference ? Number(*row.omega_terminal - *row.difference) : std::nullopt;
 }
 
-/// Heading of a column without a visible heading. An empty heading would omit the column.
+/// Blank heading of a column. A column with an empty heading would not be shown.
 constexpr char no_heading[] = " ";
 
 } // namespace
@@ -135,7 +133,7 @@ std::vector<BudgetRow> shown_chain(const std::vector<BudgetRow> &rows, double ro
     return {};
   const double smallest = std::max(rows.back().band.value_or(0), rounding),
                torque_at_rest = std::abs(rows.back().torques[0].value_or(0));
-  // Each difference is relative to the previous visible row.
+  // Small steps are omitted, so each difference is taken to the last row in `shown`.
   std::vector<BudgetRow> shown;
   for (BudgetRow row : rows)
   {

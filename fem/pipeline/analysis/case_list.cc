@@ -27,9 +27,7 @@ namespace
 /// Maximum number of cases, so that their texts fit into memory.
 constexpr std::size_t max_cases = 1000000;
 
-/// Returns @p value in the SI unit, as a study file would state it. Assigns the value to @p entry of a
-/// separate study. Throws BadInput if @p entry refuses the value or if a file named by the value is missing.
-/// The message begins with @p origin.
+/// Returns @p value as a study file would state it, in SI units. Assigns the value to @p entry.
 std::string canonical(const StudyEntry &entry, const std::string &origin, const std::string &value)
 {
   assign(entry, origin, value);
@@ -47,7 +45,7 @@ std::vector<std::string> pieces(const std::string &text, char separator)
   return parts;
 }
 
-/// Returns @p value of a range, rounded to the 15th significant digit of the end of larger magnitude.
+/// Returns @p value, rounded to the 15th significant digit of the larger of |first| and |last|.
 double snapped(double value, double first, double last)
 {
   const double largest = std::max(std::abs(first), std::abs(last));
@@ -57,7 +55,6 @@ double snapped(double value, double first, double last)
   return rounded(std::round(value / unit) * unit, 15) + 0.; // + 0. avoids -0
 }
 
-/// Returns the values of the range first:last:number or first:last:number:log, as numbers in @p unit.
 std::vector<std::string> range_values(const std::string &origin, const std::vector<std::string> &parts,
                                       const std::string &unit)
 {
@@ -129,7 +126,6 @@ void require_different(const CaseList &list)
            list.origin + " varies " + entry.path + " twice; give all its values in one place.");
 }
 
-/// Returns the unit in a heading in the form in which it is appended to a number.
 std::string unit_of_heading(const StudyEntry &entry, const ColumnHeading &heading, const std::string &place)
 {
   const bool is_plain = heading.unit.empty() || entry.unit.empty();

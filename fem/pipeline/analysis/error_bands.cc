@@ -24,8 +24,7 @@ namespace
 /// Spins and phases at which a study and its changes are compared.
 struct EvaluationPoints
 {
-  /// 0, 0.5, 1 and 1.5 times the terminal spin. If these spins do not resolve the slope of the torque, four
-  /// spins close to the terminal spin follow.
+  /// 0, 0.5, 1 and 1.5 times the terminal spin, and any spins of add_slope_spins().
   std::vector<double> spins;
   std::optional<double> first; ///< terminal spin of the first harmonic only
   std::vector<ring::Orientation> phases;
@@ -42,10 +41,9 @@ struct Evaluation
   double slope_of_first = 0; ///< slope of torque_of_first [N m s]; computed for the study's own loads only
 };
 
-/// Loads of a study at the phases of EvaluationPoints.
 struct LoadsAtPhases
 {
-  /// `first`: first harmonic only; empty without EvaluationPoints::first.
+  /// `first`: loads of the first harmonic only; empty if EvaluationPoints::first has no value.
   std::vector<BalancedLoad> all, first;
 };
 
@@ -62,7 +60,7 @@ LoadsAtPhases loads_of(const Study &study, const std::shared_ptr<ElasticFoot> &f
   return loads;
 }
 
-/// Returns @p loads with the pressure of the same contact solutions of @p foot projected onto other rings.
+/// Returns @p loads with the same contact pressure, projected onto @p rings.
 LoadsAtPhases projected(LoadsAtPhases loads, const ElasticFoot &foot, const RingProjection &rings)
 {
   for (auto *list : { &loads.all, &loads.first })
@@ -80,7 +78,8 @@ LoadsAtPhases projected(LoadsAtPhases loads, const ElasticFoot &foot, const Ring
   return loads;
 }
 
-/// Returns the torques under @p loads at @p spins, averaged over the phases; NaN without a balance.
+/// Returns the torques at @p spins, averaged over @p loads (one load per phase); NaN if a load has no
+/// balance.
 std::vector<ring::Torques> mean_torques(const std::vector<BalancedLoad> &loads, const ring::Motion &motion,
                                         const std::vector<double> &spins)
 {
@@ -114,8 +113,7 @@ Evaluation evaluate(const LoadsAtPhases &loads, const ElasticFoot &foot, const r
   return found;
 }
 
-/// Returns the orientations of glass and table at equally spaced phases of their periods; a single
-/// orientation without waviness.
+/// Returns equally spaced orientations of glass and table, or a single orientation if neither is wavy.
 std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &foot)
 {
   const ring::Orientation start = moment_balance(study).orientation;
@@ -125,14 +123,14 @@ std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &
   constexpr unsigned int n_phases = 4;
   std::vector<ring::Orientation> phases;
   for (unsigned int i = 0; i < n_phases; ++i)
-    // The table runs backwards (3 i mod 4 = 0, 3, 2, 1): glass and table rotate in opposite directions.
+    // Glass and table rotate in opposite directions: the factor 3 i mod 4 of the table is 0, 3, 2, 1.
     phases.push_back({ start.glass + periods.glass * i / n_phases,
                        start.table + periods.table * (3 * i % n_phases) / n_phases });
   return phases;
 }
 
-/// Returns the reported numbers of @p row, each with the change from @p own to @p found added. The terminal
-/// spin is not searched again: its change follows from the change of the torque and the slope.
+/// Returns the reported numbers of @p row plus the change from @p own to @p found. The change of the terminal
+/// spin follows from the change of the torque and the slope, so no second search is needed.
 std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const EvaluationPoints &probe,
                                                 const Evaluation &own, const ring::Answer &row,
                                                 const Study &study)
@@ -212,7 +210,7 @@ LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoo
   const auto changed = [&](const std::vector<BalancedLoad> &before, unsigned int n_harmonics, double omega)
   {
     std::vector<BalancedLoad> loads;
-    // Slope of the change; empty if the changed foot has no balance at omega.
+    // Change of the load per change of spin; std::nullopt if the changed foot has no balance at omega.
     std::optional<Eigen::VectorXd> per_spin;
     for (const BalancedLoad &own : before)
     {
@@ -246,8 +244,8 @@ LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoo
            changed(own_loads.first, 1, probe.first.value_or(0)) };
 }
 
-/// Returns the quantities of the changed @p foot. They are evaluated on the rings of @p own, the foot of the
-/// study with the loads @p own_loads, unless the change concerns the rings.
+/// Evaluates the changed @p foot on the rings of the study's foot @p own, unless @p change concerns the
+/// rings.
 Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot> &foot,
                     const ElasticFoot &own, const LoadsAtPhases &own_loads, const EvaluationPoints &probe)
 {
@@ -262,8 +260,8 @@ Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot>
   return evaluate(loads, *foot, change.study.motion.orbit, probe);
 }
 
-/// Adds the scaled difference between @p before and @p after to the part `change.part` of each error band.
-/// Removes the bands of quantities without a value after the change.
+/// Adds change.factor times the change from @p before to @p after to the part change.part of each error band.
+/// Removes the bands of quantities without a value in @p after.
 void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &before,
               const std::vector<QuantityOfInterest> &after, ErrorBands &bands)
 {
@@ -284,8 +282,8 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
 }
 
 /// Widens the part "lines" of harmonics whose error vanishes by chance on the lines of this study. All
-/// harmonics n > 1 share the error due to the position of a contact edge between two lines. Four times the
-/// lines reduce this error to 1/32 (order 5/2), so each part is set to at least 1/32 of the largest part.
+/// harmonics n > 1 have a common error: the distance of a contact edge from the next line. Four times the
+/// lines reduce this error to 1/32 (order 5/2), so each part becomes at least 1/32 of the largest part.
 void widen_parts_of_lines(ErrorBands &bands)
 {
   constexpr double rest_on_more_lines = 1. / 32;
@@ -357,7 +355,7 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
     tell(i, solved);
   };
   const std::vector<Solved<Evaluation>> found = solve(changes, foot, look_at, executor, done);
-  // Quantities after the first change of each part.
+  // The quantities after the first change of each part are the reference of later changes (BandChange::from).
   std::map<std::string, std::vector<QuantityOfInterest>> by_part;
   for (std::size_t i = 0; i < changes.size(); ++i)
   {

@@ -18,8 +18,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns a goal, linearised at @p state: the friction torque tau_z at @p omega, plus the lean torque if @p
-/// with_lean.
+/// Returns the friction torque tau_z at @p omega as a goal, linearised at @p state. Adds the lean torque if
+/// @p with_lean is true.
 fem::ContactGoal torque_goal(const Study &study, const fem::ContactState &state, double omega, bool with_lean)
 {
   fem::ContactGoal goal;
@@ -60,7 +60,7 @@ void scale(fem::MeshError &error, double factor)
     share *= std::abs(factor);
 }
 
-/// Fraction of the error that the halved cells cover. The cells with the largest errors are halved first.
+/// Fraction of the total error in the cells to halve. Cells with the largest errors are halved first.
 constexpr double marked_share = 0.8;
 
 GoalError error_of(const Study &study, const Discretisation &discretisation, const Executor &executor)
@@ -86,7 +86,7 @@ double sum_of_shares(const fem::MeshError &error)
 }
 
 /// Throws if the next mesh for a goal exceeds the memory limit. @p before: error on the mesh before the last
-/// halvings of @p meshed. A halved cell becomes 8 cells; linear elements have 4.5 unknowns per cell.
+/// halvings of @p meshed. Halving replaces a cell by 8 cells; linear elements have 4.5 unknowns per cell.
 void require_memory(const Study &study, const Discretisation &meshed, const GoalError &before)
 {
   constexpr double per_unknown = 10e3; // measured [bytes]; most of the memory is used by the error estimate

@@ -10,7 +10,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the study with constant friction: mu at the orbit speed, so that the torque at rest is the same.
+/// Returns the study with the constant friction coefficient mu(orbit speed), which keeps the torque at rest.
 Study with_constant_friction(Study study)
 {
   ring::Motion &motion = study.motion.orbit;
@@ -19,8 +19,7 @@ Study with_constant_friction(Study study)
   return study;
 }
 
-/// Returns the study with a first harmonic on a ring of the contact radius. Its moment balance or given
-/// moment is kept.
+/// Returns the study with a first harmonic on a ring of the contact radius.
 Study first_harmonic_study(Study study)
 {
   study.load.source = LoadSource::first_harmonic;
@@ -146,7 +145,7 @@ std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
   add_if(!study.table.is_hard(), "compliance of the interface",
          [](Variant &other)
          {
-           // With waviness, the error between the phases is larger than the error of degree 2.
+           // With waviness, the error between the phases is larger than the error of elements of degree 2.
            constexpr unsigned int max_degree = 2;
            other.study.table.interface = TableInterface::hard;
            if (other.study.has_waviness())

@@ -15,7 +15,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Parameter of a study with its allowed sizes.
 struct Parameter
 {
   RefinementAxis axis;
@@ -96,7 +95,7 @@ RefinementSequence assess_convergence(const std::vector<double> &values, AxisKin
   double band = rounding;
   if (kind != AxisKind::cells)
     band +=
-      // The last step alone may be small by chance.
+      // The last step may be small by chance, so a quarter of the previous step counts as well.
       1.25 * std::max(std::abs(fine_step), std::abs(coarse_step) / 4);
   else if (0.5 <= order && order <= 8)
   {

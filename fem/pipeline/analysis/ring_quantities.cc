@@ -13,8 +13,6 @@ namespace
 using Number = std::optional<double>;
 using Effect = ring::TorqueEffect;
 
-/// Returns a function that reads a number of one state of an answer. The function returns std::nullopt if the
-/// answer lacks the state.
 template <typename Read>
 auto in_state(std::optional<ring::RingState> ring::Answer::*state, Read read)
 {
@@ -36,8 +34,7 @@ std::array<double, 2> force_of(const ring::RingState &state)
   return { state.friction.force_x, state.friction.force_y };
 }
 
-/// Returns a function that reads one member of an AtSpin: the effect at half or at the full terminal spin.
-/// The function returns std::nullopt without a terminal spin.
+/// Returns a function that reads one member of an AtSpin, at half or at the full terminal spin.
 auto of_effect(std::optional<Effect::AtSpin> Effect::*spin, double Effect::AtSpin::*value)
 {
   return [=](const Truncation &row)
@@ -47,7 +44,6 @@ auto of_effect(std::optional<Effect::AtSpin> Effect::*spin, double Effect::AtSpi
   };
 }
 
-/// Returns a function that reads a torque divided by the torque at rest.
 template <typename Read>
 auto over_rest(Read read)
 {

@@ -46,7 +46,6 @@ PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const PhaseExtremes
   return study;
 }
 
-/// Returns the study with one ring; std::nullopt if the study already has one ring.
 std::optional<Variant> variant_on_one_ring(const Study &study)
 {
   if (!study.load.is_from_contact() || study.contact.rings == 1)
@@ -103,8 +102,8 @@ CurveLoad curve_load(const Study &study, const std::vector<LoadedRow> &rows)
   int first = -n_intervals / 8;
   if (const ring::PhaseSampledLoad *phases = rows.back().load->phases())
   {
-    // Further spins would need as many contact solves as the answer. The curve therefore ends with the
-    // samples around the terminal spin, provided that they reach beyond the terminal spin.
+    // Spins beyond the samples would need as many contact solves as the answer, so the curve ends with the
+    // samples around the terminal spin, if these samples reach 1.1 times the terminal spin.
     constexpr double beyond = 1.1;
     const auto [lower, upper] = phases->polynomial_range(all.last_spin().value_or(0));
     const double terminal = all.last_spin().value_or(0), end = std::clamp(last, lower, upper);

@@ -32,8 +32,7 @@ std::string size_text(const fem::FootDescription &foot)
   return text;
 }
 
-/// Returns study_foot(), or nullptr if the load does not come from a contact. Reports the size of the foot
-/// and notes on friction and coupling to @p progress.
+/// Returns study_foot() and reports its size and notes to @p progress; nullptr if the load has no contact.
 std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &executor, Progress &progress,
                                             const Discretisation &discretisation = {},
                                             const ElasticFoot *similar = nullptr)
@@ -163,7 +162,6 @@ const Fields<StudyAnswer> &study_quantities()
 StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, Progress &progress,
                          bool with_fields, std::shared_ptr<ElasticFoot> *start)
 {
-  // 1. Load on the table, and spin.
   const MeshForGoal mesh = mesh_for_goal(study, executor, progress);
   const std::shared_ptr<ElasticFoot> foot =
     announced_foot(study, executor, progress, mesh.discretisation, start ? start->get() : nullptr);
@@ -174,7 +172,6 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
   answer.contact = describe(study, foot, load, answer.spin.answer().last_spin().value());
   progress.stage_done("report_of_contact");
 
-  // 2. Fields, and error bands in parallel.
   const std::shared_ptr<const ElasticFoot> of_fields = foot && with_fields ? foot->clone() : nullptr;
   const auto find = [&](std::size_t i)
   {

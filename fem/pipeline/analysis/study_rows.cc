@@ -18,7 +18,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the number of harmonics of each row.
 std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Depth depth)
 {
   const bool is_slow =
@@ -28,8 +27,7 @@ std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Dep
   return truncation_orders(n_all);
 }
 
-/// Returns the row of a variant. The row states the variant's number of harmonics even if the load has fewer
-/// harmonics or has failed.
+/// Returns the row of a variant with the number of harmonics of @p variant, even if its load has fewer.
 LoadedRow loaded_row(const Variant &variant, ring::Answer row, const std::optional<ring::Load> &load = {})
 {
   if (variant.n_harmonics != all_harmonics)
@@ -108,7 +106,7 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
         ? of_study->truncated(variant.n_harmonics)
         : find_load(variant.study, its_foot, silent_progress(), variant.n_harmonics, PhaseSampling::coarse);
     ring::Question question = spin_question(variant.study, asked);
-    // These rows are solved in parallel, where the observer must not be called.
+    // Variants with loads of their own are solved in parallel, where the observer must not be called.
     if (variant.shared != Shared::load)
       question.observer = {};
     LoadedRow row = loaded_row(variant, ring::answer(load, question), load);
@@ -195,8 +193,7 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
   }
   question.with_slope = false;
   question.zero_guess = whole.row.zero_guess();
-  // The spin at which the complete model tips is the initial guess for the models with fewer harmonics and
-  // for the models without one of the effects.
+  // Models with fewer harmonics or effects probably tip near the spin at which the complete model tips.
   if (whole.row.fall)
     question.initial_guess = whole.row.fall->omega;
   std::vector<Variant> variants;
