@@ -19,8 +19,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the unit that follows the name of @p column in a heading; an empty text if no unit follows;
-/// std::nullopt if the heading does not name the column.
+/// Returns the unit after the name of @p column in the heading @p cell; an empty text if the heading has no
+/// unit; std::nullopt if @p cell does not name the column.
 std::optional<std::string> unit_text_in(const std::string &cell, const FileColumn &column)
 {
   const std::string typed = as_typed(cell), heading = boost::to_lower_copy(typed);
@@ -35,7 +35,6 @@ std::optional<std::string> unit_text_in(const std::string &cell, const FileColum
   return std::nullopt;
 }
 
-/// Returns the number of cells, without trailing empty cells.
 std::size_t n_cells(const TableRow &row)
 {
   const auto last =
@@ -43,16 +42,14 @@ std::size_t n_cells(const TableRow &row)
   return static_cast<std::size_t>(row.cells.rend() - last);
 }
 
-/// Positions of the columns in a table.
 struct Layout
 {
-  std::size_t first_row = 0;       ///< first row with numbers
+  std::size_t first_row = 0;
   std::vector<std::size_t> places; ///< position of each column in a row
   std::vector<std::string> units;  ///< units as written in the file; empty: SI unit
-  std::size_t n_columns = 0;       ///< columns of the file
+  std::size_t n_columns = 0;
 };
 
-/// Reader of the numbers of one table.
 class ColumnReader
 {
 public:
@@ -92,7 +89,6 @@ private:
            " numbers a line, " + boost::join(names, ", ") + ".";
   }
 
-  /// Returns the advice of a message, e.g. "write 2 numbers, t, v, in SI units or ...".
   std::string remedy() const
   {
     return "write " + std::to_string(columns.size()) + " numbers, " + boost::join(names, ", ") +
@@ -115,8 +111,6 @@ private:
            std::all_of(row.cells.begin(), end, [&](const auto &cell) { return number_in(cell).has_value(); });
   }
 
-  /// Returns the layout according to the headings in the first row; std::nullopt if the first row does not
-  /// name all columns.
   std::optional<Layout> layout_by_heading() const
   {
     const TableRow &row = table.rows.front();
@@ -151,8 +145,7 @@ private:
                        });
   }
 
-  /// Returns the layout with the columns in their usual order. Throws BadInput if the first row is a heading
-  /// that does not name the columns.
+  /// Throws BadInput if the first row is a heading, because this heading does not name the columns.
   Layout layout_without_heading() const
   {
     const TableRow &row = table.rows.front();
@@ -207,7 +200,6 @@ private:
     commas_are_decimal = true;
   }
 
-  /// Returns the values in SI units.
   std::vector<double> values_in(const TableRow &row, const Layout &layout) const
   {
     const std::size_t n = n_cells(row);

@@ -22,8 +22,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Maximum number of harmonics. The torque of this number of harmonics takes seconds. The kernels of much
-/// lower orders are already negligible.
+/// Maximum number of harmonics. Their torque takes seconds, and the kernels are negligible at much lower
+/// orders.
 constexpr std::size_t max_harmonics = 1000;
 
 /// Maximum of loads and radii in SI units. Larger values are unit errors and would overflow.
@@ -32,7 +32,6 @@ constexpr double largest_number = 1e12;
 /// Maximum ratio of a coefficient to a_0. Without tension, the ratio is at most 2.
 constexpr double largest_share = 1000;
 
-/// Returns the ring radius in a comment of a load file; std::nullopt without such a comment.
 std::optional<double> ring_radius_in(const std::string &setting, const std::string &text)
 {
   const std::string key = "# ring radius:";

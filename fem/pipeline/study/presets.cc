@@ -19,7 +19,7 @@
 namespace stemware::pipeline
 {
 
-/// Returns the compiled-in files presets/*.prm (listed in CMakeLists.txt).
+/// Returns the files presets/*.prm, which are compiled into the program (listed in CMakeLists.txt).
 const CompiledTexts &glass_texts();
 const CompiledTexts &table_texts();
 
@@ -52,7 +52,6 @@ std::vector<Preset> presets_in(const CompiledTexts &texts)
   return presets;
 }
 
-/// Returns @p name for comparisons: in lower case, with blanks instead of - and _, and trimmed.
 std::string plain(std::string name)
 {
   std::replace_if(
@@ -68,7 +67,6 @@ std::vector<std::string> names_of(const std::vector<Preset> &presets)
   return names;
 }
 
-/// Returns the preset that @p word probably means: an alternative name, a part of a name, or a misspelt name.
 std::optional<std::string> suggestion_for(const std::string &word, const std::vector<Preset> &presets)
 {
   const std::string wanted = plain(word);
@@ -83,7 +81,6 @@ std::optional<std::string> suggestion_for(const std::string &word, const std::ve
   return closest_match(wanted, names);
 }
 
-/// Returns the folder of the cookbooks; an empty path if the cookbooks are not installed.
 fs::path cookbook_folder()
 {
   std::error_code error;

@@ -21,8 +21,7 @@ std::string entry_of(const std::string &file)
   return "Glass/Profile file = " + shortened_path(file);
 }
 
-/// Returns the points of a user-defined section [m]. Throws BadInput for coordinates of 1 m or more, which
-/// are probably given in mm.
+/// Returns the points of a section [m]. Throws BadInput for coordinates of 1 m or more, probably given in mm.
 std::vector<fem::SectionVertex> points_in(const std::string &file)
 {
   std::vector<fem::SectionVertex> points;
@@ -39,7 +38,7 @@ std::vector<fem::SectionVertex> points_in(const std::string &file)
   return points;
 }
 
-/// Returns the contact radius of a flat land: the middle of the first and the last of the lowest points.
+/// Returns the mean of the radii of the first and the last of the lowest points.
 double lowest_radius(const std::vector<fem::SectionVertex> &points)
 {
   const auto is_lower = [](const auto &a, const auto &b) { return a.height < b.height; };

@@ -29,7 +29,7 @@ using Dimension = std::array<int, 5>;
 constexpr Dimension mass = { 1 }, length = { 0, 1 }, duration = { 0, 0, 1 }, angle = { 0, 0, 0, 1 },
                     memory = { 0, 0, 0, 0, 1 }, force = { 1, 1, -2 }, pressure = { 1, -1, -2 };
 
-/// Unit, equal to 10^decimal times `factor` SI units.
+/// Unit = 10^decimal * factor SI units.
 struct Unit
 {
   Dimension dimension = {};
@@ -51,7 +51,6 @@ const std::map<std::string, Unit> metric_units = { { "g", { mass, -3 } },  { "m"
                                                    { "Pa", { pressure } }, { "rad", { angle } },
                                                    { "B", { memory } } };
 
-/// Units that take no prefixes.
 const std::map<std::string, Unit> other_units = { { "1", {} },
                                                   { "%", { {}, -2 } },
                                                   { "byte", { memory } },
@@ -119,7 +118,6 @@ std::optional<Unit> parse_unit(std::string text)
   return is_whole ? std::optional(product) : std::nullopt;
 }
 
-/// Number and the text after it.
 struct Parts
 {
   std::string number;
@@ -186,7 +184,6 @@ Unit known_unit(const std::string &unit)
   return parse_unit(unit.empty() ? "1" : unit).value();
 }
 
-/// Returns the accepted units as text: " in kg, g, mg, oz or lb", or ", also in %" for pure numbers.
 std::string units_of(const Kind &kind)
 {
   if (kind.unit == "1")

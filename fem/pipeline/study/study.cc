@@ -18,8 +18,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Creates the interface law of a table. The rest of the code uses the law instead of the names of interface
-/// and substrate.
 std::shared_ptr<const fem::InterfaceLaw> make_interface(const TableSection &table)
 {
   switch (table.interface)
@@ -34,10 +32,9 @@ std::shared_ptr<const fem::InterfaceLaw> make_interface(const TableSection &tabl
   throw std::logic_error("a table without an interface");
 }
 
-/// Returns true if the table is so stiff that friction which bends the foot may change the pressure and
-/// cancel the effect of the harmonics. This requires a hard interface on a rigid table, or on a substrate
-/// with at least 1/100 of Young's modulus of the foot. A substrate with 1/1000 of this modulus follows the
-/// bent foot.
+/// Returns true if the table is so stiff that friction, by bending the foot, may change the pressure and
+/// cancel the effect of the harmonics: a hard interface on a rigid table, or on a substrate with at least
+/// 1/100 of the foot's Young's modulus. A substrate with 1/1000 of the modulus yields with the bent foot.
 bool has_stiff_contact(const Study &study)
 {
   const TableSection &table = study.table;
@@ -72,7 +69,7 @@ fem::Resultants Study::required_resultants() const
   required.normal_force = motion.orbit.normal_force();
   if (load.is_static())
   {
-    // Moment (sum y f, -sum x f) of a load with its maximum in the given direction.
+    // Moment (sum y f, -sum x f) of a load f with its maximum at the azimuth moment_direction.
     const double moment = load.moment_ratio * required.normal_force * radius / 2;
     required.moment_x = moment * std::sin(load.moment_direction);
     required.moment_y = -moment * std::cos(load.moment_direction);
@@ -115,7 +112,7 @@ double Study::spin_scale() const
     const double share = std::abs(required.moment_x) / (required.normal_force * glass.profile.contact_radius);
     return share < 1e-12 ? unit : unit * std::clamp(2 * share, 1e-6, 1.);
   }
-  catch (const ring::Tipping &) // the glass may tip in a model of the budget
+  catch (const ring::Tipping &) // some models of the budget tip
   {
     return unit;
   }

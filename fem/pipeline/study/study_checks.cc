@@ -24,7 +24,6 @@ bool is_implausible(const StudyEntry &entry, double value)
   return entry.plausible && value != 0 && !entry.plausible->contains(value);
 }
 
-/// Returns the given entries that are implausible and have an effect.
 std::vector<StudyEntry> implausible_entries(const std::vector<StudyEntry> &entries)
 {
   std::vector<StudyEntry> implausible;
@@ -34,27 +33,23 @@ std::vector<StudyEntry> implausible_entries(const std::vector<StudyEntry> &entri
   return implausible;
 }
 
-/// Returns the unit with a leading blank, e.g. " m"; an empty text for pure numbers.
 std::string unit_behind_number(const StudyEntry &entry)
 {
   return entry.unit == "1" ? "" : ' ' + entry.unit;
 }
 
-/// Returns an assignment as text, e.g. "Motion/Mass = 300 kg".
 std::string assignment(const StudyEntry &entry, double value)
 {
   return entry.path() + " = " + to_short_text(value) + unit_behind_number(entry);
 }
 
-/// Returns the plausible range, e.g. "0.02 to 2 kg".
 std::string plausible_text(const StudyEntry &entry)
 {
   return to_short_text(entry.plausible->min) + " to " + to_short_text(entry.plausible->max) +
          unit_behind_number(entry);
 }
 
-/// Refuses a given value that is outside its plausible range by a factor of more than 1e9. Such a value is no
-/// mere unit error, and the computation would overflow.
+/// Refuses a value outside its plausible range by a factor of more than 1e9: the computation would overflow.
 void require_conceivable(const std::vector<StudyEntry> &entries)
 {
   constexpr double far = 1e9;
@@ -69,8 +64,7 @@ void require_conceivable(const std::vector<StudyEntry> &entries)
     }
 }
 
-/// Refuses a length that has an effect and an implausible ratio to the contact radius
-/// (StudyEntry::times_contact_radius).
+/// Checks the ratios of lengths to @p radius, the contact radius (StudyEntry::times_contact_radius).
 void require_alike_lengths(const std::vector<StudyEntry> &entries, double radius)
 {
   for (const StudyEntry &entry : entries)
@@ -86,8 +80,7 @@ void require_alike_lengths(const std::vector<StudyEntry> &entries, double radius
     }
 }
 
-/// Refuses studies that require a feature which the chosen kind of body lacks. Refuses more load harmonics
-/// than the lines resolve: more than two lines per wavelength are required.
+/// Refuses features that the body lacks, and load harmonics with two or fewer contact lines per wavelength.
 void require_able_body(const ContactSection &contact, const TableSection &table)
 {
   const BodyAbilities can = abilities(contact.body);
@@ -107,7 +100,7 @@ void require_able_body(const ContactSection &contact, const TableSection &table)
                   std::to_string(contact.azimuth_lines) }));
 }
 
-/// Refuses a mat so stiff that it equals a hard table up to rounding.
+/// Refuses a mat that is so stiff that its results equal those of a hard table up to rounding.
 void require_mat_that_yields(const TableSection &table, const GlassSection &glass)
 {
   constexpr double most = 1e8;
@@ -130,8 +123,8 @@ void require_goal_with_estimate(const ContactSection &contact, const TableSectio
          "Contact/Goal is given for a body of revolution, but halves cells of a solid body only; write "
          "Contact/Refinements, which halves all cells at little cost, or Contact/Body = solid" +
            rest);
-  // The error estimate does not exist for nodal multipliers. A solid foot without a mesh hierarchy uses them
-  // on a hard table.
+  // A solid foot without refinement has nodal multipliers on a hard table, for which no error estimate
+  // exists.
   ensure(!table.is_hard() || contact.refinements > 0,
          "Contact/Goal of a solid foot on a hard table needs a refined mesh; set Contact/Refinements to at "
          "least 1" +
@@ -154,7 +147,6 @@ void require_load_file(const LoadSection &load)
            " contradicts Load/Source = file, whose load has a moment of its own; leave Moment ratio at -1.");
 }
 
-/// Checks that body, contact and harmonics of the study can represent a wavy rim or table.
 void require_known_waviness(const Study &study)
 {
   using Wavy = std::pair<std::string, Waviness>;
@@ -176,8 +168,7 @@ void require_known_waviness(const Study &study)
   }
 }
 
-/// Checks that the hand is not below the table and that both heights of the hand agree. The height of the
-/// centre of mass must be given if it has an effect.
+/// Checks that the hand is above the table and that Motion/Hand height and Motion/Force offset agree.
 void require_hand_above_table(const std::vector<StudyEntry> &entries, const MotionSection &section)
 {
   const ring::Motion &motion = section.orbit;
@@ -199,10 +190,9 @@ void require_hand_above_table(const std::vector<StudyEntry> &entries, const Moti
                 { text, to_short_text(-hand), to_text(centre), to_text(by_offset ? -centre : 0) }));
 }
 
-/// Returns a lower bound of the required moment, divided by the maximum moment of a pressure on the land. The
-/// bound is the moment without friction minus the maximum moment of friction. @p now: motion at one instant.
-/// If the ratio is 1 or more, the glass tips at every spin. If it is slightly smaller, contact solves are
-/// slow and fail before the glass tips.
+/// Returns a lower bound of the required moment at the instant @p now, divided by the maximum moment of a
+/// pressure on the land. The bound is the moment without friction minus the maximum moment of friction. At 1
+/// or more, the glass tips at every spin; slightly below 1, contact solves are slow and fail.
 double certain_tipping_share(ring::Closure closure, const fem::GlassProfile &profile, const ring::Motion &now)
 {
   const double friction = now.has_constant_friction()
@@ -215,7 +205,6 @@ double certain_tipping_share(ring::Closure closure, const fem::GlassProfile &pro
   return (of_hand - of_friction) / (now.normal_force() * outer);
 }
 
-/// Checks that the speeds of a file cover the spin-up and that the load can follow these speeds.
 void require_known_speeds(const Study &study)
 {
   if (!study.motion.orbit_speeds)
@@ -231,8 +220,7 @@ void require_known_speeds(const Study &study)
       throw BadInput(filled("{} does not reach t = {} s; give speeds from 0 to Motion/End time = {} s.",
                             { entry, to_text(time), to_text(study.motion.end_time) }));
     }
-  // Number of intervals of the spin-up. At each of their ends, the liquid must stay in the bowl and the glass
-  // must not tip.
+  // At n_times equally spaced instants, the liquid must stay in the bowl and the glass must not tip.
   constexpr unsigned int n_times = 1000;
   for (unsigned int i = 0; i <= n_times && study.motion.orbit.liquid.mass > 0; ++i)
     try
@@ -266,7 +254,6 @@ void require_known_speeds(const Study &study)
   }
 }
 
-/// Returns the note on the implausible @p value of @p entry.
 std::string implausible_note(const StudyEntry &entry, double value)
 {
   const std::string number = to_short_text(value);
@@ -283,7 +270,7 @@ std::string implausible_note(const StudyEntry &entry, double value)
                                : "check number and unit.");
 }
 
-/// Returns @p sentence (the reason why the glass tips at rest), preceded by notes on implausible values.
+/// Returns @p sentence, the reason why the glass tips at rest, after a list of implausible values.
 std::string with_implausible_values(const Study &study, const std::string &sentence)
 {
   std::vector<std::string> list;

@@ -18,15 +18,13 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Collects the entries, one subsection after the other.
 struct EntryList
 {
   Study &study;
   std::vector<StudyEntry> entries = {};
   StudyEntry subsection = {}; ///< template for the entries of the subsection
 
-  /// Starts the subsection @p name. Its entries have an effect if @p condition is true, unless an entry
-  /// states its own condition.
+  /// Starts a subsection. Entries without a condition of their own have an effect if @p condition is true.
   void enter(const std::string &name, bool condition)
   {
     subsection.section = name;
@@ -49,7 +47,6 @@ struct EntryList
     entry.quantity = &value;
   }
 
-  /// Adds an integer between @p least and @p most.
   template <typename... Facts>
   void count(const std::string &name, unsigned int &value, unsigned int least, unsigned int most,
              const std::string &help, const Facts &...facts)
@@ -64,7 +61,6 @@ struct EntryList
     append(name, value, allowed, help, parse, as_it_is, facts...).unit = "1";
   }
 
-  /// Adds the path of a file.
   template <typename... Facts>
   void path(const std::string &name, std::string &value, const std::string &help, const Facts &...facts)
   {
@@ -72,20 +68,17 @@ struct EntryList
       .path_value = &value;
   }
 
-  /// Adds a single-line text.
   template <typename... Facts>
   void words(const std::string &name, std::string &value, const std::string &help, const Facts &...facts)
   {
     append(name, value, "words without # and line ends, or nothing", help, in_one_line, as_it_is, facts...);
   }
 
-  /// Adds the waviness of a surface.
   void waviness(const std::string &name, Waviness &value, const std::string &help)
   {
     append(name, value, waviness_words, help, parse_waviness, waviness_text);
   }
 
-  /// Adds a choice from named values.
   template <typename Choice, typename... Facts>
   void choice(const std::string &name, Choice &value,
               const std::vector<std::pair<std::string, Choice>> &choices, const std::string &help,
@@ -143,7 +136,7 @@ struct EntryList
   }
 };
 
-/// Technical term that is not an entry name, and the entries that the term may mean, most common first.
+/// Technical term that is not an entry name. `paths`: entries that the term may mean, most common first.
 struct FieldWord
 {
   std::string word; ///< case-insensitive
@@ -188,8 +181,7 @@ const std::vector<FieldWord> field_words = {
   { "roughness", { "Table/Decay length" } },
 };
 
-/// Returns the entry that @p word, a technical term such as "E" or "Table/E", probably means. An entry of the
-/// section in @p word is preferred.
+/// Returns the entry meant by a technical term, e.g. "E" or "Table/E". Prefers the section in @p word.
 std::optional<std::string> meant_by_field(const std::string &word)
 {
   const std::size_t slash = word.find('/'), name = slash < word.size() ? slash + 1 : 0;
@@ -205,8 +197,7 @@ std::optional<std::string> meant_by_field(const std::string &word)
   return std::nullopt;
 }
 
-/// Returns the end of a message about an unknown entry, with the most likely entry: "; did you mean
-/// Glass/Contact radius?". Compares @p word with paths, with names, and with names in other sections.
+/// Returns the end of a message about an unknown entry, e.g. "; did you mean Glass/Contact radius?".
 std::string suggestion(const std::vector<StudyEntry> &entries, const std::string &word)
 {
   std::vector<std::string> names, paths;

@@ -32,7 +32,7 @@ namespace
 
 constexpr std::size_t longest_study = 1000000;
 
-/// Returns the beginning of a stream: slightly more than the maximum length of a study.
+/// Reads one character more than a study may have, so that a longer text is detected.
 std::string beginning_of(std::istream &stream)
 {
   std::string text(longest_study + 1, '\0');
@@ -41,8 +41,7 @@ std::string beginning_of(std::istream &stream)
   return text;
 }
 
-/// Throws BadInput if the name or type of the file shows that it is not a study file. The message starts with
-/// @p the_file.
+/// Throws BadInput if the name or the type of @p file shows that it is not a study file.
 void require_study_file(const std::string &the_file, const std::filesystem::path &file)
 {
   std::error_code error;
@@ -62,8 +61,6 @@ void require_study_file(const std::string &the_file, const std::filesystem::path
          the_file + " ends in neither .prm nor .json; rename it so that its format is clear.");
 }
 
-/// Returns @p bytes as the text of a study. Throws BadInput if they are not text. The message starts with @p
-/// the_file.
 std::string checked_text(const std::string &the_file, const std::string &bytes)
 {
   const std::string text = without_byte_order_mark(the_file, bytes);
@@ -78,8 +75,6 @@ std::string checked_text(const std::string &the_file, const std::string &bytes)
   return text;
 }
 
-/// Returns the text of the study file @p file ("-": standard input). Throws BadInput if it is not the text of
-/// a study. The message starts with @p the_file.
 std::string text_of_study(const std::string &the_file, const std::string &file)
 {
   std::string bytes;
@@ -134,8 +129,7 @@ void read_json(const std::string &file, const std::string &text, const std::vect
   }
 }
 
-/// Returns the entries for reading a study file. Entries in @p overrides accept any value, because they are
-/// replaced later.
+/// Returns entries that accept any value if @p overrides replace their value later.
 std::vector<StudyEntry> without_overridden(Study &study, const std::vector<std::string> &overrides)
 {
   std::vector<StudyEntry> entries = study_entries(study);
@@ -153,8 +147,7 @@ std::vector<StudyEntry> without_overridden(Study &study, const std::vector<std::
   return entries;
 }
 
-/// Applies all --set options like a study file: "Section/Entry=value" or "Entry=value", each entry at most
-/// once.
+/// Assigns the options --set, "Section/Entry=value" or "Entry=value"; each entry at most once.
 void apply(const std::vector<std::string> &overrides, const std::vector<StudyEntry> &entries)
 {
   std::map<std::string, std::string> text_of;
@@ -171,8 +164,6 @@ void apply(const std::vector<std::string> &overrides, const std::vector<StudyEnt
   }
 }
 
-/// Returns the entries with their current values as a .prm file. With @p comments, help and allowed values
-/// are added.
 std::string prm_text(const std::vector<StudyEntry> &entries, bool comments)
 {
   std::map<std::string, std::size_t> width; // maximum length of the names in each section
@@ -197,9 +188,9 @@ std::string prm_text(const std::vector<StudyEntry> &entries, bool comments)
   return text + end;
 }
 
-/// If the file states every entry (as written by `stemware defaults` or in results), entries with default
-/// values no longer count as given. Two kinds of entries stay given, so that the same values are used when
-/// the study is run again: entries that a user-defined section replaces, and the height of the hand.
+/// Removes entries with default values from given_entries if the file states all entries, as `stemware
+/// defaults` and results do. Entries that a user-defined section replaces and the height of the hand stay
+/// given, because rerunning the study must use the same values.
 void forget_stated_defaults(Study &study)
 {
   const std::vector<StudyEntry> &standard = default_entries(), own = entries_of(study);
@@ -211,7 +202,6 @@ void forget_stated_defaults(Study &study)
       study.given_entries.erase(own[i].path());
 }
 
-/// Returns the paths of the files that the study reads.
 std::vector<std::string *> paths_of(Study &study)
 {
   std::vector<std::string *> paths;
@@ -232,7 +222,6 @@ void read_text(const std::string &origin, const std::string &text, bool is_json,
   is_json ? read_json(shortened_path(origin), text, entries) : read_prm(origin, text, entries);
 }
 
-/// Reads the files that entries of the study name, and checks the study.
 void read_files_and_check(Study &study)
 {
   attach_profile(study);
@@ -305,7 +294,7 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
 void check_study(const Study &study)
 {
   check_values(study);
-  // Checks before the computation that the files exist. Their contents are checked when the files are read.
+  // Only the existence of files is checked before the computation, not their contents.
   if (study.load.source == LoadSource::file)
     require_regular_file("Load/File = " + shortened_path(study.load.file), study.load.file);
   if (!study.contact.mesh_file.empty())

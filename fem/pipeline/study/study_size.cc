@@ -39,9 +39,8 @@ void add_body_of_revolution(const Study &study, StudySize &size)
   size.memory += 3 * 800 * nodes + 52 * size.unknowns * size.unknowns + 4000 * across * contact.azimuth_lines;
 }
 
-/// Returns the number of nodes in a mesh file: the number in the section $Nodes or $ParametricNodes (in
-/// Gmsh's format 4, the second number). For other files, estimates the number as file size / bytes_per_node
-/// (cells included). Returns 0 if the file does not exist.
+/// Returns the number of nodes in a mesh file, from the section $Nodes or $ParametricNodes (in Gmsh's format
+/// 4, the second number). Estimates the number for other files from the file size, cells included.
 double n_nodes(const std::string &file)
 {
   constexpr double bytes_per_node = 80;
@@ -64,7 +63,6 @@ double n_nodes(const std::string &file)
   return static_cast<double>(std::filesystem::file_size(file, error)) / bytes_per_node;
 }
 
-/// Returns the number of unknowns of linear elements on the unrefined mesh.
 double coarse_unknowns(const ContactSection &contact)
 {
   if (!contact.mesh_file.empty())
@@ -94,7 +92,6 @@ void add_solid_body(const Study &study, StudySize &size)
   size.memory += size.unknowns * (is_factorised ? factorised : iterated);
 }
 
-/// Returns the entry of @p study whose default would reduce the memory by the largest amount.
 StudyEntry costliest_entry(Study &study)
 {
   const std::vector<StudyEntry> &standard = default_entries(), tried = study_entries(study);
@@ -130,8 +127,7 @@ StudySize size_of(const Study &study)
 {
   StudySize size;
   size.memory = memory_of_the_program;
-  // The adaptive method takes about ten steps per second of motion. Forward Euler uses the step Motion/Euler
-  // step.
+  // The adaptive method takes about ten steps per second of motion; forward Euler takes its own step.
   constexpr double longest_step = 0.1;
   size.steps = study.motion.end_time / std::min(study.motion.euler_step, longest_step);
   if (study.load.is_from_contact() && abilities(study.contact.body).is_of_revolution)

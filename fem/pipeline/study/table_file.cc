@@ -32,9 +32,8 @@ char separator_of(const std::string &text, std::size_t begin, bool blanks_separa
   return blanks_separate ? ' ' : '\n';
 }
 
-/// Returns the separator of a first line such as "sep=;" (a convention of Excel); std::nullopt if the first
-/// line is not of this form. Throws BadInput for a separator that is not supported. The message starts with
-/// @p origin.
+/// Returns the separator in a first line such as "sep=;" (a convention of Excel); std::nullopt for other
+/// lines.
 std::optional<char> named_separator(const std::string &origin, const std::string &text)
 {
   const std::string line = boost::trim_right_copy_if(text.substr(0, text.find('\n')), boost::is_any_of("\r"));
@@ -46,7 +45,6 @@ std::optional<char> named_separator(const std::string &origin, const std::string
   return line.back();
 }
 
-/// Reads the rows of a text one by one.
 class TableReader
 {
 public:
@@ -77,14 +75,13 @@ public:
 private:
   bool at_end() const { return place == text.size(); }
 
-  /// Advances by one character.
   char next()
   {
     line += text[place] == '\n' ? 1 : 0;
     return text[place++];
   }
 
-  /// Skips empty lines and comments. Returns false at the end of the text.
+  /// Returns false at the end of the text.
   bool skip_to_row()
   {
     const auto is_blank = [](char letter) { return letter == ' ' || letter == '\t' || letter == '\r'; };
@@ -117,7 +114,7 @@ private:
     table.rows.push_back(row);
   }
 
-  /// Reads a cell and the following separator or line end. Sets @p is_last to true at the end of the row.
+  /// Reads a cell and its separator. Sets @p is_last to true at the end of the row.
   std::string read_cell(bool &is_last)
   {
     std::string cell, quoted;
@@ -145,7 +142,6 @@ private:
     return has_quotes ? boost::trim_copy(quoted + cell) : boost::trim_copy(cell);
   }
 
-  /// Reads up to the closing quote.
   std::string read_quoted()
   {
     const unsigned int first_line = line;
