@@ -10,15 +10,15 @@ namespace stemware::ring
 {
 namespace
 {
-/// Unknowns of the recurrence at n: scaled Laplace coefficient q_n = eps^-n Q_n and difference g_n = q_{n-1}
-/// - q_n.
+/// Scaled Laplace coefficient q = eps^-n Q_n and the difference g = q_{n-1} - q_n of one order n.
 struct Pair
 {
   double q;
   double g;
 };
 
-/// Returns the pair at n = 1 from Legendre's integrals B and D of modulus eps: g_1 = 4 B, q_1 = 4 D.
+/// Returns q_1 = 4 D and g_1 = 4 B from Legendre's elliptic integrals B and D of the modulus eps. @p
+/// complement is 1 - eps^2.
 Pair first_pair(double complement)
 {
   if (complement <= 0.)
@@ -27,28 +27,29 @@ Pair first_pair(double complement)
            4. / 3. * complement * boost::math::ellint_rd(0., 1., complement) };
 }
 
-/// Returns the pair at n from @p above, the pair at n + 1, for n >= 1. All terms are positive.
+/// Returns the pair of order @p n from the pair of order n + 1, for n >= 1. All terms are positive, so no
+/// digits cancel.
 Pair step_down(const Pair &above, unsigned int n, double eps_squared, double complement)
 {
-  // Starts the division first. Its latency dominates the cost near |eps| = 1.
+  // The division has the longest latency, so it stands first.
   const double inverse = 1. / (2. * n - 1.), feed = complement * inverse;
   return { above.q + above.g, ((2. * n + 1.) * inverse * eps_squared + feed) * above.g + feed * above.q };
 }
 
-/// Returns the pair at n + 1 from @p below, the pair at n. For small n (1 - eps^2) only: otherwise the
-/// difference g loses its digits by cancellation.
+/// Returns the pair of order n + 1 from the pair of order @p n. Precondition: small n (1 - eps^2), otherwise
+/// the digits of g cancel.
 Pair step_up(const Pair &below, unsigned int n, double eps_squared, double complement)
 {
   const double g = ((2. * n - 1.) * below.g - complement * below.q) / ((2. * n + 1.) * eps_squared);
   return { below.q - g, g };
 }
 
-/// Computes the pairs n = 1...@p n_max into q = values[3 n], g = values[3 n + 1]. Returns the pair at n_max +
-/// 1.
+/// Computes the pairs n = 1...@p n_max into q = values[3 n] and g = values[3 n + 1]. Returns the pair of
+/// order n_max + 1.
 ///
-/// Rounding errors of the upward recurrence grow like eps^{-2n}. Close to |eps| = 1 this growth is harmless.
-/// Otherwise the recurrence runs downwards from an arbitrary pair. It starts at an n so high that the choice
-/// of this pair has no effect. Afterwards all pairs are scaled to match @p first.
+/// Rounding errors of the upward recurrence grow like eps^{-2n}, which is harmless only close to |eps| = 1.
+/// For smaller |eps| the recurrence runs downwards from an arbitrary pair, at an order so high that this pair
+/// has no effect. The result is then scaled so that the pair of order 1 equals @p first.
 Pair fill_pairs(double *values, unsigned int n_max, const Pair &first, double eps, double complement)
 {
   const double eps_squared = eps * eps;
@@ -79,7 +80,7 @@ Pair fill_pairs(double *values, unsigned int n_max, const Pair &first, double ep
     pair = step_down(pair, n, eps_squared, complement);
     store(n, pair);
   }
-  const double scale = first.q / pair.q; // `pair` is now the pair at n = 1, also for n_max = 0
+  const double scale = first.q / pair.q;
   for (unsigned int k = 1; k <= n_max; ++k)
     store(k, { values[3 * k] * scale, values[3 * k + 1] * scale });
   return { beyond.q * scale, beyond.g * scale };
@@ -111,8 +112,7 @@ FrictionKernels::FrictionKernels(double rim_speed, double speed, unsigned int n_
 void FrictionKernels::evaluate_slow_spin(double eps, double complement, bool divided)
 {
   const double eps_squared = eps * eps;
-  // The entries of P and K in `values` store q and g until the kernels are computed. `beyond` is the pair at
-  // n_max + 1.
+  // `values` contains q and g of each order n until the loop below replaces them by the kernels P_n and K_n.
   const Pair first = first_pair(complement);
   const Pair beyond = fill_pairs(values.data(), highest, first, eps, complement);
 

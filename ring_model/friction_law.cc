@@ -39,7 +39,7 @@ bool StribeckLaw::is_constant() const
 
 namespace
 {
-/// Slip along the ring; psi is the azimuth from the point of minimum slip.
+/// Slip speed along the ring as a function of the azimuth psi from the point of minimum slip.
 struct SlipField
 {
   double rim;   ///< |omega| R [m/s]
@@ -59,8 +59,8 @@ struct HalfRim
   Eigen::ArrayXd weight;
 };
 
-/// Returns the trapezoidal rule. Its error decreases exponentially with the number of points unless the slip
-/// nearly vanishes somewhere.
+/// Returns the trapezoidal rule. If the slip vanishes nowhere, its error decreases exponentially with the
+/// number of points.
 HalfRim even_places(unsigned int n_intervals)
 {
   HalfRim places{ Eigen::ArrayXd::LinSpaced(n_intervals + 1, 0., pi),
@@ -70,8 +70,8 @@ HalfRim even_places(unsigned int n_intervals)
   return places;
 }
 
-/// Returns the midpoint rule on the same intervals. The mean of both rules is the trapezoidal rule with twice
-/// as many intervals.
+/// Returns the midpoint rule. Its mean with even_places(n_intervals) is the trapezoidal rule with 2
+/// n_intervals intervals.
 HalfRim places_between(unsigned int n_intervals)
 {
   const double half = 0.5 * pi / n_intervals;
@@ -79,8 +79,9 @@ HalfRim places_between(unsigned int n_intervals)
            Eigen::ArrayXd::Constant(n_intervals, pi / n_intervals) };
 }
 
-/// Returns Gauss rules on panels of y with psi = width sinh y. The panels are shortest at psi = 0, the
-/// minimum slip. No panel is longer than @p longest in psi. If the width is 0, the panels are equal in psi.
+/// Returns Gauss rules on panels that are equal in y, where psi = @p width sinh y, so the points are densest
+/// at the minimum slip psi = 0. No panel is longer than @p longest in psi. A @p width of 0 gives panels that
+/// are equal in psi.
 HalfRim clustered_places(double width, unsigned int n_panels, double longest)
 {
   using Rule = boost::math::quadrature::gauss<double, 20>;
@@ -110,8 +111,8 @@ HalfRim clustered_places(double width, unsigned int n_panels, double longest)
   return places;
 }
 
-/// Returns the integrals of friction over the rim per unit of load: row n for harmonic n, columns torque / r,
-/// drag, side.
+/// Returns the integrals of the friction over the rim per unit load. Row n: harmonic n. Columns: torque / r,
+/// drag, side force.
 Eigen::ArrayX3d law_kernels(const FrictionLaw &law, const SlipField &slip, const HalfRim &places,
                             unsigned int n_max)
 {
@@ -127,7 +128,7 @@ Eigen::ArrayX3d law_kernels(const FrictionLaw &law, const SlipField &slip, const
   const Eigen::ArrayXd drag = per_slip * ((slip.speed - slip.rim) + 2. * slip.rim * half_sine);
   const Eigen::ArrayXd side = per_slip * slip.rim * sine_of_psi;
   Eigen::ArrayX3d kernels(n_max + 1, 3);
-  // Recurrence for cos n psi and sin n psi.
+  // Three-term recurrence for cos n psi and sin n psi: c_{n+1} = 2 cos(psi) c_n - c_{n-1}.
   const Eigen::ArrayXd twice = 2. - 4. * half_sine;
   Eigen::ArrayXd cosine = Eigen::ArrayXd::Ones(places.psi.size()), cosine_before = 0.5 * twice;
   Eigen::ArrayXd sine = Eigen::ArrayXd::Zero(places.psi.size()), sine_before = -sine_of_psi;
@@ -142,18 +143,16 @@ Eigen::ArrayX3d law_kernels(const FrictionLaw &law, const SlipField &slip, const
   return kernels;
 }
 
-/// Returns law_kernels(), with the number of points doubled until convergence.
 Eigen::ArrayX3d converged_kernels(const FrictionLaw &law, const SlipField &slip, unsigned int n_max)
 {
   constexpr unsigned int max_doublings = 8;
-  constexpr double near_stagnation = 0.25; // `width` below which equidistant points converge slowly
+  constexpr double near_stagnation = 0.25; // width below which equidistant points converge slowly
   const double product = std::sqrt(slip.speed * slip.rim);
   const double width = product > 0. ? std::abs(slip.speed - slip.rim) / product : HUGE_VAL;
   const bool is_smooth = width > near_stagnation;
   const unsigned int n_even = 32 + n_max;
   const auto clustered = [&](unsigned int level)
   {
-    // 20 Gauss points per panel; a panel contains at most two waves of the highest harmonic.
     const unsigned int factor = 1u << level;
     return clustered_places(
       width, factor * (2 + static_cast<unsigned int>(width > 0. ? std::asinh(pi / width) : 1.)),
@@ -195,7 +194,8 @@ Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, doubl
     return law.coefficient(0.) * kernels;
   }
   kernels = converged_kernels(law, { std::abs(rim_speed), speed }, n_max);
-  // For omega < 0 the minimum slip is at theta = -90 deg instead of +90 deg. This reflection changes signs.
+  // For omega < 0 the minimum slip is at theta = -90 deg instead of +90 deg. This reflection changes the
+  // signs of some kernels.
   if (rim_speed < 0.)
     for (unsigned int n = 0; n <= n_max; ++n)
       kernels.row(n) *=

@@ -25,7 +25,7 @@ void Motion::validate() const
 
 double Motion::total_centre_height() const
 {
-  // Adds a correction, so that a liquid of zero mass leaves the height of the glass exactly unchanged.
+  // The liquid is added as a correction, so that a liquid of zero mass leaves the height exactly unchanged.
   const double height = liquid.mass > 0. ? liquid.centre_height(acceleration().norm() / gravity) : 0.;
   return centre_of_mass_height + liquid.mass / total_mass() * (height - centre_of_mass_height);
 }

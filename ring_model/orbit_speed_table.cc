@@ -17,8 +17,8 @@ namespace stemware::ring
 {
 namespace
 {
-/// Adds two points to every interval of a polygon, at the fraction @p share of the interval from each end.
-/// The cubic through all points then deviates from the polygon only near the corners.
+/// Adds two points to every interval of a polygon, at the fraction @p share of the interval from each end. A
+/// cubic interpolant through all points then deviates from the polygon only near its corners.
 void refine(std::vector<double> &times, std::vector<double> &speeds, double share)
 {
   std::vector<double> t{ times[0] }, v{ speeds[0] };
@@ -106,7 +106,6 @@ double OrbitSpeedTable::time_of(double speed) const
   const auto i = static_cast<std::size_t>(entry - speeds.begin());
   if (i == 0 || speed <= 0.)
     return times[i == 0 ? 0 : i - 1];
-  // Bisection: the speed is monotone between two entries.
   double before = times[i - 1], after = times[i];
   for (double middle = (before + after) / 2.; before < middle && middle < after;
        middle = (before + after) / 2.)

@@ -29,7 +29,7 @@ RingEquilibrium SelfConsistentRing::at(double omega) const
     const Wrench friction = friction_of(load_of(moment));
     return required_moment(closure, motion, { friction.force_x, friction.force_y }) - moment;
   };
-  // The residual is affine in the moment, because friction is linear in the load for any law.
+  // Friction is linear in the load for any friction law, so the residual is an affine function of the moment.
   Eigen::Vector2d moment = required_moment_at_rest(closure, motion), change = residual(moment);
   Eigen::Matrix2d jacobian;
   for (int i = 0; i < 2; ++i)

@@ -14,9 +14,9 @@ namespace stemware::ring
 {
 namespace
 {
-/// Calls add(r, weight) for a 40-point Gauss rule on [lower, upper] with points clustered at both ends. r is
-/// a polynomial of the Gauss coordinate whose first three derivatives vanish at both ends. Singularities of
-/// the kinds sqrt(x) and x ln x therefore become smooth.
+/// Calls add(r, weight) at the points of a 40-point Gauss rule on [lower, upper]. The radius r is a
+/// polynomial of the Gauss coordinate whose first three derivatives vanish at both ends, so integrands with
+/// end singularities like sqrt(x) or x ln x become smooth.
 template <typename Add>
 void points_gathered_at_ends(double lower, double upper, const Add &add)
 {
@@ -105,7 +105,6 @@ double SlidingBody::mean_power(double exponent) const
 Wrench SlidingBody::friction(double limit, double speed, double omega) const
 {
   require_positive(limit, "the friction mu N", "N");
-  // Weighted means of the kernels for n = 0. The torque kernel is multiplied by r.
   double drag = 0., torque = 0.;
   for (const WeightedRing &one : rings(omega == 0. ? HUGE_VAL : speed / std::abs(omega)))
   {

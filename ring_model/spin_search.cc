@@ -17,25 +17,25 @@ namespace
 // Lengths below are in units of the spin scale v / R, over which the friction torque varies.
 constexpr double farthest = 64.;       ///< end of the search
 constexpr double first_step = 1. / 4.; ///< first spin without an initial guess
-/// Minimum width of a bisected interval: accuracy of BalanceLost::last_spin.
+/// Width below which an interval is not bisected any more; it bounds the error of BalanceLost::last_spin.
 constexpr double shortest_interval = 1. / 4096.;
-constexpr double scan_step = 1. / 16.; ///< step of a scan: two zeros closer together may be missed
-/// Minimum distance of two samples whose difference is above rounding.
+constexpr double scan_step =
+  1. / 16.; ///< spacing of the samples of a scan, which misses two zeros closer together
+/// Distance of two samples above which their difference is not dominated by rounding.
 constexpr double rounding_distance = 1e-6;
-/// Minimum distance of two spins for a slope of the stability margin: at the end of the balance, and between
-/// rest and the zero.
+/// Minimum distance of two spins from which a slope of the stability margin is computed: at the end of the
+/// balance, and between rest and the zero.
 constexpr double margin_distance = 1. / 1024., margin_distance_on_the_way = 1. / 8192.;
 /// Maximum distance of an iterate from the known spin in find_terminal_spin_near().
 constexpr double neighbourhood = 1. / 10.;
 constexpr double least_size = 1e-3; ///< spin below which the tolerance is absolute
 
-/// Maximum ratio of the slope at the zero to the mean slope from rest to the zero, and of the mean slope to
-/// the slope at the zero. If a ratio is larger, an earlier zero may lie between the samples.
+/// Maximum ratio between the slope at the zero and the mean slope from rest to the zero (in either order). A
+/// larger ratio suggests an earlier zero between the samples.
 constexpr double steepness_ratio = 16.;
 constexpr unsigned int max_evaluations = 200; ///< per search; prevents endless cycles
 constexpr double unsteady = 0.9;              ///< stability margin below which the balance may end nearby
 
-/// Throws BalanceLost with the nested exception @p failure, a NoBalance thrown just above the spin @p last.
 [[noreturn]] void throw_balance_lost(const std::exception_ptr &failure, double last)
 {
   try
@@ -50,12 +50,13 @@ constexpr double unsteady = 0.9;              ///< stability margin below which 
   }
 }
 
-/// Search from rest in the direction in which the glass is driven. Spins are positive in that direction.
+/// Search for the first zero of the driving torque, from rest in the direction in which the glass is driven.
+/// Spins are positive in that direction.
 class OutwardSearch
 {
 public:
-  /// Precondition: @p torque_at_rest = @p driving_torque(0) > 0. @p direction is 1 or -1, the sign of the
-  /// spin. @p driving_torque and @p search outlive the search.
+  /// Preconditions: @p torque_at_rest = @p driving_torque(0) > 0, and @p direction is the sign of the spin, 1
+  /// or -1. References to @p driving_torque and @p search are kept.
   OutwardSearch(const std::function<double(double)> &driving_torque, double torque_at_rest, double direction,
                 const SpinSearch &search)
       : driving_torque(driving_torque)
@@ -65,8 +66,7 @@ public:
   {
   }
 
-  /// Returns the zero nearest to rest. The search starts with the spin @p first > 0. Throws like
-  /// find_terminal_spin().
+  /// Returns the zero nearest to rest, searched from the spin @p first > 0. Throws like find_terminal_spin().
   double zero(double first)
   {
     double spin = converge(samples.front(), first, {});
@@ -81,16 +81,17 @@ public:
   }
 
 private:
-  /// Returns a zero beyond @p near and, if given, before @p far, starting at @p proposal. Preconditions: the
-  /// driving torque is positive at @p near and negative at @p far; near.spin < proposal < far->spin.
+  /// Returns a zero beyond @p near and, if given, before @p far. The first sample is @p proposal.
+  /// Preconditions: the driving torque is positive at @p near and negative at @p far; near.spin < proposal <
+  /// far->spin.
   double converge(DrivingTorque near, double proposal, std::optional<DrivingTorque> far)
   {
     std::vector<DrivingTorque> used{ near };
     if (far)
       used.push_back(*far);
-    std::exception_ptr failure; // exception of the torque at `barrier`
+    std::exception_ptr failure; // exception thrown by the torque at the spin `barrier`
     double barrier = 0.;
-    double width = HUGE_VAL; // previous distance from `near` to `barrier`
+    double width = HUGE_VAL;
     bool may_extrapolate = true;
     for (unsigned int i = 0; i < max_evaluations; ++i)
     {
@@ -139,8 +140,8 @@ private:
                              " evaluations of the torque, the last one at ", proposal, " rad/s"));
   }
 
-  /// Returns the driving torque at @p spin. Without a balance, returns std::nullopt and stores the exception
-  /// in @p failure.
+  /// Returns the driving torque at @p spin. If there is no balance, stores the exception in @p failure and
+  /// returns std::nullopt.
   std::optional<DrivingTorque> sample_at(double spin, std::exception_ptr *failure = nullptr)
   {
     try
@@ -155,10 +156,9 @@ private:
     }
   }
 
-  /// Returns the next proposal between @p near and @p end. If @p end is nullptr, the proposal is at most
-  /// three times @p near, or twice the usual first step. @p estimate is used only if it is reliable (@p
-  /// halved: the last sample halved the smallest driving torque) or @p end is nullptr. Throws NoTerminalSpin
-  /// at the end of the search.
+  /// Returns the next spin to sample, between @p near and @p end: the @p estimate if the last sample at least
+  /// @p halved the smallest torque, otherwise the middle. Without an @p end, the step is at most 2 max(near,
+  /// first_step). Throws NoTerminalSpin at the end of the search.
   double next(const Estimate &estimate, double near, const double *end, bool halved) const
   {
     const double reach = end ? *end : near + 2. * std::max(near, first_step * search.spin_scale);
@@ -173,9 +173,9 @@ private:
     return std::min(reach, farthest * search.spin_scale);
   }
 
-  /// Returns a spin close to the end of the balance. This end lies between @p near (in balance) and @p
-  /// barrier (no balance). The square of the stability margin is extrapolated linearly to 0. Returns
-  /// std::nullopt if the margin does not decrease.
+  /// Returns a spin close to the end of the balance, which lies between @p near (balance) and @p barrier (no
+  /// balance). Near its end the square of the stability margin is nearly linear in the spin, so it is
+  /// extrapolated to 0. Returns std::nullopt if the margin does not decrease.
   std::optional<double> next_to_the_end(double near, double barrier) const
   {
     if (!search.stability_margin)
@@ -198,8 +198,8 @@ private:
     return std::clamp(end - 0.3 * enough, near + 0.05 * width, barrier - 0.05 * width);
   }
 
-  /// Returns true if the samples do not exclude an earlier zero than the zero at @p spin. Evaluates the
-  /// torque halfway if no sample lies in the middle three fifths.
+  /// Returns true if an earlier zero than the zero at @p spin is possible: the torque does not decrease
+  /// monotonically, or its slope at the zero differs from the mean slope by more than steepness_ratio.
   bool needs_scan(double spin)
   {
     std::vector<DrivingTorque> way;
@@ -219,7 +219,7 @@ private:
     for (std::size_t i = 1; i < way.size(); ++i)
       if (way[i].torque >= way[i - 1].torque)
         return true;
-    // A sample that is too close to the zero gives a slope dominated by rounding.
+    // The slope from a sample too close to the zero is dominated by rounding.
     const double too_close = rounding_distance * search.spin_scale;
     const DrivingTorque *nearest = nullptr;
     for (const DrivingTorque &sample : samples)
@@ -233,8 +233,8 @@ private:
     return !(local * steepness_ratio > mean && local < steepness_ratio * mean);
   }
 
-  /// Returns the first zero up to and including the zero at @p spin. Throws BalanceLost if the balance ends
-  /// before the first zero.
+  /// Returns the first zero at or before the zero at @p spin, from samples at equal steps. Throws BalanceLost
+  /// if the balance ends before the first zero.
   double scanned(double spin)
   {
     DrivingTorque near = samples.front();
@@ -251,12 +251,12 @@ private:
     return spin;
   }
 
-  /// Returns the zero at @p spin if the balance holds from rest to this spin, otherwise the first zero before
-  /// this spin. Throws BalanceLost if the balance ends before any zero. Precondition: the search has a
-  /// stability margin.
+  /// Returns the zero at @p spin if the balance holds from rest to @p spin, otherwise the first zero before
+  /// the balance ends. Throws BalanceLost if there is no such zero. Precondition: search.stability_margin is
+  /// set.
   double reached(double spin)
   {
-    // Intervals without a balance are missed if they are narrower than the spacing of the probes.
+    // A gap in the balance is missed if it is narrower than the spacing of the sampled spins.
     constexpr unsigned int max_probes = 200;
     for (unsigned int i = 0; i < max_probes; ++i)
     {
@@ -271,8 +271,7 @@ private:
     return spin;
   }
 
-  /// Returns the last sample before @p spin with a positive driving torque. The sample at rest is always
-  /// available.
+  /// Returns the last sample before @p spin with a positive driving torque, at least the sample at rest.
   DrivingTorque nearest_before(double spin) const
   {
     DrivingTorque near = samples.front();
@@ -282,15 +281,15 @@ private:
     return near;
   }
 
-  /// Returns the spin in [0, @p spin] at which the balance is most likely to end; std::nullopt if no interval
-  /// between samples has to be tested. Near a fold the square of the stability margin is nearly linear in the
-  /// spin. Between two samples, the lines through the neighbouring samples therefore bound the square from
-  /// below. Their slopes are multiplied by `safety` because the square is not exactly convex.
+  /// Returns the spin in [0, @p spin] at which the balance is most likely to end; std::nullopt if every
+  /// interval between samples is narrow enough. Near a fold the square of the stability margin is nearly
+  /// linear in the spin, so the lines through neighbouring samples bound the square from below. Their slopes
+  /// are multiplied by `safety`, because the square is not exactly convex.
   std::optional<double> unsteadiest(double spin) const
   {
     constexpr double safety = 1.5;
     const double narrowest = margin_distance_on_the_way * search.spin_scale;
-    std::map<double, double> squares; // by spin; samples that are too close for a slope are omitted
+    std::map<double, double> squares; // by spin; samples too close for a slope are omitted
     for (const DrivingTorque &sample : samples)
     {
       const auto next = squares.lower_bound(sample.spin - narrowest);
@@ -300,7 +299,7 @@ private:
     }
     const auto slope = [](auto one, auto other)
     { return (other->second - one->second) / (other->first - one->first); };
-    std::map<double, double> wide; // middles of wide intervals, by the smaller square
+    std::map<double, double> wide;
     std::optional<double> worst;
     double least = 0.;
     for (auto right = std::next(squares.begin()); right != squares.end(); ++right)
@@ -313,11 +312,11 @@ private:
         continue;
       if (width > scan_step * search.spin_scale)
         return (left->first + right->first) / 2.;
-      // Intervals must be narrower where the balance is less stable, because contact edges that cross a
-      // quadrature line cause small folds there.
+      // Contact edges that cross a quadrature line cause small folds of a less stable balance, so the
+      // intervals must be narrower there.
       if (width > search.spin_scale * std::clamp(lower / 8., 1. / 256., scan_step))
         wide.emplace(lower, (left->first + right->first) / 2.);
-      // Maximum rates at which the square may decrease from each end towards the interior of the interval.
+      // Maximum rates at which the square may decrease from either end into the interval.
       const double own = slope(left, right);
       const double from_left = safety * std::max(is_first ? 0. : -slope(std::prev(left), left), -own),
                    from_right = safety * std::max(is_last ? 0. : slope(right, std::next(right)), own);
@@ -329,7 +328,7 @@ private:
       if (bound < least)
       {
         least = bound;
-        // A probe closer to an end would coincide with the sample at this end.
+        // A sample closer to an end of the interval would coincide with the sample at this end.
         const double margin = std::max(0.1 * width, 1.1 * narrowest);
         worst = left->first + std::clamp(share * width, margin, width - margin);
       }
@@ -338,9 +337,9 @@ private:
   }
 
   /// Returns the middle of the interval before @p spin in which the driving torque of an unsteady balance
-  /// changes most; std::nullopt if the torque changes little in every interval. If a large change remains in
-  /// the narrowest interval, the torque jumps to another balance: the balance reached from rest ends there
-  /// and the glass tips. Throws BalanceLost at a jump.
+  /// changes most; std::nullopt if no interval has a large change. A large change in the narrowest interval
+  /// is a jump to another balance: the balance from rest ends there and the glass tips, so BalanceLost is
+  /// thrown.
   std::optional<double> middle_of_jump(double spin) const
   {
     constexpr double unsteady_at_jump = 0.3; // stability margin next to the end of a balance
@@ -374,7 +373,7 @@ private:
   const std::function<double(double)> &driving_torque;
   const double direction;
   const SpinSearch &search;
-  std::vector<DrivingTorque> samples; ///< the first sample is at spin 0
+  std::vector<DrivingTorque> samples;
 };
 } // namespace
 
@@ -430,7 +429,7 @@ std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const To
       return std::nullopt;
     const double next_value = torque(next) - grip;
     const double secant = (next_value - value) / step;
-    // The secant through two close samples is dominated by rounding.
+    // The secant through two close samples is dominated by rounding errors.
     if (std::abs(step) > rounding_distance * search.spin_scale)
     {
       slope = secant;

@@ -22,9 +22,10 @@ StiffMotion::StiffMotion(PhasedTorqueFunction torque, double yaw_inertia, double
 
 bool StiffMotion::is_stiff(const YawSample &start, double end, std::size_t n_times) const
 {
-  // An implicit step costs about 30 torque evaluations; explicit steps need two per time constant.
+  // The implicit method pays off if explicit steps, two torque evaluations per time constant, are many: an
+  // implicit step needs about 30 evaluations.
   constexpr double min_time_constants = 20.;
-  // The torque may jump at rest. The relevant slope is on the side towards which the glass turns.
+  // The torque may jump at spin 0, so the slope is taken on the side towards which the glass turns.
   YawSample beside = start;
   beside.omega += std::copysign(2e-5 * spin_scale, torque(start.time, start.yaw_angle, start.omega));
   return -slopes(beside).spin / yaw_inertia * end > min_time_constants * static_cast<double>(n_times);
@@ -49,7 +50,7 @@ YawSample StiffMotion::after_step(const YawSample &state, double end, double &st
     const double error =
       whole && halves ? relative_difference(*whole, *halves) : std::numeric_limits<double>::infinity();
     const double growth =
-      std::clamp(safety * std::pow(error, -1. / 6.), max_shrinkage, max_growth); // for a local error O(h^6)
+      std::clamp(safety * std::pow(error, -1. / 6.), max_shrinkage, max_growth); // local error O(h^6)
     if (!is_last || growth < 1.)
       step = tried * growth;
     if (error > 1.)

@@ -15,7 +15,8 @@ namespace stemware::ring
 {
 namespace
 {
-/// Returns the terminal spin at @p omega, a zero of @p torque, with the slope of the torque.
+/// Returns the terminal spin @p omega, a zero of @p torque, with the slope of the torque and the time
+/// constant.
 TerminalSpin described(const TorqueFunction &torque, double yaw_inertia, double omega, double spin_scale)
 {
   const double slope = [&]
@@ -25,7 +26,8 @@ TerminalSpin described(const TorqueFunction &torque, double yaw_inertia, double 
     {
       return torque_slope(torque, omega, step);
     }
-    catch (const std::runtime_error &) // the glass tips close by; a narrower step may stay in balance
+    catch (const std::runtime_error
+             &) // the glass tips within one step of omega; a narrower step may stay in balance
     {
       if (step <= narrow)
         throw;
@@ -84,8 +86,8 @@ std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, doubl
   for (unsigned int i = 0; i <= n_intervals; ++i)
     samples.emplace_back(spin(i), torque(spin(i)));
 
-  // If |torque| has a local minimum without a change of sign, a sample is added at the minimum, because the
-  // torque may have the other sign there.
+  // If |torque| has a local minimum between samples of equal sign, a sample is added at the minimum, because
+  // the torque may have the other sign there.
   for (unsigned int i = 1; i < n_intervals; ++i)
   {
     const double sign = samples[i].second < 0. ? -1. : 1.;

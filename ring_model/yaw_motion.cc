@@ -20,12 +20,12 @@ namespace stemware::ring
 {
 namespace
 {
-/// State (psi, omega / spin_scale). The scaling allows one tolerance for both components.
+/// State (yaw angle [rad], omega / spin_scale). The scaling allows one tolerance for both components.
 using YawState = std::array<double, 2>;
 
-/// Motion of a glass braked by the fingers with at most the grip torque. The torque is smooth while the glass
-/// turns in one direction. When omega reaches 0, the integration stops. The glass then rests until the free
-/// torque exceeds the grip, or turns back at once.
+/// Motion of a glass braked by the fingers with at most the grip torque. The friction of the fingers jumps at
+/// omega = 0, so the integration stops there. The glass then rests until the free torque exceeds the grip, or
+/// turns back at once.
 class GrippedMotion
 {
 public:
@@ -40,8 +40,8 @@ public:
   {
   }
 
-  /// Returns the motion from @p start at @p times relative to start.time. The torque is not evaluated after
-  /// the last time.
+  /// Returns the motion from @p start at @p times, which are relative to start.time. The torque is not
+  /// evaluated after the last time.
   std::vector<YawSample> from(const YawSample &start, const std::vector<double> &times)
   {
     origin = start.time;
@@ -70,13 +70,13 @@ public:
   }
 
 private:
-  /// Returns the torque without the fingers [N m].
   double free_torque(const YawSample &at) const
   {
     return torque(origin + std::min(at.time, end), at.yaw_angle, at.omega);
   }
 
-  /// Returns the direction in which the glass turns or starts to turn, +1 or -1; 0 while the fingers hold it.
+  /// Returns +1 or -1, the direction in which the glass turns or starts to turn, or 0 while the fingers hold
+  /// the glass.
   int direction() const
   {
     const double pushed = now.omega != 0. || grip == 0. ? now.omega : free_torque(now);
@@ -93,11 +93,10 @@ private:
              yaw_inertia, accuracy, spin_scale };
   }
 
-  /// Returns a positive value until the spin in direction @p turns has ended. The margin ignores reversals
-  /// below the accuracy of the integrator.
+  /// Returns a positive value until the spin in the direction @p turns has ended. The margin suppresses
+  /// reversals that are smaller than the integration error.
   double before_stop(int turns, double omega) const { return turns * omega / spin_scale + accuracy / 100.; }
 
-  /// Returns the upper limit of the next step: the next discontinuity of the torque, or the end.
   double next_break(double time) const
   {
     const double after = origin + time + 1e-13 * (std::abs(origin) + end);
@@ -112,14 +111,13 @@ private:
     samples.push_back({ origin + (*wanted)[samples.size()], sample.yaw_angle, sample.omega });
   }
 
-  /// Returns true if the next output is at or before @p time, up to rounding.
   bool is_due(double time) const
   {
     return samples.size() < wanted->size() && (*wanted)[samples.size()] * (1. - 1e-15) <= time;
   }
 
-  /// Returns the root of @p positive between @p from and @p to, rounded towards @p to. Precondition: a change
-  /// of sign between the two times.
+  /// Returns the root of @p positive between @p from and @p to, rounded towards @p to. Precondition: @p
+  /// positive changes sign in the interval.
   template <typename Function>
   static double end_of(const Function &positive, double from, double to)
   {
@@ -129,10 +127,9 @@ private:
       .second;
   }
 
-  /// Advances at rest until the free torque exceeds the grip, or to the end.
   void rest()
   {
-    constexpr unsigned int n_looks = 64; // checks of the torque, in addition to those at outputs and breaks
+    constexpr unsigned int n_looks = 64; // checks of the torque, in addition to the outputs and breaks
     const double look = (end - now.time) / n_looks;
     const auto excess = [&](double time) {
       return std::abs(free_torque({ time, now.yaw_angle, 0. })) - grip;
@@ -146,7 +143,7 @@ private:
       const double next = std::min({ (*wanted)[samples.size()], next_break(now.time), now.time + look });
       if (excess(next) > 0.)
       {
-        // The excess may be exactly 0 at the start of the rest.
+        // At the start of the rest the excess may be exactly 0, so the bracket begins slightly later.
         const double first = now.time + 1e-9 * (next - now.time);
         now.time = excess(first) < 0. ? end_of(excess, first, next) : first;
         while (is_due(now.time))
@@ -158,8 +155,6 @@ private:
     }
   }
 
-  /// Integrates while the glass turns in the direction @p turns. Uses the Dormand-Prince pair with step
-  /// control and dense output (Boost.Odeint).
   void turn(int turns)
   {
     namespace odeint = boost::numeric::odeint;
@@ -214,7 +209,6 @@ private:
     }
   }
 
-  /// Integrates like turn(), but with StiffMotion.
   void turn_stiffly(int turns)
   {
     const StiffMotion motion = stiff_motion(turns);
@@ -255,8 +249,8 @@ private:
 };
 
 /// Returns the motion from @p start at @p times relative to the start. The tolerance of a step is a tenth of
-/// the requested accuracy, because the errors of all steps add up and the interpolation is one order lower
-/// than the steps.
+/// @p accuracy, because step errors accumulate and the dense output is one order less accurate than the
+/// steps.
 std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFunction &torque,
                                    double yaw_inertia, const std::vector<double> &times, double accuracy,
                                    double spin_scale, double grip, const std::vector<double> &breaks = {})
@@ -264,7 +258,7 @@ std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFun
   return GrippedMotion(torque, yaw_inertia, accuracy / 10., spin_scale, grip, breaks).from(start, times);
 }
 
-/// Returns the mean of equidistant samples with a smooth window.
+/// Returns the mean spin of equidistant samples, weighted by a smooth window that vanishes at both ends.
 double smooth_mean(const std::vector<YawSample> &samples)
 {
   double sum = 0., weights = 0.;
@@ -278,8 +272,7 @@ double smooth_mean(const std::vector<YawSample> &samples)
   return sum / weights;
 }
 
-/// Returns the maximum of equidistant values: the vertex of the parabola through the largest value and its
-/// neighbours.
+/// Returns the vertex of the parabola through the largest of the equidistant @p values and its neighbours.
 double largest(const std::vector<double> &values)
 {
   const auto place = std::max_element(values.begin(), values.end());
@@ -361,7 +354,7 @@ std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, doub
     const auto [time, angle, omega] = samples.back();
     const double free = torque(time, angle, omega),
                  next = omega + torque_with_grip(free, omega, grip) / yaw_inertia * time_step;
-    // The fingers stop a spin but do not reverse it.
+    // The grip stops a spin but does not reverse it.
     const bool stops = omega * next < 0. && std::abs(free) <= grip;
     samples.push_back({ i * time_step, angle + omega * time_step, stops ? 0. : next });
   }

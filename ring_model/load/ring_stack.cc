@@ -13,8 +13,8 @@ namespace stemware::ring
 {
 namespace
 {
-/// Returns the angle between @p from and @p to at which @p function changes sign, by bisection to 1e-9. An
-/// integral or extremum that depends on this angle has an error of second order.
+/// Returns the angle between @p from and @p to at which @p function changes sign, to 1e-9 rad. The integrals
+/// and extrema computed from the angle are stationary in it, so their error is of second order.
 template <typename Function>
 double sign_change(const Function &function, double from, double to)
 {
@@ -88,8 +88,7 @@ double RingStack::radius() const
     sum += std::abs(ring.a[0]) * ring.radius;
     weights += std::abs(ring.a[0]);
   }
-  // The first harmonics of several rings may cancel in the moment. A moment at rounding level does not define
-  // a radius.
+  // If the first harmonics of the rings cancel, the moment is a rounding error and defines no radius.
   constexpr double no_moment = 1e-9;
   const double moment_norm = moment().norm();
   return moment_norm > no_moment * 2. * pi * sum ? moment_norm / (pi * std::hypot(a(1), b(1)))
@@ -134,7 +133,6 @@ double RingStack::derivative(double theta) const
 
 std::vector<double> RingStack::evenly_spaced_values() const
 {
-  // The angles n theta_i are multiples of one spacing, so one table of cosines and sines suffices.
   const unsigned int n_samples = 32 * n_harmonics();
   const double spacing = 2. * pi / n_samples;
   std::vector<double> cosines(n_samples), sines(n_samples), samples(n_samples, cosine[0]);
@@ -189,7 +187,8 @@ double RingStack::integral(double from, double to) const
 
 double RingStack::pulling_force() const
 {
-  // The local minima are included because the load may be negative only between two samples.
+  // The local minima are added to the equidistant samples, because the load may be negative only between two
+  // samples.
   const std::vector<double> samples = evenly_spaced_values();
   const double spacing = 2. * pi / static_cast<double>(samples.size());
   std::map<double, double> values = local_minima();

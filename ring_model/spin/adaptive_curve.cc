@@ -85,7 +85,6 @@ AdaptiveCurve::AdaptiveCurve(const CurveSource &source, double lower, double upp
       refine(source, *worst);
       continue;
     }
-    // Splits the piece at the middle of its smooth coordinate.
     const double middle = worst->place(0.5);
     const Piece left = through_ends(source, worst->begin, middle, worst->kink_at_begin, false);
     *worst = through_ends(source, middle, worst->end, false, worst->kink_at_end);
@@ -130,7 +129,7 @@ AdaptiveCurve::Piece AdaptiveCurve::through_ends(const CurveSource &source, doub
 void AdaptiveCurve::refine(const CurveSource &source, Piece &piece)
 {
   constexpr double safety = 2; // the error may be larger at other points
-  // Maximum reduction of the error by one sample. A larger reduction may be accidental.
+  // Maximum reduction of the error estimate by one sample, because a larger reduction may be accidental.
   constexpr double usual_gain = 10;
   const double x = next_place(piece);
   const Eigen::VectorXd &exact = sample(source, x);

@@ -13,8 +13,8 @@ namespace stemware::ring
 namespace
 {
 
-/// Returns the largest n <= @p n_most for which the glass is in balance at the spins step, 2 step, ... n
-/// step. Tests every @p stride-th spin and, near the end of the balance, every spin.
+/// Returns the largest n <= @p n_most for which the load has a balance at the spins step, 2 step, ..., n
+/// step. Only every @p stride-th spin is tested, except near the end of the balance.
 int n_balances(const Load &load, double step, int stride, int n_most)
 {
   int n_found = 0;
@@ -22,20 +22,18 @@ int n_balances(const Load &load, double step, int stride, int n_most)
   for (const int n : { stride, 1 })
     while (n_found + n <= n_most && goes_on(n))
       n_found += n;
-  return n_found; // at higher spins the glass tips or has no balance
+  return n_found;
 }
 
-/// Range of the scan in either direction from rest.
 struct Reach
 {
   double step; ///< [rad/s]
   int n_steps, stride;
 };
 
-/// Returns true if friction certainly brakes at @p omega and at higher spins, with more than ten times the
-/// lean torque. If the whole rim turns faster than it travels, eps = |omega| r / v > 1, friction brakes at
-/// every point of the rim with an arm of at least sqrt(1 - 1 / eps^2) r. This holds for any load without
-/// tension, for example the load of a contact.
+/// Returns true if friction brakes at @p omega and at all higher spins with more than ten times the lean
+/// torque. If every rim point turns faster than the glass travels, eps = |omega| r / v > 1, friction brakes
+/// at every point with an arm of at least sqrt(1 - 1 / eps^2) r, for any load without tension.
 bool brakes_beyond(double omega, const Load &load, const Motion &motion)
 {
   constexpr double much = 10;
@@ -51,8 +49,8 @@ bool brakes_beyond(double omega, const Load &load, const Motion &motion)
   return much * std::abs(at_spin.lean_torque()) < min_torque;
 }
 
-/// Returns the range of spins in which friction may drive the glass. The range ends where friction brakes for
-/// any load distribution or where the load has no balance, otherwise at 1.5 v / R.
+/// Returns the range of spins in which friction may drive the glass: up to the spin from which friction
+/// brakes for any load, or to the end of the balance, otherwise up to 1.5 v / R.
 Reach reach_of(const Load &load, const Motion &motion)
 {
   const double unit = load.spin_scale(motion);
@@ -84,8 +82,8 @@ std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &quest
     return all_terminal_spins(torque, motion.yaw_inertia, unit, lower, upper,
                               static_cast<unsigned int>(n_intervals));
   };
-  // Scans a coarse interpolated curve because contact solves are costly. Then each zero is refined with the
-  // load itself.
+  // Contact solves are costly, so the zeros are located on a coarse interpolated curve and then refined with
+  // the exact load.
   double reach = 1e-4 * unit;
   const auto scan = [&, step = step]
   {
@@ -103,13 +101,11 @@ std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &quest
           spins.push_back(spin);
     return spins;
   };
-  // If some spins in the scan have no balance, further terminal spins are not searched.
   std::vector<TerminalSpin> spins = find_or_nullopt(scan).value_or(std::vector<TerminalSpin>());
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (TerminalSpin &spin : spins)
     if (question.grip_torque > 0 && std::abs(spin.omega) < 1e-9 * unit)
       spin = { 0, nan, nan, true, true };
-  // The terminal spin reached from rest is more accurate, so it replaces its duplicate in the scan.
   spins.erase(std::remove_if(spins.begin(), spins.end(),
                              [&](const TerminalSpin &spin)
                              { return std::abs(spin.omega - found.terminal->omega) < reach; }),

@@ -19,9 +19,9 @@ namespace stemware::ring
 namespace
 {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-/// Returns the averaging window of the mean spin: more than ten times both the period of the slowest phase
-/// and the decay time of the spin. The period grows without bound if the glass turns nearly at the orbit's
-/// rate.
+/// Returns the averaging window of the mean spin [s]: more than ten times the period of the slowest phase and
+/// the decay time of the spin. The period of the glass grows without bound if the glass turns at nearly the
+/// orbit's rate.
 double averaging_window(const PhasePeriods &periods, const Motion &motion, const TerminalSpin &terminal)
 {
   const double orbit = std::abs(motion.orbit_rate());
@@ -32,15 +32,13 @@ double averaging_window(const PhasePeriods &periods, const Motion &motion, const
   return std::max(16 * slowest, 8 * std::min(terminal.time_constant, 100 / orbit));
 }
 
-/// Returns the terminal spin with the load at rest as an initial guess; std::nullopt if that load has no
-/// terminal spin.
 std::optional<double> expected_spin(const Load &load, const Motion &motion)
 {
   return find_or_nullopt([&] { return terminal_spin(load.at(0), motion).omega; });
 }
 
-/// Returns the terminal spin with the load of a single phase; std::nullopt if that load has none. The
-/// terminal spin with the mean load is close, but requires all phases.
+/// Returns the terminal spin with the load at one phase as an initial guess; std::nullopt if this load has no
+/// terminal spin. The mean load would need contact solves at all phases.
 std::optional<double> spin_at_first_phase(const PhaseSampledLoad &phases, const Motion &motion,
                                           const SpinSearch &search)
 {
@@ -60,13 +58,13 @@ std::string fall_sentence(const Fall &fall)
                   " rad/s and a moment ratio of ", rounded_text(fall.state.moment_ratio, 3));
 }
 
-/// Replaces the terminal spin of @p found, the zero of the mean torque, by the long-time mean of the spin.
+/// Replaces the terminal spin of @p found, a zero of the mean torque, by the long-time mean of the spin.
 void take_long_run_mean(const Load &load, const Question &question, double spin_scale, Answer &found)
 {
   const PhaseSampledLoad &phases = *load.phases();
   const Motion &motion = question.motion;
   TerminalSpin &spin = *found.terminal;
-  // The spin stays between the zeros of the torques of the individual phases. Inertia only reduces the
+  // The spin remains between the zeros of the torques of the individual phases. Inertia only reduces the
   // ripple.
   double largest_torque = 0;
   for (unsigned int i = 0; i < phases.phases().size(); ++i)
@@ -74,8 +72,8 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
       std::max(largest_torque, std::abs(yaw_torque(load, motion, spin.omega, phases.phases().phase(i))));
   const double slope = spin.held ? 0 : std::abs(spin.torque_slope),
                reach = slope > 0 ? 2 * largest_torque / slope : 0.01 * spin_scale;
-  // The accuracy is a tenth of the error of the loads between phases, but at most `coarsest` or the error of
-  // the mean load, whichever is larger.
+  // The accuracy is a tenth of the error of the loads between phases, but never coarser than 1e-3 or the
+  // error of the mean load.
   constexpr double coarsest = 1e-3;
   const SampleError known = phases.error(spin.omega - reach, spin.omega + reach);
   const double accuracy = std::clamp(0.1 * known.between, 1e-9, std::max(coarsest, known.mean));
@@ -88,8 +86,8 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
                                            accuracy, spin_scale, question.grip_torque);
   spin.omega = mean.mean;
   found.ripple = mean.ripple;
-  // Error of the mean load, plus a share of the error between phases: the ripple may keep the glass longer at
-  // some phases.
+  // The error between phases counts only partly, because it averages out except if the ripple keeps the glass
+  // longer at some phases.
   const double turning = std::abs(mean.mean - motion.orbit_rate());
   const double longer = phases.phases().glass.size() == 1 ? 0
                         : mean.ripple < turning           ? mean.ripple / turning
@@ -102,8 +100,8 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
     found.spin_uncertainty += torque_error / std::abs(spin.torque_slope);
 }
 
-/// Adds the terminal spin to @p found, or its long-time mean if the phase matters. Returns the spin at which
-/// the load was evaluated.
+/// Adds the terminal spin to @p found, or its long-time mean if the load depends on the phase. Returns a spin
+/// close to the zero at which the load was evaluated [rad/s].
 double find_terminal(const Load &load, const Question &question, Answer &found)
 {
   const Motion &motion = question.motion;
@@ -115,8 +113,8 @@ double find_terminal(const Load &load, const Question &question, Answer &found)
   search.grip_torque = question.grip_torque;
   search.stability_margin = [&load](double omega) { return load.stability_margin(omega); };
   search.nearest_unbalanced_spin = [&load](double omega) { return load.nearest_unbalanced_spin(omega); };
-  // A hand at the height of the centre of mass gives no torque at rest. Rounding must not determine the
-  // direction of the spin.
+  // A hand at the height of the centre of mass gives no torque at rest. Without this bound, rounding would
+  // determine the direction of the spin.
   search.torque_noise = 1e-9 * motion.friction_at_rest() * motion.normal_force() * load.radius();
   if (const PhaseSampledLoad *phases = load.phases())
     if (const std::optional<double> near = spin_at_first_phase(*phases, motion, search))
@@ -143,13 +141,13 @@ double find_terminal(const Load &load, const Question &question, Answer &found)
   return asked;
 }
 
-/// Fills @p found. If the glass tips, @p found contains the fall instead of the terminal spin. Results from
-/// before an exception are kept.
+/// Fills @p found with the terminal spin, or with the fall if the glass tips. Results from before an
+/// exception are kept.
 void find_spin(const Load &load, const Question &question, Answer &found)
 {
   found.harmonics = load.n_harmonics();
   found.at_rest = ring_state(load.at(0), question, 0);
-  Answer searched = found; // a copy, because `found` must contain no terminal spin if the glass tips
+  Answer searched = found; // `found` must contain no terminal spin if the glass tips
   double asked = 0;
   try
   {
@@ -273,8 +271,7 @@ Answer compared_with_all(Answer answer, const Answer &all, const Load &load, con
   if (!all.terminal)
     return answer;
   const double omega = all.terminal->omega;
-  // Without a moment the glass does not spin up: the spin is a rounding error, so a relative change is
-  // undefined.
+  // Without a moment the terminal spin is a rounding error, and a relative change is undefined.
   const double scale = motion.orbit_speed / all.at_rest->load.radius();
   if (answer.terminal && std::abs(omega) > 1e-9 * scale)
     answer.relative_change = (answer.terminal->omega - omega) / omega + 0.; // + 0. avoids -0

@@ -17,9 +17,8 @@ namespace
 {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns friction plus lean torque [N m]. Time and yaw angle matter only if the load depends on the phase.
-/// Beyond the spin at which the glass tips, the torque is continued as a constant, because an integrator may
-/// step too far.
+/// Returns friction plus lean torque [N m] as a function of time, yaw angle and spin. Beyond the spin at
+/// which the glass tips, the torque is constant, because an integrator may step too far.
 PhasedTorqueFunction torque_until(const std::optional<Fall> &fall, const Load &load, const Question &question)
 {
   const double lower = fall ? std::min(0., fall->omega) : -HUGE_VAL,
@@ -86,8 +85,8 @@ PhasedTorqueFunction tabulated_torque(const Load &load, const Motion &motion, do
                                       double tolerance)
 {
   const PhaseGrids &grids = load.phases()->phases();
-  // The table is limited to the range of one polynomial. At the end of this range the interpolated load has a
-  // kink, and further spins would need more contact solves.
+  // The interpolated load has a kink at the end of its polynomial, and spins beyond need further contact
+  // solves, so the table ends there.
   const auto [slowest, fastest] = load.phases()->polynomial_range(middle);
   const double lower = std::max(middle - reach, slowest), upper = std::min(middle + reach, fastest);
   const auto at_phases = [&](double omega)
@@ -124,7 +123,7 @@ std::vector<Instant> instants_of(const std::vector<YawSample> &spin_up, const Lo
 {
   constexpr std::size_t n_intervals = 24;
   constexpr double near = 0.995; // fraction of the final spin at the last instant
-  std::size_t n = 0;             // samples before tipping
+  std::size_t n = 0;
   while (n < spin_up.size() && std::isfinite(spin_up[n].omega))
     ++n;
   std::vector<Instant> instants;
@@ -158,7 +157,7 @@ Load interpolated_for_curves(const Load &load, const Answer &found, double lower
     return find_or_nullopt(
       [&] { return load.interpolated(std::min(one, other), std::max(one, other), tolerance, similar); });
   };
-  // Looser after `usual_samples`, because the load is steep near the end of the balance.
+  // The load is steep near the end of the balance, so the tolerance is relaxed after `usual_samples` samples.
   CurveTolerance near_fall;
   near_fall.relaxed = near_fall.coarsest;
   if (found.fall)

@@ -14,7 +14,6 @@
 
 namespace stemware::ring
 {
-/// Source of a load, with a cache of all solved loads.
 struct Load::Source
 {
   struct Failure
@@ -47,7 +46,8 @@ struct Load::Source
   }
 };
 
-/// Interpolated coefficients of a load, or of the difference between a load and the load `similar`.
+/// Interpolated Fourier coefficients of a load. If `similar` is given, they are the differences from this
+/// load.
 struct Load::Interpolant
 {
   unsigned int n_harmonics;

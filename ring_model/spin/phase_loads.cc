@@ -15,16 +15,16 @@ namespace stemware::ring
 namespace
 {
 
-/// Tolerance of the mean over the phases and of the interpolation of this mean in the spin. In most studies
-/// it is a tenth of the uncertainty due to waviness.
+/// Tolerance of the mean load over the phases and of its interpolation in the spin. In most studies it is a
+/// tenth of the uncertainty due to waviness.
 constexpr double tolerance = 1e-5;
-/// Maximum error of the mean over the phases (part of the error band) and of the load between two phases
-/// (affects the ripple only).
+/// Maximum errors of the mean load over the phases (part of the error band) and of the load between two
+/// phases (affects the ripple only).
 constexpr SampleError largest_allowed = { 3e-2, 0.3 };
-/// Initial number of phases per angle, for loads that depend on one angle and on two angles. Powers of two,
-/// so that the error can be estimated from every second and every fourth phase.
+/// Initial number of phases per angle, for loads that depend on one angle and on two angles. Powers of two
+/// allow an error estimate from every second and every fourth phase.
 constexpr unsigned int first_phases = 8, first_phases_of_two = 4;
-constexpr unsigned int max_phases = 128; ///< per angle
+constexpr unsigned int max_phases = 128;
 
 PeriodicGrid first_grid(double period, unsigned int n_phases)
 {
@@ -54,7 +54,7 @@ PhaseSamples sampled_at(const LoadAtPhase &load, double omega, const PhaseGrids 
   const unsigned int n_table = grids.table.size();
   for (unsigned int step = 0; step < grids.size(); ++step)
   {
-    // Sweeps the table's angle in alternating direction, so that each contact solve starts from a
+    // The table's angle alternates its direction, so that each contact solve starts from the solution of a
     // neighbouring phase.
     const unsigned int row = step / n_table, place = step % n_table;
     const unsigned int i = row * n_table + (row % 2 == 0 ? place : n_table - 1 - place);
@@ -129,7 +129,7 @@ const PhaseSampledLoad::Interval &PhaseSampledLoad::interval_around(double omega
       sentence("The spin swings with the phase of the waviness over more than ", sampling.max_intervals,
                " intervals of ", rounded_text(sampling.unit, 3),
                " rad/s, each of which takes a contact at every phase; give a smaller waviness."));
-  // Failures are stored, because a search requests the failed interval again at other spins.
+  // Failures are cached, because a search requests the failed interval again at other spins.
   if (const auto failed = failures.find(interval); failed != failures.end())
     std::rethrow_exception(failed->second);
   try
@@ -150,7 +150,7 @@ PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
   { return sampled_at(load, omega, phases()).columns().reshaped(); };
   const auto error_of_mean = [&](double, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)
   { return torque_difference(samples_from(interpolated).mean(), samples_from(exact).mean()); };
-  // Ten times the wanted error, because the last sample typically reduces the error to a tenth.
+  // The target is ten times the wanted error, because the last sample typically reduces the error to a tenth.
   CurveTolerance tolerances;
   tolerances.target = 10 * std::max(tolerance, at_rest.error().mean);
   tolerances.relaxed = std::max(tolerances.target, 1e-3);
@@ -158,8 +158,8 @@ PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
   tolerances.max_samples = sampling.max_samples;
   tolerances.usual_samples = std::min<std::size_t>(9, tolerances.max_samples);
   Interval samples = { AdaptiveCurve({ columns, error_of_mean }, lower, upper, tolerances), {} };
-  // Measures the error between the sampled spins, because the samples may miss a kink. One phase suffices,
-  // because the error is similar at every phase.
+  // The samples may miss a kink, so the error is also measured between the sampled spins. The error is
+  // similar at every phase, so one phase suffices.
   constexpr int n_checks = 6;
   constexpr double safety = 2;
   double between_spins = 0;
@@ -192,7 +192,6 @@ std::pair<double, double> PhaseSampledLoad::polynomial_range(double omega) const
 {
   if (!(sampling.unit > 0))
     return { -HUGE_VAL, HUGE_VAL };
-  // Excludes the upper end: it belongs to the next interval.
   const double lower = std::floor(omega / sampling.unit) * sampling.unit;
   return { lower, lower + sampling.unit * (1 - 1e-9) };
 }

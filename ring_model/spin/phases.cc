@@ -36,7 +36,8 @@ Eigen::VectorXd PeriodicGrid::weights(double angle) const
 {
   if (n_nodes == 1)
     return Eigen::VectorXd::Ones(1);
-  // Barycentric trigonometric interpolation with an even number of nodes: (-1)^i cot((x - x_i) / 2).
+  // Barycentric weights of trigonometric interpolation with an even number of nodes: (-1)^i cot((x - x_i) /
+  // 2).
   const double half = pi * angle / period, of_cosine = std::cos(half), of_sine = std::sin(half);
   const Eigen::ArrayXd distance = of_sine * cosine - of_cosine * sine;
   Eigen::Index nearest = 0;
@@ -76,7 +77,6 @@ Eigen::VectorXd PhaseGrids::interpolated(const Eigen::Ref<const Eigen::MatrixXd>
 {
   const Eigen::VectorXd weights_there = weights(phase);
   Eigen::Index nearest = 0;
-  // A phase of the grid needs no interpolation.
   if (weights_there.maxCoeff(&nearest) == 1 && weights_there.lpNorm<1>() == 1)
     return columns.col(nearest);
   return columns * weights_there;
@@ -106,8 +106,8 @@ Sample PhaseSamples::mean() const
 {
   const Sample mean = load_of(loads.rowwise().mean());
   if (mean.rings().size() > 1)
-    return mean; // the radii are the same at every phase
-  // M_N = pi R (b_1, -a_1): R is chosen to give the mean moment.
+    return mean;
+  // M_N = pi R (b_1, -a_1), so the radius R is chosen to give the mean moment.
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
   for (unsigned int i = 0; i < grids.size(); ++i)
     moment += sample(i).moment() / grids.size();

@@ -23,19 +23,19 @@ std::optional<TorqueEffect::AtSpin> effect_at(const Torque &torque, unsigned int
   return TorqueEffect::AtSpin{ torque->change(n), torque->rest(n), torque->bound(n) };
 }
 
-/// Returns the spin at which |change(spin)| is largest between the neighbours of @p spins[i], the sample with
-/// the largest change.
+/// Returns the spin at which |change(spin)| is largest between the neighbours of @p spins[i]. Precondition:
+/// spins[i] has the largest change of all @p spins.
 template <typename Change>
 double polished_maximum(const std::vector<double> &spins, std::size_t i, const Change &change)
 {
-  constexpr int n_bits = 20; // accuracy of the spin; the maximum is then accurate to rounding
+  constexpr int n_bits =
+    20; // accuracy of the spin in bits; the maximum is stationary, so it is accurate to rounding
   const auto [low, high] = std::minmax(spins[i > 0 ? i - 1 : 0], spins[std::min(i + 1, spins.size() - 1)]);
   const auto found = boost::math::tools::brent_find_minima(
     [&](double omega) { return -std::abs(change(omega)); }, low, high, n_bits);
   return -found.second > std::abs(change(spins[i])) ? found.first : spins[i];
 }
 
-/// Adds to @p row the curve of its effect at @p spins, from @p torques, and the largest effect.
 template <typename TorqueAt>
 void add_curve(const std::vector<double> &spins, const std::vector<Torque> &torques,
                const TorqueAt &torque_at, TorqueEffect &row)
