@@ -29,8 +29,7 @@ std::streambuf *console_buffer()
   return console_descriptor == STDOUT_FILENO ? std::cout.rdbuf() : std::cerr.rdbuf();
 }
 
-/// Returns true if the console is a terminal on which "\r" overwrites a progress line. Returns false for
-/// files, pipes and simple terminals (TERM=dumb), and without a console.
+/// A carriage return overwrites a progress line on a terminal, but not on a simple terminal (TERM=dumb).
 bool console_is_terminal()
 {
   const char *kind = std::getenv("TERM");
@@ -60,7 +59,7 @@ void direct_console(bool quiet, bool json)
 
 std::ostream &console()
 {
-  // Checks the rank at every call, because the rank is known only after MPI has started.
+  // The rank is known only after the start of MPI, so it is checked at every call.
   static std::ostream stream(nullptr);
   if (stream.rdbuf() != console_buffer())
     stream.rdbuf(console_buffer());
@@ -70,7 +69,7 @@ std::ostream &console()
 void require_printed()
 {
   std::cout << std::flush;
-  // std::cout writes through C's stdout, so stdout has recorded every failure.
+  // std::cout writes through the C stream stdout, so ferror(stdout) reports every earlier failure.
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw OutputFailure(
       "Standard output is incomplete (disk full?); results written to a folder are complete.");

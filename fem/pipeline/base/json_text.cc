@@ -18,7 +18,7 @@ namespace
 /// Maximum nesting level, because values are printed, compared and copied recursively.
 constexpr int max_levels = 100;
 
-/// Returns the position of a byte as text, e.g. "line 3, column 7". @p place counts from 0.
+/// Returns the location of the byte @p place (counted from 0), e.g. "line 3, column 7".
 std::string place_in(const std::string &text, std::size_t place)
 {
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(place, text.size()));

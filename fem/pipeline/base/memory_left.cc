@@ -17,7 +17,7 @@ namespace
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Returns the first number in a system file [byte]; @p otherwise for a word ("max") or a missing file.
+/// Returns the first number in a system file [bytes]; @p otherwise if it is a word ("max") or is missing.
 double number_in(const fs::path &file, double otherwise)
 {
   double number = 0;
@@ -25,7 +25,7 @@ double number_in(const fs::path &file, double otherwise)
   return stream >> number ? number : otherwise;
 }
 
-/// Returns the memory that file caches use in a control group [byte]. The system can reclaim this memory.
+/// Returns the memory of the file cache in a control group [bytes], which the system can reclaim.
 double cached(const fs::path &group)
 {
   std::ifstream stream(group / "memory.stat");
@@ -43,8 +43,8 @@ void take_smaller(MemoryLeft &least, double limit, double used, const std::strin
     least = { limit - used, fmt::format(FMT_STRING("{} ({:.2g} GB)"), name, limit / 1e9), is_address_space };
 }
 
-/// Lowers @p least to the memory that a control group leaves, for the group /a/b of a line "0::/a/b" of
-/// /proc/self/cgroup and for all its parents. In a container, only the root group may be visible.
+/// Lowers @p least to the memory left in a control group and its parents. @p path is /a/b from the line
+/// "0::/a/b" of /proc/self/cgroup. In a container, only the root group may be visible.
 void take_groups(MemoryLeft &least, const fs::path &root, const fs::path &path, const std::string &limit,
                  const std::string &usage)
 {

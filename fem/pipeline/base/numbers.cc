@@ -18,7 +18,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the number as printed by printf() with "%.*g" or "%.*e". The program uses the C locale only.
 std::string printed(const char *pattern, int precision, double value)
 {
   std::array<char, 32> buffer;
@@ -51,7 +50,6 @@ std::string tidy(const std::string &text)
   return text.substr(0, exponent + 1) + (negative ? "-" : "") + text.substr(digits);
 }
 
-/// Returns the text without surrounding blanks and leading +.
 std::string trimmed(const std::string &text)
 {
   const std::string digits = boost::trim_copy(text);
@@ -89,8 +87,8 @@ double rounded(double value, int n_digits)
 
 LeadingNumber leading_number(const std::string &text)
 {
-  // Rejects inputs that strtod() accepts but that are no decimal numbers: hexadecimal numbers, blanks, a
-  // leading +, and underflow to 0.
+  // strtod() also accepts hexadecimal numbers, blanks, a leading + and underflow to 0, which are refused
+  // here.
   const std::string decimal = text.substr(0, text.find_first_of("xX"));
   LeadingNumber number;
   char *end = nullptr;

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Names in a results folder and in its folder fields. `own`: files listed in the stamp, before their folder;
-/// `hidden`: hidden and system files; `others`: files of the user.
+/// Files in a results folder. `own`: files listed in the stamp, each before its folder; `hidden`: hidden and
+/// system files; `others`: files of the user.
 struct Content
 {
   std::vector<std::string> own, hidden, others;
@@ -62,7 +62,6 @@ void ensure_output(bool is_good, const fs::path &path, const std::string &troubl
     throw OutputFailure("The output " + shortened_path(path.string()) + trouble + " choose another place.");
 }
 
-/// Returns an unused name "PATH.partial-PID", with dashes appended if necessary.
 std::string partial_name(const fs::path &path)
 {
   std::string name = path.string() + ".partial-" + std::to_string(::getpid());
@@ -163,7 +162,7 @@ void require_writable(const fs::path &file)
   const fs::file_status status = fs::symlink_status(file, error);
   const bool is_own = fs::is_regular_file(status) && read_text_file(file).find(written_by_stemware) < 512;
   ensure_output(!fs::exists(status) || is_own, file, " exists without a mark of Stemware; remove it or");
-  // A check of permissions is not enough: root has permission even on read-only file systems.
+  // A check of permissions is not enough, because root has permission even on read-only file systems.
   const std::string probe = partial_name(file);
   ensure_output(file.has_filename() && std::ofstream(probe), file, " cannot be written;");
   std::remove(probe.c_str());

@@ -24,13 +24,11 @@ namespace
 
 namespace mpi = dealii::Utilities::MPI;
 
-/// Exit code and message of a task on one rank.
 using RankOutcome = std::pair<int, std::string>;
 
-/// MPI and deal.II's initialisation by this program; nullptr without MPI or if another program started MPI.
+/// deal.II's MPI session, owned by this program; nullptr without MPI or if another program started MPI.
 std::unique_ptr<mpi::MPI_InitFinalize> session;
 
-/// True after start_mpi().
 std::atomic<bool> is_running = false;
 
 bool is_set_to_one(const char *variable)
@@ -39,14 +37,13 @@ bool is_set_to_one(const char *variable)
   return value != nullptr && std::string(value) == "1";
 }
 
-/// MPI launcher of this process.
 struct Launcher
 {
   bool is_there = false;
   bool has_several = false; ///< false only if the launcher states a single process
 };
 
-/// Returns the launcher, detected from the rank and size variables of Open MPI, MPICH and Slurm with PMIx.
+/// Detects Open MPI, MPICH and Slurm with PMIx by their variables for the rank and the number of ranks.
 Launcher launcher()
 {
   for (const auto &[rank, size] :
@@ -57,10 +54,10 @@ Launcher launcher()
   return {};
 }
 
-/// Sets Open MPI's environment for a single process. Disables the daemon, because it needs ssh. Disables the
-/// session folder in /tmp, because two simultaneous processes would use the same name, and one would abort.
-/// Disables the network, because its libraries take 0.2 s to detect that no network is available. Hides a
-/// Slurm step of one process, because an Open MPI without Slurm's PMI would abort when it asks for the ranks.
+/// Sets Open MPI's environment for a single process. The daemon is disabled, because it needs ssh; the
+/// session folder in /tmp, because simultaneous processes would collide in it; the network, because its
+/// detection takes 0.2 s. A Slurm step of one process is hidden, because an Open MPI without Slurm's PMI
+/// would abort.
 void prepare_to_stand_alone()
 {
   for (const auto &[name, value] : { std::pair("OMPI_MCA_ess_singleton_isolated", "1"),
@@ -78,7 +75,7 @@ void start_session()
   static int n_arguments = 0;
   static char **arguments = nullptr;
   const unsigned int n_threads = dealii::MultithreadInfo::n_threads();
-  // Open MPI resets SIGHUP to the default action. This reset would undo nohup, so the action is restored.
+  // Open MPI resets SIGHUP to its default action, which would undo nohup.
   struct sigaction hang_up;
   const bool is_known = ::sigaction(SIGHUP, nullptr, &hang_up) == 0;
   session = std::make_unique<mpi::MPI_InitFinalize>(n_arguments, arguments, 1);
@@ -87,7 +84,6 @@ void start_session()
   dealii::MultithreadInfo::set_thread_limit(n_threads);
 }
 
-/// Returns the outcome of @p work: its exit code and the message of its failure.
 RankOutcome outcome_of(const std::function<void()> &work)
 try
 {

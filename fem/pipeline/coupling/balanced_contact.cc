@@ -91,8 +91,7 @@ fem::ContactState BalancedContact::solve_at(double omega)
 
 fem::ContactState BalancedContact::contact(double omega)
 {
-  // Cache capacity: solutions at the terminal spin and at the spins requested next, or at the spins of an
-  // error band.
+  // Cache capacity: enough for the spins around the terminal spin, and for the spins of an error band.
   constexpr std::size_t n_latest = 6;
   if (at_rest && (omega == 0 || !balance.varies_with_spin))
     return *at_rest;

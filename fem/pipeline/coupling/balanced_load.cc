@@ -12,7 +12,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns @p pointwise with azimuths in [0, 2 pi), sorted.
 std::vector<fem::AzimuthLoad> by_azimuth(std::vector<fem::AzimuthLoad> pointwise)
 {
   constexpr double turn = 2 * ring::pi;

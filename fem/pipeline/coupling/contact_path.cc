@@ -48,8 +48,8 @@ void ContactPath::append(const fem::ContactState &state)
   recent.push_back(now);
   if (recent.size() <= most)
     return;
-  // Among the older solutions, the one with the nearest neighbour is removed, so that the others still cover
-  // the range of spins.
+  // The older solution with the nearest neighbour is removed, so that the remaining ones cover the range of
+  // spins.
   const auto room = [&](const Found &one)
   {
     double nearest = std::numeric_limits<double>::infinity();
@@ -141,7 +141,7 @@ fem::ContactGuess ContactPath::guess(const fem::ContactDemand &demand, const rin
     return radius * std::abs(one->slip.spin_per_speed - slip.spin_per_speed) + difference(0) +
            difference.tail<3>().sum() / radius;
   };
-  // If several solutions are equally near, the newest one is used.
+  // Reverse order: among equally near solutions, the newest one is used.
   guess.predicted =
     (*std::min_element(known.rbegin(), known.rend(),
                        [&](const Found *one, const Found *other) { return distance(one) < distance(other); }))
@@ -164,8 +164,7 @@ std::optional<fem::ContactStart> ContactPath::nearest_towards_rest(const ring::S
 void ContactPath::predict_from_similar(const ContactPath &similar, const fem::Foot &own,
                                        const fem::Foot &other)
 {
-  // Minimum relative difference of two spins: a polynomial must not pass through two solutions at the same
-  // spin.
+  // Minimum relative difference of two spins. A polynomial must not pass through two solutions at one spin.
   constexpr double apart = 1e-5;
   double largest = 0;
   for (const Found &one : similar.recent)

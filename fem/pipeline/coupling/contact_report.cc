@@ -14,8 +14,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns @p load with the maximum contact width. Returns @p load unchanged if the map has a single point
-/// across the contact.
+/// Returns @p load with the contact width if @p footprint has more than one point across the contact.
 LoadReport with_width(LoadReport load, const fem::PressureMap &footprint)
 {
   if (!footprint.cuts.empty() && fem::has_cells(footprint))
@@ -52,7 +51,8 @@ void add_fields(const Study &study, const ElasticFoot &foot, FootReport &report)
     report.fields = foot.body().fields(report.at_rest);
   if (is_collective || !is_first_rank())
     return;
-  // Azimuth of the section: away from the orbit's centre, which is on the left of a counter-clockwise orbit.
+  // Azimuth of the section: away from the centre of the orbit, which is to the left of a counter-clockwise
+  // orbit.
   report.stressed_section =
     foot.body().section(report.at_rest, -study.motion.orbit.sense_sign() * ring::pi / 2);
   if (report.at_end)
@@ -71,7 +71,7 @@ ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &f
   if (at_rest)
     report.foot = describe_foot(study, *foot, *at_rest, at_end);
   report.load = report.foot ? with_width(load.report(), report.foot->footprint) : load.report();
-  // The pressure map of a solid body is collective.
+  // pressure_map() is collective for a solid body, so all ranks call it.
   report.load_at_end =
     at_end ? with_width(report_of(*at_end, foot->radius(), study.tilts()), foot->body().pressure_map(*at_end))
            : report_of(load.at(last_spin));

@@ -63,8 +63,8 @@ fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip
   }
   catch (const fem::ContactFailure &failure)
   {
-    // Near tipping, the nearest stored solution may belong to another branch of balances beyond the limit
-    // point. The search is then repeated from a stored solution closer to rest.
+    // Near tipping, the nearest stored solution may lie on the branch of balances beyond the limit point. A
+    // second solve therefore starts from a stored solution closer to rest.
     if (failure.outcome != fem::ContactOutcome::tipping || foot->capabilities().is_collective)
       throw;
     const std::optional<fem::ContactStart> start = path.nearest_towards_rest(slip);

@@ -26,7 +26,7 @@ struct Failure
     false; ///< true if all ranks fail alike; if false, the other ranks wait and must be aborted
 };
 
-/// Returns the failure of the exception that is currently handled.
+/// Returns the failure of the exception that is being handled.
 Failure present_failure()
 {
   try

@@ -23,10 +23,9 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the range of loaded radii in @p state. With nodal contact on a hard table, possibly only one
-/// circle of nodes is loaded. Rings in a range of zero width would extrapolate too far to the neighbouring
-/// nodes, which the balance also needs. The range of a single circle is therefore extended by @p cell on both
-/// sides.
+/// Returns the range of loaded radii in @p state. Nodal contact on a hard table may load a single circle of
+/// nodes. Its range is widened by @p cell on both sides, because rings in a range of zero width would
+/// extrapolate too far to the neighbouring nodes, which the balance also needs.
 fem::ContactWidth band_of(const fem::ContactState &state, double cell)
 {
   const bool is_wide = state.outer_radius - state.inner_radius > 1e-3 * cell;
@@ -34,8 +33,8 @@ fem::ContactWidth band_of(const fem::ContactState &state, double cell)
   return { state.inner_radius - margin, state.outer_radius + margin };
 }
 
-/// Returns the number of rings J for which a torque at slip ratio @p eps (at the contact radius) is exact to
-/// 1e-10. The error decreases like (w / (2 R |1 - |eps||))^J, where w is the width of @p band. If the slip
+/// Returns the number of rings J that makes the torque at slip ratio @p eps exact to 1e-10. The error
+/// decreases like (w / (2 R |1 - |eps||))^J for a band of width w at the contact radius R. If the slip
 /// vanishes within the band, the error decreases only algebraically, and max_rings is returned.
 unsigned int rings_for(const fem::ContactWidth &band, double eps, unsigned int least)
 {
@@ -46,8 +45,8 @@ unsigned int rings_for(const fem::ContactWidth &band, double eps, unsigned int l
   return std::max(least, static_cast<unsigned int>(std::min<double>(wanted, max_rings)));
 }
 
-/// Returns the number of harmonics that the kernels require: K_n(eps) decreases like |eps|^n. The number
-/// suffices up to 1.5 times the spin of @p eps.
+/// Returns the number of harmonics that the kernels need up to 1.5 times the spin of @p eps: K_n(eps)
+/// decreases like |eps|^n.
 unsigned int harmonics_for(double eps)
 {
   constexpr unsigned int least = 24, most = std::numeric_limits<unsigned int>::max();
@@ -57,9 +56,8 @@ unsigned int harmonics_for(double eps)
   return std::max(least, static_cast<unsigned int>(std::ceil(std::log(1e-14) / std::log(fastest))));
 }
 
-/// Chooses the rings of @p foot: Chebyshev points of the band of radii loaded in @p at_rest. The number of
-/// rings follows from the slip ratio at the terminal spin of the load at rest. Without a terminal spin, the
-/// number is Contact/Rings.
+/// Sets the rings of @p foot to Chebyshev points of the radii loaded in @p at_rest. Their number follows from
+/// the slip ratio at the terminal spin, or is Contact/Rings if the load at rest has no terminal spin.
 void choose_rings(const ContactSection &contact, const ring::Motion &motion, ElasticFoot &foot,
                   const fem::ContactState &at_rest)
 {
@@ -89,8 +87,7 @@ void choose_rings(const ContactSection &contact, const ring::Motion &motion, Ela
   set_rings(n_rings, contact.load_harmonics > 0 ? contact.load_harmonics : n_harmonics);
 }
 
-/// Returns the resultants of the study at rest. If the study tilts, they include the weight of the tilted
-/// glass.
+/// Returns the resultants at rest. If the study tilts, they include the moment of the tilted glass's weight.
 fem::ContactDemand demand_at_rest(const Study &study)
 {
   fem::ContactDemand demand = study.required_resultants();
@@ -99,7 +96,7 @@ fem::ContactDemand demand_at_rest(const Study &study)
   return demand;
 }
 
-/// Returns the load with the marks in the same orientation as in @p at_rest at every spin.
+/// Returns the load whose contact solutions at every spin have the orientation of @p at_rest.
 BalancedLoad load_at_one_phase(const std::shared_ptr<ElasticFoot> &foot, ContactBalance balance,
                                const fem::ContactState &at_rest, Progress &progress)
 {
@@ -112,8 +109,8 @@ BalancedLoad load_at_one_phase(const std::shared_ptr<ElasticFoot> &foot, Contact
            report_of(at_rest, foot->radius(), balance.tilts), contacts };
 }
 
-/// Returns the contact solution at rest with the marks at @p phase. If the foot tips, the message also
-/// mentions @p at_start, the solution in balance with the marks at t = 0.
+/// Returns the contact solution at rest with glass and table in the orientation @p phase. If the foot
+/// tips, the message also describes @p at_start, the contact solution at t = 0.
 fem::ContactState contact_at_phase(ElasticFoot &foot, const ring::Orientation &phase,
                                    const fem::ContactState &at_start)
 {
@@ -143,12 +140,11 @@ fem::ContactState contact_at_phase(ElasticFoot &foot, const ring::Orientation &p
   }
 }
 
-/// Returns the load over all phases. @p at_rest: contact solution at the phase of t = 0.
+/// Returns the load over all phases. @p at_rest: contact solution at t = 0.
 BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const ContactBalance &balance,
                               const ring::PhasePeriods &periods, const fem::ContactState &at_rest,
                               bool is_hard, bool is_coarse, Progress &progress)
 {
-  // Loads of the phases, created on demand.
   const auto by_phase = std::make_shared<std::map<std::pair<double, double>, BalancedLoad>>();
   const ring::LoadAtPhase exact = [=, &progress](double omega, const ring::Orientation &phase)
   {
@@ -162,8 +158,8 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
     }
     return load->second.at(omega);
   };
-  // Fewer phases keep a study within seconds if each phase needs a curve over the spins, or if the contact is
-  // hard (ten times slower).
+  // Fewer phases keep the time of a study at seconds: a load that varies with the spin needs several contact
+  // solves per phase, and a hard contact takes ten times as long.
   const bool follows = balance.varies_with_spin;
   ring::RestSampling at_rest_sampling;
   at_rest_sampling.max_samples = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;
@@ -174,7 +170,7 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
 
   LoadReport report = report_of(at_rest, foot->radius(), balance.tilts);
   ring::SpinSampling spins;
-  // Two intervals meet at the spin v / R, where friction has a kink.
+  // The border of two intervals is the spin v / R, at which the friction torque has a kink.
   if (follows)
     spins.unit = balance.motion.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
   if (is_hard)
@@ -191,7 +187,7 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
            std::make_shared<BalancedContact>(foot, balance, at_rest, progress) };
 }
 
-/// Returns the contact solution at rest on the rings of the study. The first call chooses the rings.
+/// Returns the contact solution at rest, projected onto the rings. The first call chooses the rings.
 fem::ContactState contact_at_rest(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                   const ring::Orientation &marks, Progress &progress)
 {

@@ -53,8 +53,8 @@ fem::SolidMesh solid_mesh(const Study &study, const Discretisation &discretisati
   return mesh;
 }
 
-/// Returns the linear solver of @p study. Replaces `automatic` by multigrid if the study needs only one or
-/// two contact solves, because a condensation costs about as much as four solves by multigrid.
+/// Returns the linear solver of @p study. If the study needs one or two contact solves only, `automatic`
+/// means multigrid: a condensation costs about as much as four solves by multigrid.
 fem::LinearSolver linear_solver_of(const Study &study, const Discretisation &discretisation)
 {
   const ContactSection &contact = study.contact;
@@ -82,11 +82,11 @@ fem::SolidSetup solid_setup(const Study &study, const Discretisation &discretisa
   return setup;
 }
 
-/// Solid foot that stores the text of its elements. Feet with equal texts share mesh and elements.
+/// Solid foot that stores the text of elements_of(). Feet with equal texts share mesh and elements.
 class StudyFoot : public fem::SolidFoot
 {
 public:
-  /// Precondition: @p similar, if given, was made with the same text @p elements_given.
+  /// Precondition: the text of @p similar, if given, equals @p elements_given.
   StudyFoot(const fem::SolidMesh &mesh, const fem::SolidSetup &setup, const StudyFoot *similar,
             std::string elements_given)
       : SolidFoot(mesh, setup, similar)
@@ -94,7 +94,7 @@ public:
   {
   }
 
-  const std::string elements; ///< text of elements_of()
+  const std::string elements;
 };
 
 } // namespace

@@ -14,7 +14,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the first-harmonic load of the static study's prescribed moment.
 BalancedLoad given_first_harmonic(const Study &study)
 {
   const fem::Resultants demand = study.required_resultants();

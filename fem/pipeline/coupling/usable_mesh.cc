@@ -17,15 +17,13 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns a position as text, e.g. "(0.0003, 0) m". Values at rounding level relative to @p size are printed
-/// as 0.
+/// Returns a position as text, e.g. "(0.0003, 0) m". Values below 1e-6 @p size (rounding) are printed as 0.
 std::string place(double x, double y, double size)
 {
   const auto shown = [&](double value) { return std::abs(value) < 1e-6 * size ? 0. : value; };
   return fmt::format(FMT_STRING("({:.4g}, {:.4g}) m"), shown(x), shown(y));
 }
 
-/// Refuses a file if reading it needs more memory than allowed.
 void require_readable_size(const std::string &file, double memory_limit)
 {
   constexpr double memory_per_byte = 12; // measured: 7 for hexahedra; files with short rows need more
