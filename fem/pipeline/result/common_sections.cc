@@ -10,7 +10,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Part of an error band: key in BandedQuantity::parts and summary.json, heading, and cause.
+/// Part of an error band. `key`: name in BandedQuantity::parts and summary.json; `description`: cause of the
+/// error.
 struct BandPart
 {
   const char *key, *heading, *description;
@@ -28,7 +29,6 @@ constexpr BandPart band_parts[] = {
   { "solver", "solver", "From the tolerances of the solvers." }
 };
 
-/// Returns a function that reads one part of an error band; std::nullopt if this part was not estimated.
 auto part_of(const std::string &key)
 {
   return [key](const BandedQuantity &banded)

@@ -11,14 +11,13 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Level of an axis: a row of converge.csv.
+/// Row of converge.csv: a level of an axis.
 struct LevelRow
 {
   const RefinementAxis &axis;
   std::size_t level;
 };
 
-/// Returns the columns of converge.csv for the quantities of @p bands.
 Fields<LevelRow> level_fields(const ErrorBands &bands)
 {
   Fields<LevelRow> fields = {
@@ -44,7 +43,6 @@ Fields<LevelRow> level_fields(const ErrorBands &bands)
   return fields;
 }
 
-/// Data from which converge_fields() reads the members of the summary.
 struct ConvergeRow
 {
   const std::vector<RefinementAxis> &axes;
@@ -75,7 +73,6 @@ const Fields<ConvergeRow> &converge_fields()
   return fields;
 }
 
-/// Row of the table of error bands of the terminal spin.
 struct SpinBandRow
 {
   std::string axis, own;
@@ -95,8 +92,6 @@ Table spin_band_table(const std::vector<SpinBandRow> &rows, Face face)
                       face == Face::console ? "Error band of the terminal spin, axis by axis" : "");
 }
 
-/// Returns the terminal spin with its error band, the observed order on the first axis, and the Richardson
-/// extrapolation.
 std::string convergence_answer(const BandedQuantity &spin, const std::string &first_axis,
                                const std::optional<double> &order)
 {

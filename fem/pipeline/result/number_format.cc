@@ -10,13 +10,12 @@ namespace stemware::pipeline::format
 namespace
 {
 
-/// Returns the weight of the second significant digit of @p value > 0, e.g. 0.01 for 0.27.
+/// Returns the place value of the second significant digit of @p value > 0, e.g. 0.01 for 0.27.
 double second_digit(double value)
 {
   return std::pow(10., std::floor(std::log10(value)) - 1);
 }
 
-/// Returns the number of decimals that show two significant digits of @p spread.
 int decimals_of(double spread)
 {
   constexpr int of_nothing = 6;

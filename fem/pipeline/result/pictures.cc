@@ -18,8 +18,7 @@ using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
 
 constexpr double degree = ring::pi / 180;
 
-/// Returns every k-th value and the last value, about @p max_size values. The default is the resolution of a
-/// picture.
+/// Returns every k-th value and the last value. The default @p max_size is the resolution of a picture.
 std::vector<double> thinned(const std::vector<double> &values, std::size_t max_size = 200)
 {
   const std::size_t step = std::max<std::size_t>(1, (values.size() + max_size - 1) / max_size);
@@ -33,7 +32,6 @@ std::vector<double> thinned(const std::vector<double> &values, std::size_t max_s
 
 constexpr double micrometres = 1e6; ///< per metre
 
-/// Returns the largest pressure, the mean pressure and the width of the contact.
 Json measures_of(const fem::PressureMap &footprint, double pascals, double peak,
                  const std::optional<double> &band)
 {
@@ -50,13 +48,13 @@ Json measures_of(const fem::PressureMap &footprint, double pascals, double peak,
            { "has_edge", footprint.has_edge } };
 }
 
-/// Returns the friction torque at a point, divided by mean friction and radius.
+/// Returns the friction torque about the axis at @p place, divided by mean friction and radius.
 double torque_of(const ring::RimSlip &place)
 {
   return place.friction_y * std::cos(place.azimuth) - place.friction_x * std::sin(place.azimuth);
 }
 
-/// Returns numbers of order 1, rounded to thousandths for a drawing.
+/// Rounds numbers of order 1 to the resolution of a drawing.
 Json thousandths(std::vector<double> values)
 {
   for (double &value : values)
@@ -64,7 +62,6 @@ Json thousandths(std::vector<double> values)
   return rounded_number(values);
 }
 
-/// Returns the column of the values of one member (variable or function) of all @p rows.
 template <typename Rows, typename Value>
 std::vector<double> column_of(const Rows &rows, Value value)
 {

@@ -29,15 +29,13 @@ double round_down(double factor)
   return std::floor(2 * factor / power) / 2 * power;
 }
 
-/// Returns a length for a drawing of the whole foot, rounded to hundredths of a millimetre (less than a
-/// pixel).
+/// Rounds to a hundredth of a millimetre, less than a pixel in a drawing of the whole foot.
 Json drawn(double length)
 {
   return rounded_number(std::round(1e2 * length * millimetres) / 1e2);
 }
 
-/// Returns the quadrilaterals of a loaded section with magnified displacements, and their von Mises stresses
-/// [MPa].
+/// Returns the quadrilaterals of a section with magnified displacements and von Mises stresses [MPa].
 Json stresses(const std::vector<fem::StressedPatch> &section)
 {
   constexpr double share_of_radius = 0.04;
@@ -76,8 +74,7 @@ Json stresses(const std::vector<fem::StressedPatch> &section)
            { "move", move * micrometres } };
 }
 
-/// Returns the cells of a section and its lengths [mm]. @p crown_radius [m] is 0 if the land is flat or its
-/// crown is unknown.
+/// Returns the cells of a section and its lengths [mm]. @p crown_radius [m]: 0 for a flat or unknown crown.
 Json section_of(const std::vector<fem::SectionPolygon> &cells, double contact_radius, double crown_radius,
                 const fem::ContactWidth &band)
 {
@@ -106,8 +103,7 @@ Json section_of(const std::vector<fem::SectionPolygon> &cells, double contact_ra
            { "outer", band.outer * millimetres } };
 }
 
-/// Adds the table "foot", the data of the pictures of a foot: pressures, stresses, section and, if known, the
-/// rim. @p bands: error bands of the study.
+/// Adds the table "foot": pressures, stresses, section and, if known, the rim.
 void add_foot_pictures(const Study &study, const FootReport &foot, const ErrorBands &bands, Results &results)
 {
   constexpr double share_of_radius = 0.12;
@@ -115,7 +111,6 @@ void add_foot_pictures(const Study &study, const FootReport &foot, const ErrorBa
   Json &pictures = results.tables["foot"];
   double largest = fem::largest_pressure(foot.footprint);
   if (foot.footprint_at_end)
-    // Both footprints use the same pressure scale.
     largest = std::max(largest, fem::largest_pressure(*foot.footprint_at_end));
   const std::optional<double> band = band_of(bands, "peak_pressure");
   pictures["footprint"] =
@@ -130,12 +125,11 @@ void add_foot_pictures(const Study &study, const FootReport &foot, const ErrorBa
   const double crown = study.contact.mesh_file.empty() ? study.glass.profile.crown_radius : 0;
   const fem::ContactWidth zone = fem::loaded_band(foot.footprint);
   pictures["section"] = section_of(foot.section, radius, crown, zone);
-  // The picture magnifies the distance of the footprint from the rim circle.
+  // The picture magnifies the radial distance of the footprint from the rim circle.
   const double extent = std::max({ radius - zone.inner, zone.outer - radius, 1e-4 * radius });
   pictures["magnification"] = std::max(1., round_down(share_of_radius * radius / extent));
 }
 
-/// Torques on the glass and friction of the table in one state.
 struct FrictionRow
 {
   std::string name;
@@ -143,7 +137,6 @@ struct FrictionRow
   double sum = 0;
 };
 
-/// Returns the torques at rest and at the terminal spin or the spin of tipping, for display.
 Table friction_table(const Study &study, const ring::Answer &all)
 {
   static const auto fields = Fields<FrictionRow>{
@@ -190,8 +183,6 @@ Json key_figures_of(const SpinStudy &spin, const ErrorBands &bands)
            { "harmonic_effect_relative", spin.budget.harmonics.relative } };
 }
 
-/// Returns the chain of models for page and console. Differences below rounding are omitted. The error band
-/// of the last row determines the number of digits.
 Table shown_chain_table(const Study &study, const std::vector<BudgetRow> &rows, Face face)
 {
   const std::optional<double> band = rows.empty() ? std::nullopt : rows.back().band;
@@ -256,7 +247,7 @@ void add_foot_files(const FootReport &foot, bool has_terminal_spin, std::vector<
   };
   for (const fem::FieldFile &file : foot.fields)
   {
-    if (file.name == "contact.vtu" || file.name == "contact.pvtu") // except the pieces of contact.pvtu
+    if (file.name == "contact.vtu" || file.name == "contact.pvtu") // pieces of contact.pvtu are not listed
       add(file.name, "at rest");
     if (file.name.find("_at_terminal_spin") != std::string::npos)
       add(file.name, "at the terminal spin");

@@ -10,14 +10,12 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns true if the load is positive everywhere, at rest and at the end of the spin-up.
 bool has_no_lift_off(const ContactReport &report)
 {
   const auto pushes = [](const LoadReport &load) { return load.minimum >= 0 && load.contact_fraction >= 1; };
   return pushes(report.load) && pushes(report.load_at_end);
 }
 
-/// Returns the state of the contact at the end of the spin-up.
 ring::Status status_of(const ContactReport &report, const SpinStudy &spin)
 {
   const ring::Status status = spin.answer().status;
@@ -60,7 +58,6 @@ const Fields<SpinRow> &spin_fields()
   return fields;
 }
 
-/// Driven spin-up with its error band.
 struct DrivenRow
 {
   const DrivenSpinUp &driven;
@@ -96,8 +93,6 @@ const Fields<DrivenRow> &driven_fields()
   return fields;
 }
 
-/// Returns the size of the finite-element system and the residuals of the contact solution at rest.
-/// Quantities with a heading are shown on the page.
 const Fields<FootReport> &contact_fields()
 {
   using Foot = FootReport;
@@ -163,7 +158,7 @@ const Fields<FootReport> &contact_fields()
   return fields;
 }
 
-/// Returns M_Nx of the load at rest [N m]. With waviness, M_Nx is the mean over the phases.
+/// Returns M_Nx of the load at rest [N m]; the mean over the phases if rim or table are wavy.
 double moment_at_rest(const StudyAnswer &run)
 {
   return run.spin.phases ? run.spin.answer().at_rest.value().load.moment().x() : run.contact.load.moment.x();
@@ -209,7 +204,6 @@ const Fields<StudyAnswer> &ring_fields()
   return fields;
 }
 
-/// Returns the quantities that describe the effects of a wavy rim or table.
 const Fields<PhaseStudy> &waviness_fields()
 {
   using Phases = PhaseStudy;
@@ -236,7 +230,6 @@ const Fields<PhaseStudy> &waviness_fields()
   return fields;
 }
 
-/// Returns the quantities of a user-defined profile and of its rim circle.
 const Fields<GlassSection> &profile_fields()
 {
   using Glass = GlassSection;
@@ -267,8 +260,6 @@ const Fields<StudyAnswer> &coupling_fields()
   return fields;
 }
 
-/// Returns the quantities of a goal-oriented mesh: value, estimated error, and the mesh's part of the error
-/// band.
 const Fields<StudyAnswer> &goal_fields()
 {
   const auto of_goal = [](auto member)
@@ -291,7 +282,6 @@ const Fields<StudyAnswer> &goal_fields()
   return fields;
 }
 
-/// Returns a pointer to @p value if @p applies, otherwise nullptr.
 template <typename Value>
 const Value *if_applies(bool applies, const Value &value)
 {

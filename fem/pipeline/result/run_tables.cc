@@ -13,7 +13,7 @@ namespace
 
 constexpr char azimuth[] = "azimuth from the direction of travel";
 
-/// Returns the load lambda_j(theta) of one ring [N/rad]. The mean a_0 of a single ring may be negative.
+/// Returns the load lambda_j(theta) of one ring [N/rad], whose mean a_0 may be negative.
 double value_of(const ring::RingStack::Ring &ring, double angle)
 {
   double value = ring.a[0];
@@ -23,7 +23,6 @@ double value_of(const ring::RingStack::Ring &ring, double angle)
   return value;
 }
 
-/// Fourier coefficient of one ring: ring number, radius, order, a_n and b_n.
 struct Coefficient
 {
   std::size_t ring;

@@ -14,13 +14,11 @@ using format::number;
 namespace
 {
 
-/// Returns the duration of one turn [s].
 double seconds_a_turn(double omega)
 {
   return 2 * ring::pi / std::abs(omega);
 }
 
-/// Returns one sentence for each of @p states (name, load) with lift-off or a tensile load.
 std::string lift_off_sentences(const std::vector<std::pair<std::string, const LoadReport *>> &states)
 {
   std::string text;
@@ -39,8 +37,8 @@ std::string lift_off_sentences(const std::vector<std::pair<std::string, const Lo
   return text;
 }
 
-/// Returns the row of the budget with the largest change of the spin, rows of harmonics excluded; nullptr if
-/// no change exceeds rounding.
+/// Returns the row with the largest change of the spin, except rows of harmonics; nullptr if all changes are
+/// below rounding.
 const BudgetRow *largest_other_step(const StudyAnswer &run)
 {
   const BudgetRow *largest = nullptr;
@@ -51,7 +49,7 @@ const BudgetRow *largest_other_step(const StudyAnswer &run)
   return largest;
 }
 
-/// Returns the terminal spin of the paper's model; std::nullopt if the study itself uses the paper's model.
+/// Returns std::nullopt if the study itself uses the paper's model.
 std::optional<double> paper_spin(const Budget &budget)
 {
   return budget.rows.size() < 2 ? std::nullopt : budget.rows.front().omega_terminal;
@@ -68,7 +66,6 @@ std::string paper_sentence(const StudyAnswer &run)
          number(seconds_a_turn(*omega), "#.3g") + " s.";
 }
 
-/// Returns the answer for a glass that does not spin (up to rounding).
 std::string resting_answer(const Study &study, const ring::Answer &all)
 {
   if (const std::string held = grip_holds_note(study, all); !held.empty())
@@ -138,9 +135,7 @@ std::string spinning_answer(const StudyAnswer &run, double omega)
   return text;
 }
 
-/// Returns a sentence with the largest pressure and the contact width of a load; an empty text if the load
-/// does not come from a contact. Error bands above a tenth of the value are added. The error bands at rest
-/// are used at every spin.
+/// States error bands above a tenth of the value. The bands at rest are used at every spin.
 std::string pressed_sentence(const std::string &state, const LoadReport &load, const ErrorBands &bands)
 {
   if (!load.peak_pressure)
@@ -176,7 +171,6 @@ std::string answer_of(const StudyAnswer &run)
   return text;
 }
 
-/// Returns a remark on the scatter of the points of a profile about its rim circle.
 std::string profile_remark(const std::optional<fem::RimCircle> &circle)
 {
   constexpr double rounding = 1e-9; // rounding of numbers in a file [m]
@@ -188,7 +182,7 @@ std::string profile_remark(const std::optional<fem::RimCircle> &circle)
 }
 
 /// Returns a remark on lift-off: at rest and at tipping if the glass tips; otherwise at the terminal spin or,
-/// without lift-off there, at rest.
+/// if there is no lift-off at the terminal spin, at rest.
 std::string lift_off_remark(const StudyAnswer &run)
 {
   const auto &[study, goal, contact, spin, bands] = run;
@@ -207,8 +201,6 @@ std::string lift_off_remark(const StudyAnswer &run)
   return lift_off_sentences({ { "At rest", &contact.load } });
 }
 
-/// Returns a remark on the largest pressure and the contact width, at rest and, if the glass spins, at the
-/// terminal spin. Error bands above a tenth of the value are added.
 std::string contact_remark(const StudyAnswer &run)
 {
   const auto &[study, goal, contact, spin, bands] = run;
@@ -218,7 +210,6 @@ std::string contact_remark(const StudyAnswer &run)
   return text;
 }
 
-/// Returns a remark on a contact that is at most a few nodes wide.
 std::string narrow_contact_remark(const TableSection &table, const std::optional<FootReport> &foot)
 {
   if (!foot || foot->at_rest.solution.outcome != fem::ContactOutcome::narrow_contact)
@@ -232,8 +223,6 @@ std::string narrow_contact_remark(const TableSection &table, const std::optional
               "deformation of the foot next to the contact.");
 }
 
-/// Returns a remark if the contact is narrower than the thickness of the layer that a Winkler interface
-/// represents.
 std::string thin_layer_remark(const TableSection &table, double half_width)
 {
   const double layer = table.layer_thickness;
@@ -245,7 +234,6 @@ std::string thin_layer_remark(const TableSection &table, double half_width)
          "contact is much wider than the layer is thick; use an elastic disc (Table/Substrate = elastic).";
 }
 
-/// Returns a remark on the ripple of spin and torque due to waviness.
 std::string out_of_flat_remark(const StudyAnswer &run)
 {
   const auto &[study, goal, contact, spin, bands] = run;
@@ -261,7 +249,6 @@ std::string out_of_flat_remark(const StudyAnswer &run)
          number(spin.phases->torque_ripple, ".3g") + " N m.";
 }
 
-/// Returns a remark on the number of terminal spins if the study has more than one.
 std::string several_spins_remark(const std::vector<ring::TerminalSpin> &spins)
 {
   if (spins.size() < 2)
@@ -272,7 +259,6 @@ std::string several_spins_remark(const std::vector<ring::TerminalSpin> &spins)
          std::to_string(n_stable) + " of them stable; the initial spin decides which one the glass reaches.";
 }
 
-/// Returns a remark that compares the spin under the speeds of a file with the spin at constant speed.
 std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
 {
   const auto &driven = spin.spin_up.driven;

@@ -22,7 +22,7 @@ Json columns_of(const Table &table)
   return columns;
 }
 
-/// Returns an error band of every quantity that converge.csv may list.
+/// Returns an error band of every quantity that converge.csv may contain.
 ErrorBands all_bands()
 {
   LoadReport load;
@@ -52,7 +52,6 @@ Json sweep_file_columns()
   return columns;
 }
 
-/// Returns the columns of the data files, taken from tables without rows.
 Json files()
 {
   TorqueCurve torque;

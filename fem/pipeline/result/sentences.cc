@@ -17,7 +17,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns @p words without a leading minus sign.
 std::string size_of(const std::string &words)
 {
   for (const std::string minus : { "-", "\u2212" })
@@ -26,7 +25,6 @@ std::string size_of(const std::string &words)
   return words;
 }
 
-/// Returns the values of all entries in words, by the paths of the entries.
 std::map<std::string, std::string> values_in_words(const Study &study)
 {
   std::map<std::string, std::string> words;
@@ -35,7 +33,7 @@ std::map<std::string, std::string> values_in_words(const Study &study)
   return words;
 }
 
-/// Returns the table as the end of a sentence, e.g. "on a mat of 1 GPa/m".
+/// Returns the end of a sentence about the table, e.g. "on a mat of 1 GPa/m".
 std::string on_table(const Study &study, const std::map<std::string, std::string> &given)
 {
   if (!study.load.is_from_contact())
@@ -52,7 +50,6 @@ std::string on_table(const Study &study, const std::map<std::string, std::string
   return text;
 }
 
-/// Returns the label of the table in the sketch.
 std::string table_of_sketch(const Study &study, const std::map<std::string, std::string> &given)
 {
   if (!study.load.is_from_contact())
@@ -66,7 +63,7 @@ std::string table_of_sketch(const Study &study, const std::map<std::string, std:
                                                           : "smooth, rigid table";
 }
 
-/// Returns the value of an entry with ten digits, so that different values differ as text.
+/// Returns the value with ten digits, which suffice to distinguish different values.
 std::string value_of(const StudyEntry &entry)
 {
   const std::string text = entry.text();
@@ -74,7 +71,6 @@ std::string value_of(const StudyEntry &entry)
   return number && std::isfinite(*number) ? to_text(rounded(*number, 10)) : text.empty() ? "(none)" : text;
 }
 
-/// Returns the inputs as one sentence, in the units of the user.
 std::string inputs_of(const Study &study)
 {
   const auto given = values_in_words(study);
@@ -96,13 +92,11 @@ std::string inputs_of(const Study &study)
          (study.motion.grip_torque > 0 ? ", gripped with " + given.at("Motion/Grip torque") : "") + ".";
 }
 
-/// Returns the labels and lengths of the sketch of the glass: the values of its entries by name, the table
-/// and the hand.
 Json sketch_labels(const Study &study)
 {
   const ring::Motion &motion = study.motion.orbit;
   const auto given = values_in_words(study);
-  // Force with which the hand moves the glass against friction before the glass spins: F = m a - T(0).
+  // Force with which the hand moves a glass without spin against friction: F = m a - T(0).
   const double along = motion.total_mass() * motion.acceleration().x() +
                        motion.friction_at_rest() * motion.normal_force(),
                inwards = motion.total_mass() * std::abs(motion.acceleration().y());
@@ -148,7 +142,8 @@ std::string in_usual_unit(const Study &study, const StudyEntry &entry)
     return entry.text();
   const auto given = study.given_entries.find(entry.path());
   if (given != study.given_entries.end() && !trailing_unit(given->second).empty() &&
-      parse_quantity(given->second, entry.unit) == *entry.quantity) // the value is still the given one
+      parse_quantity(given->second, entry.unit) ==
+        *entry.quantity) // the value may have changed since it was given
     return given->second;
   return in_usual_unit(*entry.quantity, entry.unit);
 }

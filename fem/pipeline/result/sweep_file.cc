@@ -35,7 +35,7 @@ std::string csv_row(const std::vector<std::string> &cells)
   return row + '\n';
 }
 
-/// Returns the input files of all cases with their sizes and modification times, one file per line.
+/// Returns the size and the modification time of each input file of the cases, one file per line.
 std::string read_files(const fs::path &folder, const CaseList &list)
 {
   const std::vector<std::string> of_base = files_of(list.base);
@@ -53,7 +53,7 @@ std::string read_files(const fs::path &folder, const CaseList &list)
   return lines;
 }
 
-/// Returns the lines that begin with #, and the headings. Paths are relative to the folder, so that a sweep
+/// Returns the lines that begin with #, and the headings. Paths are relative to @p folder, so that a sweep
 /// can be resumed from any working directory.
 std::string head_of(const fs::path &folder, const CaseList &list)
 {
@@ -69,7 +69,6 @@ std::string head_of(const fs::path &folder, const CaseList &list)
          csv_row(headings);
 }
 
-/// Throws OutputFailure if @p file does not begin with @p head.
 void require_head(const std::string &file, const std::string &text, const std::string &head)
 {
   const auto differs = std::mismatch(head.begin(), head.end(), text.begin(), text.end());
@@ -96,7 +95,7 @@ SweepFile::SweepFile(const fs::path &wanted, const CaseList &list)
 {
   require_replaceable(folder);
   const std::string head = head_of(folder, list), text = read_text_file(file);
-  // False if the file is missing or ends within its head, because the run was killed before the first row.
+  // False if the file is missing or ends within its head, because the program ended before the first row.
   const bool is_begun = head.compare(0, text.size(), text) != 0;
   std::error_code error;
   if (is_begun)

@@ -13,7 +13,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Range of a quantity over the cases, and the cases with the smallest and the largest value.
+/// Range of a quantity over the cases. `min_case` and `max_case`: cases with the smallest and largest value.
 struct QuantityRange
 {
   Quantity quantity;
@@ -22,8 +22,7 @@ struct QuantityRange
   std::string min_case, max_case; ///< if all values are equal to 1e-9, both are "all n cases"
 };
 
-/// Returns the ranges of the quantities with a heading, for the table of ranges and the pictures of a grid.
-/// Omits cases with a tensile load (status formal) and quantities without a value.
+/// Omits cases with a tensile load (status formal) and quantities without a heading or a value.
 std::vector<QuantityRange> ranges_of(const CaseList &list, const FinishedCases &finished)
 {
   std::vector<QuantityRange> ranges;
@@ -49,7 +48,6 @@ std::vector<QuantityRange> ranges_of(const CaseList &list, const FinishedCases &
   return ranges;
 }
 
-/// Returns the range of the quantity @p key; nullptr if no case has this quantity.
 const QuantityRange *range_of(const std::vector<QuantityRange> &ranges, const std::string &key)
 {
   const auto found = std::find_if(ranges.begin(), ranges.end(),
@@ -77,7 +75,6 @@ std::size_t n_failed_of(const FinishedCases &finished)
     finished.begin(), finished.end(), [](const auto &one) { return one.second.status == "failed"; }));
 }
 
-/// Returns the varied entries with their units and values.
 Table varied_table(const CaseList &list)
 {
   const auto values_of = [&](const VariedEntry &entry)
@@ -107,18 +104,16 @@ Table varied_table(const CaseList &list)
   }.table(list.entries, Face::page);
 }
 
-/// Reason why cases failed.
 struct FailureRow
 {
   std::size_t n_cases;
   std::string first, message;
 };
 
-/// Returns the reasons why cases failed, each with the first case that failed for this reason.
 Table failure_table(const CaseList &list, const FinishedCases &finished)
 {
   constexpr std::size_t max_rows = 20;
-  // Index of the first case and number of cases, by message.
+  // Index of the first case, and number of cases, by message.
   std::map<std::string, std::pair<std::size_t, std::size_t>> reasons;
   for (const auto &[index, result] : finished)
     if (result.status == "failed")
@@ -134,8 +129,7 @@ Table failure_table(const CaseList &list, const FinishedCases &finished)
   return fields.table(rows, Face::page);
 }
 
-/// Returns the data of the pictures of a grid: the entries, and the quantities with one value per case (null
-/// if missing).
+/// Returns the entries, and the quantities with one value per case (null if missing).
 Json grid_of(const CaseList &list, const FinishedCases &finished)
 {
   Json grid = { { "entries", Json::array() }, { "quantities", Json::object() } };
@@ -162,14 +156,11 @@ Json grid_of(const CaseList &list, const FinishedCases &finished)
   return grid;
 }
 
-/// Returns the ends of a range for --json; null without a range.
 Json ends_of(const QuantityRange *range)
 {
   return range ? Json{ range->min, range->max } : Json(nullptr);
 }
 
-/// Returns the ranges of the terminal spin and of the harmonic effect, and the numbers of cases that tip or
-/// fail.
 std::string answer_of(const CaseList &list, const FinishedCases &finished,
                       const std::vector<QuantityRange> &ranges)
 {
@@ -215,7 +206,6 @@ std::string answer_of(const CaseList &list, const FinishedCases &finished,
   return text;
 }
 
-/// Data from which sweep_fields() reads the members of the summary.
 struct SweepRow
 {
   const CaseList &list;

@@ -21,13 +21,11 @@ namespace
 
 constexpr std::size_t margin = 2; ///< blanks before each column
 
-/// Returns the heading of a column of a data file.
 std::string name_of(const Quantity &quantity)
 {
   return boost::replace_all_copy(quantity.name, "*", quantity.number);
 }
 
-/// Returns the lines of a column's header: label and unit.
 std::vector<std::string> header_of(const Quantity &quantity)
 {
   const bool has_unit = !quantity.unit.empty() && quantity.unit != "1";
@@ -38,7 +36,7 @@ std::vector<std::string> header_of(const Quantity &quantity)
   return lines;
 }
 
-/// Printed lines of a column, all equally wide, with the header aligned at the bottom.
+/// Lines of a column, all equally wide. The header is aligned at the bottom.
 struct LaidOutColumn
 {
   LaidOutColumn(const Column &column, std::size_t n_header_lines)
@@ -64,7 +62,6 @@ struct LaidOutColumn
   std::size_t width = 0;
 };
 
-/// Returns the lines of columns side by side, without trailing blanks.
 std::string side_by_side(const std::vector<const LaidOutColumn *> &columns)
 {
   std::string text;
@@ -78,7 +75,6 @@ std::string side_by_side(const std::vector<const LaidOutColumn *> &columns)
   return text;
 }
 
-/// Returns @p text with lines of at most the console's width.
 std::string wrapped_lines(const std::string &text)
 {
   std::istringstream lines(text);
@@ -88,7 +84,6 @@ std::string wrapped_lines(const std::string &text)
   return result;
 }
 
-/// Returns a cell with all digits; @p missing if the cell has no value.
 std::string exact(const Json &cell, const std::string &missing)
 {
   if (cell.is_number_float())

@@ -15,8 +15,8 @@ using format::number;
 namespace
 {
 
-/// Returns the smallest number of harmonics from which on the terminal spin stays within @p share of the spin
-/// with all harmonics (last of @p rows). Without a terminal spin, returns the number of all harmonics.
+/// Returns the smallest number of harmonics from which on the terminal spin differs by less than @p share
+/// from the spin of the last row (all harmonics).
 unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double share)
 {
   unsigned int enough = rows.back().harmonics;
@@ -29,8 +29,7 @@ unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double shar
   return enough;
 }
 
-/// Returns a sentence on the effect of the harmonics on the terminal spin, or on tipping. @p n_enough
-/// harmonics give the spin to 1e-4.
+/// Returns the answer in words. With @p n_enough harmonics, the spin is exact to 1e-4.
 std::string answer_of(const StudyAnswer &answer, unsigned int n_enough)
 {
   const Study &study = answer.study;
