@@ -1,4 +1,3 @@
-// Pointwise load over the azimuth, from contact lines and from nodes.
 #include "fem/contact/azimuthal_density.h"
 #include "ring_model/load/constants.h"
 
@@ -17,7 +16,6 @@ double density_at(double azimuth)
   return 1 + 0.6 * std::cos(azimuth) + 0.3 * std::sin(azimuth);
 }
 
-/// Returns @p n_lines lines around the rim. The first line is at the azimuth @p first [rad].
 ContactSurface lines_round_the_rim(unsigned int n_lines, double first)
 {
   ContactSurface surface;
@@ -53,8 +51,8 @@ TEST(AzimuthalDensity, EqualsTheDensityAtTheAzimuthsOfRadialLines)
 
 TEST(AzimuthalDensity, EqualsTheSectorMeanOnLinesThatAreNotRadial)
 {
-  // The mean of a first harmonic over a sector is its value at the middle of the sector times sin(h) / h,
-  // where h is half the sector.
+  // The mean of a first harmonic over a sector of 2 h is sin(h) / h times its value at the middle of the
+  // sector.
   ContactSurface surface = lines_round_the_rim(4000, pi / 4000);
   surface.n_sectors = 10;
   const std::vector<AzimuthLoad> density = density_of_lines(surface, forces_on(surface));
@@ -67,7 +65,6 @@ TEST(AzimuthalDensity, EqualsTheSectorMeanOnLinesThatAreNotRadial)
 
 TEST(AzimuthalDensity, EqualsTheSectorMeanOfNodalForces)
 {
-  // Each sector has two nodes, equally spaced.
   const unsigned int n_nodes = 40;
   ContactSurface surface;
   surface.n_sectors = n_nodes / 2;
@@ -80,8 +77,7 @@ TEST(AzimuthalDensity, EqualsTheSectorMeanOfNodalForces)
     surface.node_position.row(i) << 0.03 * std::cos(azimuth), 0.03 * std::sin(azimuth);
     forces(i) = density_at(azimuth) * 2 * pi / n_nodes;
   }
-  const double mean =
-    std::cos(pi / n_nodes); // mean of a first harmonic at two nodes, divided by its value midway between them
+  const double mean = std::cos(pi / n_nodes); // each sector has two nodes
   for (const AzimuthLoad &place : density_of_nodes(surface, forces))
     EXPECT_NEAR(place.density, 1 + (density_at(place.azimuth) - 1) * mean, 1e-12) << place.azimuth;
 }

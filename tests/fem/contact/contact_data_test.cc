@@ -1,4 +1,3 @@
-// Node values of a load functional, and cells marked for refinement.
 #include "fem/contact/contact_demand.h"
 #include "fem/contact/contact_goal.h"
 #include "fem/contact/contact_load.h"
@@ -13,7 +12,7 @@ using namespace stemware::fem;
 
 TEST(ContactDemand, NodeValuesEqualTheFunctionalOfUnitForces)
 {
-  // Some nodes have mirrored or equal azimuths. node_values() evaluates these nodes together.
+  // node_values() evaluates nodes with equal or mirrored azimuths together.
   const std::vector<double> radii = { 0.0297, 0.03, 0.0303 };
   const auto functional =
     stemware::ring::friction_functionals(stemware::ring::CoulombLaw(0.3), radii, 8, -4., 0.35).side;

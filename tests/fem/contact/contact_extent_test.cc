@@ -1,5 +1,3 @@
-// Share of the land in contact, largest pressure and motion of rigid feet on a mat. References: closed forms
-// of annuli and plates, and quadrature under a crowned rim by other code.
 #include "fem/contact/line_integral.h"
 #include "fem/contact/rigid_foot.h"
 #include "ring_model/load/constants.h"
@@ -24,11 +22,10 @@ namespace
 
 using stemware::ring::pi;
 
-/// Plane land made of straight contact lines.
 class PlaneLand
 {
 public:
-  /// Adds a straight line. @p across_begin and @p across_end are its width vectors at the ends [m].
+  /// @p across_begin and @p across_end are the width vectors of the line at its ends [m].
   void add_line(const Eigen::RowVector2d &begin, const Eigen::RowVector2d &end,
                 const Eigen::RowVector2d &across_begin, const Eigen::RowVector2d &across_end,
                 double azimuth_width)
@@ -61,7 +58,7 @@ public:
   ContactSurface surface;
 };
 
-/// Returns the annulus between two radii with @p n_lines radial lines; a disc if @p inner is 0.
+/// Returns an annulus with @p n_lines radial lines; a disc if @p inner is 0.
 const ContactSurface &annulus(PlaneLand &land, double inner, double outer, unsigned int n_lines)
 {
   for (unsigned int j = 0; j < n_lines; ++j)
@@ -76,7 +73,6 @@ const ContactSurface &annulus(PlaneLand &land, double inner, double outer, unsig
   return land.finished();
 }
 
-/// Contact extent and table motion of a rigid foot pressed on a mat.
 struct Pressed
 {
   ContactExtent extent;
@@ -93,13 +89,11 @@ Pressed pressed_at(const ContactSurface &surface, double normal_force, double x,
   return { mat->extent(solution), solution.motion };
 }
 
-/// Returns the contact extent under a force of 10 N at x = @p eccentricity [m], on a mat of 1e9 Pa/m.
 ContactExtent pressed(const ContactSurface &surface, double eccentricity)
 {
   return pressed_at(surface, 10, eccentricity, 0, 1e9).extent;
 }
 
-/// Returns a plate of @p length along x and @p breadth along y, on lines along y.
 const ContactSurface &plate(PlaneLand &land, double length, double breadth, unsigned int n_lines)
 {
   for (unsigned int j = 0; j < n_lines; ++j)
@@ -114,7 +108,7 @@ const ContactSurface &plate(PlaneLand &land, double length, double breadth, unsi
   return land.finished();
 }
 
-/// Returns three short radial lines that end at @p corners. Their convex hull is the triangle of the corners.
+/// Returns three short radial lines that end at @p corners, so that the convex hull is a triangle.
 const ContactSurface &tripod(PlaneLand &land, const std::vector<Eigen::RowVector2d> &corners)
 {
   for (const Eigen::RowVector2d &corner : corners)
@@ -127,8 +121,8 @@ const ContactSurface &tripod(PlaneLand &land, const std::vector<Eigen::RowVector
   return land.finished();
 }
 
-/// Returns the distance from the axis to the border of the convex polygon of @p corners (counter-clockwise)
-/// in the direction @p angle [m].
+/// Returns the distance [m] from the axis to the border of the convex polygon @p corners (counter-clockwise)
+/// in the direction @p angle.
 double distance_to_border(const std::vector<Eigen::RowVector2d> &corners, double angle)
 {
   const Eigen::RowVector2d ray(std::cos(angle), std::sin(angle));
@@ -143,7 +137,6 @@ double distance_to_border(const std::vector<Eigen::RowVector2d> &corners, double
   return distance;
 }
 
-/// Returns true if the foot tips under a force at @p distance [m] in the direction @p angle.
 bool tips(const ContactSurface &surface, double distance, double angle)
 {
   try
@@ -154,7 +147,7 @@ bool tips(const ContactSurface &surface, double distance, double angle)
   {
     return true;
   }
-  // With a single loaded point next to a corner, the contact set is singular.
+  // If a single point next to a corner is loaded, the contact set is singular.
   catch (const ContactFailure &failure)
   {
     EXPECT_EQ(failure.outcome, ContactOutcome::singular_set);
@@ -162,8 +155,8 @@ bool tips(const ContactSurface &surface, double distance, double angle)
   return false;
 }
 
-/// Pressure under a rigid plate on a mat: the positive part of a plane c + g_x x + g_y y, computed by
-/// LiftedSquare in the coordinates (2 x / length, 2 y / breadth).
+/// Pressure c + g_x x + g_y y (positive part) under a rigid plate on a mat, from a LiftedSquare in the
+/// coordinates (2 x / length, 2 y / breadth).
 struct PlatePressure
 {
   PlatePressure(double length, double breadth, double force, double x, double y)
@@ -206,7 +199,7 @@ TEST(ContactExtent, AgreesWithTheClosedFormOfWideLands)
         pressed_at(annulus(land, row.inner, row.outer, n_lines), 10, row.eccentricity, 0, 1e9);
       const ContactExtent &extent = found.extent;
       const double allowed = 12 / std::pow(n_lines, 2); // error due to a kink between two lines
-      // Pressure p = slope (x - zero). The largest pressure and the table's motions follow in closed form.
+      // Closed forms for the pressure p = slope (x - zero).
       const double slope = 10 / exact.per_slope;
       EXPECT_NEAR(extent.peak_pressure / (slope * (row.outer - exact.zero)), 1, allowed) << row.eccentricity;
       EXPECT_NEAR(found.motion(0) / (slope * exact.zero / 1e9), 1, allowed * 0.04 / std::abs(exact.zero));
@@ -224,7 +217,7 @@ TEST(ContactExtent, AgreesWithTheClosedFormOfWideLands)
 
 TEST(ContactExtent, SharesAreExactlyOneInFullContact)
 {
-  // An annulus with r = 20 mm and R = 40 mm has the kern radius (r^2 + R^2) / 4R = 12.5 mm.
+  // Kern radius of an annulus with r = 20 mm and R = 40 mm: (r^2 + R^2) / 4R = 12.5 mm.
   for (const double eccentricity : { 0., 0.005, 0.0124 })
   {
     PlaneLand land;
@@ -268,18 +261,18 @@ TEST(ContactExtent, AFootTipsAtTheBorderOfItsConvexHull)
   const Corners triangle = { { 0.04, -0.01 }, { 0.005, 0.03 }, { -0.03, -0.02 } };
   PlaneLand feet, strip;
   expect_border(tripod(feet, triangle), triangle);
-  // The outermost of the 40 lines is half a line width inside the edge of the plate.
+  // The outermost of the 40 lines lies half a line width inside the edge of the plate.
   constexpr double a = 0.04 * (1 - 1. / 40), b = 0.02;
   expect_border(plate(strip, 0.08, 0.04, 40), { { a, -b }, { a, b }, { -a, b }, { -a, -b } });
 }
 
-// If a triangle is loaded, the closed form is p = 6 N / (a b) at the corner. The legs a and b are four times
-// the distances of the load from the edges. Otherwise the reference is LiftedSquare.
+// Closed form for a loaded triangle: p = 6 N / (a b) at the corner, where the legs a and b are four times the
+// distances of the force from the edges. Otherwise the reference is LiftedSquare.
 TEST(ContactExtent, AgreesWithTheClosedFormUnderBiaxialEccentricity)
 {
   struct Row
   {
-    double x, y; ///< position of the load [m]
+    double x, y; ///< point of the force [m]
   };
   const double length = 0.08, breadth = 0.04, force = 10, modulus = 1e9;
   for (const Row &row : { Row{ 0.006, 0.002 }, Row{ 0.01, 0.005 }, Row{ 0.018, 0.004 }, Row{ -0.012, 0.0095 },
@@ -292,7 +285,7 @@ TEST(ContactExtent, AgreesWithTheClosedFormUnderBiaxialEccentricity)
       EXPECT_NEAR(exact.peak, 6 * force / (a * b), 1e-9 * exact.peak);
       EXPECT_NEAR(exact.share, a * b / 2 / (length * breadth), 1e-12);
     }
-    if (row.x == 0.006) // load in the kern, |x|/L + |y|/B < 1/6: p = N/A (1 + 6 x/L + 6 y/B)
+    if (row.x == 0.006) // in the kern, |x|/L + |y|/B < 1/6: p = N/A (1 + 6 x/L + 6 y/B)
     {
       EXPECT_NEAR(exact.peak, force / (length * breadth) * (1 + 6 * (row.x / length + row.y / breadth)),
                   1e-9 * exact.peak);
@@ -303,7 +296,7 @@ TEST(ContactExtent, AgreesWithTheClosedFormUnderBiaxialEccentricity)
       const Pressed found = pressed_at(plate(land, length, breadth, n_lines), force, row.x, row.y, modulus);
       const double allowed = 8 / std::pow(n_lines, 2); // error of the midpoint rule over the strips
       EXPECT_NEAR(found.extent.area_share, exact.share, allowed) << row.x;
-      // The outermost line is half a line width inside the edge.
+      // The outermost line lies half a line width inside the edge.
       EXPECT_NEAR(found.extent.peak_pressure / exact.peak, 1, 1. / n_lines) << row.x;
       const Eigen::Vector3d motion = -exact.plane / modulus;
       for (unsigned int i = 0; i < 3; ++i)
@@ -338,7 +331,6 @@ TEST(ContactExtent, AgreesWithQuadratureUnderACrownedRim)
     {
       const ContactLoad load =
         extract_load(*mat, solve_contact(foot, *mat, load_at(row.m, direction), 0.03), 8);
-      // The spacing of the lines is 8e-3 of the circumference.
       EXPECT_NEAR(load.contact_fraction, row.share, 1e-3) << row.m;
       EXPECT_EQ(load.azimuth_fraction, load.contact_fraction);
       EXPECT_NEAR(load.peak_pressure / row.pressure, 1, 1e-4) << row.m;

@@ -14,8 +14,8 @@ namespace
 {
 using stemware::ring::pi;
 
-/// Returns lambda(theta) = 0.5 + 0.3 cos(theta) + 0.1 sin(theta) + 0.05 cos(2 theta) - 0.02 sin(3 theta),
-/// sampled as @p n forces on a circle.
+/// Returns @p n forces on a circle that sample lambda(theta) = 0.5 + 0.3 cos(theta) + 0.1 sin(theta) + 0.05
+/// cos(2 theta) - 0.02 sin(3 theta).
 std::vector<PointForce> ring_of_forces(unsigned int n, double radius)
 {
   std::vector<PointForce> forces;
@@ -72,8 +72,8 @@ TEST(ContactLoad, RadiusAtZeroMomentIsTheLimitForVanishingMoment)
 
 TEST(ContactLoad, ManyRingsDoNotAmplifyRoundingOutsideTheContact)
 {
-  // 1 N acts on a narrow ring zone and 1e-16 N at five half-widths from it, where Lagrange polynomials of 40
-  // rings reach 1e39.
+  // A force of 1e-16 N acts at five half-widths from the rings, where Lagrange polynomials of 40 rings reach
+  // 1e39.
   std::vector<double> radii;
   for (int j = 39; j >= 0; --j)
     radii.push_back(0.030 + 0.0004 * std::cos(pi * (j + 0.5) / 40));
@@ -91,7 +91,7 @@ TEST(ContactLoad, ManyRingsDoNotAmplifyRoundingOutsideTheContact)
 
 TEST(ContactLoad, RingsPreserveRadialMomentsAtEveryHarmonic)
 {
-  // The rings preserve sum_j r_j^k lambda_j = sum f r^k for forces spread over the contact width.
+  // Rings preserve sum_j r_j^k lambda_j = sum f r^k for k < n_rings.
   std::vector<PointForce> forces;
   for (unsigned int i = 0; i < 200; ++i)
   {
@@ -128,7 +128,6 @@ TEST(ContactLoad, RingsPreserveRadialMomentsAtEveryHarmonic)
         EXPECT_NEAR(even / scale, 0, 1e-11) << n_rings << " rings, moment " << k << ", harmonic " << n;
         EXPECT_NEAR(odd / scale, 0, 1e-11) << n_rings << " rings, moment " << k << ", harmonic " << n;
       }
-    // The next higher radial moment is not preserved.
     double missed = 0, scale = 0;
     for (const PointForce &point : forces)
       missed += point.force * std::pow(std::hypot(point.x, point.y) / 0.03, n_rings) / (2 * pi),
@@ -141,7 +140,7 @@ TEST(ContactLoad, RingsPreserveRadialMomentsAtEveryHarmonic)
 
 TEST(ContactLoad, MinimumIsFoundBetweenTheLines)
 {
-  // 0.5 + 0.45 cos(theta - phase) has the minimum 0.05. The lowest sample is up to 2e-3 above this minimum; a
+  // The minimum of 0.5 + 0.45 cos(theta - phase) is 0.05. The lowest sample lies up to 2e-3 above, and a
   // parabola through three samples misses the minimum by 1e-5.
   for (const unsigned int n : { 32u, 33u })
     for (const double phase : { 0., 0.1, 0.3, 0.5, 0.9 })
@@ -151,12 +150,11 @@ TEST(ContactLoad, MinimumIsFoundBetweenTheLines)
         pointwise.push_back({ 2 * pi * i / n, 0.5 + 0.45 * std::cos(2 * pi * (i - phase) / n) });
       EXPECT_NEAR(least_load(pointwise), 0.05, 1e-14) << n << " " << phase;
     }
-  // On unequally spaced lines, the minimum of a parabola is exact.
   const auto parabola = [](double theta) { return 0.2 + 3 * std::pow(theta - 3.05, 2); };
   EXPECT_NEAR(
     least_load({ { 0, 9 }, { 2.8, parabola(2.8) }, { 3.1, parabola(3.1) }, { 3.7, parabola(3.7) } }), 0.2,
     1e-13);
-  // The interpolated minimum of a compressive load is not negative.
+  // A compressive load has no negative minimum, even if the parabola has.
   EXPECT_EQ(least_load({ { 0, 1 }, { 1, 1e-6 }, { 2, 0.9 }, { 4, 5 } }), 0);
   EXPECT_EQ(least_load({ { 0, 1 }, { 1, 0 }, { 2, 0.9 } }), 0);
 }

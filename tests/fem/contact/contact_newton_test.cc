@@ -25,7 +25,6 @@ ContactOutcome outcome_on_mat(FootCase &foot, const Resultants &load, const Cont
   return outcome_of([&] { solve_contact(*foot.body, *mat, load, 0.03, control); });
 }
 
-/// Body whose linear solves return zero, so the residual cannot decrease.
 class StuckBody : public RigidFoot
 {
 public:
@@ -71,8 +70,7 @@ TEST(ContactDriver, ReportsAContactNarrowerThanItsCells)
 {
   FootCase crowned(GlassProfile(), coarse);
   crowned.solve_on_winkler(1e11,
-                           // The contact is 0.2 mm wide and the nodes are 0.5 mm apart, so only the
-                           // middle node is loaded.
+                           // The contact is 0.2 mm wide and the nodes are 0.5 mm apart.
                            load_at(0.3));
   EXPECT_EQ(crowned.solution.outcome, ContactOutcome::narrow_contact);
   EXPECT_EQ(crowned.solution.n_nodes_across, 1u);
@@ -110,7 +108,6 @@ TEST(ContactDriver, ConvergedSolutionsBalanceTheDemand)
       const auto mat = make_law(WinklerInterface(modulus), foot.body->contact_surface());
       const Resultants demand = load_at(m, 2.1);
       foot.solve(*mat, demand);
-      // Pressure points and nodal forces have the same resultants.
       const ContactSurface &surface = foot.body->contact_surface();
       Eigen::Vector3d of_pressure(0, 0, 0), of_nodes(0, 0, 0);
       for (const PointForce &point : mat->load(foot.solution, 1).points)

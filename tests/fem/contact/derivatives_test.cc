@@ -1,5 +1,4 @@
-// Derivatives of interface laws, contact residual and moment balance, checked by the remainder of Taylor's
-// formula.
+// Derivatives are checked by the remainder of Taylor's formula.
 #include "fem/contact/contact_demand.h"
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rigid_foot.h"
@@ -19,7 +18,6 @@ using stemware::taylor::is_derivative;
 namespace
 {
 
-/// Default rim as a rigid body on few lines, with lift-off on one side.
 struct LeaningRim
 {
   LeaningRim()
@@ -40,7 +38,7 @@ struct LeaningRim
   Eigen::VectorXd direction;          ///< random direction of the derivative [m]
 };
 
-/// Returns the moment balance with friction and tilt. Its conditions are the border of Newton's system.
+/// Returns the moment balance with friction and tilt, whose conditions are the border of Newton's system.
 ContactDemand friction_and_tilt()
 {
   ContactDemand demand(weight, 0.012, -0.01);
@@ -65,8 +63,6 @@ TEST(Derivatives, StiffnessIsTheDerivativeOfThePressure)
     const double pressure = law.pressure(depth);
     EXPECT_NEAR(law.pressure_and_stiffness(depth).first / pressure, 1, stemware::ulps(5, 1));
     EXPECT_NEAR(law.pressure_and_stiffness(depth).second / law.stiffness(depth), 1, stemware::ulps(5, 1));
-    // penetration_at() is the inverse of pressure(), and 1 / stiffness_at() is the derivative of this
-    // inverse.
     EXPECT_NEAR(law.penetration_at(pressure), depth, 1e-14);
     EXPECT_TRUE(is_derivative([&](double h) { return law.penetration_at(pressure * (1 + h)); },
                               pressure / law.stiffness_at(pressure), 0.05));
@@ -102,7 +98,7 @@ TEST(Derivatives, TangentIsTheDerivativeOfTheForces)
       return there.forces;
     };
     EXPECT_TRUE(is_derivative(forces, derivative, 0.5)) << interface->is_hard();
-    // The test detects an error of 0.1 %.
+    // The check is_derivative() detects an error of 0.1 %.
     EXPECT_FALSE(is_derivative(forces, Eigen::VectorXd(1.001 * derivative), 0.5));
   }
 }
@@ -123,7 +119,7 @@ TEST(Derivatives, BorderIsTheDerivativeOfTheConditions)
   const Eigen::Matrix3d stiffness = motion_stiffness(start.tangent, conditions.weights(), rim.modes),
                         product = conditions.weights().transpose() * start.tangent * rim.modes;
   EXPECT_LT((stiffness - product).norm(), 1e-13 * product.norm());
-  // Under a rigid foot, the derivative of the balance with respect to the table motions is -L'TQ + H.
+  // For a rigid foot, the derivative of the balance with respect to the table motions is -L'TQ + H.
   const Eigen::Matrix3d border = conditions.motion_weights() - product;
   for (unsigned int i = 0; i < 3; ++i)
   {
@@ -132,15 +128,14 @@ TEST(Derivatives, BorderIsTheDerivativeOfTheConditions)
     { return conditions.residual(forces_at(h * step).forces, h * step); };
     EXPECT_TRUE(is_derivative(residual, Eigen::VectorXd(border * step), 0.5)) << i;
   }
-  // The Newton increment of a rigid foot cancels the residual to first order.
   const Eigen::Vector3d rest = Eigen::Vector3d::Zero(), residual = conditions.residual(start.forces, rest);
   const Eigen::Vector3d increment =
     RigidFoot(rim.surface).solve(start.tangent, start.forces, conditions, rest).motion;
   EXPECT_LT((border * increment + residual).norm(), 1e-10 * residual.norm());
 }
 
-// Reference: moment balance of the rings with their friction and the tilt moment. This balance is linear in
-// forces and motion, so the conditions equal the balance for any state.
+// Reference: moment balance of rings with friction and tilt moment. The balance is linear in forces and
+// motion, so random states suffice.
 TEST(Derivatives, ConditionsEqualTheMomentBalance)
 {
   const LeaningRim rim;
@@ -153,7 +148,6 @@ TEST(Derivatives, ConditionsEqualTheMomentBalance)
     const Eigen::VectorXd forces = Eigen::VectorXd::NullaryExpr(
       rim.surface.n_nodes(), [&]() { return weight / rim.surface.n_nodes() * (1 + between(engine)); });
     const Eigen::Vector3d motion(1e-6 * between(engine), 1e-4 * between(engine), 1e-4 * between(engine));
-    // Reference: nodal forces projected onto rings by Lagrange polynomials.
     std::vector<stemware::ring::RingStack::Ring> rings;
     for (const double radius : demand.ring_radii)
       rings.push_back({ radius, std::vector<double>(9, 0.), std::vector<double>(9, 0.) });

@@ -1,4 +1,3 @@
-// Width and mean pressure of the contact from pressure maps with known edges.
 #include "fem/contact/footprint.h"
 #include "fem/contact/pressure_profile.h"
 #include "ring_model/load/constants.h"
@@ -16,8 +15,8 @@ namespace
 
 const double full_turn = 2 * ring::pi;
 
-/// Returns a pressure map with 72 radial cuts of 33 points each, up to @p reach [m] on both sides of r = 30
-/// mm. @p pressure is a function of azimuth and r - 30 mm.
+/// Returns 72 radial cuts of 33 points each, up to @p reach [m] on both sides of r = 30 mm. @p pressure is a
+/// function of azimuth and r - 30 mm.
 PressureMap map_of(double reach, const std::function<double(double, double)> &pressure)
 {
   PressureMap footprint;
@@ -35,8 +34,7 @@ PressureMap map_of(double reach, const std::function<double(double, double)> &pr
   return footprint;
 }
 
-/// Parabolic pressure on a strip with half-widths of 0.1 to 0.2 mm. The mean is two thirds of the largest
-/// pressure of each cut.
+/// The mean of a parabolic pressure is two thirds of the largest pressure of the cut.
 TEST(Footprint, FindsTheEdgesBetweenGridPoints)
 {
   const auto half_width = [](double azimuth) { return 1.5e-4 + 0.5e-4 * std::cos(azimuth); };
@@ -59,9 +57,8 @@ TEST(Footprint, FindsTheEdgesBetweenGridPoints)
   EXPECT_NEAR(measures.narrowest, 2e-4, 1e-5);
 }
 
-/// A Gaussian pressure has no edge. The contact width contains 99 % of the load, 2 x 2.5758 standard
-/// deviations, and the mean is 0.99 sqrt(2 pi) / 5.1517 of the largest pressure, independent of the extent of
-/// the map.
+/// 99 % of a Gaussian load lie within 2.5758 standard deviations of the middle. The mean pressure on this
+/// width is 0.99 sqrt(2 pi) / 5.1517 of the largest pressure.
 TEST(Footprint, ContainsNinetyNinePercentOfTheLoadIfThePressureHasNoEdge)
 {
   const double deviation = 40e-6;
@@ -81,8 +78,8 @@ TEST(Footprint, ContainsNinetyNinePercentOfTheLoadIfThePressureHasNoEdge)
   }
 }
 
-/// The pressure is 60 kPa on the outer half of the land over half the rim, with a single loaded point at the
-/// end of the land. The mean must not become 0 / 0.
+/// The outer half of the land is loaded over half the rim, and a single point at the end of the land on the
+/// other half. The mean must not become 0 / 0.
 TEST(Footprint, MeanIsFiniteIfASingleEndPointIsLoaded)
 {
   PressureMap footprint;
@@ -91,13 +88,13 @@ TEST(Footprint, MeanIsFiniteIfASingleEndPointIsLoaded)
   {
     footprint.cuts.emplace_back();
     for (unsigned int i = 0; i < 33; ++i)
-      // Interpolation between these radii rounds to a value outside the interval.
+      // With these radii, interpolation rounds to a value outside the interval.
       footprint.cuts.back().push_back({ 0.0292807 + 0.0008256591 * i / 32, full_turn * c / 36,
                                         c < 18 ? (i >= 16 ? 6e4 : 0.) : (c == 30 && i == 32 ? 6e4 : 0.) });
   }
   const FootprintMeasures measures = measures_of(footprint);
   EXPECT_NEAR(measures.mean, 6e4 * 16.25 / 16.5,
-              300); // at the inner edge, the pressure falls to zero within half an interval
+              300); // the pressure falls to zero within half an interval
   EXPECT_EQ(measures.narrowest, 0);
   EXPECT_NEAR(measures.widest, 426e-6, 1e-6);
   const auto cuts = loaded_cuts(footprint);
@@ -111,13 +108,13 @@ TEST(Footprint, MeanIsFiniteIfASingleEndPointIsLoaded)
   EXPECT_TRUE(std::isnan(measures_of(footprint).mean));
 }
 
-/// The parameters of the profile p_0 (1 - x^2)^a follow from the moments of the pressure on a line.
+/// The parameters of p_0 (1 - x^2)^a follow from the moments of the pressure on a line.
 TEST(PressureProfile, FollowsFromTheMomentsOfALine)
 {
   const double middle = 0.03, half_width = 2e-6, peak = 14e6, azimuth_width = 0.1;
   for (const double exponent : { 0.5, 0.8, 1. })
   {
-    // The surface has many short lines along x, because each line is integrated with few points.
+    // The lines are short, because a line is integrated with few points.
     ContactSurface surface;
     surface.lines_are_radial = true;
     std::vector<Eigen::Vector3d> depths;
@@ -150,8 +147,8 @@ TEST(PressureProfile, FollowsFromTheMomentsOfALine)
   }
 }
 
-/// The pressure map interpolates the square of the pressure. The map of a Hertz pressure therefore ends at
-/// the contact edges, even if they lie between two grid points.
+/// The map interpolates the square of the pressure, so a Hertz pressure ends at the contact edges even
+/// between two grid points.
 TEST(PressureProfile, MapEndsAtTheContactEdges)
 {
   const auto half_width = [](double azimuth) { return 1e-6 * (2 + std::cos(azimuth)); };

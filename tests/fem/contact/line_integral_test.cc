@@ -10,7 +10,6 @@ using namespace stemware::fem;
 
 namespace
 {
-/// Returns a radial line from 28 to 32 mm at @p azimuth with a width of 1e-3 rad.
 ContactLine radial_line(double azimuth)
 {
   ContactLine line;
@@ -42,7 +41,7 @@ TEST(LineIntegral, FindsTheIntervalsOfAPositiveQuadratic)
   EXPECT_EQ(PositiveSegments(Eigen::Vector3d(-1, -1, -1)).n_segments, 0u);
   EXPECT_EQ(PositiveSegments(Eigen::Vector3d::Zero()).n_segments, 0u);
 
-  // A linear function, and a nearly linear function for which the textbook formula suffers from cancellation.
+  // A linear and a nearly linear function: for the latter, the textbook formula suffers from cancellation.
   EXPECT_NEAR(PositiveSegments(Eigen::Vector3d(-1, 0.5, 2)).segments[0].begin, -1. / 3,
               stemware::ulps(14, 0.33));
   EXPECT_NEAR(PositiveSegments(Eigen::Vector3d(-1 + 1e-14, 0.5, 2 + 1e-14)).segments[0].begin, -1. / 3,
@@ -74,7 +73,7 @@ TEST(LineIntegral, AgreesWithTheMidpointRuleOnRandomPenetrations)
       const double radius = 0.030 + 0.002 * xi;
       brute += shape * std::max(0., shape.dot(depth)) * radius * 1e-3 * 0.004 / n_points;
     }
-    // At kinks, the midpoint rule has an error of 1e-10 of the integrals. The integrals are about 1e-7.
+    // The midpoint rule has an error of 1e-10 at kinks, relative to integrals of about 1e-7.
     EXPECT_LT((exact - brute).norm(), 2e-10 * 1.2e-7) << "sample " << sample;
   }
 }

@@ -1,4 +1,4 @@
-// Linear conditions L'f = t whose weights L differ from the motion modes Q, as in a moment balance with a
+// Conditions L'f = t with weights L that differ from the motion modes Q, as in a moment balance with a
 // friction arm. Reference: fixed-point iteration over prescribed resultants.
 #include "fem/contact/rigid_foot.h"
 #include "fem/contact/sliding_traction.h"
@@ -12,7 +12,7 @@ using namespace stemware::revolution_tests;
 namespace
 {
 
-/// Returns x and y components of the friction per normal force at the contact nodes, shape [n_nodes, 2].
+/// Returns x and y components of the friction per normal force at the nodes, shape [n_nodes, 2].
 Eigen::MatrixX2d friction_per_force(const ContactSurface &surface)
 {
   const SlidingTraction traction{ 0.25, -11. };
@@ -27,7 +27,6 @@ Eigen::MatrixX2d friction_per_force(const ContactSurface &surface)
   return result;
 }
 
-/// Arm of the friction force [m].
 constexpr double arm = 0.05;
 
 /// Prescribed sum x f + arm T_x(f) and sum y f + arm T_y(f) [N m].
@@ -40,14 +39,13 @@ LinearConditions friction_arm_conditions(const ContactSurface &surface)
   return LinearConditions(surface, weights, { weight, prescribed(0), prescribed(1) });
 }
 
-/// Returns the norm of the nodal forces on all parts of the surface.
 double norm(const ContactSurface &surface, const Eigen::VectorXd &forces)
 {
   return std::sqrt(surface.parts.sum(forces.squaredNorm()));
 }
 
-/// Returns the limit of a sequence of solutions under prescribed resultants. Each solution is corrected by
-/// the friction of the previous one.
+/// Returns the limit of solutions under prescribed resultants, each corrected by the friction of its
+/// predecessor.
 ContactSolution by_fixed_point(ElasticBody &body, TableLaw &law)
 {
   const ContactSurface &surface = body.contact_surface();
@@ -79,7 +77,6 @@ void expect_fixed_point(ElasticBody &body, TableLaw &law)
   EXPECT_LT(norm(surface, solution.forces - expected.forces), 1e-8 * norm(surface, expected.forces));
   EXPECT_LT((solution.motion - expected.motion).norm(), 1e-8 * expected.motion.norm());
   EXPECT_LE(solution.n_iterations, 12u);
-  // The moment of the friction changes the contact noticeably.
   const ContactSolution without =
     solve_contact(body, law, Resultants{ weight, prescribed(1), -prescribed(0) }, 0.03);
   EXPECT_GT(norm(surface, solution.forces - without.forces), 0.1 * norm(surface, expected.forces));
@@ -113,7 +110,6 @@ TEST(LinearConditions, AgreeWithTheFixedPointOfTheFrictionArmUnderABodyOfRevolut
   RevolutionCase foot(profile, foot_compliance(profile, graded_cells(), MeridianOptions{ 2, 16 }), 64);
   const auto law = make_law(WinklerInterface(1e11), foot.body.contact_surface());
   expect_fixed_point(foot.body, *law);
-  // With sliding, friction also deforms the foot.
   foot.body.set_sliding(SlidingTraction{ 0.25, -11. });
   expect_fixed_point(foot.body, *law);
 }

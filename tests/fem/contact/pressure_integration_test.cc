@@ -1,4 +1,3 @@
-// Integration of the pressure along r. Reference: point sums with 30000 points on each line.
 #include "fem/contact/rough_interface.h"
 #include "tests/fem/revolution/revolution_case.h"
 
@@ -9,8 +8,8 @@ using namespace stemware::revolution_tests;
 namespace
 {
 
-/// Returns the nodal forces int p N_i r dr dtheta by the midpoint rule with @p n_points on the part of each
-/// line within @p reach [m] of the middle of the rim. The error at contact edges is quadratic in the spacing.
+/// Returns the nodal forces int p N_i r dr dtheta by the midpoint rule with @p n_points per line, within @p
+/// reach [m] of the middle of the rim. The error at contact edges is quadratic in the spacing.
 template <typename Law>
 Eigen::VectorXd point_sums(const ContactSurface &surface, const Law &law,
                            const Eigen::VectorXd &normal_displacement, unsigned int n_points, double reach)
@@ -19,7 +18,7 @@ Eigen::VectorXd point_sums(const ContactSurface &surface, const Law &law,
   for (const ContactLine &line : surface.lines)
   {
     const double inner = line.position.row(0).norm(), outer = line.position.row(2).norm();
-    Eigen::Vector3d displacement; // displacements at the ends and the middle of the line
+    Eigen::Vector3d displacement;
     for (unsigned int sample = 0; sample < 3; ++sample)
       displacement(sample) = normal_displacement(line.nodes[sample]);
     const double first = std::max(0., (0.03 - reach - inner) / (outer - inner));
@@ -38,7 +37,6 @@ Eigen::VectorXd point_sums(const ContactSurface &surface, const Law &law,
   return forces;
 }
 
-/// Returns the displacement of a foot with penetration @p depth, tilt and bending [m].
 Eigen::VectorXd bent(const ContactSurface &surface, double depth)
 {
   Eigen::VectorXd displacement(surface.n_nodes());
@@ -51,7 +49,6 @@ Eigen::VectorXd bent(const ContactSurface &surface, double depth)
   return displacement;
 }
 
-/// Returns the largest error of the law's nodal forces, relative to the largest nodal force.
 template <typename Law>
 double error_of(const Law &law, const GlassProfile &profile, unsigned int land_cells, double depth,
                 double reach = 1)
@@ -69,7 +66,7 @@ double error_of(const Law &law, const GlassProfile &profile, unsigned int land_c
 
 } // namespace
 
-// The point sums have an error of about 1e-9, or 1e-8 under a rough interface.
+// The point sums have an error of about 1e-9, or 1e-8 for a RoughInterface.
 TEST(PressureIntegration, AgreesWithPointSumsForAWinklerInterface)
 {
   for (const unsigned int land_cells : { 2u, 8u, 40u })
@@ -79,7 +76,7 @@ TEST(PressureIntegration, AgreesWithPointSumsForAWinklerInterface)
   }
 }
 
-/// The spring is as stiff as for a hard interface. Contact occurs within a single cell.
+/// The spring is as stiff as for a HardInterface, and the contact lies within a single cell.
 TEST(PressureIntegration, AgreesWithPointSumsForAStiffSpring)
 {
   for (const unsigned int land_cells : { 2u, 8u, 40u })
@@ -88,7 +85,7 @@ TEST(PressureIntegration, AgreesWithPointSumsForAStiffSpring)
 
 TEST(PressureIntegration, AgreesWithPointSumsForARoughInterface)
 {
-  // The mean planes of the surfaces are apart (depth < 0) or overlap (depth > 0).
+  // The mean planes of the surfaces are apart for depth < 0 and overlap for depth > 0.
   for (const double decay_length : { 1e-7, 1e-6, 1e-5 })
     for (const double depth : { -3 * decay_length, 2 * decay_length, 20 * decay_length })
       for (const unsigned int land_cells : { 2u, 8u, 40u })

@@ -1,4 +1,4 @@
-// Damped Newton steps. Ordinary contact problems do not need damping.
+// Ordinary contact problems do not need damping.
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/pressure_law.h"
 #include "fem/contact/rigid_foot.h"
@@ -12,8 +12,8 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Pressure law that rises from 0 to twice `middle` within a few @p width around zero penetration. Newton
-/// steps without damping diverge if they start further away.
+/// Pressure that rises from 0 to 2 @p middle within a few @p width around zero penetration. Undamped Newton
+/// steps that start outside this range diverge.
 struct SaturatingInterface : PressureInterface<SaturatingInterface>
 {
   SaturatingInterface(double middle, double width)
@@ -22,7 +22,6 @@ struct SaturatingInterface : PressureInterface<SaturatingInterface>
   {
   }
 
-  // not called in this test
   double stiffness_at(double) const override { throw std::logic_error("not asked for"); }
   double half_width(double, double) const override { throw std::logic_error("not asked for"); }
   double penetration_at(double) const override { throw std::logic_error("not asked for"); }
@@ -72,7 +71,7 @@ TEST(StepLength, DampsDivergingNewtonSteps)
     { shortest_step = std::min(shortest_step, iteration.step_length); };
     const ContactSolution solution = solve_contact(rigid, *law, conditions, 0.03, control, &start);
     EXPECT_LT(plain.residual(solution.forces, solution.motion).norm(), 1e-10 * weight);
-    // At zero penetration, the pressure equals N / area, so the solution has nearly zero penetration.
+    // The solution has nearly zero penetration, because the pressure at zero penetration is N / area.
     EXPECT_LT(solution.normal_displacement.cwiseAbs().maxCoeff(), width);
     EXPECT_LT(shortest_step, 0.5);
     EXPECT_LE(solution.n_iterations, 12u);

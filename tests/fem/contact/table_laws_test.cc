@@ -1,5 +1,5 @@
-// Interface laws under a rigid narrow ring. The load of the ring has a closed form (rough interface: modified
-// Bessel functions; mat: contact angle).
+// The load of a rigid narrow ring has a closed form: modified Bessel functions for a rough interface, a
+// function of the contact angle for a mat.
 #include "fem/contact/rigid_foot.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/contact/sliding_traction.h"
@@ -22,7 +22,6 @@ GlassProfile thin_ring(double crown_radius)
   return profile;
 }
 
-/// Rigid foot with the contact surface of a body of revolution.
 struct RigidRing
 {
   RigidRing(const GlassProfile &profile, unsigned int n_lines)
@@ -42,7 +41,7 @@ struct RigidRing
   RigidFoot foot;
 };
 
-/// Solves @p value(x) = @p target for an increasing function by bisection of [low, high].
+/// Solves @p value(x) = @p target by bisection of [low, high] for an increasing function.
 template <typename Function>
 double invert(const Function &value, double target, double low, double high)
 {
@@ -58,8 +57,7 @@ double invert(const Function &value, double target, double low, double high)
 
 TEST(RoughInterface, GivesBesselHarmonicsUnderARigidRing)
 {
-  // The load is proportional to exp(x cos theta), so a_n / a_0 = 2 I_n(x) / I_0(x) for any pressure scale and
-  // decay length.
+  // The load is proportional to exp(x cos theta), so a_n / a_0 = 2 I_n(x) / I_0(x).
   RigidRing ring(thin_ring(0), 256);
   for (const RoughInterface &interface : { RoughInterface(1e9, 1e-6), RoughInterface(1e12, 1e-7) })
     for (const double m : { 0.2, 0.8, 1.5 })
@@ -69,7 +67,7 @@ TEST(RoughInterface, GivesBesselHarmonicsUnderARigidRing)
       const auto ratio = [](unsigned int n, double x)
       { return 2 * boost::math::cyl_bessel_i(n, x) / boost::math::cyl_bessel_i(0, x); };
       const double x = invert([&](double y) { return ratio(1, y); }, load.a(1) / load.a(0), 0, 50);
-      EXPECT_NEAR(load.a(1) / load.a(0), m, 1e-4); // accurate to 1e-4 because the ring is 0.1 mm wide
+      EXPECT_NEAR(load.a(1) / load.a(0), m, 1e-4); // the ring is 0.1 mm wide
       for (unsigned int n = 2; n <= 8; ++n)
         EXPECT_NEAR(load.a(n) / load.a(0), ratio(n, x), 1e-5) << "m = " << m << ", n = " << n;
       EXPECT_EQ(load.contact_fraction, 1);
@@ -111,7 +109,6 @@ TEST(RigidLimit, AgreesWithTheClosedFormOfACrownedRingOnAMat)
   }
 }
 
-// Reference: components of the relative velocity at the contact point.
 TEST(SlidingTraction, OpposesTheSlipInRotatedAxes)
 {
   const double mu = 0.3, spin = -40., radius = 0.03;

@@ -1,4 +1,3 @@
-// Contact cells shared by foot and disc, for random sections.
 #include "fem/geometry/boundary_ids.h"
 #include "fem/geometry/meridian_mesh.h"
 
@@ -27,8 +26,8 @@ struct RandomSection
   TableDisc disc;
 };
 
-/// Returns a random section: a land of 0.5 to 4 mm, a foot up to six times as thick, with or without a focus
-/// of up to twelve halvings on the land.
+/// Returns a land of 0.5 to 4 mm and a foot up to six times as thick, most with a focus of up to twelve
+/// halvings.
 RandomSection random_section(unsigned int seed)
 {
   std::mt19937 engine(seed);
@@ -70,11 +69,9 @@ RandomSection random_section(unsigned int seed)
     }
     catch (const std::invalid_argument &)
     {
-      // The profile is impossible; another one is drawn.
     }
 }
 
-/// Returns the radii [m] of the nodes of elements of @p degree on the contact zone, in ascending order.
 std::vector<double> contact_nodes(const dealii::Triangulation<2> &triangulation, unsigned int degree)
 {
   const dealii::FE_Q<2> element(degree);
@@ -96,7 +93,7 @@ struct Shape
   double worst_of_contact = 0; ///< largest aspect ratio of the cells on the contact zone
 };
 
-/// Returns the largest aspect ratios; infinite if a cell is inverted.
+/// Returns infinite aspect ratios if a cell is inverted.
 Shape shape_of(const dealii::Triangulation<2> &triangulation, unsigned int degree)
 {
   const dealii::Vector<double> ratios = dealii::GridTools::compute_aspect_ratio_of_cells(
@@ -145,7 +142,7 @@ TEST(ContactCells, AreSharedByFootAndDisc)
       if (!section.resolution.has_focus())
         continue; // the cells of a graded land may be elongated
       EXPECT_LT(shape.worst_of_contact, 5);
-      // Narrow columns of cells in a disc extend to the bottom. The solution there hardly varies along r.
+      // A narrow column of cells in a disc extends to the bottom, where the solution hardly varies along r.
       EXPECT_LT(shape.worst, mesh == &foot ? 400 : 2000);
     }
   }

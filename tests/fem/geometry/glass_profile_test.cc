@@ -18,7 +18,6 @@ using stemware::fem_tests::foot_profile;
 namespace
 {
 
-/// Returns the message that refuses @p profile; empty if the profile is accepted.
 std::string refusal(const GlassProfile &profile)
 {
   try
@@ -39,13 +38,12 @@ TEST(GlassProfile, UndersideIsTangentialToTheLand)
   const GlassProfile profile = foot_profile();
   EXPECT_EQ(profile.underside(0), 0.003);
   EXPECT_NEAR(profile.underside(0.014), 0.003 * 9 / 16,
-              ulps(15, profile.underside_rise)); // half-way to the land the rise is (1 - 1/4)^2 of the total
+              ulps(15, profile.underside_rise)); // the rise is (1 - 1/4)^2 of the total half-way to the land
   for (const double on_land : { 0.028, 0.030, 0.032 })
     EXPECT_EQ(profile.underside(on_land), 0);
   EXPECT_NEAR(profile.underside(0.033), 0.00025, ulps(15, profile.underside_rise));
   EXPECT_NEAR(profile.underside(0.034), 0.001, ulps(15, profile.underside_rise));
-  // If the underside had a slope at the border of the land, the height would be of first order in the
-  // distance.
+  // A kink at the border of the land would make the height linear in the distance.
   for (const double distance : { 1e-4, 1e-5, 1e-6 })
   {
     EXPECT_LT(profile.underside(0.028 - distance), 16 * distance * distance);
@@ -61,7 +59,6 @@ TEST(GlassProfile, TopTapersLinearlyToTheEdge)
               ulps(15, profile.underside_rise));
   EXPECT_NEAR(profile.foot_top() - profile.underside(profile.stem_radius), profile.foot_thickness,
               ulps(15, profile.underside_rise));
-  // The top is a straight line between fillet and edge.
   for (const double radius : { 0.010, 0.020, 0.030 })
     EXPECT_NEAR((profile.topside(radius) - at_edge) / (profile.foot_radius - radius),
                 (profile.foot_top() - at_edge) / (profile.foot_radius - profile.stem_radius), 1e-13);
@@ -71,7 +68,6 @@ TEST(GlassProfile, TopTapersLinearlyToTheEdge)
 TEST(GlassProfile, FilletIsTangentialToStemAndTop)
 {
   for (const double rise : { 0.003, 0. })
-    // The top falls outwards for the first edge thickness and rises for the second.
     for (const double edge : { 0.0015, 0.009 })
     {
       GlassProfile profile = foot_profile();
@@ -91,7 +87,7 @@ TEST(GlassProfile, FilletIsTangentialToStemAndTop)
         EXPECT_NEAR(distance(profile.stem_surface(height), height), profile.fillet_radius,
                     ulps(40, profile.fillet_radius));
       }
-      // The end of the arc is the point of the straight top that is closest to the arc's centre.
+      // The end of the arc is the point of the straight top that is closest to the centre of the arc.
       for (const double away : { -1e-3, -1e-4, 1e-4, 1e-3 })
       {
         const double slope = (profile.topside(0.030) - profile.topside(0.025)) / 0.005;
@@ -145,8 +141,7 @@ TEST(GlassProfile, RefusalsNameTheQuantity)
   GlassProfile short_stem = foot_profile(); // the stem is lower than the fillet
   short_stem.stem_height = 0.004;
   EXPECT_NE(refusal(short_stem), "");
-  GlassProfile pierced =
-    foot_profile(); // the dome under a wide stem is higher than the top at the stem's surface
+  GlassProfile pierced = foot_profile(); // the underside rises above the top at the radius of the stem
   pierced.stem_radius = 0.015;
   pierced.underside_rise = 0.02;
   EXPECT_EQ(refusal(pierced).rfind("Underside rise = ", 0), 0u) << refusal(pierced);

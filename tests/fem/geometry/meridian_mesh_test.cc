@@ -17,7 +17,6 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Area of the section [m^2], and length of its contact zone [m].
 struct Measures
 {
   double area = 0;
@@ -69,7 +68,6 @@ TEST(MeridianMesh, FollowsTheProfileOfAFoot)
     make_meridian_mesh(profile, resolution, triangulation);
     for (const unsigned int degree : { 1u, 2u, 3u, 4u })
     {
-      // Interpolation points of the mapping on the edges, vertices included.
       const dealii::MappingQ<2> mapping(degree);
       const dealii::QGaussLobatto<1> edge_points(degree + 1);
       dealii::FE_Nothing<2> nothing;
@@ -112,7 +110,7 @@ TEST(MeridianMesh, AreaConvergesAtTwiceTheOrderOfTheGeometry)
   }
 }
 
-/// Without a fillet, the stem begins at the top of the foot up to rounding. The rounding error must not
+/// Without a fillet, the stem begins at the top of the foot up to rounding, and this rounding error must not
 /// create a row of cells.
 TEST(MeridianMesh, AvoidsSliverCellsAtASharpCorner)
 {

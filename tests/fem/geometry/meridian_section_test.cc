@@ -23,7 +23,7 @@ namespace
 
 using Polyline = std::vector<SectionVertex>;
 
-/// Returns points (r, z) given in mm. The first point is on line 2 of a file.
+/// The first point is on line 2 of a file.
 Polyline in_millimetres(const std::vector<std::pair<double, double>> &points)
 {
   Polyline polyline;
@@ -32,8 +32,8 @@ Polyline in_millimetres(const std::vector<std::pair<double, double>> &points)
   return polyline;
 }
 
-/// Polyline (r, z) [mm] of a plain foot from the axis to the stem cut, with a flat land from 28 to 32 mm and
-/// corners of more than 0.2 rad.
+/// Points (r, z) [mm] from the axis to the stem cut, with a flat land from 28 to 32 mm and corners of more
+/// than 0.2 rad.
 const std::vector<std::pair<double, double>> plain_foot = { { 0, 2 },  { 20, 2 }, { 28, 0 }, { 32, 0 },
                                                             { 34, 1 }, { 34, 3 }, { 16, 4 }, { 6, 8 },
                                                             { 4, 16 }, { 0, 16 } };
@@ -61,7 +61,6 @@ GlassProfile drawn(const Polyline &polyline)
   return profile;
 }
 
-/// Returns the message that refuses a polyline; empty if the polyline is accepted.
 std::string refusal_of(const std::vector<std::pair<double, double>> &points)
 {
   try
@@ -75,7 +74,6 @@ std::string refusal_of(const std::vector<std::pair<double, double>> &points)
   return {};
 }
 
-/// Returns the message that refuses plain_foot after one point has been changed.
 std::string refusal_with(std::size_t index, double radius, double height)
 {
   std::vector<std::pair<double, double>> points = plain_foot;
@@ -111,8 +109,8 @@ TEST(MeridianSection, FindsUndersideTopAndStemOfAPolyline)
 
 TEST(MeridianSection, TruncatesASharpEdge)
 {
-  // The edge is a wedge: 3.2 mm thick at r = 32 mm and sharp at 36 mm. At the lowest point the foot is 4 mm
-  // thick.
+  // The wedge at the edge is 3.2 mm thick at r = 32 mm and sharp at 36 mm. At the lowest point the foot is 4
+  // mm thick.
   const MeridianSection section(in_millimetres(
     { { 0, 2 }, { 30, 0 }, { 32, 0.8 }, { 36, 2.4 }, { 32, 4 }, { 5, 4 }, { 5, 12 }, { 0, 12 } }));
   EXPECT_NEAR(section.topside(0.030) - section.underside(0.030), 0.004, ulps(16, 0.03));
@@ -145,12 +143,11 @@ TEST(MeridianSection, RefusalsNameTheLineOfTheFile)
   EXPECT_EQ(refusal_of(plain_foot), "");
   const auto expect_line = [](const std::string &sentence, const std::string &words)
   { EXPECT_NE(sentence.find(words), std::string::npos) << sentence; };
-  // The polyline is not closed.
   std::vector<std::pair<double, double>> points(plain_foot.begin(), plain_foot.end() - 1);
   expect_line(refusal_of(points), "line 10");
   points.assign(plain_foot.begin() + 1, plain_foot.end());
   expect_line(refusal_of(points), "line 2");
-  points = plain_foot; // the foot is upside down
+  points = plain_foot; // upside down
   for (auto &point : points)
     point.second = -point.second;
   expect_line(refusal_of(points), "line 11");
@@ -188,11 +185,10 @@ TEST(DrawnProfile, MeshFillsThePolygon)
   }
   dealii::Triangulation<3> solid;
   make_foot_mesh(profile, { 48, 8, 4 }, solid);
-  // The tolerance allows for the corners of the polygon, which the cells do not resolve.
+  // The cells do not resolve the corners of the polygon.
   EXPECT_NEAR(dealii::GridTools::volume(solid, dealii::MappingQ<3>(3)) / volume, 1, 5e-3);
 }
 
-/// The areas of the cells cut by a half-plane add up to the area of the section.
 TEST(DrawnProfile, SectionOfASolidMeshHasItsFullArea)
 {
   GlassProfile step;
@@ -211,7 +207,7 @@ TEST(DrawnProfile, SectionOfASolidMeshHasItsFullArea)
 
 TEST(DrawnProfile, LandIsFlattenedWithASmoothTransition)
 {
-  // Rim with a radius of 3 mm at r = 30 mm. At the borders of a land of 1 mm, the underside is 0.0417 mm
+  // The rim has a radius of 3 mm at r = 30 mm. At the borders of a land of 1 mm, the underside is 0.0417 mm
   // above the lowest point.
   std::vector<std::pair<double, double>> points = { { 0, 3 }, { 20, 3 } };
   for (int i = -10; i <= 10; ++i)
@@ -228,7 +224,6 @@ TEST(DrawnProfile, LandIsFlattenedWithASmoothTransition)
   EXPECT_NEAR(profile.underside(0.031), profile.section->underside(0.031), ulps(16, 0.03));
   EXPECT_NEAR(profile.underside(0.025), profile.section->underside(0.025), ulps(16, 0.03));
 
-  // A profile is refused if its lowest point is not on the land.
   profile.contact_radius = 0.0306;
   EXPECT_THROW(profile.validate(), std::invalid_argument);
 }

@@ -66,8 +66,8 @@ TEST(MeshFile, RefusesSecondOrderElementsWithAnOvalRim)
   EXPECT_NE(message.find("not round"), std::string::npos) << message;
 }
 
-/// The area deficit (cut off by the chords of a round rim) is computed from the angles between the chords. A
-/// plate has corners between straight edges, but no deficit.
+/// The area deficit is computed from the angles between the chords of a round rim. A plate has corners
+/// between straight edges, but no deficit.
 TEST(MeshFile, APlateHasNoLandAreaDeficit)
 {
   dealii::Triangulation<3> plate;

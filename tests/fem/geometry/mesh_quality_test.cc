@@ -1,4 +1,3 @@
-// Quality measures of meshes, and VTU files of meshes.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/mesh_io.h"
 #include "fem/geometry/mesh_quality.h"
@@ -49,7 +48,6 @@ TEST(MeshCheck, ContactFacesCoverTheLand)
   resolution.azimuthal_cells = 24;
   Triangulation<3> foot;
   make_foot_mesh(profile, resolution, foot);
-  // Reference: area by the shoelace formula.
   double area = 0;
   for (const Quadrilateral &face : contact_faces(foot))
   {
@@ -66,13 +64,11 @@ TEST(MeshCheck, ReportsTheScaledJacobianOfSkewCells)
   const MeshCheck brick = check_cube([](const Point<3> &x) { return Point<3>(2 * x[0], 3 * x[1], x[2]); });
   EXPECT_NEAR(brick.min_jacobian, 1, stemware::ulps(5, 1));
   EXPECT_EQ(brick.n_inverted, 0u);
-  // In a parallelepiped sheared by 60 degrees, the scaled Jacobian is the sine of the angle between the
-  // edges.
+  // The scaled Jacobian of a parallelepiped is the sine of the angle between its edges.
   const MeshCheck sheared =
     check_cube([](const Point<3> &x) { return Point<3>(x[0] + std::sqrt(3.) * x[2], x[1], x[2]); });
   EXPECT_NEAR(sheared.min_jacobian, 0.5, stemware::ulps(9, 0.5));
   EXPECT_NEAR(sheared.mean_jacobian, 0.5, stemware::ulps(9, 0.5));
-  // One corner is moved beyond the opposite corner, so the cell is inverted.
   const MeshCheck folded = check_cube([](const Point<3> &x) { return x.norm() > 1.7 ? -1. * x : x; });
   EXPECT_EQ(folded.n_inverted, 1u);
   EXPECT_LT(folded.min_jacobian, 0);

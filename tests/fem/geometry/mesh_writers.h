@@ -15,7 +15,6 @@
 namespace stemware::fem_tests
 {
 
-/// Returns the nodes of a mesh of one level, with edge midpoints for elements of second order.
 inline std::vector<dealii::Point<3>> nodes_of(const dealii::Triangulation<3> &mesh, bool second_order)
 {
   std::vector<dealii::Point<3>> nodes = mesh.get_vertices();
@@ -35,14 +34,13 @@ inline std::string gmsh_text(const dealii::Triangulation<3> &mesh)
   return text.str();
 }
 
-/// Returns the hexahedra and quadrilaterals of second order (types 17 and 16) in Gmsh's format 2.2, or 4.1 in
-/// one block of each.
+/// Returns hexahedra and quadrilaterals of second order (types 17 and 16) in Gmsh's format 2.2 or 4.1.
 inline std::string gmsh_text_of_second_order(const dealii::Triangulation<3> &mesh, bool format_4)
 {
   const std::vector<dealii::Point<3>> nodes = nodes_of(mesh, true);
   std::ostringstream text;
   text << std::setprecision(17) << "$MeshFormat\n" << (format_4 ? "4.1" : "2.2") << " 0 8\n$EndMeshFormat\n";
-  // Surfaces with the physical ids 1 and 2, and a volume for the cells.
+  // Two surfaces with the physical ids 1 and 2, and one volume.
   if (format_4)
     text
       << "$Entities\n0 0 2 1\n1 0 0 0 1 1 1 1 1 0\n2 0 0 0 1 1 1 1 2 0\n1 0 0 0 1 1 1 1 0 0\n$EndEntities\n";
@@ -98,7 +96,7 @@ inline std::string gmsh_text_of_second_order(const dealii::Triangulation<3> &mes
   return text.str();
 }
 
-/// Splits @p mesh along faces: cells for which @p is_second is true get separate nodes, moved by @p shift.
+/// Gives the cells for which @p is_second is true separate nodes, moved by @p shift.
 inline void make_split(const dealii::Triangulation<3> &mesh,
                        const std::function<bool(const dealii::Point<3> &centre)> &is_second,
                        const dealii::Tensor<1, 3> &shift, dealii::Triangulation<3> &split)

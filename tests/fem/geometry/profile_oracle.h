@@ -1,4 +1,4 @@
-// References for meshes of a GlassShape::foot, computed from the profile functions only.
+// References for meshes of GlassShape::foot, from the profile functions only.
 #pragma once
 
 #include "fem/geometry/glass_profile.h"
@@ -14,7 +14,6 @@ namespace stemware::fem_tests
 
 using namespace stemware::fem;
 
-/// Returns the foot of a wine glass with the default lengths.
 inline GlassProfile foot_profile()
 {
   GlassProfile profile;

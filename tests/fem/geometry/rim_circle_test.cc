@@ -1,5 +1,3 @@
-// Circle fitted to the points of a rim. Reference: the circles from which the points were generated, exactly
-// or with a known scatter.
 #include "fem/geometry/rim_circle.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +13,8 @@ namespace
 
 using Polyline = std::vector<SectionVertex>;
 
-/// Returns the underside of a foot [m]: an arc of radius @p crown at r = 30.012 mm, with straight flanks. @p
-/// n_land points are on the land of width @p land; more points follow on both sides.
+/// Returns the underside of a foot: an arc of radius @p crown [m] at r = 30.012 mm, with straight flanks. @p
+/// n_land points lie on the land of width @p land [m], more points on both sides.
 Polyline rounded_rim(double land, unsigned int n_land, double crown)
 {
   constexpr double arc = 1.1e-3, step = 2e-4; // half-width of the arc, spacing of points on the flanks [m]
@@ -40,7 +38,6 @@ Polyline rounded_rim(double land, unsigned int n_land, double crown)
   return polyline;
 }
 
-/// Returns the points with Gaussian errors of the standard deviations @p radial and @p vertical [m].
 Polyline scattered(Polyline polyline, double radial, double vertical, unsigned int seed)
 {
   std::mt19937 generator(seed);
@@ -86,7 +83,7 @@ TEST(RimCircle, IsNotFittedToFlatOrTooFewPoints)
   EXPECT_FALSE(fit_rim_circle({ { 0, 0.002 }, { 0.028, 0 }, { 0.029, 0.0001 }, { 0.036, 0.001 } }, 0.004));
 }
 
-/// A thin foot also has points of its top above the rim. These points are not fitted.
+/// A thin foot has points of its top just above the rim.
 TEST(RimCircle, UsesTheUndersideOnly)
 {
   Polyline polyline = arc_of_six_points();
@@ -98,9 +95,8 @@ TEST(RimCircle, UsesTheUndersideOnly)
   EXPECT_NEAR(circle->crown_radius, 0.0021, 1e-12);
 }
 
-/// The arc is shallow and equals a parabola within 2e-4. Five points at -2 ... 2 mm have the errors e = (1,
-/// -4, 6, -4, 1) u. These errors are orthogonal to every parabola and do not change the fit. Their sum of
-/// squares is 70 u^2.
+/// The arc equals a parabola within 2e-4. The errors e = (1, -4, 6, -4, 1) u at five equidistant points are
+/// orthogonal to every parabola and do not change the fit. Their sum of squares is 70 u^2.
 TEST(RimCircle, ReportsTheRmsDistanceOfItsPoints)
 {
   constexpr double crown = 0.1, u = 1e-7, mm = 1e-3;
@@ -118,8 +114,8 @@ TEST(RimCircle, ReportsTheRmsDistanceOfItsPoints)
   EXPECT_NEAR(circle->rms_distance, u * std::sqrt(70. / 5), 1e-3 * circle->rms_distance);
 }
 
-/// The scatter grows from 20 to 40 um in steps of 0.1 um. Each step changes the contact radius only little,
-/// even if another point becomes the lowest, because points enter and leave the fit continuously.
+/// The scatter grows from 20 to 40 um in steps of 0.1 um. Points must enter and leave the fit continuously,
+/// even if another point becomes the lowest.
 TEST(RimCircle, DependsContinuouslyOnItsPoints)
 {
   const Polyline rim = rounded_rim(1.7e-3, 10, 3e-3);
@@ -140,8 +136,7 @@ TEST(RimCircle, DependsContinuouslyOnItsPoints)
       before = circle->contact_radius;
     }
   }
-  // If a point at the border of the land entered the fit by a jump, the radius would change by at least 20
-  // um.
+  // A point that enters the fit by a jump would change the radius by at least 20 um.
   EXPECT_LT(largest, 2e-6);
 }
 
