@@ -11,13 +11,13 @@ namespace stemware::fem
 namespace
 {
 
-/// Relative tolerance for rounding errors of lengths.
+/// relative tolerance for rounding errors of lengths
 constexpr double rounding = 1e-9;
 
-/// Maximum number of contact cells, because the compliances of more cells do not fit into memory.
+/// The compliances of more contact cells do not fit into memory.
 constexpr std::size_t max_cells = 2000;
 
-/// Returns contact cells that are symmetric about the contact radius and smallest at this radius.
+/// Returns cells that are symmetric about the contact radius and smallest at this radius.
 ContactCells graded_cells(const GlassProfile &profile, const MeridianResolution &resolution)
 {
   const unsigned int half = resolution.land_cells / 2;
@@ -35,12 +35,12 @@ ContactCells graded_cells(const GlassProfile &profile, const MeridianResolution 
   return cells;
 }
 
-/// Adds coarse cells of nearly equal size. Their size is a power of two times the cell size of the focus, and
-/// the radius of the focus is a cell border.
+/// Adds coarse cells of nearly equal size with a border at @p focus_radius. Halvings of this size give
+/// resolution.focus_size.
 void add_coarse_cells(const GlassProfile &profile, const MeridianResolution &resolution, double focus_radius,
                       ContactCells &cells)
 {
-  // Keeps at least two cells on each side of the contact radius.
+  // At least two cells lie on each side of the contact radius.
   const double largest = std::min(profile.land_width / 4, 2 * lowest_cell_height(profile));
   const double n_halvings =
     std::max(0., std::floor(std::log2(largest / resolution.focus_size * (1 + rounding))));
@@ -49,7 +49,7 @@ void add_coarse_cells(const GlassProfile &profile, const MeridianResolution &res
   const double inner = profile.land_inner_radius();
   const double outer = profile.land_outer_radius();
   const double size = cells.coarse_size;
-  // The cells next to the borders of the land absorb the remainder. Their size is 0.5 to 1.5 times `size`.
+  // The cells next to the borders of the land absorb the remainder, so their size is 0.5 to 1.5 times `size`.
   const auto n_towards = [&](double border)
   { return static_cast<int>(std::floor(std::abs(border - focus_radius) / size + 0.5)); };
   double middle = focus_radius;
@@ -65,7 +65,6 @@ void add_coarse_cells(const GlassProfile &profile, const MeridianResolution &res
   cells.coarse.push_back(outer);
 }
 
-/// Contact cell and its number of halvings from a coarse cell.
 struct HalvedCell
 {
   double begin = 0;

@@ -21,7 +21,7 @@ using namespace dealii;
 namespace
 {
 
-/// Manifold ids: cells and faces around the axis, and the core (only for GlassShape::foot).
+/// Manifold ids: `ring_id` for cells and faces around the axis, `core_id` for the core of GlassShape::foot.
 constexpr types::manifold_id ring_id = 1;
 constexpr types::manifold_id core_id = 2;
 
@@ -30,8 +30,8 @@ constexpr types::manifold_id core_id = 2;
 constexpr double largest_cell_ratio = 0.2;
 constexpr double growth = 1.6;
 
-/// Returns radii from @p begin to @p end, ascending or descending. The cells start with the size @p
-/// first_cell, grow up to @p limit, and are scaled to fit the interval.
+/// Returns radii from @p begin to @p end, ascending or descending. The cells grow from @p first_cell up to @p
+/// limit and are then scaled to fit the interval.
 std::vector<double> graded_radii(double begin, double end, double first_cell, double limit)
 {
   const double length = std::abs(end - begin);
@@ -45,7 +45,7 @@ std::vector<double> graded_radii(double begin, double end, double first_cell, do
   return radii;
 }
 
-/// Quadrilateral of the plan view in deal.II's lexicographic order, and the radii that bound it.
+/// Quadrilateral of the plan view. The vertices are in deal.II's lexicographic order.
 struct PlanCell
 {
   std::array<unsigned int, 4> vertices;
@@ -53,8 +53,8 @@ struct PlanCell
   double outer_radius = 0;
 };
 
-/// Plan view of the foot: a square core, a ring of cells out to the stem's surface, and more rings out to the
-/// edge of the foot.
+/// Plan view of the foot: a square core, a ring of cells around the core up to the stem's surface, and rings
+/// up to the edge of the foot.
 class Plan
 {
 public:
@@ -77,7 +77,7 @@ public:
     loop = next;
   }
 
-  /// Adds a ring with three outer cells per inner cell. A sector has four quadrilaterals.
+  /// Adds a ring with three outer cells per inner cell; each sector has four quadrilaterals.
   void add_tripling_ring(double inner_radius, double outer_radius)
   {
     const std::vector<unsigned int> next = add_circle(outer_radius, 3 * n_sectors);
@@ -122,7 +122,7 @@ private:
     return circle;
   }
 
-  /// Adds a square of (n_sectors / 4)^2 cells with convex sides and corners at @p corner_radius. Returns the
+  /// Adds (n_sectors / 4)^2 cells in a square with convex sides and corners at @p corner_radius. Returns the
   /// border of the square, counter-clockwise.
   std::vector<unsigned int> add_core(double corner_radius)
   {
@@ -146,8 +146,8 @@ private:
     return border;
   }
 
-  /// Maps the square [-1, 1]^2 to the core. At the centre, the map is the plain square. Towards the border,
-  /// it becomes the mean of this square and a disc with equally spaced azimuths.
+  /// Maps the square [-1, 1]^2 to the core. The map changes from a plain square at the centre to the mean of
+  /// this square and a disc with equally spaced azimuths at the border.
   static Point<2> core_point(double x, double y, double corner_radius)
   {
     const double size = std::max(std::abs(x), std::abs(y));
@@ -167,7 +167,6 @@ private:
   std::vector<unsigned int> loop; ///< current outer border, counter-clockwise from -45 degrees
 };
 
-/// Returns the outer radius of the ring around the core, i.e. the stem's radius at the foot.
 double core_radius(const GlassProfile &profile)
 {
   return profile.fillet().middle_radius;
@@ -198,8 +197,8 @@ Plan make_plan(const GlassProfile &profile, const FootResolution &resolution)
   return plan;
 }
 
-/// Layer of the foot: the cells of the plan between two radii, extruded between two heights. For
-/// GlassShape::foot, the heights are levels of the ProfileChart.
+/// Layer of the foot between two radii and two heights. For GlassShape::foot the heights are levels of
+/// ProfileChart.
 struct Slab
 {
   double bottom = 0;
@@ -208,14 +207,14 @@ struct Slab
   double outer_radius = 0;
 };
 
-/// Appends @p n layers of equal height. Together they span @p height from @p bottom.
+/// Appends @p n layers of equal height from @p bottom to @p bottom + @p height.
 void stack(double bottom, double height, unsigned int n, double inner, double outer, std::vector<Slab> &slabs)
 {
   for (unsigned int i = 0; i < n; ++i)
     slabs.push_back({ bottom + height * i / n, bottom + height * (i + 1) / n, inner, outer });
 }
 
-/// Returns the number of cell layers of a stem of @p height. Each layer is about 2.5 times as high as @p
+/// Returns the number of cell layers of a stem of @p height [m], each about 2.5 times as high as @p
 /// foot_layer.
 unsigned int n_stem_layers(double height, double foot_layer)
 {
@@ -242,7 +241,7 @@ std::vector<Slab> foot_slabs(const GlassProfile &profile, const FootResolution &
   const double layer = profile.thickness() / resolution.foot_layers;
   const Fillet fillet = profile.fillet();
   const double fillet_top = ProfileChart(profile).pull_back({ 0, fillet.centre_height }).level;
-  if (fillet_top > 1 + 1e-9) // otherwise the corner is sharp, up to rounding
+  if (fillet_top > 1 + 1e-9) // otherwise the corner between foot and stem is sharp, up to rounding
     stack(1, fillet_top - 1, n_stem_layers(fillet.centre_height - fillet.middle_height, layer), 0,
           fillet.middle_radius, slabs);
   stack(fillet_top, 2 - fillet_top, n_stem_layers(profile.height() - fillet.centre_height, layer), 0,
@@ -250,7 +249,7 @@ std::vector<Slab> foot_slabs(const GlassProfile &profile, const FootResolution &
   return slabs;
 }
 
-/// Extrudes the plan into hexahedra. @p place maps each vertex (x, y, height) to its position.
+/// Extrudes the plan into hexahedra. @p place maps a vertex (x, y, height) to its position in space.
 void extrude(const Plan &plan, const std::vector<Slab> &slabs,
              const std::function<Point<3>(const Point<3> &)> &place, Triangulation<3> &triangulation)
 {
@@ -282,14 +281,14 @@ void extrude(const Plan &plan, const std::vector<Slab> &slabs,
       cells.push_back(cell);
     }
   }
-  // p4est requires that each edge has the same direction in all of its cells, so the vertices of an O-grid
+  // p4est requires that each edge has the same direction in all of its cells, so the vertices of each cell
   // are renumbered.
   GridTools::consistently_order_cells(cells);
   triangulation.create_triangulation(vertices, cells, SubCellData());
 }
 
-/// Attaches the ring manifold to all cells and faces at or outside the border of the core. The core and the
-/// inner side of the surrounding ring stay straight. @p radius returns the radius of a vertex in the plan.
+/// Attaches the ring manifold to all cells and faces at or outside the border of the core. @p radius returns
+/// the distance of a vertex from the axis in the plan view.
 void mark_rings(double core_radius, const std::function<double(const Point<3> &)> &radius,
                 Triangulation<3> &triangulation)
 {
@@ -321,7 +320,6 @@ void make_step(const GlassProfile &profile, const FootResolution &resolution, Tr
   triangulation.set_manifold(ring_id, CylindricalManifold<3>(2));
 }
 
-/// Makes the mesh of GlassShape::foot: the plan in ProfileChart coordinates, mapped to the section.
 void make_foot(const GlassProfile &profile, const FootResolution &resolution, Triangulation<3> &triangulation)
 {
   const auto core = make_core_manifold(profile), rings = make_ring_manifold(profile);
@@ -335,8 +333,6 @@ void make_foot(const GlassProfile &profile, const FootResolution &resolution, Tr
   triangulation.set_manifold(ring_id, *rings);
 }
 
-/// Marks faces: as contact zone if they are at z = 0 and all their vertices lie on the land, as stem cut if
-/// they are at the height of the cut.
 void mark_boundaries(const GlassProfile &profile, Triangulation<3> &triangulation)
 {
   const double tolerance = 1e-9 * profile.height();
@@ -359,7 +355,6 @@ void mark_boundaries(const GlassProfile &profile, Triangulation<3> &triangulatio
     }
 }
 
-/// Halves every cell with a vertex for which @p is_near(radius, height) [m] is true.
 void halve_where(const std::function<bool(double radius, double height)> &is_near,
                  Triangulation<3> &triangulation)
 {
@@ -371,7 +366,7 @@ void halve_where(const std::function<bool(double radius, double height)> &is_nea
   triangulation.execute_coarsening_and_refinement();
 }
 
-/// Halves every cell with a vertex between the radii @p inner and @p outer, in the height range of the land.
+/// Halves the cells of the land with a vertex between the radii @p inner and @p outer.
 void refine_land(const GlassProfile &profile, double inner, double outer, Triangulation<3> &triangulation)
 {
   const double tolerance = 1e-6 * profile.land_width;
@@ -384,9 +379,9 @@ void refine_land(const GlassProfile &profile, double inner, double outer, Triang
     triangulation);
 }
 
-/// Performs FootResolution::edge_halvings on a land with cells of width @p cell [m]. For a step, the cells
-/// along the land's inner side are halved, including both corners of this side. For a smooth underside, each
-/// halving applies to the cells within one cell width of the edge.
+/// Halves the cells at the inner edge of the land, whose cells have the width @p cell [m]. For a step these
+/// are the cells with a vertex on the edge, for a smooth underside the cells within one cell width of the
+/// edge.
 void refine_edge(const GlassProfile &profile, unsigned int n_halvings, double cell,
                  Triangulation<3> &triangulation)
 {

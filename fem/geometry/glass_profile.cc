@@ -95,7 +95,7 @@ Fillet GlassProfile::fillet() const
     fillet.centre_radius = fillet.middle_radius = section->middle_radius();
     fillet.middle_height = section->middle_height();
     fillet.centre_height = section->stem_begin();
-    // The cells of the land start at the border of the land, so the fillet must end inside this border.
+    // Cells of the land begin at its border, so the fillet must end inside this border.
     const double end = section->fillet_end_radius();
     fillet.end_radius = end < 0.9 * land_inner_radius() ? end : fillet.middle_radius;
     return fillet;
@@ -106,9 +106,8 @@ Fillet GlassProfile::fillet() const
     fillet.centre_height = fillet.middle_height = foot_top();
     return fillet;
   }
-  // The arc touches the stem's surface and the cone, so its centre is at a distance of one radius from each.
-  // In polar angle about the centre, the arc runs from -pi (stem) to tilt - pi/2 (cone), with the middle at
-  // (tilt - 3 pi/2) / 2.
+  // The arc touches the stem and the cone, so its centre has the distance fillet_radius from each. In polar
+  // angle about the centre, the arc runs from -pi (stem) to tilt - pi/2 (cone).
   const double tilt = std::atan(cone_slope());
   const double middle = tilt / 2 - ring::pi * 3 / 4;
   fillet.radius = fillet_radius;
@@ -197,8 +196,7 @@ void GlassProfile::validate_foot() const
   require(arc.centre_height < height(), "Fillet radius = ", fillet_radius, " m rounds the stem up to ",
           arc.centre_height - foot_top(), " m above the foot, beyond its cut at stem height = ", stem_height,
           " m; give a smaller fillet or a longer stem.");
-  // On the land and outside it, the thickness is always positive. Inside the land, the underside may rise
-  // above the flat top.
+  // Only inside the land the underside may rise above the top.
   constexpr unsigned int n_samples = 1000;
   for (unsigned int i = 0; i < n_samples; ++i)
   {

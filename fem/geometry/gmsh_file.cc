@@ -37,13 +37,11 @@ std::optional<Number> whole_word(std::string_view word)
   throw UnreadableMesh("has \"" + printable(word, 20) + "\" where a number belongs; export the mesh anew.");
 }
 
-/// Returns the integer in @p word; std::nullopt if @p word is not an integer.
 std::optional<long> whole_number_in(std::string_view word)
 {
   return whole_word<long>(word);
 }
 
-/// Tokens of a text, separated by blanks and line ends.
 class Tokenizer
 {
 public:
@@ -52,7 +50,7 @@ public:
   {
   }
 
-  /// Returns the next word; an empty string after the last word.
+  /// Returns the next word, or an empty string after the last word.
   std::string_view next()
   {
     rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
@@ -61,10 +59,8 @@ public:
     return word;
   }
 
-  /// Skips the rest of the line.
   void skip_line() { rest.remove_prefix(std::min(rest.find('\n'), rest.size())); }
 
-  /// Reads a number. Throws UnreadableMesh if the next word is missing or is not a number.
   double number()
   {
     const std::string_view word = next();
@@ -72,7 +68,6 @@ public:
       return *value;
     refuse_word(word);
   }
-  /// Reads an integer. Throws UnreadableMesh if the next word is missing or is not an integer.
   long whole_number()
   {
     const std::string_view word = next();
@@ -85,11 +80,9 @@ private:
   std::string_view rest;
 };
 
-/// Points of a file by their numbers in the file.
 class NumberedPoints
 {
 public:
-  /// Adds a point. Throws UnreadableMesh if the number was used before.
   void add(long number, const std::array<double, 3> &point)
   {
     if (!index.emplace(number, static_cast<unsigned int>(points.size())).second)
@@ -97,7 +90,6 @@ public:
     points.push_back(point);
   }
 
-  /// Returns the index of a point. Throws UnreadableMesh if no point has that number.
   unsigned int at(long number) const
   {
     const auto found = index.find(number);
@@ -121,11 +113,10 @@ std::string in_format_2()
   return std::string("; convert it: ") + gmsh_command + ".";
 }
 
-/// Element type: number of nodes and of corners. A node list begins with the corners.
 struct ElementType
 {
   unsigned int n_nodes = 0;
-  unsigned int n_corners = 0; ///< 8: hexahedron, 4: quadrilateral, 0: ignored
+  unsigned int n_corners = 0; ///< 8: hexahedron, 4: quadrilateral, 0: ignored element
 };
 
 const std::map<long, ElementType> gmsh_types = { { 15, { 1, 0 } }, { 1, { 2, 0 } },  { 8, { 3, 0 } },
@@ -144,7 +135,7 @@ ElementType type_of(long number)
   return type->second;
 }
 
-/// Returns the sections of the file (text between "$Name" and "$EndName"), by name.
+/// Returns the sections of the file, the texts between "$Name" and "$EndName", by name.
 std::map<std::string, std::string_view> sections_of_gmsh(std::string_view text)
 {
   std::map<std::string, std::string_view> sections;
@@ -166,7 +157,6 @@ std::map<std::string, std::string_view> sections_of_gmsh(std::string_view text)
   }
 }
 
-/// Parser of one Gmsh file.
 class GmshReader
 {
 public:
@@ -211,7 +201,7 @@ private:
       throw UnreadableMesh("is partitioned, and a mesh in one part is read" + in_format_2());
   }
 
-  /// Reads the names of the physical surface groups from lines such as 2 7 "contact".
+  /// Reads the names of the physical surface groups from lines such as: 2 7 "contact".
   void read_names()
   {
     const auto found = sections.find("PhysicalNames");
@@ -228,14 +218,13 @@ private:
     }
   }
 
-  /// Reads the physical id of each surface.
   void read_surfaces()
   {
     Tokenizer words = section("Entities");
     long n[3];
     for (long &n_entities : n)
       n_entities = words.whole_number();
-    words.whole_number(); // skips the volumes
+    words.whole_number(); // number of volumes
     for (int dimension = 0; dimension < 3; ++dimension)
       for (long i = 0; i < n[dimension]; ++i)
       {
@@ -263,11 +252,11 @@ private:
     return x;
   }
 
-  /// Header of a block of nodes or elements. Format 4 has one block per entity; format 2 has a single block.
+  /// Header of a block of nodes or elements. Format 4 has one block per entity, format 2 a single block.
   struct Block
   {
     long dimension = 0, entity = 0;
-    long kind = 0; ///< element type; for nodes: nonzero if they have parametric coordinates
+    long kind = 0; ///< element type; for nodes: nonzero if the nodes have parametric coordinates
     long size = 0;
   };
 
@@ -276,7 +265,7 @@ private:
     if (!is_format_4)
       return 1;
     const long n = words.whole_number();
-    // Skips the number of nodes or elements, and their smallest and largest number.
+    // number of nodes or elements, smallest number, largest number
     for (int k = 0; k < (is_format_4_0 ? 1 : 3); ++k)
       words.whole_number();
     return n;
@@ -304,7 +293,7 @@ private:
     for (long n = n_blocks(words); n > 0; --n)
     {
       const Block block = next_block(words);
-      std::vector<long> numbers; // in format 4.1, all numbers precede the coordinates
+      std::vector<long> numbers; // in format 4.1 all numbers precede the coordinates
       for (long i = 0; i < block.size && is_format_4 && !is_format_4_0; ++i)
         numbers.push_back(words.whole_number());
       for (long i = 0; i < block.size; ++i)
@@ -329,7 +318,7 @@ private:
       long id = surface == physical_id.end() ? 0 : surface->second;
       for (long i = 0; i < block.size; ++i)
       {
-        words.whole_number(); // skips the number of the element
+        words.whole_number(); // number of the element
         const ElementType type = type_of(is_format_4 ? block.kind : words.whole_number());
         if (!is_format_4)
           id = id_in_tags(words);
@@ -338,7 +327,7 @@ private:
     }
   }
 
-  /// Returns the physical id of an element, the first of its tags in format 2; 0 if the element has no tags.
+  /// Returns the physical id of an element, which is its first tag in format 2; 0 if the element has no tags.
   static long id_in_tags(Tokenizer &words)
   {
     long id = 0;

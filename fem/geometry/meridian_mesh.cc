@@ -23,7 +23,6 @@ using namespace dealii;
 namespace
 {
 
-/// Ascending grid lines along one coordinate.
 using GridLines = std::vector<double>;
 
 void append_equal(GridLines &lines, double end, unsigned int n_cells)
@@ -33,8 +32,7 @@ void append_equal(GridLines &lines, double end, unsigned int n_cells)
     lines.push_back(begin + (end - begin) * i / n_cells);
 }
 
-/// Appends equal cells of approximately @p size up to @p end. Appends no cell if the lines already end at @p
-/// end.
+/// Appends equal cells of about @p size up to @p end. Appends nothing if the lines already end at @p end.
 void append_sized(GridLines &lines, double end, double size)
 {
   if (std::abs(end - lines.back()) < 1e-6 * size)
@@ -43,7 +41,6 @@ void append_sized(GridLines &lines, double end, double size)
                static_cast<unsigned int>(std::max(1., std::ceil((end - lines.back()) / size - 1e-9))));
 }
 
-/// Growth of the cell size with the distance from the land in one direction.
 struct Growth
 {
   double first = 0; ///< approximate size of the first cell [m]
@@ -51,7 +48,6 @@ struct Growth
   double largest = std::numeric_limits<double>::infinity(); ///< maximum cell size [m]
 };
 
-/// Appends cells of increasing size up to @p end.
 void append_growing(GridLines &lines, double end, const Growth &growth)
 {
   const double begin = lines.back();
@@ -70,7 +66,7 @@ void append_growing(GridLines &lines, double end, const Growth &growth)
   }
 }
 
-/// Appends cells of decreasing size up to @p end, as a mirror image of append_growing().
+/// Appends cells of decreasing size up to @p end, as mirror image of append_growing().
 void append_shrinking(GridLines &lines, double end, const Growth &growth)
 {
   GridLines distances = { 0 };
@@ -79,8 +75,8 @@ void append_shrinking(GridLines &lines, double end, const Growth &growth)
     lines.push_back(end - *distance);
 }
 
-/// Makes a tensor-product grid from the lines @p radii and @p heights. Cells whose centre lies outside the
-/// section are omitted.
+/// Makes a tensor-product grid from the lines @p radii and @p heights, without the cells whose centre lies
+/// outside the section.
 void make_grid(const GridLines &radii, const GridLines &heights,
                const std::function<bool(double radius, double height)> &is_inside,
                Triangulation<2> &triangulation)
@@ -100,7 +96,6 @@ void make_grid(const GridLines &radii, const GridLines &heights,
                                             kept);
 }
 
-/// Marks boundary faces: as stem cut at @p clamped_height, as contact zone at z = 0 under the land.
 void mark_boundary(double clamped_height, const GlassProfile &profile, Triangulation<2> &triangulation)
 {
   const double tolerance = 1e-9 * profile.contact_radius;
@@ -120,7 +115,6 @@ void mark_boundary(double clamped_height, const GlassProfile &profile, Triangula
     }
 }
 
-/// Returns true if a face of @p cell lies on the contact zone.
 bool touches_table(const Triangulation<2>::active_cell_iterator &cell)
 {
   for (const auto &face : cell->face_iterators())
@@ -129,10 +123,9 @@ bool touches_table(const Triangulation<2>::active_cell_iterator &cell)
   return false;
 }
 
-/// Returns true if one of the ascending @p borders lies strictly inside @p cell.
 bool is_cut(const Triangulation<2>::active_cell_iterator &cell, const std::vector<double> &borders)
 {
-  // Vertices 0 and 1 belong to the lower face.
+  // Vertices 0 and 1 are the ends of the lower side.
   const double begin = cell->vertex(0)[0];
   const double end = cell->vertex(1)[0];
   const double margin = 1e-3 * (end - begin);
@@ -140,7 +133,7 @@ bool is_cut(const Triangulation<2>::active_cell_iterator &cell, const std::vecto
   return border != borders.end() && *border < end - margin;
 }
 
-/// Returns the distance [m] of @p cell from the focus, an interval of radii in the plane z = 0.
+/// Returns the distance [m] of @p cell from the focus, which is an interval of radii in the plane z = 0.
 double distance_from_focus(const Triangulation<2>::active_cell_iterator &cell, const ContactCells &contact)
 {
   const auto [low, high] = cell->bounding_box().get_boundary_points();
@@ -149,9 +142,8 @@ double distance_from_focus(const Triangulation<2>::active_cell_iterator &cell, c
   return std::hypot(across, away);
 }
 
-/// Returns the maximum number of halvings of @p cell. More halvings would split a contact cell by the rule
-/// for hanging nodes. Above or below the land, the maximum is the number of halvings of the contact cells at
-/// these radii. Next to the land, it is one more than the number of halvings of the nearest contact cell.
+/// Returns the maximum number of halvings of @p cell for which the rule for hanging nodes (a difference of
+/// one level between neighbours) does not split a contact cell.
 unsigned int max_halvings(const Triangulation<2>::active_cell_iterator &cell, const ContactCells &contact)
 {
   const auto [low, high] = cell->bounding_box().get_boundary_points();
@@ -191,7 +183,7 @@ void divide(const ContactCells &contact, const MeridianResolution &resolution,
   }
 }
 
-/// Marks the boundary and refines: first around the focus, then globally. In this order, meshes with
+/// Marks the boundary and refines, first around the focus and then globally. In this order, meshes with
 /// different numbers of global refinements are nested.
 void refine(double clamped_height, const GlassProfile &profile, const ContactCells &contact,
             const MeridianResolution &resolution, Triangulation<2> &triangulation)
@@ -202,15 +194,15 @@ void refine(double clamped_height, const GlassProfile &profile, const ContactCel
   triangulation.refine_global(resolution.refinements);
 }
 
-/// Returns the maximum cell size of the foot: slightly more than the thickness of the foot. Two quadratic
-/// cells through the thickness resolve bending, because bending is smooth.
+/// Returns the maximum cell size of the foot [m]. Bending is smooth, so two quadratic cells resolve it
+/// through the thickness.
 double largest_cell(const GlassProfile &profile)
 {
   return 1.25 * profile.thickness();
 }
 
-/// Appends radial grid lines: cells inside the land, on the land, and outside the land. With a focus, the
-/// first cells next to the land are twice as large as the coarse contact cells.
+/// Appends radial grid lines up to the edge of the foot. With a focus, the first cells next to the land are
+/// twice as large as the coarse contact cells.
 void append_foot(const GlassProfile &profile, const ContactCells &contact, GridLines &radii)
 {
   const double size = largest_cell(profile);
@@ -221,8 +213,8 @@ void append_foot(const GlassProfile &profile, const ContactCells &contact, GridL
   append_growing(radii, profile.outer_radius(), growth);
 }
 
-/// Aligns radial grid lines with the corners of a user-defined section, outside the fillet and the land. For
-/// each corner, the nearest line is moved or a line is inserted, unless a cell would become too narrow.
+/// Aligns radial grid lines with the corners of a user-defined section outside the fillet and the land. The
+/// nearest line is moved to a corner or a line is inserted, unless a cell would become too narrow.
 void meet_corners(const GlassProfile &profile, double size, GridLines &radii)
 {
   if (!profile.section)
@@ -251,9 +243,8 @@ void meet_corners(const GlassProfile &profile, double size, GridLines &radii)
   }
 }
 
-/// Returns the growth of the cell rows above the land, in the coordinate of @p end. Without a focus, the
-/// lowest row ends at @p end. With a focus, the lowest row is at most as high as the coarse contact cells are
-/// wide.
+/// Returns the growth of the cell rows above the land. Without a focus, the lowest row ends at @p end. With a
+/// focus, the lowest row is at most as high as the coarse contact cells are wide.
 Growth rows_of(const ContactCells &contact, const GlassProfile &profile, double end)
 {
   return { contact.has_focus ? end * std::min(1., contact.coarse_size / lowest_cell_height(profile)) : end };
@@ -280,7 +271,8 @@ void make_step(const GlassProfile &profile, const ContactCells &contact, Triangu
   make_grid(radii, heights, is_inside, triangulation);
 }
 
-/// Makes the grid of the straightened section (ProfileChart) and maps the grid to the section.
+/// Makes the grid in the coordinates of ProfileChart, in which the section is straight, and maps it to the
+/// section.
 void make_foot(const GlassProfile &profile, const ContactCells &contact, Triangulation<2> &triangulation)
 {
   const double size = largest_cell(profile);
@@ -328,7 +320,6 @@ void make_meridian_mesh(const TableDisc &disc, const GlassProfile &profile,
 {
   const ContactCells contact = contact_cells(profile, resolution);
   disc.validate(profile);
-  // Cells grow from the land towards the axis, the edge and the bottom.
   const double first_size = contact.has_focus ? 2 * contact.coarse_size : profile.land_width;
   GridLines radii = { 0 };
   append_shrinking(radii, profile.land_inner_radius(), { first_size, contact.has_focus ? 2 : 1.5 });

@@ -26,7 +26,7 @@ using Polyline = std::vector<SectionVertex>;
 /// Rounding error of the numbers in a file, relative to the largest radius.
 constexpr double file_rounding = 1e-6;
 
-/// Returns the position of a point as text, e.g. "line 14 (r = 0.03 m, z = 0 m)".
+/// Returns a description such as "line 14 (r = 0.03 m, z = 0 m)".
 std::string place(const SectionVertex &vertex)
 {
   return sentence("line ", vertex.line, " (r = ", vertex.radius, " m, z = ", vertex.height, " m)");
@@ -45,15 +45,15 @@ bool is_lower(const SectionVertex &one, const SectionVertex &other)
   return one.height < other.height;
 }
 
-/// Checks and normalises a profile: both ends on the axis, lower end first, no repeated points, heights
-/// measured from the lowest point, and the last two points at the same height.
+/// Checks and normalises a profile: both ends lie on the axis, the lower end comes first, heights are
+/// measured from the lowest point, and the last two points have the same height.
 Polyline ordered(Polyline polyline)
 {
   require(
     polyline.size() >= 6, "a profile of ", polyline.size(),
     " points is no foot; give at least 6 points (r, z) from the axis under the foot round its edge to the "
     "axis in the stem's cut.");
-  // For a zigzag, the cost of the simplification below is quadratic in the number of points.
+  // The simplification below takes a time quadratic in the number of points of a zigzag.
   constexpr std::size_t max_points = 10000;
   require(polyline.size() <= max_points, "a profile of ", polyline.size(),
           " points is finer than any mesh; give at most 10000, one every few micrometres.");
@@ -64,7 +64,7 @@ Polyline ordered(Polyline polyline)
     require(vertex.radius >= -tolerance, place(vertex),
             " lies beyond the axis; give one half of the section, r from 0 outwards.");
   if (coincide(polyline.front(), polyline.back()))
-    polyline.pop_back(); // the last side of the polyline lies on the axis
+    polyline.pop_back(); // the polyline is closed: its last side lies on the axis
   polyline.erase(std::unique(polyline.begin(), polyline.end(), coincide), polyline.end());
   for (SectionVertex *end : { &polyline.front(), &polyline.back() })
   {
@@ -95,8 +95,7 @@ Polyline ordered(Polyline polyline)
   return simple;
 }
 
-/// Returns the angle between the x axis and the segment that begins at point @p i of the curve [rad], in [0,
-/// pi/2].
+/// Returns the angle between the x axis and the segment from point @p i to point i + 1 [rad], in [0, pi/2].
 double steepness(const PiecewiseLinear &curve, std::size_t i)
 {
   return std::atan2(std::abs(curve.y[i + 1] - curve.y[i]), curve.x[i + 1] - curve.x[i]);
@@ -148,8 +147,8 @@ void MeridianSection::split(const std::vector<SectionVertex> &polyline)
       "little).");
     lower.add(vertex->radius, vertex->height, vertex->line);
   }
-  // The top runs from the edge inwards while r decreases. The stem runs from the cut downwards while z
-  // decreases. If both conditions hold for some segments, the stem ends below the last segment that is
+  // The top is the part from the edge inwards in which r decreases, the stem the part from the cut downwards
+  // in which z decreases. Segments in both parts belong to the stem down to the first segment that is not
   // steeper than 45 degrees.
   auto inner = last;
   while (inner != cut && (inner + 1)->radius < inner->radius)
@@ -203,7 +202,7 @@ void MeridianSection::cut_edge()
   edge = upper.x.back();
   if (thickness_at(edge) >= least)
     return;
-  // Between the points of both curves, the thickness is linear.
+  // The thickness is linear between the points of both curves.
   std::vector<double> radii = upper.x;
   for (const double radius : lower.x)
     if (radius > middle_radius())
@@ -220,9 +219,8 @@ void MeridianSection::cut_edge()
 
 void MeridianSection::find_rounding()
 {
-  // The fillet ends at the first segment that follows the foot or the stem: its direction differs from the
-  // mean slope of the foot (or from the direction of the stem) by less than 15 % of the difference to 45
-  // degrees.
+  // The fillet ends at the first segment that is nearly parallel to the foot or the stem: the angle between
+  // them is less than 15 % of the angle to 45 degrees.
   constexpr double half_right = ring::pi / 4;
   const double mean =
     std::atan2(std::abs(upper.y.back() - upper.y.front()), upper.x.back() - upper.x.front());

@@ -31,7 +31,7 @@ std::array<unsigned int, 4> sorted(std::array<unsigned int, 4> corners)
   return corners;
 }
 
-/// Throws UnreadableMesh if two corners of hexahedra coincide but are not one shared node. Such cells look
+/// Throws UnreadableMesh if two corners of hexahedra coincide without sharing a node, because such cells look
 /// connected but are not.
 void require_shared_nodes(const MeshContent &content)
 {
@@ -47,7 +47,8 @@ void require_shared_nodes(const MeshContent &content)
   // The tolerance is far above rounding and far below a cell. The offset keeps round coordinates away from
   // the borders of the bins.
   const double tolerance = 1e-7 * size, offset = 0.2137;
-  std::vector<std::array<double, 4>> places; // coordinates in units of the tolerance, and the index
+  std::vector<std::array<double, 4>>
+    places; // coordinates in units of the tolerance, and the index of the point
   for (const unsigned int i : corners)
   {
     places.push_back({ 0, 0, 0, static_cast<double>(i) });
@@ -71,16 +72,16 @@ void require_shared_nodes(const MeshContent &content)
              "foot is one body."));
 }
 
-using FaceCorners = std::array<unsigned int, 4>; // indices of points, in cyclic order
+using FaceCorners = std::array<unsigned int, 4>; // indices of points in cyclic order
 
-/// Returns true if @p x lies on the bilinear face, within 1e-6 of the size of the face.
+/// Returns true if @p x lies on the bilinear @p face, within 1e-6 of its size.
 bool lies_on(const std::array<Point<3>, 4> &face, const Point<3> &x)
 {
   const double size = face[0].distance(face[2]) + face[1].distance(face[3]);
   const Tensor<1, 3> twist = (face[0] - face[1]) + (face[2] - face[3]);
   double s = 0.5, t = 0.5;
   Tensor<1, 3> distance;
-  for (int step = 0; step < 8; ++step) // Newton iteration for the closest point
+  for (int step = 0; step < 8; ++step) // Newton's method for the closest point (s, t)
   {
     const Tensor<1, 3> along_s = (face[1] - face[0]) + t * twist, along_t = (face[3] - face[0]) + s * twist;
     distance = face[0] + s * (face[1] - face[0]) + t * (face[3] - face[0]) + s * t * twist - x;
@@ -95,10 +96,9 @@ bool lies_on(const std::array<Point<3>, 4> &face, const Point<3> &x)
   return distance.norm() < 1e-6 * size && is_inside(s) && is_inside(t);
 }
 
-/// Throws UnreadableMesh if the mesh has hanging nodes, i.e. nodes in the middle of an edge or face of @p
-/// surface (faces with only one cell). Cells at hanging nodes look connected but are not. On a curved
-/// surface, a node counts as the middle of an edge if edges connect it with both ends at an angle of more
-/// than 150 degrees.
+/// Throws UnreadableMesh if a node lies in the middle of an edge or face of @p surface, the faces with only
+/// one cell, because cells at such a hanging node look connected but are not. On a curved surface a node
+/// counts as the middle of an edge if edges connect it with both ends at an angle of more than 150 degrees.
 void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
                               const std::vector<FaceCorners> &surface)
 {
@@ -113,7 +113,7 @@ void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
       neighbors[face[(k + 1) % 4]].insert(face[k]);
     }
   std::set<unsigned int> hanging;
-  // Hanging node of each edge, by the ends of the edge.
+  // hanging node of an edge, by the ends of the edge
   std::map<std::pair<unsigned int, unsigned int>, unsigned int> middles;
   std::vector<std::pair<Place, unsigned int>> places;
   for (const auto &[a, of_a] : neighbors)
@@ -134,7 +134,7 @@ void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
   const bg::index::rtree<std::pair<Place, unsigned int>, bg::index::quadratic<16>> tree(places);
   for (const FaceCorners &face : surface)
   {
-    // On a curved surface, the hanging node of a face is connected with the hanging nodes of its four edges.
+    // On a curved surface, the hanging node of a face is connected with the hanging nodes of the four edges.
     std::map<unsigned int, unsigned int> n_connections;
     for (unsigned int k = 0; k < 4; ++k)
       if (const auto middle = middles.find(std::minmax(face[k], face[(k + 1) % 4])); middle != middles.end())
@@ -172,7 +172,7 @@ void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
 }
 
 /// Throws UnreadableMesh if a coordinate is not finite, a cell is not a hexahedron, or more than two cells
-/// share a face (deal.II does not check this). Removes marked faces inside the body.
+/// share a face, which deal.II does not check. Removes marked faces inside the body.
 void require_mesh(MeshContent &content)
 {
   if (content.hexahedra.empty())
@@ -219,7 +219,7 @@ void require_mesh(MeshContent &content)
   require_no_hanging_nodes(content.points, surface);
 }
 
-/// Returns the marked faces, by their corners. Throws UnreadableMesh if a face has two ids.
+/// Returns the marked faces by their sorted corners. Throws UnreadableMesh if a face has two ids.
 std::map<std::array<unsigned int, 4>, MarkedFace> once(const std::vector<MarkedFace> &faces)
 {
   std::map<std::array<unsigned int, 4>, MarkedFace> marked;
@@ -232,7 +232,7 @@ std::map<std::array<unsigned int, 4>, MarkedFace> once(const std::vector<MarkedF
 
 void build(MeshContent &content, Triangulation<3> &triangulation)
 {
-  // Mesh files number the corners of a face cyclically, deal.II numbers them lexicographically.
+  // Mesh files number the corners of a face cyclically, deal.II lexicographically.
   constexpr unsigned int order[] = { 0, 1, 3, 2, 4, 5, 7, 6 };
   require_mesh(content);
   std::vector<Point<3>> points;

@@ -39,7 +39,6 @@ unsigned int count_faces(const Triangulation<3> &triangulation, types::boundary_
   return n_faces;
 }
 
-/// Calls @p visit(cell, face) for each boundary face.
 template <typename Visit>
 void for_each_boundary_face(const Triangulation<3> &triangulation, const Visit &visit)
 {
@@ -51,7 +50,6 @@ void for_each_boundary_face(const Triangulation<3> &triangulation, const Visit &
 
 using Face = Triangulation<3>::face_iterator;
 
-/// Returns true if all corners of @p face are within @p distance of the height @p z.
 bool lies_at(const Face &face, double z, double distance)
 {
   for (const unsigned int v : face->vertex_indices())
@@ -60,8 +58,8 @@ bool lies_at(const Face &face, double z, double distance)
   return true;
 }
 
-/// Marks the contact zone: the downward faces within MeshFileOptions::contact_height of the lowest point. If
-/// no face has the id of the stem cut, the top of the mesh is marked as stem cut.
+/// Marks the downward faces within MeshFileOptions::contact_height of the lowest point as contact zone. Marks
+/// the top of the mesh as stem cut if no face has the id of the stem cut.
 void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulation)
 {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -79,7 +77,7 @@ void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulatio
                          [&](const auto &cell, const Face &face)
                          {
                            const auto outward = face->center() - cell->center();
-                           // The margin in the slope excludes vertical walls.
+                           // The margin excludes vertical walls with a rounding error in their slope.
                            const double upward = outward[2] + 1e-6 * outward.norm();
                            if (upward < 0 && lies_at(face, lowest, marks.contact_height))
                              face->set_boundary_id(contact_id);
@@ -91,7 +89,7 @@ void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulatio
                          });
 }
 
-/// Assigns the FootBoundary ids to the faces in @p marks. All other faces become free.
+/// Replaces the ids of @p marks by the ids of FootBoundary. Faces with any other id are free.
 void mark(const MeshFileOptions &marks, Triangulation<3> &triangulation)
 {
   for_each_boundary_face(triangulation,
@@ -110,8 +108,7 @@ void mark(const MeshFileOptions &marks, Triangulation<3> &triangulation)
     mark_by_height(marks, triangulation);
 }
 
-/// Returns the mean height of the faces of each id in the file [m], for ids up to the maximum of the study's
-/// entries.
+/// Returns the mean height [m] of the faces of each id in the file that a study may name.
 std::map<types::boundary_id, double> heights_by_id(const Triangulation<3> &triangulation)
 {
   constexpr types::boundary_id max_entry = 65000;
@@ -130,7 +127,6 @@ std::map<types::boundary_id, double> heights_by_id(const Triangulation<3> &trian
   return heights;
 }
 
-/// Returns at most six texts, separated by commas.
 std::string listed(const std::vector<std::string> &texts)
 {
   constexpr std::size_t max_texts = 6;
@@ -141,7 +137,7 @@ std::string listed(const std::vector<std::string> &texts)
 }
 
 /// Throws std::invalid_argument unless both the contact zone and the stem cut have faces. @p heights: mean
-/// heights by id in the file.
+/// heights [m] by id in the file.
 void require_boundaries(const std::string &file_name, const MeshFileOptions &marks,
                         const std::map<types::boundary_id, double> &heights, const FaceNames &names,
                         const Triangulation<3> &triangulation)
@@ -166,7 +162,7 @@ void require_boundaries(const std::string &file_name, const MeshFileOptions &mar
                                 std::to_string(marks.stem_id) +
                                 " for the stem cut, or set a mesh contact height.");
 
-  // The message suggests the lowest faces as contact zone and the highest as stem cut.
+  // The message suggests the lowest faces as contact zone and the highest faces as stem cut.
   const auto is_lower = [](const auto &a, const auto &b) { return a.second < b.second; };
   const auto lowest = std::min_element(heights.begin(), heights.end(), is_lower),
              highest = std::max_element(heights.begin(), heights.end(), is_lower);
@@ -186,7 +182,6 @@ void require_boundaries(const std::string &file_name, const MeshFileOptions &mar
   throw std::invalid_argument(text + (has_contact ? "." : ", or set a mesh contact height."));
 }
 
-/// Returns the exterior angle of a polyline at @p here [rad].
 double exterior_angle(const std::array<double, 2> &before, const std::array<double, 2> &here,
                       const std::array<double, 2> &after)
 {
@@ -195,12 +190,11 @@ double exterior_angle(const std::array<double, 2> &before, const std::array<doub
   return std::abs(std::atan2(x[0] * y[1] - x[1] * y[0], x[0] * x[1] + y[0] * y[1]));
 }
 
-/// Outlines of the contact zone.
 struct RimBorder
 {
   explicit RimBorder(const Triangulation<3> &triangulation)
   {
-    constexpr double corner = 1; // larger angles [rad] are corners of the foot, not chords of a curve
+    constexpr double corner = 1; // larger angles [rad] are corners of the foot, not the chords of a curve
     double sum_of_deficits = 0;
     for (const Outline &outline : contact_outlines(triangulation))
     {

@@ -24,13 +24,12 @@ using namespace dealii;
 namespace
 {
 
-/// Returns the minimum scaled Jacobian over the corners of one cell.
 double scaled_jacobian(const Triangulation<3>::active_cell_iterator &cell)
 {
   double least = 1;
   for (const unsigned int v : cell->vertex_indices())
   {
-    // In deal.II's numbering, bit d of a vertex number is the d-th reference coordinate.
+    // deal.II numbers vertices so that bit d of the number is the reference coordinate d.
     std::array<Tensor<1, 3>, 3> edges;
     for (unsigned int d = 0; d < 3; ++d)
     {
@@ -63,8 +62,7 @@ void check_cells(const Triangulation<3> &triangulation, MeshCheck &check)
   check.mean_jacobian = sum / check.n_cells;
 }
 
-/// Returns the area vector of a quadrilateral with straight edges, pointing outward: half the cross product
-/// of the diagonals.
+/// Returns the outward area vector of a face with straight edges: half the cross product of the diagonals.
 Tensor<1, 3> area_of(const Triangulation<3>::cell_iterator &cell, unsigned int face_number)
 {
   const auto face = cell->face(face_number);
@@ -110,11 +108,11 @@ void check_contact_zone(const Triangulation<3> &triangulation, MeshCheck &check)
     coordinate /= check.contact_area;
 }
 
-/// Fits a circle to the outer border by least squares of x^2 + y^2 - 2 a x - 2 b y - c.
+/// Fits a circle to the outer border of the contact zone: least squares of x^2 + y^2 - 2 a x - 2 b y - c.
 void check_rim(const Triangulation<3> &triangulation, MeshCheck &check)
 {
   const std::vector<Outline> outlines = contact_outlines(triangulation);
-  // The contact zone of a closed surface has no outline.
+  // A closed surface has no outline.
   const Outline outline = outlines.empty() ? Outline(1) : outlines.front();
   Eigen::MatrixX3d matrix(outline.size(), 3);
   Eigen::VectorXd right(outline.size());
@@ -133,7 +131,7 @@ void check_rim(const Triangulation<3> &triangulation, MeshCheck &check)
       std::max(check.rim_deviation, std::abs(std::hypot(x - fit(0), y - fit(1)) / radius - 1));
 }
 
-/// Computes the height of the stem cut and finds cells without a connection to the cut.
+/// Computes the height of the stem cut and counts the cells that are not connected with the cut.
 void check_stem(const Triangulation<3> &triangulation, MeshCheck &check)
 {
   boost::disjoint_sets_with_storage<> sets(triangulation.n_active_cells() + 1);
@@ -162,7 +160,6 @@ void check_stem(const Triangulation<3> &triangulation, MeshCheck &check)
     }
 }
 
-/// Returns the number of contact zones: groups of contact faces without a common edge.
 unsigned int n_contact_zones(const Triangulation<3> &triangulation)
 {
   std::vector<std::array<unsigned int, 4>> faces;
@@ -202,7 +199,7 @@ std::vector<Quadrilateral> contact_faces(const Triangulation<3> &triangulation)
         face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone))
     {
       Quadrilateral corners;
-      // deal.II numbers vertices lexicographically, so that 0 1 3 2 is the cyclic order.
+      // deal.II numbers vertices lexicographically, so 0 1 3 2 is the cyclic order.
       constexpr std::array<unsigned int, 4> round = { 0, 1, 3, 2 };
       for (unsigned int i = 0; i < 4; ++i)
         corners[i] = { face->vertex(round[i])[0], face->vertex(round[i])[1] };

@@ -41,8 +41,8 @@ SectionPoint ProfileChart::push_forward(const ChartPoint &point) const
 
 ChartPoint ProfileChart::pull_back(const SectionPoint &point) const
 {
-  // The second condition is needed if the top rises outwards above the middle of the fillet. The tolerance
-  // allows for rounding of points on the stem's surface.
+  // If the top rises outwards, points of the foot may lie above the middle of the fillet, so the radius is
+  // compared too. The tolerance allows for rounding of points on the stem's surface.
   if (point.height <= fillet.middle_height || point.radius > profile.stem_surface(point.height) * (1 + 1e-9))
   {
     const double bottom = profile.underside(point.radius);
@@ -55,8 +55,8 @@ ChartPoint ProfileChart::pull_back(const SectionPoint &point) const
 namespace
 {
 
-/// Manifold whose geodesics are straight in ProfileChart coordinates. @p to_chart and @p from_chart are the
-/// map and its inverse.
+/// Manifold whose geodesics are straight lines in the coordinates of ProfileChart. @p to_chart is the inverse
+/// of @p from_chart.
 template <int dim>
 class StraightenedManifold : public ChartManifold<dim>
 {
@@ -84,8 +84,8 @@ private:
   const Map to_chart, from_chart;
 };
 
-/// Returns @p point moved to @p height and scaled in (x, y), so that the distance @p radius from the axis
-/// becomes @p other.
+/// Returns @p point moved to @p height and scaled in (x, y) so that its distance from the axis changes from
+/// @p radius to @p other.
 Point<3> moved_radially(const Point<3> &point, double radius, double other, double height)
 {
   const double stretch = radius > 0 ? other / radius : 1;

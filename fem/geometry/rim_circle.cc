@@ -16,9 +16,9 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Returns the distinct points of the underside within one land width of @p lowest. The points are relative
-/// to @p lowest, in units of @p half_land. The underside is the part of @p polyline between the axis and the
-/// largest radius.
+/// Returns the distinct points of the underside within one land width of @p lowest, relative to @p lowest and
+/// in units of @p half_land. The underside is the part of @p polyline between the axis and the largest
+/// radius.
 std::vector<Vector2d> points_near(std::vector<SectionVertex>::const_iterator lowest,
                                   const std::vector<SectionVertex> &polyline, double half_land)
 {
@@ -48,18 +48,17 @@ double weight_at(double offset)
 }
 
 /// Returns the signed distance of @p point from @p circle, positive outside. @p circle is (x of the lowest
-/// point, curvature, y of the lowest point). @p derivative is the gradient of the distance with respect to @p
-/// circle.
+/// point, curvature, y of the lowest point). @p derivative is the gradient with respect to @p circle.
 double distance_from(const Vector3d &circle, const Vector2d &point, Vector3d &derivative)
 {
   const double x = point.x() - circle(0), y = point.y() - circle(2), curvature = circle(1);
   const double half_square = (x * x + y * y) / 2, value = curvature * half_square - y;
-  // Distance of the point from the centre, divided by the radius.
+  // `ratio` is the distance of the point from the centre, divided by the radius.
   const double ratio = std::sqrt(1 + 2 * curvature * value);
   derivative << -curvature * x / ratio,
     half_square / ratio - 2 * value * value / (ratio * (1 + ratio) * (1 + ratio)),
     (1 - curvature * y) / ratio;
-  return 2 * value / (1 + ratio); // avoids cancellation of large numbers
+  return 2 * value / (1 + ratio); // free of cancellation for large radii
 }
 
 } // namespace
@@ -77,7 +76,7 @@ std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyli
     if (const double x = point.x(); std::abs(x) <= 1)
       moment += x * x * point.y(), square += x * x * x * x;
   Vector3d circle(0, 2 * moment / square, 0); // initial guess: a parabola through the lowest point
-  // `flat`: curvature with which the rim rises by 1/1000 of the land width.
+  // With the curvature `flat`, the rim rises by 1/1000 of the land width.
   constexpr double max_steps = 200, flat = 4e-3;
   for (unsigned int i = 1; circle(1) > 0 && std::abs(circle(0)) <= 1; ++i)
   {
@@ -93,8 +92,7 @@ std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyli
         right += weight * distance * derivative;
         sum_of_weights += weight, sum_of_squares += weight * distance * distance, ++n_points;
       }
-    // The step is damped against oscillation: the window of points is centred on the circle, so a step
-    // changes the fitted points.
+    // The window of points is centred on the circle, so a full step changes the points and may oscillate.
     const Vector3d step = 0.7 * matrix.fullPivLu().solve(right);
     if (n_points < 3)
       break;

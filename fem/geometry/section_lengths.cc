@@ -9,7 +9,6 @@ namespace stemware::fem
 SectionLengths lengths_of(const std::vector<SectionPolygon> &cells, double radius)
 {
   SectionLengths lengths;
-  // Lower and upper height of the section at `radius`.
   double lower = std::numeric_limits<double>::infinity(), upper = -lower;
   for (const SectionPolygon &cell : cells)
     for (std::size_t i = 0; i < cell.size(); ++i)

@@ -13,7 +13,6 @@ using namespace dealii;
 namespace
 {
 
-/// Returns the corners of a convex polygon in cyclic order.
 SectionPolygon in_cyclic_order(SectionPolygon corners)
 {
   std::array<double, 2> centre = { 0, 0 };
