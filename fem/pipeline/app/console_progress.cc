@@ -33,7 +33,7 @@ void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, s
   }
   const auto now = std::chrono::steady_clock::now();
   if (bar || now - last_line < std::chrono::seconds(3))
-    return; // the bar shows the progress; without a bar, at most one line every 3 s
+    return; // at most one line every 3 s, and none if a bar shows the progress
   last_line = now;
   console() << fmt::format(FMT_STRING("  {} {}"), n_done, what) << std::endl;
 }

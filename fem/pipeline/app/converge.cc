@@ -17,8 +17,6 @@ struct ConvergeOptions : StudyOptions
   unsigned int n_levels = 3;
 };
 
-/// Solves a study on finer and coarser levels of each of its numerical parameters. Writes observed orders,
-/// limits and error bands. Collective over all ranks. Throws the exceptions of run() in run.cc.
 void converge(const ConvergeOptions &options)
 {
   StudyWork work(options);

@@ -25,13 +25,12 @@ struct ExploreOptions
   unsigned int max_nodes = 0;
 };
 
-/// Preset of a rigid table, offered on pages only. A study file for `run` states these entries itself.
+/// Rigid table of pages. A study file for `run` states these entries itself.
 const Preset rigid_table = { "rigid",
                              "a table that yields nothing",
                              {},
                              "subsection Table\n  set Interface = hard\n  set Substrate = rigid\nend\n" };
 
-/// Writes the HTML page with the live solver. Throws BadInput and OutputFailure.
 void explore(const ExploreOptions &options)
 {
   PageOptions wish;

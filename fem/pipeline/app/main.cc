@@ -8,7 +8,7 @@
 int main(int argc, char *argv[])
 {
   const int exit_code = stemware::pipeline::run_program(argc, argv);
-  // Skips the destruction of deal.II's static objects. During this destruction TBB starts threads, and it
-  // aborts the program if memory for their stacks is missing. All files are already written.
+  // Skips the destruction of deal.II's static objects, in which TBB starts threads and aborts the program if
+  // memory for their stacks is missing. All files are already written.
   std::_Exit(exit_code);
 }

@@ -35,7 +35,6 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Result of the checks of a mesh.
 struct MeshFindings
 {
   std::string origin; ///< mesh file, or "generated"
@@ -49,7 +48,7 @@ unsigned int n_faces(const fem::MeshCheck &check, fem::FootBoundary id)
   return found == check.n_faces.end() ? 0 : found->second;
 }
 
-/// Returns the number of faces whose boundary id has no meaning. These faces are treated as free.
+/// Returns the number of faces whose boundary id has no meaning; they are treated as free.
 unsigned int n_other_faces(const fem::MeshCheck &check)
 {
   unsigned int n = 0;
@@ -58,7 +57,6 @@ unsigned int n_other_faces(const fem::MeshCheck &check)
   return n;
 }
 
-/// Returns warnings about properties of a mesh that may degrade results, one sentence each.
 std::vector<std::string> mesh_remarks(const MeshFindings &findings)
 {
   constexpr double poor = 0.1;
@@ -75,15 +73,13 @@ std::vector<std::string> mesh_remarks(const MeshFindings &findings)
   return remarks;
 }
 
-/// Returns a range in mm, e.g. "x -34 to 34"; a single number if both ends are equal.
+/// Returns a range in mm, e.g. "x -34 to 34".
 std::string mesh_range(const std::string &name, double least, double most)
 {
   return fmt::format(FMT_STRING("{} {:.6g}"), name, 1e3 * least) +
          (least == most ? "" : fmt::format(FMT_STRING(" to {:.6g}"), 1e3 * most));
 }
 
-/// Returns a description of the rim, e.g. "round, middle radius 30 mm: the cells of the land follow the
-/// circles".
 std::string rim_text(const fem::MeshReport &report)
 {
   return fmt::format(FMT_STRING("{}round, middle radius {:.6g} mm"), report.round_rim ? "" : "not ",
@@ -125,7 +121,6 @@ Json mesh_summary(const MeshFindings &findings)
   return json;
 }
 
-/// Returns the description of a mesh with its warnings, in lines for the console.
 std::string mesh_text(const MeshFindings &findings)
 {
   const fem::MeshCheck &check = findings.check;
@@ -166,14 +161,12 @@ struct MeshOptions
   std::vector<std::string> writes; ///< files to write, .msh or .vtu
 };
 
-/// Returns true if a study is read: if a study file or an override is given, or if no mesh file is to be
-/// checked. The study gives the mesh or, for a mesh file, the options and reference lengths.
+/// Returns true if a study gives the mesh or, for a mesh file, the options and reference lengths.
 bool has_study(const MeshOptions &options)
 {
   return !options.study.study_file.empty() || options.check.empty() || !options.study.overrides.empty();
 }
 
-/// Throws BadInput for options that are invalid for every mesh.
 void check_options(const MeshOptions &options)
 {
   for (const std::string &file : options.writes)
@@ -192,7 +185,7 @@ MeshFindings read_mesh(const std::string &file, const ContactSection &contact, M
   return { file, fem::check_mesh(mesh), report };
 }
 
-/// Generates the foot of @p study. The mesh includes the crown, as in a mesh file.
+/// Returns the foot of @p study with its crown, like a mesh file.
 MeshFindings generate_mesh(const Study &study, Mesh &mesh)
 {
   fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
@@ -213,7 +206,6 @@ void write_mesh(const Mesh &mesh, const std::string &file)
   console() << "Written   " << file << std::endl;
 }
 
-/// Prints @p findings as one line of JSON on standard output.
 void print_json(const MeshFindings &findings, const MeshOptions &options)
 {
   Json line = { { "verb", "mesh" }, { "written", options.writes } };
@@ -221,11 +213,8 @@ void print_json(const MeshFindings &findings, const MeshOptions &options)
   std::cout << line.dump() << std::endl;
 }
 
-/// Checks the foot mesh of a study or a file, prints the findings and writes the mesh. Throws BadInput for an
-/// unusable mesh, and OutputFailure.
 void mesh(const MeshOptions &options)
 {
-  // 1. Input.
   direct_console(options.study.quiet, options.study.json);
   check_options(options);
   std::optional<Study> study;
@@ -234,7 +223,6 @@ void mesh(const MeshOptions &options)
   print_note("Profile   ", study ? profile_note(*study) : "");
   const std::string file = options.check.empty() ? study->contact.mesh_file : options.check;
 
-  // 2. Mesh and its checks.
   Mesh mesh;
   const ContactSection contact = study ? study->contact : ContactSection();
   const MeshFindings findings = file.empty() ? generate_mesh(*study, mesh) : read_mesh(file, contact, mesh);
@@ -246,7 +234,6 @@ void mesh(const MeshOptions &options)
   if (has_glass && findings.report)
     require_same_glass(*findings.report, file, *study);
 
-  // 3. Output files.
   for (const std::string &name : options.writes)
     write_mesh(mesh, name);
   if (options.study.json && is_first_rank())

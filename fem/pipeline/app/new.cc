@@ -27,9 +27,8 @@ struct NewOptions
   std::string file, glass = glass_presets().front().name, table = table_presets().front().name, cookbook;
 };
 
-/// Writes the study @p file (the first of @p parts) and the files that the study reads, then prints their
-/// names with @p words. Throws BadInput for an invalid file name. Throws OutputFailure and writes nothing if
-/// a file already exists.
+/// Writes the study @p file (the first of @p parts) and the files that the study reads. Writes nothing and
+/// throws OutputFailure if a file already exists.
 void write_study(const std::string &file, const std::vector<StudyPart> &parts, const std::string &words)
 {
   ensure(file.find_first_not_of(" \t") != std::string::npos,
@@ -56,7 +55,6 @@ void write_study(const std::string &file, const std::vector<StudyPart> &parts, c
   console() << "\nNext      stemware run " << file << std::endl;
 }
 
-/// Writes the study of a glass preset on a table preset. Throws like write_study().
 void write_new_study(const NewOptions &options)
 {
   const Preset &glass = preset_of(glass_presets(), "--glass", options.glass);
@@ -65,7 +63,6 @@ void write_new_study(const NewOptions &options)
               ": " + glass.name + " on " + table.name);
 }
 
-/// Writes the study of a cookbook. Throws like write_study().
 void write_cookbook(const NewOptions &options)
 {
   const std::string file = options.file.empty() ? options.cookbook + ".prm" : options.file;

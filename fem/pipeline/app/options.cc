@@ -30,8 +30,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the error of an empty study name; an empty text for other names. An empty name usually results
-/// from an unset shell variable and does not mean the default study.
+/// Refuses an empty name: it usually results from an unset shell variable and does not mean the default.
 std::string why_no_study(const std::string &text)
 {
   return text.empty()
@@ -39,8 +38,7 @@ std::string why_no_study(const std::string &text)
            : "";
 }
 
-/// Returns the error of an empty or blank folder name, because a directory listing would not show such a
-/// folder; an empty text for other names.
+/// Refuses a blank name, because a directory listing would not show the folder.
 std::string why_no_folder(const std::string &text)
 {
   return text.find_first_not_of(" \t\r\n") == std::string::npos
@@ -48,7 +46,7 @@ std::string why_no_folder(const std::string &text)
            : "";
 }
 
-/// Throws if a study needs more memory than the limits of the process leave. Otherwise, libraries would wait
+/// Throws if the limits of the process leave less memory than a study needs. Libraries would otherwise wait
 /// for memory indefinitely or end the program.
 void require_memory_left(const Study &study, unsigned int n_threads)
 {
@@ -151,7 +149,6 @@ Study begin_study(const StudyOptions &options)
                 : options.study_file == "-" ? "standard input"
                                             : options.study_file)
             << std::endl;
-  // Implausible values usually result from a wrong unit.
   for (const std::string &note : implausible_notes(study))
     print_warning("Check     ", note, options);
   print_note("Profile   ", profile_note(study));

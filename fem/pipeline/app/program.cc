@@ -22,7 +22,7 @@
 namespace stemware::pipeline
 {
 
-/// Returns the compiled-in files help/*.txt.
+/// Returns the files help/*.txt, which are compiled into the program.
 const CompiledTexts &compiled_help();
 
 namespace
@@ -45,8 +45,8 @@ std::vector<std::string> options_of(const CLI::App &verb)
   return names;
 }
 
-/// Returns the error of an unknown @p word, with the closest known word if one is close. The text ends with
-/// "see"; the caller appends the reference.
+/// Returns the error of an unknown @p word, up to "see", with a close known word. Callers append the
+/// reference.
 std::string not_known(const std::string &word, const std::vector<std::string> &known,
                       const std::string &otherwise)
 {
@@ -55,7 +55,6 @@ std::string not_known(const std::string &word, const std::vector<std::string> &k
          (meant ? "; did you mean " + *meant + "? See" : "; see");
 }
 
-/// Returns the description of an error in the command line, up to the word "see".
 std::string describe_error(const CLI::App &program, const CLI::ParseError &error)
 {
   const auto chosen = program.get_subcommands();
@@ -70,7 +69,6 @@ std::string describe_error(const CLI::App &program, const CLI::ParseError &error
                         : shortened(error.what(), 160) + "; see";
 }
 
-/// Adds the parts that all verbs share: version, exit codes, first examples.
 void describe_program(CLI::App &program)
 {
   program.require_subcommand(1);
@@ -80,7 +78,6 @@ void describe_program(CLI::App &program)
   program.footer(help_of("stemware"));
 }
 
-/// Returns the error of an unknown verb @p name, with the list of verbs.
 std::string why_no_verb(const CLI::App &program, const std::string &name)
 {
   const std::vector<std::string> verbs = verbs_of(program);
@@ -88,8 +85,7 @@ std::string why_no_verb(const CLI::App &program, const std::string &name)
          " `stemware --help` for examples.";
 }
 
-/// Parses the command line. Returns an exit code if no verb is to be run: after --help and --version, and
-/// after a usage error. A usage error is reported in one sentence.
+/// Returns an exit code after --help, --version and usage errors; std::nullopt if a verb is to be run.
 std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *argv[])
 {
   for (CLI::App *verb : program.get_subcommands([](CLI::App *) { return true; }))
@@ -115,8 +111,7 @@ std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *ar
   }
 }
 
-/// Throws BadInput for arguments that are not UTF-8, because arguments become names and entries of the
-/// results, and results are UTF-8.
+/// Throws BadInput for arguments that are not UTF-8: arguments become part of the results, which are UTF-8.
 void require_utf8(int argc, char *argv[])
 {
   for (int i = 1; i < argc; ++i)
@@ -167,7 +162,7 @@ void add_help_verb(CLI::App &program, Verb &chosen)
 int run_program(int argc, char *argv[])
 {
   open_missing_streams();
-  // deal.II's own threads would compete with the threads of the study, and sums would depend on the machine.
+  // deal.II's own threads would compete with those of the study, and sums would depend on the machine.
   dealii::MultithreadInfo::set_thread_limit(1);
   std::signal(SIGXFSZ, SIG_IGN); // a write beyond `ulimit -f` then fails instead of ending the program
   std::optional<MpiSession> mpi; // destroyed last, after all users of MPI
@@ -175,7 +170,6 @@ int run_program(int argc, char *argv[])
   {
     mpi.emplace();
     require_utf8(argc, argv);
-    // 1. Command line: each verb declares its options, examples and work.
     CLI::App program("Stemware: the spin of a wine glass on a table, with an elastic foot.", "stemware");
     Verb chosen;
     describe_program(program);
@@ -187,14 +181,12 @@ int run_program(int argc, char *argv[])
       return static_cast<int>(*exit_code);
     }
 
-    // 2. Work of the chosen verb.
     chosen();
     require_printed();
     return static_cast<int>(ExitCode::success);
   }
   catch (...)
   {
-    // 3. Every exception is reported by one sentence and by the exit code of its kind.
     return static_cast<int>(report_failure());
   }
 }

@@ -20,15 +20,12 @@ struct RunOptions : StudyOptions
   bool quick = false; ///< true: no budget and no error bands
 };
 
-/// Solves a study and writes the folder of its results. Collective over all ranks. Throws BadInput,
-/// OutputFailure, fem::ContactFailure, and std::runtime_error if the study has no balance or no terminal
-/// spin.
 void run(const RunOptions &options)
 {
   const Depth depth = options.quick ? Depth::answer : Depth::full;
   StudyWork work(options); // throws for every input error that can be detected now
   StudyAnswer answer = answer_study(work.study, depth, work.executor, work.progress, true);
-  // The load and the results exist on the first rank only. Each rank has the fields of its own cells.
+  // Only the first rank has the load and the results. Each rank has the fields of its own cells.
   Results results = is_first_rank() ? run_results(answer) : Results();
   if (answer.contact.foot)
     results.fields = std::move(answer.contact.foot->fields);

@@ -37,7 +37,6 @@ CaseList list_of(const SweepOptions &options)
   return options.cases.empty() ? cases_of_grid(options.varied) : cases_from_file(options.cases);
 }
 
-/// Warns of the first implausible value of each entry in the cases.
 void note_implausible_cases(const CaseList &list, const StudyOptions &options)
 {
   for (std::size_t e = 0; e < list.entries.size(); ++e)
@@ -51,11 +50,8 @@ void note_implausible_cases(const CaseList &list, const StudyOptions &options)
     }
 }
 
-/// Solves the unfinished cases of a sweep in its results folder. Throws BadInput, OutputFailure, and
-/// std::runtime_error if all cases fail.
 void sweep(const SweepOptions &options)
 {
-  // 1. Input, with all checks.
   Stopwatch stopwatch;
   ensure(n_ranks() == 1,
          "A sweep runs in one process and not under mpirun; docs/sweep.md shows a sweep on many machines "
@@ -75,7 +71,6 @@ void sweep(const SweepOptions &options)
   note_implausible_cases(list, options);
   stopwatch.finish("input");
 
-  // 2. Solution of the cases.
   WorkProgress progress(n_cases);
   std::size_t n_done = n_kept, n_failed = 0;
   solve_cases(list, wanted, n_threads,
@@ -87,7 +82,6 @@ void sweep(const SweepOptions &options)
               });
   stopwatch.finish("cases");
 
-  // 3. Summary of all cases.
   publish_in(options.results_place(), options, sweep_results(list, file.finished()), stopwatch);
   for (const auto &[index, result] : file.finished())
     if (result.status != "failed")

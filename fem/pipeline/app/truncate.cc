@@ -10,8 +10,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Solves a study like `run`, then again with fewer harmonics of the load. Writes the folder of the results.
-/// Collective over all ranks. Throws the exceptions of run() in run.cc.
 void truncate(const StudyOptions &options)
 {
   StudyWork work(options);

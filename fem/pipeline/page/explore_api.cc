@@ -24,7 +24,6 @@ std::unique_ptr<Explorer> explorer = std::make_unique<Explorer>(); // NOLINT: on
 std::optional<fem::ContactState> last_contact;                     // NOLINT
 std::string reply;                                                 // NOLINT: read by the page
 
-/// Returns an answer with the keys of "ring" in summary.json.
 Json ring_summary(const ring::Answer &row)
 {
   Json ring = answer_fields().json(row);
@@ -38,7 +37,6 @@ Json series_summary(const ring::RingStack &load)
   return { { "a", a }, { "b", b } };
 }
 
-/// Returns a load with the keys of "load" in summary.json.
 Json load_summary(const ring::RingState &state, double contact_radius)
 {
   const Eigen::Vector2d moment = state.load.moment();
@@ -51,8 +49,6 @@ Json load_summary(const ring::RingState &state, double contact_radius)
   return load;
 }
 
-/// Returns the state at the terminal spin, or at tipping if the glass tips; otherwise, the state at rest.
-/// Returns nullptr if the answer has no state.
 const ring::RingState *end_of(const ring::Answer &row)
 {
   return row.at_terminal ? &*row.at_terminal
@@ -66,7 +62,7 @@ Json document_of(const Results &results, const Json &summary = Json::object())
   return { { "summary", summary }, { "words", results.words }, { "tables", results.tables } };
 }
 
-/// Returns the document of an answer: a subset of the document of `run`, with the same names.
+/// Returns a subset of the document of `run`, with equal names.
 Json answer_document(const LiveAnswer &found)
 {
   const Study &study = explorer->study();
@@ -99,13 +95,12 @@ Json answer_document(const LiveAnswer &found)
   return document_of(results, summary);
 }
 
-/// Returns a failure as JSON, with notes on implausible values (the likely cause).
+/// Returns a failure as JSON. Implausible values are its likely cause.
 Json failure_of(const std::string &message, bool tips)
 {
   return { { "error", message }, { "tips", tips }, { "notes", implausible_notes(explorer->study()) } };
 }
 
-/// Returns the JSON text of @p make(), or of its failure.
 template <typename Make>
 const char *answer(const Make &make)
 {

@@ -31,14 +31,11 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Compliance in the compressed form of the page. The numbers of `normal`, `radial` and `azimuthal` are
-/// quantised: they are integer multiples of a step, 2^-bits of the largest number of each kind.
-///
-/// The head of packed() and the steps are stored unchanged. Each integer is predicted from the same matrix of
-/// the previous harmonic and from its three neighbours at smaller row and column numbers. Only the residual
-/// of the prediction is stored. Residuals are small because compliances vary smoothly. Residuals are mapped
-/// to unsigned numbers and stored in four passes: the lowest bytes of all numbers, then the next higher
-/// bytes. This format is five times smaller than compressed floats.
+/// Compliance in the compressed form of the page, which is five times smaller than compressed floats. The
+/// numbers of each kind (normal, radial, azimuthal) are integer multiples of a step, 2^-bits of the largest
+/// number. Each integer is predicted from the previous harmonic and from its neighbours at smaller row and
+/// column numbers. The residual is small, because compliances vary smoothly. Residuals are mapped to unsigned
+/// numbers and stored in four passes: the lowest bytes of all numbers, then the next higher bytes.
 class PagedCompliance
 {
 public:
@@ -59,7 +56,7 @@ public:
           given[i] = std::nearbyint(given[i] / steps[kind]) * steps[kind];
   }
 
-  /// Returns the quantised numbers in the format of packed(), as input of an Explorer.
+  /// Returns the quantised numbers in the format of fem::serialized(), as input of an Explorer.
   const double *numbers() const { return given.data(); }
 
   std::string bytes() const
@@ -88,7 +85,7 @@ public:
 private:
   std::size_t head() const { return 6 + n; }
   std::size_t size(std::size_t kind) const { return kind == 0 ? n * (n + 1) / 2 : n * n; }
-  /// Returns the index of the first number of a matrix in packed().
+  /// Returns the index of the first number of matrix @p m in numbers().
   std::size_t begin(std::size_t m, std::size_t kind) const
   {
     std::size_t place = head() + m * (size(0) + 2 * size(1));
@@ -104,7 +101,7 @@ private:
     return static_cast<std::uint32_t>(
       static_cast<std::int64_t>(std::llround(given[begin(m, kind) + place] / steps[kind])));
   }
-  /// Returns the difference between a number and the same number of the previous harmonic.
+  /// Returns the difference between an integer and the same integer of the previous harmonic.
   std::uint32_t change(std::size_t m, std::size_t kind, std::size_t i, std::size_t j) const
   {
     return whole(m, kind, i, j) - (m > 0 ? whole(m - 1, kind, i, j) : 0);
@@ -115,7 +112,6 @@ private:
   std::size_t n, n_matrices;
 };
 
-/// Returns the paths of the entries that a preset sets.
 std::vector<std::string> entries_of(const Preset &preset)
 {
   Study study;
@@ -136,8 +132,7 @@ Study study_of(const PageOptions &options, const Preset *glass, const Preset *ta
   return study;
 }
 
-/// Returns the entries of a study that differ from the defaults. Motion/Force offset is omitted: Motion/Hand
-/// height determines it.
+/// Returns the entries that differ from the defaults. Motion/Hand height determines Motion/Force offset.
 std::vector<std::pair<std::string, std::string>> values_of(const std::vector<StudyEntry> &own)
 {
   std::vector<std::pair<std::string, std::string>> values;
@@ -162,7 +157,7 @@ ring::Answer answer_of(const Study &study, fem::ComplianceCache &cache)
   return ring::answer(find_load(study, foot), spin_question(study)).value();
 }
 
-/// Returns the answer of an Explorer that uses the quantised compliances of a mesh of @p fineness.
+/// Returns the answer of the page: of an Explorer with the quantised compliances.
 ring::Answer answer_in_page(const Study &study, double fineness, const PagedCompliance &foot,
                             const PagedCompliance *disc)
 {
@@ -178,7 +173,6 @@ ring::Answer answer_in_page(const Study &study, double fineness, const PagedComp
   return explorer.solve(all_harmonics, true).full.value();
 }
 
-/// Compliances of all pairs of glass and table, without duplicates.
 class Bodies
 {
 public:
@@ -201,8 +195,7 @@ private:
   std::map<std::string, std::size_t> known;
 };
 
-/// Returns a focused mesh of @p study with at most @p max_nodes nodes; any number of nodes if @p max_nodes is
-/// 0.
+/// Returns a focused mesh of @p study with at most @p max_nodes nodes; 0: any number of nodes.
 Discretisation coarsened(const Study &study, unsigned int max_nodes, fem::ComplianceCache &cache)
 {
   Discretisation mesh;
@@ -223,8 +216,7 @@ Json buttons(const std::vector<Preset> &presets, const std::string &own)
   return list;
 }
 
-/// Returns pointers to the presets. Without presets, returns a single nullptr: the study's own glass or
-/// table.
+/// Returns a single nullptr, which means the study's own glass or table, if there are no presets.
 std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
 {
   std::vector<const Preset *> list;
@@ -233,14 +225,14 @@ std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
   return list.empty() ? std::vector<const Preset *>{ nullptr } : list;
 }
 
-/// Maximum error of an answer due to quantisation [rad/s]. For other settings of the page, the error may
-/// be ten times larger.
+/// Maximum error of an answer due to quantisation [rad/s]. Other slider settings may have ten times the
+/// error.
 constexpr double tolerance = 1e-11;
 
-/// Sizes of additional feet that a page offers on elastic tables, relative to the foot of the study.
+/// Contact radii of additional feet on elastic tables, relative to the contact radius of the study.
 constexpr double similar_feet[] = { 0.8, 0.9, 1.1, 1.2 };
 
-/// Glass and table of a page, solved by the program, with the compliances that the page stores.
+/// Glass and table of a page, with the program's answer and the compliances stored in the page.
 struct SolvedPair
 {
   PagePair pair;
@@ -248,12 +240,12 @@ struct SolvedPair
   double fineness; ///< Discretisation::fineness
   PagedCompliance foot;
   std::optional<PagedCompliance> disc;
-  /// Compliances of an elastic table under scaled feet (`similar_feet`), by contact radius [m].
+  /// Compliances of an elastic table under feet of other sizes (`similar_feet`), by contact radius [m].
   std::map<double, PagedCompliance> discs;
   std::optional<double> here; ///< terminal spin that an Explorer computes from these compliances [rad/s]
 };
 
-/// Solves a pair. Quantises with the lowest number of bits that meets the tolerance.
+/// Quantises with the smallest number of bits that meets `tolerance`.
 SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Preset *table,
                       fem::ComplianceCache &cache)
 {
@@ -292,7 +284,6 @@ std::string compressed_base64(const std::string &text)
   return dealii::Utilities::encode_base64({ compressed.begin(), compressed.end() });
 }
 
-/// Returns the content of the script element with @p id.
 std::string script_in(const std::string &page, const std::string &id)
 {
   const std::string tag = "id=\"" + id + "\">";

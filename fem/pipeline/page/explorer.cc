@@ -21,12 +21,12 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Maximum ratio of the half-width of a focused contact to the half-width for which the mesh was made, and
-/// maximum of the inverse ratio (see docs/explore.md).
+/// Maximum ratio of the half-width of a focused contact to the half-width for which the mesh was made, and of
+/// the inverse ratio (docs/explore.md).
 constexpr double farthest = 1.5;
 
-/// Returns true if the entry can change without new compliances. Compliances scale with the moduli and do not
-/// depend on the motion.
+/// Returns true if an entry can change without new compliances, which scale with the moduli and do not depend
+/// on the motion.
 bool is_live(const std::string &path)
 {
   static const std::vector<std::string> outside_motion = {
@@ -44,7 +44,6 @@ bool is_live(const std::string &path)
          std::find(outside_motion.begin(), outside_motion.end(), path) != outside_motion.end();
 }
 
-/// Terminal spin with its contact solution and load.
 struct BalanceNearby
 {
   ring::ZeroGuess spin;
@@ -52,10 +51,9 @@ struct BalanceNearby
   ring::Sample load;
 };
 
-/// Returns the balance of @p study near the spin @p near, with the friction under the first @p n_harmonics of
-/// the load. Starts from @p contact on @p foot. Two or three contact solves give the spin to 1e-8 rad/s.
-/// Returns std::nullopt if the search fails near @p near, if the load does not vary with the spin, or if @p
-/// foot has a single ring or does not fit @p contact. Throws ring::NoBalance.
+/// Returns the balance of @p study near the spin @p near under the first @p n_harmonics, accurate to 1e-8
+/// rad/s after two or three contact solves that start from @p contact. Returns std::nullopt if the search
+/// fails, if the load does not vary with the spin, or if @p foot has one ring or does not fit @p contact.
 std::optional<BalanceNearby> balance_near(const ring::ZeroGuess &near, const fem::ContactState &contact,
                                           const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                           unsigned int n_harmonics)
@@ -225,7 +223,7 @@ void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, Liv
   if (last)
     foot->set_rings(last->ring_radii(), last->n_harmonics());
   ring::Question question = spin_question(present);
-  question.with_slope = !last; // the slope is slow: not computed while the slider moves
+  question.with_slope = !last; // the slope is too slow to compute during the motion of a slider
   if (last)
     question.zero_guess = zero;
   const BalancedLoad load = find_load(present, foot);

@@ -13,14 +13,13 @@
 namespace stemware::pipeline
 {
 
-/// Returns the compiled-in files: HTML of the pages, scripts, styles and their checksums.
+/// Returns the HTML of the pages, scripts, styles and their checksums, which are compiled into the program.
 const CompiledTexts &page_texts();
 
 namespace
 {
 
-/// Replaces each mark /*NAME*/ of @p text by the text of that name, in one pass: inserted marks are not
-/// replaced.
+/// Replaces each mark /*NAME*/ by the text of that name in one pass: marks in the texts are not replaced.
 std::string with_marks_replaced(const std::string &text, const std::map<std::string, std::string> &texts)
 {
   const std::string begin = "/*", end = "*/";
@@ -35,7 +34,6 @@ std::string with_marks_replaced(const std::string &text, const std::map<std::str
   return result + text.substr(written);
 }
 
-/// Returns @p text escaped for HTML elements and quoted attributes.
 std::string html_text(const std::string &text)
 {
   std::string safe;
@@ -55,8 +53,7 @@ std::string html_text(const std::string &text)
   return safe;
 }
 
-/// Returns the base64 form of a number in hexadecimal @p digits, the form of checksums in a
-/// Content-Security-Policy.
+/// Returns the base64 form of hexadecimal @p digits, the format of checksums in a Content-Security-Policy.
 std::string base64_of_digits(const std::string &digits)
 {
   std::string bytes;
@@ -68,7 +65,6 @@ std::string base64_of_digits(const std::string &digits)
          std::string((3 - bytes.size() % 3) % 3, '=');
 }
 
-/// Returns page.html filled with @p parts. Reports and live pages have different parts.
 std::string filled(const std::string &title, const std::string &answer,
                    std::map<std::string, std::string> parts)
 {
@@ -78,7 +74,6 @@ std::string filled(const std::string &title, const std::string &answer,
   return with_marks_replaced(text_of(page_texts(), "page.html"), parts);
 }
 
-/// Returns the checksum in a sha256sum file, in the format of a Content-Security-Policy.
 std::string check_sum(const std::string &file)
 {
   return base64_of_digits(text_of(page_texts(), file).substr(0, 64));

@@ -31,7 +31,7 @@ void require_finite(const Json &value, const std::string &path)
       require_finite(part, path + "/" + key);
 }
 
-/// Writes this rank's fields into fields/ in @p folder. All ranks must see the same @p folder.
+/// Precondition: all ranks see @p folder in a common file system.
 void write_fields(const std::vector<fem::FieldFile> &fields, const fs::path &folder)
 {
   if (fields.empty())
@@ -54,7 +54,6 @@ std::string text_of(const ResultFile &file)
   return fs::path(file.name).extension() == ".csv" ? csv_table(table) : data_table(table);
 }
 
-/// Returns the document of the page. Parts of the summary that the page does not show are omitted.
 Json page_document(const Results &results, Json summary)
 {
   for (const char *load : { "load", "load_at_terminal", "load_at_fall" })
@@ -68,7 +67,6 @@ Json page_document(const Results &results, Json summary)
            { "entries", results.entries }, { "quantities", results.quantities }, { "files", files } };
 }
 
-/// Writes all files except the fields into @p place. This folder is later renamed to @p final_place.
 void write_results(const StudyOptions &options, Results &results, Stopwatch &stopwatch, const fs::path &place,
                    const fs::path &final_place)
 {
@@ -94,7 +92,6 @@ void write_results(const StudyOptions &options, Results &results, Stopwatch &sto
   write_text_file(place / "timings.json", timings.dump(2) + "\n");
 }
 
-/// Prints the console text and @p final_place.
 void print(const StudyOptions &options, const Results &results, const fs::path &final_place)
 {
   console() << console_text(results);
@@ -127,7 +124,7 @@ Json summary_of(const std::string &verb, const Results &results)
 
 void publish(const StudyOptions &options, Results results, ResultsFolder &folder, Stopwatch &stopwatch)
 {
-  // Results are written into a working folder. The complete folder is renamed to its final name.
+  // A killed run leaves no incomplete results: the working folder is renamed only when complete.
   folder.open();
   on_every_rank([&] { write_fields(results.fields, folder.working_folder()); });
   results.fields = {}; // frees memory

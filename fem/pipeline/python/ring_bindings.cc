@@ -43,7 +43,6 @@ auto interruption()
   };
 }
 
-/// Returns @p function with a check for Ctrl-C before each call.
 template <typename Result, typename... Arguments>
 std::function<Result(Arguments...)> interruptible(std::function<Result(Arguments...)> function)
 {
@@ -61,14 +60,13 @@ auto without_gil(const Work &work)
   return work();
 }
 
-/// Returns numbers as an array, and plain structs as a structured array.
 template <typename Value>
 py::array_t<Value> numpy_of(const std::vector<Value> &values)
 {
   return py::array_t<Value>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-/// Returns an array of shape (..., n) with the n numbers @p values(entries...) for all entries of the arrays.
+/// Returns an array (..., n): @p values(entries...) returns n numbers for each entry of the arrays.
 template <typename Values, typename... Arrays>
 Array filled(py::ssize_t n, const Values &values, const Array &first, const Arrays &...others)
 {
@@ -88,7 +86,6 @@ Array filled(py::ssize_t n, const Values &values, const Array &first, const Arra
   return out;
 }
 
-/// Returns P_n, K_n, U_n for n = 0...n_max, shape (..., 3 (n_max + 1)).
 Array kernels(const Array &rim_speed, const Array &speed, unsigned int n_max)
 {
   const auto values = [n_max](double u, double v)
@@ -102,7 +99,6 @@ Array kernels(const Array &rim_speed, const Array &speed, unsigned int n_max)
   return filled(3 * (static_cast<py::ssize_t>(n_max) + 1), values, rim_speed, speed);
 }
 
-/// Friction law written in Python.
 struct LawInPython : FrictionLaw
 {
   double coefficient(double slip_speed) const override
@@ -122,7 +118,7 @@ Sample stack_of(const Row &radii, const std::vector<Row> &a, const std::vector<R
   return { RingStack(std::move(rings)), tilt };
 }
 
-/// Returns one member of all J rings as an array of shape (J,), or (J, n_max + 1) for coefficients.
+/// Returns @p member of all J rings as an array (J,), or (J, n_max + 1) for coefficients.
 template <auto member>
 py::array of_rings(const Sample &load)
 {
@@ -132,9 +128,8 @@ py::array of_rings(const Sample &load)
   return py::array(all);
 }
 
-/// Friction wrench as a function of velocity and spin, for a load, a sliding body or a self-consistent ring.
-/// The velocity (v_x, v_y) [m/s] is in the load's frame, the spin omega in [rad/s]. The friction law must
-/// outlive the object.
+/// Friction wrench as a function of velocity and spin. The velocity (v_x, v_y) [m/s] is in the frame of the
+/// load, the spin omega in [rad/s]. The friction law must outlive the object.
 struct Friction
 {
   Friction(const Sample &load, const FrictionLaw &law)
@@ -173,7 +168,6 @@ SelfConsistentRing balanced_ring(const Motion &motion, const std::string &closur
   throw std::invalid_argument("closure = \"" + closure + "\" is not allowed; give paper, hand or full");
 }
 
-/// Returns the load as a function of the spin [rad/s], for a RingStack, a SelfConsistentRing or a function.
 std::function<Sample(double)> load_function(const py::object &load)
 {
   if (py::isinstance<SelfConsistentRing>(load))
@@ -196,8 +190,7 @@ void require_a_pressure(const RingStack &load, double omega)
                            " N m at most, at the outermost ring; lower the hand or the speed"));
 }
 
-/// Returns the terminal spin, all balances, the torque of friction and lean at rest [N m], v / R [rad/s] and
-/// the spin-up.
+/// Returns the terminal spin, all balances, torque at rest [N m], spin unit v / R [rad/s] and spin-up.
 py::tuple answer_about(const py::object &given, const Motion &motion, double grip_torque, bool all,
                        const Row &times)
 {
@@ -230,7 +223,7 @@ py::array motion_of(const PhasedTorqueFunction &torque, double yaw_inertia, cons
     [&] { return yaw_motion(at, yaw_inertia, initial_spin, times, accuracy, spin_scale, grip_torque); }));
 }
 
-/// Defines the exceptions. The translator that is registered last (BalanceLost) is called first.
+/// The translator that is registered last (BalanceLost) is called first.
 void bind_failures(py::module_ &m)
 {
   py::register_exception<std::invalid_argument>(m, "BadInput", PyExc_ValueError).doc() =

@@ -1,4 +1,4 @@
-// stemware._study: Python bindings of Study and of the functions behind the program's verbs. They print
+// stemware._study: Python bindings of Study and of the functions behind the program's verbs, which print
 // nothing and set no signal handler. MPI starts for a solid foot only.
 
 #include "fem/contact/contact_solution.h"
@@ -39,14 +39,13 @@ using namespace stemware::pipeline;
 namespace
 {
 
-/// Exception of an interrupted Python call. It is not derived from std::exception, because variants catch
-/// std::exception.
+/// Exception of an interrupted Python call. The solver of variants catches std::exception, so Interrupted is
+/// not derived from it.
 struct Interrupted
 {
   std::exception_ptr cause;
 };
 
-/// Throws Interrupted after Ctrl-C, in Python's main thread.
 void check_signals()
 {
   const py::gil_scoped_acquire gil;
@@ -54,8 +53,8 @@ void check_signals()
     throw Interrupted{ std::make_exception_ptr(py::error_already_set()) };
 }
 
-/// Progress that checks for Ctrl-C and calls a Python function f(stage, done, all), unless it is None. Called
-/// by one thread at a time.
+/// Checks for Ctrl-C and calls the Python function f(stage, done, all), unless it is None. One thread at a
+/// time calls the members.
 struct PythonProgress : Progress
 {
   void stage_done(const std::string &stage) override { tell(stage, 1, 1); }
@@ -87,18 +86,16 @@ struct PythonProgress : Progress
   }
 
   py::object listener;
-  std::exception_ptr cause; ///< first exception of Python; also ends the other threads
+  std::exception_ptr cause; ///< first exception of Python, which also ends the work of other threads
 };
 
-/// Returns the cache of compliances, shared by equal feet. The cache is never destroyed, because threads may
-/// outlive the interpreter.
+/// Returns a cache for all studies. It is never destroyed, because threads may outlive the interpreter.
 std::shared_ptr<fem::ComplianceCache> &cache()
 {
   static auto *const one = new auto(std::make_shared<fem::ComplianceCache>(128, &check_signals));
   return *one;
 }
 
-/// Returns @p work(progress, executor), called without the GIL.
 template <typename Work>
 auto solved(const py::object &listener, unsigned int n_threads, const Work &work)
 {
@@ -116,13 +113,11 @@ auto solved(const py::object &listener, unsigned int n_threads, const Work &work
   }
 }
 
-/// Initial guess for the next study: the foot of the previous study.
 struct Start
 {
   std::shared_ptr<ElasticFoot> foot;
 };
 
-/// Results of a verb, for Python.
 struct Found
 {
   std::string verb;
@@ -131,7 +126,7 @@ struct Found
 
   std::string document() const { return dump_utf8(summary_of(verb, results)); }
 
-  /// Writes the same folder of results as the program.
+  /// Writes the same folder as the program.
   void save(const std::string &folder) const
   {
     StudyOptions options;
@@ -145,8 +140,7 @@ struct Found
   }
 };
 
-/// Reads the files of @p given again and returns the study, with the same checks as at the start of the
-/// program.
+/// Returns @p given with its files read again, after the checks at the start of the program.
 Study checked(const Study &given)
 {
   Study study = with_values(given, "", {});
@@ -176,7 +170,6 @@ Found results_of(const std::string &verb, const Study &given, bool quick, unsign
   return solved(listener, n_threads, work);
 }
 
-/// Returns the numbers of one case of a sweep, by the names of the quantities.
 py::dict case_of(const Study &given, Start *start)
 {
   const CaseResult found =
@@ -189,12 +182,10 @@ py::dict case_of(const Study &given, Start *start)
   return all;
 }
 
-/// Yaw torque of a study as a function of the spin, without the grip. Used for spin-ups with various grips
-/// and yaw inertias.
+/// Yaw torque as a function of the spin, without the grip, for spin-ups with various grips and yaw inertias.
 class FreeTorque
 {
 public:
-  /// Solves @p given. @p start: see case_result().
   FreeTorque(const Study &given, Start *start)
   {
     solved(py::none(), 1,
@@ -242,7 +233,6 @@ private:
   std::mutex mutex;
 };
 
-/// Returns the curves of a run, by name.
 py::dict curves_in(const Found &found)
 {
   const auto numpy_of = [](const auto &values)
@@ -269,8 +259,7 @@ py::dict curves_in(const Found &found)
     "load"_a = numpy_of(answer.contact.load.pointwise), "pressure"_a = numpy_of(points));
 }
 
-/// Translates @p Failure and classes derived from @p Failure into the exception @p raised, with the program's
-/// sentence.
+/// Translates @p Failure and its derived classes into the exception @p raised.
 template <typename Failure>
 void translate(const py::object &raised)
 {
@@ -289,8 +278,7 @@ void translate(const py::object &raised)
     });
 }
 
-/// Translates the program's exceptions into exceptions of stemware.ring. If several translations match, the
-/// translation that was registered last is used.
+/// If several translations match, the translation that was registered last is used.
 void bind_failures(py::module_ &m)
 {
   const py::module_ ring = py::module_::import("stemware._ring");

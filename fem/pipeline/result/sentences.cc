@@ -142,8 +142,7 @@ std::string in_usual_unit(const Study &study, const StudyEntry &entry)
     return entry.text();
   const auto given = study.given_entries.find(entry.path());
   if (given != study.given_entries.end() && !trailing_unit(given->second).empty() &&
-      parse_quantity(given->second, entry.unit) ==
-        *entry.quantity) // the value may have changed since it was given
+      parse_quantity(given->second, entry.unit) == *entry.quantity) // not changed since it was given
     return given->second;
   return in_usual_unit(*entry.quantity, entry.unit);
 }
