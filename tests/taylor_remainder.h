@@ -8,12 +8,8 @@
 #include <limits>
 #include <vector>
 
-/// Check of a derivative by the remainder of Taylor's formula,
-///
-///   r(h) = |f(x + h d) - f(x) - h f'(x) d|,
-///
-/// which decreases like h^2 (or faster) for the derivative of f and like h for any other value. The check
-/// needs neither a difference step nor a tolerance of the derivative.
+/// Check of a derivative by the remainder r(h) = |f(x + h d) - f(x) - h f'(x) d|, which decreases like h^2
+/// (or faster) for the derivative of f and like h for any other value.
 namespace stemware::taylor
 {
 
@@ -26,12 +22,10 @@ inline double size_of(const Eigen::VectorXd &value)
   return value.norm();
 }
 
-/// Returns the slope of log r over log h, fitted to the four smallest of twelve halved steps whose remainder
-/// is above rounding. Infinite if every remainder is rounding (a linear function), NaN if fewer than four are
-/// above it.
-///
-/// @p function returns f(x + h d) for a step h. @p derivative is f'(x) d. Both are a number or an
-/// Eigen::VectorXd. @p step is the largest step. @p noise is the relative rounding of f.
+/// Returns the slope of log r over log h, fitted to the four smallest of twelve halved steps whose r exceeds
+/// the rounding error; infinite if no r does (linear f), NaN if fewer than four do. @p function returns f(x +
+/// h d) for a step h, @p derivative is f'(x) d, @p step the largest step, @p noise the relative rounding
+/// error of f.
 template <typename Function, typename Value>
 double slope_of_remainder(const Function &function, const Value &derivative, double step, double noise)
 {
@@ -42,7 +36,7 @@ double slope_of_remainder(const Function &function, const Value &derivative, dou
   {
     const Value there = function(step);
     const double remainder = size_of(Value(there - here - step * derivative));
-    if (!(remainder <= 20 * noise * std::max(size_of(here), size_of(there)))) // NaN counts
+    if (!(remainder <= 20 * noise * std::max(size_of(here), size_of(there)))) // true for NaN
       logarithms.emplace_back(std::log(step), std::log(remainder));
   }
   if (logarithms.empty())
@@ -62,7 +56,7 @@ double slope_of_remainder(const Function &function, const Value &derivative, dou
   return above / below;
 }
 
-/// Succeeds if @p derivative is f'(x) d; arguments as in slope_of_remainder().
+/// Arguments as in slope_of_remainder().
 template <typename Function, typename Value>
 testing::AssertionResult is_derivative(const Function &function, const Value &derivative, double step,
                                        double noise = 1e-15)

@@ -5,8 +5,7 @@
 
 namespace stemware
 {
-/// Returns @p n relative roundings of @p quantity, the tolerance of results that are exact up to a few
-/// roundings.
+/// Returns @p n relative roundings of @p quantity, the tolerance of results that are exact up to rounding.
 inline double ulps(double n, double quantity)
 {
   return n * std::numeric_limits<double>::epsilon() * std::abs(quantity);

@@ -12,8 +12,7 @@ namespace
 {
 using namespace stemware::fem;
 
-/// Returns a full, diagonally dominant n x n matrix, similar to the compliance of @p n circles under line
-/// loads.
+/// Returns a full, diagonally dominant matrix, similar to the compliance of @p n circles under line loads.
 RowMatrix compliance(Eigen::Index n)
 {
   return RowMatrix::NullaryExpr(n, n,
@@ -45,7 +44,7 @@ void dense_eigen(benchmark::State &state)
   }
 }
 
-/// Times Newton's linear systems of one contact line per SIMD lane, with range(0) circles each and the
+/// Times Newton's linear systems of one contact line per SIMD lane, with range(0) circles per line and the
 /// identity as tangent.
 void lines_stemware(benchmark::State &state)
 {

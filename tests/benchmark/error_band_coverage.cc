@@ -55,7 +55,7 @@ std::vector<unsigned int> contact_cells(const std::vector<fem::SectionPolygon> &
 /// Returns the indices of the cells at re-entrant corners (interior angle between 1.2 pi and 1.9 pi).
 std::vector<unsigned int> corner_cells(const std::vector<fem::SectionPolygon> &cells)
 {
-  using Point = std::pair<long long, long long>; // coordinates in picometres
+  using Point = std::pair<long long, long long>; // in picometres
   const auto point = [](const std::array<double, 2> &at) -> Point {
     return { std::llround(at[0] * 1e12), std::llround(at[1] * 1e12) };
   };
@@ -92,8 +92,8 @@ FineStudy with_smaller_cells(Study study, unsigned int n_halvings)
   study.contact.refinements += 1;
   Discretisation mesh;
   mesh.fineness *= std::ldexp(1, static_cast<int>(n_halvings) - 1);
-  // Without a focus (flat land, compliant interface), `fineness` halves all cells. The contact cells are
-  // halved further.
+  // Without a focus (flat land, compliant interface), `fineness` halves all cells, so the contact cells are
+  // marked for further halvings.
   const bool is_focused = study.glass.profile.crown_radius > 0 || study.table.is_hard();
   for (unsigned int i = 1; i < n_halvings; ++i)
   {
@@ -109,7 +109,6 @@ FineStudy with_smaller_cells(Study study, unsigned int n_halvings)
   return { study, mesh };
 }
 
-/// Study refined along one axis.
 struct FinerStudy
 {
   std::string axis;
@@ -128,7 +127,7 @@ std::vector<FinerStudy> finer_on_one_axis(const Study &study)
   finer.push_back({ "mesh", with_smaller_cells(study, 3), { study } });
   add("degree", [](ContactSection &contact) { ++contact.degree; });
   add("lines", [](ContactSection &contact) { contact.azimuth_lines *= 8; });
-  // Both studies have four times the azimuth lines, which resolve the additional harmonics.
+  // Four times the azimuth lines resolve the additional harmonics of the refined study.
   Study on_more_lines = study;
   on_more_lines.contact.azimuth_lines *= 4;
   for (const char *axis : { "harmonics", "load_harmonics" })
@@ -154,7 +153,6 @@ FineStudy finer_in_everything(const Study &study)
   return finer;
 }
 
-/// Solution of a study.
 struct Solved
 {
   std::shared_ptr<ElasticFoot> foot;
@@ -174,8 +172,8 @@ Solved solve(const FineStudy &fine, fem::ComplianceCache &cache, double expected
   return { foot, load, omega };
 }
 
-/// Returns the friction torque [N m] about the axis at the spin @p omega: a sum over @p points at their own
-/// radii, without projection onto rings or harmonics.
+/// Returns the friction torque [N m] about the axis at @p omega: the sum over @p points without projection
+/// onto rings or harmonics.
 double torque_of_points(const std::vector<fem::PointForce> &points, const ring::Motion &motion, double omega)
 {
   double torque = 0;
@@ -189,7 +187,6 @@ double torque_of_points(const std::vector<fem::PointForce> &points, const ring::
   return torque;
 }
 
-/// Returns the change of the terminal spin if the torque is summed over points instead of rings.
 double change_by_points(const Study &study, const Solved &solved)
 {
   const ring::Motion &motion = study.motion.orbit;
@@ -205,7 +202,6 @@ double change_by_points(const Study &study, const Solved &solved)
   return -difference / slope;
 }
 
-/// Statistics of the error bands of the terminal spin over all studies.
 struct Tally
 {
   unsigned int n_spins = 0;

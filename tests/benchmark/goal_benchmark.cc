@@ -49,7 +49,6 @@ struct Case
   std::optional<double> exact;
 };
 
-/// Returns the study described by @p values, with the terminal spin as goal.
 stemware::pipeline::Study read_study(const NamedValues &values)
 {
   stemware::pipeline::Study study;
@@ -121,7 +120,6 @@ Case read_case(int argc, char **argv)
   return study;
 }
 
-/// Returns the value of @p estimate. Throws std::runtime_error if it is empty.
 template <typename Estimate>
 Estimate given_estimate(const std::optional<Estimate> &estimate)
 {
@@ -141,8 +139,8 @@ ContactGoal second_harmonic(const Case &study)
   return goal;
 }
 
-/// Returns the reference value, computed by a body of revolution with elements of degree 4 and cells half as
-/// large as usual, smaller at re-entrant edges.
+/// Returns the value of a body of revolution of degree 4 with half the usual cell size, smaller at re-entrant
+/// edges.
 double truth(const Case &study)
 {
   RevolutionSetup setup = study.revolution;
@@ -152,8 +150,8 @@ double truth(const Case &study)
   return second_harmonic(study).of_load(MeshedRevolutionFoot(setup).solve(study.demand, study.slip).load);
 }
 
-/// Solves the contact on @p mesh and prints a row of the table. Returns the error estimate if @p estimates is
-/// true, otherwise a default MeshError.
+/// Prints a row of the table. Returns the error estimate if @p estimates is true, otherwise a default
+/// MeshError.
 MeshError solve_on(const SolidMesh &mesh, const Case &study, double exact, const char *kind, bool estimates)
 {
   const ContactGoal goal = second_harmonic(study);
@@ -170,7 +168,6 @@ MeshError solve_on(const SolidMesh &mesh, const Case &study, double exact, const
   return error;
 }
 
-/// Returns the terminal spin of @p study, with an error estimate if @p estimates.
 stemware::pipeline::GoalError terminal_spin_of(const stemware::pipeline::Study &study, bool estimates,
                                                const stemware::pipeline::Discretisation &mesh = {})
 {

@@ -29,7 +29,6 @@ namespace
 
 constexpr double off_axis = 0.01; // distance of the foot's axis from the z axis [m]
 
-/// Returns the gap [m] of the foot with @p defect at a point of the table.
 double gap_of(const GlassProfile &profile, const std::string &defect, double x, double y)
 {
   if (defect == "off_axis")
@@ -68,7 +67,7 @@ void import(const dealii::Triangulation<3> &drawn, const std::string &defect, do
     mesh.copy_triangulation(flat);
     return;
   }
-  // The chip removes 30 degrees of the edge, down to the middle of the land.
+  // The chip removes 30 degrees of the edge, from the middle of the land outwards.
   std::set<dealii::Triangulation<3>::active_cell_iterator> removed;
   std::map<std::array<long, 3>, dealii::types::boundary_id> ids;
   const auto place_of = [](const dealii::Point<3> &x) {

@@ -34,7 +34,7 @@ struct Case
   std::shared_ptr<const InterfaceLaw> interface;
   double softening = 1; ///< factor by which coarser meshes soften the interface
   Resultants load;
-  double tolerance = 1e-8; ///< tolerance of the timed linear solve
+  double tolerance = 1e-8; ///< of the timed linear solve
   bool compares = false;
 };
 
@@ -76,8 +76,8 @@ Case read_case(int argc, char **argv)
   return study;
 }
 
-/// Returns the maximum of |a_n - a_n'| / a_0 for n = 2 ... 8. The load a_n' belongs to a body of revolution
-/// with a finer mesh, higher degree, and more harmonics and lines than usual.
+/// Returns the maximum of |a_n - a_n'| / a_0 for n = 2 ... 8. The load a_n' is computed by a body of
+/// revolution with a finer mesh, higher degree, and more harmonics and lines than usual.
 double distance_from_revolution(const Case &study, const ContactLoad &load)
 {
   RevolutionSetup setup;

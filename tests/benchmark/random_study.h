@@ -22,7 +22,7 @@ inline std::string table_name(const TableSection &table)
   return interface + (table.substrate == TableSubstrate::elastic ? " on elastic" : " on rigid");
 }
 
-/// Returns the name of the moment balance, e.g. "full, two-way"; "m = 1.24" for a prescribed moment.
+/// Returns the name of the moment balance, e.g. "full, two-way", or "m = 1.24" for a prescribed moment.
 inline std::string balance_name(const Study &study)
 {
   if (study.load.is_static())
@@ -31,8 +31,7 @@ inline std::string balance_name(const Study &study)
          (study.load.coupling == LoadCoupling::two_way ? ", two-way" : ", one-way");
 }
 
-/// Random studies of a body of revolution: glass, table, hand and moment balance within realistic ranges.
-/// Equal seeds give equal studies.
+/// Random studies of a body of revolution within realistic ranges. Equal seeds give equal studies.
 class RandomStudies
 {
 public:
@@ -41,7 +40,6 @@ public:
   {
   }
 
-  /// Returns the next study that check_study() accepts.
   Study next()
   {
     for (;;)
@@ -66,7 +64,7 @@ public:
   }
 
 private:
-  // The generator is portable, std::uniform_real_distribution is not.
+  // std::mt19937 is portable, std::uniform_real_distribution is not.
   double between(double low, double high)
   {
     return low + (high - low) * static_cast<double>(random()) / 4294967296.;
@@ -76,7 +74,7 @@ private:
   unsigned int one_of(unsigned int n) { return static_cast<unsigned int>(between(0, n)); }
 
   /// Draws a step profile or the foot of a real glass, each with probability 1/2. Sections of impossible
-  /// shape are rejected.
+  /// shape are drawn again.
   void draw_glass(GlassSection &glass)
   {
     glass.material.young_modulus = between(55e9, 85e9);
@@ -109,8 +107,7 @@ private:
     profile.fillet_radius = between(0.002, 0.006);
   }
 
-  /// Draws an interface and a substrate from all combinations. A tenth of all studies have a wavy rim, a wavy
-  /// table, or both.
+  /// A tenth of all studies have a wavy rim, a wavy table, or both.
   void draw_table(Study &study)
   {
     TableSection &table = study.table;
@@ -180,8 +177,8 @@ private:
     study.load.coupling = happens(0.85) ? LoadCoupling::two_way : LoadCoupling::one_way;
   }
 
-  /// Draws the load: with probability 1/4 a moment up to strong lift-off, otherwise the moment balance.
-  /// Returns true if m < 1.6 at rest; the spinning glass may still tip.
+  /// Draws with probability 1/4 a moment up to strong lift-off, otherwise the moment balance. Returns true if
+  /// m < 1.6 at rest; the spinning glass may still tip.
   bool draw_load(Study &study)
   {
     if (happens(0.25))
@@ -201,7 +198,6 @@ private:
   std::mt19937 random;
 };
 
-/// Returns the study with four times the cells, harmonics and azimuth lines.
 inline Study four_times_finer(Study study)
 {
   study.contact.refinements += 2;

@@ -28,7 +28,7 @@ std::vector<double> slip_ratios()
   return ratios;
 }
 
-/// Times the kernels n <= 32 at each slip ratio. Counters: median and maximum of these times [us].
+/// Times the kernels n <= 32. Counters: median and maximum over the slip ratios [us].
 void kernels_to_32(benchmark::State &state)
 {
   const std::vector<double> ratios = slip_ratios();

@@ -15,9 +15,6 @@
 #include <utility>
 #include <vector>
 
-// Common parts of the benchmarks of the solid body: command line, foot, output.
-
-/// Command-line options of a benchmark, as name=value.
 class NamedValues
 {
 public:
@@ -73,7 +70,6 @@ void say(const char *format, const Arguments &...arguments)
   std::fflush(stdout);
 }
 
-/// Returns the sum of the peak memory over all ranks [B].
 inline double peak_bytes()
 {
   dealii::Utilities::System::MemoryStats memory;
@@ -81,7 +77,7 @@ inline double peak_bytes()
   return 1024. * dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM), MPI_COMM_WORLD);
 }
 
-/// Starts MPI and calls @p run. Returns the exit code; an exception is printed and gives 1.
+/// Starts MPI and calls @p run. Prints an exception of @p run and returns 1; returns 0 otherwise.
 inline int run_benchmark(int argc, char **argv, const std::function<void()> &run)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);

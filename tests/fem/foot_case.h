@@ -43,7 +43,7 @@ public:
   void vmult(Vector &dst, const Vector &src) const override { stiffness.vmult(dst, src); }
   void set_contact(const Eigen::SparseMatrix<double> &tangent) override
   {
-    factors.reset(); // holds a reference to the sum
+    factors.reset(); // the factors hold a reference to `sum`
     sum.copy_from(stiffness);
     for (const ContactNodes::Entry &entry : nodes->owned_rows(tangent))
       sum.add(entry.row, entry.column, entry.value);
@@ -70,7 +70,6 @@ inline void expect_equal(const NewtonIncrement &found, const NewtonIncrement &ex
   EXPECT_NEAR(found.energy_curvature / expected.energy_curvature, 1, 1e-8);
 }
 
-/// Solver of a body in a test.
 enum class TestSolver
 {
   factors, ///< FactorizedStiffness
@@ -89,7 +88,6 @@ inline std::unique_ptr<SolidBody> make_body(TestSolver solver, const dealii::Tri
     gap, options.linear_tolerance);
 }
 
-/// A generated solid foot and its last contact solution.
 struct FootCase
 {
   FootCase(const GlassProfile &profile, const FootResolution &resolution, const SolidOptions &options = {},

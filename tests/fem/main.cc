@@ -1,4 +1,4 @@
-// MPI must outlive the tests, because Trilinos objects have to be destroyed before MPI_Finalize.
+// Trilinos objects have to be destroyed before MPI_Finalize, so MPI must outlive the tests.
 #include <deal.II/base/mpi.h>
 
 #include <gtest/gtest.h>
@@ -9,7 +9,6 @@
 namespace
 {
 
-/// Prints failures on ranks other than the first.
 class FailurePrinter : public testing::EmptyTestEventListener
 {
   void OnTestPartResult(const testing::TestPartResult &result) override
@@ -25,8 +24,8 @@ class FailurePrinter : public testing::EmptyTestEventListener
 
 int main(int argc, char **argv)
 {
-  // Settings of Open MPI for a process without mpirun. No daemon: it would need ssh. No folder in /tmp: all
-  // such processes would use the same name. No network.
+  // Settings of Open MPI for a process without mpirun: no daemon (needs ssh), no folder in /tmp (the name is
+  // the same for all processes), no network.
   if (std::getenv("OMPI_COMM_WORLD_RANK") == nullptr)
   {
     ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);

@@ -14,18 +14,17 @@ namespace stemware::fem_tests
 
 using namespace stemware::fem;
 
-/// The weight of the reference cases, 0.30 kg at 9.81 m/s^2 [N].
+/// Weight of the reference cases, 0.30 kg at 9.81 m/s^2 [N].
 constexpr double weight = 2.943;
 
-/// Returns the resultants of a load with moment ratio @p m (of N R / 2) whose maximum lies at azimuth @p
-/// direction.
+/// Returns the resultants for the moment ratio @p m (unit N R / 2) with the maximum of the load at the
+/// azimuth @p direction.
 inline Resultants load_at(double m, double direction = 0, double radius = 0.03)
 {
   const double moment = m * weight * radius / 2;
   return { weight, moment * std::sin(direction), -moment * std::cos(direction) };
 }
 
-/// Returns the flat foot of the reference: land 2 mm wide, no crown.
 inline GlassProfile flat_profile()
 {
   GlassProfile profile;
@@ -34,7 +33,7 @@ inline GlassProfile flat_profile()
   return profile;
 }
 
-/// Returns the largest difference of a_n / a_0, n = 2 ... @p highest.
+/// Returns the largest difference of a_n / a_0 for n = 2 ... @p highest.
 inline double largest_difference(const ContactLoad &one, const ContactLoad &other, unsigned int highest = 8)
 {
   double largest = 0;
@@ -43,7 +42,6 @@ inline double largest_difference(const ContactLoad &one, const ContactLoad &othe
   return largest;
 }
 
-/// Returns the outcome of a contact solve.
 template <typename Action>
 ContactOutcome outcome_of(const Action &action)
 {
@@ -58,13 +56,12 @@ ContactOutcome outcome_of(const Action &action)
   return ContactOutcome::converged;
 }
 
-/// Returns a warm start from @p solution.
 inline ContactStart from(const ContactSolution &solution)
 {
   return { solution.motion, solution.normal_displacement };
 }
 
-/// Returns the law of an interface without penalty stiffness on @p surface.
+/// Penalty stiffness 0: for compliant interfaces only.
 inline std::unique_ptr<TableLaw> make_law(const InterfaceLaw &interface, const ContactSurface &surface)
 {
   return interface.make(surface, 0);

@@ -9,7 +9,7 @@
 namespace stemware::test
 {
 
-/// A temporary folder, removed with the object.
+/// Temporary folder, removed by the destructor.
 class ScratchFolder
 {
 public:
@@ -31,7 +31,6 @@ public:
   std::filesystem::path operator/(const std::string &name) const { return folder / name; }
   const std::filesystem::path &path() const { return folder; }
 
-  /// Writes a file and returns its path.
   std::string write(const std::string &name, const std::string &text) const
   {
     std::filesystem::create_directories((folder / name).parent_path());
@@ -43,7 +42,7 @@ private:
   std::filesystem::path folder;
 };
 
-/// A file in a temporary folder, removed with the object.
+/// File in a temporary folder, removed by the destructor.
 struct TemporaryFile
 {
   explicit TemporaryFile(const std::string &content, const std::string &extension = ".msh")

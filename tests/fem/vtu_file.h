@@ -78,7 +78,7 @@ private:
     return bytes;
   }
 
-  /// Returns the decompressed data of @p body. A header precedes the data: number of blocks, block size, size
+  /// Returns the decompressed data of @p body, which begin with a header: number of blocks, block size, size
   /// of the last block, compressed size.
   static std::string inflated(const std::string &body)
   {

@@ -14,7 +14,7 @@ int main()
   setup.profile.shape = GlassShape::foot;
   MeshedRevolutionFoot foot(setup.resolved_for(weight));
 
-  // The moment is so large that a load a_0 + a_1 cos(theta) would be partly tensile.
+  // A load a_0 + a_1 cos(theta) with this moment would be partly tensile.
   const double moment = 1.2 * weight * radius / 2;
   const ContactLoad load = foot.solve({ weight, 0, -moment }).load;
   for (unsigned int n = 0; n <= 6; ++n)

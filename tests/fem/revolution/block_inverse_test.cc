@@ -1,5 +1,3 @@
-// Parts of inverse matrices, computed in several threads at once and compared with Eigen's sparse
-// factorisation. Thread limits of SingleThread.
 #include "fem/revolution/block_inverse.h"
 #include "fem/revolution/single_thread.h"
 
@@ -17,8 +15,8 @@ using stemware::fem::SingleThread;
 namespace
 {
 
-/// Returns the five-point Laplacian on n x n points inside a square, with @p shift added to the diagonal. The
-/// factors of this matrix are dense.
+/// Returns the five-point Laplacian on n x n points, with @p shift added to the diagonal. Its factors are
+/// dense.
 LowerTriangle membrane(int n, double shift)
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -40,7 +38,6 @@ Eigen::VectorXd entries_of(const LowerTriangle &lower)
   return Eigen::Map<const Eigen::VectorXd>(lower.valuePtr(), lower.nonZeros());
 }
 
-/// Returns columns of the inverse of @p lower, computed by Eigen.
 Eigen::MatrixXd columns_of_inverse(const LowerTriangle &lower, const std::vector<unsigned int> &columns)
 {
   Eigen::MatrixXd units = Eigen::MatrixXd::Zero(lower.rows(), static_cast<Eigen::Index>(columns.size()));
@@ -51,7 +48,7 @@ Eigen::MatrixXd columns_of_inverse(const LowerTriangle &lower, const std::vector
 
 } // namespace
 
-// The matrix is so large that it is factorised by blocks with a BLAS that is not thread-safe. Without the
+// The matrix is large enough for a factorisation by blocks with a BLAS that is not thread-safe. Without a
 // lock, about one run in ten would fail.
 TEST(BlockInverse, IsThreadSafe)
 {

@@ -1,4 +1,3 @@
-// Compliances shared by several feet and threads.
 #include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/compute_compliance.h"
 #include "tests/fem/revolution/revolution_case.h"
@@ -14,7 +13,6 @@ using namespace stemware::revolution_tests;
 namespace
 {
 
-/// Returns options of a small problem with one harmonic in addition to the mean.
 MeridianOptions quick_options()
 {
   MeridianOptions options;

@@ -1,4 +1,3 @@
-// Elements of degree 1 to 4, compared with references that do not depend on the degree.
 #include "fem/contact/rigid_foot.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "ring_model/load/constants.h"
@@ -16,7 +15,7 @@ namespace
 class EveryDegree : public testing::TestWithParam<unsigned int>
 {
 protected:
-  /// Returns the compliance for harmonics 0 and 1 only, for tests that do not depend on elasticity.
+  /// Harmonics 0 and 1 suffice for tests that do not depend on elasticity.
   ContactCompliance compliance(const GlassProfile &profile, const MeridianResolution &resolution) const
   {
     return foot_compliance(profile, resolution, { GetParam(), 1 });
@@ -48,7 +47,6 @@ TEST_P(EveryDegree, LinesCoverTheLandExactlyOnce)
 
 TEST_P(EveryDegree, FlatLandOnAMatHasUniformPressure)
 {
-  // Under a rigid foot with a flat land and no moment, the penetration is uniform.
   GlassProfile profile = flat_profile();
   const RevolutionCase foot(profile, compliance(profile, equal_cells()), 64);
   const ContactSurface &surface = foot.body.contact_surface();

@@ -1,4 +1,4 @@
-// Response of a body of revolution to forces on its lines. Reference: matrices assembled force by force.
+// Reference: compliance matrices assembled force by force.
 #include "fem/contact/rough_interface.h"
 #include "ring_model/load/constants.h"
 #include "tests/fem/revolution/revolution_case.h"
@@ -15,9 +15,9 @@ namespace
 constexpr unsigned int few_lines = 20;
 constexpr unsigned int few_harmonics = 6;
 
-/// Returns u_z on the lines under a unit force on circle @p i of line @p j [m/N]. Sums the harmonics of a
-/// point force, 1 / (2 pi) + sum cos n(theta - theta_j) / pi, up to n_max. The remainder acts on the line
-/// itself. The harmonics of an azimuthal force are -sin n(theta - theta_j) C^ztheta / pi.
+/// Returns u_z on the lines under a unit force on circle @p i of line @p j [m/N], by the harmonics of a point
+/// force, 1 / (2 pi) + sum cos n(theta - theta_j) / pi, up to n_max. The higher harmonics act on line @p j
+/// only. An azimuthal force gives -sin n(theta - theta_j) C^ztheta / pi.
 Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::Index i, Eigen::Index j,
                                        const SlidingTraction &traction)
 {
@@ -27,7 +27,7 @@ Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::I
   Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(response.n_radii(), few_lines);
   for (Eigen::Index line = 0; line < few_lines; ++line)
   {
-    double left = line == j ? few_lines / (2 * pi) : 0; // remainder of the point force beyond n_max
+    double left = line == j ? few_lines / (2 * pi) : 0; // harmonics of the point force above n_max
     for (unsigned int n = 0; n <= few_harmonics; ++n)
     {
       const double angle = n * (azimuth(line) - azimuth(j));
@@ -42,7 +42,6 @@ Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::I
   return expected;
 }
 
-/// Returns the compliance between the contact nodes, with friction [m/N].
 Eigen::MatrixXd dense_compliance(const ElasticResponse &response)
 {
   const Eigen::Index n_nodes = response.n_radii() * response.n_lines();
@@ -115,7 +114,7 @@ public:
   Eigen::Vector3d motion_increment;
 };
 
-/// Foot small enough for dense matrices, with or without friction.
+/// The foot is small enough for dense matrices. Parameter: friction coefficient.
 class SmallFoot : public testing::TestWithParam<double>
 {
 protected:
@@ -125,7 +124,6 @@ protected:
     foot.body.set_sliding(traction);
   }
 
-  /// Returns the moment balance with a friction arm and a tilt.
   LinearConditions conditions() const
   {
     const ContactSurface &surface = foot.body.contact_surface();
@@ -147,7 +145,6 @@ INSTANTIATE_TEST_SUITE_P(Friction, SmallFoot, testing::Values(0., 0.4),
 
 } // namespace
 
-// Reference: explicit sums over the harmonics of the compliances.
 TEST_P(SmallFoot, ResponseIsTheSumOverTheHarmonicsOfAPointForce)
 {
   const ElasticResponse &response = foot.body.elastic_response();

@@ -1,4 +1,3 @@
-// Glass that leans under its own weight.
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "ring_model/load/constants.h"
 #include "tests/fem/revolution/revolution_case.h"
@@ -34,9 +33,8 @@ TEST(Tilt, AmplificationUnderARigidAnnulusAgreesWithTheClosedForm)
     }
 }
 
-// Reference: contact solutions under prescribed moments without tilt moment. A rim under the moment M leans
-// by theta(M). A leaning glass is in balance if M - N z_CM theta(M) equals the prescribed moment. Below the
-// maximum of this function, two moments fulfil the condition.
+// Reference: lean theta(M) under prescribed moments, without tilt moment. A leaning glass is in balance if M
+// - N z_CM theta(M) equals the prescribed moment, which has two solutions below the maximum.
 TEST(Tilt, ReturnsTheFirstOfTwoBalances)
 {
   struct Case

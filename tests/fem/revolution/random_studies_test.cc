@@ -1,5 +1,4 @@
-// Random studies in which contact is difficult to solve. The contact of each study converges under every
-// moment.
+// Random studies with contact problems that are difficult for Newton's method.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
@@ -36,8 +35,8 @@ struct RandomStudy
   GlassProfile profile;
   ElasticMaterial glass;
   Table table;
-  std::vector<WavinessHarmonic> waviness; ///< waviness of the table
-  double friction_coefficient;            ///< coefficient of the friction that deforms the foot; 0: none
+  std::vector<WavinessHarmonic> waviness;
+  double friction_coefficient; ///< of the friction that deforms the foot; 0: none
   unsigned int degree;
   std::vector<double> moment_ratios = { 0.3, 0.9, 1.5 };
 };
@@ -136,7 +135,7 @@ TEST_P(DifficultContact, Converges)
   setup.friction_coefficient = study.friction_coefficient;
   setup.meridian.degree = study.degree;
   MeshedRevolutionFoot foot(setup.resolved_for(force));
-  // Two rings suffice to represent any moment.
+  // Two rings can represent any moment.
   const double radius = study.profile.contact_radius;
   const std::vector<double> rings = { 0.95 * radius, 1.05 * radius };
   for (const double m : study.moment_ratios)

@@ -38,8 +38,8 @@ inline ContactCompliance foot_compliance(const GlassProfile &profile, const Meri
   return compute_compliance(triangulation, ElasticMaterial(), options);
 }
 
-/// Returns the nodal forces per radian of a unit pressure between two radii, int N_i r dr, by Simpson's rule,
-/// which is exact for quadratic elements [m^2].
+/// Returns int N_i r dr between two radii [m^2], the nodal forces per radian of a unit pressure. Simpson's
+/// rule is exact for quadratic elements.
 inline Eigen::VectorXd nodes_between(const ContactCompliance &compliance, double inner, double outer)
 {
   const Eigen::VectorXd &radii = compliance.radii;
@@ -52,7 +52,6 @@ inline Eigen::VectorXd nodes_between(const ContactCompliance &compliance, double
   return weights;
 }
 
-/// A body of revolution and its last contact solution.
 struct RevolutionCase
 {
   RevolutionCase(const GlassProfile &profile, const ContactCompliance &compliance, unsigned int n_lines = 256)

@@ -1,4 +1,3 @@
-// Foot of revolution: crests on hard tables, imperfections, warm starts.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "ring_model/load/constants.h"
@@ -10,7 +9,7 @@
 using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 
-/// Reference: Hertz's ellipse by quadrature, R_y / R_x = (k^2 E - K) / (K - E), b^3 = 3 P E(e) R' / (pi k
+/// Reference: ellipse of Hertz by quadrature, R_y / R_x = (k^2 E - K) / (K - E), b^3 = 3 P E(e) R' / (pi k
 /// E*).
 TEST(HardTable, CrestsAgreeWithTheWidthOfTheHertzEllipse)
 {
@@ -33,7 +32,7 @@ TEST(HardTable, CrestsAgreeWithTheWidthOfTheHertzEllipse)
   setup.imperfection.table = { { 5, 0.8 * 0.03 * 0.03 / along / 25, 0 } };
   const double compliance = (1 - 0.22 * 0.22) / 70e9;
   const double cube =
-    // Cube of the half-width of one of three crests, under a third of the weight.
+    // Each of three crests is under a third of the weight.
     weight * second * compliance / (pi * slenderness * (1 / across + 1 / along));
   EXPECT_NEAR(crest_half_width(setup, weight) / std::cbrt(cube), 1, 1e-6);
   const double even = hertz_half_width(setup, weight), crest = crest_half_width(setup, weight);
@@ -60,7 +59,6 @@ TEST(RevolutionFoot, WarmAndColdStartsAgree)
       EXPECT_NEAR(load.b(n), expected.b(n), 1e-9 * expected.a(0));
     }
   }
-  // If the start is the solution itself, one iteration suffices.
   EXPECT_EQ(warm.solve(load_at(1.6, 3.2), {}, { &*before }).solution.n_iterations, 1u);
   EXPECT_GT(MeshedRevolutionFoot(setup).solve(load_at(1.6, 3.2)).solution.n_iterations, 1u);
 }
@@ -101,20 +99,18 @@ TEST(Imperfection, RotatesWithGlassAndTable)
   const double angle = 2 * pi * 21 / 256;
   const ContactLoad still = glass.solve(load_at(0.4)).load;
   EXPECT_GT(std::abs(still.a(2) / still.a(0)), 1e-3);
-  // If glass and demand are rotated together, the load rotates with them.
   const ContactLoad turned = glass.solve(load_at(0.4, angle), { 0, { angle, 0 } }).load;
   EXPECT_NEAR(turned.a(2), still.a(2) * std::cos(2 * angle) - still.b(2) * std::sin(2 * angle),
               1e-8 * still.a(0));
   EXPECT_NEAR(turned.b(2), still.a(2) * std::sin(2 * angle) + still.b(2) * std::cos(2 * angle),
               1e-8 * still.a(0));
-  // The same waviness on the table has the same effect.
   const ContactLoad below = table.solve(load_at(0.4, angle), { 0, { 0, angle } }).load;
   EXPECT_NEAR(below.a(2), turned.a(2), 1e-8 * still.a(0));
 }
 
 TEST(RevolutionFoot, StatesStayValidAfterTheNextSolve)
 {
-  // The two states have different orientations of an imperfect rim.
+  // The rim is rotated between the two states.
   const std::shared_ptr<const InterfaceLaw> interfaces[] = { std::make_shared<WinklerInterface>(),
                                                              std::make_shared<HardInterface>() };
   for (const auto &interface : interfaces)

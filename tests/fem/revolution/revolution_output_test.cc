@@ -1,5 +1,3 @@
-// Fields of a foot of revolution. References: contact solution, balance of forces, and fields of the solid
-// body.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/foot_case.h"
@@ -26,7 +24,7 @@ VtuFile picture_of(MeshedRevolutionFoot &foot, const ContactState &state)
   const std::vector<FieldFile> files = foot.fields(state);
   EXPECT_EQ(files.size(), 1u);
   EXPECT_EQ(files.front().name, "contact.vtu");
-  // The file must be plain XML, because ParaView's parser fails on raw bytes.
+  // ParaView's parser fails on raw bytes.
   std::istringstream text(files.front().text);
   boost::property_tree::ptree tree;
   EXPECT_NO_THROW(boost::property_tree::read_xml(text, tree));
@@ -38,8 +36,8 @@ Eigen::Vector3d vector_at(const std::vector<double> &values, std::size_t point)
   return { values[3 * point], values[3 * point + 1], values[3 * point + 2] };
 }
 
-/// Returns the integrals of a scalar times 1, x and y over a horizontal plane. The plane consists of lower
-/// faces of quadratic cells.
+/// Returns the integrals of a scalar times 1, x and y over a horizontal plane of lower faces of quadratic
+/// cells.
 Eigen::Vector3d integral_over_plane(const VtuFile &file, double height,
                                     const std::function<double(std::size_t point)> &value)
 {
@@ -67,7 +65,6 @@ Eigen::Vector3d integral_over_plane(const VtuFile &file, double height,
       {
         const auto combined = [](const Eigen::Vector3d &one, const Eigen::Vector3d &other)
         {
-          // Indexed by [first, second coordinate], column-major.
           const Eigen::Matrix3d product = one * other.transpose();
           return Eigen::Map<const Eigen::Matrix<double, 9, 1>>(product.data()).eval();
         };
@@ -83,7 +80,6 @@ Eigen::Vector3d integral_over_plane(const VtuFile &file, double height,
 
 } // namespace
 
-/// Returns the sum of elastic displacement and rigid motion at @p point [m].
 Eigen::Vector3d moved(const VtuFile &file, std::size_t point)
 {
   return vector_at(file.array("displacement"), point) + vector_at(file.array("rigid_motion"), point);
@@ -127,7 +123,7 @@ TEST(RevolutionFields, DisplacementsAgreeWithTheContactSolution)
 
 TEST(RevolutionFields, StressesOnACutBalanceTheLoad)
 {
-  // The stresses on the cut z = 3 mm balance the contact forces N and the friction mu N along the motion.
+  // The stresses on the cut z = 3 mm balance the contact force N and the friction mu N along the motion.
   constexpr double friction = 0.3, height = 0.003;
   RevolutionSetup setup;
   setup.friction_coefficient = friction;
@@ -195,8 +191,7 @@ TEST(RevolutionFields, AgreeWithTheSolidBody)
   const VtuFile expected(
     solid.body->fields(solid.solution.motion, mat->nodal_pressure(solid.solution)).front().text);
 
-  // The files have common nodes, identified by position [um]. Stresses are compared at r = 30 mm, away from
-  // the corners of the land.
+  // Stresses are compared at r = 30 mm, away from the corners of the land.
   const auto place = [](const VtuFile &picture, std::size_t point)
   {
     const Eigen::Vector3d at = 1e6 * vector_at(picture.array("points"), point);

@@ -31,7 +31,6 @@ struct OvalFoot
     body = make_body(solver, triangulation, flat_land, options);
   }
 
-  /// Returns the Newton increment in full contact under a moment.
   NewtonIncrement press()
   {
     const ContactSurface &surface = body->contact_surface();
@@ -56,8 +55,8 @@ TEST(LinearSolver, AggregationAgreesWithTheFactorisation)
   expect_equal(multigrid.press(), direct.press());
 }
 
-/// Compares the numbers of iterations to a residual of 1e-11. With the smoother alone, the number would
-/// double when the cell size is halved.
+/// Iterations reduce the residual to 1e-11. A smoother without coarse grid would need twice as many
+/// iterations for half the cell size.
 TEST(LinearSolver, IterationsHardlyGrowWithRefinement)
 {
   OvalFoot coarse({ 48, 4, 4, 0 }, TestSolver::multigrid, 1);

@@ -1,5 +1,4 @@
-// Estimated mesh error of a quantity of interest of a solid foot. Reference: body of revolution, which has
-// other elements and does not use the estimate.
+// Reference: body of revolution, which has other elements.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
@@ -74,15 +73,14 @@ Estimated estimated(const SolidMesh &mesh, const GlassProfile &profile, unsigned
   setup.friction_coefficient = friction;
   SolidFoot foot(mesh, setup);
   const ContactState state = foot.solve(demand_of(1.2), { 10, {} });
-  // Another solve must not change the estimate of an earlier state.
+  // A later solve must not change the estimate of an earlier state.
   if (degree == 1)
     foot.solve(demand_of(0.5));
   const ContactGoal goal = second_harmonic();
   return { goal.of_load(state.load), foot.mesh_error(state, goal, true).value() };
 }
 
-/// Returns the quantity of interest of the body of revolution, on halved elements of degree 4. Its error is
-/// 1e-8.
+/// Uses halved elements of degree 4, with an error of 1e-8.
 double of_body_of_revolution(const GlassProfile &profile, double friction)
 {
   RevolutionSetup setup;
@@ -121,7 +119,6 @@ TEST(MeshEstimate, EqualsTheErrorOnGoalOrientedMeshesLong)
   }
 }
 
-/// Returns the ratio of the estimated to the true error on one mesh.
 double ratio_on(const FootResolution &resolution, unsigned int degree, double friction)
 {
   const GlassProfile profile = profile_of(GlassShape::foot);
@@ -130,7 +127,7 @@ double ratio_on(const FootResolution &resolution, unsigned int degree, double fr
   return found.error.correction / (truth - found.value);
 }
 
-// Short version of the long tests: one mesh, linear elements, friction.
+// Short version of the long tests.
 TEST(MeshEstimate, EqualsTheErrorOnACoarseMesh)
 {
   EXPECT_NEAR(ratio_on({ 12, 2, 1 }, 1, 0.3), 1, 0.1);
@@ -142,9 +139,8 @@ TEST(MeshEstimate, EqualsTheErrorWithFrictionAndLinearElementsLong)
     EXPECT_NEAR(ratio_on({ 48, 2, 1 }, degree, friction), 1, 0.2) << "degree " << degree;
 }
 
-// With the stiff spring of a hard table, a single Newton step would underestimate the error. Reference: body
-// of revolution with cubic elements graded towards the inner edge of the land and the corners, with an error
-// of 2e-6.
+// With the stiff spring of a hard table, a single Newton step would underestimate the error. Reference: cubic
+// elements graded towards the inner edge of the land and the corners, with an error of 2e-6.
 TEST(MeshEstimate, EqualsTheErrorUnderAHardFlatLandLong)
 {
   RevolutionSetup setup;
@@ -163,7 +159,7 @@ TEST(MeshEstimate, EqualsTheErrorUnderAHardFlatLandLong)
 }
 
 // If a hard contact is narrower than its cells, an estimate would be at most a tenth of the error
-// (docs/method/solid_measurements.md). On a mat, the same feet have an estimate.
+// (docs/method/solid_measurements.md).
 TEST(MeshEstimate, IsNotGivenForAHardContactNarrowerThanItsCells)
 {
   GlassProfile flat = flat_profile();
@@ -223,7 +219,6 @@ TEST(MeshEstimate, RefusesInvertedRefinedCells)
   EXPECT_THROW(map_with(8), std::runtime_error);
 }
 
-/// Returns the cells of a mesh file, distributed over the ranks of @p communicator.
 SolidMesh mesh_of_file(MPI_Comm communicator, const std::string &file)
 {
   const auto mesh = std::make_shared<dealii::parallel::distributed::Triangulation<3>>(communicator);
@@ -250,7 +245,6 @@ TEST(Ranks, MeshEstimateIsIndependentOfTheRanks)
   const double largest = *std::max_element(alone.error.cells.begin(), alone.error.cells.end());
   for (std::size_t i = 0; i < found.error.cells.size(); ++i)
     EXPECT_NEAR(found.error.cells[i], alone.error.cells[i], 1e-3 * largest) << "cell " << i;
-  // Both estimates give the same refined mesh.
   const std::vector<unsigned int> marked = found.error.mark(0.8);
   EXPECT_EQ(marked, alone.error.mark(0.8));
   SolidMesh mesh = mesh_of_file(MPI_COMM_WORLD, file.name);

@@ -1,5 +1,3 @@
-// Matrix-free geometric multigrid, compared with the assembled system. Number of iterations on refined
-// meshes.
 #include "fem/solid/mesh_hierarchy.h"
 #include "fem/solid/nested_contact.h"
 #include "fem/solid/stiffness_3d.h"
@@ -28,7 +26,6 @@ SolidOptions options_of(unsigned int degree, double tolerance = 0)
   return options;
 }
 
-/// Returns the contact solution of a nested iteration from coarser meshes.
 ContactSolution solve_nested(FootCase &foot, const InterfaceLaw &interface, const Resultants &load)
 {
   const std::optional<ContactStart> start =
@@ -38,7 +35,6 @@ ContactSolution solve_nested(FootCase &foot, const InterfaceLaw &interface, cons
   return solve_contact(*foot.body, *law, load, foot.radius, {}, start ? &*start : nullptr);
 }
 
-/// Returns the increment of one linear solve with the tangent of a converged contact solution.
 NewtonIncrement solve_linear(FootCase &foot, const InterfaceLaw &interface, const ContactSolution &contact,
                              const Resultants &load)
 {
@@ -118,7 +114,6 @@ void expect_the_increment_of_the_factorisation(const GlassProfile &profile, cons
   expect_equal(found, expected);
 }
 
-/// Expects that the linear iterations stay bounded on @p resolution, refined up to @p finest times.
 void expect_iterations_that_do_not_grow(const GlassProfile &profile, FootResolution resolution,
                                         unsigned int degree, unsigned int finest)
 {
@@ -142,8 +137,8 @@ void expect_iterations_that_do_not_grow(const GlassProfile &profile, FootResolut
 
 TEST(Multigrid, AgreesWithTheFactorisation)
 {
-  // Cases: a crowned foot with hanging nodes in the contact, and a flat foot with quadratic elements on the
-  // fine level and linear elements on the coarse levels.
+  // Cases: hanging nodes in the contact of a crowned foot; a flat foot with quadratic elements on the fine
+  // level and linear elements on the coarse levels.
   expect_the_increment_of_the_factorisation(GlassProfile(), { 12, 2, 1, 1, 1 }, 1);
   expect_the_increment_of_the_factorisation(flat_profile(), { 12, 2, 1 }, 2);
 }
@@ -155,7 +150,7 @@ TEST(Multigrid, IterationsDoNotGrowWithRefinement)
 
 TEST(Multigrid, IterationsDoNotGrowWithRefinementLong)
 {
-  // multigrid_benchmark measures more levels (docs/method/solid_measurements.md).
+  // More levels: multigrid_benchmark (docs/method/solid_measurements.md).
   for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
   {
     expect_iterations_that_do_not_grow(profile, { 48, 2, 2 }, 1, 2);
@@ -180,7 +175,7 @@ TEST(Multigrid, NestedIterationAgreesWithTheFactorisation)
 
 TEST(Multigrid, MomentBalanceAgreesWithTheFactorisation)
 {
-  // With a friction arm of half the radius and a tilt moment, the system is not symmetric.
+  // A friction arm of half the radius and a tilt moment make the system unsymmetric.
   FootCase direct(GlassProfile(), { 12, 2, 1, 1 }, options_of(2), TestSolver::factors);
   FootCase multigrid(GlassProfile(), { 12, 2, 1, 1 }, options_of(2));
   const auto conditions_on = [](const ContactSurface &surface)

@@ -1,4 +1,3 @@
-// Contact solved on several ranks, compared with the same contact solved on one rank.
 #include "fem/contact/foot.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/boundary_ids.h"
@@ -23,7 +22,6 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Foot on a mat under a moment with friction, distributed over the ranks of a communicator.
 struct PressedFoot
 {
   PressedFoot(MPI_Comm communicator, const FootResolution &resolution, unsigned int degree)
@@ -59,7 +57,7 @@ ContactLoad load_on(MPI_Comm communicator, const FootResolution &resolution, uns
   return extract_load(*foot.law, foot.solution, 12);
 }
 
-/// Returns the files of all ranks of @p communicator by name, on every rank. Expects that all names differ.
+/// Returns the files of all ranks of @p communicator on every rank. Expects that all names differ.
 std::map<std::string, std::string> files_of(const std::vector<FieldFile> &own, MPI_Comm communicator)
 {
   std::map<std::string, std::string> files;
@@ -76,7 +74,6 @@ std::map<std::string, std::string> files_of(const std::vector<FieldFile> &own, M
   return all;
 }
 
-/// Returns the sorted values of @p attribute in @p text.
 std::vector<std::string> quoted(const std::string &text, const std::string &attribute)
 {
   std::vector<std::string> values;
@@ -95,10 +92,10 @@ constexpr std::pair<const char *, std::size_t> shown_fields[] = { { "displacemen
                                                                   { "stress", 9 },
                                                                   { "contact_pressure", 1 } };
 
-/// Fields at the nodes of each cell. Key of the map: mean position of the cell's nodes, in units of 10 nm.
+/// Nodal fields of each cell. Key of the map: mean of the cell's nodes, in units of 10 nm.
 using ShownCells = std::map<std::array<long, 3>, std::map<std::string, std::vector<double>>>;
 
-/// Adds the cells of a VTU file to @p cells. Expects each cell to be new.
+/// Adds the cells of the VTU file @p text to @p cells. Expects that @p cells does not contain them.
 void add_cells(const std::string &text, ShownCells &cells)
 {
   const stemware::fem_tests::VtuFile file(text);
@@ -152,7 +149,6 @@ TEST(Ranks, ContactWithoutCoarserMeshesIsIndependentOfTheRanks)
   expect_the_same_on_all_ranks({ 24, 4, 2 }, 1);
 }
 
-// Reference: the whole surface on one rank.
 TEST(Ranks, EachRankOwnsTheContactSurfaceOfItsCells)
 {
   const auto surface_on = [](MPI_Comm communicator)
@@ -174,7 +170,6 @@ TEST(Ranks, EachRankOwnsTheContactSurfaceOfItsCells)
   const Eigen::VectorXd pressure = Eigen::VectorXd::Ones(part.n_nodes());
   EXPECT_EQ(part.n_nodes_across(pressure), whole.n_nodes_across(Eigen::VectorXd::Ones(whole.n_nodes())));
 
-  // Each rank holds ghost nodes of its own lines only.
   std::set<unsigned int> reached;
   for (const ContactLine &line : part.lines)
     reached.insert(line.nodes.begin(), line.nodes.end());
@@ -185,7 +180,7 @@ TEST(Ranks, EachRankOwnsTheContactSurfaceOfItsCells)
   EXPECT_EQ(most < static_cast<double>(whole.lines.size()), is_shared);
 }
 
-// Reference: the file written by one rank, read without deal.II.
+// Reference: file of a single rank, read without deal.II.
 TEST(Ranks, FieldFilesContainEveryCellOnce)
 {
   const auto picture_on = [](MPI_Comm communicator)

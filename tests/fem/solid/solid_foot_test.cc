@@ -1,4 +1,3 @@
-// Solid foot: states, linear solvers, mesh files, capabilities.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/mesh_io.h"
@@ -65,8 +64,8 @@ TEST(SolidFoot, StatesStayValidAfterTheNextSolve)
   }
 }
 
-/// Compares the condensed compliance of the contact nodes with multigrid on the whole body, with friction and
-/// tilt moment.
+/// Friction and tilt moment make the system unsymmetric. The condensed solver uses the compliance of the
+/// contact nodes, multigrid the whole body.
 TEST(SolidFoot, CondensedSolverAgreesWithMultigrid)
 {
   const std::shared_ptr<const InterfaceLaw> interfaces[] = { std::make_shared<WinklerInterface>(1e11),
@@ -165,7 +164,7 @@ TEST(SolidFoot, ReturnsTheFirstOfTwoBalances)
   demand.tilt_moment = weight * height;
   const double expected = -oracle.solve(demand).load.moment().y() / scale;
   ASSERT_LT(expected, 1.2);
-  // For a small foot on one rank, the automatic choice is the condensed solver.
+  // For a small foot on one rank, LinearSolver::automatic selects the condensed solver.
   for (const LinearSolver solver : { LinearSolver::automatic, LinearSolver::multigrid })
   {
     SolidSetup setup;
@@ -173,7 +172,7 @@ TEST(SolidFoot, ReturnsTheFirstOfTwoBalances)
     setup.options.linear_solver = solver;
     SolidFoot foot(generate_solid_mesh(setup.profile, { 24, 2, 1 }), setup);
     EXPECT_NEAR(-foot.solve(demand).load.moment().y() / scale, expected, 1e-4);
-    const ContactState start = foot.solve(under_moment(second)); // solution at the second balance
+    const ContactState start = foot.solve(under_moment(second));
     EXPECT_NEAR(-foot.solve(demand, {}, { &start }).load.moment().y() / scale, expected, 1e-4);
   }
 }

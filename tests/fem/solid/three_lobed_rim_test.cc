@@ -1,4 +1,4 @@
-// Wavy foot from a mesh file. Its load depends on the direction of the moment. Reference: body of revolution
+// The load of a wavy foot depends on the direction of the moment.
 // with the same gap.
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
@@ -19,7 +19,7 @@ TEST(SolidFoot, AgreesWithAWavyBodyOfRevolutionInEveryDirection)
 {
   const WavinessHarmonic lobes = { 3, 1e-6, 0.4 };
   const GlassProfile profile = flat_profile();
-  // The mat is so stiff that the penetration is less than the amplitude.
+  // The mat is so stiff that the penetration is less than the amplitude of the waves.
   const auto mat = std::make_shared<WinklerInterface>(1e10);
 
   dealii::Triangulation<3> drawn;
@@ -69,5 +69,5 @@ TEST(SolidFoot, AgreesWithAWavyBodyOfRevolutionInEveryDirection)
     least = std::min(least, expected.a(2) / a_0);
     largest = std::max(largest, expected.a(2) / a_0);
   }
-  EXPECT_GT(largest - least, 0.05); // the direction of the moment matters
+  EXPECT_GT(largest - least, 0.05);
 }
