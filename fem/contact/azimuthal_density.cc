@@ -12,15 +12,14 @@ namespace stemware::fem
 namespace
 {
 
-/// Maximum azimuth difference between lines of the same cut [rad]. Far above rounding.
+/// maximum azimuth difference between lines of the same cut [rad], far above rounding
 constexpr double azimuth_tolerance = 1e-7;
 
-/// Combines the values of lines at the same azimuth into one value per cut.
 std::vector<CutValue> combined(std::vector<CutValue> places, double (*combine)(double, double))
 {
   const auto comes_before = [](const CutValue &one, const CutValue &other)
   { return one.azimuth < other.azimuth; };
-  // The lines of a body of revolution are already sorted.
+  // lines of a body of revolution are already sorted
   if (!std::is_sorted(places.begin(), places.end(), comes_before))
     std::stable_sort(places.begin(), places.end(), comes_before);
   std::vector<CutValue> cuts;
@@ -88,12 +87,12 @@ std::vector<AzimuthLoad> density_of_nodes(const ContactSurface &surface, const E
   std::vector<double> azimuths;
   for (unsigned int i = 0; i < n_nodes; ++i)
     azimuths.push_back(std::atan2(surface.node_position(i, 1), surface.node_position(i, 0)));
-  // The sectors start a quarter sector before the first node, so that no corner or mid-side node lies on a
-  // border between sectors.
+  // The first sector begins a quarter sector before the first node, so that no corner or mid-side node lies
+  // on a border between sectors.
   const double first = surface.parts.min(n_nodes > 0 ? *std::min_element(azimuths.begin(), azimuths.end())
                                                      : std::numeric_limits<double>::max());
   const double begin = first - two_pi / (4 * n_sectors);
-  // Three entries per sector: density, sum of the azimuths relative to `begin`, number of nodes.
+  // Per sector: density, sum of the azimuths relative to `begin`, number of nodes.
   std::vector<double> sums(3 * n_sectors, 0);
   for (unsigned int i = 0; i < n_nodes; ++i)
   {

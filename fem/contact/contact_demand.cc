@@ -13,8 +13,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Returns, for each ring, the value of @p function under a unit force on that ring at the azimuth with @p
-/// cosine and @p sine.
+/// Returns the value of @p function for a unit force on each ring at the azimuth with @p cosine and @p sine.
 Eigen::VectorXd ring_values(const ring::LoadFunctional &function, double cosine, double sine)
 {
   Eigen::ArrayXd sum = function.a.row(0).transpose() / 2;
@@ -50,7 +49,6 @@ Eigen::VectorXd node_values(const ContactSurface &surface, const std::vector<dou
 {
   const RingWeights shares(ring_radii);
   Eigen::VectorXd result(surface.n_nodes());
-  // Consecutive nodes at the same azimuth share one evaluation.
   double cosine = 1, sine = 0;
   Eigen::VectorXd of_rings = ring_values(function, cosine, sine);
   for (unsigned int i = 0; i < surface.n_nodes(); ++i)

@@ -22,10 +22,10 @@ namespace
 
 constexpr double two_pi = 2 * ring::pi;
 
-/// Pressures below this fraction of the maximum count as rounding errors.
+/// Pressures below this fraction of the maximum pressure are rounding errors.
 constexpr double rounding_share = 1e-11;
 
-/// Returns the maximum on [-1, 1] of the quadratic through @p samples.
+/// Returns the maximum on [-1, 1] of the quadratic through @p samples at -1, 0 and 1.
 double peak_of(const Eigen::Vector3d &samples)
 {
   const Eigen::Vector3d coefficients = quadratic_through(samples);
@@ -35,15 +35,14 @@ double peak_of(const Eigen::Vector3d &samples)
   return peak;
 }
 
-/// Total and unloaded area of lines [m^2].
 struct LineAreas
 {
   double total = 0, unloaded = 0;
 };
 
-/// Returns the area of @p line and its unloaded part. A point is unloaded if the quadratic through @p excess
-/// is not positive there. A gap between two loaded ends counts as loaded: it is shorter than a cell and not
-/// resolved, e.g. next to the singular edge of a hard land.
+/// Returns the area of @p line and the part of the area in which the quadratic through @p excess is not
+/// positive. If both ends are loaded, the whole line counts as loaded: a gap between them is shorter than a
+/// cell, e.g. next to the singular edge of a hard land.
 LineAreas areas_of(const ContactLine &line, const Eigen::Vector3d &excess)
 {
   const AreaElement element(line);
@@ -59,7 +58,6 @@ LineAreas areas_of(const ContactLine &line, const Eigen::Vector3d &excess)
   return areas;
 }
 
-/// Calls visit(begin, end, length [rad]) for each pair of neighbouring cuts.
 template <typename Visitor>
 void for_each_interval(const std::vector<CutValue> &cuts, const Visitor &visit)
 {
@@ -70,8 +68,7 @@ void for_each_interval(const std::vector<CutValue> &cuts, const Visitor &visit)
   }
 }
 
-/// Returns the fraction of the azimuths at which the value is positive, interpolated linearly between the
-/// cuts; 1 if the value is positive on all cuts.
+/// Returns the fraction of the circumference on which the value, linear between the cuts, is positive.
 double positive_share(const std::vector<CutValue> &cuts)
 {
   double unloaded = 0;
@@ -122,8 +119,8 @@ double largest_between(const std::vector<CutValue> &cuts)
 namespace
 {
 
-/// Returns the fraction of the sectors under pressure. @p is_loaded has one entry per sector from theta = 0
-/// and covers this part of the surface.
+/// Returns the fraction of the sectors under pressure. @p is_loaded has one entry per sector and covers only
+/// this rank's part of the surface.
 double share_of_sectors(const SurfaceParts &parts, std::vector<double> is_loaded)
 {
   parts.sum_in_place(is_loaded);
@@ -144,8 +141,8 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
   deepest = surface.parts.max(deepest);
   ContactExtent extent;
   extent.peak_pressure = pressure(deepest);
-  // Penetration at the edge of the contact. The law is not hard, because only laws that are integrated along
-  // lines get here.
+  // Penetration at the edge of the contact. Only laws that are integrated along lines are evaluated here, and
+  // these laws are not hard.
   const double edge = law.penetration_at(rounding_share * extent.peak_pressure);
 
   std::vector<CutValue> cuts;
@@ -177,7 +174,7 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
     extent.area_share = azimuth_share;
     return extent;
   }
-  Eigen::Vector2d areas = Eigen::Vector2d::Zero(); // total area, unloaded area
+  Eigen::Vector2d areas = Eigen::Vector2d::Zero(); // total area, unloaded area [m^2]
   for (std::size_t i = 0; i < depths.size(); ++i)
   {
     const LineAreas of_line = areas_of(surface.lines[i], depths[i].array() - edge);

@@ -18,15 +18,15 @@ namespace
 
 using ring::pi;
 
-/// Fourier sums of point forces on rings, and the moments of the forces. For speed, consecutive points on the
-/// same azimuth line are summed first, and a recurrence gives cos n theta and sin n theta.
+/// Fourier sums and moments of point forces on rings. Consecutive points on the same azimuth line are summed
+/// first, because each line needs one evaluation of cos n theta and sin n theta only.
 class AzimuthSums
 {
 public:
   /// Sums of f, f y, -f x, f r, f r^2 over the point forces f.
   using Moments = Eigen::Matrix<double, 5, 1>;
 
-  /// @p radii is empty for a single ring.
+  /// An empty list of @p radii means a single ring.
   AzimuthSums(const std::vector<double> &radii, unsigned int n_harmonics)
       : shares(radii.empty() ? std::vector<double>{ 1 } : radii)
       , a(std::max<std::size_t>(radii.size(), 1), std::vector<double>(n_harmonics + 1, 0))
@@ -65,7 +65,6 @@ public:
 
   const Moments &moments() const { return sums; }
 
-  /// Returns the sums as rings of the given @p radii.
   std::vector<ring::RingStack::Ring> rings(const std::vector<double> &radii) const
   {
     std::vector<ring::RingStack::Ring> rings;
@@ -97,11 +96,11 @@ private:
   }
 
   const RingWeights shares;
-  Eigen::Vector3d on_line = Eigen::Vector3d::Zero(); ///< sum f, f r, f r^2 on the current line
+  Eigen::Vector3d on_line = Eigen::Vector3d::Zero(); ///< sums of f, f r, f r^2 on the current line
   Moments sums = Moments::Zero();
   std::vector<std::vector<double>> a;
   std::vector<std::vector<double>> b;
-  Eigen::VectorXd of_rings; ///< forces of the current line, one per ring
+  Eigen::VectorXd of_rings; ///< force of the current line on each ring
   double cosine = 1;
   double sine = 0;
 };
@@ -166,7 +165,7 @@ RingWeights::RingWeights(std::vector<double> radii_given)
 const Eigen::VectorXd &RingWeights::at(double radius) const
 {
   shares = factors;
-  double inside = 1, outside = 1; // products of the distances to the rings on the inner and outer side
+  double inside = 1, outside = 1; // products of the distances to the rings on the inner and the outer side
   for (std::size_t j = 0, k = radii.size() - 1; j < radii.size(); ++j, --k)
   {
     shares(static_cast<Eigen::Index>(j)) *= inside;
@@ -174,8 +173,8 @@ const Eigen::VectorXd &RingWeights::at(double radius) const
     shares(static_cast<Eigen::Index>(k)) *= outside;
     outside *= (radius - radii[k]) * per_unit;
   }
-  // Above this bound the Lagrange polynomials amplify rounding. Linear weights still give the exact force and
-  // moment.
+  // Far outside the rings the Lagrange polynomials amplify rounding errors, while linear weights still give
+  // the exact force and moment.
   constexpr double max_extrapolation = 1e6;
   const bool is_between = radius >= radii.front() && radius <= radii.back();
   if (!is_between && radii.size() > 2 && shares.lpNorm<1>() > max_extrapolation)
@@ -214,7 +213,7 @@ ContactLoad harmonics_of(const std::vector<PointForce> &forces, unsigned int n_h
   const double moment = std::hypot(moments(1), moments(2));
   const double even = n_harmonics > 0 ? rings.front().a[1] : 0,
                odd = n_harmonics > 0 ? rings.front().b[1] : 0;
-  // At rounding level, neither the direction of the moment nor its ratio to the first harmonic is defined.
+  // A moment at rounding level has no defined direction, nor a defined ratio to the first harmonic.
   if (radii.empty() && moment > 1e-10 * moments(0) * mean_radius && (even != 0 || odd != 0))
   {
     rings.front().radius = moment / (pi * std::hypot(even, odd));
@@ -259,8 +258,8 @@ double least_load(const std::vector<AzimuthLoad> &pointwise)
 
 unsigned int n_line_parts(std::size_t n_rings)
 {
-  // Four Gauss points are exact up to degree 7. For 25 rings there are nine parts. On a line twice as long as
-  // the contact is wide, they resolve the radial moment of order 12 to 1e-4 and of order 24 to 1 %.
+  // Four Gauss points are exact up to degree 7. With nine parts for 25 rings, the radial moments of a line
+  // twice as long as the contact is wide are accurate to 1e-4 (order 12) and 1 % (order 24).
   constexpr std::size_t max_rings_of_four_points = 8;
   return n_rings <= max_rings_of_four_points ? 1 : static_cast<unsigned int>(n_rings / 3 + 1);
 }

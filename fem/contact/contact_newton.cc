@@ -19,13 +19,13 @@ namespace stemware::fem
 namespace
 {
 
-/// Minimum number of adjacent loaded nodes across the rim that resolves the pressure.
+/// Minimum number of loaded nodes side by side across the rim for a resolved pressure.
 constexpr unsigned int min_nodes_across = 4;
 
-/// Returns the distance [m] from the axis to the convex hull of the nodes in @p direction (unit vector). The
-/// distance is the minimum of the distances to the tangents of the hull. With a moment balance, the weights
-/// of the moment conditions replace (x, y). The hull of a ring (@p is_ring) is nearly a circle, so its extent
-/// in @p direction suffices.
+/// Returns the distance [m] from the axis to the convex hull of the nodes in @p direction (unit vector): the
+/// minimum of the distances to the tangents of the hull. With a moment balance, the weights of the moment
+/// conditions replace (x, y). The hull of a ring is nearly a circle, so its extent in @p direction is the
+/// distance.
 double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2d &direction, bool is_ring)
 {
   if (is_ring)
@@ -39,8 +39,8 @@ double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2
   return boost::math::tools::brent_find_minima(to_tangent, -limit, limit, bits).second;
 }
 
-/// Throws TippingDemand if the required centre of pressure lies outside the convex hull of the contact nodes:
-/// compressive forces cannot have this resultant.
+/// Throws TippingDemand if the required centre of pressure lies outside the convex hull of the contact nodes,
+/// because compressive forces cannot have this resultant.
 void require_possible(const LinearConditions &conditions, double radius, bool is_ring)
 {
   const Eigen::Vector2d centre = conditions.target().tail<2>() / conditions.normal_force();
@@ -56,7 +56,6 @@ void require_possible(const LinearConditions &conditions, double radius, bool is
                                limit / radius, " N R."));
 }
 
-/// Damped Newton iteration for one body and one table.
 class ContactNewton
 {
 public:
@@ -91,8 +90,8 @@ public:
       n_idle = present_residual > 0.5 * least_residual ? n_idle + 1 : 0;
       least_residual = std::min(least_residual, present_residual);
       const bool balanced = is_balanced() || stagnates(present_residual, residual_before, n_idle);
-      // If the active set still changes between two balanced iterates, only nodes with zero force (within the
-      // tolerance) change.
+      // If two consecutive iterates are balanced, the active set changes only at nodes with zero force
+      // (within the tolerance).
       if (balanced && n_steps > 0 && (n_changed == 0 || balanced_before || !control.requires_unchanged_set))
         return;
       if (control.requires_unchanged_set)
@@ -105,8 +104,8 @@ public:
     }
   }
 
-  /// Augmented Lagrangian: alternates Newton convergence and multiplier updates until the violation is within
-  /// the tolerance.
+  /// Augmented Lagrangian method: solves and updates the multipliers in turn until the violation of contact
+  /// is within the tolerance.
   void converge_outer_iteration()
   {
     for (;;)
@@ -116,8 +115,8 @@ public:
       if (violation == 0)
         return;
       evaluate();
-      // The violation is relative to the larger of the displacements of body and table, not to their sum: on
-      // a flat land the sum tends to zero together with the violation.
+      // The violation is relative to the larger displacement of body and table, because on a flat land their
+      // sum tends to zero together with the violation.
       const double moved = parts.max(std::max(body.contact_displacement().lpNorm<Eigen::Infinity>(),
                                               (modes * motion).lpNorm<Eigen::Infinity>()));
       if (violation <= control.tolerance * moved)
@@ -177,10 +176,9 @@ private:
     return resultant_residual() <= control.tolerance && equilibrium <= control.equilibrium_tolerance;
   }
 
-  /// Returns true at the rounding floor: the residual passes the final check and no longer decreases. That
-  /// is, a full step has changed neither the active set nor the residual, or the last @p n_idle steps (at
-  /// least `patience`) have not reduced the residual. With the stiff penalty of a rigid table the floor may
-  /// lie above the tolerance, and nodes without force may still enter and leave the active set.
+  /// Returns true if rounding prevents a further decrease of a residual that passes the final check: a full
+  /// step changes neither active set nor residual, or the last @p n_idle steps (at least `patience`) do not
+  /// reduce the residual. For the stiff penalty of a rigid table, this floor may lie above the tolerance.
   bool stagnates(double present_residual, double residual_before, unsigned int n_idle) const
   {
     constexpr unsigned int patience = 10;
@@ -190,8 +188,8 @@ private:
            equilibrium <= control.equilibrium_tolerance;
   }
 
-  /// Throws if a full Newton step leads back to a previous active set without reducing the residual. Damped
-  /// steps reduce the energy and may therefore return to a previous set.
+  /// Throws if a full Newton step returns to a previous active set without a smaller residual (a cycle). A
+  /// damped step reduces the energy, so it may return to a previous set.
   void require_new_set(VisitedSets &visited, double present_residual) const
   {
     if (visited.makes_progress(contact.active_set, present_residual) || last_step_length != 1)
@@ -235,10 +233,10 @@ private:
                                     " (allowed ", control.equilibrium_tolerance,
                                     "; refine the land or reduce the load's moment)."));
     }
-    if (n_steps == 0 || n_changed > 0) // the support must be checked for every new active set
+    if (n_steps == 0 || n_changed > 0) // each active set needs its own check
       require_support();
-    // Mismatch between an inconsistent initial guess and the displacements of body and table. The first step
-    // removes the mismatch.
+    // The initial guess may be inconsistent with the displacements of body and table; the first step removes
+    // this mismatch.
     Eigen::VectorXd mismatch = Eigen::VectorXd::Zero(normal_displacement.size());
     if (n_steps == 0)
       mismatch = normal_displacement - body.contact_displacement() - modes * motion;
@@ -252,14 +250,14 @@ private:
     report(increment, step_length, other_contact.active_set);
   }
 
-  /// Takes the step that minimises the energy along the increment. Returns the step length. Afterwards,
-  /// `contact` stores the new contact forces, and `other_contact` stores the previous contact forces.
+  /// Takes the step that minimises the energy along the increment and returns its length. Afterwards
+  /// `contact` has the new contact forces, `other_contact` the previous ones.
   double step_to_least_energy(const NewtonIncrement &increment, const Eigen::VectorXd &direction)
   {
     law.evaluate(normal_displacement + direction, other_contact);
     const double step_length = line_search(increment, direction, other_contact.forces);
     body.update(step_length);
-    // A full step has already been evaluated for the line search.
+    // The line search has already evaluated a full step.
     if (step_length != 1)
       law.evaluate(normal_displacement + step_length * direction, other_contact);
     contact.swap(other_contact);
@@ -268,8 +266,8 @@ private:
     return step_length;
   }
 
-  /// Takes the longest of the steps 1, 1/2, 1/4 ... @p shortest that reduces the residual, or @p shortest if
-  /// none does. Returns the step length. Sets `contact` and `other_contact` like step_to_least_energy().
+  /// Takes the longest of the steps 1, 1/2, 1/4, ..., @p shortest that reduces the residual, or @p shortest
+  /// if none does. Returns its length. Sets `contact` and `other_contact` like step_to_least_energy().
   double step_to_less_residual(const NewtonIncrement &increment, const Eigen::VectorXd &direction,
                                double shortest)
   {
@@ -303,9 +301,9 @@ private:
     return body.solve(contact.tangent, contact.forces + contact.tangent * mismatch, conditions, motion);
   }
 
-  /// Returns the step length of line_search_step(). Lengths above 1 are allowed for laws that are integrated
-  /// along lines, because their active set is not part of the stopping rule. They are not allowed for a rigid
-  /// foot: its energy has no curvature, so a longer step would end contact.
+  /// Returns the step length that line_search_step() finds. A length above 1 is allowed only if the active
+  /// set is not part of the stopping rule (laws integrated along lines), and never for a rigid foot, whose
+  /// energy has no curvature, so that a longer step would end the contact.
   double line_search(const NewtonIncrement &increment, const Eigen::VectorXd &direction,
                      const Eigen::VectorXd &forces_at_end) const
   {
@@ -347,7 +345,7 @@ private:
     last_step_length = step_length;
     stability_margin = increment.stability_margin;
     n_linear_iterations += increment.linear_iterations;
-    const unsigned int n_loaded_now = n_loaded(); // collective: every rank must call n_loaded()
+    const unsigned int n_loaded_now = n_loaded(); // n_loaded() is collective: every rank must call it
     if (!control.progress)
       return;
     ContactIteration iteration;
@@ -371,14 +369,14 @@ private:
   Eigen::Vector3d motion;
   Eigen::VectorXd normal_displacement;
   ContactForces contact;
-  ContactForces other_contact; ///< contact forces of the trial step during a step, else of the previous step
+  ContactForces other_contact; ///< forces at the trial step during a step, otherwise at the previous step
   Eigen::Vector3d condition_residual; ///< residual of the conditions on the contact forces
   double equilibrium = 0;             ///< relative residual of the body
   unsigned int n_steps;
   unsigned int n_linear_iterations;
   unsigned int n_changed = 0;
   double last_step_length = 1;
-  double stability_margin = 1; ///< stability margin of the last increment
+  double stability_margin = 1;
 };
 
 void require_balance(const ContactSolution &solution, const ContactControl &control)
@@ -424,7 +422,7 @@ ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const LinearCond
   else
   {
     body.reset();
-    // Starts from a penetration at which the whole contact zone is loaded.
+    // At this penetration the whole contact zone is loaded.
     const ContactSurface &surface = body.contact_surface();
     const double greatest_gap = surface.parts.max_entry(surface.node_gap);
     const double rise = greatest_gap + surface.parts.max_entry(-surface.node_gap);

@@ -25,14 +25,13 @@ double pressure_at(const std::vector<PressurePoint> &cut, double radius)
   return (1 - share) * below->pressure + share * above->pressure;
 }
 
-/// Returns @p n points of the cut across the width of the contact; NaN pressures if the cut is unloaded.
+/// Returns @p n points across the width of the contact; their pressures are NaN if the cut is unloaded.
 std::vector<PressurePoint> across_contact(const std::vector<PressurePoint> &cut, bool has_edge, std::size_t n)
 {
   const double nothing = std::numeric_limits<double>::quiet_NaN(), azimuth = cut.front().azimuth;
   const std::optional<ContactWidth> width = contact_width(cut, has_edge);
   if (!width)
     return std::vector<PressurePoint>(n, { cut.front().radius, azimuth, nothing });
-  // Loaded points of the cut, and the edges of the contact if they lie outside these points.
   std::vector<PressurePoint> loaded;
   std::copy_if(cut.begin(), cut.end(), std::back_inserter(loaded),
                [&](const PressurePoint &point) { return point.pressure > 0 || !has_edge; });

@@ -68,7 +68,7 @@ public:
   double augmented_lagrangian_update(const Eigen::VectorXd &normal_displacement) override
   {
     const Eigen::VectorXd updated = forces(normal_displacement);
-    // |f - multiplier| / stiffness is the penetration of a loaded node. For an unloaded node, it is the
+    // |f - multiplier| / stiffness is the penetration of a loaded node. For an unloaded node it is the
     // remaining tension of the multiplier, expressed as a length.
     const Eigen::Index n = surface.n_owned_nodes();
     const double violation =
@@ -78,8 +78,7 @@ public:
   }
 
 private:
-  /// Returns the nodal areas, with 0 for ghost nodes, because the part of the surface that owns a node counts
-  /// its area.
+  /// Returns the nodal areas, with 0 at ghost nodes, because another part of the surface counts their areas.
   static Eigen::VectorXd own_areas(const ContactSurface &surface)
   {
     Eigen::VectorXd areas = surface.node_area;

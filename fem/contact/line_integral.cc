@@ -9,7 +9,7 @@ namespace stemware::fem
 
 namespace
 {
-/// Finds the roots of c0 + c1 x + c2 x^2 inside (-1, 1), in ascending order, without cancellation. Returns
+/// Finds the roots of c0 + c1 x + c2 x^2 inside (-1, 1), in ascending order and without cancellation. Returns
 /// their number.
 unsigned int interior_roots(double c0, double c1, double c2, std::array<double, 2> &roots)
 {
@@ -28,7 +28,7 @@ unsigned int interior_roots(double c0, double c1, double c2, std::array<double, 
 }
 } // namespace
 
-// Defined in this file so that Boost's slow header is compiled only once.
+// Defined here so that Boost's slow header is compiled only once.
 template <unsigned int n_points>
 const std::vector<double>
   GaussRule<n_points>::abscissas = boost::math::quadrature::gauss<double, n_points>::abscissa();
@@ -42,8 +42,8 @@ template struct GaussRule<6>;
 
 PositiveSegments::PositiveSegments(const Eigen::Vector3d &samples)
 {
-  // The maximum of a quadratic is at most the maximum of its control points. This quick test rejects most
-  // lines, because most lines are far from contact.
+  // A quadratic is at most the maximum of its (Bernstein) control points. This quick test rejects most lines,
+  // because most lines are far from contact.
   const double control = 2 * samples(1) - (samples(0) + samples(2)) / 2;
   if (samples(0) <= 0 && samples(2) <= 0 && control <= 0)
     return;

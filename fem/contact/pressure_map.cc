@@ -14,12 +14,11 @@ namespace stemware::fem
 namespace
 {
 
-/// Pressures below this fraction of the maximum are not shown.
+/// fraction of the maximum pressure below which pressures are not shown
 constexpr double min_share = 1e-3;
 
 constexpr unsigned int n_points_across = 33;
 
-/// Returns @p azimuth mapped to [0, 2 pi).
 double wrapped(double azimuth)
 {
   const double turns = azimuth / (2 * ring::pi);
@@ -33,11 +32,10 @@ void sort_by_azimuth(PressureMap &pressure_map)
                    { return one.front().azimuth < other.front().azimuth; });
 }
 
-/// Contact line with its pressure.
 class LoadedLine
 {
 public:
-  /// Data of a line exchanged between ranks: azimuth, positions and penetrations at the samples.
+  /// Data of a line that ranks exchange: azimuth, positions and penetrations at the samples.
   using Packed = Eigen::Matrix<double, 10, 1>;
 
   static Packed pack(const ContactLine &line, const Eigen::VectorXd &normal_displacement)
@@ -74,7 +72,7 @@ private:
   const std::function<double(double)> &pressure;
 };
 
-/// Returns the smallest and largest radius with a pressure above min_share of the maximum.
+/// Returns the smallest and the largest radius with a pressure above min_share of the maximum.
 ContactWidth loaded_range(const std::vector<LoadedLine> &lines)
 {
   constexpr unsigned int n_samples = 16;
@@ -98,7 +96,6 @@ ContactWidth loaded_range(const std::vector<LoadedLine> &lines)
   return { std::max(zone.inner, range.inner - margin), std::min(zone.outer, range.outer + margin) };
 }
 
-/// Returns the cut at @p azimuth through its @p lines.
 std::vector<PressurePoint> cut_through(const std::vector<const LoadedLine *> &lines, double azimuth,
                                        const ContactWidth &range)
 {
@@ -118,13 +115,13 @@ std::vector<PressurePoint> cut_through(const std::vector<const LoadedLine *> &li
   return cut;
 }
 
-/// Returns the indices of @p azimuths in groups of equal azimuth up to rounding, in ascending order.
+/// Groups the indices of @p azimuths by azimuth, up to rounding, in ascending order.
 std::vector<std::vector<std::size_t>> groups_of_azimuths(const std::vector<double> &azimuths)
 {
   constexpr double tolerance = 1e-7;
   std::vector<std::size_t> order(azimuths.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  // The shift maps azimuths just below 2 pi (within rounding) to 0.
+  // The shift maps an azimuth just below 2 pi (by rounding) to 0.
   const auto key = [&](std::size_t i) { return wrapped(azimuths[i] + tolerance / 2); };
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
   std::vector<std::vector<std::size_t>> groups;
@@ -138,10 +135,10 @@ std::vector<std::vector<std::size_t>> groups_of_azimuths(const std::vector<doubl
 }
 
 /// Returns the distance from the last loaded point to the edge of contact, divided by the spacing of the
-/// points. Assumes a pressure with a vertical tangent at the edge (Hertzian line contact). @p last, @p before
-/// and @p second are the pressures at the last three loaded points, from the edge inwards. The squares of the
-/// pressures are nearly linear near the edge and are extrapolated by a quadratic. Returns std::nullopt if the
-/// pressure is closer to linear than its square.
+/// points. @p last, @p before and @p second are the pressures at the last three loaded points, from the edge
+/// inwards. If the pressure has a vertical tangent at the edge (Hertzian line contact), its square is nearly
+/// linear there and is extrapolated by a quadratic. Returns std::nullopt if the pressure is closer to linear
+/// than its square.
 std::optional<double> reach_of_upright_edge(double last, double before, double second)
 {
   const auto bend = [](double q0, double q1, double q2) { return std::abs((q2 - 2 * q1 + q0) / (q1 - q0)); };
@@ -155,9 +152,9 @@ std::optional<double> reach_of_upright_edge(double last, double before, double s
   return 2 * q0 / (linear + std::sqrt(discriminant));
 }
 
-/// Returns the point beyond the loaded point @p i of a cut at which the pressure vanishes, at most the next
-/// point. Uses reach_of_upright_edge() if three equally spaced points are loaded, linear extrapolation if two
-/// are loaded, and half the spacing if only one is loaded.
+/// Returns the radius beyond the loaded point @p i of a cut at which the pressure vanishes: by
+/// reach_of_upright_edge() from three equally spaced loaded points, by linear extrapolation from two, and
+/// half a spacing beyond a single one.
 double edge_beyond(const std::vector<PressurePoint> &cut, std::size_t i, bool outwards)
 {
   if (i == (outwards ? cut.size() - 1 : 0))
@@ -180,8 +177,8 @@ double edge_beyond(const std::vector<PressurePoint> &cut, std::size_t i, bool ou
   return cut[i].radius + (std::abs(reach) < std::abs(to_next) ? reach : to_next);
 }
 
-/// Returns the radius that divides the load of @p cut: the fraction @p share acts inside this radius. The
-/// pressure is linear between the points.
+/// Returns the radius inside which the fraction @p share of the load of @p cut acts. The pressure is linear
+/// between the points.
 double radius_of_share(const std::vector<PressurePoint> &cut, double share)
 {
   const auto density = [&](std::size_t i) { return cut[i].pressure * cut[i].radius; };
@@ -292,7 +289,7 @@ PressureMap pressure_map_of_nodes(const ContactSurface &surface, const Eigen::Ve
     if (node.pressure >= min_share * largest)
       range = { std::min(range.inner, node.radius), std::max(range.outer, node.radius) };
   }
-  // The margin keeps a contact on a single circle visible.
+  // The margin makes a contact on a single circle visible.
   const double margin = std::max(0.25 * (range.outer - range.inner), 1e-4 * range.outer);
   PressureMap pressure_map;
   pressure_map.is_grid = !nodes.empty();

@@ -33,7 +33,6 @@ std::vector<PressureMoments> moments_of_cuts(const ContactSurface &surface,
                                              const std::vector<Eigen::Vector3d> &depths,
                                              const std::function<double(double)> &pressure)
 {
-  // Calls visit(radius, p dr) at the quadrature points of a line.
   const auto integrate = [&](std::size_t l, const auto &visit)
   {
     const ContactLine &line = surface.lines[l];
@@ -53,7 +52,7 @@ std::vector<PressureMoments> moments_of_cuts(const ContactSurface &surface,
   sums = surface.parts.sum(sums);
   if (!(sums(0) > 0))
     return {};
-  const double origin = sums(1) / sums(0); // origin inside the contact, to limit cancellation
+  const double origin = sums(1) / sums(0); // an origin inside the contact limits cancellation
 
   constexpr int n_moments = 5;
   using Moments = Eigen::Matrix<double, n_moments, 1>; // int p (r - origin)^k dr
@@ -111,12 +110,11 @@ std::vector<PressureProfile> profiles_of_cuts(const ContactSurface &surface,
       kurtosis += cut.force * cut.kurtosis;
     }
   kurtosis /= force;
-  // Kurtosis of the profiles (1 - x^2)^a: 1.8 for a = 0, 2.3 for a = 1.8. Other pressures are not
+  // The profiles (1 - x^2)^a have the kurtosis 1.8 for a = 0 and 2.3 for a = 1.8. Other pressures are not
   // approximated.
   if (!(kurtosis > 1.8 && kurtosis < 2.3))
     return {};
-  // Lower bound of the exponent: 1/2, as on a half-space (Hertz). A layer never makes the pressure more
-  // uniform.
+  // On a half-space the exponent is 1/2 (Hertz), and a layer never makes the pressure more uniform.
   const double exponent = std::max(0.5, PressureProfile::exponent_of(kurtosis));
   std::vector<PressureProfile> profiles;
   for (const PressureMoments &cut : cuts)
@@ -145,7 +143,7 @@ PressureMap pressure_map_of(const std::vector<PressureProfile> &profiles)
       cut.push_back({ radius, profile.azimuth, profile.peak > 0 ? profile.at(radius) : 0 });
     }
   }
-  return map.rotated(0); // maps the azimuths to [0, 2 pi)
+  return map.rotated(0); // rotated(0) maps the azimuths to [0, 2 pi)
 }
 
 } // namespace stemware::fem

@@ -16,7 +16,7 @@ Eigen::Matrix3d motion_stiffness(const Eigen::SparseMatrix<double> &tangent, con
   {
     Eigen::RowVector3d resisted = Eigen::RowVector3d::Zero();
     bool loaded = false;
-    // Most entries of the sparsity pattern are zero, because they belong to unloaded nodes.
+    // Most entries of the sparsity pattern are zero, because their nodes are unloaded.
     for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, column); entry; ++entry)
       if (entry.value() != 0)
       {

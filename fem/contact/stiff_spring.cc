@@ -40,8 +40,7 @@ public:
   }
 
 private:
-  /// Returns the pressure profiles of the cuts; an empty list unless the land is crowned and its lines are
-  /// radial.
+  /// Returns the pressure profiles of the cuts; empty unless the land is crowned and its lines are radial.
   std::vector<PressureProfile> profiles_of(const ContactSolution &solution) const
   {
     if (!land.is_crowned || !land.lines_are_radial)

@@ -7,7 +7,7 @@ namespace stemware::fem
 
 bool VisitedSets::makes_progress(const ActiveSet &set, double residual)
 {
-  // Two active sets are equal if they agree on every part (MPI rank) of the surface.
+  // Two active sets are equal only if they agree on every part (MPI rank) of the surface.
   std::vector<double> differs;
   for (const Visit &visit : visits)
     differs.push_back(visit.set != set ? 1 : 0);

@@ -16,7 +16,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Serialises BLAS calls: some BLAS libraries are not thread-safe.
+/// Serialises BLAS calls, because some BLAS libraries are not thread-safe.
 std::mutex entering_blas;
 
 } // namespace
@@ -30,7 +30,7 @@ LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
   for (unsigned int column = 0; column < matrix.m(); ++column)
   {
     lower.startVec(column);
-    // deal.II stores the diagonal entry first, then the others in ascending order.
+    // deal.II stores the diagonal entry first, then the other entries of the row in ascending order.
     for (auto entry = matrix.begin(column); entry != matrix.end(column); ++entry)
       if (entry->column() >= column)
         lower.insertBack(static_cast<Eigen::Index>(entry->column()), column) = entry->value();
@@ -83,7 +83,7 @@ Eigen::MatrixXd BlockInverse::operator()(const Eigen::VectorXd &entries, unsigne
     numeric.factorise(matrix);
   }
 
-  // The kept rows come last. Their block of (L L')^-1 is (L_e L_e')^-1, where L_e is the trailing block of L.
+  // The kept rows come last, so their block of (L L')^-1 is (L_e L_e')^-1 with the trailing block L_e of L.
   const auto n_kept = static_cast<Eigen::Index>(plan->of_kept.size());
   const Eigen::MatrixXd end = numeric.end(static_cast<int>(n_kept));
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n_kept, n_columns);

@@ -26,11 +26,11 @@ std::shared_ptr<ContactSurface> BodyOfRevolution::lines() const
   const unsigned int n_radii = circles.n_nodes(), n_lines = basis.n_lines(), degree = circles.degree;
   const unsigned int n_pieces = degree > 2 ? 2 : 1;
   const double width = FourierBasis::norm(0) / n_lines;
-  // Contact line of an element, or half of it. The data are the same at all azimuths.
+  // Contact line of an element, or half of it, which is the same at all azimuths.
   struct Piece
   {
     unsigned int first;
-    Eigen::Vector3d radii; ///< radii of the samples [m]
+    Eigen::Vector3d radii;
     Eigen::Matrix<double, 3, Eigen::Dynamic> shape;
   };
   std::vector<Piece> pieces;
@@ -93,7 +93,7 @@ void BodyOfRevolution::set_gap(const Gap &gap)
   for (ContactLine &line : surface->lines)
     for (unsigned int sample = 0; sample < 3; ++sample)
       line.gap(sample) = gap(line.position.row(sample).norm(), line.azimuth);
-  // Along a line, waviness is constant or linear and a crown is quadratic.
+  // Along a line, waviness is at most linear and a crown is quadratic.
   const ContactLine &line = surface->lines.front();
   const double bulge = line.gap(0) - 2 * line.gap(1) + line.gap(2);
   surface->is_crowned = std::abs(bulge) > 1e-12 * line.position.row(1).norm();
@@ -110,7 +110,7 @@ NewtonIncrement BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tange
                                         const Eigen::Vector3d &motion)
 {
   const Eigen::MatrixXd unbalanced = forces.reshaped(state.rows(), state.cols()) - state;
-  // Forces below this bound are rounding errors at points that have lost contact.
+  // Smaller forces are rounding errors at points that have lost contact.
   const double negligible = 1e-13 * forces.cwiseAbs().maxCoeff();
   const LineNewton newton(response, tangent, unbalanced, functions, negligible);
   const LineNewton::Increment found = newton.solve(conditions, conditions.residual(state.reshaped(), motion));

@@ -28,7 +28,7 @@ CholmodFactors::CholmodFactors()
   common.nmethods = 1;
   common.method[0].ordering = CHOLMOD_NATURAL;
   common.postorder = 0;
-  common.final_asis = 0; // stores L by columns, as end() requires
+  common.final_asis = 0; // end() requires L stored by columns
   common.final_ll = 1;
   common.final_super = 0;
 }

@@ -10,10 +10,10 @@ namespace stemware::fem
 namespace
 {
 
-/// Index of the number of harmonics in the result of key_of().
+/// index of the number of harmonics in the result of key_of()
 constexpr std::size_t harmonics_place = 3;
 
-/// Returns all inputs of compute_compliance() as a key: equal keys give bitwise equal compliances.
+/// Returns all inputs of compute_compliance(). Equal inputs give bitwise equal compliances.
 std::vector<double> key_of(const dealii::Triangulation<2> &triangulation, const ElasticMaterial &material,
                            const MeridianOptions &options)
 {

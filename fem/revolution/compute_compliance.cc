@@ -35,8 +35,8 @@ ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulati
   result.n_inside = first;
   result.n_outside = radii.size() - first - size;
   result.harmonics.resize(options.n_harmonics + 1);
-  // An exception that leaves the parallel loop would cancel later parallel work of deal.II. Therefore it is
-  // stored and rethrown after the loop.
+  // An exception that leaves the parallel loop would cancel later parallel work of deal.II, so it is rethrown
+  // after the loop.
   std::exception_ptr interrupted;
   std::atomic<bool> is_interrupted = false;
   const auto goes_on = [&]
@@ -53,12 +53,13 @@ ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulati
     }
     return !is_interrupted;
   };
-  // Isolation: a thread that waits here must not start another study, because that study could wait for this
+  // Without isolation, a thread that waits here could start another study, which could wait for this
   // compliance (deadlock).
   tbb::this_task_arena::isolate(
     [&]
     {
-      std::array<std::unique_ptr<const MeridianSpace::Compliances>, 3> of; // for harmonics 0, 1, and >= 2
+      std::array<std::unique_ptr<const MeridianSpace::Compliances>, 3>
+        of; // for the harmonics 0, 1, and 2 or more
       tbb::parallel_for(0u, 3u,
                         [&, first = first, size = size](unsigned int n) {
                           of[n] = std::make_unique<const MeridianSpace::Compliances>(space, n, first, size);

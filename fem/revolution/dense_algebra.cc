@@ -16,8 +16,8 @@ using Index = Eigen::Index;
 
 constexpr Index max_pivots = 8;
 
-/// Eliminates the columns [@p first, @p end) below their pivots and updates only these columns. The factors
-/// are stored in place of the eliminated entries.
+/// Eliminates the columns [@p first, @p end) below their pivots. Only these columns are updated, and the
+/// factors replace the eliminated entries.
 STEMWARE_TARGET_CLONES
 void eliminate_panel(double *system, Index n, Index width, Index first, Index end)
 {
@@ -41,8 +41,8 @@ void eliminate_panel(double *system, Index n, Index width, Index first, Index en
   }
 }
 
-/// Adds a linear combination to the @p n entries of @p sum: @p n_terms rows (or columns), @p stride apart,
-/// with @p factors.
+/// Adds to the @p n entries of @p sum the @p n_terms rows (or columns) of @p terms, @p stride apart, times @p
+/// factors.
 STEMWARE_TARGET_CLONES
 void add_scaled(double *__restrict sum, Index n, const double *__restrict terms, Index stride,
                 const double *__restrict factors, Index n_terms)

@@ -10,7 +10,6 @@ namespace stemware::fem
 namespace
 {
 
-/// Smallest range of circles that includes all forces.
 struct CircleRange
 {
   explicit CircleRange(const Eigen::MatrixXd &forces)

@@ -22,11 +22,10 @@ void require_resolved(unsigned int n_harmonics, unsigned int n_lines)
                                 std::to_string(2 * n_harmonics + 1) + " lines.");
 }
 
-/// Even and odd parts of functions on the lines: sums and differences of the values on the lines j and -j, j
-/// = 0 ... n_lines / 2. A line on the plane of symmetry counts once.
+/// Sums (even) and differences (odd) of the values of functions on the lines j and -j, j = 0 ... n_lines / 2.
+/// A line on the plane of symmetry counts once.
 struct MirrorSums
 {
-  /// @p samples has the shape [n_functions, n_lines].
   explicit MirrorSums(const Eigen::Ref<const Eigen::MatrixXd> &samples)
   {
     const Eigen::Index n_lines = samples.cols();
@@ -165,7 +164,7 @@ FourierProducts::ModePairSums FourierProducts::pair(unsigned int row, bool row_i
   const bool is_even = row_is_sine == column_is_sine;
   const Eigen::MatrixXd &table = is_even ? even : odd;
   // cos a cos b = (cos(a - b) + cos(a + b)) / 2, sin a sin b = (cos(a - b) - cos(a + b)) / 2, sin a cos b =
-  // (sin(a - b) + sin(a + b)) / 2. In the last formula, a is the harmonic of the sine.
+  // (sin(a - b) + sin(a + b)) / 2.
   const bool sine_is_larger = row_is_sine ? row > column : column > row;
   ModePairSums result;
   result.differences = table.col(difference).data();

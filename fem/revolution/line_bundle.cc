@@ -38,8 +38,7 @@ void apply_tangent(Index n, Index band, const Lanes *bands, Index i, const Lanes
   }
 }
 
-/// Solves by elimination. The last @p n_rhs columns are the right-hand sides and are overwritten by the
-/// solutions. For speed, up to four pivots are applied to a row at once.
+/// Solves by elimination. The solutions overwrite the right-hand sides, which are the last @p n_rhs columns.
 STEMWARE_TARGET_CLONES
 void eliminate(Index n, Index n_rhs, Lanes *system)
 {

@@ -15,14 +15,13 @@ namespace stemware::fem
 namespace
 {
 
-/// Tolerance of a Newton step: norm of the compliance outside the span of the polynomials in r, relative to
-/// the norm of the compliance.
+/// Maximum norm of the part of the compliance that the polynomials in r do not represent, relative to the
+/// norm of the compliance.
 constexpr double step_accuracy = 1e-4;
-/// If a step needs at least this number of functions, an inexact step is accepted, provided that it reduces
-/// the error by slowest_contraction. Many functions are needed if the land is wide compared with the
-/// wavelength of the highest harmonic.
+/// If a step needs this number of functions, an inexact step is accepted that reduces the error at least by
+/// the factor slowest_contraction. A land that is wide compared with the wavelength of the highest harmonic
+/// needs many functions.
 constexpr Eigen::Index many_functions = 10;
-/// Maximum ratio of the force errors after and before an inexact step on a rigid table.
 constexpr double slowest_contraction = 0.2;
 
 /// Returns the orthonormal polynomials of degree 0 ... @p n_functions - 1 at @p radii.
@@ -174,7 +173,7 @@ LineNewton::Functions LineNewton::chosen_functions() const
       worst = std::max(worst, rest.norm());
       if (n_functions < many_functions)
         return;
-      // Contraction factor of an inexact step on a rigid table: |L^-1 rest L^-T| with L L^T = `tail`, the
+      // Contraction factor of an inexact step on a rigid table: |L^-1 rest L^-T|, where L L^T = `tail` is the
       // part of the compliance that the step treats exactly.
       const Eigen::MatrixXd half = factor.matrixL().solve(rest);
       contraction = std::max(contraction, factor.matrixL().solve(half.transpose()).norm());
@@ -306,19 +305,19 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   const Eigen::MatrixXd &of_conditions = on_lines.back();
   const Eigen::Matrix<double, 3, 4> beside = of_conditions.bottomRows(12).rowwise().sum().reshaped(3, 4);
 
-  // Unknowns: amplitudes y (function index fastest within a mode) and table motions dq, with A y + B dq = a,
-  // C y + (corner - weight) dq = rhs. First the amplitudes are eliminated with the table held, as for an
-  // elastic foot on springs. Then a 3 x 3 system gives dq.
-  RowMatrix system = system_of_amplitudes(on_lines); // overwritten: [A, B, a]
+  // Unknowns: amplitudes y (function index fastest within a mode) and table motions dq. Equations: A y + B dq
+  // = a, C y + (corner - weight) dq = rhs. The amplitudes are eliminated first, which leaves a 3 x 3 system
+  // for dq.
+  RowMatrix system = system_of_amplitudes(on_lines); // becomes [A, B, a]
   solve_dense(system, 4);
   const Eigen::MatrixXd held = system.rightCols<4>();
-  const Eigen::MatrixXd tested = // C; the columns of a mode [3 * p] are consecutive
+  const Eigen::MatrixXd tested = // C; the three columns of a mode are consecutive
     response.basis().project(of_conditions.topRows(3 * p)).reshaped(3, n);
   Increment increment;
   increment.resistance = beside.leftCols<3>() - tested * held.leftCols<3>();
 
-  // Scales rows and columns to comparable sizes: forces are divided by 1 N, lengths by the penetration under
-  // 1 N, and tilts are expressed as heights at the rim.
+  // The rows and columns are scaled to comparable sizes: lengths are divided by the penetration under 1 N,
+  // and tilts are expressed as heights at the rim.
   const double length = response.compliance().radii(response.n_radii() - 1);
   const Eigen::Vector3d row_scale = Eigen::Vector3d(1, 1 / length, 1 / length) / beside(0, 0);
   const Eigen::Vector3d column_scale(1, 1 / length, 1 / length);

@@ -12,8 +12,7 @@ using namespace dealii;
 namespace
 {
 
-/// Displacement of one mode at one point: components r, theta, z and their derivatives with respect to r and
-/// z.
+/// Displacement (r, theta, z) of one mode at one point, and its derivatives with respect to r and z.
 struct PointValue
 {
   Tensor<1, 3> value;
@@ -104,7 +103,7 @@ MeridianField::Amplitudes MeridianField::amplitudes(const DoFHandler<2>::active_
     {
       const PointValue at = value_at(fe_values, q, displacements[mode], dofs);
       const double radius = result.points[q][0];
-      // On the axis, the numerator and r vanish for any n. The quotient is therefore the derivative of the
+      // On the axis the numerator and r vanish for every n, so the quotient is the derivative of the
       // numerator.
       const auto over_radius = [&](double u_r, double u_theta, double u_z)
       {

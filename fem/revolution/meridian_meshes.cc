@@ -19,8 +19,8 @@ using namespace dealii;
 namespace
 {
 
-/// Returns the inner and outer radius of the contact face of @p cell; equal radii if the cell has no contact
-/// face.
+/// Returns the inner and the outer radius of the contact face of @p cell, which are equal if @p cell has no
+/// contact face.
 std::pair<double, double> contact_of(const Triangulation<2>::active_cell_iterator &cell)
 {
   for (const auto &face : cell->face_iterators())
@@ -30,7 +30,8 @@ std::pair<double, double> contact_of(const Triangulation<2>::active_cell_iterato
   return { 0, 0 };
 }
 
-/// Flags contact cells of @p one that a cell border of @p other divides. Returns true if any is flagged.
+/// Flags the contact cells of @p one that a cell border of @p other divides. Returns true if a cell is
+/// flagged.
 bool flag_cut_cells(Triangulation<2> &one, const Triangulation<2> &other)
 {
   std::vector<double> borders;
@@ -52,14 +53,13 @@ bool flag_cut_cells(Triangulation<2> &one, const Triangulation<2> &other)
   return is_any_flagged;
 }
 
-/// Returns the re-entrant boundary vertices (interior angle above 1.2 pi).
+/// Returns the boundary vertices with an interior angle above 1.2 pi.
 std::set<unsigned int> reentrant_corners(const Triangulation<2> &triangulation)
 {
   std::map<unsigned int, double> angles;
   for (const auto &cell : triangulation.active_cell_iterators())
     for (const unsigned int v : cell->vertex_indices())
     {
-      // Cyclic order of the vertices: 0, 1, 3, 2.
       constexpr unsigned int next[] = { 1, 3, 0, 2 }, previous[] = { 2, 0, 3, 1 };
       const Tensor<1, 2> one = cell->vertex(next[v]) - cell->vertex(v),
                          other = cell->vertex(previous[v]) - cell->vertex(v);

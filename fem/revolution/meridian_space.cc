@@ -112,7 +112,7 @@ HarmonicCompliance MeridianSpace::Compliances::operator()(unsigned int harmonic)
   Eigen::MatrixXd displacements = (*inverse)(
     parts.size() == 1 ? parts[0] : factors[0] * parts[0] + factors[1] * parts[1] + factors[2] * parts[2],
     static_cast<unsigned int>(n_nodes));
-  // Among the contact nodes, only nodes on the axis are constrained.
+  // Only contact nodes on the axis are constrained.
   for (Eigen::Index i = 0; i < 3 * n_nodes; ++i)
     if (const auto *entries = constraints.get_constraint_entries(of_contact[static_cast<std::size_t>(i)]))
     {

@@ -19,10 +19,8 @@ namespace
 {
 
 /// Element stiffness of the displacement harmonics u_r cos(n theta), u_theta sin(n theta), u_z cos(n theta)
-/// (docs/method/revolution.md, "Harmonics").
-///
-/// The strains are combinations of three fields of a shape function N: dN/dr, dN/dz and N/r. The stiffness of
-/// every harmonic therefore follows from the integrals of products of these fields.
+/// (docs/method/revolution.md, "Harmonics"). All strains combine the fields dN/dr, dN/dz and N/r of a shape
+/// function N, so the integrals of products of these fields give the stiffness of every harmonic.
 class HarmonicStiffness
 {
 public:
@@ -30,21 +28,20 @@ public:
 
   explicit HarmonicStiffness(const ElasticMaterial &material);
 
-  /// Returns K_0, K_1 and K_2 of K_n = K_0 + n K_1 + n^2 K_2 for m shape functions: row 3 i + c is
-  /// component c (r, theta, z) of function i. @p products: integrals of field p of function i times field q
-  /// of function j in row p m + i, column q m + j, shape [3 m, 3 m].
+  /// Returns K_0, K_1 and K_2 of K_n = K_0 + n K_1 + n^2 K_2 for m shape functions. Row 3 i + c belongs to
+  /// the component c (r, theta, z) of function i. @p products [3 m, 3 m]: row p m + i, column q m + j is the
+  /// integral of field p of function i times field q of function j.
   std::array<Eigen::MatrixXd, 3> parts(const Eigen::MatrixXd &products) const;
 
 private:
-  /// Stiffness between components c and d for each product of fields p and q: [part][c][d](p, q).
+  /// [part][c][d](p, q): stiffness between the components c and d for the product of the fields p and q.
   std::array<std::array<std::array<Eigen::Matrix3d, 3>, 3>, 3> coefficients;
 };
 
-/// One column of strains per field, in the order rr, zz, theta theta, rz, r theta, z theta (engineering shear
-/// strains).
+/// Strains rr, zz, theta theta, rz, r theta, z theta (engineering shear strains) of each field.
 using StrainOfFields = Eigen::Matrix<double, 6, HarmonicStiffness::n_fields>;
 
-/// Strain of harmonic n of a displacement component: `constant` + n `linear`.
+/// Strain of harmonic n of a displacement component: constant + n linear.
 struct ComponentStrain
 {
   StrainOfFields constant = StrainOfFields::Zero();
@@ -162,7 +159,7 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
       entry.dofs.push_back(dofs[i]);
     const auto parts = stiffness.parts(fields.transpose() * weights.asDiagonal() * fields);
     for (std::size_t k = 0; k < parts.size(); ++k)
-      // The parts are symmetric, so their row-major storage equals the column-major storage.
+      // The parts are symmetric, so row-major and column-major storage are equal.
       entry.parts[k] = FullMatrix<double>(n_dofs, n_dofs, parts[k].data());
     cells.push_back(std::move(entry));
   }

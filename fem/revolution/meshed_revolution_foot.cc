@@ -70,8 +70,8 @@ MeridianField MeshedRevolutionFoot::field(const ContactState &state) const
   const Zone &zone = zone_of(state);
   const ContactCompliance &part = zone.body.contact_compliance();
   const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
-  // Each harmonic costs one factorisation. The last one kept is next to the highest harmonic with 1e-4 of the
-  // mean load, because friction has the harmonics beside those of the load.
+  // Each harmonic costs one factorisation. Friction has the harmonics next to those of the load, so the
+  // highest harmonic is one above the last load harmonic of at least 1e-4 of the mean load.
   const auto load = [&](Eigen::Index mode)
   { return std::abs(modes.normal.col(mode).sum()) / FourierBasis::norm(static_cast<unsigned int>(mode)); };
   Eigen::Index n_modes = modes.normal.cols();

@@ -16,7 +16,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Last two contact solutions of the continuation.
+/// The last two contact solutions of the continuation in the moment.
 struct Path
 {
   ContactSolution last;
@@ -24,7 +24,7 @@ struct Path
   double share = 0; ///< fraction of the full moment in `last`
   double step = 0;  ///< increase of `share` from `before` to `last`; 0 at the beginning
 
-  /// Returns the linear extrapolation to the share @p next.
+  /// Returns the extrapolation from the two solutions to the share @p next.
   ContactStart start(double next) const
   {
     const double ahead = step > 0 ? (next - share) / step : 0;
@@ -39,8 +39,8 @@ struct Path
     share = next;
   }
 
-  /// Returns true if the last step tilted the foot more than three times as much per moment as the average of
-  /// all steps.
+  /// Returns true if the last step tilted the foot more than three times as much per moment as all steps on
+  /// average.
   bool is_steep() const
   {
     constexpr double much_steeper = 3;
@@ -49,10 +49,10 @@ struct Path
   }
 };
 
-/// Returns the contact of @p body and @p law under @p conditions. The moment grows in steps from zero
-/// (contact @p even) to its full value, because Newton's method does not converge directly. A failed step is
-/// halved. If the shortest step fails, throws ContactFailure: "tipping" if the tilt diverges and the required
-/// moment depends on the tilt or on friction, otherwise the failure of this step.
+/// Returns the contact of @p body and @p law under @p conditions. Newton's method does not converge directly,
+/// so the moment grows in steps from zero (contact @p even); a failed step is halved. If the shortest step
+/// fails, throws ContactFailure with the outcome "tipping" if the tilt diverges and the required moment
+/// depends on the tilt or on friction, otherwise with the failure of the step.
 ContactSolution continue_in_moment(BodyOfRevolution &body, TableLaw &law, const LinearConditions &conditions,
                                    double radius, const ContactControl &usual, const ContactSolution &even)
 {
@@ -91,9 +91,10 @@ ContactSolution continue_in_moment(BodyOfRevolution &body, TableLaw &law, const 
   return path.last;
 }
 
-/// Factors of one stiffening step of a cold start. Most cold starts converge with the larger factor.
+/// Factors by which one step of a cold start stiffens the interface. Most cold starts converge with the
+/// larger factor.
 constexpr double large_stiffening = 1000, small_stiffening = 10;
-/// Softening factor if the initial guess is a distant contact solution.
+/// softening factor if the initial guess is a distant contact solution
 constexpr double softening_of_start = 30;
 
 } // namespace
@@ -114,12 +115,12 @@ ContactControl RevolutionContact::contact_control()
   steps.clear();
   ContactControl control;
   control.tolerance = 1e-10;
-  // Rounding floor of a stiff spring; most solves reach smaller residuals.
+  // rounding floor of a stiff spring
   control.equilibrium_tolerance = 1e-8;
   control.requires_unchanged_set = false;
   control.progress = [this](const ContactIteration &step)
   {
-    if (step.number <= 1) // the first step of a new solve
+    if (step.number <= 1) // first step of a new solve
       steps.clear();
     steps.push_back(step);
   };
@@ -131,8 +132,7 @@ ContactSolution RevolutionContact::solve_cold(const LinearConditions &under, dou
   const double radius = setup.profile.contact_radius;
   const ContactSurface &surface = body.contact_surface();
 
-  // The initial softness is chosen so that a rigid rim would be in contact over a width that the mesh
-  // resolves well.
+  // The initial softness makes a rigid rim touch the table over a width that the mesh resolves well.
   const bool is_narrow = setup.table.interface->is_hard() && setup.profile.crown_radius > 0;
   const double half_width = is_narrow ? 4 * setup.contact_half_width : setup.profile.land_width / 4;
   // The depth exceeds the waviness, so the whole rim is in contact.
@@ -149,8 +149,8 @@ ContactSolution RevolutionContact::solve_cold(const LinearConditions &under, dou
   at.motion = rigid_foot_motion(surface, *soft_law, under, radius, pressed_in);
   at.normal_displacement = surface.motion_modes() * at.motion;
 
-  // The displacement of the foot under the forces of the rigid contact is mostly a rigid motion. The table
-  // motion is corrected by this rigid motion.
+  // The displacement of the foot under the forces of the rigid contact is mostly a rigid motion, which is
+  // added to the table motion.
   ContactForces rigid;
   soft_law->evaluate(at.normal_displacement, rigid);
   body.set_forces(rigid.forces);
@@ -175,7 +175,7 @@ ContactSolution RevolutionContact::stiffen(const LinearConditions &under, double
     const ContactSolution solution = solve_contact(body, *soft_law, under, radius, control, &at);
     const double n_steps = std::ceil(std::log(softness) / std::log(largest_step));
     const double next = n_steps > 1 ? std::pow(softness, 1 - 1 / n_steps) : 1;
-    // Penetrations scale with the softness of the law, so that the pressure is preserved.
+    // Penetrations scale with the softness, so that the pressure is the same.
     at.motion = solution.motion;
     at.normal_displacement =
       -surface.node_gap + next / softness * (surface.node_gap + solution.normal_displacement);
@@ -209,15 +209,15 @@ ContactSolution RevolutionContact::solve_softened(const ContactStart &start)
 
 bool RevolutionContact::is_stable(ContactSolution &solution) const
 {
-  // Below this moment ratio the whole rim is in contact, so the stiffness against tilt equals the stiffness
-  // of the upright glass.
+  // Below this moment ratio the whole rim is in contact, and the stiffness against tilt is the stiffness of
+  // the upright glass.
   constexpr double moment_ratio_of_lift_off = 1;
   const ContactSurface &surface = body.contact_surface();
   const Eigen::Vector2d moment = surface.node_position.transpose() * solution.forces;
   if (conditions.motion_weights().isZero() ||
       2 * moment.norm() < moment_ratio_of_lift_off * conditions.normal_force() * setup.profile.contact_radius)
     return true;
-  // If the initial guess converged without a step, the stability margin has not been computed yet.
+  // An initial guess that converges without a step has no stability margin yet.
   if (solution.n_iterations == 0)
   {
     ContactForces contact;
@@ -240,8 +240,8 @@ ContactSolution RevolutionContact::solve(const RevolutionGuesses &starts)
           body.set_forces(starts.predicted->forces);
         return solve_from(*starts.predicted);
       });
-  // On a hard table with waviness, two starts are useless: a second unsoftened start fails like the first,
-  // and a softened start converges to contact at other crests.
+  // On a hard table with waviness, two starts fail: an unsoftened start after an unsoftened start has failed,
+  // and a softened start, which converges to contact at other crests.
   const bool on_hard_crests = setup.table.interface->is_hard() && !setup.imperfection.empty();
   const bool may_start_unsoftened = !(on_hard_crests && (starts.waviness_has_rotated || starts.predicted));
   for (const bool softened : { false, true })

@@ -15,7 +15,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Returns the components of the table motions @p motion in axes rotated counter-clockwise by @p angle [rad].
+/// Returns the table motions @p motion in axes that are rotated counter-clockwise by @p angle [rad].
 Eigen::Vector3d motion_in_axes(const Eigen::Vector3d &motion, double angle)
 {
   const Eigen::Vector2d tilts = Eigen::Rotation2Dd(-angle) * motion.tail<2>();
@@ -49,8 +49,7 @@ RevolutionFoot::RevolutionFoot(const RevolutionFoot &other)
     , interface(other.interface)
 {
   const Zone &zone = *other.zones.front();
-  // With waviness, the gap changes with the orientation, so the clone needs its own body. Without waviness,
-  // the clone shares the compliance and the gap.
+  // With waviness the gap depends on the orientation, so the clone needs its own body.
   zones.front() = setup.imperfection.empty() ? std::make_unique<Zone>(zone)
                                              : std::make_unique<Zone>(*this, zone.body.contact_compliance());
 }
@@ -256,8 +255,8 @@ std::optional<ContactStart> RevolutionFoot::predict_from(const ContactStart &sta
                                                          const Foot &similar) const
 {
   const auto *other = dynamic_cast<const RevolutionFoot *>(&similar);
-  // The contact has another width if one foot has waviness, or if the kind of interface or the compliance
-  // differs. The solution of `similar` is then no useful initial guess.
+  // The solution of `similar` is no useful guess if the contact has another width: with waviness, another
+  // kind of interface or another compliance.
   if (!other || !setup.imperfection.empty() || !other->setup.imperfection.empty() ||
       setup.table.interface->is_hard() != other->setup.table.interface->is_hard() ||
       setup.plane_strain_compliance() != other->setup.plane_strain_compliance())
@@ -269,7 +268,7 @@ std::optional<ContactStart> RevolutionFoot::predict_from(const ContactStart &sta
   Eigen::MatrixXd in_r(to.size(), from.size());
   for (Eigen::Index i = 0; i < to.size(); ++i)
     in_r.row(i) = others.contact_compliance().shape_at(std::clamp(to(i), from(0), from(from.size() - 1)));
-  // Scales the penetrations so that the pressure is the same on both interfaces.
+  // The penetrations are scaled so that both interfaces have the same pressure.
   const double pressure = setup.line_load(setup.normal_force) / setup.profile.land_width;
   const double softer = other->interface->stiffness_at(pressure) / interface->stiffness_at(pressure);
   const auto scaled = [&](double separation) { return separation < 0 ? softer * separation : separation; };

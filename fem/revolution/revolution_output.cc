@@ -27,14 +27,13 @@ namespace
 
 using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
 
-/// Returns the strain of isotropic elasticity under @p stress.
 Eigen::Matrix3d strain_of(const Eigen::Matrix3d &stress, const ElasticMaterial &material)
 {
   const double nu = material.poisson_ratio;
   return ((1 + nu) * stress - nu * stress.trace() * Eigen::Matrix3d::Identity()) / material.young_modulus;
 }
 
-/// Returns the stress of MeridianField::Amplitudes in the axes e_r, e_theta, e_z.
+/// Returns the stress tensor in the axes e_r, e_theta, e_z from the components of MeridianField::Amplitudes.
 Eigen::Matrix3d cylindrical_stress(const Eigen::Matrix<double, 6, 1> &in_phase,
                                    const Eigen::Vector3d &conjugate)
 {
@@ -77,7 +76,7 @@ public:
     return Quadrature<2>(points);
   }
 
-  /// Returns true if the node lies on the face of the unit square.
+  /// Returns true if @p node lies on the @p face of the unit square.
   bool is_on_face(unsigned int node, unsigned int face) const
   {
     const auto [columns, rows] = extent();
@@ -89,13 +88,12 @@ public:
   std::array<unsigned int, 2> n_pieces;
 };
 
-/// Output node of the meridian, shared by neighbouring cells. The stresses at the node are averaged over
-/// these cells.
+/// Output node of the meridian. The stress at the node is the average over the cells that share the node.
 struct MeridianNode
 {
   Point<2> at;               ///< (r, z) [m]
-  Eigen::MatrixXd in_phase;  ///< sums over the cells; same rows as MeridianField::Amplitudes
-  Eigen::MatrixXd conjugate; ///< sums over the cells; same rows as MeridianField::Amplitudes
+  Eigen::MatrixXd in_phase;  ///< sum over the cells; rows as in MeridianField::Amplitudes
+  Eigen::MatrixXd conjugate; ///< sum over the cells; rows as in MeridianField::Amplitudes
   unsigned int n_cells = 0;
   bool is_contact = false;
 };
@@ -134,7 +132,7 @@ public:
     add("contact_pressure", 1, DataComponentInterpretation::component_is_scalar);
 
     DataOutBase::VtkFlags flags;
-    flags.print_date_and_time = false; // omitted for reproducible files
+    flags.print_date_and_time = false; // for reproducible files
     flags.compression_level = decltype(flags.compression_level)::best_speed;
     flags.write_higher_order_cells = span > 1;
     std::ostringstream text;
@@ -153,12 +151,12 @@ private:
     return numbers::invalid_unsigned_int;
   }
 
-  /// Returns the number of azimuths: at least 48 and at least four per wavelength of the highest harmonic,
-  /// and a multiple of `span`, the intervals of an output cell.
+  /// Returns the number of azimuths: at least 48, at least four per wavelength of the highest harmonic, and a
+  /// multiple of `span`.
   unsigned int n_azimuths() const { return std::max(4 * (field.n_modes() - 1) / 2, 48u) / span * span; }
 
-  /// Returns the load [N] of a contact cell divided into @p n_pieces. The load is integrated by the
-  /// trapezoidal rule over the output nodes.
+  /// Returns the load [N] of a contact cell divided into @p n_pieces, integrated over the output nodes by the
+  /// trapezoidal rule.
   double drawn_force(const Cell &cell, unsigned int n_pieces) const
   {
     const auto face = cell->face(contact_face(cell));
@@ -192,7 +190,7 @@ private:
     const FE_Q<2> scalar(degree);
     const std::vector<unsigned int> of_lattice = scalar.get_poly_space_numbering_inverse();
     const auto &element = field.space().dof_handler().get_fe();
-    std::map<MeridianSpace::Dof, unsigned int> places; // output nodes of the degrees of freedom
+    std::map<MeridianSpace::Dof, unsigned int> places; // output node of each degree of freedom
     std::vector<MeridianSpace::Dof> dofs(element.n_dofs_per_cell());
     for (const Cell &cell : field.space().dof_handler().active_cell_iterators())
     {
@@ -226,7 +224,7 @@ private:
     }
   }
 
-  /// Number of values per point: fields in the order of text(), then the coordinates.
+  /// Values per point: the fields in the order of text(), then the coordinates.
   static constexpr unsigned int n_values = 29;
   using PointValues = std::array<float, n_values>;
 
@@ -256,8 +254,8 @@ private:
     return points;
   }
 
-  /// Returns the output patches. Each patch is one piece of a meridional cell, swept over one sector. Its
-  /// coordinates are right-handed: first meridional, azimuth, second meridional.
+  /// Returns the output patches, each of which is a piece of a meridional cell swept over one sector. The
+  /// coordinates (first meridional, azimuth, second meridional) are right-handed.
   std::vector<DataOutBase::Patch<3>> patches(const std::vector<PointValues> &points) const
   {
     const unsigned int n = span + 1; // nodes of a patch in each direction
@@ -293,8 +291,7 @@ private:
     Eigen::Matrix3d stress;
   };
 
-  /// Returns the elastic displacement, the rigid motion of the glass and the stress in the slip frame,
-  /// computed from cylindrical components.
+  /// Transforms the fields at a point from cylindrical components into the slip frame.
   PointFields in_slip_frame(const Point<2> &at, double azimuth, const Eigen::Matrix<double, 6, 1> &in_phase,
                             const Eigen::Vector3d &conjugate) const
   {
@@ -315,10 +312,10 @@ private:
   const Eigen::Vector3d motion;
   const double axis;
   const unsigned int degree;
-  const unsigned int span;  ///< intervals of an output cell in each direction: 2 (27 nodes) or 1 (8 nodes)
-  const FourierBasis basis; ///< basis on the azimuths of the output nodes
+  const unsigned int span; ///< intervals of an output cell in each direction: 2 (27 nodes) or 1 (8 nodes)
+  const FourierBasis basis;
   std::vector<MeridianNode> nodes;
-  std::vector<std::pair<CellGrid, std::vector<unsigned int>>> grids; ///< grids of the cells with their nodes
+  std::vector<std::pair<CellGrid, std::vector<unsigned int>>> grids;
 };
 
 } // namespace
@@ -331,7 +328,7 @@ std::string revolution_fields(const MeridianField &field, const PressureField &p
 
 std::vector<StressedPatch> revolution_section(const MeridianField &field, double azimuth)
 {
-  constexpr unsigned int n_points = 2; // points per cell in each direction
+  constexpr unsigned int n_points = 2;
   std::vector<Point<2>> unit_points;
   for (unsigned int j = 0; j < n_points; ++j)
     for (unsigned int i = 0; i < n_points; ++i)
@@ -342,7 +339,6 @@ std::vector<StressedPatch> revolution_section(const MeridianField &field, double
     const MeridianField::Amplitudes amplitudes = field.amplitudes(cell, Quadrature<2>(unit_points));
     for (const int side : { 1, -1 })
     {
-      // Values of the modes and of their conjugates at this azimuth.
       Eigen::VectorXd modes(field.n_modes()), conjugates(field.n_modes());
       for (unsigned int mode = 0; mode < field.n_modes(); ++mode)
       {

@@ -16,8 +16,8 @@ namespace stemware::fem
 namespace
 {
 
-/// If the elastic foot increases the compliance by at most this factor, the elastic and the rigid foot use
-/// the same mesh (cell sizes grow with the square root of the factor).
+/// The elastic and the rigid foot use the same mesh if elasticity increases the compliance at most by this
+/// factor.
 constexpr double most_added_by_foot = 1.2;
 
 } // namespace
@@ -109,8 +109,8 @@ double crest_half_width(const RevolutionSetup &setup, double normal_force)
     second = boost::math::ellint_2(modulus);
     slenderness = std::sqrt((along / across * (first - second) + first) / second);
   }
-  // Hertzian half-width of one crest under a third of the normal force: at rest the foot stands on at least
-  // three crests.
+  // The half-width of one crest is Hertzian under a third of the normal force, because the foot stands on at
+  // least three crests.
   return std::cbrt(normal_force * second * setup.plane_strain_compliance() /
                    (ring::pi * slenderness * (1 / across + 1 / along)));
 }
@@ -120,13 +120,14 @@ double expected_half_width(const RevolutionSetup &setup, double normal_force)
   if (setup.profile.crown_radius == 0)
     return 0;
   double of_bodies = hertz_half_width(setup, normal_force);
-  // A foot that is stiff in bending stands on crests only; a soft foot is in contact all around. The bending
+  // A foot that is stiff in bending stands on crests only, a soft foot on the whole rim. The bending
   // stiffness is unknown here, so the geometric mean of both half-widths is used.
   if (setup.table.interface->is_hard())
     of_bodies = std::sqrt(of_bodies * std::max(of_bodies, crest_half_width(setup, normal_force)));
   if (setup.table.substrate)
   {
-    // A layer thinner than the contact width acts as independent springs of modulus E / thickness (Winkler).
+    // A layer thinner than the contact is wide acts as independent springs of modulus E / thickness
+    // (Winkler).
     const WinklerInterface layer(setup.table.substrate->material.young_modulus /
                                  setup.table.substrate->disc.thickness);
     of_bodies =
@@ -141,8 +142,8 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
 {
   RevolutionSetup resolved = *this;
   resolved.normal_force = normal_force;
-  // On a much more compliant substrate, a rigid foot uses the mesh of the elastic foot, so that the two
-  // results differ only by the model.
+  // On a much more compliant substrate, a rigid foot uses the mesh of the elastic foot, so that their results
+  // differ by the model only.
   RevolutionSetup as_elastic = *this;
   as_elastic.foot_is_rigid = false;
   const bool is_meshed_as_elastic =
@@ -156,17 +157,16 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
     // The foot bends, so the pressure concentrates at the inner edge of the land.
     resolved.resolution.focus_radius = profile.land_inner_radius();
     resolved.resolution.focus_size = profile.land_width / resolution.land_cells / 32 / fineness;
-    // The concentration depends on the tilt of the land. This tilt converges slowly because of the corners of
-    // the section.
+    // The concentration depends on the tilt of the land, which converges slowly because of the corners of the
+    // section.
     resolved.corner_halvings = 2;
     return resolved;
   }
-  // If the interface is a thousand times more compliant than the bodies, the displacement of the bodies
-  // varies smoothly within the contact.
+  // If the interface is a thousand times more compliant than the bodies, the displacement of the bodies is
+  // smooth within the contact, and only their overall compliance must be resolved.
   const double depth = flat ? 0 : std::pow(resolved.contact_half_width, 2) / (2 * profile.crown_radius);
   if (flat || line_load(normal_force) * plane_strain_compliance() < 1e-3 * depth)
   {
-    // Only the overall compliance of the bodies must be resolved.
     const double halvings = std::round(resolution.refinements + 1 + std::log2(fineness));
     resolved.resolution.refinements = static_cast<unsigned int>(std::max(halvings, 0.));
     return resolved;

@@ -10,7 +10,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Returns the function @p name of the system's BLAS library; nullptr if the library is not OpenBLAS.
+/// Returns the function @p name of the BLAS library; nullptr if the library is not OpenBLAS.
 template <typename Function>
 Function *of_openblas(const char *name)
 {
@@ -28,7 +28,7 @@ SingleThread::SingleThread()
     , omp_levels(omp_get_max_active_levels())
 {
   omp_set_num_threads(1);       // an OpenBLAS built with OpenMP would use this number in each thread
-  omp_set_max_active_levels(0); // CHOLMOD would start four additional threads per calling thread
+  omp_set_max_active_levels(0); // CHOLMOD would start four more threads per calling thread
   const std::lock_guard<std::mutex> lock(mutex);
   const auto get = of_openblas<int()>("openblas_get_num_threads");
   const auto set = of_openblas<void(int)>("openblas_set_num_threads");
