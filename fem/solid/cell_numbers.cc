@@ -17,7 +17,7 @@ using namespace dealii;
 namespace
 {
 
-/// Splits @p group, sorted by @p value, at every gap larger than @p tolerance.
+/// Sorts @p group by @p value and splits it at every gap larger than @p tolerance.
 std::vector<std::vector<std::size_t>> split(std::vector<std::size_t> group, const std::vector<double> &value,
                                             double tolerance)
 {

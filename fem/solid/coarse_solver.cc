@@ -24,19 +24,18 @@ struct AggregationParameters
 {
   int n_smoothing_steps = 4;      ///< degree of the Chebyshev smoother on the intermediate levels
   double smoothing_range = 20;    ///< largest eigenvalue divided by the lower end of the smoothed range
-  int max_factorised_rows = 4000; ///< if an aggregated level has more rows, it is aggregated again
-  /// Maximum rows of a matrix that is factorised without aggregation. Larger than max_factorised_rows,
-  /// because aggregated levels have denser rows.
+  int max_factorised_rows = 4000; ///< rows above which an aggregated level is aggregated again
+  /// Rows up to which a matrix is factorised without aggregation. The limit is larger than
+  /// max_factorised_rows, because aggregated levels have denser rows.
   int max_sparse_rows = 10000;
 };
 constexpr AggregationParameters parameters = {};
 
-/// Returns algebraic multigrid by smoothed aggregation (ML of Trilinos) for the stiffness @p matrix of linear
-/// elements. vmult() is one W-cycle, symmetric and positive semidefinite. The caller smooths the finest
-/// level. A small matrix is factorised instead.
+/// Returns smoothed aggregation (ML of Trilinos) for the stiffness @p matrix of linear elements; a small
+/// matrix is factorised instead. vmult() is one W-cycle, symmetric and positive semidefinite. The caller
+/// smooths the finest level.
 ///
-/// @p modes: displacements of the rigid motions at the rows that this rank owns, 0 at constrained rows, one
-/// motion after the other. Keeps references to both arguments.
+/// @p modes: rigid motions as in rigid_motions(). References to both arguments are kept.
 std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG>
 coarse_preconditioner(const dealii::TrilinosWrappers::SparseMatrix &matrix, std::vector<double> &modes)
 {
@@ -63,12 +62,12 @@ coarse_preconditioner(const dealii::TrilinosWrappers::SparseMatrix &matrix, std:
   return result;
 }
 
-/// The preconditioner is set up again if T changes relatively by more than this bound. The smoother always
-/// uses the present T.
+/// Relative change of T above which the preconditioner is set up again. The smoother always uses the present
+/// T.
 constexpr double tolerated_change = 0.1;
 
-/// Returns the rigid translations and rotations at the owned dofs of linear elements, one motion after the
-/// other; 0 at constrained dofs. (deal.II 9.6 has DoFTools::extract_rigid_body_modes().)
+/// Returns the three translations and three rotations at the owned dofs of linear elements, one motion after
+/// the other; 0 at constrained dofs. (deal.II 9.6 has DoFTools::extract_rigid_body_modes().)
 std::vector<double> rigid_motions(const SolidLevel &level)
 {
   const IndexSet &owned = level.dof_handler.locally_owned_dofs();
@@ -114,8 +113,8 @@ void LevelMatrix::set_contact(const Eigen::SparseMatrix<double> &tangent)
   contact->set(tangent);
   FloatVector &diagonal = inverse_diagonal->get_vector();
   diagonal = elastic_diagonal;
-  // Adds row sums instead of T's diagonal. Whichever part of a cell is loaded, the largest eigenvalue then
-  // equals the largest eigenvalue of the elastic operator, for which the smoother was set up.
+  // With row sums instead of the diagonal of T, the largest eigenvalue equals that of the elastic operator
+  // for any loaded part of a cell, and the smoother remains valid.
   contact->add_row_sums(diagonal);
   for (float &entry : diagonal)
     entry = 1 / entry;

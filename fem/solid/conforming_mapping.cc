@@ -25,8 +25,8 @@ using namespace dealii;
 namespace
 {
 
-/// Throws std::runtime_error for inverted cells. If a halved cell lies on the chord of a coarse face, it may
-/// be thinner than the distance between chord and surface.
+/// Throws std::runtime_error for inverted cells: a halved cell may be thinner than the distance between the
+/// chord and the surface of its coarse face.
 void require_right_side_out(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler)
 {
   const FiniteElement<3> &element = dof_handler.get_fe();
@@ -68,7 +68,7 @@ std::unique_ptr<const MappingQ<3>> conforming_mapping(const Triangulation<3> &me
   hanging.close();
   hanging.distribute(positions);
   positions.update_ghost_values();
-  // Mappings of degree 1 may read vertices from the mesh instead of the cache, so the degree is at least 2.
+  // A mapping of degree 1 may read vertices from the mesh instead of the cache.
   auto conforming = std::make_unique<MappingQCache<3>>(std::max(degree, 2u));
   conforming->initialize(*smooth, dof_handler, positions, false);
   require_right_side_out(*conforming, dof_handler);

@@ -28,8 +28,8 @@ namespace
 
 using BinaryId = CellId::binary_type;
 
-/// Weights of the dofs in a shape function of a cell. Usually a single dof has weight 1. If the node of the
-/// shape function hangs, several dofs have weights.
+/// Weight of a dof in a shape function of a cell: 1 for an ordinary node, several dofs with other weights for
+/// a hanging node.
 struct DofShare
 {
   unsigned int shape;
@@ -45,7 +45,7 @@ struct DofShare
 using DofShares = std::vector<DofShare>;
 using SharesOfCell = std::pair<BinaryId, DofShares>;
 
-/// Row of the interpolation matrix of one node of the fine mesh: dofs of the coarse mesh with their weights.
+/// Row of the interpolation matrix of one fine node: coarse dofs with their weights.
 using Row = std::vector<std::pair<global_dof_index, double>>;
 
 template <typename T>
@@ -71,8 +71,8 @@ DofShares shares_of(const ContactElements &elements, const DoFHandler<3>::active
   return shares;
 }
 
-/// Distributed directory of the cells with contact nodes (on faces, edges or corners). The id of a cell
-/// determines on which rank its entry is stored.
+/// Distributed directory of the cells with contact nodes. The id of a cell determines the rank that stores
+/// its entry.
 class CellDirectory
 {
 public:
@@ -102,7 +102,7 @@ public:
       cells.insert(received.second.begin(), received.second.end());
   }
 
-  /// Returns the directory's entries for the cells that this rank has @p asked for. Collective.
+  /// Returns the entries of the cells @p asked for by this rank. Collective.
   std::map<BinaryId, DofShares> find(const std::set<BinaryId> &asked) const
   {
     ToRanks<BinaryId> questions;
@@ -132,8 +132,7 @@ private:
   std::map<BinaryId, DofShares> cells;
 };
 
-/// Returns the parent of a cell and the child number of the cell; std::nullopt if the cell belongs to the
-/// coarsest mesh.
+/// Returns the parent of a cell and the cell's child number; std::nullopt for a cell of the coarsest mesh.
 std::optional<std::pair<BinaryId, unsigned int>> parent_of(const CellId &id)
 {
   const auto children = id.get_child_indices();
@@ -145,7 +144,6 @@ std::optional<std::pair<BinaryId, unsigned int>> parent_of(const CellId &id)
   return std::pair(CellId(id.get_coarse_cell_id(), ancestors).to_binary<3>(), child);
 }
 
-/// Returns the rows of the nodes owned by this rank.
 std::vector<Row> owned_rows(const ContactElements &coarse, const ContactElements &fine,
                             const ContactNodes &fine_nodes)
 {
@@ -208,7 +206,7 @@ ContactInterpolation interpolation_between(const ContactElements &coarse, const 
   const MPI_Comm &communicator = fine.dof_handler.get_communicator();
   std::vector<Row> rows = owned_rows(coarse, fine, fine_nodes);
 
-  // Requests the rows of the ghost nodes. They arrive in the order of the requests.
+  // The answers arrive in the order of the requests.
   ToRanks<global_dof_index> questions;
   for (std::size_t i = fine_nodes.n_owned_nodes(); i < fine_nodes.n_nodes(); ++i)
     questions[fine_nodes.ghost_ranks()[i - fine_nodes.n_owned_nodes()]].push_back(fine_nodes.dofs()[i]);

@@ -72,7 +72,7 @@ ContactNodes::ContactNodes(const IndexSet &owned, std::vector<Dof> dofs, const M
   for (const auto &[rank, n] : among_dofs.ghost_targets())
     other_ranks.insert(other_ranks.end(), n, rank);
 
-  // Global numbers of the nodes: consecutive on each rank, in the order of the ranks. Exchanged once, as
+  // Global numbers of the nodes, consecutive on each rank in the order of the ranks. Other ranks get them as
   // ghost values at the dofs.
   const Utilities::MPI::Partitioner among_nodes(Dof(places.size()), 0, communicator);
   const Dof first = among_nodes.local_range().first;
@@ -143,7 +143,7 @@ void ContactNodes::scatter_add(const Eigen::VectorXd &parts,
 
 std::vector<ContactNodes::Entry> ContactNodes::owned_rows(const Eigen::SparseMatrix<double> &parts) const
 {
-  // Dofs are sent as doubles, because doubles represent integers below 2^53 exactly.
+  // Dofs are sent as doubles, which represent integers below 2^53 exactly.
   using Packed = std::array<double, 3>;
   std::map<unsigned int, std::vector<Packed>> to_others;
   std::vector<Entry> rows;

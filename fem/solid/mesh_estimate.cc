@@ -32,7 +32,7 @@ namespace
 using DistributedMesh = parallel::distributed::Triangulation<3>;
 using Cell = Triangulation<3>::active_cell_iterator;
 
-/// Number of halvings at an edge. Next to an edge, a higher degree alone improves the accuracy little.
+/// Number of halvings at an edge, next to which a higher degree alone improves the accuracy little.
 constexpr unsigned int n_edge_halvings = 2;
 
 /// Returns true if @p cell has a contact face that overlaps the radii between @p inner and @p outer.
@@ -56,7 +56,7 @@ bool touches_contact(const Cell &cell, double inner, double outer)
   return false;
 }
 
-/// Returns the angle between the two faces of @p cell that share the edge @p line. Treats edges as straight.
+/// Returns the angle between the two faces of @p cell that share the edge @p line, which counts as straight.
 double angle_at(const Cell &cell, unsigned int line)
 {
   const Point<3> begin = cell->line(line)->vertex(0), end = cell->line(line)->vertex(1);
@@ -76,7 +76,7 @@ double angle_at(const Cell &cell, unsigned int line)
   return std::acos(std::clamp(across.at(0) * across.at(1), -1., 1.));
 }
 
-/// Returns the re-entrant boundary edges of this rank's cells (interior angle above 1.2 pi).
+/// Returns the boundary edges of this rank's cells with an interior angle above 1.2 pi.
 std::set<unsigned int> reentrant_edges(const DistributedMesh &mesh)
 {
   std::map<unsigned int, double> angles;
@@ -89,7 +89,7 @@ std::set<unsigned int> reentrant_edges(const DistributedMesh &mesh)
     {
       const double angle = angle_at(cell, l);
       angles[cell->line_index(l)] += angle;
-      // Finer neighbours contain the two halves of the edge.
+      // A finer neighbour contains the two halves of the edge.
       if (cell->line(l)->has_children())
         for (unsigned int child = 0; child < 2; ++child)
           angles[static_cast<unsigned int>(cell->line(l)->child_index(child))] += angle;
@@ -115,9 +115,8 @@ bool touches(const Cell &cell, const std::set<unsigned int> &edges)
   return false;
 }
 
-/// Returns copies of @p mesh, each finer than the previous copy. Every copy halves the cells along re-entrant
-/// edges of the boundary. The first copy also halves the cells in contact between the radii @p inner and @p
-/// outer [m]. @p mesh is distributed over its communicator. Collective.
+/// Returns copies of @p mesh, each finer than the previous copy: every copy halves the cells along re-entrant
+/// edges, the first copy also the cells in contact between the radii @p inner and @p outer [m]. Collective.
 std::vector<std::shared_ptr<const Triangulation<3>>> enriched_meshes(const Triangulation<3> &mesh,
                                                                      double inner, double outer)
 {
@@ -147,11 +146,11 @@ std::vector<std::shared_ptr<const Triangulation<3>>> enriched_meshes(const Trian
 
 using DofVector = MeshHierarchy::Vector;
 
-/// Residual reduction of the dual solve. The dual solution serves only as refinement indicator.
+/// The dual solution serves only as refinement indicator, so a loose tolerance suffices.
 constexpr double dual_tolerance = 1e-4;
 
-/// Stopping rule on the finer elements. `last_change` bounds the change of the goal in the last step,
-/// relative to its total change. `left_unbalanced` bounds the relative residual of the forces.
+/// Stopping rule on the finer elements: bound of the goal's change in the last step relative to its total
+/// change, and bound of the relative residual of the forces.
 constexpr double last_change = 0.1;
 constexpr double left_unbalanced = 1e-3;
 
@@ -161,8 +160,8 @@ DofVector vector_on(const SolidLevel &level)
   return DofVector(level.dof_handler.locally_owned_dofs(), relevant, level.dof_handler.get_communicator());
 }
 
-/// Transfer of displacements, in double precision, between the level of the mesh itself and the finer levels
-/// of a hierarchy.
+/// Double-precision transfer of displacements between the level of the mesh and the finer levels of a
+/// hierarchy.
 class Embedding
 {
 public:
@@ -179,8 +178,8 @@ public:
     }
   }
 
-  /// Returns @p vector, a function on the own level, as a vector on the finest level. Constrained unknowns
-  /// are 0.
+  /// Returns @p vector, a function on the level of the mesh, on the finest level, with 0 at constrained
+  /// unknowns.
   DofVector embedded(const DofVector &vector) const
   {
     DofVector coarse = vector_on(hierarchy.level(own));
@@ -196,7 +195,7 @@ public:
     return coarse;
   }
 
-  /// Returns the interpolant of @p vector in the own elements, as a vector on the finest level.
+  /// Returns the interpolant of @p vector in the elements of the mesh, as a vector on the finest level.
   DofVector interpolated(const DofVector &vector) const
   {
     const unsigned int finest = hierarchy.n_levels() - 1;
@@ -216,7 +215,6 @@ public:
   }
 
 private:
-  /// Returns @p vector with hanging nodes and ghost values set.
   DofVector distributed(unsigned int l, const DofVector &vector) const
   {
     DofVector result = vector_on(hierarchy.level(l));
@@ -231,8 +229,7 @@ private:
   std::vector<MGTwoLevelTransfer<3, DofVector>> transfers;
 };
 
-/// Returns the sums of @p products over the cells of @p numbers. The product of an unknown is divided equally
-/// among the cells that share the unknown.
+/// Returns the sums of @p products over cells. The product of an unknown is divided equally among its cells.
 std::vector<double> sums_over_cells(const SolidLevel &level, const DofVector &products,
                                     const CellNumbers &numbers)
 {
@@ -270,7 +267,7 @@ std::vector<double> sums_over_cells(const SolidLevel &level, const DofVector &pr
   return sums;
 }
 
-/// Returns the goal J of @p solution under @p law minus the goal J of @p contact.
+/// Returns the goal of @p solution under @p law minus the goal of @p contact.
 double change_of_goal(const SolvedSolidContact &contact, const ContactGoal &goal, const TableLaw &law,
                       const ContactSolution &solution)
 {
@@ -280,7 +277,7 @@ double change_of_goal(const SolvedSolidContact &contact, const ContactGoal &goal
          goal.of_motion.dot(solution.motion - contact.solution.motion);
 }
 
-/// Returns the weights of the nodal forces in @p goal.
+/// Returns the derivative of @p goal with respect to the nodal forces.
 Eigen::VectorXd force_weights(const ContactGoal &goal, const ContactSurface &surface)
 {
   return node_values(surface, goal.ring_radii, goal.of_load) +
@@ -335,8 +332,8 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   const DofVector dual = body.solve_symmetric(
     pressed.tangent, pressed_goal,
     surface.parts.sum(surface.motion_modes().transpose() * pressed_goal) - goal.of_motion, dual_tolerance);
-  // The residual uses the forces of the new solution. The law's forces at the interpolated displacement would
-  // be wrong, because the stiff spring amplifies the interpolation error.
+  // The law's forces at the interpolated displacement would be wrong, because the stiff spring amplifies the
+  // interpolation error. The residual therefore uses the forces of the new solution.
   body.set_displacement(embedded);
   DofVector products = dual;
   products -= embedding.interpolated(dual);
@@ -344,8 +341,7 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   hierarchy->level(finest).constraints.set_zero(products);
   const CellNumbers numbers(dofs.get_triangulation());
   error.cells = sums_over_cells(hierarchy->level(finest), products, numbers);
-  // Each cell gets the mean over its ring, so that an axisymmetric mesh stays axisymmetric. Contributions
-  // that cancel within a ring do not count.
+  // The mean over a ring of cells keeps an axisymmetric mesh axisymmetric.
   for (const std::vector<std::size_t> &ring : numbers.rings())
   {
     double sum = 0;

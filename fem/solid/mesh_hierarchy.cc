@@ -49,7 +49,6 @@ SolidLevel::SolidLevel(std::shared_ptr<const Triangulation<3>> mesh, unsigned in
   constraints = clamp_stem_cut(dof_handler);
 }
 
-/// Implementation of MeshHierarchy with deal.II's multigrid.
 struct MeshHierarchy::Cycle
 {
   using Transfer = MGTransferGlobalCoarsening<3, FloatVector>;
@@ -125,7 +124,6 @@ struct MeshHierarchy::Cycle
     }
   }
 
-  /// V-cycle that starts on a given level, and its work vectors.
   struct FromLevel
   {
     FromLevel(const Cycle &cycle, unsigned int l)
@@ -139,11 +137,11 @@ struct MeshHierarchy::Cycle
 
   std::vector<std::unique_ptr<SolidLevel>> levels;
   std::vector<std::shared_ptr<const ContactNodes>> contact_nodes;
-  /// Interpolation to the contact nodes of each level from the contact nodes of the next coarser level.
+  /// Interpolation to the contact nodes of each level from the next coarser level.
   std::vector<Eigen::SparseMatrix<double>> interpolations;
   MGLevelObject<LevelMatrix> matrices;
-  MGLevelObject<MGTwoLevelTransfer<3, FloatVector>> transfers; ///< transfers between neighbouring levels
-  std::unique_ptr<Transfer> transfer;                          ///< refers to `transfers`
+  MGLevelObject<MGTwoLevelTransfer<3, FloatVector>> transfers;
+  std::unique_ptr<Transfer> transfer; ///< refers to `transfers`
   mg::SmootherRelaxation<LevelSmoother, FloatVector> smoother;
   std::unique_ptr<CoarseSolver> coarse_solver;
   mg::Matrix<FloatVector> matrix;

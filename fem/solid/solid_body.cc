@@ -24,8 +24,7 @@ void require_degree(unsigned int degree)
                                 " is not allowed for a solid body; give 1 or 2.");
 }
 
-/// Returns the stiffness of a new body. Uses @p shared, the stiffness of a similar body, unless it is
-/// nullptr.
+/// Returns @p shared, the stiffness of a similar body, or a new stiffness if @p shared is nullptr.
 std::unique_ptr<BodyStiffness> stiffness_of(const Triangulation<3> &triangulation,
                                             const ElasticMaterial &material, const SolidOptions &options,
                                             std::unique_ptr<BodyStiffness> shared)

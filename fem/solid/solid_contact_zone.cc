@@ -23,7 +23,7 @@ using types::global_dof_index;
 namespace
 {
 
-/// Contact face or a quarter of a contact face, sampled at 3 x 3 points for biquadratic interpolation.
+/// Contact face, or a quarter of it, sampled at 3 x 3 points for biquadratic interpolation.
 struct SampledFace
 {
   std::vector<global_dof_index> dofs;               ///< vertical dofs with support on the face
@@ -47,7 +47,6 @@ struct SampledFace
     return direction == 0 ? positions[2][1] - positions[0][1] : positions[1][2] - positions[1][0];
   }
 
-  /// Orients the face so that the first direction is more radial than the second.
   void orient()
   {
     const Point<3> centre = positions[1][1];
@@ -66,14 +65,13 @@ struct SampledFace
   }
 };
 
-/// Returns true if face @p f of @p cell is a contact face of this rank.
 bool is_contact_face(const DoFHandler<3>::active_cell_iterator &cell, unsigned int f)
 {
   return cell->is_locally_owned() && cell->face(f)->at_boundary() &&
          cell->face(f)->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone);
 }
 
-/// Returns the tensor product of @p n equidistant points from 0 to 1; the first direction runs fastest.
+/// Returns a tensor grid of @p n x @p n equidistant points on [0, 1]^2; the first direction runs fastest.
 Quadrature<2> equidistant_samples(unsigned int n)
 {
   std::vector<Point<2>> points;
@@ -87,7 +85,7 @@ std::vector<SampledFace> sample_faces(const Mapping<3> &mapping, const DoFHandle
                                       const AffineConstraints<double> &constraints)
 {
   const FiniteElement<3> &element = dof_handler.get_fe();
-  // If the degree is above 2, the shape functions are approximated by a quadratic on each half of an edge.
+  // Above degree 2, the shape functions are approximated by a quadratic on each half of an edge.
   const unsigned int n_parts = element.degree > 2 ? 2 : 1;
   const unsigned int n_samples = 2 * n_parts + 1;
   FEFaceValues<3> fe_values(mapping, element, equidistant_samples(n_samples),
@@ -130,7 +128,7 @@ std::vector<SampledFace> sample_faces(const Mapping<3> &mapping, const DoFHandle
   return faces;
 }
 
-/// Returns the line of @p face at the coordinate @p eta in [-1, 1] of the second direction, with the
+/// Returns the line of @p face at @p eta in [-1, 1], the coordinate of the second direction, with the
 /// quadrature weight @p weight.
 ContactLine make_line(const SampledFace &face, double eta, double weight, const ContactNodes &nodes,
                       const SolidGap &gap)
@@ -176,9 +174,9 @@ std::vector<ContactLine> make_lines(const std::vector<SampledFace> &faces, const
   return lines;
 }
 
-/// Calls @p visit(cell, shape, node, dofs of the cell) once for each owned node. The node is the support
-/// point of the shape function in one of this rank's cells. If only hanging nodes of the contact zone depend
-/// on the node, the cell lies next to the zone.
+/// Calls @p visit(cell, shape, node, dofs of the cell) once for each owned node, the support point of the
+/// shape function in one of this rank's cells. The cell lies next to the contact zone if only hanging nodes
+/// of the zone depend on the node.
 template <typename Visit>
 void for_each_own_node(const DoFHandler<3> &dof_handler, const ContactNodes &nodes, const Visit &visit)
 {
@@ -235,7 +233,7 @@ void measure(ContactSurface &surface, const ContactNodes &nodes, unsigned int li
     const Eigen::RowVector2d end = line.position.row(2);
     const double sine = std::abs(begin(0) * end(1) - begin(1) * end(0)) / (begin.norm() * end.norm());
     are_radial = are_radial && sine < 1e-9;
-    // Minimum slope of a crown. The slope of a flat land with waviness is smaller.
+    // Minimum slope of a crown, above the slope of a flat land with waviness.
     constexpr double steep = 1e-3;
     const double rise = line.gap.maxCoeff() - line.gap.minCoeff();
     is_crowned = is_crowned || rise > steep * (end - begin).norm();
@@ -245,8 +243,7 @@ void measure(ContactSurface &surface, const ContactNodes &nodes, unsigned int li
   surface.node_area = nodes.spread(nodes.summed(areas));
   surface.lines_are_radial = !surface.parts.any(!are_radial);
   surface.is_crowned = surface.parts.any(is_crowned);
-  // Minimum inner radius of a ring, relative to its outer radius. A smaller hole is an artefact of the cells
-  // at the axis.
+  // Minimum ratio of inner to outer radius of a ring. A smaller hole is an artefact of the cells at the axis.
   constexpr double min_hole = 0.1;
   surface.is_ring = surface.parts.min(inner) > min_hole * surface.parts.max(outer);
   const double n_faces = surface.parts.sum(static_cast<double>(surface.lines.size())) / lines_per_face;

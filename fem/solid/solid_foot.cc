@@ -44,34 +44,29 @@ SolidOptions options_of(const SolidMesh &mesh, SolidOptions options)
   return options;
 }
 
-/// Tuned parameters of a solid foot.
 struct FootNumbers
 {
-  /// Compliance of a foot divided by the compliance of the spring that approximates a hard interface
-  /// (integrated along lines, on a mesh hierarchy). The body of revolution uses the same value.
+  /// Ratio of the foot's compliance to the compliance of the spring that approximates a hard interface
+  /// (integrated along lines, on a mesh hierarchy), as in the body of revolution.
   double hardness = 1000;
-  /// Softening factor of the spring per coarser mesh. Newton's method compensates one factor in a few steps.
+  /// Softening factor of the spring per coarser mesh. Newton's method compensates the factor in a few steps.
   double softening = 8;
-  /// Penalty of the nodal multipliers relative to E / (cell size), and residual reduction of a linear solve
-  /// during the multiplier iteration. With a penalty of 1, an update halves the error of the highest modes.
-  /// With 10, an update leaves a tenth of this error. With 100, the linear solves need more iterations than
-  /// the updates save.
+  /// Penalty of the multipliers relative to E / (cell size), and residual reduction of a linear solve between
+  /// their updates. One update leaves half the error of the highest modes with a penalty of 1, and a tenth
+  /// with 10. With 100, the linear solves need more iterations than the updates save.
   double penalty = 10, reduction = 0.1;
-  /// Reduction of the tolerance from one multiplier solve to the next. About equal to the error that one
-  /// update leaves.
+  /// Ratio of the tolerances of consecutive multiplier solves, about the error that one update leaves.
   double tighter = 0.02;
-  /// Maximum number of Newton steps with multipliers. Larger than usual, because each step is solved with a
-  /// loose tolerance.
+  /// Maximum number of Newton steps with multipliers, which is large because each step has a loose tolerance.
   unsigned int max_steps = 300;
-  /// Minimum number of symmetry sectors for which a mesh is treated as axisymmetric.
+  /// Minimum number of symmetry sectors of a mesh that counts as axisymmetric.
   unsigned int min_symmetry_sectors = 12;
-  /// Maximum number of contact nodes for condensation.
   unsigned int max_condensed_nodes = 1000;
 };
 constexpr FootNumbers foot_numbers = {};
 
-/// Returns true if the contact is solved with the condensed compliance of the contact nodes. The condensation
-/// costs about as much as four contact solves of the whole body.
+/// Returns true if the contact is solved with the condensed compliance of the contact nodes. Condensation
+/// costs as much as about four contact solves of the whole body.
 bool is_condensed(const SolidBody &body, const SolidOptions &options)
 {
   if (options.linear_solver == LinearSolver::multigrid)
@@ -258,8 +253,8 @@ ContactSolution SolidFoot::find_contact(const LinearConditions &conditions, Cont
   };
   if (!has_multipliers())
     return solve(control);
-  // Tolerances decrease together with the error of the multipliers, because the next update would undo a
-  // tighter equilibrium.
+  // The tolerances decrease with the error of the multipliers, because the next update would undo a tighter
+  // equilibrium.
   control.max_steps = foot_numbers.max_steps;
   ContactControl loose = control;
   loose.resultant_tolerance = std::numeric_limits<double>::infinity();
@@ -308,7 +303,7 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const ring::Slip &
 
 unsigned int SolidFoot::n_resolved_harmonics() const
 {
-  // Two cells per harmonic. Harmonics above 24 are negligible.
+  // Two cells resolve one harmonic. Harmonics above 24 are negligible.
   return std::clamp(body->contact_surface().n_sectors / 2, 1u, 24u);
 }
 

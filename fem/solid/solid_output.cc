@@ -27,8 +27,8 @@ namespace
 using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
 
 /// Output fields: elastic displacement relative to the stem's cut [m]; rigid motion of the glass [m], upward
-/// q0 + q1 x + q2 y and the horizontal part of this small rotation; stress [Pa]; strain of isotropic
-/// elasticity; von Mises stress [Pa].
+/// q0 + q1 x + q2 y, with the horizontal part of this small rotation; stress [Pa]; elastic strain; von Mises
+/// stress [Pa].
 class GlassFields : public DataPostprocessor<3>
 {
 public:
@@ -105,8 +105,7 @@ private:
   const Eigen::Vector3d motion;
 };
 
-/// Scalar field on the contact nodes, stored as the vertical component of a vector field. The other
-/// components are unused.
+/// Scalar field on the contact nodes, stored as the vertical component of a vector field.
 class ContactPressure : public DataPostprocessorScalar<3>
 {
 public:
@@ -134,7 +133,7 @@ public:
   {
     flags.write_higher_order_cells = dof_handler.get_fe().degree > 1;
     flags.compression_level = decltype(flags.compression_level)::best_speed;
-    flags.print_date_and_time = false; // omitted for reproducible files
+    flags.print_date_and_time = false; // for reproducible files
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         cells.push_back(cell->active_cell_index());
@@ -142,8 +141,8 @@ public:
 
   bool has_cells() const { return !cells.empty(); }
 
-  /// Returns the content of the file. Reserves the size of uncompressed numbers, because the length is
-  /// unknown in advance and a growing string would need three times the memory. Unused pages take no memory.
+  /// Returns the content of the file. Memory is reserved for uncompressed numbers, because a growing string
+  /// would need three times the memory, while unused pages take none.
   std::string vtu_text()
   {
     constexpr std::size_t n_bytes_a_node = 200, n_cells_a_piece = 2000;
@@ -174,7 +173,7 @@ private:
   const Mapping<3> &mapping;
   const DoFHandler<3> &dof_handler;
   DataOutBase::VtkFlags flags;
-  std::vector<unsigned int> cells; ///< cells of this rank, in ascending order
+  std::vector<unsigned int> cells;
 };
 
 std::string name_of_piece(unsigned int rank)
@@ -182,7 +181,7 @@ std::string name_of_piece(unsigned int rank)
   return "contact_" + std::to_string(rank) + ".vtu";
 }
 
-/// Returns @p record without the comment in which deal.II states the time, so that files are reproducible.
+/// Returns @p record without deal.II's comment with the time, so that files are reproducible.
 std::string without_comment(std::string record)
 {
   const std::string begin = "<!--", end = "-->\n";
@@ -192,8 +191,8 @@ std::string without_comment(std::string record)
   return record;
 }
 
-/// Returns the files of this rank for output distributed over several ranks. A rank without cells writes no
-/// piece, because ParaView cannot read an empty piece.
+/// Returns the files of this rank. A rank without cells writes no file, because ParaView cannot read an empty
+/// piece.
 std::vector<FieldFile> pieces_on_ranks(Picture &picture, const MPI_Comm &communicator)
 {
   std::vector<FieldFile> files;

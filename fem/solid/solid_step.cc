@@ -16,8 +16,8 @@ namespace stemware::fem
 
 using namespace dealii;
 
-/// Table motions, scaled so that all unknowns are lengths and all residuals are forces: tilts become heights
-/// at the rim.
+/// Table motions with tilts scaled to heights at the rim, so that all unknowns are lengths and all residuals
+/// are forces.
 struct ScaledMotions
 {
   explicit ScaledMotions(const ContactSurface &surface)
@@ -28,19 +28,18 @@ struct ScaledMotions
     modes = (modes * scale.asDiagonal()).eval();
   }
 
-  Eigen::Vector3d scale;  ///< scale factors of q0, q1, q2: 1, 1/length, 1/length
-  Eigen::MatrixX3d modes; ///< Q, with scaled columns
+  Eigen::Vector3d scale;  ///< scale factors of q0, q1, q2
+  Eigen::MatrixX3d modes; ///< Q with scaled columns
 };
 
-/// Increment of body and table in one Newton step.
 struct SolidIncrement
 {
   using Vector = BodyStiffness::Vector;
 
-  Vector body;                  ///< increment du of all displacements
+  Vector body;                  ///< displacement increment du
   Vector image;                 ///< K du + B' T (B du + Q dq), friction included
-  Eigen::VectorXd displacement; ///< increment B du of the vertical displacements of the contact nodes
-  Eigen::Vector3d motion;       ///< scaled table motions
+  Eigen::VectorXd displacement; ///< B du: increment of the vertical displacements of the contact nodes
+  Eigen::Vector3d motion;       ///< scaled table motions dq
   unsigned int n_iterations = 0;
   double stability_margin = 1; ///< NewtonIncrement::stability_margin, without friction in the body
 
@@ -56,30 +55,30 @@ struct SolidIncrement
 namespace
 {
 
-/// Parameters of the Newton steps of a solid body, tuned on feet with and without a mesh hierarchy.
+/// Parameters of the Newton steps, tuned on feet with and without a mesh hierarchy.
 struct StepNumbers
 {
   /// Maximum number of conjugate-gradient iterations; usual meshes need 20 to 75.
   unsigned int max_iterations = 200;
-  /// Maximum number of iterations for the displacement under given forces. Larger, because no later Newton
-  /// step corrects its error. Distorted cells need about 250.
+  /// Maximum number of iterations under given forces, for which no later Newton step corrects the error.
+  /// Distorted cells need about 250.
   unsigned int max_iterations_of_forces = 2000;
 
   /// Target residual relative to the forces: a fifth of the tolerance of Newton's method.
   double unbalanced_share = 2e-10;
-  /// Maximum residual reduction factor of a linear solve. A larger factor makes Newton's method take more
-  /// steps and saves no iterations in total.
+  /// Maximum residual reduction factor of a linear solve. With a larger factor, Newton's method needs more
+  /// steps and as many iterations in total.
   double least_reduction = 1e-3;
-  /// If the target of a step is within this factor of the final target, the step is solved to the final
-  /// target: a few more iterations cost less than another step.
+  /// A step whose target is within this factor of the final target is solved to the final target, because a
+  /// few iterations cost less than another step.
   double nearly_last = 30;
 
-  /// Tolerances of W ~ (K + B' T B)^-1 G: loose if W only serves in the preconditioner, tight if
-  /// close_conditions() uses W.
+  /// Tolerances of W ~ (K + B' T B)^-1 G: loose if W is used in the preconditioner only, tight for
+  /// close_conditions().
   double loose_border = 0.02, tight_border = 1e-3;
-  /// W is omitted if the V-cycle alone captures at least this fraction of the effect of the table motions.
+  /// W is omitted if the V-cycle alone captures this fraction of the effect of the table motions.
   double small_border = 0.2;
-  /// The decision on W is repeated if the stiffness of the table has grown by this factor.
+  /// Growth factor of the table's stiffness after which the decision on W is repeated.
   double much_stiffer = 4;
 };
 constexpr StepNumbers tuned = {};
@@ -87,8 +86,8 @@ constexpr StepNumbers tuned = {};
 using BodyVector = BodyStiffness::Vector;
 
 /// Solves by conjugate gradients from the initial guess @p solution until the residual is at most @p target,
-/// in the units of @p rhs. Returns the number of iterations. Collective over the ranks of the vectors. Throws
-/// ContactFailure after @p max_iterations.
+/// in the units of @p rhs. Returns the number of iterations. Throws ContactFailure after @p max_iterations.
+/// Collective.
 template <typename Operator, typename Preconditioner>
 unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &preconditioner,
                                  const BodyVector &rhs, double target, BodyVector &solution,
@@ -122,7 +121,6 @@ struct TangentOperator
   }
 };
 
-/// Approximate inverse of a TangentOperator.
 struct TangentPreconditioner
 {
   const BodyStiffness &elastic;
@@ -130,18 +128,16 @@ struct TangentPreconditioner
 };
 
 /// Returns NewtonIncrement::stability_margin. @p leaning: H, the moment of the weight per tilt. @p
-/// resistance: R - H, with the stiffness R of body and table against the table motions.
+/// resistance: R - H with the stiffness R of body and table against the table motions.
 double stability_margin_of(const Eigen::Matrix3d &resistance, const Eigen::Matrix3d &leaning)
 {
   return leaning.isZero(0) ? 1 : resistance.determinant() / (resistance + leaning).determinant();
 }
 
-/// Corrects @p increment for friction, because friction makes Newton's matrix unsymmetric. Generalised
-/// conjugate residuals reduce the residual left by the symmetric part to @p target (Eisenstat, Elman,
-/// Schultz, SIAM J. Numer. Anal. 20 (1983) 345).
-///
-/// @p increment: solution with the symmetric part. @p residual: residual of this solution with friction. @p
-/// solve(residual, target): solves with the symmetric part without changing the resultants.
+/// Corrects @p increment, the solution with the symmetric part of Newton's matrix, for friction, which makes
+/// the matrix unsymmetric. Generalised conjugate residuals reduce its @p residual to @p target (Eisenstat,
+/// Elman, Schultz, SIAM J. Numer. Anal. 20 (1983) 345). @p solve(residual, target) solves with the symmetric
+/// part without changing the resultants.
 template <typename Solve>
 void correct_for_friction(SolidIncrement &increment, BodyVector residual, double target, const Solve &solve)
 {
@@ -165,13 +161,13 @@ void correct_for_friction(SolidIncrement &increment, BodyVector residual, double
 
 } // namespace
 
-/// Border of the system of one Newton step: columns and corner that belong to the table motions.
+/// Columns and corner of the table motions in the bordered system of one Newton step.
 struct SolidBody::Border
 {
   Eigen::MatrixX3d columns; ///< G with B G = T Q; only the part of this rank
   Eigen::Matrix3d corner;   ///< C = Q' T Q
   Eigen::Matrix3d inverse_corner;
-  /// Inverse of C - G' W - W' G + W' (K + B' T B) W. Positive definite for any W.
+  /// Inverse of C - G' W - W' G + W' (K + B' T B) W, which is positive definite for any W.
   Eigen::Matrix3d inverse_schur;
 };
 
@@ -192,7 +188,7 @@ struct SolidBody::ProjectedOperator
   }
 };
 
-/// Approximates the inverse of K + B' T B and adds W S^-1 W'.
+/// Approximate inverse of K + B' T B, plus W S^-1 W'.
 struct SolidBody::ProjectedPreconditioner
 {
   const SolidBody &body;
@@ -217,18 +213,18 @@ struct SolidBody::ProjectedPreconditioner
   }
 };
 
-/// Linear system of one Newton step without its unsymmetric friction terms.
+/// Linear system of one Newton step without the unsymmetric terms of friction.
 struct SolidBody::SymmetricStep
 {
   const SolidBody &body;
-  /// Conditions that close_conditions() fulfils after the projected solve; nullptr for prescribed resultants,
-  /// which the projection fulfils.
+  /// Conditions that close_conditions() fulfils after the solve; nullptr for prescribed resultants, which the
+  /// projection fulfils.
   const LinearConditions *const moment_conditions;
   const ScaledMotions motions;
   const Border border;
 
-  /// Returns @p residual projected for conjugate gradients. @p missing: residual of the conditions, to be
-  /// corrected by the motions.
+  /// Returns the right-hand side of conjugate gradients for @p residual. @p missing: residual of the
+  /// conditions.
   Vector projected(Vector residual, const Eigen::Vector3d &missing) const
   {
     body.contact.nodes().scatter_add(-border.columns * (border.inverse_corner * missing), residual);
@@ -241,7 +237,7 @@ struct SolidBody::SymmetricStep
     return body.contact.matrix() * (of.displacement + motions.modes * of.motion);
   }
 
-  /// Returns the increment for the projected residual @p rhs. Solves until the residual is at most @p target.
+  /// Returns the increment for the projected residual @p rhs, solved to the residual @p target.
   SolidIncrement solve(const Vector &rhs, const Eigen::Vector3d &missing, double target) const
   {
     const ContactNodes &nodes = body.contact.nodes();
@@ -345,8 +341,8 @@ double SolidBody::target_residual(double residual, double force)
 {
   if (linear_tolerance > 0)
     return linear_tolerance * residual;
-  // The reduction of the last step is squared, because Newton's method converges quadratically. The next step
-  // would undo a more accurate solve.
+  // Newton's method converges quadratically, so the reduction of the last step is squared. A more accurate
+  // solve is of no use to the next step.
   const double ratio = residual_before > 0 ? residual / residual_before : 0.1;
   residual_before = residual;
   const double target = std::min(tuned.least_reduction, ratio * ratio) * residual;
@@ -357,7 +353,7 @@ double SolidBody::target_residual(double residual, double force)
 SolidBody::SymmetricStep SolidBody::begin_step(const Eigen::SparseMatrix<double> &tangent,
                                                const LinearConditions *moment_conditions)
 {
-  increment.reinit(0); // releases the memory
+  increment.reinit(0);
   increment_forces.reinit(0);
   contact.set(tangent);
   stiffness->set_contact(tangent);
@@ -371,8 +367,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
 {
   const SymmetricStep step = begin_step(tangent, conditions.are_resultants() ? nullptr : &conditions);
 
-  // 1. Solves the symmetric part for the whole residual. Vectors of the whole body dominate the memory, so
-  // each vector is released right after its last use.
+  // Vectors of the whole body dominate the memory, so each vector is released right after its last use.
   const Eigen::Vector3d missing = step.motions.scale.asDiagonal() * conditions.residual(forces, motion);
   double target = 0;
   SolidIncrement solution = [&]
@@ -382,7 +377,6 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
     return step.solve(rhs, missing, target);
   }();
 
-  // 2. Corrects the increment for friction.
   if (has_friction())
   {
     Vector left = residual(forces);
@@ -392,8 +386,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
                          { return step.solve(of, Eigen::Vector3d::Zero(), to); });
   }
 
-  // 3. Fills the result for Newton's method. residual() includes friction, so the energy of the body includes
-  // the work of friction.
+  // residual() includes friction, so the energy of the body includes the work of friction.
   const Eigen::VectorXd change = step.forces_of(solution);
   const SurfaceParts &parts = contact.nodes().parts();
   NewtonIncrement result;
@@ -404,7 +397,6 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
   result.energy_curvature = solution.image * solution.body - parts.sum(change.dot(result.displacement));
   result.energy_slope = parts.sum(forces.dot(result.displacement)) - residual(forces) * solution.body;
 
-  // 4. Stores the increment for update().
   increment.swap(solution.body);
   increment_forces.swap(solution.image);
   increment_forces -= contact_load(change);
@@ -414,8 +406,8 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
 void SolidBody::close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
                                  const Eigen::Vector3d &missing, SolidIncrement &solution) const
 {
-  // Adding (-W q, q) for any table motion q gives another solution of the body. The motion `further` is
-  // chosen so that the forces fulfil the conditions.
+  // For any table motion q, adding (-W q, q) gives another solution of the body. With q = `further`, the
+  // forces fulfil the conditions.
   Eigen::MatrixX3d response(motions.modes);
   for (unsigned int i = 0; i < 3; ++i)
     response.col(i) -= contact.nodes().gather(eliminated_border[i]);
