@@ -2,7 +2,7 @@
 import { shown } from './words.js';
 import { width_of } from './dom.js';
 
-/** Returns about n round numbers between two ends, at least two, and their format. */
+/** Returns about n round numbers, at least two, between `low` and `high`, and their format. */
 function ticks_of(low, high, n) {
   const raw = (high - low) / n;
   const power = 10 ** Math.floor(Math.log10(raw));
@@ -33,7 +33,6 @@ function log_ticks_of(low, high, n) {
   return { list: inside, text: x => shown(x, high < 1e5 && low >= 1e-3 ? '.3g' : '.0e') };
 }
 
-/** Returns the ends of an axis: the range of the values with a margin. */
 function range_of(axis, found) {
   const values = found.filter(x => Number.isFinite(x) && (!axis.log || x > 0));
   if (!values.length) return axis.log ? [0.1, 10] : [0, 1];
@@ -60,8 +59,9 @@ function rows_scale(rows, from, to) {
 }
 
 /**
- * The scale of an axis { label, range, log, rows, ticks, room, zero, close } over the values `found` of the marks, from
- * `from` to `to` on the page: call it for a place; `.invert` goes back, `.ticks` are written at it.
+ * Returns the scale of `axis` { label, range, log, rows, ticks, room, zero, close } for the values `found` of the
+ * marks: a function from values to positions between `from` and `to` on the page, with its inverse `.invert` and its
+ * `.ticks`.
  */
 export function scale(axis, found, from, to) {
   if (axis.rows) return rows_scale(axis.rows, from, to);

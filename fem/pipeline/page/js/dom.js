@@ -15,7 +15,7 @@ export const s = (tag, attributes, ...children) => element(true, tag, attributes
 
 /** Returns the nodes of a plain text with subscripts. */
 export const rich = text => pieces(text).map(piece => (typeof piece === 'object' ? h('sub', {}, piece.sub) : piece));
-/** The same in an SVG text. */
+/** Returns the nodes of a plain text with subscripts for SVG. */
 export const rich_svg = text =>
   pieces(text).flatMap((piece, i) =>
     typeof piece === 'object' // typeof, because a string has a method `sub`

@@ -1,4 +1,4 @@
-// Draws one instant of the scene, a row of the document. Arrows are proportional to forces, on one scale for all studies.
+// Draws one instant of the scene, a row of the document. The scale of forces is the same for all studies.
 import { Camera, circle, Glass } from './space.js';
 import { h, s } from './dom.js';
 import { say, shown } from './words.js';
@@ -7,7 +7,7 @@ import { texts } from '../live/texts.js';
 const t = texts.scene_words;
 const turn = 2 * Math.PI;
 export const [width, height] = [480, 340];
-const margin = 14; // of the page
+const margin = 14; // of the drawing on the page
 const finger = 32; // radius of the hand's handle on the page
 const pull = 50; // mm per N of the hand's force
 const rub = 5 * pull; // mm per N of friction
@@ -43,7 +43,7 @@ const beside = ['hand', 'inwards', 'pressure', 'torque', 'inside', 'outside']; /
 const label = (fill, anchor) => s('text', { fill: `var(--${fill})`, 'text-anchor': anchor, 'paint-order': 'stroke', stroke: 'var(--card)', 'stroke-width': 4, 'stroke-linejoin': 'round' }); // prettier-ignore
 
 /**
- * The drawing of rows { rows, radius, height, hand, orbit_radius, sense, falls, normal_force, tumbler }, lengths in metres.
+ * Drawing of rows { rows, radius, height, hand, orbit_radius, sense, falls, normal_force, tumbler }. Lengths in metres.
  */
 export class Drawing {
   constructor() {
@@ -54,10 +54,10 @@ export class Drawing {
     this.grip = s('circle', { r: finger, fill: 'transparent' });
     this.number = h('p', { class: 'instant' });
     this.svg = s('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img' }, Object.values(this.parts), Object.values(this.words), this.grip); // prettier-ignore
-    this.shows = () => true; // whether a part is shown
+    this.shows = () => true;
   }
 
-  /** `still`: the row of the still picture, which is seen from behind. */
+  /** Sets the rows. `still`: row of the still picture, which is seen from behind. */
   set(given, still) {
     this.heading = still.orbit + (given.sense * turn) / 4;
     const { rows } = (this.given = given);
@@ -67,9 +67,9 @@ export class Drawing {
     const R = 1e3 * given.radius;
     this.glass = new Glass(R, 1e3 * given.height, given.tumbler);
     this.wall = (wall * given.normal_force) / (turn * given.radius) || 0; // mm of the mean pressure
-    // The friction over the whole rim sums to the force of the hand.
+    // The sum of the friction arrows round the rim equals the force of the hand.
     const sum = first.friction[0].reduce((a, b) => a + b, 0);
-    this.rub = sum ? (-2 * rub * first.hand[0]) / sum : 0; // one arrow per two points
+    this.rub = sum ? (-2 * rub * first.hand[0]) / sum : 0; // an arrow stands for two points
     const tops = rows.map(row => this.wall * Math.max(0, ...row.load));
     const pulls = rows.map(({ hand }) => pull * Math.hypot(...hand));
     const rubs = rows.map(({ friction: [u, v] }) => this.rub * Math.max(0, ...u.map((x, k) => Math.hypot(x, v[k]))));
@@ -118,14 +118,14 @@ export class Drawing {
     this.number.textContent = shows('torque') && row.load.length ? `${instant}, ${this.most > 0 ? say(t.share, share) : t.no_torque}` : ''; // prettier-ignore
   }
 
-  /** Returns the x nearest to `x` of a name at the height `y` on the page, outside the wall. */
+  /** Returns the x nearest to `x` at which a label at the height `y` does not overlap the pressure wall. */
   beside_wall(x, y) {
     const crossed = this.columns.filter(([top, base]) => top[1] < y + 8 && base[1] > y - 18).flat();
     const edges = crossed.map(place => place[0]);
     return x < width / 2 ? Math.min(x, ...edges.map(edge => edge - 8)) : Math.max(x, ...edges.map(edge => edge + 8));
   }
 
-  /** Moves names that overlap a higher one below it, with estimated sizes: the drawing may not be shown yet. */
+  /** Moves labels that overlap a higher label. Their sizes are estimated, because the drawing may be hidden. */
   part_names() {
     const number = (word, name) => Number(word.getAttribute(name));
     const boxes = Object.values(this.words).filter(word => word.textContent).map(word => {
@@ -143,7 +143,7 @@ export class Drawing {
   draw_table({ orbit }, set) {
     const { camera, given } = this;
     const rho = 1e3 * given.orbit_radius;
-    const [x, y] = [rho * Math.cos(orbit), rho * Math.sin(orbit)]; // of the glass
+    const [x, y] = [rho * Math.cos(orbit), rho * Math.sin(orbit)];// centre of the glass
     const [step, far] = [40, Math.min(600, 1.6 * this.reach)];
     const near = [];
     for (let i = Math.ceil((x - far) / step); i <= (x + far) / step; ++i)
@@ -154,7 +154,6 @@ export class Drawing {
     set('orbit', camera.path(circle(rho, 0, 40, orbit - reach, orbit + reach).map(p => [p[0] - x, p[1] - y, 0])));
   }
 
-  /** Draws the pressure as a wall outside the rim, and the friction inside it. */
   draw_wall({ load, friction, turns }, travel, set, write) {
     const { camera, glass, given, shows } = this;
     const n = load.length;
@@ -180,7 +179,7 @@ export class Drawing {
     let longest = { size: 0, to: null };
     if (shows('friction') && !glass.lean)
       turns.forEach((sense, k) => {
-        if (k % 2) return; // a dozen arrows
+        if (k % 2) return; // every second point has an arrow
         const angle = travel + (turn * k) / turns.length;
         const [c, d] = [Math.cos(travel), Math.sin(travel)];
         const [u, v] = [this.rub * friction[0][k], this.rub * friction[1][k]];
@@ -195,7 +194,6 @@ export class Drawing {
     write('friction', longest.to, t.friction, 16);
   }
 
-  /** Draws the hand's force and its component towards the centre of the orbit. */
   draw_hand({ hand }, travel, set, write) {
     const { camera, glass, given, shows } = this;
     const z = 1e3 * given.hand;
@@ -218,7 +216,7 @@ export class Drawing {
     this.grip.setAttribute('cy', y.toFixed(1));
   }
 
-  /** Draws the net torque: an arrow round the stem, with several turns if it is large. */
+  /** Draws the net torque as an arrow round the stem, with several turns if the torque is large. */
   draw_torque({ torque }, set, write) {
     const { camera, glass, given, parts, shows } = this;
     const reach = twist * torque;

@@ -9,7 +9,6 @@ import { label_of } from './words.js';
 
 const clip_ids = { last: 0 };
 
-/** Returns a text in two lines if it is wider than `room`. */
 function lines_of(text, room) {
   if (width_of(text) <= room) return [text];
   const words = text.split(' ');
@@ -21,7 +20,7 @@ function lines_of(text, room) {
 
 export class Figure {
   constructor(picture) {
-    this.hidden = new Set(); // names of hidden marks
+    this.hidden = new Set();
     this.zoomed = null;
     this.chosen = null; // [mark, index] selected by the arrow keys
     this.svg = s('svg', { role: 'group', 'aria-roledescription': 'picture', tabindex: 0 });
@@ -71,7 +70,6 @@ export class Figure {
     [...this.svg.querySelectorAll('.name')].find(node => node.dataset.name === name)?.focus();
   }
 
-  /** Returns the height of the picture for a width. */
   height_of(width, names_height) {
     const { equal, aspect, y = {}, height } = this.picture;
     if (equal) return Math.round(width * (aspect || 0.8)) + names_height;
@@ -79,7 +77,7 @@ export class Figure {
     return height || Math.round(Math.min(360, 150 + 0.35 * width));
   }
 
-  /** Returns all elements for a width. Scales and box are kept for the pointer. */
+  /** Returns all elements for a width. Stores scales and box, which pointer.js uses. */
   draw(width) {
     const { x = {}, y = {}, marks, equal, colours, edge } = this.picture;
     this.shown_marks = marks.filter(m => !m.name || !this.hidden.has(m.name));
@@ -166,7 +164,6 @@ export class Figure {
     ];
   }
 
-  /** Returns the picture for a file: light colours, `width` wide. */
   alone(width) {
     const { width: present, picture } = this;
     const nodes = this.draw(width);

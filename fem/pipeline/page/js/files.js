@@ -2,7 +2,6 @@
 import { csv, heading_of, label_of } from './words.js';
 import { download, font, h, rich, s } from './dom.js';
 
-/** Returns a colour of the page's light style. */
 const colour = name => document.styleSheets[0].cssRules[0].style.getPropertyValue(name).trim();
 
 /** Returns the text of a self-contained SVG file of the nodes, in light colours. */
@@ -23,20 +22,19 @@ export function svg_text(title, description, nodes, width, height) {
     .replace(/ (?:role|tabindex|aria-pressed|data-name|pointer-events|class)="(?!soft|round)[^"]*"/g, '');
 }
 
-/** Returns a drawing with its caption: { id, node, alone() }. `style`: rules that its file needs. */
+/** Returns a drawing with its caption: { id, node, alone() }. `style`: style rules of its SVG file. */
 export function drawing({ id, heading, caption, title, svg, style = '' }) {
   const text = h('figcaption', {}, h('b', {}, `${heading}. `), rich(caption));
   return { id, node: h('figure', { id, class: 'drawing' }, svg, text), alone: () => copy_of(svg, title, caption, style) };
 }
 
-/** Returns the file of a drawn SVG: { text, width, height }. */
 export function copy_of(svg, title, description, style) {
   const { width, height } = svg.viewBox.baseVal;
   const nodes = [...svg.childNodes].map(child => child.cloneNode(true));
   return { text: svg_text(title, description, [style && s('style', {}, style), nodes], width, height), width, height };
 }
 
-/** Returns further numbers of the rows of a mark, by heading with unit. */
+/** Returns the values in `extra` of a mark, by heading with unit. */
 export const extra_of = (mark, axes) =>
   Object.fromEntries(
     (mark.extra || []).map(({ heading, axis, values }) => [heading_of({ heading, unit: axes[axis]?.unit }), values])

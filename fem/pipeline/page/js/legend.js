@@ -13,7 +13,6 @@ function swatch_of(mark, x, y) {
   return s('circle', { cx: x + 9, cy: y, r: 4, fill, stroke: colour, 'stroke-width': 1.5 });
 }
 
-/** Returns nodes and height of the legend, in as many lines as necessary. */
 export function names_of(figure, width) {
   const named = figure.picture.marks.filter(m => m.name && m.swatch);
   const unique = named.filter((m, i) => named.findIndex(other => other.name === m.name) === i);
@@ -40,7 +39,6 @@ export function names_of(figure, width) {
   return { nodes, height: 20 * (row + 1) + 4 };
 }
 
-/** Returns a colour scale at the right of the picture, with its label above. */
 export function colour_bar({ range, label, both_signs }, box, width) {
   const V = scale({ range, close: 50 }, [], box.bottom - 4, box.top);
   const [x, n] = [width - 70, 48];

@@ -7,7 +7,6 @@ export const clean = list => list.filter(Number.isFinite);
 export const place = (x, y) => `${x.toFixed(1)} ${y.toFixed(1)}`;
 export const silent = { extent: () => ({ x: [], y: [] }), near: () => null, rows: () => [], count: 0 };
 
-/** Returns the index of the point nearest to a position on the page. */
 export function nearest(x, y, px, py, X, Y) {
   let found = null;
   x.forEach((value, i) => {
@@ -31,7 +30,7 @@ function index_near(list, value) {
   return best;
 }
 
-/** Returns a curve, interrupted at missing values. `words(i)` replaces the numbers of a point. */
+/** Returns a curve with gaps at missing values. `words(i)` replaces the numbers in the label of point i. */
 export const line = ({ x, y, name, colour = 'c1', dash, width = 2, words }) => ({
   name,
   colour,
@@ -50,7 +49,7 @@ export const line = ({ x, y, name, colour = 'c1', dash, width = 2, words }) => (
     return s('path', { d, fill: 'none', 'stroke-linejoin': 'round', ...stroke });
   },
   near: (px, py, X, Y) => nearest(x, y, px, py, X, Y),
-  value: words ? undefined : at => y[index_near(x, at)], // for comparison with a point of another curve
+  value: words ? undefined : at => y[index_near(x, at)],// for labels of points of other curves
   at: i => ({ x: x[i], y: y[i], words: words && words(i) }),
   count: x.length,
   rows: () => x.map((value, i) => [name || '', value, y[i]])
@@ -95,7 +94,6 @@ export const dots = ({ x, y, name, colour = 'c1', size = 4, hollow, band, across
   extra: band && [{ heading: '±', axis: across ? 'x' : 'y', values: band }]
 });
 
-/** Returns a curve whose points are marked. */
 export const marked = look => [line(look), { ...dots(look), swatch: undefined, rows: () => [] }];
 
 /** Returns bars from `from` to `to` along the numbered rows of a named vertical axis. */
@@ -129,7 +127,7 @@ export const bars = ({ from, to, texts, name, colour = 'c1', rows: at, words, pa
   extra: [{ heading: 'from', axis: 'x', values: from }]
 });
 
-/** Returns a straight line across the picture at x or y, with a label at its end. */
+/** Returns a horizontal or vertical line across the picture, with a label at its end. */
 export const rule = ({ x, y, text, colour = 'soft', dash, low, name }) => ({
   ...silent,
   name,
@@ -154,7 +152,6 @@ export const rule = ({ x, y, text, colour = 'soft', dash, low, name }) => ({
   }
 });
 
-/** Returns a label at a point of the axes. */
 export const note = ({ x, y, text, anchor = 'middle', soft = true, dy = 4 }) => ({
   ...silent,
   draw: (X, Y) =>

@@ -13,7 +13,7 @@ const style =
   '@keyframes round{to{transform:rotate(-360deg)}}.round{animation:round linear infinite}' +
   '@media(prefers-reduced-motion:reduce){.round{animation:none}}';
 
-/** Returns sizes on the page: to scale, except for a glass that would be too small. */
+/** Returns sizes on the page. They are to scale, unless the glass would be too small. */
 function sizes({ radius, foot, orbit_radius, speed, sense }) {
   const true_rim = (reach * radius) / (orbit_radius + 1.9 * radius);
   const rim = Math.max(true_rim, 15);
@@ -32,7 +32,6 @@ function turning(seconds, clockwise, ...children) {
   return s('g', { class: 'round', style }, ...children);
 }
 
-/** Returns a band round the rim whose width shows the pressure. */
 function band_of(load, size, sense) {
   const points = load.map((value, i) => {
     const angle = (sense * turn) / 4 + (turn * i) / load.length;
@@ -42,7 +41,7 @@ function band_of(load, size, sense) {
   return s('path', { d: `M${points.join('L')}Z`, fill: 'var(--c1)', 'fill-opacity': 0.35 });
 }
 
-/** Returns a rotation with the given period [s]. */
+/** Returns the text of the time of one turn. */
 const turns_of = (omega, spins) =>
   spins ? say(t.turns, shown(turn / Math.abs(omega), '#.3g')) : omega === null ? t.none : t.still;
 
@@ -87,7 +86,7 @@ function glass_nodes({ title, omega, load }, x, size) {
   ];
 }
 
-/** Returns the drawing of glasses { title, omega, load } on an orbit: lengths_of() the scene. */
+/** Returns the drawing of glasses { title, omega, load } on an orbit. `lengths`: see lengths_of(). */
 export function orbits(glasses, lengths) {
   const size = sizes(lengths);
   const width = panel * Math.max(2, glasses.length);

@@ -8,7 +8,7 @@ function place_of(figure, event) {
   return [(event.clientX - frame.left) * factor, (event.clientY - frame.top) * factor];
 }
 
-/** Returns the label of a point: its own words, or its numbers and the values of the other curves there. */
+/** Returns the label of a point: its `words`, or its numbers and the values of other curves at the same x. */
 function lines_at(figure, mark, i) {
   const { x = {}, y = {}, equal } = figure.picture;
   const at = mark.at(i);
@@ -23,7 +23,6 @@ function lines_at(figure, mark, i) {
   return [`${x.symbol || (x.label || '') + ':'} ${say(x, at.x)}`, ...beside];
 }
 
-/** Shows the label of a point next to it. */
 function show_point(figure, mark, i, found) {
   const lines = lines_at(figure, mark, i);
   const at = mark.at(i);
@@ -56,7 +55,7 @@ export function hover(figure, event) {
   else tip.replaceChildren();
 }
 
-/** Arrow keys move from point to point, for screen readers too; Escape resets the zoom. */
+/** Moves from point to point with the arrow keys, also for screen readers; Escape resets the zoom. */
 export function key(figure, event) {
   if (event.key === 'Escape') {
     figure.chosen = null;
@@ -76,7 +75,6 @@ export function key(figure, event) {
   figure.said.textContent = show_point(figure, mark, i).join(', ');
 }
 
-/** Calls `move(event)` while a pressed pointer moves, and `end(event)` when it is released. */
 export function follow(svg, event, move, end = () => {}) {
   const ended = new AbortController();
   const listen = (name, act) => svg.addEventListener(name, act, { signal: ended.signal });
@@ -85,7 +83,6 @@ export function follow(svg, event, move, end = () => {}) {
   for (const name of ['pointerup', 'pointercancel']) listen(name, e => (ended.abort(), end(e)));
 }
 
-/** Zooms into a frame dragged over the picture. */
 export function drag(figure, event) {
   const { box, svg, picture } = figure;
   if (picture.equal || picture.y?.rows || event.button || event.target.closest('.name')) return;

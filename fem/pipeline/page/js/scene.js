@@ -11,7 +11,6 @@ import { texts } from '../live/texts.js';
 const t = texts.scene_words;
 const slower = 10;
 
-/** Returns the instant interpolated between two rows. */
 function between(rows, time) {
   const i = rows.findIndex(row => row.time >= time);
   if (i <= 0) return rows[i < 0 ? rows.length - 1 : 0];
@@ -27,7 +26,7 @@ function still_of(rows) {
   return rows.find(row => Math.abs(row.torque) <= 0.67 * most) || rows[rows.length - 1];
 }
 
-/** Returns the lengths [m], the speed [m/s] and the sense, 1 or -1, of a glass on its orbit; `value(path)`: the number of an entry. */
+/** Returns lengths [m], speed [m/s] and sense (1 or -1) of a glass on its orbit. `value(path)`: number of an entry. */
 export const lengths_of = (value, sense) => ({
   radius: value('Glass/Contact radius'),
   foot: value('Glass/Foot radius'),
@@ -62,7 +61,6 @@ export class Scene {
     this.play(false);
   }
 
-  /** Shows other rows, with the explanation `why`. */
   set(given) {
     const [same, fell] = [this.given && this.given.rows.length > 1, this.given?.falls];
     this.given = given;
@@ -83,7 +81,7 @@ export class Scene {
     this.go_to(Math.min(this.time, Number(this.slider.max)));
   }
 
-  /** Greys the picture until a new one is available; the hand stays. */
+  /** Greys the picture until a new answer is available. The hand is drawn at its new height. */
   wait(hand) {
     this.node.classList.add('waits');
     Object.assign(this.given, { hand });
@@ -116,7 +114,6 @@ export class Scene {
     requestAnimationFrame(frame);
   }
 
-  /** Drags the hand up and down, or rotates the view. */
   drag(event) {
     const by_hand = event.target === this.drawing.grip;
     const { clientX, clientY } = event;
@@ -136,7 +133,6 @@ export class Scene {
     event.preventDefault();
   }
 
-  /** Adds an alternative drawing: the view from above. */
   add_tab(above) {
     const looks = { beside: this.beside, above };
     const show = name => {

@@ -4,16 +4,15 @@ import { h, rich } from './dom.js';
 import { table } from './tables.js';
 import { without_rounding } from './rounding.js';
 
-const figures = new Map(); // by id
+const figures = new Map();
 const fit = ({ target, contentRect }) => {
   const figure = figures.get(target.id);
   const width = Math.round(contentRect.width);
   if (figure && width > 0 && width !== figure.width) figure.redraw(width);
 };
-// Deferred to the next frame: browsers report an error if a picture changes its height while sizes are observed.
+// Deferred to the next frame: browsers report an error if a callback of ResizeObserver changes sizes.
 const resized = new ResizeObserver(entries => requestAnimationFrame(() => entries.forEach(fit)));
 
-/** Returns the node of a picture that adapts to the width of the page. */
 export function figure_of(picture) {
   if (picture.node) {
     figures.set(picture.id, picture); // a drawing with its own rendering
@@ -25,7 +24,7 @@ export function figure_of(picture) {
   return figure.node;
 }
 
-/** Replaces the picture with the same id. Returns true if there is one. */
+/** Replaces the picture with the same id. Returns false if no picture has this id. */
 export function show_anew(picture) {
   figures.get(picture.id)?.set(picture);
   return figures.has(picture.id);
@@ -49,7 +48,6 @@ function section_of(doc, { title, folded, text, pictures, tables, files }) {
   return h('section', {}, folded ? h('details', {}, h('summary', {}, heading), content) : [heading, content]);
 }
 
-/** Renders a view on the page. */
 function show(doc, view, main) {
   const head = there(view.head).map(figure_of);
   const sections = there(view.sections).map(section => section_of(doc, section));
@@ -65,7 +63,6 @@ function show(doc, view, main) {
   );
 }
 
-/** Shows the document of the page with the view of its verb. */
 export function show_document(views) {
   const doc = JSON.parse(document.getElementById('document').textContent);
   without_rounding(doc);

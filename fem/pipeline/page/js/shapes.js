@@ -15,7 +15,7 @@ const blue_white_red = [
   [247, 247, 247],
   [178, 24, 43]
 ];
-/** Returns a colour of a scale from 0 to 1 with uniform steps of lightness; in a signed scale zero is white. */
+/** Returns the colour at `t` from 0 to 1. The lightness has uniform steps; in a signed scale, zero is white. */
 export function colour_at(t, both_signs) {
   const stops = both_signs ? blue_white_red : dark_to_light;
   const at = Math.max(0, Math.min(0.9999, t)) * (stops.length - 1);
@@ -32,7 +32,7 @@ function contains(polygon, x, y) {
   return inside;
 }
 
-/** Returns coloured polygons [[x, y], ...] with one value each; `words(i)` is the label of a polygon. */
+/** Returns coloured polygons [[x, y], ...], each with one value. `words(i)`: label of polygon i. */
 export const patches = ({ polygons, value, colours: { range, both_signs, label }, words, name, lines }) => {
   const levels = 48;
   const share = v => (v - range[0]) / (range[1] - range[0] || 1);
@@ -89,7 +89,6 @@ export function arrow(x0, y0, x1, y1, head = 6) {
   return `M${place(x0, y0)}L${place(x1, y1)}M${left}L${place(x1, y1)}L${right}`;
 }
 
-/** Returns arrows from (x, y) by (u, v), in the units of the axes. */
 export const arrows = ({ x, y, u, v, name, colour = 'c1', words, width = 1.6, head = 6 }) => ({
   ...silent,
   name,
@@ -137,7 +136,6 @@ export const strokes = ({ lines, colour = 'soft', width = 1, dash, heads = 0 }) 
     })
 });
 
-/** Returns a closed outline. */
 export const outline = ({ x, y, name, colour = 'ink', fill = 'none', width = 1.5, opacity = 1 }) => ({
   ...line({ x: [...x, x[0]], y: [...y, y[0]], name, colour, width }),
   near: () => null,

@@ -7,7 +7,7 @@ import { shown } from './words.js';
 
 const axis = 190; // axis of the drawn glass
 const table = 341; // height of the table on the page
-const centre = 224; // of mass
+const centre = 224; // height of the centre of mass on the page
 const outline =
   'M229.2,338.7C229.9,338.9 232.1,340 233.5,340C234.9,340 236.4,339.4 237.8,338.7C239.3,338 242.2,336.6 242.2,335.6' +
   'C242.2,334.7 241.7,334.1 237.8,333C234,332 224.8,331.1 219,329.1C213.2,327.1 206.7,324.7 203.1,321.1' +
@@ -27,7 +27,9 @@ const soft = { class: 'soft' };
 const thin = (d, more = {}) => s('path', { d, fill: 'none', stroke: 'var(--soft)', 'stroke-width': 0.9, ...more });
 const filled = (d, colour) => s('path', { d, fill: `var(--${colour})` });
 
-/** Returns the hand's force at rest: towards the centre, and along the path against friction. */
+/**
+ * Returns the hand's force at rest; `inwards`: towards the orbit's centre; `along`: along the path against friction.
+ */
 const hand_force = given => `${shown(Math.hypot(given.force.inwards, given.force.along), '.3g')} N`;
 
 function hand_nodes(given, hand) {
@@ -44,7 +46,6 @@ function hand_nodes(given, hand) {
   ];
 }
 
-/** Returns the pressure of the rim on the side towards the centre of the orbit and on the other side. */
 function press_nodes({ mean, inside, outside }) {
   const arrow = (force, x, label, at, anchor) => {
     const top = 350 + 24 * Math.min(2, Math.max(0, force / mean));
@@ -79,7 +80,6 @@ function length_nodes(given, hand) {
   ];
 }
 
-/** Returns the drawing of a document. */
 export function sketch(doc) {
   const { sketch: given } = doc.words;
   const { Glass: glass } = doc.summary.parameters;

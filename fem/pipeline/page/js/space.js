@@ -1,9 +1,9 @@
-// Perspective view of the glass: positions on the page, and the paths of the drawing. Lengths in millimetres, z up.
+// Perspective view of the glass. Lengths in millimetres, z up.
 import { place } from './marks.js';
 
 const turn = 2 * Math.PI;
 
-// Half of the outline of the drawn glass over its contact radius and its height, as in
+// Half of the outline of the glass: radius over the contact radius, and height over the total height, as in
 // docs/figures/draw_glass.py.
 // prettier-ignore
 const profile = [
@@ -16,10 +16,8 @@ const tumbler = [[1, 0], [1.12, 0.03], [1.16, 0.3], [1.26, 1]];
 const height_of_glass = 2.46; // relative to the height of the centre of mass
 const height_of_tumbler = 1.9;
 
-/** Returns whether a glass has no stem (tumbler). */
 export const is_tumbler = (stem, contact) => stem > 0.5 * contact;
 
-/** Returns the radius of an outline at a height. */
 const radius_at = (outline, share) => {
   const above = outline.findIndex(([, z]) => z >= share);
   const i = above > 0 ? above : above < 0 ? outline.length - 1 : 1;
@@ -27,13 +25,12 @@ const radius_at = (outline, share) => {
   return r0 + (r1 - r0) * Math.min(1, Math.max(0, (share - z0) / (z1 - z0 || 1)));
 };
 
-/** Camera that looks at a point from an azimuth and an elevation, with perspective. */
 export class Camera {
   constructor(azimuth, elevation) {
     Object.assign(this, { azimuth, elevation });
   }
 
-  /** Fits circles { radius, height } round the axis into a page of that size. */
+  /** Sets the scale so that circles { radius, height } round the axis fit into `width` and `height` on the page. */
   aim(circles, width, height) {
     const [ca, sa] = [Math.cos(this.azimuth), Math.sin(this.azimuth)];
     const [ce, se] = [Math.cos(this.elevation), Math.sin(this.elevation)];
@@ -49,7 +46,6 @@ export class Camera {
     this.middle = ends.map(([least, most], i) => [width, height][i] / 2 - (this.focus * (least + most)) / 2);
   }
 
-  /** Returns the position on the page. */
   see(p) {
     const [right, up, depth] = this.axes.map(axis => axis.reduce((sum, x, i) => sum + x * p[i], 0));
     const scale = this.focus / (this.distance + depth);
@@ -60,7 +56,6 @@ export class Camera {
     return places.map((p, i) => (i ? 'L' : 'M') + place(...this.see(p))).join('') + (close ? 'Z' : '');
   }
 
-  /** Returns an arrow with a head of two strokes. */
   arrow(from, to, head, least = 0) {
     const d = to.map((x, i) => x - from[i]);
     const n = Math.hypot(...d);
@@ -71,7 +66,7 @@ export class Camera {
     return this.path([from, to]) + this.path([wing(1), to, wing(-1)]);
   }
 
-  /** Returns the component of a direction on the table towards the viewer, from -1 to 1. */
+  /** Returns the cosine between a direction on the table and the direction to the viewer. */
   faces(angle) {
     return Math.cos(angle - this.azimuth);
   }
@@ -83,14 +78,14 @@ export const circle = (r, z, n = 60, from = 0, to = turn) =>
     return [r * Math.cos(angle), r * Math.sin(angle), z];
   });
 
-/** The glass over a contact radius and a centre of mass, drawn up to the height `cut`; it may lean over its rim. */
+/** Glass drawn up to the height `cut`. `lean`: its angle from the vertical. */
 export class Glass {
   constructor(radius, centre, is_tumbler) {
     Object.assign(this, { radius, lean: 0, towards: 0, outline: is_tumbler ? tumbler : profile });
     this.height = this.cut = centre * (is_tumbler ? height_of_tumbler : height_of_glass);
   }
 
-  /** Leans by an angle over the place of the rim at an azimuth. */
+  /** Leans the glass by an angle about the point of the rim at the azimuth `towards`. */
   lean_by(lean, towards) {
     Object.assign(this, { lean, towards });
   }
@@ -113,7 +108,7 @@ export class Glass {
     return Array.from({ length: n }, (_, k) => this.at(r, (turn * k) / n, z));
   }
 
-  /** Paths of its body, its rims and, at `yaw`, its mark. */
+  /** Returns the paths of the body, of the rims and of the mark that shows the rotation `yaw`. */
   paths(camera, yaw) {
     const { cut, height, radius, outline } = this;
     const heights = [...outline.map(([, z]) => z * height).filter(z => z < cut), cut];

@@ -2,10 +2,10 @@
 import { csv, heading_of, is_number, shown } from './words.js';
 import { download, h, rich } from './dom.js';
 
-/** Returns the columns of a table by key, as objects of lists. */
+/** Returns an object { key: values of the column }. */
 export const columns = ({ keys, values }) => Object.fromEntries(keys.map((key, i) => [key, values[i]]));
 
-/** The keys of a table that stand in `wanted`, parted by blanks; "torques[]" stands for all places of a list. */
+/** Returns the keys listed in `wanted`, separated by blanks. "torques[]" selects all elements of the list torques. */
 function chosen(keys, wanted) {
   if (!wanted) return keys;
   return wanted
@@ -13,13 +13,12 @@ function chosen(keys, wanted) {
     .flatMap(key => keys.filter(k => k === key || (key.endsWith('[]') && k.startsWith(key.slice(0, -1)))));
 }
 
-/** Returns a table of lists with the given headings. */
 export const table_of = (headings, rows) => ({
   keys: headings,
   values: headings.map((_, k) => rows.map(row => row[k]))
 });
 
-/** The table `name` of the document, or the one `given`, with these keys and this title. */
+/** Returns the table `name` of the document, or the table `given`, with the columns `keys`. */
 export function table(doc, { name, keys, title, given = doc.tables[name] }) {
   const quantities = doc.quantities[name] || {};
   const shown_columns = chosen(given.keys, keys).map(key => {

@@ -5,20 +5,19 @@ const raised = n => String(n).replace(/[-\d]/g, c => '⁻⁰¹²³⁴⁵⁶⁷�
 const pretty = text => text.replace(/e([+-]?\d+)$/, (_, n) => ' · 10' + raised(Number(n))).replace(/^1 · 10/, '10');
 const true_minus = text => text.replace(/(^|[\s([<>=±≤,])-(?=\d)/g, '$1−');
 
-/** printf's %g; `whole` keeps zeros at the end. */
+/** Formats like printf's %g; `whole` keeps trailing zeros. */
 function general(x, n, whole) {
   const power = x === 0 ? 0 : Math.floor(Math.log10(Math.abs(Number(x.toPrecision(n)))));
   const text = power < -4 || power >= Math.max(n, 6) ? x.toExponential(n - 1) : x.toFixed(Math.max(0, n - 1 - power));
   return whole ? text : text.replace(/(\.\d*?)0+(?=e|$)/, '$1').replace(/\.(?=e|$)/, '');
 }
 
-/** Rounds the half-width of an error band up to two digits. */
+/** Rounds the half-width of an error band up to two digits, so that the shown band is not narrower. */
 function rounded_up(x) {
   const unit = 10 ** (Math.floor(Math.log10(x)) - 1);
   return Math.ceil((x / unit) * (1 - 1e-9)) * unit;
 }
 
-/** Formats a value of a table or a sentence. */
 export function shown(value, digits = '.6g') {
   if (value === null || value === undefined || (typeof value === 'number' && !Number.isFinite(value))) return missing;
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
@@ -35,14 +34,12 @@ export function shown(value, digits = '.6g') {
   return (sign && x > 0 ? '+' : '') + true_minus(pretty(text)) + (percent ? ' %' : '');
 }
 
-/** Returns the text of a cell, with typographic minus and powers of ten. */
 function cell(text) {
   const number = /^[-+]?\d/.test(text) && /^\S+$/.test(text);
   return number ? true_minus(/^0\.?0*e/.test(text) ? '0' : pretty(text)) : true_minus(text);
 }
 export const is_number = text => /^[-−+]?\d/.test(text) || text === missing || text === '';
 
-/** Returns a sentence with its numbers inserted. */
 export const say = (text, ...values) => with_units(text.replace(/\{(\d)\}/g, (_, i) => values[i]));
 
 export const heading_of = q => q.heading + (q.unit && q.unit !== '1' ? ` (${q.unit.replace(/ /g, '\u00a0')})` : '');
@@ -56,7 +53,7 @@ const with_units = text =>
     .replace(/(?<=\u00a0[mµn]?N) m(?=[\s.,;:)]|$)/g, '\u00a0m')
     .replace(/(?<=[mgs])\^([23])(?!\d)/g, (_, n) => raised(n));
 
-/** A plain text in pieces: words, and subscripts { sub } behind symbols of one letter (τ_z, a_10, z_CM). */
+/** Splits a text into words and subscripts { sub } of one-letter symbols (τ_z, a_10, z_CM). */
 export function pieces(text) {
   const whole = with_units(true_minus(String(text)));
   const parts = whole.split(/(?<=(?:^|[^A-Za-z0-9_])[A-Za-z\u0370-\u03ff])_([A-Za-z0-9]+)/);

@@ -5,7 +5,6 @@ let solver,
   data,
   pair = null;
 
-/** Starts the solver of `wasm` with the compliances of a page. */
 export async function begin(given) {
   ({ data, bodies } = given);
   const module = await WebAssembly.compile(given.wasm);
@@ -26,7 +25,7 @@ function read(at) {
   return JSON.parse(new TextDecoder().decode(memory.subarray(at, memory.indexOf(0, at))));
 }
 
-/** The reply of a function to texts. */
+/** Returns the reply of the solver's function `name` to texts. */
 function called(name, ...texts) {
   const places = texts.map(string);
   const reply = read(solver[name](...places));
@@ -76,7 +75,7 @@ function take(index, is_disc) {
   solver.free(spot);
 }
 
-/** Takes the disc of an elastic table, which does not grow with the foot, for a contact radius [m]; whether there is one. */
+/** Selects the compliance of an elastic table for the contact radius `wish` [m]. Returns false if it is not stored. */
 const [radius, end_time] = ['Glass/Contact radius', 'Motion/End time'];
 function take_disc(wish) {
   const { disc, discs, values } = data.pairs[pair];
@@ -87,7 +86,7 @@ function take_disc(wish) {
   return Boolean(known);
 }
 
-// Changes of the study relative to the entries of its glass and table.
+// Changed entries, relative to the values of the glass and the table.
 let changed = {};
 function choose(name, changes) {
   const stays = pair === name;
@@ -102,7 +101,7 @@ function choose(name, changes) {
     changed = {};
   }
   const own = Object.fromEntries(data.pairs[name].values);
-  let failure = null; // first refusal
+  let failure = null; // first entry that the solver refuses
   for (const path in { ...changed, ...changes }) {
     const wish = Object.hasOwn(changes, path) ? changes[path] : (own[path] ?? data.entries[path]);
     if (stays && changed[path] === changes[path]) continue;
@@ -122,14 +121,14 @@ const work = {
     return { ...read(solver.explore_solve(m.harmonics, m.cold || !stays ? 1 : 0)), was_cold: m.cold || !stays };
   },
   curves: m => {
-    set(end_time, (changed[end_time] = String(m.end))); // the next study sets it back
+    set(end_time, (changed[end_time] = String(m.end))); // choose() restores it for the next study
     return read(solver.explore_curves());
   },
   budget: () => read(solver.explore_budget()),
   pressure: () => read(solver.explore_pressure())
 };
 
-/** The reply to a message: { id, do, reply, ms }. */
+/** Returns the reply { id, do, reply, ms } to a message. */
 export function reply_to(message) {
   const start = performance.now();
   let reply;

@@ -81,7 +81,6 @@ export function write_harmonics() {
 
 const kinds = { glasses: 'glass', tables: 'table' };
 
-/** Shows which glass and table are chosen, with their sliders. */
 export function chosen(solve) {
   for (const [box, kind] of Object.entries(kinds))
     for (const button of $(box).children) button.setAttribute('aria-pressed', button.dataset.name === state[kind]);
@@ -89,7 +88,7 @@ export function chosen(solve) {
   make_sliders(solve);
 }
 
-/** Buttons of glasses and tables; `choose` is called for a new one. */
+/** Makes the buttons of glasses and tables, which call `choose`. */
 export function make_choices(choose) {
   for (const [box, kind] of Object.entries(kinds))
     for (const { name, words: title } of data[box]) {

@@ -19,12 +19,11 @@ export function save_curves(drawn) {
   );
 }
 
-/** The text of this page, opened with the present state; `page`: its text as it was opened. */
+/** Returns `page`, the original text of this page, with the current state, for download. */
 export const page_with_state = page =>
   '<!doctype html>\n' +
   page.replace(/id="live"( data-state="[^"]*")?/, () => `id="live" data-state="${String(parts_of_state()).replace(/&/g, '&amp;')}"`); // prettier-ignore
 
-/** Returns the study as a parameter file. */
 export function study_text() {
   const values = { ...Object.fromEntries(pair().values), ...state.changes };
   const line = text => text.replace(/[\r\n]+/g, ' ');

@@ -1,4 +1,5 @@
-// The lesson: five steps from the hand to the terminal spin. Each asks for a prediction before it shows the answer.
+// Lesson in five steps, from the hand to the terminal spin. Each step asks for a prediction before its
+// answer.
 import { $, at_end, centre, digits, doc, fall, found, hand_offset, is_held, remember, sense, state, value_of } from './state.js'; // prettier-ignore
 import { h } from '../js/dom.js';
 import { pressing } from '../js/series.js';
@@ -9,7 +10,7 @@ import { texts } from './texts.js';
 
 const t = lesson_texts;
 const chosen = {}; // predictions by step
-// Parts of the scene and pictures that a step shows before and after its prediction.
+// Number of scene parts that each step shows before and after the prediction.
 const scene_parts = ['hand', 'pressure', 'friction', 'torque'];
 const parts_before = [1, 1, 2, 3, 4];
 const parts_after = [2, 2, 3, 4, 4];
@@ -18,20 +19,20 @@ const pictures_after = [[], ['load'], ['load'], ['torque'], ['spin', 'torque']];
 const is_predicted = () => chosen[state.lesson] !== undefined;
 const at_step = (before, after) => (is_predicted() ? after : before)[state.lesson - 1];
 
-/** Returns true if a part of the scene is shown in the current step. */
 export const shows = part => !state.lesson || scene_parts.indexOf(part) < at_step(parts_before, parts_after);
 
 /** Returns the side with the larger load at rest: 0 outside, 1 inside, 2 equal. */
 const side = () => ['outside', 'inside', 'even'].indexOf(pressing(doc).harder);
-/** Returns the direction of the torque at rest: 0 against the orbit, 1 with it, 2 none. Before it is computed, it is inferred from the pressure. */
+/**
+ * Returns the direction of the torque at rest: 0 against the orbit, 1 with it, 2 none. Without a computed torque, it
+ * follows from the side with the larger load.
+ */
 function way() {
   const torque = doc.summary.ring.tau_at_rest;
   return !Number.isFinite(torque) ? side() : torque === 0 ? 2 : torque * sense() < 0 ? 0 : 1;
 }
-/** Returns the correct option of each step in the current state. */
 const right = [side, () => (doc.summary.load?.moment_ratio > 1 ? 2 : 1), () => 1, way, () => 1];
 
-/** Returns the answer of each step with its numbers. */
 const answers = [
   ({ answer }) => {
     const millimetres = 1e3 * Math.abs(hand_offset());
@@ -59,7 +60,6 @@ const answers = [
   }
 ];
 
-/** Returns the text after the answer of a step. */
 const thens = {
   2: ({ then, also }) => {
     const { a, b } = at_end().summary.load;
@@ -73,7 +73,7 @@ const thens = {
   }
 };
 
-/** The verdict on a prediction; *The net force* is a half-right answer where one side has more friction. */
+/** Returns the verdict on a prediction. "The net force" (option 0) of step 3 is half right if there is a torque. */
 function verdict(step, mine) {
   if (mine === right[step - 1]()) return t.right;
   return step === 3 && mine === 0 && way() !== 2 ? t.half : t.other;
@@ -81,7 +81,7 @@ function verdict(step, mine) {
 
 const buttons = () => [...$('lesson').querySelectorAll('button')];
 
-/** Writes the present step; `changed` is called when what is shown changes. */
+/** Writes the current step; `changed` is called after a change of step or prediction. */
 export function write_lesson(changed) {
   const step = state.lesson;
   $('lesson-button').textContent = step ? texts.all_of_it : texts.lesson;

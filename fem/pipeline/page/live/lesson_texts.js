@@ -1,4 +1,4 @@
-// Texts of the lesson; {0}, {1} are numbers. An answer that depends on the state is a list by the right option.
+// Texts of the lesson; {0}, {1} are numbers. A list has one answer per correct option of the step.
 export const lesson_texts = {
   step: 'Step {0} of 5: {1}',
   right: 'As you said.',

@@ -16,11 +16,11 @@ import { write_lesson } from './lesson.js';
 
 const opened = performance.now();
 const page = document.documentElement.outerHTML; // original page
-let stands = {}; // changes of the last state without tipping
+let stands = {}; // changes in the last state in which the glass did not tip
 addEventListener('error', e => errors.push(e.message));
 addEventListener('unhandledrejection', e => errors.push(String(e.reason)));
 
-const drawn = new Map(); // current content of the pictures, by their place
+const drawn = new Map();// current pictures, by name
 const places = [...document.querySelectorAll('[data-picture]')];
 
 function draw_picture(place) {
@@ -50,7 +50,7 @@ function show(reply, ms, is_last) {
   draw(['load']);
   draw_scene();
   write_lesson(draw_scene);
-  // Curves, budget and pressure are updated at a pause only, not while something moves.
+  // Curves, budget and pressure are slow. They are updated only when no control moves.
   if (!reply.document || reply.was_cold) draw(calm);
 }
 
@@ -81,7 +81,6 @@ function solve(cold) {
   queue.solve(cold);
 }
 
-/** Updates the slider after the hand was moved in the scene. */
 function solve_hand(cold) {
   make_sliders(solve);
   solve(cold);
@@ -95,7 +94,7 @@ function choose() {
   solve(true);
 }
 
-/** Without a solver the page shows only the answer of `stemware run`. */
+/** Shows only the answer of `stemware run`, if the solver has failed. */
 function lost(error) {
   const why = String(error.message || error).slice(0, 100);
   errors.push(why);

@@ -13,14 +13,13 @@ const max_points = 200; // more points would hide the curve
 let run = { time: null, columns: [] }; // columns: { heading, values }
 
 const bare = cell => cell.trim().replace(/^"(.*)"$/, '$1');
-/** The number of a cell, with decimal comma or point; NaN for other text. */
+/** Returns the number in a cell, with decimal comma or point; NaN for other text. */
 function number(cell) {
   const text = bare(cell).replace('−', '-');
   return /^[-+]?(\d+([.,]\d*)?|[.,]\d+)(e[-+]?\d+)?$/i.test(text) ? Number(text.replace(',', '.')) : NaN;
 }
 const is_data = row => row.filter(Number.isFinite).length > 1;
 
-/** The columns of numbers of a table. */
 function read(text) {
   const lines = text.split(/[\r\n]+/).filter(line => line.trim());
   const sample = lines[lines.length >> 1] || '';
@@ -43,14 +42,14 @@ function range({ values }) {
   return known.reduce((a, b) => Math.max(a, b)) - known.reduce((a, b) => Math.min(a, b));
 }
 
-/** Puts the chosen column into the document as spins [rad/s] over time [s]; an angle is differentiated. */
+/** Adds the chosen column to the document, as spins [rad/s] over time [s]. Angles are differentiated. */
 function convert() {
   const { values } = run.columns[$('measured-column').value];
   const [factor, is_angle] = units[$('measured-unit').value];
   const rate = i => (values[i + 1] - values[i - 1]) / (run.time[i + 1] - run.time[i - 1]);
   const [from, to] = ['from', 'to'].map(end => Number($(`measured-${end}`).value));
   const points = run.time.map((t, i) => [t - from, factor * (is_angle ? rate(i) : values[i])]);
-  const end = Math.min(to - from, doc.tables.spin_up ? Math.max(...columns(doc.tables.spin_up).time) : Infinity); // of the curve
+  const end = Math.min(to - from, doc.tables.spin_up ? Math.max(...columns(doc.tables.spin_up).time) : Infinity); // end of the computed curve
   const kept = points.filter(point => point[0] >= 0 && point[0] <= end && point.every(Number.isFinite));
   const step = Math.ceil(kept.length / max_points);
   const drawn = kept.filter((_, i) => i % step === 0);
@@ -58,7 +57,7 @@ function convert() {
   doc.tables.measured = table_of(['time', 'omega'], drawn);
 }
 
-/** The controls of a measured run; `draw` draws the spin-up again. */
+/** Makes the controls of a measured run. `draw` redraws the spin-up. */
 export function make_measured(draw) {
   const take = async file => {
     if (!file) return;

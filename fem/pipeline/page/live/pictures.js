@@ -1,4 +1,4 @@
-// Pictures of a live answer, the same as in reports.
+// Pictures of a live answer, made by the functions of the reports.
 import { at_end, band, doc, found, pair } from './state.js';
 import { footprint } from '../views/foot.js';
 import { line_load } from '../views/load.js';
@@ -7,7 +7,7 @@ import { texts } from './texts.js';
 import { waterfall } from '../views/budget.js';
 import { shown } from '../js/words.js';
 
-/** Pictures by place on the page, with a check that the document has their data. */
+/** Pictures by name: a check that the document has the data, and the function that makes the picture. */
 const pictures = {
   load: [() => doc.summary.load_at_terminal, () => line_load(at_end())],
   torque: [() => doc.tables.torque, () => torque(doc)],
@@ -15,10 +15,9 @@ const pictures = {
   budget: [() => doc.tables.waterfall?.length, () => waterfall(doc)],
   pressure: [() => doc.tables.foot, () => footprint(doc.tables.foot.footprint, 'pressure', '')]
 };
-/** Pictures that are not updated during a move. */
+/** Slow pictures, which are not updated while a control moves. */
 export const calm = ['torque', 'spin', 'budget', 'pressure'];
 
-/** Returns a picture; null if the document has no data for it. */
 export function picture(name) {
   const [is_known, make] = pictures[name];
   const given = is_known() && make();
@@ -27,7 +26,7 @@ export function picture(name) {
   return { ...given, ...named, marks: given.marks.filter(Boolean) };
 }
 
-/** All harmonics against the first alone, as the budget has them; nothing where that does not spin. */
+/** Returns the relative change of the spin due to all harmonics beyond the first; "–" if it does not exist. */
 export function harmonic_effect() {
   const { harmonic_effect: effect } = doc.summary;
   return Number.isFinite(effect?.relative) ? shown(effect.relative, '+.2f%') : '–';

@@ -5,12 +5,11 @@ import { h } from '../js/dom.js';
 import { say, shown } from '../js/words.js';
 import { texts } from './texts.js';
 
-/** Returns the time of one turn [s] as text. */
 export const seconds_of = omega => shown((2 * Math.PI) / Math.abs(omega), '#.3g');
 const still = omega => Math.abs(omega) < 1e-6;
 let checked = null;
 
-/** A change of the spin in per cent; nothing where there is no spin. */
+/** Returns the change of the spin in per cent and in rad/s; an empty text without a spin. */
 function effect_text(all, omega) {
   if (!Number.isFinite(all) || still(omega)) return '';
   const numbers = [shown(all / omega - 1, '+.2f%'), shown(all - omega, '+.3g')];
@@ -45,7 +44,7 @@ export function failure_text({ tips, refused, error }) {
   return refused ? say(texts.refused, error) : fall().share > near_fall ? [...last_known(), texts.too_close].join(' ') : error;
 }
 
-/** Returns sentences on the distance to tipping, if it is small, and on the last balance, if there was one. */
+/** Returns sentences on the last balance, if there was one, and on the distance to tipping, if it is small. */
 function last_known() {
   const is_study = !Object.keys(state.changes).length;
   const [omega, height] = state.standing || [is_study ? pair().omega : NaN, value_of(hand)];
@@ -53,7 +52,6 @@ function last_known() {
   return [...(fall().share > near_fall ? [close_to_fall(fall())] : []), ...last];
 }
 
-/** Shows intermediate results before the answer. */
 export function tell_late() {
   $('answer').textContent = [...last_known(), texts.solving].join(' ');
 }
@@ -98,7 +96,6 @@ export function facts(ms) {
   $('facts').replaceChildren(...rows.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))));
 }
 
-/** Shows the answer. */
 export function tell(ms) {
   const { answer } = found;
   const chosen = doc.summary.first_n || doc.summary.ring;

@@ -34,7 +34,6 @@ const parts = [
 ];
 const row = (tag, cells) => h('tr', {}, cells.map(text => h(tag, {}, text))); // prettier-ignore
 
-/** Prints the sheet only. */
 export function print_sheet() {
   const filled = parts.flatMap((part, i) => {
     if (i % 2) return [];

@@ -1,5 +1,5 @@
 // The solver in its worker, or in the page if workers are not supported. Only the latest request is solved;
-// older ones are cancelled if they take long.
+// an older request is cancelled if it takes long.
 import { $, all_harmonics, end_of_spin_up, errors, pair_name, state } from './state.js';
 import { begin, reply_to } from './compute.js';
 
@@ -18,7 +18,7 @@ async function unpack(id) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** Returns a promise of a worker; it is rejected if site or browser do not support workers. */
+/** Returns a promise of a worker. The promise is rejected if site or browser do not support workers. */
 function begin_worker() {
   worker = new Worker(parts.script);
   ready = new Promise((done, failed) => {
@@ -37,13 +37,13 @@ function take(message) {
   waiting.delete(message.id);
 }
 
-/** Solver in the page itself, which answers after the page has been drawn. */
+/** Starts the solver in the page. setTimeout() lets the browser draw the page before each answer. */
 function begin_in_page() {
   worker = { postMessage: message => setTimeout(() => take(reply_to(message))) };
   return (ready = begin(parts.given));
 }
 
-/** Starts the solver; the promise is rejected if this fails. */
+/** Starts the solver. The promise is rejected if the start fails. */
 export async function start_solver(data) {
   const [wasm, bodies] = await Promise.all(['wasm', 'bodies'].map(unpack));
   const text = new Blob([$('worker').textContent], { type: 'text/javascript' });
@@ -86,7 +86,9 @@ export class Queue {
     return !this.busy && !this.wish;
   }
 
-  /** Sends a request to the worker. Returns nothing if a newer request has cancelled it, or after `most` ms. */
+  /**
+   * Sends a request to the worker. Returns undefined if a newer request cancels it or if it takes more than `most` ms.
+   */
   async ask(message, most = patience) {
     this.busy = true;
     this.since = Infinity; // until the worker has started
@@ -108,7 +110,7 @@ export class Queue {
     return true;
   }
 
-  /** Cancels the running request after its time limit. */
+  /** Cancels the running request when it has run for `longest` ms. */
   tire() {
     const left = longest - (performance.now() - this.since);
     if (left > 0) this.patience = setTimeout(() => this.tire(), Math.min(left, longest));
@@ -141,7 +143,7 @@ export class Queue {
   async rest(reply) {
     if (!this.rests) return (this.resting = setTimeout(() => this.rest(reply), pause));
     if (!reply.error && !reply.was_cold) return this.solve(true);
-    // Near tipping most models of the budget have no balance, which takes long to find out.
+    // Near tipping, most models of the budget have no balance, and each failing search takes long.
     const parts = reply.error ? [] : ['pressure', 'curves', ...(reply.document.summary.ring.fall ? [] : ['budget'])];
     for (const name of parts) {
       const asked = await this.ask({ do: name, end: end_of_spin_up() }, name === 'curves' ? 2 * patience : patience);

@@ -4,7 +4,7 @@ import { without_rounding } from '../js/rounding.js';
 
 export const $ = id => document.getElementById(id);
 export const data = JSON.parse($('data').textContent);
-export const all_harmonics = 17; // last position of the slider
+export const all_harmonics = 17; // last value of the slider of harmonics
 export const state = {
   glass: data.glasses[0].name,
   table: data.tables[0].name,
@@ -13,16 +13,14 @@ export const state = {
   lesson: 0, // current step; 0: none
   unknown: []
 };
-/** The last reply: { fit, notes, error, tips, refused, was_cold }; nothing before the first. */
-export const found = { answer: null, is_last: true }; // true if there is no newer request
-/** Document of the last answer, which the views of reports use. */
+/** Last reply: { fit, notes, error, tips, refused, was_cold }. `is_last`: no newer request exists. */
+export const found = { answer: null, is_last: true };
 export const doc = { summary: {}, words: {}, tables: {} };
-const own = ['measured']; // tables given by the user, not part of an answer
+const own = ['measured']; // tables of the user, which a new answer does not replace
 export function forget() {
   const kept = Object.fromEntries(own.filter(name => doc.tables[name]).map(name => [name, doc.tables[name]]));
   Object.assign(doc, { summary: {}, words: {}, tables: kept });
 }
-/** Merges a reply into the document. */
 export function learn(part) {
   for (const key of ['summary', 'words', 'tables']) Object.assign(doc[key], part[key]);
   without_rounding(doc);
@@ -33,7 +31,7 @@ export function at_end() {
   return { ...doc, summary: { ...summary, load: { ...summary.load_at_terminal, cut: summary.first_n?.load } } };
 }
 export const [hand, centre, radius] = ['Motion/Hand height', 'Motion/Centre of mass height', 'Glass/Contact radius'];
-const offset = 'Motion/Force offset'; // determined by the two heights
+const offset = 'Motion/Force offset'; // equals the height of the hand minus the height of the centre of mass
 const rounded = metres => Number(metres.toFixed(9));
 export const errors = [];
 let entries = {};
@@ -45,12 +43,11 @@ export const pair_name = () => `${state.glass}|${state.table}`;
 export const pair = () => data.pairs[pair_name()];
 export const band = () => Math.max(data.near_band, pair().band || 0);
 
-/** Returns the values of the pair's study, without changes. */
 export function load_entries() {
   entries = {};
   for (const path in data.entries) entries[path] = { value: data.entries[path], acts: pair().acts.includes(path) };
   for (const [path, value] of pair().values) entries[path].value = value;
-  if (!is_changed(offset)) return; // not changed by the address
+  if (!is_changed(offset)) return; // the address does not change it
   state.changes[hand] = String(rounded(value_of(centre) + value_of(offset)));
   delete state.changes[offset];
 }
@@ -60,8 +57,8 @@ export const base_value = path => Number(entries[path]?.value ?? 0);
 const text_of = path => (is_changed(path) ? state.changes[path] : (entries[path]?.value ?? ''));
 export const value_of = path => Number(text_of(path));
 /**
- * Returns the moment at rest over the largest moment of a rigid ring with this radius (the glass tips at 1), and the height of the
- * hand at which the ratio is 1.
+ * Returns the moment at rest over the maximum moment of a rigid ring with the contact radius (at a ratio of 1 the glass
+ * tips), and the height of the hand at which the ratio is 1.
  */
 export function fall() {
   const [h, c, R, mu] = [hand, centre, radius, 'Motion/Friction coefficient'].map(value_of);
@@ -70,11 +67,10 @@ export function fall() {
   const highest = (c * k * k + Math.sqrt(Math.max(0, sum * R * R - (c * k * mu) ** 2))) / sum;
   return { share: Math.hypot((h - c) * k, h * mu) / R, highest };
 }
-/** Returns the height of the hand above the centre of mass. */
 export const hand_offset = () => rounded(value_of(hand) - value_of(centre));
-/** A length of the foot, which keeps its shape. */
+/** Scales a length of the foot with the contact radius, so that the foot keeps its shape. */
 export const similar = length => (length * value_of(radius)) / base_value(radius);
-/** Returns a time [s] at which the spin is close to its last value, at least the end time of the study. */
+/** Returns a time [s] after which the spin hardly changes, at least the end time of the study. */
 export function end_of_spin_up() {
   const { omega_terminal, fall, tau_at_rest, time_constant } = doc.summary.ring;
   const torque = Math.abs(tau_at_rest) - value_of('Motion/Grip torque');
@@ -82,16 +78,15 @@ export function end_of_spin_up() {
   const settling = Math.ceil(1.5 * rise + 4 * (time_constant || 0));
   return Math.max(value_of('Motion/End time'), Math.min(60, settling));
 }
-/** Returns true if the fingers hold the glass against friction. */
+/** Returns true if the grip prevents the spin. */
 export const is_held = () => value_of('Motion/Grip torque') > 0 && doc.summary.ring?.omega_terminal === 0;
 export const sense = () => (text_of('Motion/Orbit sense') === 'clockwise' ? -1 : 1);
 
-/** The values of a newly selected glass or table replace earlier changes of it. */
+/** Drops the changes of entries that a newly selected glass or table sets. */
 export function drop_changes(list, ...names) {
   for (const { name, sets } of list) if (names.includes(name)) for (const path of sets) delete state.changes[path];
 }
 
-/** Returns the state as text in the address. */
 export function parts_of_state() {
   const parts = { glass: state.glass, table: state.table, ...state.changes };
   if (state.harmonics < all_harmonics) parts.harmonics = state.harmonics;

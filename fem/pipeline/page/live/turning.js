@@ -11,11 +11,11 @@ import { why } from '../views/common.js';
 let scene = null;
 let above = null;
 
-/** Row of a glass without an answer, which tips. */
+/** Row of a glass that tips and has no answer. */
 // prettier-ignore
 const fallen = { time: 0, omega: 0, yaw: 0, orbit: 0, torque: 0, hand: [0, 0], load: [], friction: [[], []], turns: [] };
 
-/** Makes the scene in its place; `solve` is asked for a study whose hand has moved, `stand` for the last that stood. */
+/** Makes the scene. `solve` solves after a move of the hand; `stand` restores the last study without tipping. */
 export function make_scene(solve, stand) {
   scene = new Scene(height => {
     state.changes[hand] = String(Number(height.toFixed(3)));
@@ -34,7 +34,6 @@ export function make_scene(solve, stand) {
   $('scene').replaceChildren(scene.node);
 }
 
-/** Shows the glass from above next to the paper's ring. */
 function draw_above(lengths) {
   const { ring, paper } = doc.summary;
   const load = doc.tables.motion[doc.tables.motion.length - 1].load;

@@ -6,7 +6,7 @@ import { one_way } from './spin.js';
 const spin = value => `${shown(value, '#.4g')} rad/s`;
 const rounded = (value, rounding) => (Math.abs(value) < rounding ? 0 : value);
 
-/** Returns the steps of the budget with their titles; the study is the last. */
+/** Returns the steps of the budget with their titles. The last step is the study. */
 function steps_of({ tables }) {
   const steps = tables.waterfall.map(row => {
     const formal = row.state === 'formal';
@@ -85,7 +85,6 @@ export function waterfall(doc) {
   };
 }
 
-/** Shows the size of each effect: steps of the model, and the change if one effect is left out. */
 export function effects(doc) {
   const { budget, without } = doc.summary;
   const { rounding } = doc.words;

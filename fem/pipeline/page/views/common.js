@@ -10,8 +10,8 @@ import { texts } from '../live/texts.js';
 import { torque_changes, truncation } from './spin.js';
 
 /**
- * Why the glass turns, falls or is held, by what the two sides press; `offset` of the hand from the centre of mass, if that
- * is why.
+ * Returns the reason why the glass turns, tips or is held. `harder`: side with the larger load; `offset`: height of the
+ * hand above the centre of mass, if the hand causes the moment.
  */
 export function why({ falls, held }, { harder }, offset) {
   const t = texts.scene_words;
@@ -21,7 +21,9 @@ export function why({ falls, held }, { harder }, offset) {
   return `${hand} ${t[harder] || ''}`.trim();
 }
 
-/** Returns how a run ends: last spin, and whether the glass moves at all, keeps spinning, tips, or is held by the fingers. */
+/**
+ * Returns the end of a run: the last spin, and whether the glass moves, tips, keeps spinning or is held by the fingers.
+ */
 export function ending({ summary: { ring, parameters }, words }) {
   const omega = ring.omega_terminal ?? ring.fall?.omega ?? 0;
   const moves = Math.abs(omega) >= words.rounding;
@@ -29,7 +31,9 @@ export function ending({ summary: { ring, parameters }, words }) {
   return { omega, moves, falls: Boolean(ring.fall), spins: moves && !ring.fall, held };
 }
 
-/** Why the glass turns, beside how `glasses` turn, seen from above; without rows of its motion the latter alone. */
+/**
+ * Returns the scene of the motion with a view of `glasses` from above; only this view if the document has no motion.
+ */
 function turning(doc, glasses) {
   const { parameters } = doc.summary;
   const sense = parameters.Motion['Orbit sense'] === 'clockwise' ? -1 : 1;
@@ -52,7 +56,7 @@ function turning(doc, glasses) {
   return [scene, { id: above.id, node: h('template'), alone: above.alone }];
 }
 
-/** Title, inputs and answer, beside the sketch of the study and `glasses` on their orbit, if any. */
+/** Returns title, inputs, answer, sketch, and the scene of `glasses` if given. */
 export const beginning = (doc, glasses) => {
   const { title, inputs, answer } = doc.words;
   return { title, inputs, answer, head: [sketch(doc), glasses && turning(doc, glasses)] };
@@ -96,7 +100,7 @@ export const bands = doc =>
     ]
   };
 
-/** Shows the spin with fewer harmonics of the load, with remarks before and after the explanation. */
+/** Returns the section on the spin with fewer harmonics. `before`, `after`: remarks around its explanation. */
 export const fewer_harmonics = (doc, [before, after] = []) => ({
   title: 'The effect of each harmonic',
   text: [

@@ -3,7 +3,7 @@ import { bands, beginning, files, study } from './common.js';
 import { marked } from '../js/marks.js';
 import { shown } from '../js/words.js';
 
-/** Shows the relative distance of the terminal spin from its limit, by axis and level. */
+/** Returns curves of |spin / limit - 1| of each axis over its levels. */
 function curves_of({ summary, words }) {
   return Object.values(summary.refinement).map(({ name, own_level, figures }) => {
     const { values, limit } = figures.omega_terminal;

@@ -7,8 +7,8 @@ import { shown } from '../js/words.js';
 const length = mm => (mm < 0.1 ? `${shown(1e3 * mm, '.3g')} µm` : `${shown(mm, '.3g')} mm`);
 
 /**
- * Quadrilaterals between neighbouring cuts of a map of pressures that both have load, with their mean values; squares of points
- * without cells.
+ * Adds quadrilaterals between neighbouring cuts of a pressure map, with the mean of the pressures at their corners. A
+ * map without cells has squares around its points.
  */
 function cells_of({ theta, distance, pressure, is_grid }, at) {
   const polygons = [];
@@ -47,7 +47,6 @@ function pressures(map, at) {
   return { colours, mark: patches({ polygons, value, colours, words }) };
 }
 
-/** Pressure of the foot, unrolled along the rim. */
 export function footprint(map, id, state) {
   if (!map) return null;
   const { colours, mark } = pressures(map, (t, d) => [t, d]);
@@ -102,7 +101,6 @@ export function foot_from_above({ foot }, { sketch }) {
   };
 }
 
-/** Shows the von Mises stress in the loaded section. */
 export function section_stress({ foot }) {
   const t = foot.stresses;
   if (!t) return null;
@@ -143,7 +141,6 @@ const cells = ({ x, z }, lift = () => 0) =>
     })
   );
 
-/** Shows the cells of the section with its lengths. */
 export function section({ foot }) {
   const t = foot.section;
   if (!t) return null;
@@ -176,7 +173,6 @@ export function section({ foot }) {
   };
 }
 
-/** Shows the rim above the table, over three widths of the loaded band. */
 export function rim({ foot }) {
   const t = foot.section;
   if (!t) return null;

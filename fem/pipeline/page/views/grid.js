@@ -8,9 +8,9 @@ const colours = ['c1', 'c2', 'c3', 'c4', 'c5', 'c6', 'ink', 'c8'];
 const dashes = [undefined, '8 4', '9 3 2 3', '3 3', '12 3', '9 3 2 3 2 3', '6 3', '2 2'];
 
 /**
- * Whether a curve jumps between values i and i + 1: each of one or two neighbouring intervals, this one among them, has more
- * than four times the change of the intervals to their left and right. (A spin that changes its sense has a zero in the middle
- * of its jump.) No line is drawn over a jump.
+ * Returns true if a curve jumps between the values i and i + 1: over one or two intervals, each with a change of more
+ * than four times the change of the intervals to the left and to the right. The jump has two intervals if the spin
+ * changes its sense and is zero in its middle. No line is drawn over a jump.
  */
 function jumps(y, i) {
   const step = j => (y[j] === null || y[j + 1] === null ? NaN : Math.abs(y[j + 1] - y[j]));
@@ -23,7 +23,6 @@ function jumps(y, i) {
   return jumps_over(i, 1) || jumps_over(i, 2) || jumps_over(i - 1, 2);
 }
 
-/** Returns the points of a curve, with a gap in the middle of each jump. */
 function broken(x, y) {
   const places = x.flatMap((at, i) => {
     const here = [at, y[i] ?? NaN];
@@ -43,7 +42,7 @@ function curves(axis, y, list) {
   };
 }
 
-/** Returns the edges of the cells around values: half-way between them on the axis. */
+/** Returns the edges of the cells around values: the mean of neighbouring values, geometric on a logarithmic axis. */
 function edges_of({ values, log }) {
   const middle = (a, b) => (log ? Math.sqrt(a * b) : (a + b) / 2);
   const beyond = (a, b) => (log ? (a * a) / b : 2 * a - b);
@@ -104,7 +103,7 @@ export function grid_pictures(doc) {
   const [axis, other] = by_second ? [second, first] : [first, second];
   if (!axis.is_numeric) return [];
   const is_map = all_numbers && Math.min(n, m) >= min_of_map;
-  const along = values => // one list for each value of the other entry, if any of its cases is solved
+  const along = values => // one list for each value of the other entry with a solved case
     other.names
       .map((name, c) => ({ name, values: axis.values.map((_, i) => values[by_second ? c * m + i : i * m + c]) }))
       .filter(curve => curve.values.some(Number.isFinite));

@@ -18,7 +18,6 @@ export const degrees = {
   ticks: [0, 90, 180, 270, 360],
   range: [0, 360]
 };
-/** Returns an arrow in the direction of travel from (x, y). */
 export const travel = (x, y, size) => [
   arrows({ x: [x], y: [y], u: [size], v: [0], colour: 'ink' }),
   note({ x: x + 1.18 * size, y, text: 'v' })
@@ -27,8 +26,8 @@ const sense_of = ({ words }) => (words.sketch.clockwise ? -1 : 1);
 const angles = Array.from({ length: 181 }, (_, i) => 2 * i);
 
 /**
- * Returns curves of the load over its mean, { name, colour, dash, theta, load }: the loads of at most `most` harmonics, all
- * harmonics last. A load that was solved with fewer harmonics, `cut`, replaces them.
+ * Returns curves of the load over its mean, { name, colour, dash, theta, load }, with at most `most` harmonics; the
+ * last curve has all harmonics. If the study was solved with fewer harmonics, their load `cut` is used.
  */
 function curves_of({ summary: { load }, tables }, most, least = 1) {
   const n = load.a.length - 1;
@@ -45,7 +44,7 @@ function curves_of({ summary: { load }, tables }, most, least = 1) {
   return [...some, { ...all, ...(tables.load_lines && columns(tables.load_lines)) }];
 }
 
-/** Shows the load round the rim from above, drawn outwards from the rim. */
+/** Shows the load round the rim from above, as a distance outwards from the rim. */
 export function load_polar(doc) {
   const { summary } = doc;
   const load = pressing(doc);
@@ -114,7 +113,6 @@ export function load_polar(doc) {
   };
 }
 
-/** Shows the load per length over the azimuth. */
 export function line_load(doc) {
   const { mean } = pressing(doc);
   const [left, right] = sense_of(doc) > 0 ? ['orbit’s centre', 'outside'] : ['outside', 'orbit’s centre'];
@@ -130,7 +128,6 @@ export function line_load(doc) {
   };
 }
 
-/** Shows the load of the harmonics beyond the first. */
 export function higher_harmonics(doc) {
   const { load } = doc.summary;
   if (load.a.length < 3) return null;
@@ -147,7 +144,7 @@ export function higher_harmonics(doc) {
   };
 }
 
-/** Harmonics of the load over its mean, those that are not rounding: { n, a, b, amplitude, band, resolved }. */
+/** Returns the harmonics of the load over its mean above rounding: { n, a, b, amplitude, band, resolved }. */
 function harmonics_of({ summary: { load, error_bands } }) {
   const width = (k, n) => error_bands?.[k + n]?.band ?? 0;
   const rows = load.a.slice(1).map((_, i) => {
@@ -162,7 +159,7 @@ function harmonics_of({ summary: { load, error_bands } }) {
     .map(row => ({ ...row, resolved: row.amplitude > (row.band || last) }));
 }
 
-/** The first eight harmonics, without those below their error band. */
+/** Returns a table of those of the first eight harmonics that exceed their error band. */
 export function table_of_harmonics(doc) {
   const rounded = value => (Math.abs(value) > 1e-12 ? value : 0);
   const rows = harmonics_of(doc).filter(row => row.n <= 8 && row.band <= row.amplitude);
@@ -210,7 +207,6 @@ export function spectrum(doc) {
   };
 }
 
-/** Shows slip and friction round the rim in one state. */
 export function slip(doc, name, state) {
   if (!doc.tables[name]) return null;
   const t = columns(doc.tables[name]);

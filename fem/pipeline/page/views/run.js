@@ -94,7 +94,6 @@ function spin_text(doc) {
   );
 }
 
-/** Shows all terminal spins, and whether the glass leaves or approaches them. */
 const table_of_spins = spins =>
   table_of(
     ['spin ω (rad/s)', 'stability', 'time constant (s)', ''],
@@ -144,12 +143,11 @@ function foot_sections(doc) {
   ];
 }
 
-/** Returns this glass, and the paper's rigid ring if its spin is known. */
 function glasses(doc) {
   const { ring, load, load_at_terminal, load_at_fall, budget } = doc.summary;
   const { paper } = columns(doc.tables.spin_up);
   const [before, last] = [paper[Math.floor(0.9 * paper.length)], paper[paper.length - 1]];
-  const is_over = paper.length > 10 && Math.abs(last - before) <= 1e-2 * Math.abs(last); // its spin-up
+  const is_over = paper.length > 10 && Math.abs(last - before) <= 1e-2 * Math.abs(last); // the spin-up of the paper's model
   const omega = budget?.[0].omega_terminal ?? (is_over ? last : null);
   const this_load = around(load_at_terminal || load_at_fall || load, 72);
   return [

@@ -10,16 +10,15 @@ const looks = {
   up_to_3: ['n ≤ 3', 'c4', '3 3'],
   paper: ['the paper’s model', 'c5', '9 3 2 3 2 3']
 };
-/** Name, colour and dash of the curve of a key: all, paper, or up_to_n for n harmonics. */
+/** Returns name, colour and dash of the curve `key`: all, paper, or up_to_n for n harmonics. */
 export const look_of = key => looks[key] || [key.replace('up_to_', 'n ≤ '), 'c4', '3 3'];
-/** Keys of the curves in a table, the answer last. */
+/** Returns the keys of the curves in a table. The last key is the complete study. */
 const curve_keys = t =>
   ['paper', ...Object.keys(t).filter(key => key.startsWith('up_to_')), 'all'].filter(key => t[key]);
-/** Returns a sentence on one-way coupling for captions. */
 export const one_way = ({ words }) => (words.one_way ? ' One-way: the load at rest is used at every spin.' : '');
 const in_millinewton = list => list.map(v => (v === null ? NaN : 1e3 * v));
 
-/** Returns the terminal spins to draw: [key of the curve, spin]. */
+/** Returns the terminal spins to draw: [key of the curve, spin, number of harmonics]. */
 function terminal_points({ truncation, first_n, ring }) {
   const rows = truncation || [first_n, ring].filter(Boolean);
   return rows
@@ -60,11 +59,11 @@ export function torque(doc) {
   };
 }
 
-/** Returns factor and unit for short numbers of torques of this size. */
+/** Returns factor and unit that give short numbers for torques of magnitude `size` [N m]. */
 const torque_unit = size => (size >= 1e-4 ? [1e3, 'mN m'] : size >= 1e-7 ? [1e6, 'µN m'] : [1e9, 'nN m']);
 const largest = list => Math.max(...list.map(v => Math.abs(v) || 0));
 
-/** Shows the difference between the torques of all harmonics and of the first; nothing at rounding level. */
+/** Shows the torque of all harmonics minus the torque of the first harmonic; null at rounding level. */
 export function torque_of_harmonics(doc) {
   const { omega, all, up_to_1: first } = columns(doc.tables.torque);
   if (!first) return null;
@@ -118,7 +117,6 @@ export function spin_up(doc) {
   };
 }
 
-/** Shows the spin under the hand's own speed and at constant speed, and the speed. */
 export function driven(doc) {
   if (!doc.tables.driven) return [];
   const t = columns(doc.tables.driven);
@@ -164,7 +162,7 @@ export function phases(doc) {
   };
 }
 
-/** The effect of the harmonics 2 … n on the torque, over the spin; nothing where it is rounding. */
+/** Shows the effect of the harmonics 2 … n on the torque over the spin; null at rounding level. */
 export function torque_changes(doc) {
   const t = columns(doc.tables.torque_changes);
   const rest = Math.abs(doc.summary.truncation[0].tau_at_rest);
