@@ -1,5 +1,5 @@
-// Identities of contact, friction and moment balance that hold for any pressure. References: symmetry, moment
-// balance in three dimensions, point quadrature.
+// Identities that hold for any pressure. References: symmetry, moment balance in three dimensions, point
+// quadrature.
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "ring_model/friction_functionals.h"
@@ -22,7 +22,6 @@ namespace
 
 using test::SolvedStudy;
 
-/// Returns true if the pressure at rest is positive on the whole land.
 bool is_loaded_everywhere(const SolvedStudy &solved)
 {
   const fem::PressureMap map = solved.foot->body().pressure_map(*solved.load.contact(0));
@@ -49,7 +48,6 @@ TEST(Balance, HarmonicsHaveNoEffectOnAFlatLandOnAMat)
   }
 }
 
-/// Table with a given interface and substrate.
 struct Surface
 {
   const char *name;
@@ -76,7 +74,7 @@ class BalanceOnTables : public testing::TestWithParam<Surface>
 INSTANTIATE_TEST_SUITE_P(Tables, BalanceOnTables, testing::ValuesIn(surfaces),
                          [](const auto &info) { return std::string(info.param.name); });
 
-/// Returns the study of the default glass on a table, with friction that deforms foot and substrate.
+/// Friction deforms foot and substrate by default.
 Study study_on(const Surface &surface)
 {
   Study study = test::mat_study();
@@ -88,8 +86,8 @@ Study study_on(const Surface &surface)
 
 TEST_P(BalanceOnTables, TorqueAtRestIsMuTimesTheMoment)
 {
-  // Friction torque at rest: tau_z(0) = mu M_Nx.
-  // Contact moment: M_N = -dz k x F + z_CM k x T + N z_CM (-q2, q1), with the tilt (q1, q2).
+  // Friction torque at rest: tau_z(0) = mu M_Nx. Moment balance: M_N = -dz k x F + z_CM k x T + N z_CM (-q2,
+  // q1), with the tilt (q1, q2).
   for (const bool tilt : { true, false })
   {
     Study study = study_on(GetParam());
@@ -112,7 +110,6 @@ TEST_P(BalanceOnTables, TorqueAtRestIsMuTimesTheMoment)
   }
 }
 
-/// Returns the friction coefficient at a slip speed [m/s].
 double coefficient_at(const ring::Motion &motion, double slip_speed)
 {
   if (motion.friction_law == ring::FrictionLawKind::coulomb)
@@ -123,8 +120,8 @@ double coefficient_at(const ring::Motion &motion, double slip_speed)
          motion.viscous_friction * slip_speed;
 }
 
-/// Checks the energy balance without tilt: the work of the hand, int -T_x v dt, equals
-/// I omega^2 / 2 + int int mu p |v_slip| dA dt. Area integral: sum over the contact points. Time: Gauss rule.
+/// Expects the energy balance without tilt: the work of the hand, int -T_x v dt, equals I omega^2 / 2 + int
+/// int mu p |v_slip| dA dt.
 void expect_energy_balance(Study study)
 {
   study.motion.tilt = false;

@@ -1,4 +1,3 @@
-// Budget of effects: rows of a study, their differences, and failed rows.
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/ring_quantities.h"
@@ -43,7 +42,6 @@ Texts names_without(const Study &study, const Model &model = {})
   return names;
 }
 
-/// Returns the rows of a study with the given load @p load, without a foot.
 StudyRows rows_of(const Study &study, const ring::RingStack &load, const Executor &executor)
 {
   return rows_by_harmonics(study, nullptr, given_load(load), spin_question(study), executor,
@@ -51,7 +49,6 @@ StudyRows rows_of(const Study &study, const ring::RingStack &load, const Executo
                            budget_variants(own_variant(study, nullptr), false));
 }
 
-/// Returns the budget of a study with the load @p load.
 Budget budget_of(const Study &study, const ring::RingStack &load)
 {
   fem::ComplianceCache cache;
@@ -64,7 +61,7 @@ Budget budget_of(const Study &study)
   return test::whole_budget(study, ThreadedExecutor(cache));
 }
 
-/// Returns the expected labels for a foot in contact: @p rows, then one row per truncation order above 1.
+/// Returns the labels expected for a foot in contact: @p rows, then one row per truncation order above 1.
 Texts contact_rows(const Study &study, Texts rows)
 {
   fem::ComplianceCache cache;
@@ -86,8 +83,8 @@ TEST(Budget, RelativeEffectsRequireANonzeroSpin)
   const HarmonicEffect of_rounding = harmonic_effect(0.9e-9 * unit, 1e-12, unit);
   EXPECT_TRUE(of_rounding.absolute);
   EXPECT_FALSE(of_rounding.relative);
-  // Values below 1e-9 `unit` are rounding: a difference counts as zero. If the glass rests or turns in the
-  // opposite direction, the relative effect is undefined.
+  // A difference below 1e-9 `unit` is rounding and counts as zero. The relative effect on a glass that rests
+  // or reverses its spin is undefined.
   EXPECT_EQ(relative_to(-3.5, 0.9e-9 * unit, unit), 0.);
   EXPECT_FALSE(harmonic_effect(-10.55, 0.9e-9 * unit, unit).relative);
   EXPECT_NEAR(*harmonic_effect(-10.55, 0.9e-9 * unit, unit).absolute, 10.55, 1e-7);
@@ -100,7 +97,7 @@ TEST(Budget, RelativeEffectsRequireANonzeroSpin)
 
 TEST(Budget, SpinScaleFollowsFromTheMoment)
 {
-  // Expected scale: 2 |M_Nx| / (N R) v/R with M_Nx = -dz m v^2/rho, for a hand dz above the centre of mass.
+  // The scale is 2 |M_Nx| / (N R) v/R with M_Nx = -dz m v^2/rho.
   Study study = test::mat_study();
   const ring::Motion &motion = study.motion.orbit;
   const auto expected = [&]
@@ -130,7 +127,7 @@ TEST(Budget, AFilledGlassSpinsLikeAPointMassAtTheMetacentre)
   motion.liquid = { 0.15, 1000, 0.03, 0.09 };
   const double level = 0.15 / (1000 * ring::pi * 0.03 * 0.03), up = 0.03 * 0.03 / (4 * level),
                slope = 0.35 * 0.35 / 0.15 / motion.gravity, middle = 0.09 + level / 2;
-  const auto empty = [&](double of_liquid) // spin with the liquid as a point mass at this height [m]
+  const auto empty = [&](double of_liquid) // spin with the liquid as a point mass at the height of_liquid [m]
   {
     Study study = test::quick_contact_study();
     study.motion.orbit.mass = 0.3;
@@ -221,7 +218,7 @@ TEST(Truncation, AgreesWithTheClosedFormOfTheFirstHarmonicOnAThinStiffRing)
 
 TEST(Budget, ListsAVariantWithoutEachEffectOfTheStudy)
 {
-  Study study = test::mat_study(); // a Winkler interface on a rigid substrate
+  Study study = test::mat_study();
   EXPECT_EQ(names_without(study), (Texts{ "friction in the foot", "elasticity of the foot",
                                           "compliance of the interface", "tilt" }));
   study.motion.grip_torque = 1e-4;
@@ -234,7 +231,7 @@ TEST(Budget, ListsAVariantWithoutEachEffectOfTheStudy)
     EXPECT_EQ(names_without(variant.study, variant.model).size(),
               7u -
                 (variant.name == "elasticity of the foot" || variant.name == "elasticity of the substrate"))
-      // Each variant lacks one of the eight effects. A rigid body also lacks its friction effect.
+      // Each variant lacks one of the eight effects. A rigid body also has no friction effect.
       << variant.name;
   study = test::mat_study();
   study.table.interface = TableInterface::hard;
@@ -334,10 +331,9 @@ TEST(Budget, AFailedRowDoesNotStopTheOthers)
   EXPECT_EQ(failed.status, ring::Status::tips);
   EXPECT_EQ(failed.reason, "it tips");
   EXPECT_TRUE(budget.rows[3].omega_terminal);
-  EXPECT_FALSE(budget.rows[3].difference); // undefined because the previous row failed
+  EXPECT_FALSE(budget.rows[3].difference); // the previous row failed
   EXPECT_TRUE(budget.rows[4].difference);
   EXPECT_TRUE(budget.rows[4].reason.empty());
-  // If the row of the first harmonic failed, the effect of the other harmonics is undefined.
   rows.by_harmonics[0] = rows.by_harmonics[1];
   const Budget without_first = find_budget(study, rows);
   EXPECT_FALSE(without_first.harmonics.absolute);
@@ -355,7 +351,6 @@ TEST(Budget, MarksRowsWithTensileLoads)
   }
   EXPECT_EQ(budget.rows.front().status, ring::Status::full_contact);
   EXPECT_EQ(budget.rows.back().status, ring::Status::lift_off);
-  // A load file contains a Fourier series. If the series is negative somewhere, the load is tensile.
   EXPECT_EQ(budget_of(study_of_given_load(), { { 0.47, 0, 0.5 }, { 0, -0.3, 0 }, 0.03 }).rows.back().status,
             ring::Status::formal);
 }

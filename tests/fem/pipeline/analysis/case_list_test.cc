@@ -1,4 +1,3 @@
-// The cases of a sweep: grids, tables, and refusals.
 #include "fem/pipeline/analysis/case_list.h"
 #include "fem/pipeline/base/failures.h"
 #include "tests/fem/pipeline/matchers.h"

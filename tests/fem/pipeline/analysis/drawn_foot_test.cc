@@ -1,4 +1,3 @@
-// Compares a foot from a profile file with the built-in shape "foot".
 #include "fem/pipeline/study/study_file.h"
 #include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
@@ -13,7 +12,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns forty points of the default foot: on its underside, edge, cone, fillet and stem.
 std::string forty_points()
 {
   const fem::GlassProfile glass = Study().glass.profile;
@@ -61,7 +59,7 @@ TEST(DrawnFoot, SpinsLikeTheFootItWasDrawnFrom)
     const test::SolvedStudy drawn(read_study(
       "", { interface, "Glass/Shape=profile", "Glass/Profile file=" + file, "Glass/Crown radius=0.003" }));
     EXPECT_NEAR(drawn.omega() / foot.omega(), 1, 1e-4) << table;
-    // The test is sensitive to the shape: a thinner foot changes the spin at least twice as much.
+    // The spin is sensitive to the shape: a thinner foot changes it at least twice as much.
     const test::SolvedStudy thinner(read_study("", { interface, "Glass/Foot thickness=0.003" }));
     EXPECT_GT(std::abs(thinner.omega() / foot.omega() - 1), 2 * std::abs(drawn.omega() / foot.omega() - 1))
       << table;

@@ -28,13 +28,11 @@ namespace
 using Json = nlohmann::ordered_json;
 using EntryValues = std::vector<std::pair<std::string, std::string>>;
 
-/// Expected effect of a change of one entry.
 struct Effect
 {
   std::string entry; ///< "Section/Entry"
   std::string value;
-  /// Path in summary.json that must change, or "/spin_up.csv" for this file; empty if the entry has no
-  /// effect.
+  /// Path in summary.json that must change, or "/spin_up.csv"; empty if the entry has no effect.
   std::string changed;
   EntryValues base = {};  ///< entries that differ from the quick study
   std::string stays = {}; ///< path of a number that must not change
@@ -62,7 +60,6 @@ const EntryValues solid = { { "Contact/Body", "solid" },
                             { "Contact/Radial cells", "2" },
                             { "Contact/Foot layers", "1" } };
 
-/// Returns @p values with the entries of a drawn foot.
 EntryValues drawn(EntryValues values)
 {
   values.insert(values.end(), { { "Glass/Shape", "profile" },
@@ -71,7 +68,6 @@ EntryValues drawn(EntryValues values)
   return values;
 }
 
-/// Returns @p values with one additional entry.
 EntryValues with(EntryValues values, const std::string &entry, const std::string &value)
 {
   values.emplace_back(entry, value);
@@ -125,7 +121,7 @@ const std::vector<Effect> effects = {
   { "Table/Foundation modulus", "1e9", second_harmonic },
   { "Table/Foundation modulus", "1e9", second_harmonic, solid },
   { "Table/Layer thickness", "0.005", nothing, {}, second_harmonic },
-  // The rough interface is exponential: a factor of the pressure shifts the table and changes nothing else.
+  // The rough interface is exponential, so a factor of the pressure only shifts the table.
   { "Table/Reference pressure", "2e9", "/contact/table_motion/0", rough, "/ring/omega_terminal" },
   { "Table/Reference pressure", "2e9", "/contact/table_motion/0", solid_rough, "/ring/omega_terminal" },
   { "Table/Decay length", "2e-6", second_harmonic, rough },
@@ -165,7 +161,7 @@ const std::vector<Effect> effects = {
   { "Load/File", "two.dat", "/load/a/1", from_file },
 };
 
-/// Returns the summary of a study, with the table of the spin-up under "spin_up.csv".
+/// Returns the summary of a study. Adds the table of the spin-up as "spin_up.csv".
 Json results_of(const Study &study)
 {
   fem::ComplianceCache cache;
@@ -179,8 +175,7 @@ Json results_of(const Study &study)
   return all;
 }
 
-/// Returns the base study of an effect, with or without the changed entry. Few harmonics and lines keep the
-/// study fast.
+/// Returns the base study of @p effect, with few harmonics and lines to save time.
 Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder &scratch)
 {
   EntryValues values = { { "Glass/Shape", "step" },
@@ -197,7 +192,6 @@ Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder 
   return with_values(test::mat_study(), "the list of effects", values);
 }
 
-/// Input files of the studies, and cached results of the base studies.
 class EntryEffects : public testing::TestWithParam<Effect>
 {
 protected:
@@ -218,7 +212,7 @@ private:
   struct Shared
   {
     const test::ScratchFolder scratch;
-    std::map<std::string, Json> of_bases; ///< results of the base studies, by the text of their study files
+    std::map<std::string, Json> of_bases; ///< key: text of the study file
   };
   static inline std::unique_ptr<Shared> shared;
 };
@@ -267,8 +261,8 @@ std::string name_of(const testing::TestParamInfo<Effect> &info)
   return name;
 }
 
-/// Returns a changed value of an entry: 1.1 times a quantity (if it is 0, a tenth of the plausible maximum),
-/// twice a count, or the next allowed word. Returns "" for any other entry, so that the test fails.
+/// Returns 1.1 times a quantity (a tenth of the plausible maximum if the quantity is 0), twice a count, or
+/// the next allowed word. Returns "" for any other entry, so that the test fails.
 std::string another_value(const StudyEntry &entry)
 {
   if (entry.quantity != nullptr)
@@ -284,8 +278,8 @@ std::string another_value(const StudyEntry &entry)
   return place == words.end() ? "" : place + 1 == words.end() ? words.front() : *(place + 1);
 }
 
-/// Returns the listed effects. For every other entry, returns the effect on the terminal spin in the first
-/// base study in which the entry has an effect.
+/// Returns @p effects. Adds for every other entry the effect on the terminal spin in the first base study in
+/// which the entry has an effect.
 std::vector<Effect> all_effects()
 {
   std::vector<Effect> all = effects;

@@ -16,7 +16,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Removes the thread limit from the environment while the object exists.
 class WithoutThreadLimit
 {
 public:
@@ -77,7 +76,7 @@ TEST(Executor, RunsTwoCallsSimultaneously)
   on_threads(2, 2,
              [&](std::size_t)
              {
-               // Each call waits until the other has started. A single thread would never return.
+               // Each call waits for the start of the other call. A single thread would never return.
                ++n_begun;
                while (n_begun < 2)
                  std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -99,7 +98,7 @@ TEST(Executor, RethrowsAnExceptionAndStartsNoMoreCalls)
 TEST(Executor, NestedLoopsDoNotInterleave)
 {
   // A thread that waits for its inner loop must not start another outer call. Without task isolation, one in
-  // twenty of these outer calls would start another one.
+  // twenty threads would do so.
   constexpr std::size_t n_outer = 200, n_inner = 8;
   thread_local bool at_work = false;
   std::atomic<std::size_t> n_mixed = 0, n_done = 0;

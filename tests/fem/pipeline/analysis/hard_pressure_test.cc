@@ -1,5 +1,4 @@
-// Peak pressure and contact width of random crowned rims on hard tables agree with Hertz line contact at the
-// maximum line load within their error bands (Johnson, Contact Mechanics, 1985, section 4.2).
+// Reference: Hertz line contact at the maximum line load (Johnson, Contact Mechanics, 1985, section 4.2).
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/load/constants.h"
@@ -31,8 +30,8 @@ double log_uniform(std::mt19937 &random, double from, double to)
   return std::exp(value_between(random, std::log(from), std::log(to)));
 }
 
-/// Returns a random study of a glass on a hard table: a rigid table, or a thick disc that is stiffer or
-/// softer than the glass. A third of the studies has lift-off.
+/// Returns a glass on a rigid table or on a thick disc that is stiffer or softer than the glass. A third of
+/// the studies has lift-off.
 Study random_hard_study(std::mt19937 &random)
 {
   Study study = test::mat_study();

@@ -1,5 +1,5 @@
-// Error bands with lift-off and on flat lands. Reference for random states of a rigid crowned foot on a mat:
-// quadrature up to the contact edges by independent code (tests/verification/plain_lifted_foot.h).
+// Error bands with lift-off and on flat lands. Reference: quadrature up to the contact edges by independent
+// code (tests/verification/plain_lifted_foot.h).
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/load/constants.h"
@@ -29,11 +29,10 @@ using test::SolvedStudy;
 using verification::LiftedFoot;
 using verification::LiftedGlass;
 
-/// State with a given moment, or with a moment balance at a height of the centre of mass.
 struct LiftedState
 {
   double moment_ratio = 0, direction = 0; ///< moment ratio [1], direction [rad]
-  double height = 0;                      ///< height of the centre of mass [m]
+  double height = 0;                      ///< height of the centre of mass [m]; 0: given moment
 
   Study study() const
   {
@@ -58,10 +57,10 @@ struct LiftedState
   }
 };
 
-/// Maximum height of the centre of mass with a terminal spin [m], computed by independent code.
+/// Maximum height of the centre of mass with a terminal spin [m], by independent code.
 constexpr double largest_height = 0.134575746;
 
-/// Collects the ratios error / error band of each quantity.
+/// Ratios error / error band of each quantity.
 class Ratios
 {
 public:
@@ -88,8 +87,8 @@ public:
       }
   }
 
-  /// Prints the worst and the median ratio of each quantity. Expects a median of all ratios above 0.1 (error
-  /// bands not too wide) and below 0.5 (not too narrow).
+  /// Prints the worst and the median ratio of each quantity. Expects a median of all ratios between 0.1
+  /// (error bands not too wide) and 0.5 (not too narrow).
   void expect_fair_medians() const
   {
     std::vector<double> all;
@@ -146,14 +145,12 @@ double uniform(std::mt19937 &random, double from, double to)
   return from + (to - from) * static_cast<double>(random()) / 4294967296.;
 }
 
-/// Returns a state with lift-off under a random moment.
 LiftedState random_moment(std::mt19937 &random)
 {
   const double ratio = uniform(random, 1.21, 1.96);
   return { ratio, uniform(random, -2.2, -0.9) };
 }
 
-/// Returns a state with lift-off at a random height of the centre of mass.
 LiftedState random_height(std::mt19937 &random)
 {
   return { 0, 0, uniform(random, 0.109, 0.134) };
@@ -213,9 +210,8 @@ TEST(LiftedBands, ContainTheErrorJustBelowTheTippingHeight)
   expect_limit_at_right_height(1);
 }
 
-/// Checks the error bands at @p n_states moment ratios from @p smallest_moment in steps of 0.01. At the
-/// terminal spin, the slip vanishes inside the contact, so the result converges slowly with the number of
-/// rings.
+/// At the terminal spin of these states, the slip vanishes inside the contact, so the result converges slowly
+/// with the number of rings. The moment ratios increase from @p smallest_moment in steps of 0.01.
 void expect_bands_with_vanishing_slip_hold(double smallest_moment, unsigned int n_states)
 {
   Ratios ratios;
@@ -239,8 +235,8 @@ TEST(LiftedBands, ContainTheErrorIfTheSlipVanishesAtOneMoment)
   expect_bands_with_vanishing_slip_hold(1.95, 1);
 }
 
-// Rigid flat lands. References: closed forms on a mat; for an annular punch on a hard bonded layer,
-// independent code (tests/verification/annular_punch.py).
+// Rigid flat lands. References: closed forms on a mat; tests/verification/annular_punch.py for an annular
+// punch on a hard bonded layer.
 
 /// Returns the study of a flat land under a given moment in the direction @p direction [rad].
 Study flat_study(double width, double moment_ratio, double direction)
@@ -285,8 +281,7 @@ TEST(FlatLandBands, ContainTheErrorWithLiftOffOnAMat)
     const double radius = study.glass.profile.contact_radius, outer = radius + row.width / 2;
     const verification::LiftedAnnulus exact(radius - row.width / 2, outer, row.moment_ratio * radius / 2);
     const double slope = study.motion.orbit.normal_force() / exact.per_slope, tilt = -slope / 1e9;
-    // An azimuth is in contact if one of its points is: its outermost point if zero > 0, else its innermost
-    // point.
+    // An azimuth is in contact if its outermost point (zero > 0) or its innermost point (zero < 0) is.
     const double last = exact.zero < 0 ? radius - row.width / 2 : outer;
     expect_within_bands(study,
                         { { "contact_fraction", exact.share },

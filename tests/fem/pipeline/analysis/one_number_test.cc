@@ -1,4 +1,4 @@
-// Numbers that `run` reports in several places are equal.
+// Numbers that `run` reports in several files and tables are equal.
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/analysis/sweep_case.h"
@@ -52,7 +52,6 @@ TEST(OneNumber, ErrorBandsReferToTheReportedNumbers)
   }
   for (const auto &[key, share] : { std::pair("tau_at_spin_1", 0.5), { "tau_at_spin_2", 1.5 } })
     EXPECT_NEAR(bands[key]["omega"].get<double>(), share * ring["omega_terminal"].get<double>(), 1e-12);
-  // All torques named tau are friction torques.
   EXPECT_EQ(budget.back()["torques"][0], ring["tau_at_rest"]);
   EXPECT_EQ(summary["truncation"].back()["tau_at_rest"], ring["tau_at_rest"]);
   EXPECT_EQ(budget.back()["torques"][2], ring["tau_at_terminal"]);
@@ -73,23 +72,22 @@ TEST(OneNumber, TorquesCancelAtTheTerminalSpin)
 TEST(OneNumber, MomentRatiosReferToTheContactRadius)
 {
   Study study = quick_contact_study();
-  study.glass.profile.crown_radius = 0; // the load is then off the middle of the land
+  study.glass.profile.crown_radius = 0; // the load then acts beside the middle of the land
   study.load.moment_ratio = 1.2;
   const Json summary = SolvedRun(study).summary();
   EXPECT_NEAR(summary["load"]["moment_ratio"].get<double>(), 1.2, 1e-9);
   EXPECT_NEAR(summary["load_at_terminal"]["moment_ratio"].get<double>(), 1.2, 1e-9);
   EXPECT_NEAR(summary["ring"]["moment_ratio_at_terminal"].get<double>(), 1.2, 1e-9);
-  // The ratio computed from the summed harmonics differs, because the load does not act at the contact
-  // radius.
+  // The ratio of the summed harmonics differs, because the load does not act at the contact radius.
   const Json &load = summary["load"];
   const double of_harmonics =
     std::hypot(load["a"][1].get<double>(), load["b"][1].get<double>()) / load["a"][0].get<double>();
   EXPECT_GT(std::abs(of_harmonics - 1.2), 1e-3);
 }
 
-// Rigid foot on the default mat. Reference: quadrature in two dimensions by independent code, without rings,
-// harmonics or kernels. A terminal spin exists up to z_CM = 0.134575746 m and a balance at rest up to
-// 0.143684201 m. Just above 0.134575746 m, only a narrow range of spins around -9.2306 rad/s has no balance.
+// Rigid foot on the default mat. Reference: quadrature in two dimensions by independent code. A terminal spin
+// exists up to z_CM = 0.134575746 m and a balance at rest up to 0.143684201 m. Just above 0.134575746 m, only
+// a narrow range of spins around -9.2306 rad/s has no balance.
 ring::Answer row_at_height(double height, bool rigid)
 {
   static fem::ComplianceCache cache;
@@ -114,8 +112,8 @@ TEST(Fall, AgreesWithOtherCodeForARigidFoot)
   }
 }
 
-// Within 2e-7 m of the greatest height of the centre of mass with a terminal spin, a narrow range of spins
-// has two balances. No verb may jump from one balance to the other.
+// Within 2e-7 m below the maximum z_CM with a terminal spin, a narrow range of spins has two balances. No
+// verb may jump from one balance to the other.
 TEST(Fall, IsFoundAtTheSameHeightsByEveryVerb)
 {
   Study study = mat_study();
@@ -157,7 +155,6 @@ TEST(Fall, IsReportedAsAResult)
   EXPECT_LT(ring["tau_at_rest"].get<double>(), 0);
   EXPECT_TRUE(summary["error_bands"].is_null());
   EXPECT_EQ(summary["budget"].back()["state"], "tips");
-  // In the paper's model the glass does not tip.
   EXPECT_FALSE(summary["budget"].front()["omega_terminal"].is_null());
 }
 

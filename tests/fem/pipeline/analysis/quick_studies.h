@@ -6,7 +6,6 @@
 namespace stemware::test
 {
 
-/// Returns a load with harmonics up to 9.
 inline ring::RingStack rich_load()
 {
   return { { 0.47, 0.1, 0.09, 0, -0.02, 0, 0.004, 0, -0.001, 0 },
@@ -14,7 +13,7 @@ inline ring::RingStack rich_load()
            0.03 };
 }
 
-/// Returns a study of a given load, as from a file.
+/// Returns the study of a load from a file.
 inline pipeline::Study study_of_given_load()
 {
   pipeline::Study study = mat_study();
@@ -24,7 +23,7 @@ inline pipeline::Study study_of_given_load()
   return study;
 }
 
-/// Returns the default glass on few lines and harmonics: a contact takes milliseconds.
+/// The contact takes milliseconds on these few lines and harmonics.
 inline pipeline::Study quick_contact_study()
 {
   pipeline::Study study = mat_study();
@@ -35,13 +34,13 @@ inline pipeline::Study quick_contact_study()
   return study;
 }
 
-/// Returns a flat land on a mat in full contact without friction coupling, whose pressure has no harmonics
-/// above the first (docs/theory/load_models.md).
+/// The pressure of a flat land on a mat in full contact has no harmonics above the first, if friction does
+/// not deform the foot (docs/theory/load_models.md).
 inline pipeline::Study flat_land_on_a_mat(pipeline::LoadCoupling coupling)
 {
   pipeline::Study study = quick_contact_study();
   study.glass.profile.crown_radius = 0;
-  study.motion.orbit.centre_of_mass_height = 0.06; // a moment ratio of 0.34
+  study.motion.orbit.centre_of_mass_height = 0.06; // moment ratio 0.34
   study.contact.friction_coupling = pipeline::FrictionCoupling::none;
   study.load.coupling = coupling;
   return study;

@@ -1,4 +1,4 @@
-// Terminal spins on wood and cork. Reference: an independent prototype with an accuracy of 1e-3.
+// Reference: an independent prototype with an accuracy of 1e-3.
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/mat_study.h"
 
@@ -13,7 +13,6 @@ namespace
 
 using test::SolvedStudy;
 
-/// Returns a study of the step profile on a hard disc, with the moment balance `full` without tilt.
 Study hard_disc(double thickness, double young_modulus, double poisson_ratio)
 {
   Study study = test::mat_study();
@@ -49,8 +48,7 @@ TEST(RealTable, FrictionInTheFootSlowsTheGlassOnHardwood)
   const ByFriction spin(study);
   EXPECT_NEAR(spin.neither, -3.678, 1e-3 * 3.678);
   EXPECT_NEAR(spin.foot, -3.632, 1e-3 * 3.632);
-  // Wood and glass deform similarly under friction, so the friction in the substrate changes the spin by
-  // about 1e-4.
+  // Wood and glass deform similarly under friction, so the deformation of the wood hardly changes the spin.
   EXPECT_GT(std::abs(spin.both / spin.foot - 1), 5e-5);
   EXPECT_LT(std::abs(spin.both / spin.foot - 1), 2e-4);
 

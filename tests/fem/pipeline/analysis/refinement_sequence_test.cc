@@ -1,4 +1,3 @@
-// Observed orders, Richardson extrapolations and error bands of sequences with a known limit.
 #include "fem/pipeline/analysis/refinement_study.h"
 #include "tests/ulps.h"
 
@@ -13,7 +12,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns limit + constant * 2^(-order * level), level = 0 ... n_levels - 1.
+/// Returns limit + constant * 2^(-order * level) for level = 0 ... n_levels - 1.
 std::vector<double> algebraic(double limit, double constant, double order, unsigned int n_levels)
 {
   std::vector<double> values;
@@ -37,12 +36,12 @@ TEST(RefinementSequence, FindsTheOrderAndLimitOfAPowerLaw)
 
 TEST(RefinementSequence, BandIsTheGridConvergenceIndex)
 {
-  // The values v = 1 + sqrt(h), h = 1, 1/2, 1/4, leave an error of 1/2 at the finest level. The safety factor
+  // The values 1 + sqrt(h) for h = 1, 1/2, 1/4 leave an error of 1/2 at the finest level. The safety factor
   // is 1.25.
   const RefinementSequence low = assess_convergence(algebraic(1, 1, 0.5 + 1e-9, 3), AxisKind::cells, 0);
   EXPECT_NEAR(low.bands.back(), 1.25 / 2, 1e-8);
-  // Above first order, the error band is 1.25 times the last difference. The error bands of coarser levels
-  // also include the distance from the finest value.
+  // Above first order, the error band is 1.25 times the last difference. Error bands of coarser levels also
+  // include the distance from the finest value.
   const RefinementSequence second = assess_convergence(algebraic(1, 1, 2, 3), AxisKind::cells, 0);
   EXPECT_NEAR(second.bands.back(), 1.25 * 3 / 16, 1e-14);
   ASSERT_EQ(second.bands.size(), 3u);
@@ -53,7 +52,7 @@ TEST(RefinementSequence, BandIsTheGridConvergenceIndex)
 
 TEST(RefinementSequence, BandContainsTheErrorForMixedOrders)
 {
-  // The errors c h^p (1 + e h^q) are typical of meshes with corners.
+  // Errors c h^p (1 + e h^q) are typical of meshes with corners.
   std::mt19937 random(7);
   std::uniform_real_distribution<double> order(0.8, 4), further(0.5, 2), mixing(-0.5, 0.5);
   for (unsigned int i = 0; i < 1000; ++i)
@@ -79,7 +78,7 @@ TEST(RefinementSequence, GivesAWideBandAndNoOrderForNonMonotoneValues)
 
 TEST(RefinementSequence, GivesAWideBandForImplausibleOrders)
 {
-  // The first sequence converges slowly; the last difference of the second sequence is implausibly small.
+  // The first sequence converges slowly. The last difference of the second sequence is implausibly small.
   for (const std::vector<double> &values :
        { std::vector<double>{ 0, 1, 1.9 }, std::vector<double>{ 0, 1, 1 + 1e-6 } })
   {
@@ -112,7 +111,7 @@ TEST(RefinementSequence, SpectralBandFollowsFromTheLastDifference)
   const RefinementSequence judged = assess_convergence({ 1, 1.1, 1.11 }, AxisKind::degree, 0);
   EXPECT_FALSE(judged.order);
   EXPECT_EQ(judged.limit, 1.11);
-  // The larger of the last difference and a quarter of the first difference counts.
+  // The band uses the larger of the last difference and a quarter of the first difference.
   EXPECT_NEAR(judged.bands.back(), 1.25 * 0.1 / 4, 1e-14);
   const RefinementSequence slow = assess_convergence({ 1, 1.1, 1.15 }, AxisKind::degree, 0);
   EXPECT_NEAR(slow.bands.back(), 1.25 * 0.05, 1e-14);

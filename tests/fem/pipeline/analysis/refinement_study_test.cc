@@ -1,4 +1,3 @@
-// Levels of a refinement study, and error bands compared with much finer studies.
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/refinement_study.h"
@@ -44,7 +43,7 @@ TEST(RefinementAxes, StayWithinTheAllowedRanges)
   EXPECT_EQ(refinement_axes(study, 3).size(), 4u); // hard tables also have the axis of azimuth lines
 }
 
-/// Returns @p study with cells of a quarter of the size, four times the lines and twice the harmonics.
+/// Cells of a quarter of the size, four times the lines and twice the harmonics.
 Study much_finer(Study study)
 {
   study.contact.refinements += 2;
@@ -58,7 +57,6 @@ BalancedLoad load_of(const Study &study, fem::ComplianceCache &cache)
   return find_load(study, study_foot(study, cache));
 }
 
-/// Quantities of a study with the error bands of `run`, and quantities of a finer study.
 struct Levels
 {
   Levels(const Study &study, const Study &finer_study)
@@ -71,7 +69,6 @@ struct Levels
   {
   }
 
-  /// Returns the error band of `run` for the quantity @p key.
   const BandedQuantity &band(const std::string &key) const { return quick[index_of(quick, key)]; }
 
   static ring::Question question_of(const Study &study)
@@ -124,7 +121,6 @@ TEST(ErrorBands, ContainAFourTimesFinerRunOfThePaperStudy)
   EXPECT_GT(*axes[0].quantities[index].order, 1.);
   EXPECT_LT(*axes[0].quantities[index].order, 4.);
 
-  // `run` and `converge` report the same rounding.
   for (const BandedQuantity &banded : full)
   {
     const double rounding = comparison.band(banded.quantity.key).quantity.rounding;
@@ -141,8 +137,7 @@ void expect_band_of_spin_holds(const Study &study)
   EXPECT_LT(spin.band, 2e-3 * std::abs(spin.quantity.value));
 }
 
-// The coverage over many random studies is checked by tests/benchmark/error_band_coverage.cc
-// (docs/method/error_bands.md).
+// tests/benchmark/error_band_coverage.cc checks many more random studies (docs/method/error_bands.md).
 
 TEST(ErrorBands, ContainTheErrorOfARandomStudyLong)
 {
@@ -157,8 +152,8 @@ TEST(ErrorBands, ContainTheErrorOfARandomStudyOnFewLines)
   expect_band_of_spin_holds(study);
 }
 
-/// Checks an error band on a hard table. The contact cells are small, so the error comes from the corners of
-/// the step. An error band from the contact cells alone would miss this error.
+/// The contact cells are small on a hard table, so the error comes from the corners of the step. An error
+/// band from the contact cells only would miss this error.
 void expect_band_holds_corners(unsigned int n_harmonics, unsigned int n_lines)
 {
   Study study = test::mat_study();
@@ -201,7 +196,6 @@ TEST(ErrorBands, ContainTheErrorOfASingleRing)
   EXPECT_LT(error, spin.band);
 }
 
-/// Foot whose solve() always throws ring::NoBalance.
 class FootWithoutBalance : public fem::Foot
 {
 public:
@@ -222,7 +216,7 @@ public:
   fem::PressureMap pressure_map(const fem::ContactState &) const override { return {}; }
 };
 
-/// If a changed discretisation has no balance, e.g. just before tipping, estimate_bands() returns no bands.
+/// A changed discretisation may have no balance just before tipping.
 TEST(ErrorBands, AreEmptyIfAChangedContactHasNoBalance)
 {
   const test::SolvedStudy solved(test::quick_contact_study());
@@ -231,7 +225,7 @@ TEST(ErrorBands, AreEmptyIfAChangedContactHasNoBalance)
   EXPECT_TRUE(estimate_bands(solved.study, solved.foot, solved.row, std::nullopt, executor).empty());
 }
 
-/// Every budget row with a contact solution has an error band. Rows with a closed form have none.
+/// Rows with a closed form have no error band.
 TEST(ErrorBands, ExistForEveryRowOfTheContact)
 {
   Study study = test::quick_contact_study();
@@ -256,7 +250,6 @@ TEST(ErrorBands, ExistForEveryRowOfTheContact)
     EXPECT_EQ(row.band.has_value(), row.step.number >= 3) << row.name;
   EXPECT_EQ(rows.back().band, all);
   EXPECT_EQ(rows[3].band, first); // row 3a: harmonics n <= 1 with tilt
-  // Rows with equal values have equal error bands.
   EXPECT_NEAR(*rows[rows.size() - 2].omega_terminal, *rows.back().omega_terminal, 1e-9);
   EXPECT_NEAR(*rows[rows.size() - 2].band, *all, 1e-9);
 }
@@ -290,7 +283,7 @@ TEST(ErrorBands, NameTheFailedLevel)
   const BalancedLoad load = load_of(study, cache);
   const std::vector<double> spins = { -1 };
   std::vector<RefinementAxis> axes = refinement_axes(study, 2);
-  axes[1].levels.back().study.load.moment_ratio = 2.3; // with this moment the glass tips
+  axes[1].levels.back().study.load.moment_ratio = 2.3; // the glass tips under this moment
   EXPECT_THAT([&] { refine(quantities_of_load(study, load, spins), axes, ThreadedExecutor(cache)); },
               testing::ThrowsMessage<std::runtime_error>(
                 testing::AllOf(testing::HasSubstr("4"), testing::HasSubstr("degree"))));

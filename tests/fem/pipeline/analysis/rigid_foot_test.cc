@@ -1,5 +1,5 @@
-// Terminal spin of a rigid foot on a Winkler mat. Reference: quadrature in two dimensions by independent
-// code, without rings, harmonics or kernels (tests/verification/rigid_foot.py, plain_rigid_foot.h).
+// Rigid foot on a Winkler mat. Reference: quadrature in two dimensions by independent code
+// (tests/verification/rigid_foot.py, plain_rigid_foot.h).
 #include "fem/pipeline/analysis/error_bands.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
@@ -29,7 +29,6 @@ const nlohmann::json &reference()
   return file;
 }
 
-/// Returns the study of a rigid foot on a mat of @p foundation_modulus [Pa/m].
 Study rigid_foot_study(double foundation_modulus)
 {
   Study study = test::mat_study();
@@ -37,8 +36,7 @@ Study rigid_foot_study(double foundation_modulus)
   return study;
 }
 
-/// Returns @p study with the moment ratio @p moment_ratio. The maximum of the load is to the right of the
-/// direction of motion.
+/// The maximum of the load is to the right of the direction of motion.
 Study with_moment(Study study, double moment_ratio)
 {
   study.load.moment_ratio = moment_ratio;
@@ -60,8 +58,7 @@ TEST(RigidFoot, AgreesWithQuadratureOnAFlatAnnulusWithThePaperClosure)
   }
 }
 
-/// State on the default mat with a given moment, or with a balance at a height of the centre of mass.
-/// `expected`: reference values by the keys of the error bands.
+/// State on the default mat. `expected`: reference values by the keys of the error bands.
 struct ReferenceState
 {
   double moment_ratio; ///< given moment ratio; 0: moment balance
@@ -69,9 +66,9 @@ struct ReferenceState
   std::map<std::string, double> expected;
 };
 
-// Reference: quadrature of pressure and friction over the land, and balance with tilt at every spin. Time
-// constants by finite differences of the torque; steps from 0.003 to 0.03 rad/s agree to 6e-10. At least nine
-// digits of the other values are correct.
+// Reference: quadrature of pressure and friction over the land, and balance with tilt at every spin, correct
+// to nine digits. Time constants by finite differences of the torque: steps from 0.003 to 0.03 rad/s agree to
+// 6e-10.
 TEST(RigidFoot, ErrorBandsContainTheNumbersOfOtherCode)
 {
   const std::vector<ReferenceState> states = {
@@ -187,8 +184,6 @@ TEST(RigidFoot, ErrorBandsContainTheNumbersOfOtherCode)
   }
 }
 
-// Compares the terminal spin without tilt, and the state at the terminal spin with tilt, with the same
-// quadrature.
 TEST(RigidFoot, AgreesInTheSpinWithoutTiltAndInTheTerminalState)
 {
   struct Row
@@ -247,7 +242,6 @@ struct WavyFoot
                orbit.orbit_radius, orbit.orbit_speed, orbit.friction_coefficient,  orbit.gravity };
   }
 
-  /// Rotates the waviness of the reference by @p phase [rad].
   void turn(double phase)
   {
     plain.wave = [phase](double theta) { return amplitude * std::cos(n_waves * (theta - phase - crest)); };

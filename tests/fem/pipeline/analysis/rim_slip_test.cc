@@ -1,4 +1,3 @@
-// Slip and friction around the rim, as drawn in the figure of the report.
 #include "ring_model/rim_slip.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +30,7 @@ TEST(RimSlip, FrictionOpposesTheMotionWithoutSpin)
 TEST(RimSlip, VanishesOnTheLeftAtSlipRatioOne)
 {
   ring::Motion motion;
-  const double radius = 0.03, omega = motion.orbit_speed / radius; // the slip ratio is 1
+  const double radius = 0.03, omega = motion.orbit_speed / radius; // slip ratio 1
   const std::vector<ring::RimSlip> places = ring::rim_slip(motion, radius, load, omega);
   EXPECT_NEAR(places[6].slip_x, 0, 1e-12); // theta = 90 degrees
   EXPECT_NEAR(places[0].slip_x, 1, 1e-12);

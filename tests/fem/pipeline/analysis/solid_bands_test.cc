@@ -1,5 +1,5 @@
-// Error bands of a solid foot. References: a refined body of revolution with its own error bands, and a rigid
-// plate without rotational symmetry. Runs with MPI.
+// References: a refined body of revolution with its own error bands, and a rigid plate without rotational
+// symmetry. Runs with MPI.
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/coupling/make_foot.h"
@@ -32,7 +32,6 @@ ErrorBands bands_of(const Study &study)
                         ThreadedExecutor(cache));
 }
 
-/// Returns the study of a solid foot as a body of revolution, refined @p refinements times.
 Study revolved(Study study, unsigned int refinements = 1)
 {
   study.contact.body = BodyKind::revolution;
@@ -69,7 +68,7 @@ Study solid_study(fem::GlassShape shape, const fem::FootResolution &resolution)
   return study;
 }
 
-/// Returns the study of a step (re-entrant corners) with lift-off on a mat, under a given moment.
+/// Returns a step (re-entrant corners) with lift-off on a mat, under a given moment.
 Study step_on_mat(double foundation_modulus)
 {
   Study study = solid_study(fem::GlassShape::step, { 24, 2, 1 });
@@ -80,7 +79,6 @@ Study step_on_mat(double foundation_modulus)
   return study;
 }
 
-/// Returns the study of a 2 mm wide flat land on a hard table, under a given moment.
 Study flat_land(double moment_ratio)
 {
   Study study = solid_study(fem::GlassShape::step, { 24, 4, 2 });
@@ -92,7 +90,7 @@ Study flat_land(double moment_ratio)
   return study;
 }
 
-/// Compares the quantities @p keys and the torque at half the terminal spin with the reference.
+/// Compares the quantities @p keys and the torque at half the terminal spin.
 void expect_bands_of_mat(const Study &study, const Study &reference, const std::vector<const char *> &keys)
 {
   const ErrorBands solid = bands_of(study), revolution = bands_of(reference);
@@ -111,7 +109,7 @@ void expect_band_of_flat_land(double moment_ratio)
   EXPECT_LT(solid[index_of(solid, "a4")].band, 1e-2); // relative to a_0
 }
 
-/// Returns the study of a foot from a mesh file, with linear elements on a mat, without friction coupling.
+/// Returns a foot from a mesh file, with linear elements on a mat, without friction coupling.
 Study study_of_mesh(const std::string &file)
 {
   Study study = test::mat_study();
@@ -139,7 +137,6 @@ Study plate_on_mat(double eccentricity, double direction)
   return study;
 }
 
-/// Expects that the error bands of plate_on_mat() contain the exact values.
 void expect_bands_of_plate(double eccentricity, double direction)
 {
   const Study study = plate_on_mat(eccentricity, direction);
@@ -191,8 +188,8 @@ TEST(SolidBands, ContainTheChangeOfTheTerminalSpinOnAnOvalMesh)
   EXPECT_LE(part, 1.5 * change);
 }
 
-// The contact edge crosses element faces, and the pressure has a kink there. A rigid plate does not bend, so
-// finer elements do not change the result; only another number of contact lines reveals the error.
+// The contact edge crosses element faces, and the pressure has a kink at the edge. Finer elements do not
+// change the result of a rigid plate, so only another number of contact lines reveals the error.
 TEST(SolidBands, ContainTheErrorOfAPlateWithLiftOff)
 {
   for (const double eccentricity : { 0.62, 0.55 })

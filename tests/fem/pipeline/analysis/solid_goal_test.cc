@@ -1,4 +1,4 @@
-// Error estimates for Contact/Goal of a solid foot. Reference: body of revolution. Runs with MPI.
+// Reference: body of revolution. Runs with MPI.
 #include "fem/pipeline/analysis/goal_mesh.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/coupling/make_foot.h"
@@ -16,8 +16,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the study of a foot with lift-off. The numbers of lines and load harmonics are fixed, so that only
-/// the mesh contributes to the error.
+/// Returns a foot with lift-off. The numbers of lines and load harmonics are fixed, so that only the mesh
+/// contributes to the error.
 Study lifting_foot()
 {
   Study study = test::mat_study();
@@ -85,7 +85,7 @@ TEST(SolidGoal, KeepsTheMeshOfAStudyWithoutAGoal)
   EXPECT_FALSE(meshed.outcome);
 }
 
-// Reference: body of revolution. Its error is below a tenth of the smallest compared error.
+// The error of the body of revolution is below a tenth of the smallest compared error.
 TEST(SolidGoal, EstimatesAreCloseToTheErrorsLong)
 {
   Study study = lifting_foot();

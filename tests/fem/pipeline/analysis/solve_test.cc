@@ -20,8 +20,8 @@ namespace
 
 using namespace stemware::test;
 
-/// Returns the spins of the budget, the spins without each effect and on one ring, and the error bands. A
-/// missing spin is 0.
+/// Returns the spins of the budget, the spins without each effect and on one ring, and the error bands; 0 for
+/// a missing spin.
 std::vector<double> digits_on(unsigned int n_threads)
 {
   const SolvedStudy solved(quick_contact_study());

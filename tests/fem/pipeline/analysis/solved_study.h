@@ -11,7 +11,7 @@
 namespace stemware::test
 {
 
-/// A study with foot, load and terminal spin. Throws if one of them fails.
+/// Throws if foot, load or terminal spin of the study fails.
 struct SolvedStudy
 {
   explicit SolvedStudy(const pipeline::Study &given, const pipeline::Model &model = {})
@@ -32,7 +32,6 @@ struct SolvedStudy
   ring::Answer row;
 };
 
-/// Returns a foot without compliance.
 inline pipeline::Model rigid_foot()
 {
   pipeline::Model model;
@@ -40,14 +39,12 @@ inline pipeline::Model rigid_foot()
   return model;
 }
 
-/// Returns the budget of a study.
 inline pipeline::Budget whole_budget(const pipeline::Study &study, const pipeline::Executor &executor)
 {
   const auto foot = pipeline::study_foot(study, executor.make_foot);
   return pipeline::study_spin(study, foot, pipeline::find_load(study, foot), executor).budget;
 }
 
-/// Returns the result of a study as a case of a sweep.
 inline pipeline::CaseResult solve_case(const pipeline::Study &study, const pipeline::Executor &executor)
 {
   return pipeline::case_result(study, pipeline::study_foot(study, executor.make_foot), executor);

@@ -48,13 +48,12 @@ TEST(SpinStudy, SpinUpCurvesAgreeWithIndependentIntegrations)
   };
   EXPECT_NEAR(curves.adaptive.back(), follow(rich_load()), 1e-6);
   EXPECT_NEAR(curves.first_harmonic.back(), follow(rich_load().truncated(1)), 1e-6);
-  // In the paper's model, the load does not depend on the spin.
+  // The load of the paper's model does not depend on the spin.
   EXPECT_NEAR(curves.paper.back(),
               follow(ring::RingStack::first_harmonic(
                 motion.normal_force(), ring::required_moment_at_rest(ring::Closure::paper, motion), 0.03)),
               1e-6);
-  EXPECT_GT(std::abs(curves.euler.back() - curves.adaptive.back()),
-            1e-6); // Euler's method has a visible error
+  EXPECT_GT(std::abs(curves.euler.back() - curves.adaptive.back()), 1e-6);
   EXPECT_NEAR(curves.euler.back(), curves.adaptive.back(), 1e-2);
 }
 
@@ -108,7 +107,7 @@ TEST(SpinStudy, ReportsProgressDuringTheSpinUp)
   EXPECT_THROW(followed(), std::domain_error);
 }
 
-/// Returns the load rich_load() up to the spin @p last [rad/s]. Above this spin, the glass tips.
+/// The glass tips above the spin @p last [rad/s].
 BalancedLoad tipping_beyond(double last)
 {
   const auto load = [last](double omega) -> ring::Sample
@@ -120,8 +119,8 @@ BalancedLoad tipping_beyond(double last)
   return { ring::Load(load), report_of(rich_load()) };
 }
 
-// If the hand is at the centre of mass and friction decreases with the slip, rest is an unstable balance.
-// Reference: the same glass with the hand 1e-6 m lower spins up.
+// Rest is unstable if the hand is at the centre of mass and friction decreases with the slip. Reference: a
+// glass whose hand is 1e-6 m lower spins up.
 TEST(SpinStudy, ReportsUnstableRest)
 {
   Study study = test::mat_study();
@@ -189,7 +188,6 @@ TEST(SpinStudy, ReportsTippingDuringTheSpinUp)
 
 TEST(Answer, GivesTheReasonIfThereIsNoTerminalSpin)
 {
-  // Loads that tip, have no balance, or give a torque without a zero.
   const auto refusing = [](auto failure)
   {
     return ring::Load(
@@ -209,7 +207,6 @@ TEST(Answer, GivesTheReasonIfThereIsNoTerminalSpin)
   const ring::Answer none = ring::answer(refusing(ring::NoBalance("none")), question);
   EXPECT_EQ(none.status, ring::Status::no_balance);
   EXPECT_THAT(none.reason, testing::HasSubstr("none"));
-  // Program errors are rethrown, not reported as a reason.
   EXPECT_THROW(ring::answer(refusing(std::runtime_error("a fault")), question), std::runtime_error);
   // The torque has no zero if the moment grows faster (like omega^3) than the kernel K_1 decreases.
   const auto with_ratio = [](double m) {

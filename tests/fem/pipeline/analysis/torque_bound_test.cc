@@ -1,4 +1,4 @@
-// A-priori bound on the torque of the harmonics above n, for loads of random studies.
+// The a-priori bound applies to the torque of the harmonics above n.
 #include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
 #include "tests/benchmark/random_study.h"
@@ -18,7 +18,7 @@ namespace
 {
 
 /// Compares the bound with the torque of the omitted harmonics (`rest`) at 33 spins up to the terminal spin.
-/// Adds bound / rest to @p ratios if the rest exceeds 1e-9 of the torque scale.
+/// Adds bound / rest to @p ratios if `rest` exceeds 1e-9 of the torque scale.
 void compare_bounds(const test::SolvedStudy &solved, std::vector<double> &ratios)
 {
   const ring::Motion &motion = solved.study.motion.orbit;
@@ -37,8 +37,7 @@ void compare_bounds(const test::SolvedStudy &solved, std::vector<double> &ratios
   }
 }
 
-/// Compares bounds and omitted torques for the first @p n_studies random studies of @p seed that have a
-/// terminal spin.
+/// Uses the first @p n_studies random studies of @p seed that have a terminal spin.
 void compare_bounds_of_studies(unsigned int n_studies, unsigned int seed)
 {
   RandomStudies random(seed);

@@ -1,4 +1,3 @@
-// Bad input: the program prints one sentence, returns an exit code and writes no files.
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_file.h"
 #include "ring_model/failures.h"
@@ -15,7 +14,7 @@ namespace stemware::test
 namespace
 {
 
-/// Expects that a command writes no files, returns @p exit_code and prints one line with @p expected on
+/// Expects that @p command writes no files, returns @p exit_code and prints one line with @p expected on
 /// standard error.
 void expect_refused(const ScratchFolder &scratch, const std::vector<std::string> &command,
                     const std::string &expected, int exit_code = 1)
@@ -31,7 +30,6 @@ void expect_refused(const ScratchFolder &scratch, const std::vector<std::string>
   EXPECT_EQ(names_in(scratch.path()), before);
 }
 
-/// Returns the message with which the program refuses a study before the computation.
 std::string study_refusal(const std::string &file, const std::vector<std::string> &overrides = {})
 {
   try
@@ -44,7 +42,7 @@ std::string study_refusal(const std::string &file, const std::vector<std::string
   }
 }
 
-// More refusals are tested by StudyFile, StudyChecks, QuantityText and TextReader.
+// StudyFile, StudyChecks, QuantityText and TextReader test more refusals.
 TEST(BadInput, RefusesStudyFilesInOneSentence)
 {
   for (const auto &[name, text, expected] : std::vector<std::tuple<std::string, std::string, std::string>>{
@@ -130,7 +128,7 @@ TEST(BadInput, RefusesSettingsInOneSentence)
          { { solid, "Contact/Mesh file=nothing.msh" }, "nothing.msh does not exist" },
          { { solid, "Contact/Mesh file=." }, "is not a file" } })
     EXPECT_THAT(study_refusal(study, settings), testing::HasSubstr(expected)) << settings.back();
-  // These settings are accepted by read_study() and refused later in the run.
+  // read_study() accepts these settings; the run refuses them later.
   for (const auto &[settings, expected] : std::vector<std::pair<std::vector<std::string>, std::string>>{
          { { "Load/Source=file", "Load/File=tipping.dat" }, "tips at 2" },
          { { "Contact/Azimuth lines=20" }, "lines" },

@@ -1,4 +1,3 @@
-// Opens the reports of all verbs in a browser (desktop width, phone width, print).
 #include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/browser.h"
 #include "tests/fem/pipeline/matchers.h"
@@ -16,7 +15,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// Report with the arguments of the run that writes it.
 struct Opened
 {
   std::string name;
@@ -44,11 +42,10 @@ const std::vector<Opened> &opened()
   return reports;
 }
 
-/// Report of a study with its expected answer and figures.
 struct State : Opened
 {
   std::string answer; ///< text that the answer contains
-  /// Names of figures that the report shows, and of figures that it must not show.
+  /// Figures that the report shows, and figures that it must not show.
   std::vector<std::string> figures = {}, missing = {};
 };
 
@@ -121,7 +118,7 @@ const std::vector<State> &states()
   return all;
 }
 
-/// Runs the program and opens the report in the browser. Expects the same answer as on the console.
+/// Runs the program and opens the report in the browser. Expects the answer of the console in the report.
 nlohmann::json opened_state(const ScratchFolder &scratch, const State &state)
 {
   std::vector<std::string> arguments = state.arguments;
@@ -203,7 +200,6 @@ TEST(Reports, ArePrintedCompletely)
   EXPECT_GT(printed.size(), 20000u); // an empty page is smaller
 }
 
-/// Returns the points of the curve @p name in the CSV file of a figure.
 std::vector<std::pair<double, double>> points_of(const nlohmann::json &rows, const std::string &name)
 {
   std::vector<std::pair<double, double>> points;
@@ -251,7 +247,6 @@ TEST(Reports, FiguresAndTablesShowTheNumbersOfTheResultsFiles)
   const auto summary = read_summary(scratch / "results");
   expect_rows(points_of(figures["line_load"], "first harmonic"), degrees, load[2],
               1 / summary["load"]["ring_radius"].get<double>());
-  // Each bar of the budget ends at the terminal spin of its row.
   const nlohmann::json &budget = summary["budget"];
   const nlohmann::json &bars = figures["waterfall"];
   const auto ends_at = [&](double omega)
@@ -265,7 +260,6 @@ TEST(Reports, FiguresAndTablesShowTheNumbersOfTheResultsFiles)
     {
       EXPECT_TRUE(ends_at(budget[i]["omega_terminal"])) << budget[i];
     }
-  // The table "without one effect at a time" contains the numbers of the summary.
   const nlohmann::json &rows = page["tables"]["The complete model without one effect at a time"];
   const nlohmann::json &without = summary["without"];
   ASSERT_EQ(rows.size(), without.size() + 1);
@@ -275,7 +269,7 @@ TEST(Reports, FiguresAndTablesShowTheNumbersOfTheResultsFiles)
     if (without[i]["omega_terminal"].is_number())
     {
       EXPECT_NEAR(std::stod(in_one_line(rows[i + 1][1])), without[i]["omega_terminal"].get<double>(),
-                  5.01e-4); // the table has four digits
+                  5.01e-4);
     }
     else
     {
@@ -286,7 +280,7 @@ TEST(Reports, FiguresAndTablesShowTheNumbersOfTheResultsFiles)
 
 TEST(Reports, FormattedNumbersParseToTheirValues)
 {
-  // Exponents in every format must be parsed, e.g. 9.3 · 10⁻¹⁰.
+  // For example 9.3 · 10⁻¹⁰ must be parsed.
   const std::string script = "const { shown } = await import(" +
                              script_string("file://" + fs::path(STEMWARE_DOCS).parent_path().string() +
                                            "/fem/pipeline/page/js/words.js") +
@@ -311,7 +305,7 @@ TEST(Reports, FormattedNumbersParseToTheirValues)
   EXPECT_EQ(found_in_browser(scratch, script), nlohmann::json::array());
 }
 
-/// Returns reports whose study names (all verbs) and input files contain the hostile text @p place.
+/// Returns reports whose study names and input files contain the hostile text @p place.
 std::vector<Opened> hostile_reports(const std::string &place)
 {
   std::vector<Opened> reports = opened();
@@ -352,7 +346,7 @@ TEST(Reports, HostileTextExecutesNothing)
   scratch.write(place + " speeds.csv", "t (s), v (m/s)\n0, 0.3\n100, 0.35\n");
   scratch.write(place + ".msh", read_text(fs::path(STEMWARE_DOCS) / "../meshes/flat_foot.msh"));
   std::vector<std::string> pages;
-  std::set<std::string> with_an_entry; // these reports show the hostile text; study names are not shown
+  std::set<std::string> with_an_entry; // reports that show the hostile text; study names are not shown
   for (const Opened &report : hostile_reports(place))
   {
     SCOPED_TRACE(report.name);

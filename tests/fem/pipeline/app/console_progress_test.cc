@@ -14,7 +14,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Redirects standard output to the string `text` while the object exists.
+/// Redirects standard output to the string `text` during its lifetime.
 class Heard
 {
 public:

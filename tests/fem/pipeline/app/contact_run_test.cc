@@ -1,4 +1,3 @@
-// Complete runs with contact on coarse meshes.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/page_document.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -18,7 +17,6 @@ namespace stemware::test
 namespace
 {
 
-/// Returns the summary of a quick run of a coarse contact study.
 nlohmann::json run(const ScratchFolder &scratch, const std::vector<std::string> &settings,
                    const std::string &results = "results")
 {
@@ -50,7 +48,7 @@ TEST(ContactRun, RepeatedRunsWriteEqualFiles)
   const ScratchFolder scratch;
   const std::string study = scratch.write("coarse.prm", coarse_study());
   solved(scratch, { "run", study }, { "Glass/Crown radius=0.00312345678" }, "one");
-  // A pause above one second, so that time stamps in the files would differ.
+  // Time stamps in the files would differ after more than one second.
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));
   solved(scratch, { "run", study }, { "Glass/Crown radius=0.00312345678" }, "other");
   const auto one = all_files(scratch / "one"), other = all_files(scratch / "other");
@@ -172,7 +170,6 @@ TEST(ContactRun, RimRadiusOfAPlateIsTheMeanDistanceOfItsBorder)
 TEST(ContactRun, ReportsAGlassThatTipsOnASoftMat)
 {
   const ScratchFolder scratch;
-  // The mat is so soft that the glass leans until it tips.
   const Ended ended =
     stemware(scratch, { "run", "--quick", "--set", "Motion/Tilt=included", "--set",
                         "Motion/Centre of mass height=0.14", "--set", "Motion/Force offset=-0.05", "--set",
@@ -195,7 +192,7 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "alone", "coarse.prm", "together" }));
   expect_same_harmonics(alone, read_summary(scratch / "together"), 1e-9);
-  // The results are printed once, not once per rank.
+  // A rank that is not the first must print nothing.
   EXPECT_EQ(ended.out.find("Results"), ended.out.rfind("Results"));
   // Each rank writes the fields of its cells; the report lists only the .pvtu file.
   const std::vector<std::string> pieces = { "contact_0.vtu", "contact_1.vtu" };
@@ -214,7 +211,6 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
                        page_of_one = page_document(scratch / "alone");
   EXPECT_THAT(page["files"].dump(), testing::HasSubstr("fields/contact.pvtu"));
   EXPECT_THAT(page["files"].dump(), testing::Not(testing::HasSubstr("fields/contact.vtu")));
-  // The page contains the same tables as with one rank.
   const auto tables_of = [](const nlohmann::json &document)
   {
     std::set<std::string> names;

@@ -1,4 +1,3 @@
-// The verb `converge` as a program.
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"

@@ -1,4 +1,4 @@
-// Live page in a browser, at desktop and phone widths, compared with the program.
+// The live page is tested at desktop and phone widths.
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
@@ -86,8 +86,8 @@ TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgram)
     EXPECT_TRUE(found[width]["errors"].empty()) << found[width]["errors"];
     EXPECT_EQ(found[width]["serious"], nlohmann::json::array()) << found[width]["serious"].dump(1);
     EXPECT_LE(found[width]["width"].get<int>(), std::stoi(width)) << "the page has to be scrolled sideways";
-    // At rest, a ring tips at |M_N| = N R, i.e. at the hand height h with (h - 0.1 m)^2 k^2 + h^2 mu^2 = R^2.
-    // For k = v^2 / (rho g) = 0.0425 and mu = 0.2: h = 0.15 m.
+    // At rest, a ring tips at |M_N| = N R, i.e. at the hand height h with (h - 0.1 m)^2 k^2 + h^2 mu^2 = R^2:
+    // h = 0.15 m for k = v^2 / (rho g) = 0.0425 and mu = 0.2.
     EXPECT_THAT(found[width]["waits"].get<std::string>(), testing::HasSubstr("with the hand at about 150"));
     EXPECT_THAT(found[width]["waits"].get<std::string>(), testing::HasSubstr("Solving …"));
     EXPECT_NE(found[width]["text"].get<std::string>().find("rad/s"), std::string::npos);
@@ -100,7 +100,7 @@ TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgram)
   EXPECT_THAT(late, testing::Not(testing::HasSubstr("Solving")));
 }
 
-/// Returns the first lines of a script. They open @p page in a frame of width @p width [px].
+/// Returns the first lines of a script, which open @p page in a frame of width @p width [px].
 std::string framed(const std::string &page, int width)
 {
   return "const frame = document.createElement('iframe');\nframe.style = 'border:0;height:900px;width:" +
@@ -162,7 +162,7 @@ TEST(ExplorePage, SavedPageOpensWithTheSavedValues)
   EXPECT_EQ(found["table"], "mat");
 }
 
-/// Returns the line load at an angle [N/m] as text, computed from the Fourier series in "load" of a summary.
+/// Returns the line load at @p angle [N/m] as text, from the Fourier series @p load of a summary.
 std::string pressing(const nlohmann::json &load, double angle)
 {
   double value = 0;
@@ -216,7 +216,6 @@ TEST(ExplorePage, PageOfAStudySolvesTheStudyAndShowsTheLesson)
   EXPECT_EQ(falls.exit_code, 0) << falls.err;
 }
 
-/// State of the page with the expected lesson.
 struct Taught
 {
   std::string name;
@@ -281,8 +280,8 @@ std::string states_script(const std::string &page, const std::vector<Taught> &st
 TEST(ExplorePage, LessonIsCorrectInEveryState)
 {
   const std::string hand = "Motion/Hand height", centre = "Motion/Centre of mass height";
-  // If the hand is below the centre of mass, the outside of the rim is loaded. Its friction turns the glass
-  // against the orbit.
+  // If the hand is below the centre of mass, the outside of the rim is loaded. Friction on the outside turns
+  // the glass against the orbit.
   const std::vector<int> below = { 0, 1, 1, 0, 1 };
   const std::vector<Taught> states = {
     { "default", {}, below, "The rigid ring of the paper" },
@@ -321,7 +320,7 @@ TEST(ExplorePage, LessonIsCorrectInEveryState)
                   testing::Not(testing::ContainsRegex("NaN|undefined|\u2013|\u207b|-0 |\u22120 ")));
     EXPECT_EQ(found[state.name]["troubles"], nlohmann::json::array())
       << found[state.name]["troubles"].dump(1);
-    // The lesson and the rest of the page show the same digits of a number.
+    // The lesson and the page around the lesson show the same digits of a number.
     const auto text = [&](std::size_t step)
     { return in_one_line(found[state.name]["texts"][step].get<std::string>()); };
     const std::string beside = in_one_line(found[state.name]["words"].get<std::string>());
@@ -335,7 +334,7 @@ TEST(ExplorePage, LessonIsCorrectInEveryState)
     {
       EXPECT_THAT(text(3), testing::HasSubstr(torque[1].str()));
     }
-    // The spin-up of the scene ends near the terminal spin: at most 5 % of the largest torque is left.
+    // At the end of the spin-up, at most 5 % of the largest torque is left.
     const std::string end = in_one_line(found[state.name]["end"].get<std::string>());
     if (!spin.empty() && std::regex_search(end, share, std::regex("(\\d+) % of the largest torque")))
     {
@@ -345,7 +344,7 @@ TEST(ExplorePage, LessonIsCorrectInEveryState)
     EXPECT_EQ(text(3).find("The arrow round the stem") != std::string::npos,
               !state.right.empty() && found[state.name]["torque"] != "");
   }
-  // With the hand at the centre of mass ("level"), rounding errors are not shown as torque or spin.
+  // If the hand is at the centre of mass ("level"), rounding errors are not shown as torque or spin.
   EXPECT_EQ(found["level"]["torque"], "");
   EXPECT_NE(found["default"]["torque"], "");
   const std::string words = found["level"]["words"].get<std::string>();
@@ -419,8 +418,8 @@ TEST(ExplorePage, HostileTextExecutesNothing)
       << one << ": " << shown[one]["answer"];
 }
 
-/// Returns a script that opens @p page and loads @p tables (file name to text) with the units @p units (file
-/// name to unit). For each table, the script returns the status, the offered columns and the drawn points.
+/// Returns a script that opens @p page and loads @p tables (file name to text) with @p units (file name to
+/// unit). For each table, the script returns the status, the offered columns and the drawn points.
 std::string measured_script(const std::string &page, const nlohmann::ordered_json &tables,
                             const std::map<std::string, std::string> &units)
 {
@@ -462,7 +461,7 @@ TEST(ExplorePage, DrawsMeasuredRunsOverTheComputedCurve)
   using Points = std::vector<std::pair<double, double>>;
   const std::string hostile = "<img src=x onerror=parent.ran=1>.csv";
   const nlohmann::ordered_json tables = {
-    // phyphox file with decimal commas. The column with the largest range is offered first.
+    // File of phyphox with decimal commas. The column with the largest range is offered first.
     { "phone.csv", "\"Time (s)\";\"x (rad/s)\";\"y (rad/s)\";\"z (rad/s)\"\n"
                    "2,00;0,1;0,0;0\n2,50;0,2;0,1;-1,5\n3,00;0,1;0,0;-2,25E0\n" },
     { "degrees.csv", "t,omega\n0,0\n1,-180\n" },

@@ -1,4 +1,4 @@
-// Compares docs/explore.html, written by `stemware explore`, with the program.
+// `stemware explore` writes docs/explore.html.
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"

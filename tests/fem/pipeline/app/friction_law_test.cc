@@ -1,4 +1,3 @@
-// Stribeck friction in `run`, `truncate` and `sweep`.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
@@ -57,15 +56,15 @@ TEST(FrictionLawStudy, EqualCoefficientsGiveCoulombFriction)
           << part << n;
   };
   expect_equal(quick_run(with_law("0.3", "0.3", "0.1")));
-  // With slightly different coefficients, the Stribeck law is integrated by quadrature and friction acts
+  // If the coefficients differ by rounding, the Stribeck law is integrated by quadrature and friction acts
   // pointwise in the foot.
   expect_equal(quick_run(with_law("0.3", "0.300000000000001", "0.1")));
 }
 
 TEST(FrictionLawStudy, ViscousFrictionAgreesWithTheClosedForm)
 {
-  // The friction T = -c int lambda v_rel is linear, so tau_z = c (v M_Nx - omega N <r^2>). With the moment
-  // balance `paper`, omega = v M_Nx / (N <r^2>) for a single ring and for the rings of a contact.
+  // Closed form: the friction T = -c int lambda v_rel is linear, so tau_z = c (v M_Nx - omega N <r^2>). With
+  // Closure::paper, omega = v M_Nx / (N <r^2>).
   Settings viscous = with_law("3e-11", "3e-11", "0.1", "1 s/m");
   viscous.push_back("Motion/Closure=paper");
   const double v = 0.35, N = 0.3 * 9.81, moment = -0.05 * 0.3 * v * v / 0.15;
@@ -81,15 +80,14 @@ TEST(FrictionLawStudy, ViscousFrictionAgreesWithTheClosedForm)
   EXPECT_NEAR(spin_of(elastic) / (v * moment / (N * square / force)), 1, 1e-9);
   viscous.push_back("Load/Source=first harmonic");
   EXPECT_NEAR(spin_of(quick_run(viscous)) / (v * moment / (N * 0.03 * 0.03)), 1, 2e-10);
-  // With the moment balance `full`: M_N = (M - h T_y, h T_x), where h is the height of the hand. The
-  // fixed-point iteration below solves the balance.
+  // With Closure::full, M_N = (M - h T_y, h T_x), where h is the height of the hand.
   viscous[5] = "Motion/Closure=full";
   const double h = 0.03, R = 0.03;
   double omega = 0;
   for (unsigned int i = 0; i < 200; ++i)
   {
-    // Balance for c = 1 s/m: M_x = M - h T_y, M_y = h T_x, T_x = -(v N - omega M_x), T_y = omega M_y,
-    // omega = v M_x / (N R^2).
+    // Balance for c = 1 s/m: M_x = M - h T_y, M_y = h T_x, T_x = -(v N - omega M_x), T_y = omega M_y, omega =
+    // v M_x / (N R^2).
     const double a = h * omega, moment_x = (moment + a * h * v * N) / (1 + a * a);
     omega = v * moment_x / (N * R * R);
   }
@@ -101,7 +99,7 @@ TEST(FrictionLawStudy, EveryVerbUsesTheLaw)
   const Settings law = with_law("0.2", "0.5", "0.3 m/s");
   const nlohmann::json run = solved(ScratchFolder(), { "run" }, law);
   const double spin = spin_of(run), mu = 0.2 + 0.3 * std::exp(-std::pow(0.35 / 0.3, 2));
-  // Without spin, every point slips with the orbit speed.
+  // At zero spin, every point slips with the orbit speed.
   EXPECT_NEAR(run["ring"]["tau_at_rest"].get<double>() / (mu * run["load"]["moment"][0].get<double>()), 1,
               1e-9);
   const nlohmann::json truncated = solved(ScratchFolder(), { "truncate" }, law);

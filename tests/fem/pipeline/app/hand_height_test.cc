@@ -1,5 +1,5 @@
-// Sweep of the hand height through the centre of mass, where the spin changes its sign. The spin of the first
-// harmonic jumps there (tensile load); the spin of all harmonics is continuous.
+// If the hand moves through the centre of mass, the spin changes its sign. The spin of the first harmonic
+// jumps (tensile load); the spin of all harmonics is continuous.
 #include "tests/fem/pipeline/browser.h"
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -15,8 +15,8 @@ namespace stemware::test
 namespace
 {
 
-/// Returns the largest difference between successive values of the curve @p name in a figure. Sets @p
-/// n_values to the number of values.
+/// Returns the largest difference between successive values of the curve @p name. Sets @p n_values to the
+/// number of values.
 double longest_line(const nlohmann::json &rows, const std::string &name, std::size_t &n_values)
 {
   double longest = 0;
@@ -45,8 +45,7 @@ TEST(HandHeight, CurvesHaveGapsWhereTheSpinJumps)
   const CsvTable table(sorted_by_case(read_text(scratch / "results/sweep.csv")));
   ASSERT_EQ(table.n_rows(), 41u);
 
-  // The curve of all harmonics is continuous up to tipping. The other curves have a gap at zero spin, where
-  // they jump by at least 5 rad/s.
+  // The curves of the first harmonic have a gap at zero spin, where they jump by at least 5 rad/s.
   const nlohmann::json picture = reports_in_browser(
     scratch, { "results/report.html" })["results/report.html"]["figures"]["omega_terminal"];
   std::size_t n_solved = 0, n_falls = 0;
@@ -59,8 +58,8 @@ TEST(HandHeight, CurvesHaveGapsWhereTheSpinJumps)
   }
   EXPECT_EQ(n_solved, 38u);
   EXPECT_EQ(n_falls, 1u); // two more cases tip at rest
-  // Just before tipping, a second balance exists. If its spin were reported, the third difference would be at
-  // least 0.7 rad/s instead of 0.12 rad/s.
+  // Just before tipping, a second balance exists. The spin of the second balance would give a third
+  // difference of at least 0.7 rad/s instead of 0.12 rad/s.
   const auto spin = [&](std::size_t i) { return table.number(i, "omega_terminal (rad/s)"); };
   EXPECT_LT(std::abs(spin(37) - 3 * spin(36) + 3 * spin(35) - spin(34)), 0.3);
   for (const char *curve : { "all harmonics", "first harmonic only", "first harmonic on a ring" })

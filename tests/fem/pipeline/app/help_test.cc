@@ -10,7 +10,6 @@ namespace stemware::test
 namespace
 {
 
-/// Returns the verbs that `stemware --help` lists.
 std::vector<std::string> all_verbs(const std::string &help)
 {
   std::istringstream lines(help);

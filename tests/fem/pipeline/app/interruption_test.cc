@@ -1,4 +1,3 @@
-// Signals, full disks and simultaneous runs leave a complete results folder.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +34,7 @@ TEST(Interruption, SignalsLeaveOlderResultsUnchanged)
   const auto hang_up = std::signal(SIGHUP, SIG_DFL); // under nohup, the program would inherit SIG_IGN
   for (const int signal : { SIGINT, SIGTERM, SIGHUP })
   {
-    // The run lasts long enough for the signal: the factorisation takes most of its time.
+    // The factorisation of the condensed solver takes long enough for the signal.
     RunningProgram program(run_with({ "--set", "Load/Source=contact", "--set", "Contact/Body=solid", "--set",
                                       "Table/Substrate=rigid", "--set", "Contact/Linear solver=condensed" }),
                            scratch.path());

@@ -1,4 +1,4 @@
-// The program in Slurm job steps without PMI. MPI is initialised only for solid feet.
+// MPI is initialised only for solid feet.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>

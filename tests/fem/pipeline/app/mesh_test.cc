@@ -1,4 +1,3 @@
-// `stemware mesh`: measures of mesh files, and refusals.
 #include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"

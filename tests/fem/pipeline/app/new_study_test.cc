@@ -1,4 +1,3 @@
-// `stemware new`: studies with twelve commented entries from presets, and copies of the cookbooks.
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/study/study_checks.h"

@@ -1,4 +1,4 @@
-// Options of all verbs that take a study: --quiet, --json, --output, --set.
+// All verbs that take a study have these options.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
@@ -22,7 +22,7 @@ TEST(StudyOptions, JsonPrintsOneLine)
   const Ended ended =
     stemware(scratch, { "run", "--set", "Load/Source=first harmonic", "--json", "--output", "there" });
   EXPECT_EQ(ended.exit_code, 0);
-  const auto line = nlohmann::json::parse(ended.out); // the line is the complete output
+  const auto line = nlohmann::json::parse(ended.out);
   EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 1);
   EXPECT_EQ(line["verb"], "run");
   EXPECT_EQ(line["results"], "there");
