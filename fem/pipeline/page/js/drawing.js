@@ -143,7 +143,7 @@ export class Drawing {
   draw_table({ orbit }, set) {
     const { camera, given } = this;
     const rho = 1e3 * given.orbit_radius;
-    const [x, y] = [rho * Math.cos(orbit), rho * Math.sin(orbit)];// centre of the glass
+    const [x, y] = [rho * Math.cos(orbit), rho * Math.sin(orbit)]; // centre of the glass
     const [step, far] = [40, Math.min(600, 1.6 * this.reach)];
     const near = [];
     for (let i = Math.ceil((x - far) / step); i <= (x + far) / step; ++i)

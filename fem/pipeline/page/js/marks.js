@@ -49,7 +49,7 @@ export const line = ({ x, y, name, colour = 'c1', dash, width = 2, words }) => (
     return s('path', { d, fill: 'none', 'stroke-linejoin': 'round', ...stroke });
   },
   near: (px, py, X, Y) => nearest(x, y, px, py, X, Y),
-  value: words ? undefined : at => y[index_near(x, at)],// for labels of points of other curves
+  value: words ? undefined : at => y[index_near(x, at)], // for labels of points of other curves
   at: i => ({ x: x[i], y: y[i], words: words && words(i) }),
   count: x.length,
   rows: () => x.map((value, i) => [name || '', value, y[i]])

@@ -20,7 +20,7 @@ let stands = {}; // changes in the last state in which the glass did not tip
 addEventListener('error', e => errors.push(e.message));
 addEventListener('unhandledrejection', e => errors.push(String(e.reason)));
 
-const drawn = new Map();// current pictures, by name
+const drawn = new Map(); // current pictures, by name
 const places = [...document.querySelectorAll('[data-picture]')];
 
 function draw_picture(place) {

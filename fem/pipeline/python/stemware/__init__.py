@@ -21,7 +21,7 @@ if TYPE_CHECKING:  # the attributes that __getattr__ loads
     from .study import ContactFailure, OutputFailure, Result, Start, Study, limit_cache, presets, read  # noqa: F401
 
 __all__ = ["ring", "BadInput", "BalanceLost", "NoBalance", "NoTerminalSpin", "Tipping"]
-if importlib.util.find_spec(__name__ + "._study"):  # not in a build without deal.II
+if importlib.util.find_spec(__name__ + "._study"):  # false in a build without deal.II
     __all__ += _places
 
 

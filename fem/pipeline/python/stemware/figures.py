@@ -79,7 +79,7 @@ def limit_surface(surface: LimitSurface, ax: Any = None, pade: bool = True) -> A
     ax.plot(surface.force, surface.torque, "k", lw=2, label="exact")
     ax.plot(*surface.ellipsoid(), "C0--", lw=1, label="ellipsoid")
     if pade and surface._pressure is not None:
-        with warnings.catch_warnings():  # the figure shows the difference between the form and the surface
+        with warnings.catch_warnings():  # the figure shows the misfit that pade() warns of
             warnings.simplefilter("ignore")
             for order, style in ((1, "C1-."), (2, "C3:")):
                 ax.plot(*surface.pade(order), style, lw=1.2, label=f"Padé, order {order}")

@@ -172,13 +172,13 @@ class _Problem:
         return np.vstack([self.evaluate(x)[1] / self.all("sigma")[:, None], np.diag(self.scale / self.spread)])
 
     def covariance(self, x):
-        """Returns the covariance of x, and per point the share of a degree of freedom that the fit leaves (1 - leverage)."""
+        """Returns the covariance of x and, for each point, 1 - leverage; their sum is the number of degrees of freedom."""
         slopes = self.jacobian(x)
         covariance = np.linalg.pinv(slopes.T @ slopes, hermitian=True) + np.diag(np.where(slopes.any(axis=0), 0, 1e30))
         return covariance, 1 - np.sum((slopes @ covariance) * slopes, axis=1)[:-x.size]
 
     def update_sigma(self, x):
-        """Sets sigma, where the user gave none, to the standard deviation of the residuals. Returns the relative change of sigma."""
+        """Sets sigma of the runs without a given sigma to the standard deviation of the residuals. Returns its relative change."""
         factor = np.sqrt(np.sum(self.residuals(x)[:-x.size] ** 2) / max(np.sum(self.covariance(x)[1]), 1.0))
         for run in (without := [run for run in self.runs if not run.has_sigma]):
             run.sigma = run.sigma * factor

@@ -177,7 +177,7 @@ class Patch:
 
     def _friction(self, v_x, v_y, omega):
         out = np.zeros((*v_x.shape, 3))
-        for x, y, force in zip(self.x, self.y, self.force):  # arrays of slips may be long
+        for x, y, force in zip(self.x, self.y, self.force):  # a loop saves memory: arrays of slips may be long
             slip_x, slip_y = v_x - omega * y, v_y + omega * x
             speed = np.hypot(slip_x, slip_y)
             share = np.divide(force, speed, out=np.zeros_like(speed), where=speed > 0)
@@ -206,7 +206,7 @@ def _array(values):
 
 
 def _broadcast(*arrays):
-    # ascontiguousarray makes 0-d 1-d
+    # np.ascontiguousarray would change the shape () of a number to (1,).
     return [np.array(one, order="C") for one in np.broadcast_arrays(*map(_array, arrays))]
 
 

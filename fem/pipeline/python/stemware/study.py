@@ -286,7 +286,7 @@ class Result:
         if "ring" not in self.document:
             return f"<p>{html.escape(self.document['verb'])}</p>"
         keys = ("step", "name", "harmonics", "omega_terminal", "difference")
-        # The last rows of a budget add harmonics that change nothing.
+        # Rows of harmonics without an effect on the spin are omitted.
         rows = "".join("<tr>" + "".join(f"<td>{show(row, key)}</td>" for key in keys) + "</tr>" for row in self.document["budget"] or []
                        if row["difference"] is None or abs(row["difference"]) > 1e-6 * abs(self.omega or 1))
         return (f"<p>terminal spin <b>{self._spin_text()}</b> rad/s, {html.escape(str(self['ring/standing']))}</p><table><tr><th></th>"
