@@ -31,7 +31,6 @@ Pair first_pair(double complement)
 /// digits cancel.
 Pair step_down(const Pair &above, unsigned int n, double eps_squared, double complement)
 {
-  // The division has the longest latency, so it stands first.
   const double inverse = 1. / (2. * n - 1.), feed = complement * inverse;
   return { above.q + above.g, ((2. * n + 1.) * inverse * eps_squared + feed) * above.g + feed * above.q };
 }

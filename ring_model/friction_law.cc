@@ -70,8 +70,8 @@ HalfRim even_places(unsigned int n_intervals)
   return places;
 }
 
-/// Returns the midpoint rule. Its mean with even_places(n_intervals) is the trapezoidal rule with 2
-/// n_intervals intervals.
+/// Returns the midpoint rule. Its mean with the trapezoidal rule is the trapezoidal rule with twice the
+/// intervals.
 HalfRim places_between(unsigned int n_intervals)
 {
   const double half = 0.5 * pi / n_intervals;

@@ -19,8 +19,7 @@ constexpr double farthest = 64.;       ///< end of the search
 constexpr double first_step = 1. / 4.; ///< first spin without an initial guess
 /// Width below which an interval is not bisected any more; it bounds the error of BalanceLost::last_spin.
 constexpr double shortest_interval = 1. / 4096.;
-constexpr double scan_step =
-  1. / 16.; ///< spacing of the samples of a scan, which misses two zeros closer together
+constexpr double scan_step = 1. / 16.; ///< step of a scan; two closer zeros may be missed
 /// Distance of two samples above which their difference is not dominated by rounding.
 constexpr double rounding_distance = 1e-6;
 /// Minimum distance of two spins from which a slope of the stability margin is computed: at the end of the
@@ -219,7 +218,6 @@ private:
     for (std::size_t i = 1; i < way.size(); ++i)
       if (way[i].torque >= way[i - 1].torque)
         return true;
-    // The slope from a sample too close to the zero is dominated by rounding.
     const double too_close = rounding_distance * search.spin_scale;
     const DrivingTorque *nearest = nullptr;
     for (const DrivingTorque &sample : samples)
@@ -233,8 +231,8 @@ private:
     return !(local * steepness_ratio > mean && local < steepness_ratio * mean);
   }
 
-  /// Returns the first zero at or before the zero at @p spin, from samples at equal steps. Throws BalanceLost
-  /// if the balance ends before the first zero.
+  /// Returns the first zero up to the zero at @p spin. Throws BalanceLost if the balance ends before the
+  /// first zero.
   double scanned(double spin)
   {
     DrivingTorque near = samples.front();
@@ -271,7 +269,7 @@ private:
     return spin;
   }
 
-  /// Returns the last sample before @p spin with a positive driving torque, at least the sample at rest.
+  /// Returns the last sample before @p spin with a positive driving torque.
   DrivingTorque nearest_before(double spin) const
   {
     DrivingTorque near = samples.front();
@@ -429,7 +427,6 @@ std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const To
       return std::nullopt;
     const double next_value = torque(next) - grip;
     const double secant = (next_value - value) / step;
-    // The secant through two close samples is dominated by rounding errors.
     if (std::abs(step) > rounding_distance * search.spin_scale)
     {
       slope = secant;

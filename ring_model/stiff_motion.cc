@@ -22,8 +22,7 @@ StiffMotion::StiffMotion(PhasedTorqueFunction torque, double yaw_inertia, double
 
 bool StiffMotion::is_stiff(const YawSample &start, double end, std::size_t n_times) const
 {
-  // The implicit method pays off if explicit steps, two torque evaluations per time constant, are many: an
-  // implicit step needs about 30 evaluations.
+  // An implicit step costs about 30 torque evaluations; explicit steps need two per time constant.
   constexpr double min_time_constants = 20.;
   // The torque may jump at spin 0, so the slope is taken on the side towards which the glass turns.
   YawSample beside = start;

@@ -15,8 +15,7 @@ namespace stemware::ring
 {
 namespace
 {
-/// Returns the terminal spin @p omega, a zero of @p torque, with the slope of the torque and the time
-/// constant.
+/// Returns the terminal spin @p omega, a zero of @p torque, with the slope of the torque at @p omega.
 TerminalSpin described(const TorqueFunction &torque, double yaw_inertia, double omega, double spin_scale)
 {
   const double slope = [&]
@@ -26,8 +25,7 @@ TerminalSpin described(const TorqueFunction &torque, double yaw_inertia, double 
     {
       return torque_slope(torque, omega, step);
     }
-    catch (const std::runtime_error
-             &) // the glass tips within one step of omega; a narrower step may stay in balance
+    catch (const std::runtime_error &) // the glass tips near omega; a narrower step may stay in balance
     {
       if (step <= narrow)
         throw;

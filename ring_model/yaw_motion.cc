@@ -75,8 +75,7 @@ private:
     return torque(origin + std::min(at.time, end), at.yaw_angle, at.omega);
   }
 
-  /// Returns +1 or -1, the direction in which the glass turns or starts to turn, or 0 while the fingers hold
-  /// the glass.
+  /// Returns the sense of the present or beginning rotation, 1 or -1; 0 while the fingers hold the glass.
   int direction() const
   {
     const double pushed = now.omega != 0. || grip == 0. ? now.omega : free_torque(now);
@@ -116,8 +115,7 @@ private:
     return samples.size() < wanted->size() && (*wanted)[samples.size()] * (1. - 1e-15) <= time;
   }
 
-  /// Returns the root of @p positive between @p from and @p to, rounded towards @p to. Precondition: @p
-  /// positive changes sign in the interval.
+  /// Returns the root of @p positive, which changes sign between @p from and @p to, rounded towards @p to.
   template <typename Function>
   static double end_of(const Function &positive, double from, double to)
   {
@@ -143,7 +141,7 @@ private:
       const double next = std::min({ (*wanted)[samples.size()], next_break(now.time), now.time + look });
       if (excess(next) > 0.)
       {
-        // At the start of the rest the excess may be exactly 0, so the bracket begins slightly later.
+        // The excess may be exactly 0 at now.time, so the bracket begins slightly later.
         const double first = now.time + 1e-9 * (next - now.time);
         now.time = excess(first) < 0. ? end_of(excess, first, next) : first;
         while (is_due(now.time))

@@ -12,14 +12,14 @@ namespace stemware::fem
 namespace
 {
 
-/// maximum azimuth difference between lines of the same cut [rad], far above rounding
+/// Maximum azimuth difference between lines of the same cut [rad], far above rounding.
 constexpr double azimuth_tolerance = 1e-7;
 
 std::vector<CutValue> combined(std::vector<CutValue> places, double (*combine)(double, double))
 {
   const auto comes_before = [](const CutValue &one, const CutValue &other)
   { return one.azimuth < other.azimuth; };
-  // lines of a body of revolution are already sorted
+  // The lines of a body of revolution are already sorted.
   if (!std::is_sorted(places.begin(), places.end(), comes_before))
     std::stable_sort(places.begin(), places.end(), comes_before);
   std::vector<CutValue> cuts;

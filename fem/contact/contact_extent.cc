@@ -141,8 +141,7 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
   deepest = surface.parts.max(deepest);
   ContactExtent extent;
   extent.peak_pressure = pressure(deepest);
-  // Penetration at the edge of the contact. Only laws that are integrated along lines are evaluated here, and
-  // these laws are not hard.
+  // Laws that are integrated along lines are not hard, so they have a penetration at the edge of contact.
   const double edge = law.penetration_at(rounding_share * extent.peak_pressure);
 
   std::vector<CutValue> cuts;

@@ -49,7 +49,6 @@ public:
     of_rings += point.force * shares.at(radius);
   }
 
-  /// Adds the forces of the last line, then sums over all @p parts.
   void finish(const SurfaceParts &parts)
   {
     flush();

@@ -22,10 +22,9 @@ namespace
 /// Minimum number of loaded nodes side by side across the rim for a resolved pressure.
 constexpr unsigned int min_nodes_across = 4;
 
-/// Returns the distance [m] from the axis to the convex hull of the nodes in @p direction (unit vector): the
-/// minimum of the distances to the tangents of the hull. With a moment balance, the weights of the moment
-/// conditions replace (x, y). The hull of a ring is nearly a circle, so its extent in @p direction is the
-/// distance.
+/// Returns the distance [m] from the axis to the convex hull of the nodes in @p direction (unit vector),
+/// which is the minimum distance to a tangent of the hull. With a moment balance, the weights of the moment
+/// conditions replace (x, y). The hull of a ring is nearly a circle, so its extent is used.
 double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2d &direction, bool is_ring)
 {
   if (is_ring)
@@ -76,7 +75,6 @@ public:
     evaluate();
   }
 
-  /// Iterates until the active set is unchanged and the residuals are within their tolerances.
   void converge()
   {
     bool balanced_before = false;
@@ -104,8 +102,8 @@ public:
     }
   }
 
-  /// Augmented Lagrangian method: solves and updates the multipliers in turn until the violation of contact
-  /// is within the tolerance.
+  /// Augmented Lagrangian method: updates the multipliers until the violation of contact is within the
+  /// tolerance.
   void converge_outer_iteration()
   {
     for (;;)

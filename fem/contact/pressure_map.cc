@@ -14,7 +14,7 @@ namespace stemware::fem
 namespace
 {
 
-/// fraction of the maximum pressure below which pressures are not shown
+/// Fraction of the maximum pressure below which pressures are not shown.
 constexpr double min_share = 1e-3;
 
 constexpr unsigned int n_points_across = 33;
@@ -55,7 +55,6 @@ public:
 
   const double azimuth;
 
-  /// Returns the pressure at the local coordinate @p xi in [-1, 1].
   PressurePoint at(double xi) const
   {
     const Eigen::Vector3d shape = line_shape(xi);
@@ -72,7 +71,6 @@ private:
   const std::function<double(double)> &pressure;
 };
 
-/// Returns the smallest and the largest radius with a pressure above min_share of the maximum.
 ContactWidth loaded_range(const std::vector<LoadedLine> &lines)
 {
   constexpr unsigned int n_samples = 16;

@@ -11,7 +11,7 @@ namespace stemware::fem
 namespace
 {
 
-/// relative tolerance for rounding errors of lengths
+/// Relative tolerance for rounding errors of lengths.
 constexpr double rounding = 1e-9;
 
 /// The compliances of more contact cells do not fit into memory.
@@ -74,7 +74,6 @@ struct HalvedCell
 
 using HalvedCells = std::vector<HalvedCell>;
 
-/// Halves every cell for which @p is_too_large(index) is true. Returns true if a cell was halved.
 template <typename Predicate>
 bool halve(HalvedCells &cells, const Predicate &is_too_large)
 {

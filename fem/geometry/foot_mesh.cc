@@ -25,8 +25,7 @@ namespace
 constexpr types::manifold_id ring_id = 1;
 constexpr types::manifold_id core_id = 2;
 
-/// Maximum ratio of the radial cell size to the contact radius, and growth factor of the cells away from the
-/// land.
+/// Maximum ratio of radial cell size to contact radius, and growth factor of the cells away from the land.
 constexpr double largest_cell_ratio = 0.2;
 constexpr double growth = 1.6;
 
@@ -53,8 +52,7 @@ struct PlanCell
   double outer_radius = 0;
 };
 
-/// Plan view of the foot: a square core, a ring of cells around the core up to the stem's surface, and rings
-/// up to the edge of the foot.
+/// Plan view of the foot: a square core inside rings of cells up to the edge of the foot.
 class Plan
 {
 public:
@@ -122,8 +120,7 @@ private:
     return circle;
   }
 
-  /// Adds (n_sectors / 4)^2 cells in a square with convex sides and corners at @p corner_radius. Returns the
-  /// border of the square, counter-clockwise.
+  /// Adds a square of (n_sectors / 4)^2 cells with convex sides. Returns its border, counter-clockwise.
   std::vector<unsigned int> add_core(double corner_radius)
   {
     const unsigned int n = n_sectors / 4;
@@ -207,15 +204,13 @@ struct Slab
   double outer_radius = 0;
 };
 
-/// Appends @p n layers of equal height from @p bottom to @p bottom + @p height.
 void stack(double bottom, double height, unsigned int n, double inner, double outer, std::vector<Slab> &slabs)
 {
   for (unsigned int i = 0; i < n; ++i)
     slabs.push_back({ bottom + height * i / n, bottom + height * (i + 1) / n, inner, outer });
 }
 
-/// Returns the number of cell layers of a stem of @p height [m], each about 2.5 times as high as @p
-/// foot_layer.
+/// Returns the number of cell layers of the stem, each about 2.5 times as high as @p foot_layer.
 unsigned int n_stem_layers(double height, double foot_layer)
 {
   return static_cast<unsigned int>(std::max(1., std::ceil(height / (2.5 * foot_layer) - 0.25)));
@@ -366,7 +361,6 @@ void halve_where(const std::function<bool(double radius, double height)> &is_nea
   triangulation.execute_coarsening_and_refinement();
 }
 
-/// Halves the cells of the land with a vertex between the radii @p inner and @p outer.
 void refine_land(const GlassProfile &profile, double inner, double outer, Triangulation<3> &triangulation)
 {
   const double tolerance = 1e-6 * profile.land_width;
@@ -379,9 +373,8 @@ void refine_land(const GlassProfile &profile, double inner, double outer, Triang
     triangulation);
 }
 
-/// Halves the cells at the inner edge of the land, whose cells have the width @p cell [m]. For a step these
-/// are the cells with a vertex on the edge, for a smooth underside the cells within one cell width of the
-/// edge.
+/// For a step, halves the cells with a vertex on the inner edge of the land. For a smooth underside, halves
+/// the cells within one cell width @p cell [m] of this edge.
 void refine_edge(const GlassProfile &profile, unsigned int n_halvings, double cell,
                  Triangulation<3> &triangulation)
 {

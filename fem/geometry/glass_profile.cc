@@ -23,7 +23,7 @@ void require_positive(const char *name, double value)
           " m is not a length of the glass; give a finite number greater than 0.");
 }
 
-/// Throws unless @p value is finite and not negative. @p meaning_of_zero completes the message, e.g. "a flat
+/// Throws unless @p value is finite and not negative. @p meaning_of_zero for the message is e.g. "a flat
 /// land".
 void require_not_negative(const char *name, double value, const char *meaning_of_zero)
 {

@@ -224,7 +224,7 @@ private:
     long n[3];
     for (long &n_entities : n)
       n_entities = words.whole_number();
-    words.whole_number(); // number of volumes
+    words.whole_number(); // skips the number of volumes
     for (int dimension = 0; dimension < 3; ++dimension)
       for (long i = 0; i < n[dimension]; ++i)
       {
@@ -265,7 +265,7 @@ private:
     if (!is_format_4)
       return 1;
     const long n = words.whole_number();
-    // number of nodes or elements, smallest number, largest number
+    // Skips the number of nodes or elements, and their smallest and largest number.
     for (int k = 0; k < (is_format_4_0 ? 1 : 3); ++k)
       words.whole_number();
     return n;
@@ -318,7 +318,7 @@ private:
       long id = surface == physical_id.end() ? 0 : surface->second;
       for (long i = 0; i < block.size; ++i)
       {
-        words.whole_number(); // number of the element
+        words.whole_number(); // skips the number of the element
         const ElementType type = type_of(is_format_4 ? block.kind : words.whole_number());
         if (!is_format_4)
           id = id_in_tags(words);

@@ -32,7 +32,7 @@ void append_equal(GridLines &lines, double end, unsigned int n_cells)
     lines.push_back(begin + (end - begin) * i / n_cells);
 }
 
-/// Appends equal cells of about @p size up to @p end. Appends nothing if the lines already end at @p end.
+/// Appends equal cells of about @p size up to @p end, unless the lines already end there.
 void append_sized(GridLines &lines, double end, double size)
 {
   if (std::abs(end - lines.back()) < 1e-6 * size)
@@ -66,7 +66,6 @@ void append_growing(GridLines &lines, double end, const Growth &growth)
   }
 }
 
-/// Appends cells of decreasing size up to @p end, as mirror image of append_growing().
 void append_shrinking(GridLines &lines, double end, const Growth &growth)
 {
   GridLines distances = { 0 };
@@ -75,8 +74,7 @@ void append_shrinking(GridLines &lines, double end, const Growth &growth)
     lines.push_back(end - *distance);
 }
 
-/// Makes a tensor-product grid from the lines @p radii and @p heights, without the cells whose centre lies
-/// outside the section.
+/// Makes a tensor-product grid without the cells whose centre lies outside the section.
 void make_grid(const GridLines &radii, const GridLines &heights,
                const std::function<bool(double radius, double height)> &is_inside,
                Triangulation<2> &triangulation)
@@ -157,8 +155,7 @@ unsigned int max_halvings(const Triangulation<2>::active_cell_iterator &cell, co
   return max_below;
 }
 
-/// Halves cells until the contact cells match @p contact and every other cell meets the size bound for its
-/// distance from the focus.
+/// Halves cells until the contact cells match @p contact and every other cell meets its size bound.
 void divide(const ContactCells &contact, const MeridianResolution &resolution,
             Triangulation<2> &triangulation)
 {
@@ -201,8 +198,8 @@ double largest_cell(const GlassProfile &profile)
   return 1.25 * profile.thickness();
 }
 
-/// Appends radial grid lines up to the edge of the foot. With a focus, the first cells next to the land are
-/// twice as large as the coarse contact cells.
+/// Appends radial grid lines. With a focus, the cells next to the land are twice as large as the coarse
+/// contact cells.
 void append_foot(const GlassProfile &profile, const ContactCells &contact, GridLines &radii)
 {
   const double size = largest_cell(profile);
@@ -271,8 +268,7 @@ void make_step(const GlassProfile &profile, const ContactCells &contact, Triangu
   make_grid(radii, heights, is_inside, triangulation);
 }
 
-/// Makes the grid in the coordinates of ProfileChart, in which the section is straight, and maps it to the
-/// section.
+/// Makes the grid of the straight section in ProfileChart coordinates and maps it to the section.
 void make_foot(const GlassProfile &profile, const ContactCells &contact, Triangulation<2> &triangulation)
 {
   const double size = largest_cell(profile);

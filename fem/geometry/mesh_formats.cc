@@ -47,8 +47,7 @@ void require_shared_nodes(const MeshContent &content)
   // The tolerance is far above rounding and far below a cell. The offset keeps round coordinates away from
   // the borders of the bins.
   const double tolerance = 1e-7 * size, offset = 0.2137;
-  std::vector<std::array<double, 4>>
-    places; // coordinates in units of the tolerance, and the index of the point
+  std::vector<std::array<double, 4>> places; // coordinates in units of the tolerance, and the index
   for (const unsigned int i : corners)
   {
     places.push_back({ 0, 0, 0, static_cast<double>(i) });
@@ -113,7 +112,7 @@ void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
       neighbors[face[(k + 1) % 4]].insert(face[k]);
     }
   std::set<unsigned int> hanging;
-  // hanging node of an edge, by the ends of the edge
+  // Hanging node of each edge, by the ends of the edge.
   std::map<std::pair<unsigned int, unsigned int>, unsigned int> middles;
   std::vector<std::pair<Place, unsigned int>> places;
   for (const auto &[a, of_a] : neighbors)

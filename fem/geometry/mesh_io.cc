@@ -136,8 +136,7 @@ std::string listed(const std::vector<std::string> &texts)
   return list + (texts.size() > max_texts ? ", ..." : "");
 }
 
-/// Throws std::invalid_argument unless both the contact zone and the stem cut have faces. @p heights: mean
-/// heights [m] by id in the file.
+/// Throws std::invalid_argument if the contact zone or the stem cut has no faces.
 void require_boundaries(const std::string &file_name, const MeshFileOptions &marks,
                         const std::map<types::boundary_id, double> &heights, const FaceNames &names,
                         const Triangulation<3> &triangulation)
@@ -216,7 +215,6 @@ struct RimBorder
     std::sort(radii.begin(), radii.end());
   }
 
-  /// Returns true if the radii lie on two circles, to 1e-6 of the mean radius.
   bool is_round() const
   {
     const double tolerance = 1e-6 * middle();

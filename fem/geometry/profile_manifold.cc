@@ -55,8 +55,7 @@ ChartPoint ProfileChart::pull_back(const SectionPoint &point) const
 namespace
 {
 
-/// Manifold whose geodesics are straight lines in the coordinates of ProfileChart. @p to_chart is the inverse
-/// of @p from_chart.
+/// Manifold whose geodesics are straight lines in the coordinates of ProfileChart.
 template <int dim>
 class StraightenedManifold : public ChartManifold<dim>
 {
@@ -84,8 +83,7 @@ private:
   const Map to_chart, from_chart;
 };
 
-/// Returns @p point moved to @p height and scaled in (x, y) so that its distance from the axis changes from
-/// @p radius to @p other.
+/// Returns @p point at @p height, with its distance from the axis changed from @p radius to @p other.
 Point<3> moved_radially(const Point<3> &point, double radius, double other, double height)
 {
   const double stretch = radius > 0 ? other / radius : 1;

@@ -38,8 +38,7 @@ std::vector<Vector2d> points_near(std::vector<SectionVertex>::const_iterator low
   return points;
 }
 
-/// Returns the weight of a point at @p offset from the middle of the window: 1 inside, 0 outside, smooth in
-/// between.
+/// Returns the weight at @p offset from the middle of the window: 1 inside, 0 outside, smooth in between.
 double weight_at(double offset)
 {
   constexpr double full = 0.85, none = 1.15;

@@ -10,7 +10,7 @@ namespace stemware::fem
 namespace
 {
 
-/// index of the number of harmonics in the result of key_of()
+/// Index of the number of harmonics in the result of key_of().
 constexpr std::size_t harmonics_place = 3;
 
 /// Returns all inputs of compute_compliance(). Equal inputs give bitwise equal compliances.

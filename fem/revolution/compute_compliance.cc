@@ -58,8 +58,7 @@ ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulati
   tbb::this_task_arena::isolate(
     [&]
     {
-      std::array<std::unique_ptr<const MeridianSpace::Compliances>, 3>
-        of; // for the harmonics 0, 1, and 2 or more
+      std::array<std::unique_ptr<const MeridianSpace::Compliances>, 3> of; // for harmonics 0, 1, and >= 2
       tbb::parallel_for(0u, 3u,
                         [&, first = first, size = size](unsigned int n) {
                           of[n] = std::make_unique<const MeridianSpace::Compliances>(space, n, first, size);

@@ -29,7 +29,7 @@ Eigen::MatrixXd ContactCompliance::extended_to_land(const Eigen::MatrixXd &value
 
 Eigen::VectorXd ContactCompliance::shape_at(double radius) const
 {
-  unsigned int first = 0; // first node of the element
+  unsigned int first = 0;
   while (first + degree + 1 < n_nodes() && radius > radii(first + degree))
     first += degree;
   Eigen::VectorXd shape = Eigen::VectorXd::Zero(n_nodes());

@@ -41,8 +41,7 @@ void eliminate_panel(double *system, Index n, Index width, Index first, Index en
   }
 }
 
-/// Adds to the @p n entries of @p sum the @p n_terms rows (or columns) of @p terms, @p stride apart, times @p
-/// factors.
+/// Adds @p n_terms rows of @p terms, @p stride apart, times @p factors to the @p n entries of @p sum.
 STEMWARE_TARGET_CLONES
 void add_scaled(double *__restrict sum, Index n, const double *__restrict terms, Index stride,
                 const double *__restrict factors, Index n_terms)

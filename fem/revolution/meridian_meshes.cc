@@ -19,8 +19,8 @@ using namespace dealii;
 namespace
 {
 
-/// Returns the inner and the outer radius of the contact face of @p cell, which are equal if @p cell has no
-/// contact face.
+/// Returns the inner and outer radius of the contact face of @p cell; equal radii if there is no contact
+/// face.
 std::pair<double, double> contact_of(const Triangulation<2>::active_cell_iterator &cell)
 {
   for (const auto &face : cell->face_iterators())
@@ -30,8 +30,7 @@ std::pair<double, double> contact_of(const Triangulation<2>::active_cell_iterato
   return { 0, 0 };
 }
 
-/// Flags the contact cells of @p one that a cell border of @p other divides. Returns true if a cell is
-/// flagged.
+/// Flags the contact cells of @p one that a cell border of @p other divides. Returns true if any is flagged.
 bool flag_cut_cells(Triangulation<2> &one, const Triangulation<2> &other)
 {
   std::vector<double> borders;

@@ -24,7 +24,7 @@ struct Path
   double share = 0; ///< fraction of the full moment in `last`
   double step = 0;  ///< increase of `share` from `before` to `last`; 0 at the beginning
 
-  /// Returns the extrapolation from the two solutions to the share @p next.
+  /// Returns the linear extrapolation to the share @p next.
   ContactStart start(double next) const
   {
     const double ahead = step > 0 ? (next - share) / step : 0;
@@ -39,8 +39,7 @@ struct Path
     share = next;
   }
 
-  /// Returns true if the last step tilted the foot more than three times as much per moment as all steps on
-  /// average.
+  /// Returns true if the last step tilted the foot over three times as much per moment as the average step.
   bool is_steep() const
   {
     constexpr double much_steeper = 3;
@@ -91,10 +90,9 @@ ContactSolution continue_in_moment(BodyOfRevolution &body, TableLaw &law, const 
   return path.last;
 }
 
-/// Factors by which one step of a cold start stiffens the interface. Most cold starts converge with the
-/// larger factor.
+/// Stiffening factors of one step of a cold start. Most cold starts converge with the larger factor.
 constexpr double large_stiffening = 1000, small_stiffening = 10;
-/// softening factor if the initial guess is a distant contact solution
+/// Softening factor if the initial guess is a distant contact solution.
 constexpr double softening_of_start = 30;
 
 } // namespace
@@ -115,7 +113,7 @@ ContactControl RevolutionContact::contact_control()
   steps.clear();
   ContactControl control;
   control.tolerance = 1e-10;
-  // rounding floor of a stiff spring
+  // Rounding floor of a stiff spring.
   control.equilibrium_tolerance = 1e-8;
   control.requires_unchanged_set = false;
   control.progress = [this](const ContactIteration &step)

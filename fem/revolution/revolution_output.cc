@@ -76,7 +76,6 @@ public:
     return Quadrature<2>(points);
   }
 
-  /// Returns true if @p node lies on the @p face of the unit square.
   bool is_on_face(unsigned int node, unsigned int face) const
   {
     const auto [columns, rows] = extent();
@@ -155,8 +154,7 @@ private:
   /// multiple of `span`.
   unsigned int n_azimuths() const { return std::max(4 * (field.n_modes() - 1) / 2, 48u) / span * span; }
 
-  /// Returns the load [N] of a contact cell divided into @p n_pieces, integrated over the output nodes by the
-  /// trapezoidal rule.
+  /// Returns the load [N] of a contact cell in @p n_pieces, by the trapezoidal rule over the output nodes.
   double drawn_force(const Cell &cell, unsigned int n_pieces) const
   {
     const auto face = cell->face(contact_face(cell));
@@ -258,7 +256,7 @@ private:
   /// coordinates (first meridional, azimuth, second meridional) are right-handed.
   std::vector<DataOutBase::Patch<3>> patches(const std::vector<PointValues> &points) const
   {
-    const unsigned int n = span + 1; // nodes of a patch in each direction
+    const unsigned int n = span + 1;
     std::vector<DataOutBase::Patch<3>> patches;
     for (const auto &[grid, of_grid] : grids)
       for (unsigned int line = 0; line < basis.n_lines(); line += span)

@@ -16,8 +16,7 @@ namespace stemware::fem
 namespace
 {
 
-/// The elastic and the rigid foot use the same mesh if elasticity increases the compliance at most by this
-/// factor.
+/// Maximum ratio of the compliances with and without elastic foot for which both feet use the same mesh.
 constexpr double most_added_by_foot = 1.2;
 
 } // namespace

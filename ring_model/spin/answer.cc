@@ -19,9 +19,8 @@ namespace stemware::ring
 namespace
 {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-/// Returns the averaging window of the mean spin [s]: more than ten times the period of the slowest phase and
-/// the decay time of the spin. The period of the glass grows without bound if the glass turns at nearly the
-/// orbit's rate.
+/// Returns the averaging window of the mean spin [s]: more than ten times the slowest period and the decay
+/// time. The period of the glass is long if the glass turns at nearly the orbit's rate.
 double averaging_window(const PhasePeriods &periods, const Motion &motion, const TerminalSpin &terminal)
 {
   const double orbit = std::abs(motion.orbit_rate());
@@ -64,8 +63,7 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
   const PhaseSampledLoad &phases = *load.phases();
   const Motion &motion = question.motion;
   TerminalSpin &spin = *found.terminal;
-  // The spin remains between the zeros of the torques of the individual phases. Inertia only reduces the
-  // ripple.
+  // Inertia only reduces the ripple, so the spin remains between the zeros of the torques of the phases.
   double largest_torque = 0;
   for (unsigned int i = 0; i < phases.phases().size(); ++i)
     largest_torque =

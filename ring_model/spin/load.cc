@@ -46,8 +46,7 @@ struct Load::Source
   }
 };
 
-/// Interpolated Fourier coefficients of a load. If `similar` is given, they are the differences from this
-/// load.
+/// Interpolated Fourier coefficients of a load, or of its difference from the load `similar`.
 struct Load::Interpolant
 {
   unsigned int n_harmonics;
