@@ -64,9 +64,9 @@ std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned 
   return chebyshev_radii(middle - half, middle + half, n_rings);
 }
 
-/// Adds changes of the rings and harmonics, applied to the pressure of the existing contact solutions. The
+/// Adds changes of the rings and harmonics, applied to the pressure of the existing contact solutions. Their
 /// factor is 2, because the friction force in the moment balance adds an error of the same size. With two or
-/// more rings, the largest change among @p ring_counts counts.
+/// more rings, the largest of the changes to @p ring_counts rings is used.
 void add_ring_projections(const Variant &own_study, const ElasticFoot &foot,
                           const std::vector<unsigned int> &ring_counts, std::vector<BandChange> &changes)
 {
@@ -193,8 +193,8 @@ std::optional<CoarserStudy> on_coarser_mesh(const Variant &own)
 
 /// Returns a factor on the compliance of the interface. The factor represents the indentation of the glass
 /// that cells of size @p cell do not resolve. A line load p on a contact of half-width b < cell causes the
-/// indentation 2 (1 - nu^2) / (pi E) p ln(cell / b) of the glass and p / (2 b k) of the interface (Johnson,
-/// Contact Mechanics, 1985, section 4.2).
+/// indentation 2 (1 - nu^2) / (pi E) p ln(cell / b) of the glass and p / (2 b k) of an interface of stiffness
+/// k (Johnson, Contact Mechanics, 1985, section 4.2).
 double softening_by_narrow_contact(const Study &study, const LoadReport &load, double cell)
 {
   const double b = load.half_width(), nu = study.glass.material.poisson_ratio;

@@ -185,7 +185,7 @@ MeshFindings read_mesh(const std::string &file, const ContactSection &contact, M
   return { file, fem::check_mesh(mesh), report };
 }
 
-/// Returns the foot of @p study with its crown, like a mesh file.
+/// Generates the foot with the crown of its land, which mesh files contain as well.
 MeshFindings generate_mesh(const Study &study, Mesh &mesh)
 {
   fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);

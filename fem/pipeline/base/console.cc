@@ -29,7 +29,7 @@ std::streambuf *console_buffer()
   return console_descriptor == STDOUT_FILENO ? std::cout.rdbuf() : std::cerr.rdbuf();
 }
 
-/// A carriage return overwrites a progress line on a terminal, but not on a simple terminal (TERM=dumb).
+/// Returns true if "\r" overwrites a progress line: on terminals, except simple ones (TERM=dumb).
 bool console_is_terminal()
 {
   const char *kind = std::getenv("TERM");

@@ -170,7 +170,7 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
 
   LoadReport report = report_of(at_rest, foot->radius(), balance.tilts);
   ring::SpinSampling spins;
-  // The border of two intervals is the spin v / R, at which the friction torque has a kink.
+  // One border of the intervals is the spin v / R, at which the friction torque has a kink.
   if (follows)
     spins.unit = balance.motion.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
   if (is_hard)

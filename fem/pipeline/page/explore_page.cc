@@ -245,7 +245,7 @@ struct SolvedPair
   std::optional<double> here; ///< terminal spin that an Explorer computes from these compliances [rad/s]
 };
 
-/// Quantises with the smallest number of bits that meets `tolerance`.
+/// Solves a pair. Quantises its compliances with the smallest number of bits that meets `tolerance`.
 SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Preset *table,
                       fem::ComplianceCache &cache)
 {

@@ -124,7 +124,7 @@ Json summary_of(const std::string &verb, const Results &results)
 
 void publish(const StudyOptions &options, Results results, ResultsFolder &folder, Stopwatch &stopwatch)
 {
-  // A killed run leaves no incomplete results: the working folder is renamed only when complete.
+  // A killed run leaves no incomplete results: the working folder is renamed only when it is complete.
   folder.open();
   on_every_rank([&] { write_fields(results.fields, folder.working_folder()); });
   results.fields = {}; // frees memory

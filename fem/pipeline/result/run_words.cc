@@ -49,7 +49,7 @@ const BudgetRow *largest_other_step(const StudyAnswer &run)
   return largest;
 }
 
-/// Returns std::nullopt if the study itself uses the paper's model.
+/// Returns the terminal spin of the paper's model, unless the study itself uses the paper's model.
 std::optional<double> paper_spin(const Budget &budget)
 {
   return budget.rows.size() < 2 ? std::nullopt : budget.rows.front().omega_terminal;
