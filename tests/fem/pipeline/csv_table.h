@@ -10,8 +10,8 @@
 namespace stemware::test
 {
 
-/// Returns the fields of a table in the format of RFC 4180, line by line; lines that start with # are
-/// skipped. Throws std::runtime_error if the text does not end with a line end.
+/// Returns the fields of a table in the format of RFC 4180, line by line, without lines that start with #.
+/// Throws std::runtime_error if @p text does not end with a line end.
 inline std::vector<std::vector<std::string>> parse_csv(const std::string &text)
 {
   std::vector<std::vector<std::string>> rows = { { "" } };
@@ -41,8 +41,8 @@ inline std::vector<std::vector<std::string>> parse_csv(const std::string &text)
   return rows;
 }
 
-/// Returns the lines of sweep.csv sorted by case, without lines that start with #. The program writes rows in
-/// the order in which cases finish.
+/// Returns the lines of sweep.csv, without lines that start with #, sorted by case. The program writes rows
+/// in the order in which cases finish.
 inline std::string sorted_by_case(const std::string &text)
 {
   std::istringstream stream(text);
@@ -58,7 +58,7 @@ inline std::string sorted_by_case(const std::string &text)
   return headings;
 }
 
-/// A table with access by column title.
+/// Table with access by column title.
 class CsvTable
 {
 public:

@@ -20,16 +20,14 @@ inline pipeline::Study mat_study()
   return study;
 }
 
-/// Entries and their values.
 using EntryTexts = std::vector<std::pair<std::string, std::string>>;
 
-/// Returns mat_study() with @p settings.
 inline pipeline::Study mat_study_with(const EntryTexts &settings)
 {
   return pipeline::with_values(mat_study(), "the test", settings);
 }
 
-/// Returns the message that refuses mat_study() with @p settings; empty if they are allowed.
+/// Returns the message that refuses mat_study() with @p settings; empty if @p settings are allowed.
 inline std::string refusal_of(const EntryTexts &settings)
 {
   return sentence_of([&] { mat_study_with(settings); });

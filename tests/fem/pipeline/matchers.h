@@ -1,6 +1,6 @@
 #pragma once
 
-// Includes GoogleMock after deal.II, whose macro Assert has the name of a function of GoogleMock.
+// The macro Assert of deal.II has the name of a function of GoogleMock.
 #pragma push_macro("Assert")
 #undef Assert
 #include <gmock/gmock.h>

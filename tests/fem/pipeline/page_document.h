@@ -5,8 +5,8 @@
 namespace stemware::test
 {
 
-/// Returns the JSON document embedded in the report.html of a results folder. Keys: summary, tables, words,
-/// entries, quantities, files.
+/// Returns the JSON document embedded in report.html in @p results. Keys: summary, tables, words, entries,
+/// quantities, files.
 inline nlohmann::json page_document(const std::filesystem::path &results)
 {
   return nlohmann::json::parse(between(read_text(results / "report.html"), "id=\"document\">", "</script>"));

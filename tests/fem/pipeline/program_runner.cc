@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Starts a command in @p folder. Standard output and error are written to the files .out and .err.
+/// Redirects standard output and error to the files .out and .err in @p folder.
 pid_t start(const std::vector<std::string> &command, const fs::path &folder)
 {
   std::vector<char *> arguments;
@@ -58,7 +58,7 @@ pid_t start(const std::vector<std::string> &command, const fs::path &folder)
   return process;
 }
 
-/// Waits for the end of a child process and kills it after five minutes. Returns the status of waitpid().
+/// Kills the child process after five minutes. Returns the status of waitpid().
 int status_of(pid_t process)
 {
   int status = 0;
@@ -80,7 +80,6 @@ Ended ended_with(int status, const fs::path &folder)
   return ended;
 }
 
-/// Limits BLAS and OpenMP to one thread per process.
 void set_environment()
 {
   for (const char *name : { "OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS" })

@@ -7,7 +7,7 @@
 namespace stemware::test
 {
 
-/// Returns the message with which @p action refuses its input; empty if the input is accepted.
+/// Returns the message with which @p action refuses its input; empty if @p action accepts its input.
 template <typename Action>
 std::string sentence_of(const Action &action)
 {

@@ -1,4 +1,4 @@
-// Spin-up with a varying speed of the hand (Motion/Orbit speed file).
+// The speed of the hand varies according to Motion/Orbit speed file.
 #include "fem/pipeline/study/study_file.h"
 #include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/matchers.h"
@@ -21,8 +21,8 @@ namespace stemware::test
 namespace
 {
 
-/// Returns the columns time, v, dv/dt and omega of a run with the orbit speed file @p speeds. @p steady:
-/// omega without this file.
+/// Returns the columns time, v, dv/dt and omega of a run with the orbit speed file @p speeds. Sets @p steady
+/// to omega without @p speeds.
 std::vector<std::vector<double>> driven(const std::string &speeds, const std::vector<std::string> &settings,
                                         std::vector<double> *steady = nullptr)
 {
@@ -35,8 +35,8 @@ std::vector<std::vector<double>> driven(const std::string &speeds, const std::ve
 }
 
 /// Returns omega at equally spaced times up to @p end [s], for a load of the first harmonic in moment balance
-/// at v = v0 + a t. Friction is summed over the rim, a_1 and b_1 solve a linear system, and omega is
-/// integrated by the classical Runge-Kutta method.
+/// at v = v0 + a t. Sums friction over the rim, solves a linear system for a_1 and b_1, and integrates by the
+/// classical Runge-Kutta method.
 std::vector<double> ramp_by_hand(double v0, double a, double end)
 {
   const double m = 0.3, R = 0.03, mu = 0.3, offset = -0.05, h = 0.03, inertia = 3e-4;
@@ -45,7 +45,7 @@ std::vector<double> ramp_by_hand(double v0, double a, double end)
   const auto torque = [&](double t, double omega)
   {
     const double v = v0 + a * t;
-    // Friction (T_x, T_y, tau) under the unit loads 1, cos(theta) and sin(theta).
+    // Rows: friction under the loads 1, cos(theta) and sin(theta). Columns: T_x, T_y and tau_z.
     std::array<std::array<double, 3>, 3> unit = {};
     for (unsigned int i = 0; i < n; ++i)
     {
@@ -63,8 +63,8 @@ std::vector<double> ramp_by_hand(double v0, double a, double end)
     // Moment balance M_N = -offset m k x acceleration + h k x T with pi R (b_1, -a_1) = M_N.
     const double ax = a, ay = v * v / 0.15;
     const double mx = offset * m * ay, my = -offset * m * ax, p = ring::pi * R;
-    // Linear system with u = unit:
-    // a_1 (p + h u_1x) + b_1 h u_2x = -my - h a0 u_0x,  a_1 h u_1y + b_1 (p + h u_2y) = mx - h a0 u_0y.
+    // Linear system with u = unit: a_1 (p + h u_1x) + b_1 h u_2x = -my - h a0 u_0x and a_1 h u_1y + b_1 (p +
+    // h u_2y) = mx - h a0 u_0y.
     const double c11 = p + h * unit[1][0], c12 = h * unit[2][0], c21 = h * unit[1][1],
                  c22 = p + h * unit[2][1];
     const double r1 = -my - h * a0 * unit[0][0], r2 = mx - h * a0 * unit[0][1];
@@ -110,7 +110,6 @@ TEST(OrbitSpeed, AConstantSpeedEqualsTheRunWithoutAFile)
   const auto ring = driven(constant, { "Load/Source=first harmonic" }, &steady);
   EXPECT_LT(largest_difference(ring[3], steady), 1e-10 * 0.35 / 0.03);
   const auto foot = driven(constant, {}, &steady);
-  // The motion of a driven foot is integrated to 1e-7 v / R.
   EXPECT_LT(largest_difference(foot[3], steady), 1e-7 * 0.35 / 0.03);
 }
 
@@ -125,14 +124,12 @@ TEST(OrbitSpeed, StartsFromRest)
   const std::string ramp = "0, 0\n1, 0.25\n", ring = "Load/Source=first harmonic";
   const std::vector<double> omegas = from_rest(ramp, { ring });
   EXPECT_LT(largest_difference(omegas, expected), 1e-7);
-  // With nearly equal coefficients, the Stribeck law gives Coulomb friction, but by quadrature instead of
-  // kernels.
+  // Nearly equal coefficients give Coulomb friction, by quadrature instead of kernels.
   EXPECT_LT(largest_difference(from_rest(ramp, { ring, "Motion/Friction law=Stribeck",
                                                  "Motion/Static friction coefficient=0.3000001" }),
                                omegas),
             1e-5);
   EXPECT_LT(largest_difference(from_rest(ramp, {}), expected), 0.05 * std::abs(expected.back()));
-  // If the hand rests for 0.5 s first, the motion is delayed by 0.5 s.
   const std::vector<double> later =
     driven("t (s), v (m/s)\n0, 0\n0.5, 0\n0.75, 0.0625\n1, 0.125\n1.5, 0.25\n",
            { ring, "Motion/End time=1.5", "Motion/Orbit speed=0.2" })[3];
@@ -141,7 +138,7 @@ TEST(OrbitSpeed, StartsFromRest)
 }
 
 // Rigid flat land in full contact. Reference: tests/verification/driven_flat_land.py, which uses quadrature
-// in two dimensions and a separate time integration.
+// in two dimensions and another time integration.
 TEST(OrbitSpeed, ErrorBandOfADrivenSpinContainsTheError)
 {
   const ScratchFolder scratch;
@@ -169,7 +166,7 @@ TEST(OrbitSpeed, BreakawayForceIsTheStaticFriction)
   const std::vector<std::string> command = { "run", "--set", "Motion/Orbit speed file=v.csv" };
   const auto breakaway = [&](const std::vector<std::string> &settings)
   { return solved(scratch, command, settings)["ring"]["driven"]["breakaway"]; };
-  // The hand exerts the force mu N at the height h = R = 3 cm. Moment mu N h, moment ratio 2 mu h / R = 2 mu.
+  // The hand exerts the force mu N at the height h = R = 3 cm, so the moment ratio is 2 mu h / R = 2 mu.
   const std::string ring = "Load/Source=first harmonic";
   for (const auto &[settings, mu] :
        { std::pair(std::vector<std::string>{ ring }, 0.3),
@@ -200,8 +197,7 @@ TEST(OrbitSpeed, BreakawayForceIsTheStaticFriction)
 
 TEST(OrbitSpeed, ReportsTheEffectOfInterpolatingTheSpeeds)
 {
-  // Compares the given rows with dense rows on the polygon through them. The cubic through the dense rows is
-  // nearly the polygon.
+  // The cubic through dense rows on the polygon of the given rows is nearly the polygon.
   const std::vector<std::pair<double, double>> rows = { { 0, 0.1 },  { 0.3, 0.18 }, { 0.6, 0.29 },
                                                         { 1, 0.35 }, { 1.4, 0.33 }, { 1.7, 0.24 },
                                                         { 2, 0.15 } };
@@ -247,8 +243,8 @@ TEST(OrbitSpeed, RefusesWrongFilesInOneSentence)
   refused("t (s), v (m/s)\n0, 0.2\n0, 0.5\n", "line 3");
   refused("t (s), v (m/s)\n0, 0.2\n2, -1\n", "greater than 0");
   refused("t (s), v (m/s)\n0, 0.2\n1, 0\n2, 0.3\n", "line 3");
-  // With the hand 5 cm below the centre of mass and the closure `paper`, the glass tips at v = 0.9704 m/s,
-  // i.e. v^2 / (rho g) = 32 mm / 5 cm.
+  // With the hand 5 cm below the centre of mass and Closure::paper, the glass tips at v^2 / (rho g) = 32 mm /
+  // 5 cm, i.e. v = 0.9704 m/s.
   refused("t (s), v (m/s)\n0, 0.2\n2, 1.2\n", "v = 0.97", { "Motion/Closure=paper" });
   refused("t (s), v (m/s)\n0, 0.2\n1, 0.5\n", "does not reach t = 2 s");
   refused(good, "Load/Coupling = two-way", { "Load/Moment ratio=0.3" });

@@ -1,4 +1,3 @@
-// `run --quick` gives the answer and curves of a full run; budget and error bands are null.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/page_document.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -13,8 +12,7 @@ namespace stemware::test
 namespace
 {
 
-/// Results of one study with and without --quick, from different initial guesses. Shared by the tests,
-/// read-only.
+/// Results of one study with and without --quick, from different initial guesses.
 struct TwoRuns
 {
   TwoRuns()
@@ -37,7 +35,7 @@ const TwoRuns &two_runs()
   return runs;
 }
 
-/// Expects equal tables. @p tolerance is relative to the largest value of each column.
+/// @p tolerance is relative to the largest value of each column.
 void expect_equal_tables(const TwoRuns &runs, const std::string &name, double tolerance)
 {
   const auto quick = read_columns(runs.scratch / "quick" / name),

@@ -1,4 +1,3 @@
-// Runs with a body of revolution, one-way and two-way.
 #include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/program_runner.h"
 
@@ -11,7 +10,6 @@ namespace stemware::test
 namespace
 {
 
-/// Runs the default glass with a short spin-up.
 nlohmann::json glass_run(const ScratchFolder &scratch, const std::vector<std::string> &settings)
 {
   return solved(scratch,
@@ -37,7 +35,6 @@ TEST(RevolutionRun, SolvesOneContactIfTheLoadDoesNotDependOnTheSpin)
     ASSERT_EQ(one.is_null(), two.is_null()); // --quick solves only the first and the last row
     EXPECT_TRUE(one.is_null() || std::abs(two.get<double>() - one.get<double>()) < 1e-10);
   }
-  // If friction deforms the foot, the load depends on the spin.
   const auto turning =
     glass_run(scratch, { "Motion/Closure=paper", "Load/Coupling=two-way", "Contact/Friction coupling=elastic",
                          "Contact/Harmonics=4", "Contact/Azimuth lines=32" });
@@ -72,7 +69,7 @@ TEST(RevolutionRun, PointwiseLoadAndFootprintIntegrateToTheLoad)
               1. / static_cast<double>(n_lines));
   EXPECT_EQ(summary["load"]["contact_fraction"], summary["load"]["azimuth_fraction"]);
 
-  // The footprint is a grid over azimuth and radius. Its pressure integrates to the load of each line.
+  // The pressure on the grid of azimuths and radii integrates to the load of each line.
   const auto print = read_columns(scratch / "results/footprint.csv");
   const std::size_t n_radii = print[0].size() / n_lines;
   ASSERT_EQ(n_radii * n_lines, print[0].size());

@@ -1,4 +1,3 @@
-// Report of `run`: numbers of the answer, list of files, changed entries.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/page_document.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -17,7 +16,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// Run of a body of revolution with lift-off and a short spin-up. Shared by the tests, read-only.
 struct LiftedRun
 {
   const ScratchFolder scratch;

@@ -1,4 +1,4 @@
-// Solid feet in moment balance with friction. Reference: body of revolution.
+// Reference: body of revolution.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,6 @@ namespace stemware::test
 namespace
 {
 
-/// 2 mm wide flat land on a mat, with full moment balance, tilt and friction in the foot.
 const std::vector<std::string> flat_land = {
   "Motion/Friction coefficient=0.3", "Motion/End time=0.2",           "Glass/Shape=step",
   "Glass/Land width=0.002",          "Glass/Crown radius=0",          "Table/Interface=Winkler",
@@ -19,7 +18,6 @@ const std::vector<std::string> flat_land = {
   "Contact/Azimuth lines=64",        "Contact/Radial cells=2",        "Contact/Foot layers=1"
 };
 
-/// Returns the terminal spin with all harmonics, computed by the verb `truncate` [rad/s].
 double truncated_spin(const std::string &setting)
 {
   const ScratchFolder scratch;
@@ -31,7 +29,7 @@ double truncated_spin(const std::string &setting)
 TEST(SolidRun, AgreesWithARingOnOneCircleOfNodes)
 {
   // A thick foot of linear elements on a hard table is in contact only at the nodes on the contact radius.
-  // Without tilt, the first harmonic of the contact has the closed form of a ring (second row of the budget).
+  // The first harmonic of the contact without tilt has the closed form of a ring (second row of the budget).
   const std::vector<std::string> thick_foot = { "Motion/Mass=0.566464",
                                                 "Motion/Centre of mass height=0.0531084",
                                                 "Motion/Force offset=-0.05",
@@ -65,7 +63,6 @@ TEST(SolidRun, AgreesWithARingOnOneCircleOfNodes)
   ASSERT_EQ(budget[1]["step"], "2");
   const double ring = budget[1]["omega_terminal"];
   EXPECT_GT(std::abs(ring), 1e-3);
-  // Row of the contact with the harmonics n <= 1.
   EXPECT_NEAR(budget[2]["omega_terminal"].get<double>(), ring, 1e-7 * ring);
 }
 
@@ -73,12 +70,11 @@ TEST(SolidRun, TerminalSpinAgreesWithTheBodyOfRevolution)
 {
   const double expected = truncated_spin("Contact/Body=revolution");
   EXPECT_NEAR(truncated_spin("Contact/Body=solid") / expected, 1, 1e-4);
-  // Friction in the foot changes the spin.
   const double without = truncated_spin("Contact/Friction coupling=none");
   EXPECT_GT(std::abs(without / expected - 1), 1e-3);
 }
 
-/// Settings of a coarse solid foot, whose error estimate takes one second.
+/// The error estimate of this coarse foot takes one second.
 const std::vector<std::string> coarse_with_goal = { "Contact/Body=solid",
                                                     "Contact/Degree=1",
                                                     "Contact/Azimuthal cells=12",
@@ -89,7 +85,6 @@ const std::vector<std::string> coarse_with_goal = { "Contact/Body=solid",
                                                     "Load/Coupling=one-way",
                                                     "Motion/Tilt=neglected" };
 
-/// Runs @p verb on the coarse foot. @p launcher is prepended to the command.
 Ended run_with_goal(const ScratchFolder &scratch, const std::vector<std::string> &verb,
                     std::vector<std::string> launcher = {})
 {

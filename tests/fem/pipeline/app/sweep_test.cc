@@ -1,4 +1,3 @@
-// `stemware sweep`: agreement with single runs, independence of threads and interruptions, bad input.
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -17,17 +16,14 @@ namespace stemware::test
 namespace
 {
 
-/// Returns a study of a body of revolution that is solved in milliseconds.
 std::string quick_study()
 {
   return plain_study(
     "subsection Contact\n  set Body = revolution\n  set Harmonics = 6\n  set Azimuth lines = 64\nend\n");
 }
 
-/// Study without finite elements.
 const std::string rigid_study = "subsection Load\n  set Source = first harmonic\nend\n";
 
-/// Returns the arguments "sweep study.prm" and @p further, with the results folder @p folder.
 std::vector<std::string> sweep(const std::vector<std::string> &further, const std::string &folder = "results")
 {
   std::vector<std::string> arguments = { "sweep", "study.prm", "--output", folder };
@@ -45,8 +41,7 @@ CsvTable table_in(const ScratchFolder &scratch)
   return CsvTable(sorted_by_case(rows_in(scratch)));
 }
 
-/// Returns the lines of a sweep.csv in alphabetical order, because rows are written in the order in which
-/// cases finish.
+/// Sorts the lines of sweep.csv, because rows are written in the order in which cases finish.
 std::vector<std::string> sorted_lines(const std::string &text)
 {
   std::istringstream stream(text);
@@ -57,7 +52,6 @@ std::vector<std::string> sorted_lines(const std::string &text)
   return lines;
 }
 
-/// Returns sorted_lines() of an uninterrupted sweep in a separate folder.
 std::vector<std::string> unbroken(const std::string &study, const std::vector<std::string> &further)
 {
   const ScratchFolder scratch;
@@ -97,7 +91,7 @@ TEST(Sweep, AgreesWithSeparateRuns)
     const nlohmann::json one = read_summary(scratch / "one");
     const double mean = one["load"]["a"][0];
     EXPECT_EQ(table.number(row, "omega_terminal (rad/s)"), one["ring"]["omega_terminal"]);
-    // `run` starts the search for the first harmonic from the spin of all harmonics, `sweep` from rest.
+    // `run` searches for the first harmonic from the spin of all harmonics, `sweep` from rest.
     EXPECT_NEAR(table.number(row, "harmonic_effect (rad/s)"), one["harmonic_effect"]["absolute"], 1e-8);
     EXPECT_EQ(table.number(row, "tau_at_rest (N m)"), one["ring"]["tau_at_rest"]);
     EXPECT_EQ(table.number(row, "moment_ratio"), one["load"]["moment_ratio"]);
@@ -141,7 +135,6 @@ TEST(Sweep, ResumesAfterTwoKills)
     const std::string rows = rows_in(scratch);
     ASSERT_GE(n_lines(rows), n_head + n);
     ASSERT_LT(n_lines(rows), n_head + 300);
-    // A resumed sweep keeps all complete rows of the killed sweep.
     EXPECT_EQ(rows.compare(0, before.rfind('\n') + 1, before, 0, before.rfind('\n') + 1), 0);
     std::ofstream(scratch / "results/sweep.csv", std::ios::app) << "299,1.79"; // an incomplete row
     before = rows;
@@ -150,7 +143,6 @@ TEST(Sweep, ResumesAfterTwoKills)
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_THAT(ended.out, testing::HasSubstr(std::to_string(n_lines(before) - n_head) + " of them are in"));
   EXPECT_EQ(sorted_lines(rows_in(scratch)), expected);
-  // A repeated sweep of finished cases solves nothing and keeps the rows.
   EXPECT_EQ(stemware(scratch, sweep(many)).exit_code, 0);
   EXPECT_EQ(sorted_lines(rows_in(scratch)), expected);
 }
@@ -183,13 +175,11 @@ TEST(Sweep, RefusesTheFolderOfAnotherSweepOrOtherFiles)
   refused({ "--vary", "Motion/Mass=0.3,0.32" }, "\"2,0.31,");
   refused({ "--vary", "Motion/Mass=0.3" }, "\"2,0.31,");
   EXPECT_EQ(rows_in(scratch), rows);
-  // A file of another version is refused.
   const std::string older = "# stemware 0.1 (unknown)" + rows.substr(rows.find('\n'));
   scratch.write("results/sweep.csv", older);
   refused(two, "line 1: ");
   EXPECT_EQ(rows_in(scratch), older);
   scratch.write("results/sweep.csv", rows);
-  // New cases of the same sweep are appended.
   EXPECT_EQ(stemware(scratch, sweep({ "--vary", "Motion/Mass=0.3,0.31,0.32" })).exit_code, 0);
   EXPECT_EQ(table_in(scratch).n_rows(), 3u);
   scratch.write("results/note.txt", "precious");
@@ -234,7 +224,6 @@ TEST(Sweep, AFailedCaseIsReportedInItsRow)
                 testing::HasSubstr("Contact/Load harmonics = 900 needs more than 1800"));
   }
   EXPECT_EQ(read_summary(scratch / "results")["sweep"]["failed"], 2);
-  // Failed cases are not solved again. A sweep fails if no case is solved.
   EXPECT_THAT(stemware(scratch, sweep(cases)).out, testing::HasSubstr("4 of them are in"));
   expect_refused(
     stemware(scratch, sweep({ "--vary", "Contact/Load harmonics=900:903:4", "--quiet" }, "failed")), 2,
@@ -244,7 +233,6 @@ TEST(Sweep, AFailedCaseIsReportedInItsRow)
 
 TEST(Sweep, TippingAtRestHasTheStatusTips)
 {
-  // The mat is so soft that the glass leans until it tips.
   const ScratchFolder scratch;
   scratch.write("study.prm", quick_study());
   const Ended ended =
@@ -270,7 +258,7 @@ TEST(Sweep, ComparesSolidAndRevolutionInOneTable)
   const CsvTable table = table_in(scratch);
   const double solid = table.number(0, "omega_terminal (rad/s)"),
                revolution = table.number(1, "omega_terminal (rad/s)");
-  EXPECT_NEAR(solid, revolution, 0.01); // both bodies represent the same glass on coarse meshes
+  EXPECT_NEAR(solid, revolution, 0.01);
   EXPECT_NE(solid, revolution);
 }
 

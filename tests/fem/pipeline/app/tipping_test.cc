@@ -1,4 +1,4 @@
-// Tipping of a glass with a flat land. Reference: closed form of a rigid annulus on a mat.
+// Reference: closed form of a rigid annulus on a mat.
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -13,7 +13,7 @@ namespace
 
 constexpr double land_inner = 0.020, land_outer = 0.040, crest_radius = 0.030, glass_weight = 10;
 
-/// Returns the study of a rigid foot on a mat, with a flat land between the radii 20 and 40 mm, under 10 N.
+/// Returns a rigid foot on a mat, with a flat land between the radii 20 and 40 mm, under 10 N.
 std::string wide_land(const std::string &moment_ratio)
 {
   return "subsection Motion\n  set Mass = 1\n  set Gravity = 10\nend\n"

@@ -1,4 +1,3 @@
-// `stemware truncate`: terminal spin by number of harmonics.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +12,6 @@ namespace
 
 using Json = nlohmann::json;
 
-/// Returns the summary of @p verb for a glass with two-way coupling.
 Json summary_of(const std::string &verb, const std::vector<std::string> &settings = {})
 {
   const ScratchFolder scratch;
@@ -43,7 +41,7 @@ TEST(Truncate, RowsAgreeWithRun)
   for (std::size_t i = 0; i < run.size(); ++i)
   {
     EXPECT_EQ(truncated[i]["harmonics"], run[i]["harmonics"]);
-    // Harmonics are accurate to 1e-11 of a_0 (ElasticFoot::accuracy()). Bounds below this error consist of
+    // Harmonics are accurate to 1e-11 of a_0 (ElasticFoot::accuracy()). Bounds below this accuracy consist of
     // rounding errors.
     const double rounding = 1e-11 * number(run[0], "bound");
     for (const char *key : { "tau_at_rest", "omega_terminal", "bound", "load_minimum" })

@@ -35,8 +35,7 @@ void publish(const fs::path &target, const std::string &mark)
   folder.publish();
 }
 
-/// Returns the message that refuses the results folder @p target before the computation; empty if the folder
-/// is accepted.
+/// Returns the message that refuses @p target before the computation; empty if @p target is accepted.
 std::string refusal_of_folder(const fs::path &target)
 {
   try
@@ -106,8 +105,8 @@ TEST(ResultsFolder, ReplacesItsOwnFilesAndKeepsHiddenFiles)
   EXPECT_EQ(names_in(scratch / "paper/fields"), Names{ ".DS_Store" });
   EXPECT_EQ(read_text(scratch / "paper/.ipynb_checkpoints/note"), "mine");
   EXPECT_EQ(names_in(scratch.path()), Names{ "paper" });
-  // `fields/` now contains hidden files only. The file .stemware still lists it, so the results can be
-  // replaced again.
+  // `fields/` contains hidden files only, but .stemware still lists `fields/`, so the results can be replaced
+  // again.
   publish(scratch / "paper", "newest");
 }
 
@@ -116,8 +115,7 @@ TEST(ResultsFolder, RefusesANameTooLongForItsPartialFolder)
   const ScratchFolder scratch;
   const std::size_t longest = 255 - std::string(".partial-" + std::to_string(::getpid())).size();
   publish(scratch / std::string(longest, 'n'), "old");
-  publish(scratch / std::string(longest, 'n'),
-          "new"); // the temporary name of the older results is short enough, too
+  publish(scratch / std::string(longest, 'n'), "new");
   EXPECT_EQ(read_text(scratch / std::string(longest, 'n') / "summary.json"), "new");
   expect_sentence(refusal_of_folder(scratch / std::string(longest + 1, 'n')), "File name too long");
   EXPECT_EQ(names_in(scratch.path()), Names{ std::string(longest, 'n') });
@@ -139,7 +137,7 @@ TEST_P(ChangedResults, AreNotOverwritten)
   const ScratchFolder scratch;
   scratch.write("elsewhere", "years of work");
   publish(scratch / "paper", "old");
-  ResultsFolder folder(scratch / "paper"); // accepted: the folder is unchanged
+  ResultsFolder folder(scratch / "paper"); // accepted, because the folder is unchanged
   folder.open();
   write_results(folder.working_folder(), "new");
   GetParam().make(scratch);

@@ -1,4 +1,4 @@
-// Contact report of a study. Reference: sums over the pressure points.
+// Reference: sums over the pressure points.
 #include "fem/contact/sliding_traction.h"
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/contact_report.h"
@@ -19,7 +19,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the study of a glass on a mat with few harmonics and lines and two-way coupling.
 Study coarse_study_in_balance()
 {
   Study study = test::mat_study();
@@ -63,9 +62,8 @@ ring::Wrench friction_of(const Described &glass, const fem::ContactState &contac
   return friction;
 }
 
-/// Returns the forces and moments on the glass in three dimensions, computed from the pressure points. The
-/// contact solution describes the tilt of the table under an upright glass, so the glass leans by the
-/// opposite angles.
+/// Returns the forces and moments on the glass from the pressure points. The contact solution describes the
+/// tilt of the table under an upright glass, so the glass leans by the opposite angles.
 verification::PlainGlass plain_glass(const Described &glass, const fem::ContactState &contact,
                                      const Study &study, double omega)
 {
@@ -83,7 +81,7 @@ verification::PlainGlass plain_glass(const Described &glass, const fem::ContactS
 
 TEST(ContactReport, MomentsBalanceAtEverySpin)
 {
-  // Elastic foot with tilt and friction coupling. Reference: sums over points in three dimensions.
+  // Elastic foot with tilt and friction coupling.
   const Study study = coarse_study_in_balance();
   const Described glass(study);
   const double weight = study.motion.orbit.normal_force(), rim = study.glass.profile.contact_radius;
@@ -92,7 +90,7 @@ TEST(ContactReport, MomentsBalanceAtEverySpin)
   {
     const verification::PlainGlass plain = plain_glass(glass, *glass.load.contact(omega), study, omega);
     EXPECT_NEAR(plain.moment.head<2>().norm(), 0, 1e-8 * weight * rim) << omega;
-    // The lean torque, about 2e-6 of the scale, is above the rounding.
+    // The lean torque, about 2e-6 of the scale, is above the rounding error.
     const double lean = plain.axial_torque - plain.friction_torque;
     EXPECT_GT(std::abs(lean), 1e-6 * scale) << omega;
     EXPECT_NEAR(glass.load.at(omega).lean_torque() / lean, 1, 1e-3) << omega;
@@ -119,7 +117,7 @@ TEST(ContactReport, LoadAtTheTerminalSpinAgreesWithThePressure)
 
 TEST(ContactReport, LoadReportAgreesWithSumsOverThePressure)
 {
-  // Loads at rest and at the terminal spin on a flat land, whose load acts off the middle of the land.
+  // The load on a flat land acts beside the middle of the land.
   Study study = coarse_study_in_balance();
   study.glass.profile.crown_radius = 0;
   const Described glass(study);
@@ -135,8 +133,7 @@ TEST(ContactReport, LoadReportAgreesWithSumsOverThePressure)
       centre += point.force * Eigen::Vector2d(point.x, point.y);
     }
     EXPECT_NEAR(load.mean_radius, first_moment / force, 1e-9 * rim);
-    EXPECT_GT(std::abs(load.rings.radius() - load.mean_radius),
-              1e-7 * rim); // the radius of a single ring differs from the mean radius of the load
+    EXPECT_GT(std::abs(load.rings.radius() - load.mean_radius), 1e-7 * rim);
     EXPECT_NEAR(load.moment_ratio, 2 * centre.norm() / (force * rim), 1e-8);
     EXPECT_NEAR(moment_ratio, 2 * centre.norm() / (force * rim), 1e-8);
   };

@@ -1,4 +1,3 @@
-// Waviness entries, and interpolation of loads over the phases of glass and table.
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
@@ -31,7 +30,7 @@ ring::RingStack made_up_load(double omega, const ring::Orientation &phase)
                          0.03 * (1 + 1e-3 * wave));
 }
 
-/// Returns tau_z / (mu N R) at a slip ratio, computed by the trapezoidal rule.
+/// Returns tau_z / (mu N R) at a slip ratio, by the trapezoidal rule.
 double torque(const ring::RingStack &load, double eps)
 {
   return ring::test::wrench_by_quadrature(1, load, eps, load.radius(), 4096).torque /
@@ -147,7 +146,7 @@ TEST(PhaseSampledLoad, MeanAgreesWithQuadrature)
 namespace
 {
 
-/// Returns a load with b_1 = @p jump for about half of the phases and b_1 = 0 for the others.
+/// Returns a load with b_1 = @p jump for about half of the phases and b_1 = 0 for all other phases.
 LoadAtPhase jumping_load(double jump)
 {
   return [jump](double, const ring::Orientation &phase) {
@@ -193,7 +192,6 @@ TEST(PhaseSampledLoad, ErrorOfTheMeanIncludesInterpolationInTheSpin)
   EXPECT_LE(loads.error().mean, 1e-2);
 }
 
-// With two allowed intervals of the spin, a spin in a third interval is refused.
 TEST(PhaseSampledLoad, RefusesMoreIntervalsThanAllowed)
 {
   const PhasePeriods of_glass = { two_pi / 2, 0 };

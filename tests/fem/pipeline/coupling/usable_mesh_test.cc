@@ -1,4 +1,3 @@
-// Meshes of other programs: usable, or refused in one sentence.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "tests/fem/geometry/mesh_writers.h"
@@ -80,7 +79,6 @@ TEST_F(ForeignMesh, FindsTheContactZoneByIdOrHeight)
 
 TEST_F(ForeignMesh, RefusesInvertedCells)
 {
-  // One vertex is moved down through the cells below it.
   const dealii::Point<3> place = mesh.begin_active()->vertex(7);
   move([&](const dealii::Point<3> &x)
        { return x.distance(place) < 1e-9 ? dealii::Point<3>(x[0], x[1], x[2] - 0.02) : x; });
@@ -130,8 +128,7 @@ TEST_F(ForeignMesh, RefusesAContactZoneOnAWall)
   expect_sentence(text(), "100 % faces sideways");
 }
 
-/// Offset 0.3 mm: refused. Offset 0.02 mm: accepted, because the limit is 0.03 mm, a thousandth of the
-/// radius.
+/// An offset of 0.3 mm is refused. An offset of 0.02 mm is below the limit, a thousandth of the radius.
 TEST_F(ForeignMesh, RefusesAnOffAxisMesh)
 {
   move([](const dealii::Point<3> &x) { return dealii::Point<3>(x[0] + 0.0003, x[1], x[2]); });
@@ -166,7 +163,7 @@ TEST_F(ForeignMesh, RefusesDisconnectedPieces)
     n_outside += is_outside(cell->center());
   ASSERT_GT(n_outside, 0u);
   Mesh pieces;
-  // Because of the small lateral shift, no node lies on an edge of the other piece.
+  // The small lateral shift keeps the nodes away from edges of the other piece.
   fem_tests::make_split(mesh, is_outside, dealii::Point<3>(1e-6, 2e-6, 1e-3), pieces);
   expect_sentence(gmsh_text(pieces), "has " + std::to_string(n_outside) + " of " +
                                        std::to_string(mesh.n_active_cells()) + " cells");

@@ -25,7 +25,6 @@ namespace
 
 using Values = std::vector<std::pair<std::string, std::string>>;
 
-/// Returns the default study with @p values.
 Study study_of(const Values &values)
 {
   Study study;
@@ -51,13 +50,11 @@ nlohmann::json solved(unsigned int n_harmonics = 0, bool cold = true)
   return nlohmann::json::parse(explore_solve(n_harmonics, cold));
 }
 
-/// Returns the terminal spin in the summary member @p row of an answer [rad/s].
 double omega_of(const nlohmann::json &answer, const char *row = "ring")
 {
   return answer.at("document").at("summary").at(row).at("omega_terminal").get<double>();
 }
 
-/// Returns the terminal spin of @p study by the program's solver [rad/s].
 double spin_by_the_program(const Study &study, unsigned int n_harmonics = all_harmonics)
 {
   fem::ComplianceCache cache;
@@ -66,8 +63,7 @@ double spin_by_the_program(const Study &study, unsigned int n_harmonics = all_ha
     .terminal->omega;
 }
 
-/// Changes one entry of @p base at a time and compares the terminal spins (cold start) of the page and the
-/// program.
+/// Changes one entry of @p base at a time and compares the terminal spins of page (cold start) and program.
 void expect_the_programs_spins(const Values &base, const Values &moves, const std::string &fit)
 {
   fem::ComplianceCache cache;
@@ -246,7 +242,7 @@ TEST(Live, RefusesChangesThatNeedAnotherMesh)
   open_page(hard, live_bodies(study_of(hard), cache));
   EXPECT_NE(refusal("Motion/Mass", "1 kg").find("width"), std::string::npos);
 
-  // With the compliances of a narrow part of the land, the contact reaches the border of this part.
+  // The contact reaches the border of a narrow part of the land.
   LiveBodies narrow = bodies;
   narrow.foot = bodies.foot.part(6, 5);
   open_page(mat, narrow);
@@ -281,8 +277,7 @@ TEST(Live, CurvesAndBudgetAgreeWithTheAnswer)
   const nlohmann::json budget = tables(explore_budget());
   EXPECT_NEAR(budget["waterfall"].back()["omega_terminal"].get<double>(), omega, 1e-9);
   EXPECT_GT(tables(explore_pressure())["foot"]["footprint"]["theta"].size(), 60u);
-  // The drawn motion begins at rest and ends near the terminal spin, with less than 2 % of the initial
-  // torque.
+  // The drawn motion begins at rest and ends with less than 2 % of the initial torque.
   const nlohmann::json &motion = curves["motion"];
   EXPECT_EQ(motion[0]["omega"], 0);
   EXPECT_NEAR(motion.back()["omega"].get<double>(), omega, 0.006 * std::abs(omega));

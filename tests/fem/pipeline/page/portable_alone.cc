@@ -1,4 +1,4 @@
-// Program that links the portable libraries only, to detect missing symbols.
+// Links the portable libraries only, to detect missing symbols.
 #include "fem/pipeline/page/explore_api.h"
 
 #include <string>

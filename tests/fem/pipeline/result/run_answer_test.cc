@@ -1,4 +1,3 @@
-// Sentences of `run`: answer and remarks.
 #include "fem/pipeline/analysis/ring_quantities.h"
 #include "fem/pipeline/analysis/sweep_case.h"
 #include "fem/pipeline/result/number_format.h"
@@ -18,7 +17,6 @@ namespace
 
 using namespace test;
 
-/// Returns an answer with the terminal spin @p omega [rad/s].
 ring::Answer answer_with(unsigned int harmonics, double omega)
 {
   ring::Answer row;
@@ -32,7 +30,6 @@ ring::Answer answer_with(unsigned int harmonics, double omega)
   return row;
 }
 
-/// Made-up results of the default study: two rows, a budget and the error band of the terminal spin.
 struct SpunStudy : StudyAnswer
 {
   SpunStudy()
@@ -61,8 +58,8 @@ void expect_all(const std::string &text, const std::vector<std::string> &numbers
 
 TEST(RunAnswer, ContainsTheNumbersOfTheAnalysis)
 {
-  // Expected: one turn in 2 pi / |omega| = 1.93 s (paper: 2.09 s).
-  // Largest step of the budget: from -3 to -3.5 rad/s.
+  // One turn takes 2 pi / |omega| = 1.93 s (paper: 2.09 s). Largest step of the budget: from -3 to -3.5
+  // rad/s.
   expect_all(SpunStudy().answer(), { " 1.93 s", " 2.09 s", "-3.250 rad/s (± 1.3e-03 rad/s by", "-3.000 rad/s",
                                      "0.05 more friction by +0.08 rad/s", "4.41 % slower", "+0.15 rad/s",
                                      "-0.5 rad/s (16.7 % faster)" });
@@ -80,8 +77,7 @@ TEST(RunAnswer, ContainsTheNumbersOfTheAnalysis)
 
 TEST(RunAnswer, SentenceAndTableShowTheEffectAtAnySpeed)
 {
-  // The slip ratio is proportional to v^2. At 0.1 mm/s, it is only 8e-9, but the effect must still be
-  // reported.
+  // The slip ratio at 0.1 mm/s is only 8e-9, because it is proportional to v^2.
   Study study = quick_contact_study();
   std::optional<double> usual;
   for (const double speed : { 1e-2, 1e-4 })
@@ -99,7 +95,7 @@ TEST(RunAnswer, SentenceAndTableShowTheEffectAtAnySpeed)
     EXPECT_TRUE(study.is_spin(*effect.absolute)); // above rounding, so the table shows the effect
     EXPECT_TRUE(study.is_spin(value("omega_terminal")));
   }
-  // If a change is below rounding, an upper bound replaces the percentage.
+  // An upper bound replaces the percentage of a change below rounding.
   const HarmonicEffect none = harmonic_effect(-1e-11, -1e-11 - 1e-19, study.spin_scale());
   const std::string nothing = harmonic_effect_sentence(study, none);
   EXPECT_NE(nothing.find("less than 3.3e-18 rad/s."), std::string::npos) << nothing;
@@ -144,7 +140,6 @@ TEST(RunAnswer, OmitsThePercentageIfThereIsNoSpin)
 
 TEST(RunAnswer, PrintedIntervalContainsTheErrorBand)
 {
-  // The printed interval must contain value ± band.
   for (const double band : { 0.00123, 0.000996, 9.99e-5, 0.12, 3. })
     for (const double value : { -3.2549, -3.25451, 1.000049 })
     {

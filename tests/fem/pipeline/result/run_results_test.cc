@@ -1,4 +1,3 @@
-// Files and summaries of results, compared with the analysis of a solved study.
 #include "fem/pipeline/analysis/ring_quantities.h"
 #include "fem/pipeline/result/table_renderers.h"
 #include "fem/pipeline/result/verb_results.h"
@@ -19,14 +18,12 @@ namespace
 using test::CsvTable;
 using test::SolvedRun;
 
-/// Returns a solved run, shared by the tests.
 const SolvedRun &solved_run()
 {
   static const SolvedRun run(test::quick_contact_study());
   return run;
 }
 
-/// Returns the results file @p name. Throws std::out_of_range if it does not exist.
 CsvTable file_of(const Results &results, const std::string &name)
 {
   for (const ResultFile &file : results.files)

@@ -1,4 +1,3 @@
-// Answer of a sweep, computed from given case results.
 #include "fem/pipeline/result/verb_results.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,3 @@
-// Formats of a table with every kind of cell: data file, CSV, console, page.
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/result/number_format.h"
 #include "fem/pipeline/result/table_renderers.h"
@@ -14,7 +13,6 @@ namespace
 
 const double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Row with every kind of cell.
 struct Everything
 {
   std::string who;
@@ -28,7 +26,7 @@ struct Everything
 const std::vector<Everything> rows = { { "a, \"b\"", 100000, -1.23456789, 0.25, true, { 1.5, 3.5 } },
                                        { "c < d", 7, 1e-15, std::nullopt, false, { 2.5, 4.5 } } };
 
-/// Returns one field for each member of Everything. Every output format (file, console, page) occurs.
+/// Every output format (file, console, page) occurs.
 Fields<Everything> all_fields()
 {
   return Fields<Everything>{
@@ -80,7 +78,6 @@ TEST(Table, PrintsOnTheConsole)
 )");
 }
 
-/// Returns a table with one row of texts. @p cells: labels and texts.
 Table texts(const std::vector<std::pair<std::string, Json>> &cells)
 {
   Table table;
@@ -163,7 +160,6 @@ TEST(NumberFormat, ShowsADashForNonFiniteNumbers)
       EXPECT_EQ(format::number(none, digits), "–") << digits;
   }
   EXPECT_EQ(format::number(-std::nan(""), "band"), "–");
-  // Data files and figures contain "nan" instead of the dash.
   EXPECT_EQ(to_text(-std::nan("")), "nan");
   EXPECT_EQ(to_short_text(-std::nan("")), "nan");
 }

@@ -1,4 +1,3 @@
-// Column files: units of spins, and refusal of ambiguous or broken tables.
 #include "fem/pipeline/study/column_table.h"
 #include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/matchers.h"

@@ -1,4 +1,3 @@
-// Column files: accepted formats, and refusals in one sentence.
 #include "fem/pipeline/study/data_files.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -22,7 +21,6 @@ std::vector<FileRow> rows_of(const std::string &file)
   return read_column_file("Entry = my.csv", file, time_and_speed);
 }
 
-/// Returns the message that refuses a file.
 std::string column_refusal(const std::string &file)
 {
   return test::sentence_of([&] { rows_of(file); });

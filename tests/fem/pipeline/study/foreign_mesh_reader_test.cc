@@ -1,4 +1,3 @@
-// Mesh files of other programs. Valid files are read; broken files are refused in one sentence.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
@@ -38,7 +37,6 @@ std::string written()
   return fem_tests::gmsh_text(mesh);
 }
 
-/// Returns the message that refuses a mesh file; empty if the file is read.
 std::string mesh_refusal(const std::string &text, const std::string &extension)
 {
   const TemporaryFile file(text, extension);
@@ -58,7 +56,7 @@ void expect_refused(const std::string &text, const std::string &part, const std:
   EXPECT_LT(sentence.size(), 330u) << sentence;
 }
 
-/// Expects that @p text is read with exactly the vertices, contact faces and stem faces of make_small_foot().
+/// Expects exactly the vertices, contact faces and stem faces of make_small_foot().
 void expect_the_small_foot(const std::string &text)
 {
   Mesh mesh, read;
@@ -98,7 +96,7 @@ TEST(GmshMesh, ChecksCountsAndVersions)
   expect_refused(boost::replace_first_copy(text, " 3 2 1 1 ", " 4 2 1 1 "), "Gmsh's type 4");
 }
 
-/// Returns @p text (Gmsh format 2.2) with the additional elements @p elements, given without their numbers.
+/// Returns @p text (Gmsh format 2.2) with additional @p elements, given without their numbers.
 std::string with_elements(const std::string &text, const std::vector<std::string> &elements)
 {
   const std::size_t count = text.find("$Elements\n") + 10;
@@ -110,7 +108,6 @@ std::string with_elements(const std::string &text, const std::vector<std::string
                                    more + "$EndElements");
 }
 
-/// Returns @p text with the additional nodes @p nodes.
 std::string with_nodes(const std::string &text, const std::vector<std::string> &nodes)
 {
   const std::size_t count = text.find("$Nodes\n") + 7;
@@ -142,8 +139,7 @@ TEST(GmshMesh, IgnoresUnusedSectionsSurfacesAndNodes)
                         "\n1\n1 20\n$EndNodeData\n$NodeData\n$EndNodeData\n");
 }
 
-/// With the Gmsh option Mesh.SaveParametric, dimension, entity and parameters follow the coordinates of a
-/// node.
+/// The Gmsh option Mesh.SaveParametric appends dimension, entity and parameters to the coordinates of a node.
 TEST(GmshMesh, ReadsParametricNodes)
 {
   std::istringstream lines(written());

@@ -1,4 +1,4 @@
-// Entries that are given but have no effect on the study (unused_entries()).
+// unused_entries() finds given entries without effect.
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_file.h"

@@ -1,4 +1,3 @@
-// Warnings for implausible values, and refusals of studies that exceed the memory limit.
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
@@ -144,9 +143,8 @@ TEST(StudySize, EstimatesAMeshFileBeforeReadingIt)
 
 TEST(StudySize, MemoryAgreesWithMeasuredRuns)
 {
-  // The estimate must agree with the measured resident memory within a factor of two. Measured with
-  // `stemware truncate` of version 0.2 (body of revolution) and `stemware run --quick` of version 0.4
-  // (solid).
+  // The estimate must agree within a factor of two with the resident memory, measured with `stemware
+  // truncate` of version 0.2 (body of revolution) and `stemware run --quick` of version 0.4 (solid).
   const auto megabytes = [](const Settings &settings)
   { return size_of(test::mat_study_with(settings)).memory / 1e6; };
   for (const auto &[found, measured] :

@@ -1,4 +1,3 @@
-// Profile files: rim fitted to the points, and refusals in one sentence.
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_checks.h"
@@ -23,7 +22,6 @@ using test::ScratchFolder;
 const std::string plain_foot = "0, 2\n20, 2\n28, 0\n32, 0\n34, 1\n34, 3\n16, 4\n6, 8\n4, 16\n0, 16\n";
 const std::string millimetres = "r (mm), z (mm)\n";
 
-/// Returns the study of a foot with the profile file @p points and the additional settings @p more.
 Study study_of(const ScratchFolder &scratch, const std::string &points, const std::vector<std::string> &more)
 {
   std::vector<std::string> overrides = { "Glass/Shape=profile",
@@ -38,7 +36,6 @@ Study study_of(const std::string &points,
   return study_of(ScratchFolder(), points, more);
 }
 
-/// Returns the message that refuses the profile file @p points; empty if the file is accepted.
 std::string profile_refusal(const std::string &points,
                             const std::vector<std::string> &more = { "Glass/Crown radius=0.003" })
 {
@@ -69,8 +66,8 @@ TEST(ProfileFile, FitsTheRimUnlessItsRadiiAreGiven)
   EXPECT_EQ(profile_note(Study()), "");
 }
 
-/// Returns the profile of a rim at r = 29.5 mm with the crown radius 2.5 mm. The heights of its ten points on
-/// the land have alternating errors of @p error [mm].
+/// Returns a rim at r = 29.5 mm with the crown radius 2.5 mm. The heights of the ten points on the land have
+/// alternating errors of @p error [mm].
 std::string scattered_foot(double error)
 {
   std::string points = millimetres + "0,3\n20,3\n";
@@ -116,8 +113,8 @@ TEST(ProfileFile, IgnoresEntriesOfOtherShapes)
             std::vector<std::string>{ "Glass/Profile file" });
 }
 
-/// The study file of a results folder contains every entry, so a repeated study gives the rim instead of
-/// fitting it.
+/// The study file of a results folder contains every entry, so the rim of a repeated study is given, not
+/// fitted.
 TEST(ProfileFile, WrittenStudyIsReadIdentically)
 {
   const ScratchFolder scratch;
@@ -125,7 +122,7 @@ TEST(ProfileFile, WrittenStudyIsReadIdentically)
   const Study again = read_study(scratch.write("again.prm", study_as_prm(study)), {});
   EXPECT_EQ(study_as_prm(again), study_as_prm(study));
 
-  // The repeated study still reports a fitted rim, although its file contains the fitted values.
+  // The repeated study still reports a fitted rim.
   const Study fitted = study_of(scratch, scattered_foot(0.001), { "Glass/Land width=0.0021" });
   const Study repeated = read_study(scratch.write("again.prm", study_as_prm(fitted)), {});
   EXPECT_EQ(study_as_prm(repeated), study_as_prm(fitted));

@@ -1,4 +1,3 @@
-// Values with units. Reference: definitions of the units.
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/matchers.h"
@@ -86,7 +85,7 @@ TEST(QuantityText, EveryEntryRefusesAnotherDimension)
   for (const StudyEntry &entry : study_entries(study))
     if (entry.quantity != nullptr)
     {
-      // A length to the seventh power is not a unit of any entry.
+      // m^7 is not a unit of any entry.
       EXPECT_FALSE(entry.assign("0.1 m^7")) << entry.path();
       EXPECT_EQ(entry.assign("1 kg"), entry.unit == "kg") << entry.path();
       EXPECT_EQ(entry.assign(entry.text() + (entry.unit == "1" ? "" : ' ' + entry.unit)), true)

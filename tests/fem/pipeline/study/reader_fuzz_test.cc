@@ -1,6 +1,6 @@
-// Fuzz test of all file readers. Each randomly mutated file must be read or refused in one sentence, without
-// crash, hang or an exception of another library. The seed is fixed, so failures are reproducible. The preset
-// `sanitize` adds the address sanitizer.
+// Each randomly mutated file must be read or refused in one sentence, without crash, hang or an exception of
+// another library. The seed is fixed, so failures are reproducible. The preset `sanitize` adds the address
+// sanitizer.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/analysis/case_list.h"
 #include "fem/pipeline/base/failures.h"
@@ -34,7 +34,6 @@ public:
   {
   }
 
-  /// Returns @p text after one to four random changes.
   std::string operator()(std::string text)
   {
     for (std::size_t i = 1 + below(4); i > 0; --i)
@@ -68,7 +67,7 @@ private:
                       n = below(std::min<std::size_t>(text.size() - at, 200) + 1);
     switch (below(8))
     {
-    case 0: // change a byte
+    case 0:
       if (at < text.size())
         text[at] = static_cast<char>(random());
       break;
@@ -81,7 +80,7 @@ private:
     case 3:
       text.insert(at, word());
       break;
-    case 4: // truncate the file
+    case 4:
       text.resize(at);
       break;
     case 5: // replace a number
@@ -111,7 +110,6 @@ private:
   std::mt19937 random;
 };
 
-/// Reader with its seed files and the number of trials.
 struct FuzzedReader
 {
   std::string name, extension;

@@ -30,7 +30,7 @@ TEST(RequiredResultants, FullClosureAddsTheMomentOfTheFriction)
   const Study study;
   const fem::Resultants load = study.required_resultants();
   EXPECT_DOUBLE_EQ(load.moment_x, -0.01225);
-  // M_Ny = -z_F mu N with the hand z_F = 3 cm above the table.
+  // M_Ny = -z_F mu N for the hand at z_F = 3 cm above the table.
   EXPECT_NEAR(load.moment_y, -0.03 * 0.3 * 2.943, ulps(4, load.moment_y));
 }
 
@@ -43,7 +43,7 @@ TEST(RequiredResultants, ReproduceTheGivenMomentRatioAndDirection)
     study.load.moment_direction = direction;
     const fem::Resultants load = study.required_resultants();
     EXPECT_NEAR(moment_ratio(load, 0.03), 1.3, 1e-14);
-    // Since (M_Nx, M_Ny) = (sum y f, -sum x f), the centre of pressure lies at (-M_Ny, M_Nx) / N.
+    // The centre of pressure lies at (-M_Ny, M_Nx) / N, because (M_Nx, M_Ny) = (sum y f, -sum x f).
     EXPECT_NEAR(std::atan2(load.moment_x, -load.moment_y), direction, 1e-14);
   }
 }

@@ -1,5 +1,3 @@
-// Refusals of inconsistent and impossible values (StudyChecks), and choices that follow from other entries
-// (StudyChoices).
 #include "fem/pipeline/study/study_entries.h"
 #include "tests/fem/pipeline/mat_study.h"
 #include "tests/fem/pipeline/matchers.h"
@@ -16,7 +14,7 @@ using Settings = test::EntryTexts;
 
 TEST(StudyChecks, IgnoreTheFootIfNoContactIsSolved)
 {
-  // The ring radius 65 mm exceeds the default foot radius 34 mm.
+  // The contact radius 65 mm exceeds the default foot radius 34 mm.
   const Settings ring = { { "Glass/Contact radius", "65 mm" } };
   EXPECT_THAT(refusal_of(ring), testing::HasSubstr("Glass/Foot radius"));
   Settings paper = ring;
@@ -26,7 +24,7 @@ TEST(StudyChecks, IgnoreTheFootIfNoContactIsSolved)
   EXPECT_NE(refusal_of(paper), "");
 }
 
-/// Settings, and the beginning of their refusal ("entry = value"); empty if the settings are allowed.
+/// @p named: beginning of the refusal ("entry = value"); empty if the settings are allowed.
 struct Check
 {
   Settings settings;

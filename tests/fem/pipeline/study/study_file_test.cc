@@ -14,7 +14,6 @@ namespace
 
 using test::ScratchFolder;
 
-/// Returns the message that refuses a study; empty if the study is accepted.
 std::string study_refusal(const std::string &file, const std::vector<std::string> &overrides = {})
 {
   return test::sentence_of([&] { read_study(file, overrides); });
@@ -57,8 +56,8 @@ TEST(StudyFile, HandHeightIsKeptUnlessTheForceOffsetIsGiven)
   EXPECT_EQ(hand_of("", { centre }), std::pair(0.03, 0.03 - 0.25));
   EXPECT_EQ(hand_of(offset, { centre }), std::pair(0.1875, -0.0625));
   EXPECT_EQ(hand_of("", { "Motion/Force offset=-0.0625", centre }), std::pair(0.1875, -0.0625));
-  // A file with all entries contains both force offset and hand height. If the centre of mass changes, the
-  // hand height is kept.
+  // A file with all entries contains both force offset and hand height. A changed centre of mass keeps the
+  // hand height.
   const std::string all = scratch.write("all.prm", study_as_prm(read_study(offset, { centre })));
   EXPECT_EQ(hand_of(all, {}), std::pair(0.1875, -0.0625));
   EXPECT_EQ(hand_of(all, { "Motion/Centre of mass height=0.5" }), std::pair(0.1875, -0.3125));

@@ -1,4 +1,3 @@
-// Text tables as written by spreadsheets, phones and instruments.
 #include "fem/pipeline/study/table_file.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/refusal.h"
@@ -55,7 +54,7 @@ TEST(TableFile, QuotesFollowRfc4180)
   EXPECT_EQ(table.rows[1].line, 2u);
   EXPECT_EQ(table.rows[2].line, 4u);
   EXPECT_EQ(table.with_point(table.rows[2].cells[0]),
-            "1,000"); // not a decimal comma, because the comma separates columns
+            "1,000"); // no decimal comma, because commas separate columns
   EXPECT_THAT(test::sentence_of([] { parse_table("cases.csv", "a,b\n1,\"2\n"); }),
               testing::HasSubstr("cases.csv, line 2: "));
 }

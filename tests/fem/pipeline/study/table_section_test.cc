@@ -1,4 +1,3 @@
-// Checks that the finite-element table has the values of the study entries.
 #include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/mat_study.h"
 #include "tests/ulps.h"

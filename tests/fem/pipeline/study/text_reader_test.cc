@@ -1,5 +1,3 @@
-// Text files with byte order marks, broken or deeply nested JSON, and impossible numbers are read, or refused
-// in one sentence with the position of the error.
 #include "fem/pipeline/base/json_text.h"
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
