@@ -37,7 +37,6 @@ namespace
 using namespace stemware;
 using namespace stemware::pipeline;
 
-/// Returns the indices of the active cells of a meridional section that touch the table.
 std::vector<unsigned int> contact_cells(const std::vector<fem::SectionPolygon> &cells, const Study &study)
 {
   const double height = 1e-6 * study.glass.profile.contact_radius;

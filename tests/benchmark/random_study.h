@@ -13,7 +13,6 @@
 namespace stemware::pipeline
 {
 
-/// Returns the name of the table, e.g. "rough on elastic".
 inline std::string table_name(const TableSection &table)
 {
   const std::string interface = table.interface == TableInterface::hard      ? "hard"
@@ -107,7 +106,6 @@ private:
     profile.fillet_radius = between(0.002, 0.006);
   }
 
-  /// A tenth of all studies have a wavy rim, a wavy table, or both.
   void draw_table(Study &study)
   {
     TableSection &table = study.table;

@@ -17,7 +17,6 @@ namespace
 {
 using namespace stemware::ring;
 
-/// Returns slip ratios from 1e-4 to 1e4, denser on both sides of |eps| = 1.
 std::vector<double> slip_ratios()
 {
   std::vector<double> ratios{ 1. };

@@ -35,7 +35,6 @@ public:
   const std::string &text(const char *name) const { return values.at(name); }
   double number(const char *name) const { return std::stod(text(name)); }
   unsigned int count(const char *name) const { return static_cast<unsigned int>(number(name)); }
-  /// Returns the integers of a comma-separated list.
   std::vector<unsigned int> counts(const char *name) const
   {
     std::vector<unsigned int> result;

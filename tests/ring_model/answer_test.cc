@@ -1,4 +1,3 @@
-// Loads given by C++ functions of the spin. Reference: closed form for a load of the first harmonic.
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/self_consistent_ring.h"

@@ -17,7 +17,7 @@
 
 namespace stemware::ring::test
 {
-/// Returns int_0^@p upper. The double exponential rule suits integrands that vanish like a root at an end.
+/// Returns the integral from 0 to @p upper. The rule suits integrands that vanish like a root at an end.
 template <typename Integrand>
 double integral(const Integrand &integrand, double upper)
 {
@@ -56,13 +56,10 @@ void descend(double c, double p, double decay, unsigned int n_max, const Visit &
   }
 }
 
-/// Rigid ring pressed on a unilateral foundation (no tension) with a pressure law of exponent p:
-///
-///   lambda(theta) = A max(0, cos(theta - beta) - c)^p.
-///
-/// p = 1: flat rim on a linear elastic mat (Winkler); p = 3/2: rim of circular cross-section on a mat. The
-/// whole ring is loaded (c < -1) up to the moment ratio 2p/(p+1), a part of it up to tipping at m = 2.
-/// Derivation, closed forms and recurrences: docs/theory/load_models.md.
+/// Rigid ring pressed on a foundation without tension under the law lambda(theta) = A max(0, cos(theta -
+/// beta) - c)^p. p = 1: flat rim on a linear elastic mat (Winkler); p = 3/2: rim of circular cross-section on
+/// a mat. The whole ring is loaded (c < -1) up to the moment ratio 2p/(p+1), a part of the ring up to tipping
+/// at m = 2. Derivation: docs/theory/load_models.md.
 class UnilateralFoundation
 {
 public:

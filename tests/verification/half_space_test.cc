@@ -76,7 +76,6 @@ TEST(HalfSpace, HarmonicsAboveTheHighestUseTheComplianceOfHarmonic24)
     for (unsigned int j = 0; j < n_lines; ++j)
       forces.col(j) = nodes * (2 * pi / n_lines * std::cos(2 * pi * n * j / n_lines));
     body.set_forces(forces.reshaped());
-    // Displacement on the line theta = 0.
     const Eigen::VectorXd ahead = body.contact_displacement().head(nodes.size());
     EXPECT_NEAR(nodes.dot(ahead) / normal_compliance(answers_as, whole, whole, wood), 1, 3e-3) << n;
   }

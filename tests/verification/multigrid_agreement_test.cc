@@ -62,7 +62,7 @@ TEST(MultigridAgreement, HangingNodesInTheContactReduceTheError)
   EXPECT_LT(finer, 3e-5) << "uniform: " << uniform;
 }
 
-// References: CalculiX up to the sixth harmonic; above, the range of three other finite-element programs.
+// References: CalculiX for n <= 6, the range of three other finite-element programs for n > 6.
 TEST(MultigridAgreement, HardFlatLandAgreesWithOtherPrograms)
 {
   SolidSetup setup;

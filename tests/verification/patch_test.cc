@@ -16,7 +16,6 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Makes a cylinder of radius 0.02 and height 0.03 on z = 0 with a clamped top.
 void make_cylinder(Triangulation<3> &triangulation)
 {
   Triangulation<3> lying;

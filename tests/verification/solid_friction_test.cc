@@ -84,8 +84,8 @@ TEST(SolidFriction, AgreesWithTheBodyOfRevolution)
   }
 }
 
-// Reference: friction prescribed in calculix_foot.py. Friction causes a_2, b_2, a_3 and b_3 completely on the
-// mat and by half on the hard table.
+// Reference: friction prescribed in calculix_foot.py. Friction causes all of a_2, b_2, a_3 and b_3 on the
+// mat, and half of these harmonics on the hard table.
 TEST(SolidFriction, AgreesWithCalculiX)
 {
   unsigned int n_compared = 0;

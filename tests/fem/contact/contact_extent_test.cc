@@ -296,7 +296,6 @@ TEST(ContactExtent, AgreesWithTheClosedFormUnderBiaxialEccentricity)
       const Pressed found = pressed_at(plate(land, length, breadth, n_lines), force, row.x, row.y, modulus);
       const double allowed = 8 / std::pow(n_lines, 2); // error of the midpoint rule over the strips
       EXPECT_NEAR(found.extent.area_share, exact.share, allowed) << row.x;
-      // The outermost line lies half a line width inside the edge.
       EXPECT_NEAR(found.extent.peak_pressure / exact.peak, 1, 1. / n_lines) << row.x;
       const Eigen::Vector3d motion = -exact.plane / modulus;
       for (unsigned int i = 0; i < 3; ++i)

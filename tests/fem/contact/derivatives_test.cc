@@ -1,4 +1,3 @@
-// Derivatives are checked by the remainder of Taylor's formula.
 #include "fem/contact/contact_demand.h"
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rigid_foot.h"
@@ -119,7 +118,7 @@ TEST(Derivatives, BorderIsTheDerivativeOfTheConditions)
   const Eigen::Matrix3d stiffness = motion_stiffness(start.tangent, conditions.weights(), rim.modes),
                         product = conditions.weights().transpose() * start.tangent * rim.modes;
   EXPECT_LT((stiffness - product).norm(), 1e-13 * product.norm());
-  // For a rigid foot, the derivative of the balance with respect to the table motions is -L'TQ + H.
+  // For a rigid foot, the derivative of L'f + H q with respect to the table motions q is -L'TQ + H.
   const Eigen::Matrix3d border = conditions.motion_weights() - product;
   for (unsigned int i = 0; i < 3; ++i)
   {

@@ -114,7 +114,6 @@ TEST(PressureProfile, FollowsFromTheMomentsOfALine)
   const double middle = 0.03, half_width = 2e-6, peak = 14e6, azimuth_width = 0.1;
   for (const double exponent : { 0.5, 0.8, 1. })
   {
-    // The lines are short, because a line is integrated with few points.
     ContactSurface surface;
     surface.lines_are_radial = true;
     std::vector<Eigen::Vector3d> depths;

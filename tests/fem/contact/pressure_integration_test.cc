@@ -85,7 +85,6 @@ TEST(PressureIntegration, AgreesWithPointSumsForAStiffSpring)
 
 TEST(PressureIntegration, AgreesWithPointSumsForARoughInterface)
 {
-  // The mean planes of the surfaces are apart for depth < 0 and overlap for depth > 0.
   for (const double decay_length : { 1e-7, 1e-6, 1e-5 })
     for (const double depth : { -3 * decay_length, 2 * decay_length, 20 * decay_length })
       for (const unsigned int land_cells : { 2u, 8u, 40u })

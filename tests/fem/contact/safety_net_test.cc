@@ -1,4 +1,3 @@
-// Ordinary contact problems do not need damping.
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/pressure_law.h"
 #include "fem/contact/rigid_foot.h"

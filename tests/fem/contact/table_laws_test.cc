@@ -85,7 +85,7 @@ TEST(RoughInterface, RefusesInvalidParameters)
 TEST(RigidLimit, AgreesWithTheClosedFormOfACrownedRingOnAMat)
 {
   // Under a rigid torus, the line load is proportional to the 3/2 power of the penetration. Lift-off starts
-  // at m = 6/5 with a_2/a_0 = 6/35. The other values are computed by quadrature.
+  // at m = 6/5 with a_2/a_0 = 6/35; all other a_n come from quadrature.
   GlassProfile profile = thin_ring(0.003);
   profile.land_width = 1e-3;
   RigidRing ring(profile, 1024);

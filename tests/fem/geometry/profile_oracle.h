@@ -1,4 +1,3 @@
-// References for meshes of GlassShape::foot, from the profile functions only.
 #pragma once
 
 #include "fem/geometry/glass_profile.h"

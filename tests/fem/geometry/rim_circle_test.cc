@@ -50,7 +50,6 @@ Polyline scattered(Polyline polyline, double radial, double vertical, unsigned i
   return polyline;
 }
 
-/// Returns six exact points of a circle, and one point off the circle on each side.
 Polyline arc_of_six_points()
 {
   Polyline polyline = { { 0, 0.503, 1 } };

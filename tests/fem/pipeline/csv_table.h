@@ -58,7 +58,6 @@ inline std::string sorted_by_case(const std::string &text)
   return headings;
 }
 
-/// Table with access by column title.
 class CsvTable
 {
 public:

@@ -79,7 +79,6 @@ std::vector<std::string> names_in(const std::filesystem::path &folder);
 /// spin. Appends the lines @p further.
 std::string plain_study(const std::string &further = "");
 
-/// Returns plain_study() with a solid body on a coarse mesh.
 std::string coarse_study(const std::string &further = "");
 
 } // namespace stemware::test

@@ -1,4 +1,3 @@
-// Reference: body of revolution, which has other elements.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"

@@ -150,7 +150,7 @@ TEST(Multigrid, IterationsDoNotGrowWithRefinement)
 
 TEST(Multigrid, IterationsDoNotGrowWithRefinementLong)
 {
-  // More levels: multigrid_benchmark (docs/method/solid_measurements.md).
+  // The program multigrid_benchmark measures more levels (docs/method/solid_measurements.md).
   for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
   {
     expect_iterations_that_do_not_grow(profile, { 48, 2, 2 }, 1, 2);

@@ -1,5 +1,4 @@
 // The load of a wavy foot depends on the direction of the moment.
-// with the same gap.
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "ring_model/load/constants.h"

@@ -1,5 +1,4 @@
-// Identities that hold for any pressure. References: symmetry, moment balance in three dimensions, point
-// quadrature.
+// The identities of these tests hold for any pressure.
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "ring_model/friction_functionals.h"
@@ -74,7 +73,6 @@ class BalanceOnTables : public testing::TestWithParam<Surface>
 INSTANTIATE_TEST_SUITE_P(Tables, BalanceOnTables, testing::ValuesIn(surfaces),
                          [](const auto &info) { return std::string(info.param.name); });
 
-/// Friction deforms foot and substrate by default.
 Study study_on(const Surface &surface)
 {
   Study study = test::mat_study();

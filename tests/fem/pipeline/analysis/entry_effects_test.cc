@@ -1,6 +1,5 @@
-// Checks that every entry of a study is used. Each entry is changed in the first base study to which the
-// entry applies, and the terminal spin must change. The list `effects` contains the exceptions: base study,
-// value, and the result that must change.
+// Every entry of a study must be used: its change must change the terminal spin in the first base study to
+// which the entry applies. The list `effects` contains the exceptions.
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/base/numbers.h"

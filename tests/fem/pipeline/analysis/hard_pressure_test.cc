@@ -91,7 +91,7 @@ void expect_pressures_of_random_rims(unsigned int n_studies, unsigned int seed)
     {
       const BandedQuantity &banded = bands[index_of(bands, key)];
       const double value = banded.quantity.value, band = banded.band;
-      // 5e-4: the maximum line load may be between two azimuth lines.
+      // If the maximum line load lies between two azimuth lines, the values change by up to 5e-4.
       EXPECT_LE(std::abs(value - right), band + 5e-4 * right)
         << key << " of study " << i << ": " << value << ", Hertz " << right << ", m "
         << study.load.moment_ratio;

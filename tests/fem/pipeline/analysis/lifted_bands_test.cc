@@ -238,7 +238,6 @@ TEST(LiftedBands, ContainTheErrorIfTheSlipVanishesAtOneMoment)
 // Rigid flat lands. References: closed forms on a mat; tests/verification/annular_punch.py for an annular
 // punch on a hard bonded layer.
 
-/// Returns the study of a flat land under a given moment in the direction @p direction [rad].
 Study flat_study(double width, double moment_ratio, double direction)
 {
   Study study = test::mat_study();
@@ -281,7 +280,8 @@ TEST(FlatLandBands, ContainTheErrorWithLiftOffOnAMat)
     const double radius = study.glass.profile.contact_radius, outer = radius + row.width / 2;
     const verification::LiftedAnnulus exact(radius - row.width / 2, outer, row.moment_ratio * radius / 2);
     const double slope = study.motion.orbit.normal_force() / exact.per_slope, tilt = -slope / 1e9;
-    // An azimuth is in contact if its outermost point (zero > 0) or its innermost point (zero < 0) is.
+    // An azimuth is in contact if its outermost point (zero > 0) or its innermost point (zero < 0) is in
+    // contact.
     const double last = exact.zero < 0 ? radius - row.width / 2 : outer;
     expect_within_bands(study,
                         { { "contact_fraction", exact.share },

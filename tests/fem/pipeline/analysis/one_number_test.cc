@@ -1,4 +1,3 @@
-// Numbers that `run` reports in several files and tables are equal.
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/analysis/sweep_case.h"

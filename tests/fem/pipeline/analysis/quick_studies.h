@@ -13,7 +13,6 @@ inline ring::RingStack rich_load()
            0.03 };
 }
 
-/// Returns the study of a load from a file.
 inline pipeline::Study study_of_given_load()
 {
   pipeline::Study study = mat_study();

@@ -12,7 +12,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns limit + constant * 2^(-order * level) for level = 0 ... n_levels - 1.
 std::vector<double> algebraic(double limit, double constant, double order, unsigned int n_levels)
 {
   std::vector<double> values;

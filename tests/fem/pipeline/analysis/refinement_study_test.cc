@@ -43,7 +43,6 @@ TEST(RefinementAxes, StayWithinTheAllowedRanges)
   EXPECT_EQ(refinement_axes(study, 3).size(), 4u); // hard tables also have the axis of azimuth lines
 }
 
-/// Cells of a quarter of the size, four times the lines and twice the harmonics.
 Study much_finer(Study study)
 {
   study.contact.refinements += 2;

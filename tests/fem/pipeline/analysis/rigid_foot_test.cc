@@ -201,7 +201,7 @@ TEST(RigidFoot, AgreesInTheSpinWithoutTiltAndInTheTerminalState)
     study.motion.orbit.centre_of_mass_height = row.height;
     const SolvedStudy solved(study, test::rigid_foot());
     EXPECT_NEAR(solved.row.at_terminal->moment_ratio, row.moment_ratio, 1e-5) << row.height;
-    // 2e-3: the contact edge is interpolated between azimuth lines 1/128 of a turn apart.
+    // The contact edge is interpolated between azimuth lines 1/128 of a turn apart.
     EXPECT_NEAR(solved.load.contact(solved.omega())->load.contact_fraction, row.share, 2e-3) << row.height;
     study.motion.tilt = false;
     EXPECT_NEAR(SolvedStudy(study, test::rigid_foot()).omega(), row.omega_without_tilt,

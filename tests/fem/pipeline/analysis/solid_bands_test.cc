@@ -68,7 +68,6 @@ Study solid_study(fem::GlassShape shape, const fem::FootResolution &resolution)
   return study;
 }
 
-/// Returns a step (re-entrant corners) with lift-off on a mat, under a given moment.
 Study step_on_mat(double foundation_modulus)
 {
   Study study = solid_study(fem::GlassShape::step, { 24, 2, 1 });
@@ -90,7 +89,6 @@ Study flat_land(double moment_ratio)
   return study;
 }
 
-/// Compares the quantities @p keys and the torque at half the terminal spin.
 void expect_bands_of_mat(const Study &study, const Study &reference, const std::vector<const char *> &keys)
 {
   const ErrorBands solid = bands_of(study), revolution = bands_of(reference);

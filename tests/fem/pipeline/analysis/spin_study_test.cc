@@ -107,7 +107,6 @@ TEST(SpinStudy, ReportsProgressDuringTheSpinUp)
   EXPECT_THROW(followed(), std::domain_error);
 }
 
-/// The glass tips above the spin @p last [rad/s].
 BalancedLoad tipping_beyond(double last)
 {
   const auto load = [last](double omega) -> ring::Sample

@@ -1,4 +1,3 @@
-// The a-priori bound applies to the torque of the harmonics above n.
 #include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
 #include "tests/benchmark/random_study.h"

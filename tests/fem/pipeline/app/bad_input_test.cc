@@ -42,7 +42,6 @@ std::string study_refusal(const std::string &file, const std::vector<std::string
   }
 }
 
-// StudyFile, StudyChecks, QuantityText and TextReader test more refusals.
 TEST(BadInput, RefusesStudyFilesInOneSentence)
 {
   for (const auto &[name, text, expected] : std::vector<std::tuple<std::string, std::string, std::string>>{

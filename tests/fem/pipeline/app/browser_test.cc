@@ -280,7 +280,7 @@ TEST(Reports, FiguresAndTablesShowTheNumbersOfTheResultsFiles)
 
 TEST(Reports, FormattedNumbersParseToTheirValues)
 {
-  // For example 9.3 · 10⁻¹⁰ must be parsed.
+  // The page shows exponents as in 9.3 · 10⁻¹⁰.
   const std::string script = "const { shown } = await import(" +
                              script_string("file://" + fs::path(STEMWARE_DOCS).parent_path().string() +
                                            "/fem/pipeline/page/js/words.js") +

@@ -1,4 +1,3 @@
-// Keys, units and labels of columns are declared in summary.schema.json.
 #include "fem/pipeline/result/schema.h"
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/program_runner.h"

@@ -48,7 +48,7 @@ TEST(ContactRun, RepeatedRunsWriteEqualFiles)
   const ScratchFolder scratch;
   const std::string study = scratch.write("coarse.prm", coarse_study());
   solved(scratch, { "run", study }, { "Glass/Crown radius=0.00312345678" }, "one");
-  // Time stamps in the files would differ after more than one second.
+  // After more than one second, time stamps in the files would differ.
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));
   solved(scratch, { "run", study }, { "Glass/Crown radius=0.00312345678" }, "other");
   const auto one = all_files(scratch / "one"), other = all_files(scratch / "other");
@@ -192,7 +192,7 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "alone", "coarse.prm", "together" }));
   expect_same_harmonics(alone, read_summary(scratch / "together"), 1e-9);
-  // A rank that is not the first must print nothing.
+  // Only the first rank may print.
   EXPECT_EQ(ended.out.find("Results"), ended.out.rfind("Results"));
   // Each rank writes the fields of its cells; the report lists only the .pvtu file.
   const std::vector<std::string> pieces = { "contact_0.vtu", "contact_1.vtu" };

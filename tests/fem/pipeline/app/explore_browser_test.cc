@@ -1,4 +1,3 @@
-// The live page is tested at desktop and phone widths.
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
@@ -31,7 +30,8 @@ const std::vector<std::pair<std::string, std::string>> moves = { { "Motion/Frict
                                                                  { "Motion/Centre of mass height", "0.1" },
                                                                  { "Table/Foundation modulus", "1e11" } };
 
-/// Returns a script that opens @p page in frames of both widths and sets the sliders to `moves` one by one.
+/// Returns a script that opens @p page in frames of 1100 and 400 px and sets the sliders to `moves` one by
+/// one.
 std::string moving_script(const std::string &page)
 {
   return axe_script() + R"(

@@ -1,4 +1,3 @@
-// All verbs that take a study have these options.
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
 

@@ -1,4 +1,3 @@
-// The speed of the hand varies according to Motion/Orbit speed file.
 #include "fem/pipeline/study/study_file.h"
 #include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/matchers.h"
@@ -197,7 +196,7 @@ TEST(OrbitSpeed, BreakawayForceIsTheStaticFriction)
 
 TEST(OrbitSpeed, ReportsTheEffectOfInterpolatingTheSpeeds)
 {
-  // The cubic through dense rows on the polygon of the given rows is nearly the polygon.
+  // The table `dense` has many rows on the polygon through `rows`, so its cubic nearly equals the polygon.
   const std::vector<std::pair<double, double>> rows = { { 0, 0.1 },  { 0.3, 0.18 }, { 0.6, 0.29 },
                                                         { 1, 0.35 }, { 1.4, 0.33 }, { 1.7, 0.24 },
                                                         { 2, 0.15 } };

@@ -1,4 +1,3 @@
-// Reference: body of revolution.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>

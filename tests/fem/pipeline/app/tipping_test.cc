@@ -1,4 +1,3 @@
-// Reference: closed form of a rigid annulus on a mat.
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"

@@ -81,7 +81,6 @@ verification::PlainGlass plain_glass(const Described &glass, const fem::ContactS
 
 TEST(ContactReport, MomentsBalanceAtEverySpin)
 {
-  // Elastic foot with tilt and friction coupling.
   const Study study = coarse_study_in_balance();
   const Described glass(study);
   const double weight = study.motion.orbit.normal_force(), rim = study.glass.profile.contact_radius;

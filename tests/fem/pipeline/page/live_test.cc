@@ -242,7 +242,7 @@ TEST(Live, RefusesChangesThatNeedAnotherMesh)
   open_page(hard, live_bodies(study_of(hard), cache));
   EXPECT_NE(refusal("Motion/Mass", "1 kg").find("width"), std::string::npos);
 
-  // The contact reaches the border of a narrow part of the land.
+  // The compliances `narrow` cover a part of the land, and the contact reaches the border of this part.
   LiveBodies narrow = bodies;
   narrow.foot = bodies.foot.part(6, 5);
   open_page(mat, narrow);

@@ -26,7 +26,6 @@ struct Everything
 const std::vector<Everything> rows = { { "a, \"b\"", 100000, -1.23456789, 0.25, true, { 1.5, 3.5 } },
                                        { "c < d", 7, 1e-15, std::nullopt, false, { 2.5, 4.5 } } };
 
-/// Every output format (file, console, page) occurs.
 Fields<Everything> all_fields()
 {
   return Fields<Everything>{

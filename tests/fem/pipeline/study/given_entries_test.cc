@@ -1,4 +1,3 @@
-// unused_entries() finds given entries without effect.
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_file.h"

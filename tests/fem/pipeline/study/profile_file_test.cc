@@ -122,7 +122,6 @@ TEST(ProfileFile, WrittenStudyIsReadIdentically)
   const Study again = read_study(scratch.write("again.prm", study_as_prm(study)), {});
   EXPECT_EQ(study_as_prm(again), study_as_prm(study));
 
-  // The repeated study still reports a fitted rim.
   const Study fitted = study_of(scratch, scattered_foot(0.001), { "Glass/Land width=0.0021" });
   const Study repeated = read_study(scratch.write("again.prm", study_as_prm(fitted)), {});
   EXPECT_EQ(study_as_prm(repeated), study_as_prm(fitted));
