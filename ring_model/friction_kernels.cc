@@ -17,8 +17,7 @@ struct Pair
   double g;
 };
 
-/// Returns q_1 = 4 D and g_1 = 4 B from Legendre's elliptic integrals B and D of the modulus eps. @p
-/// complement is 1 - eps^2.
+/// Returns q_1 = 4 D and g_1 = 4 B (Legendre's elliptic integrals) for @p complement = 1 - eps^2.
 Pair first_pair(double complement)
 {
   if (complement <= 0.)
@@ -27,16 +26,14 @@ Pair first_pair(double complement)
            4. / 3. * complement * boost::math::ellint_rd(0., 1., complement) };
 }
 
-/// Returns the pair of order @p n from the pair of order n + 1, for n >= 1. All terms are positive, so no
-/// digits cancel.
+/// Returns the pair of order @p n >= 1 from @p above, the pair of order n + 1, without cancellation.
 Pair step_down(const Pair &above, unsigned int n, double eps_squared, double complement)
 {
   const double inverse = 1. / (2. * n - 1.), feed = complement * inverse;
   return { above.q + above.g, ((2. * n + 1.) * inverse * eps_squared + feed) * above.g + feed * above.q };
 }
 
-/// Returns the pair of order n + 1 from the pair of order @p n. Precondition: small n (1 - eps^2), otherwise
-/// the digits of g cancel.
+/// Returns the pair of order n + 1 from @p below. The digits of g cancel unless n (1 - eps^2) is small.
 Pair step_up(const Pair &below, unsigned int n, double eps_squared, double complement)
 {
   const double g = ((2. * n - 1.) * below.g - complement * below.q) / ((2. * n + 1.) * eps_squared);

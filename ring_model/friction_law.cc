@@ -59,8 +59,7 @@ struct HalfRim
   Eigen::ArrayXd weight;
 };
 
-/// Returns the trapezoidal rule. If the slip vanishes nowhere, its error decreases exponentially with the
-/// number of points.
+/// Returns the trapezoidal rule, whose error decreases exponentially if the slip vanishes nowhere.
 HalfRim even_places(unsigned int n_intervals)
 {
   HalfRim places{ Eigen::ArrayXd::LinSpaced(n_intervals + 1, 0., pi),
@@ -79,9 +78,8 @@ HalfRim places_between(unsigned int n_intervals)
            Eigen::ArrayXd::Constant(n_intervals, pi / n_intervals) };
 }
 
-/// Returns Gauss rules on panels that are equal in y, where psi = @p width sinh y, so the points are densest
-/// at the minimum slip psi = 0. No panel is longer than @p longest in psi. A @p width of 0 gives panels that
-/// are equal in psi.
+/// Returns Gauss rules on panels equal in y with psi = @p width sinh y (equal in psi if @p width is 0), so
+/// the points are densest at the minimum slip psi = 0. No panel is longer than @p longest in psi.
 HalfRim clustered_places(double width, unsigned int n_panels, double longest)
 {
   using Rule = boost::math::quadrature::gauss<double, 20>;
@@ -111,8 +109,7 @@ HalfRim clustered_places(double width, unsigned int n_panels, double longest)
   return places;
 }
 
-/// Returns the integrals of the friction over the rim per unit load. Row n: harmonic n. Columns: torque / r,
-/// drag, side force.
+/// Returns friction integrals per unit load. Row n: harmonic n. Columns: torque / r, drag, side force.
 Eigen::ArrayX3d law_kernels(const FrictionLaw &law, const SlipField &slip, const HalfRim &places,
                             unsigned int n_max)
 {
@@ -194,8 +191,8 @@ Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, doubl
     return law.coefficient(0.) * kernels;
   }
   kernels = converged_kernels(law, { std::abs(rim_speed), speed }, n_max);
-  // For omega < 0 the minimum slip is at theta = -90 deg instead of +90 deg. This reflection changes the
-  // signs of some kernels.
+  // For omega < 0 the minimum slip is at theta = -90 deg, a reflection that changes the signs of some
+  // kernels.
   if (rim_speed < 0.)
     for (unsigned int n = 0; n <= n_max; ++n)
       kernels.row(n) *=

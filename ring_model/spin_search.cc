@@ -49,8 +49,7 @@ constexpr double unsteady = 0.9;              ///< stability margin below which 
   }
 }
 
-/// Search for the first zero of the driving torque, from rest in the direction in which the glass is driven.
-/// Spins are positive in that direction.
+/// Search from rest for the first zero of the driving torque. Spins are positive in the driving direction.
 class OutwardSearch
 {
 public:
@@ -80,9 +79,8 @@ public:
   }
 
 private:
-  /// Returns a zero beyond @p near and, if given, before @p far. The first sample is @p proposal.
-  /// Preconditions: the driving torque is positive at @p near and negative at @p far; near.spin < proposal <
-  /// far->spin.
+  /// Returns a zero between @p near (positive driving torque) and, if given, @p far (negative driving
+  /// torque). The first sample is @p proposal, which lies between @p near and @p far.
   double converge(DrivingTorque near, double proposal, std::optional<DrivingTorque> far)
   {
     std::vector<DrivingTorque> used{ near };
@@ -139,8 +137,8 @@ private:
                              " evaluations of the torque, the last one at ", proposal, " rad/s"));
   }
 
-  /// Returns the driving torque at @p spin. If there is no balance, stores the exception in @p failure and
-  /// returns std::nullopt.
+  /// Returns the driving torque at @p spin; std::nullopt and the exception in @p failure if there is no
+  /// balance.
   std::optional<DrivingTorque> sample_at(double spin, std::exception_ptr *failure = nullptr)
   {
     try
@@ -249,9 +247,8 @@ private:
     return spin;
   }
 
-  /// Returns the zero at @p spin if the balance holds from rest to @p spin, otherwise the first zero before
-  /// the balance ends. Throws BalanceLost if there is no such zero. Precondition: search.stability_margin is
-  /// set.
+  /// Returns the zero at @p spin if the balance holds from rest to @p spin, otherwise an earlier zero. Throws
+  /// BalanceLost if the balance ends before any zero.
   double reached(double spin)
   {
     // A gap in the balance is missed if it is narrower than the spacing of the sampled spins.
@@ -334,10 +331,9 @@ private:
     return !worst && !wide.empty() ? wide.begin()->second : worst;
   }
 
-  /// Returns the middle of the interval before @p spin in which the driving torque of an unsteady balance
-  /// changes most; std::nullopt if no interval has a large change. A large change in the narrowest interval
-  /// is a jump to another balance: the balance from rest ends there and the glass tips, so BalanceLost is
-  /// thrown.
+  /// Returns the middle of the interval before @p spin with the largest change of an unsteady balance's
+  /// torque; std::nullopt if all changes are small. A large change in the narrowest interval is a jump to
+  /// another balance: the glass tips there and BalanceLost is thrown.
   std::optional<double> middle_of_jump(double spin) const
   {
     constexpr double unsteady_at_jump = 0.3; // stability margin next to the end of a balance

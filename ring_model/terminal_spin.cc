@@ -84,8 +84,7 @@ std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, doubl
   for (unsigned int i = 0; i <= n_intervals; ++i)
     samples.emplace_back(spin(i), torque(spin(i)));
 
-  // If |torque| has a local minimum between samples of equal sign, a sample is added at the minimum, because
-  // the torque may have the other sign there.
+  // The torque may have the other sign at a local minimum of |torque|, so a sample is added at the minimum.
   for (unsigned int i = 1; i < n_intervals; ++i)
   {
     const double sign = samples[i].second < 0. ? -1. : 1.;

@@ -23,9 +23,8 @@ namespace
 /// State (yaw angle [rad], omega / spin_scale). The scaling allows one tolerance for both components.
 using YawState = std::array<double, 2>;
 
-/// Motion of a glass braked by the fingers with at most the grip torque. The friction of the fingers jumps at
-/// omega = 0, so the integration stops there. The glass then rests until the free torque exceeds the grip, or
-/// turns back at once.
+/// Motion of a glass braked by the fingers. Their friction jumps at omega = 0, so the integration stops
+/// there. The glass then rests until the free torque exceeds the grip, or turns back at once.
 class GrippedMotion
 {
 public:
@@ -40,8 +39,7 @@ public:
   {
   }
 
-  /// Returns the motion from @p start at @p times, which are relative to start.time. The torque is not
-  /// evaluated after the last time.
+  /// Returns the motion at @p times after @p start. The torque is not evaluated after the last time.
   std::vector<YawSample> from(const YawSample &start, const std::vector<double> &times)
   {
     origin = start.time;
@@ -246,9 +244,8 @@ private:
   bool is_stiff = false;
 };
 
-/// Returns the motion from @p start at @p times relative to the start. The tolerance of a step is a tenth of
-/// @p accuracy, because step errors accumulate and the dense output is one order less accurate than the
-/// steps.
+/// The tolerance of a step is a tenth of @p accuracy, because step errors accumulate and the dense output is
+/// one order less accurate than the steps.
 std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFunction &torque,
                                    double yaw_inertia, const std::vector<double> &times, double accuracy,
                                    double spin_scale, double grip, const std::vector<double> &breaks = {})

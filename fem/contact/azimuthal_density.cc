@@ -87,8 +87,7 @@ std::vector<AzimuthLoad> density_of_nodes(const ContactSurface &surface, const E
   std::vector<double> azimuths;
   for (unsigned int i = 0; i < n_nodes; ++i)
     azimuths.push_back(std::atan2(surface.node_position(i, 1), surface.node_position(i, 0)));
-  // The first sector begins a quarter sector before the first node, so that no corner or mid-side node lies
-  // on a border between sectors.
+  // The offset of a quarter sector keeps corner and mid-side nodes off the borders between sectors.
   const double first = surface.parts.min(n_nodes > 0 ? *std::min_element(azimuths.begin(), azimuths.end())
                                                      : std::numeric_limits<double>::max());
   const double begin = first - two_pi / (4 * n_sectors);

@@ -119,8 +119,7 @@ double largest_between(const std::vector<CutValue> &cuts)
 namespace
 {
 
-/// Returns the fraction of the sectors under pressure. @p is_loaded has one entry per sector and covers only
-/// this rank's part of the surface.
+/// Returns the fraction of loaded sectors. @p is_loaded covers only this rank's part of the surface.
 double share_of_sectors(const SurfaceParts &parts, std::vector<double> is_loaded)
 {
   parts.sum_in_place(is_loaded);

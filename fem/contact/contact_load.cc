@@ -172,8 +172,7 @@ const Eigen::VectorXd &RingWeights::at(double radius) const
     shares(static_cast<Eigen::Index>(k)) *= outside;
     outside *= (radius - radii[k]) * per_unit;
   }
-  // Far outside the rings the Lagrange polynomials amplify rounding errors, while linear weights still give
-  // the exact force and moment.
+  // Lagrange polynomials amplify rounding far outside the rings. Linear weights give exact force and moment.
   constexpr double max_extrapolation = 1e6;
   const bool is_between = radius >= radii.front() && radius <= radii.back();
   if (!is_between && radii.size() > 2 && shares.lpNorm<1>() > max_extrapolation)

@@ -38,8 +38,7 @@ double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2
   return boost::math::tools::brent_find_minima(to_tangent, -limit, limit, bits).second;
 }
 
-/// Throws TippingDemand if the required centre of pressure lies outside the convex hull of the contact nodes,
-/// because compressive forces cannot have this resultant.
+/// Throws TippingDemand if the required centre of pressure lies outside the convex hull of the contact nodes.
 void require_possible(const LinearConditions &conditions, double radius, bool is_ring)
 {
   const Eigen::Vector2d centre = conditions.target().tail<2>() / conditions.normal_force();
@@ -88,8 +87,7 @@ public:
       n_idle = present_residual > 0.5 * least_residual ? n_idle + 1 : 0;
       least_residual = std::min(least_residual, present_residual);
       const bool balanced = is_balanced() || stagnates(present_residual, residual_before, n_idle);
-      // If two consecutive iterates are balanced, the active set changes only at nodes with zero force
-      // (within the tolerance).
+      // Between two balanced iterates, the active set changes only at nodes with zero force.
       if (balanced && n_steps > 0 && (n_changed == 0 || balanced_before || !control.requires_unchanged_set))
         return;
       if (control.requires_unchanged_set)
@@ -233,8 +231,7 @@ private:
     }
     if (n_steps == 0 || n_changed > 0) // each active set needs its own check
       require_support();
-    // The initial guess may be inconsistent with the displacements of body and table; the first step removes
-    // this mismatch.
+    // The first step removes the mismatch of an inconsistent initial guess.
     Eigen::VectorXd mismatch = Eigen::VectorXd::Zero(normal_displacement.size());
     if (n_steps == 0)
       mismatch = normal_displacement - body.contact_displacement() - modes * motion;

@@ -9,8 +9,7 @@ namespace stemware::fem
 
 namespace
 {
-/// Finds the roots of c0 + c1 x + c2 x^2 inside (-1, 1), in ascending order and without cancellation. Returns
-/// their number.
+/// Finds the roots of c0 + c1 x + c2 x^2 in (-1, 1), ascending, without cancellation. Returns their number.
 unsigned int interior_roots(double c0, double c1, double c2, std::array<double, 2> &roots)
 {
   const double discriminant = c1 * c1 - 4 * c2 * c0;
@@ -42,8 +41,7 @@ template struct GaussRule<6>;
 
 PositiveSegments::PositiveSegments(const Eigen::Vector3d &samples)
 {
-  // A quadratic is at most the maximum of its (Bernstein) control points. This quick test rejects most lines,
-  // because most lines are far from contact.
+  // A quadratic is at most the maximum of its control points. Most lines are far from contact and end here.
   const double control = 2 * samples(1) - (samples(0) + samples(2)) / 2;
   if (samples(0) <= 0 && samples(2) <= 0 && control <= 0)
     return;

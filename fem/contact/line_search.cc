@@ -11,8 +11,7 @@ double line_search_step(const std::function<double(double)> &slope, double start
                         bool may_go_beyond)
 {
   constexpr double longest = 2;
-  // Near the solution the slopes are differences of large numbers. Below their rounding noise, the full step
-  // is taken.
+  // Slopes below their rounding noise contain no information, so the full step is taken.
   const double tolerance = (may_go_beyond ? 0.02 : 0.5) * std::abs(start) + noise;
   if (start >= 0 || (end <= tolerance && (end >= -tolerance || !may_go_beyond)))
     return 1;

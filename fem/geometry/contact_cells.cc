@@ -35,8 +35,7 @@ ContactCells graded_cells(const GlassProfile &profile, const MeridianResolution 
   return cells;
 }
 
-/// Adds coarse cells of nearly equal size with a border at @p focus_radius. Halvings of this size give
-/// resolution.focus_size.
+/// Adds coarse cells of nearly equal size with a border at @p focus_radius.
 void add_coarse_cells(const GlassProfile &profile, const MeridianResolution &resolution, double focus_radius,
                       ContactCells &cells)
 {

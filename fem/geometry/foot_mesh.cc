@@ -194,8 +194,7 @@ Plan make_plan(const GlassProfile &profile, const FootResolution &resolution)
   return plan;
 }
 
-/// Layer of the foot between two radii and two heights. For GlassShape::foot the heights are levels of
-/// ProfileChart.
+/// Layer between two radii and two heights. For GlassShape::foot the heights are levels of ProfileChart.
 struct Slab
 {
   double bottom = 0;
@@ -276,14 +275,13 @@ void extrude(const Plan &plan, const std::vector<Slab> &slabs,
       cells.push_back(cell);
     }
   }
-  // p4est requires that each edge has the same direction in all of its cells, so the vertices of each cell
-  // are renumbered.
+  // p4est requires that each edge has the same direction in all of its cells.
   GridTools::consistently_order_cells(cells);
   triangulation.create_triangulation(vertices, cells, SubCellData());
 }
 
-/// Attaches the ring manifold to all cells and faces at or outside the border of the core. @p radius returns
-/// the distance of a vertex from the axis in the plan view.
+/// Attaches the ring manifold to all cells and faces at or outside the core, by the @p radius of their
+/// vertices.
 void mark_rings(double core_radius, const std::function<double(const Point<3> &)> &radius,
                 Triangulation<3> &triangulation)
 {

@@ -191,15 +191,13 @@ void refine(double clamped_height, const GlassProfile &profile, const ContactCel
   triangulation.refine_global(resolution.refinements);
 }
 
-/// Returns the maximum cell size of the foot [m]. Bending is smooth, so two quadratic cells resolve it
-/// through the thickness.
+/// Bending is smooth, so two quadratic cells through the thickness resolve it.
 double largest_cell(const GlassProfile &profile)
 {
   return 1.25 * profile.thickness();
 }
 
-/// Appends radial grid lines. With a focus, the cells next to the land are twice as large as the coarse
-/// contact cells.
+/// With a focus, the cells next to the land are twice as large as the coarse contact cells.
 void append_foot(const GlassProfile &profile, const ContactCells &contact, GridLines &radii)
 {
   const double size = largest_cell(profile);
@@ -240,8 +238,7 @@ void meet_corners(const GlassProfile &profile, double size, GridLines &radii)
   }
 }
 
-/// Returns the growth of the cell rows above the land. Without a focus, the lowest row ends at @p end. With a
-/// focus, the lowest row is at most as high as the coarse contact cells are wide.
+/// With a focus, the lowest row above the land is at most as high as the coarse contact cells are wide.
 Growth rows_of(const ContactCells &contact, const GlassProfile &profile, double end)
 {
   return { contact.has_focus ? end * std::min(1., contact.coarse_size / lowest_cell_height(profile)) : end };

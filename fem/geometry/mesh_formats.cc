@@ -31,8 +31,7 @@ std::array<unsigned int, 4> sorted(std::array<unsigned int, 4> corners)
   return corners;
 }
 
-/// Throws UnreadableMesh if two corners of hexahedra coincide without sharing a node, because such cells look
-/// connected but are not.
+/// Throws UnreadableMesh if corners coincide without sharing a node: such cells look connected but are not.
 void require_shared_nodes(const MeshContent &content)
 {
   std::vector<unsigned int> corners;

@@ -16,9 +16,8 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Returns the distinct points of the underside within one land width of @p lowest, relative to @p lowest and
-/// in units of @p half_land. The underside is the part of @p polyline between the axis and the largest
-/// radius.
+/// Returns the points of the underside (from the axis to the largest radius) within one land width of @p
+/// lowest, relative to @p lowest and in units of @p half_land.
 std::vector<Vector2d> points_near(std::vector<SectionVertex>::const_iterator lowest,
                                   const std::vector<SectionVertex> &polyline, double half_land)
 {

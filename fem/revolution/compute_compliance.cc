@@ -35,8 +35,7 @@ ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulati
   result.n_inside = first;
   result.n_outside = radii.size() - first - size;
   result.harmonics.resize(options.n_harmonics + 1);
-  // An exception that leaves the parallel loop would cancel later parallel work of deal.II, so it is rethrown
-  // after the loop.
+  // An exception that leaves the parallel loop would cancel later parallel work of deal.II.
   std::exception_ptr interrupted;
   std::atomic<bool> is_interrupted = false;
   const auto goes_on = [&]

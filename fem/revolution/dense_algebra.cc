@@ -16,8 +16,7 @@ using Index = Eigen::Index;
 
 constexpr Index max_pivots = 8;
 
-/// Eliminates the columns [@p first, @p end) below their pivots. Only these columns are updated, and the
-/// factors replace the eliminated entries.
+/// Eliminates and updates the columns [@p first, @p end). The factors replace the eliminated entries.
 STEMWARE_TARGET_CLONES
 void eliminate_panel(double *system, Index n, Index width, Index first, Index end)
 {

@@ -18,9 +18,8 @@ namespace
 /// Maximum norm of the part of the compliance that the polynomials in r do not represent, relative to the
 /// norm of the compliance.
 constexpr double step_accuracy = 1e-4;
-/// If a step needs this number of functions, an inexact step is accepted that reduces the error at least by
-/// the factor slowest_contraction. A land that is wide compared with the wavelength of the highest harmonic
-/// needs many functions.
+/// With this number of functions (a land wide compared with the wavelength of the highest harmonic), an
+/// inexact step is accepted if it reduces the error at least by slowest_contraction.
 constexpr Eigen::Index many_functions = 10;
 constexpr double slowest_contraction = 0.2;
 
@@ -316,8 +315,7 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   Increment increment;
   increment.resistance = beside.leftCols<3>() - tested * held.leftCols<3>();
 
-  // The rows and columns are scaled to comparable sizes: lengths are divided by the penetration under 1 N,
-  // and tilts are expressed as heights at the rim.
+  // Lengths are divided by the penetration under 1 N, and tilts are expressed as heights at the rim.
   const double length = response.compliance().radii(response.n_radii() - 1);
   const Eigen::Vector3d row_scale = Eigen::Vector3d(1, 1 / length, 1 / length) / beside(0, 0);
   const Eigen::Vector3d column_scale(1, 1 / length, 1 / length);

@@ -103,8 +103,7 @@ MeridianField::Amplitudes MeridianField::amplitudes(const DoFHandler<2>::active_
     {
       const PointValue at = value_at(fe_values, q, displacements[mode], dofs);
       const double radius = result.points[q][0];
-      // On the axis the numerator and r vanish for every n, so the quotient is the derivative of the
-      // numerator.
+      // On the axis the numerator and r vanish, so the quotient is the derivative of the numerator.
       const auto over_radius = [&](double u_r, double u_theta, double u_z)
       {
         const auto sum = [&](double r, double theta, double z)

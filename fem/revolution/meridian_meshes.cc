@@ -52,7 +52,6 @@ bool flag_cut_cells(Triangulation<2> &one, const Triangulation<2> &other)
   return is_any_flagged;
 }
 
-/// Returns the boundary vertices with an interior angle above 1.2 pi.
 std::set<unsigned int> reentrant_corners(const Triangulation<2> &triangulation)
 {
   std::map<unsigned int, double> angles;

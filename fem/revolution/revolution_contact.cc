@@ -147,8 +147,7 @@ ContactSolution RevolutionContact::solve_cold(const LinearConditions &under, dou
   at.motion = rigid_foot_motion(surface, *soft_law, under, radius, pressed_in);
   at.normal_displacement = surface.motion_modes() * at.motion;
 
-  // The displacement of the foot under the forces of the rigid contact is mostly a rigid motion, which is
-  // added to the table motion.
+  // The foot moves mostly as a rigid body under these forces, so this motion is added to the table motion.
   ContactForces rigid;
   soft_law->evaluate(at.normal_displacement, rigid);
   body.set_forces(rigid.forces);
@@ -207,8 +206,7 @@ ContactSolution RevolutionContact::solve_softened(const ContactStart &start)
 
 bool RevolutionContact::is_stable(ContactSolution &solution) const
 {
-  // Below this moment ratio the whole rim is in contact, and the stiffness against tilt is the stiffness of
-  // the upright glass.
+  // Below this moment ratio the whole rim is in contact, and the glass resists tilt as if it were upright.
   constexpr double moment_ratio_of_lift_off = 1;
   const ContactSurface &surface = body.contact_surface();
   const Eigen::Vector2d moment = surface.node_position.transpose() * solution.forces;

@@ -1,4 +1,3 @@
-// Output of the fields of a foot of revolution for ParaView.
 #include "fem/revolution/revolution_output.h"
 
 #include "fem/geometry/boundary_ids.h"
@@ -150,8 +149,7 @@ private:
     return numbers::invalid_unsigned_int;
   }
 
-  /// Returns the number of azimuths: at least 48, at least four per wavelength of the highest harmonic, and a
-  /// multiple of `span`.
+  /// Returns at least four azimuths per wavelength of the highest harmonic, in multiples of `span`.
   unsigned int n_azimuths() const { return std::max(4 * (field.n_modes() - 1) / 2, 48u) / span * span; }
 
   /// Returns the load [N] of a contact cell in @p n_pieces, by the trapezoidal rule over the output nodes.
@@ -168,8 +166,7 @@ private:
     return force;
   }
 
-  /// Returns the output grid of a cell. A contact cell is divided along its face until the load error is at
-  /// most 0.5 %.
+  /// A contact cell is divided along its face until the load error is at most 0.5 %.
   CellGrid grid_of(const Cell &cell, unsigned int n_contact_cells) const
   {
     const unsigned int face = contact_face(cell);
@@ -252,8 +249,7 @@ private:
     return points;
   }
 
-  /// Returns the output patches, each of which is a piece of a meridional cell swept over one sector. The
-  /// coordinates (first meridional, azimuth, second meridional) are right-handed.
+  /// Each patch is a piece of a meridional cell swept over one sector, in right-handed coordinates.
   std::vector<DataOutBase::Patch<3>> patches(const std::vector<PointValues> &points) const
   {
     const unsigned int n = span + 1;

@@ -108,8 +108,7 @@ double crest_half_width(const RevolutionSetup &setup, double normal_force)
     second = boost::math::ellint_2(modulus);
     slenderness = std::sqrt((along / across * (first - second) + first) / second);
   }
-  // The half-width of one crest is Hertzian under a third of the normal force, because the foot stands on at
-  // least three crests.
+  // Hertzian half-width under a third of the normal force, because the foot stands on at least three crests.
   return std::cbrt(normal_force * second * setup.plane_strain_compliance() /
                    (ring::pi * slenderness * (1 / across + 1 / along)));
 }
@@ -125,8 +124,7 @@ double expected_half_width(const RevolutionSetup &setup, double normal_force)
     of_bodies = std::sqrt(of_bodies * std::max(of_bodies, crest_half_width(setup, normal_force)));
   if (setup.table.substrate)
   {
-    // A layer thinner than the contact is wide acts as independent springs of modulus E / thickness
-    // (Winkler).
+    // A layer thinner than the contact is wide acts as independent springs of modulus E / thickness.
     const WinklerInterface layer(setup.table.substrate->material.young_modulus /
                                  setup.table.substrate->disc.thickness);
     of_bodies =
@@ -141,8 +139,7 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
 {
   RevolutionSetup resolved = *this;
   resolved.normal_force = normal_force;
-  // On a much more compliant substrate, a rigid foot uses the mesh of the elastic foot, so that their results
-  // differ by the model only.
+  // On a much more compliant substrate, both feet use the same mesh, so that only the model differs.
   RevolutionSetup as_elastic = *this;
   as_elastic.foot_is_rigid = false;
   const bool is_meshed_as_elastic =
@@ -156,8 +153,7 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
     // The foot bends, so the pressure concentrates at the inner edge of the land.
     resolved.resolution.focus_radius = profile.land_inner_radius();
     resolved.resolution.focus_size = profile.land_width / resolution.land_cells / 32 / fineness;
-    // The concentration depends on the tilt of the land, which converges slowly because of the corners of the
-    // section.
+    // The concentration depends on the tilt of the land, and corners of the section slow its convergence.
     resolved.corner_halvings = 2;
     return resolved;
   }

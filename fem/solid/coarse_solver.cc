@@ -62,8 +62,7 @@ coarse_preconditioner(const dealii::TrilinosWrappers::SparseMatrix &matrix, std:
   return result;
 }
 
-/// Relative change of T above which the preconditioner is set up again. The smoother always uses the present
-/// T.
+/// Relative change of the contact tangent above which the preconditioner is set up again.
 constexpr double tolerated_change = 0.1;
 
 /// Returns the three translations and three rotations at the owned dofs of linear elements, one motion after
@@ -113,8 +112,8 @@ void LevelMatrix::set_contact(const Eigen::SparseMatrix<double> &tangent)
   contact->set(tangent);
   FloatVector &diagonal = inverse_diagonal->get_vector();
   diagonal = elastic_diagonal;
-  // With row sums instead of the diagonal of T, the largest eigenvalue equals that of the elastic operator
-  // for any loaded part of a cell, and the smoother remains valid.
+  // Row sums of the contact tangent, unlike its diagonal, keep the largest eigenvalue of the elastic
+  // operator, for which the smoother was set up.
   contact->add_row_sums(diagonal);
   for (float &entry : diagonal)
     entry = 1 / entry;

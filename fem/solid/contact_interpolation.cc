@@ -1,4 +1,3 @@
-// Interpolation between the contact nodes of two meshes.
 #include "fem/geometry/boundary_ids.h"
 #include "fem/solid/contact_stiffness.h"
 #include "fem/solid/solid_contact_zone.h"
@@ -28,8 +27,7 @@ namespace
 
 using BinaryId = CellId::binary_type;
 
-/// Weight of a dof in a shape function of a cell: 1 for an ordinary node, several dofs with other weights for
-/// a hanging node.
+/// Weight of a dof in a shape function. At a hanging node, several dofs share a shape function.
 struct DofShare
 {
   unsigned int shape;
@@ -51,7 +49,6 @@ using Row = std::vector<std::pair<global_dof_index, double>>;
 template <typename T>
 using ToRanks = std::map<unsigned int, std::vector<T>>;
 
-/// Returns the dofs and weights of the vertical shape functions of @p cell.
 DofShares shares_of(const ContactElements &elements, const DoFHandler<3>::active_cell_iterator &cell)
 {
   const FiniteElement<3> &element = elements.dof_handler.get_fe();
@@ -71,8 +68,7 @@ DofShares shares_of(const ContactElements &elements, const DoFHandler<3>::active
   return shares;
 }
 
-/// Distributed directory of the cells with contact nodes. The id of a cell determines the rank that stores
-/// its entry.
+/// Directory of the cells with contact nodes. The id of a cell determines the rank that stores its entry.
 class CellDirectory
 {
 public:

@@ -32,10 +32,9 @@ namespace
 using DistributedMesh = parallel::distributed::Triangulation<3>;
 using Cell = Triangulation<3>::active_cell_iterator;
 
-/// Number of halvings at an edge, next to which a higher degree alone improves the accuracy little.
+/// Next to an edge, a higher degree alone improves the accuracy little, so cells are halved there.
 constexpr unsigned int n_edge_halvings = 2;
 
-/// Returns true if @p cell has a contact face that overlaps the radii between @p inner and @p outer.
 bool touches_contact(const Cell &cell, double inner, double outer)
 {
   for (const auto &face : cell->face_iterators())
@@ -61,7 +60,7 @@ double angle_at(const Cell &cell, unsigned int line)
 {
   const Point<3> begin = cell->line(line)->vertex(0), end = cell->line(line)->vertex(1);
   const Tensor<1, 3> along = (end - begin) / (end - begin).norm();
-  std::vector<Tensor<1, 3>> across; // directions from the edge into the two faces
+  std::vector<Tensor<1, 3>> across;
   for (const unsigned int f : cell->face_indices())
   {
     bool has_edge = false;
@@ -76,7 +75,6 @@ double angle_at(const Cell &cell, unsigned int line)
   return std::acos(std::clamp(across.at(0) * across.at(1), -1., 1.));
 }
 
-/// Returns the boundary edges of this rank's cells with an interior angle above 1.2 pi.
 std::set<unsigned int> reentrant_edges(const DistributedMesh &mesh)
 {
   std::map<unsigned int, double> angles;
@@ -160,8 +158,7 @@ DofVector vector_on(const SolidLevel &level)
   return DofVector(level.dof_handler.locally_owned_dofs(), relevant, level.dof_handler.get_communicator());
 }
 
-/// Double-precision transfer of displacements between the level of the mesh and the finer levels of a
-/// hierarchy.
+/// Transfer of displacements, in double precision, between the level of the mesh and the finer levels.
 class Embedding
 {
 public:
@@ -178,8 +175,7 @@ public:
     }
   }
 
-  /// Returns @p vector, a function on the level of the mesh, on the finest level, with 0 at constrained
-  /// unknowns.
+  /// Returns @p vector on the finest level, with 0 at constrained unknowns.
   DofVector embedded(const DofVector &vector) const
   {
     DofVector coarse = vector_on(hierarchy.level(own));
@@ -267,7 +263,6 @@ std::vector<double> sums_over_cells(const SolidLevel &level, const DofVector &pr
   return sums;
 }
 
-/// Returns the goal of @p solution under @p law minus the goal of @p contact.
 double change_of_goal(const SolvedSolidContact &contact, const ContactGoal &goal, const TableLaw &law,
                       const ContactSolution &solution)
 {

@@ -8,8 +8,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Returns the stopping rule on a coarser mesh. Its solution is only the initial guess on the finer mesh, so
-/// the tolerances are loose.
+/// The solution is only the initial guess on the finer mesh, so the tolerances are loose.
 ContactControl coarse_control(double softening)
 {
   ContactControl control;
@@ -20,8 +19,7 @@ ContactControl coarse_control(double softening)
   return control;
 }
 
-/// Returns @p start for an interface that is stiffer by the factor @p ratio. Scaled penetrations keep the
-/// pressure.
+/// Returns @p start for an interface that is stiffer by the factor @p ratio, with the same pressure.
 ContactStart hardened(ContactStart start, const ContactSurface &surface, double ratio)
 {
   const Eigen::VectorXd penetration = -(surface.node_gap + start.normal_displacement);
@@ -29,8 +27,7 @@ ContactStart hardened(ContactStart start, const ContactSurface &surface, double 
   return start;
 }
 
-/// Returns the initial guess on the coarsest mesh from contact solves on gradually stiffer interfaces;
-/// std::nullopt if @p softening is 1.
+/// Returns a start from contact solves on gradually stiffer interfaces; std::nullopt if @p softening is 1.
 std::optional<ContactStart> start_on_coarsest_mesh(SolidBody &body, const InterfaceLaw &interface,
                                                    double softening, const ContactDemand &demand,
                                                    double radius)

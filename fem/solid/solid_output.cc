@@ -1,4 +1,3 @@
-// Output of the fields of a solid foot for ParaView.
 #include "fem/contact/foot.h"
 #include "fem/solid/solid_body.h"
 
@@ -141,8 +140,7 @@ public:
 
   bool has_cells() const { return !cells.empty(); }
 
-  /// Returns the content of the file. Memory is reserved for uncompressed numbers, because a growing string
-  /// would need three times the memory, while unused pages take none.
+  /// Memory is reserved for uncompressed numbers, because a growing string would need three times the memory.
   std::string vtu_text()
   {
     constexpr std::size_t n_bytes_a_node = 200, n_cells_a_piece = 2000;
@@ -191,8 +189,7 @@ std::string without_comment(std::string record)
   return record;
 }
 
-/// Returns the files of this rank. A rank without cells writes no file, because ParaView cannot read an empty
-/// piece.
+/// Returns the files of this rank: none without cells, because ParaView cannot read an empty piece.
 std::vector<FieldFile> pieces_on_ranks(Picture &picture, const MPI_Comm &communicator)
 {
   std::vector<FieldFile> files;

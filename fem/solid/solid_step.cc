@@ -1,4 +1,6 @@
-// Linear solve of one Newton step of a solid body.
+// Linear solve of one Newton step of a solid body (docs/method/solid_at_scale.md). K: stiffness of the body.
+// B: maps displacements to the contact nodes. T: tangent of the contact forces. Q: table motions at the
+// contact nodes. G: column block of the table motions in the bordered system. W: response of the body to G.
 #include "fem/contact/contact_solution.h"
 #include "fem/solid/solid_body.h"
 
@@ -73,10 +75,10 @@ struct StepNumbers
   /// few iterations cost less than another step.
   double nearly_last = 30;
 
-  /// Tolerances of W ~ (K + B' T B)^-1 G: loose if W is used in the preconditioner only, tight for
+  /// Tolerances of W, the response to table motions: loose in the preconditioner, tight in
   /// close_conditions().
   double loose_border = 0.02, tight_border = 1e-3;
-  /// W is omitted if the V-cycle alone captures this fraction of the effect of the table motions.
+  /// W is omitted if the V-cycle alone captures at least this fraction of the effect of the table motions.
   double small_border = 0.2;
   /// Growth factor of the table's stiffness after which the decision on W is repeated.
   double much_stiffer = 4;
@@ -85,9 +87,8 @@ constexpr StepNumbers tuned = {};
 
 using BodyVector = BodyStiffness::Vector;
 
-/// Solves by conjugate gradients from the initial guess @p solution until the residual is at most @p target,
-/// in the units of @p rhs. Returns the number of iterations. Throws ContactFailure after @p max_iterations.
-/// Collective.
+/// Solves by conjugate gradients from the initial guess @p solution until the residual is at most @p target.
+/// Returns the number of iterations. Throws ContactFailure after @p max_iterations. Collective.
 template <typename Operator, typename Preconditioner>
 unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &preconditioner,
                                  const BodyVector &rhs, double target, BodyVector &solution,
@@ -109,7 +110,7 @@ unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &p
   return control.last_step();
 }
 
-/// Operator K + B' T B.
+/// Stiffness of the body with the contact, K + B' T B.
 struct TangentOperator
 {
   const BodyStiffness &elastic;
@@ -161,7 +162,7 @@ void correct_for_friction(SolidIncrement &increment, BodyVector residual, double
 
 } // namespace
 
-/// Columns and corner of the table motions in the bordered system of one Newton step.
+/// Columns and corner that the table motions add to the system of one Newton step.
 struct SolidBody::Border
 {
   Eigen::MatrixX3d columns; ///< G with B G = T Q; only the part of this rank
@@ -171,7 +172,7 @@ struct SolidBody::Border
   Eigen::Matrix3d inverse_schur;
 };
 
-/// Operator K + B' T B - G C^-1 G'.
+/// Operator K + B' T B - G C^-1 G', from which the table motions are eliminated.
 struct SolidBody::ProjectedOperator
 {
   const SolidBody &body;
@@ -188,7 +189,7 @@ struct SolidBody::ProjectedOperator
   }
 };
 
-/// Approximate inverse of K + B' T B, plus W S^-1 W'.
+/// Approximate inverse of K + B' T B, plus W S^-1 W' for the table motions.
 struct SolidBody::ProjectedPreconditioner
 {
   const SolidBody &body;
@@ -223,8 +224,7 @@ struct SolidBody::SymmetricStep
   const ScaledMotions motions;
   const Border border;
 
-  /// Returns the right-hand side of conjugate gradients for @p residual. @p missing: residual of the
-  /// conditions.
+  /// Returns the right-hand side for @p residual and for @p missing, the residual of the conditions.
   Vector projected(Vector residual, const Eigen::Vector3d &missing) const
   {
     body.contact.nodes().scatter_add(-border.columns * (border.inverse_corner * missing), residual);
@@ -341,8 +341,7 @@ double SolidBody::target_residual(double residual, double force)
 {
   if (linear_tolerance > 0)
     return linear_tolerance * residual;
-  // Newton's method converges quadratically, so the reduction of the last step is squared. A more accurate
-  // solve is of no use to the next step.
+  // Newton's method converges quadratically, so the reduction of the last step is squared.
   const double ratio = residual_before > 0 ? residual / residual_before : 0.1;
   residual_before = residual;
   const double target = std::min(tuned.least_reduction, ratio * ratio) * residual;

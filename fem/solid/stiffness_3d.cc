@@ -19,8 +19,7 @@ using namespace dealii;
 namespace
 {
 
-/// Computes the stiffness of one cell from the integrals [3 a + i, 3 b + j] = int d_i N_a d_j N_b, all of
-/// which are one matrix product.
+/// Computes all integrals [3 a + i, 3 b + j] = int d_i N_a d_j N_b of a cell by one matrix product.
 void compute_cell_stiffness(const FEValues<3> &values, const ElasticMaterial &material,
                             FullMatrix<double> &matrix)
 {

@@ -187,8 +187,7 @@ double RingStack::integral(double from, double to) const
 
 double RingStack::pulling_force() const
 {
-  // The local minima are added to the equidistant samples, because the load may be negative only between two
-  // samples.
+  // The load may be negative only between two samples, so the local minima are added.
   const std::vector<double> samples = evenly_spaced_values();
   const double spacing = 2. * pi / static_cast<double>(samples.size());
   std::map<double, double> values = local_minima();

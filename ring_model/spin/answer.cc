@@ -36,8 +36,8 @@ std::optional<double> expected_spin(const Load &load, const Motion &motion)
   return find_or_nullopt([&] { return terminal_spin(load.at(0), motion).omega; });
 }
 
-/// Returns the terminal spin with the load at one phase as an initial guess; std::nullopt if this load has no
-/// terminal spin. The mean load would need contact solves at all phases.
+/// Returns the terminal spin with the load at one phase, because the mean load needs contact solves at all
+/// phases.
 std::optional<double> spin_at_first_phase(const PhaseSampledLoad &phases, const Motion &motion,
                                           const SpinSearch &search)
 {
@@ -70,8 +70,8 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
       std::max(largest_torque, std::abs(yaw_torque(load, motion, spin.omega, phases.phases().phase(i))));
   const double slope = spin.held ? 0 : std::abs(spin.torque_slope),
                reach = slope > 0 ? 2 * largest_torque / slope : 0.01 * spin_scale;
-  // The accuracy is a tenth of the error of the loads between phases, but never coarser than 1e-3 or the
-  // error of the mean load.
+  // The accuracy is a tenth of the error between phases, but never coarser than 1e-3 or the error of the
+  // mean.
   constexpr double coarsest = 1e-3;
   const SampleError known = phases.error(spin.omega - reach, spin.omega + reach);
   const double accuracy = std::clamp(0.1 * known.between, 1e-9, std::max(coarsest, known.mean));
@@ -111,8 +111,7 @@ double find_terminal(const Load &load, const Question &question, Answer &found)
   search.grip_torque = question.grip_torque;
   search.stability_margin = [&load](double omega) { return load.stability_margin(omega); };
   search.nearest_unbalanced_spin = [&load](double omega) { return load.nearest_unbalanced_spin(omega); };
-  // A hand at the height of the centre of mass gives no torque at rest. Without this bound, rounding would
-  // determine the direction of the spin.
+  // If the torque at rest is zero (hand at the centre of mass), rounding must not determine the direction.
   search.torque_noise = 1e-9 * motion.friction_at_rest() * motion.normal_force() * load.radius();
   if (const PhaseSampledLoad *phases = load.phases())
     if (const std::optional<double> near = spin_at_first_phase(*phases, motion, search))
@@ -139,8 +138,7 @@ double find_terminal(const Load &load, const Question &question, Answer &found)
   return asked;
 }
 
-/// Fills @p found with the terminal spin, or with the fall if the glass tips. Results from before an
-/// exception are kept.
+/// Fills @p found with the terminal spin, or with the fall if the glass tips.
 void find_spin(const Load &load, const Question &question, Answer &found)
 {
   found.harmonics = load.n_harmonics();

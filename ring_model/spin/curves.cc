@@ -17,8 +17,7 @@ namespace
 {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns friction plus lean torque [N m] as a function of time, yaw angle and spin. Beyond the spin at
-/// which the glass tips, the torque is constant, because an integrator may step too far.
+/// Returns friction plus lean torque [N m], constant beyond the fall because an integrator may step too far.
 PhasedTorqueFunction torque_until(const std::optional<Fall> &fall, const Load &load, const Question &question)
 {
   const double lower = fall ? std::min(0., fall->omega) : -HUGE_VAL,
@@ -85,8 +84,7 @@ PhasedTorqueFunction tabulated_torque(const Load &load, const Motion &motion, do
                                       double tolerance)
 {
   const PhaseGrids &grids = load.phases()->phases();
-  // The interpolated load has a kink at the end of its polynomial, and spins beyond need further contact
-  // solves, so the table ends there.
+  // The interpolated load has a kink at the end of its polynomial, so the table ends there.
   const auto [slowest, fastest] = load.phases()->polynomial_range(middle);
   const double lower = std::max(middle - reach, slowest), upper = std::min(middle + reach, fastest);
   const auto at_phases = [&](double omega)

@@ -23,8 +23,7 @@ std::optional<TorqueEffect::AtSpin> effect_at(const Torque &torque, unsigned int
   return TorqueEffect::AtSpin{ torque->change(n), torque->rest(n), torque->bound(n) };
 }
 
-/// Returns the spin at which |change(spin)| is largest between the neighbours of @p spins[i]. Precondition:
-/// spins[i] has the largest change of all @p spins.
+/// Returns the spin of the largest |change| between the neighbours of @p spins[i], the largest sample.
 template <typename Change>
 double polished_maximum(const std::vector<double> &spins, std::size_t i, const Change &change)
 {
