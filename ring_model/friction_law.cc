@@ -69,8 +69,7 @@ HalfRim even_places(unsigned int n_intervals)
   return places;
 }
 
-/// Returns the midpoint rule. Its mean with the trapezoidal rule is the trapezoidal rule with twice the
-/// intervals.
+/// Returns the midpoint rule. Its mean with even_places() is the trapezoidal rule of 2 n_intervals intervals.
 HalfRim places_between(unsigned int n_intervals)
 {
   const double half = 0.5 * pi / n_intervals;
@@ -191,8 +190,7 @@ Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, doubl
     return law.coefficient(0.) * kernels;
   }
   kernels = converged_kernels(law, { std::abs(rim_speed), speed }, n_max);
-  // For omega < 0 the minimum slip is at theta = -90 deg, a reflection that changes the signs of some
-  // kernels.
+  // For omega < 0 the minimum slip is at theta = -90 deg; this reflection changes the signs of some kernels.
   if (rim_speed < 0.)
     for (unsigned int n = 0; n <= n_max; ++n)
       kernels.row(n) *=

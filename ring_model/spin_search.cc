@@ -331,9 +331,9 @@ private:
     return !worst && !wide.empty() ? wide.begin()->second : worst;
   }
 
-  /// Returns the middle of the interval before @p spin with the largest change of an unsteady balance's
-  /// torque; std::nullopt if all changes are small. A large change in the narrowest interval is a jump to
-  /// another balance: the glass tips there and BalanceLost is thrown.
+  /// Returns the middle of the interval before @p spin in which the torque of an unsteady balance changes
+  /// most; std::nullopt if all changes are small. A large change in the narrowest interval is a jump to
+  /// another balance: the glass tips there, and BalanceLost is thrown.
   std::optional<double> middle_of_jump(double spin) const
   {
     constexpr double unsteady_at_jump = 0.3; // stability margin next to the end of a balance

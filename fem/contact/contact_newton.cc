@@ -100,8 +100,7 @@ public:
     }
   }
 
-  /// Augmented Lagrangian method: updates the multipliers until the violation of contact is within the
-  /// tolerance.
+  /// Augmented Lagrangian method: updates the multipliers until the violation is within the tolerance.
   void converge_outer_iteration()
   {
     for (;;)
@@ -229,7 +228,7 @@ private:
                                     " (allowed ", control.equilibrium_tolerance,
                                     "; refine the land or reduce the load's moment)."));
     }
-    if (n_steps == 0 || n_changed > 0) // each active set needs its own check
+    if (n_steps == 0 || n_changed > 0) // each new active set needs this check
       require_support();
     // The first step removes the mismatch of an inconsistent initial guess.
     Eigen::VectorXd mismatch = Eigen::VectorXd::Zero(normal_displacement.size());
@@ -417,7 +416,7 @@ ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const LinearCond
   else
   {
     body.reset();
-    // At this penetration the whole contact zone is loaded.
+    // The whole contact zone is loaded at the penetration of `pressed_in`.
     const ContactSurface &surface = body.contact_surface();
     const double greatest_gap = surface.parts.max_entry(surface.node_gap);
     const double rise = greatest_gap + surface.parts.max_entry(-surface.node_gap);

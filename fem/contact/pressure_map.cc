@@ -175,8 +175,7 @@ double edge_beyond(const std::vector<PressurePoint> &cut, std::size_t i, bool ou
   return cut[i].radius + (std::abs(reach) < std::abs(to_next) ? reach : to_next);
 }
 
-/// Returns the radius inside which the fraction @p share of the load acts. The pressure is linear between
-/// points.
+/// Returns the radius inside which the fraction @p share of the load acts (pressure linear between points).
 double radius_of_share(const std::vector<PressurePoint> &cut, double share)
 {
   const auto density = [&](std::size_t i) { return cut[i].pressure * cut[i].radius; };

@@ -23,8 +23,7 @@ void require_positive(const char *name, double value)
           " m is not a length of the glass; give a finite number greater than 0.");
 }
 
-/// Throws unless @p value is finite and not negative. @p meaning_of_zero for the message is e.g. "a flat
-/// land".
+/// Throws unless @p value is finite and not negative. The message ends with "0 for" @p meaning_of_zero.
 void require_not_negative(const char *name, double value, const char *meaning_of_zero)
 {
   require(std::isfinite(value) && value >= 0, name, " = ", value,
@@ -196,7 +195,7 @@ void GlassProfile::validate_foot() const
   require(arc.centre_height < height(), "Fillet radius = ", fillet_radius, " m rounds the stem up to ",
           arc.centre_height - foot_top(), " m above the foot, beyond its cut at stem height = ", stem_height,
           " m; give a smaller fillet or a longer stem.");
-  // Only inside the land the underside may rise above the top.
+  // The underside can rise above the top only inside the land.
   constexpr unsigned int n_samples = 1000;
   for (unsigned int i = 0; i < n_samples; ++i)
   {

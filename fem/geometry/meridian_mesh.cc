@@ -191,7 +191,7 @@ void refine(double clamped_height, const GlassProfile &profile, const ContactCel
   triangulation.refine_global(resolution.refinements);
 }
 
-/// Bending is smooth, so two quadratic cells through the thickness resolve it.
+/// Two quadratic cells through the thickness resolve bending, because bending is smooth.
 double largest_cell(const GlassProfile &profile)
 {
   return 1.25 * profile.thickness();

@@ -77,7 +77,7 @@ void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulatio
                          [&](const auto &cell, const Face &face)
                          {
                            const auto outward = face->center() - cell->center();
-                           // The margin excludes vertical walls with a rounding error in their slope.
+                           // The margin excludes vertical walls whose slope has a rounding error.
                            const double upward = outward[2] + 1e-6 * outward.norm();
                            if (upward < 0 && lies_at(face, lowest, marks.contact_height))
                              face->set_boundary_id(contact_id);

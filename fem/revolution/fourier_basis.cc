@@ -163,8 +163,8 @@ FourierProducts::ModePairSums FourierProducts::pair(unsigned int row, bool row_i
   const Eigen::Index difference = row > column ? row - column : column - row;
   const bool is_even = row_is_sine == column_is_sine;
   const Eigen::MatrixXd &table = is_even ? even : odd;
-  // cos a cos b = (cos(a - b) + cos(a + b)) / 2, sin a sin b = (cos(a - b) - cos(a + b)) / 2, sin a cos b =
-  // (sin(a - b) + sin(a + b)) / 2.
+  // cos a cos b = (cos(a - b) + cos(a + b)) / 2, sin a sin b = (cos(a - b) - cos(a + b)) / 2,
+  // sin a cos b = (sin(a - b) + sin(a + b)) / 2.
   const bool sine_is_larger = row_is_sine ? row > column : column > row;
   ModePairSums result;
   result.differences = table.col(difference).data();

@@ -304,9 +304,8 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   const Eigen::MatrixXd &of_conditions = on_lines.back();
   const Eigen::Matrix<double, 3, 4> beside = of_conditions.bottomRows(12).rowwise().sum().reshaped(3, 4);
 
-  // Unknowns: amplitudes y (function index fastest within a mode) and table motions dq. Equations: A y + B dq
-  // = a, C y + (corner - weight) dq = rhs. The amplitudes are eliminated first, which leaves a 3 x 3 system
-  // for dq.
+  // Unknowns: amplitudes y (function index fastest within a mode) and table motions dq.
+  // A y + B dq = a, C y + (corner - weight) dq = rhs. Eliminating y leaves a 3 x 3 system for dq.
   RowMatrix system = system_of_amplitudes(on_lines); // becomes [A, B, a]
   solve_dense(system, 4);
   const Eigen::MatrixXd held = system.rightCols<4>();

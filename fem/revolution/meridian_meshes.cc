@@ -19,8 +19,7 @@ using namespace dealii;
 namespace
 {
 
-/// Returns the inner and outer radius of the contact face of @p cell; equal radii if there is no contact
-/// face.
+/// Returns the radii of the contact face of @p cell, inner first; equal radii if there is no contact face.
 std::pair<double, double> contact_of(const Triangulation<2>::active_cell_iterator &cell)
 {
   for (const auto &face : cell->face_iterators())

@@ -147,7 +147,7 @@ ContactSolution RevolutionContact::solve_cold(const LinearConditions &under, dou
   at.motion = rigid_foot_motion(surface, *soft_law, under, radius, pressed_in);
   at.normal_displacement = surface.motion_modes() * at.motion;
 
-  // The foot moves mostly as a rigid body under these forces, so this motion is added to the table motion.
+  // The foot moves mostly as a rigid body, so its rigid displacement is added to the table motion.
   ContactForces rigid;
   soft_law->evaluate(at.normal_displacement, rigid);
   body.set_forces(rigid.forces);

@@ -153,7 +153,7 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
     // The foot bends, so the pressure concentrates at the inner edge of the land.
     resolved.resolution.focus_radius = profile.land_inner_radius();
     resolved.resolution.focus_size = profile.land_width / resolution.land_cells / 32 / fineness;
-    // The concentration depends on the tilt of the land, and corners of the section slow its convergence.
+    // The concentration depends on the tilt of the land, which converges slowly at corners of the section.
     resolved.corner_halvings = 2;
     return resolved;
   }

@@ -97,8 +97,8 @@ NewtonIncrement CondensedBody::solve(const Eigen::SparseMatrix<double> &tangent,
                                      const Eigen::VectorXd &forces, const LinearConditions &conditions,
                                      const Eigen::Vector3d &motion)
 {
-  // Equations: ds + T (C ds + Q dq) = f - s and L'(s + ds) + H (q + dq) = t. Rows without tangent have ds = f
-  // - s.
+  // Compliance C, tangent T, table motions Q, weights L of the conditions and motion weights H:
+  // ds + T (C ds + Q dq) = f - s, L'(s + ds) + H (q + dq) = t. Nodes without tangent have ds = f - s.
   const std::vector<Eigen::Index> loaded = nodes_with_tangent(tangent);
   const Eigen::VectorXd unbalanced = forces - state;
   increment = unbalanced;
@@ -107,7 +107,7 @@ NewtonIncrement CondensedBody::solve(const Eigen::SparseMatrix<double> &tangent,
   const Eigen::MatrixXd tangent_modes = tangent * modes, of_rest = tangent * (matrix() * increment);
   Eigen::MatrixXd system = (tangent * matrix()(Eigen::all, loaded))(loaded, Eigen::all);
   system.diagonal().array() += 1;
-  // The right-hand sides are [T Q, f - s - T C ds], with ds of the rows without tangent.
+  // The right-hand sides are [T Q, f - s - T C ds] with ds at the nodes without tangent.
   Eigen::MatrixXd solved(system.rows(), 4);
   solved << tangent_modes(loaded, Eigen::all), unbalanced(loaded) - of_rest(loaded, 0);
   solved = system.partialPivLu().solve(solved).eval();

@@ -68,8 +68,7 @@ std::unique_ptr<const MappingQ<3>> conforming_mapping(const Triangulation<3> &me
   hanging.close();
   hanging.distribute(positions);
   positions.update_ghost_values();
-  // The degree is at least 2, because mappings of degree 1 may read vertices from the mesh instead of the
-  // cache.
+  // A mapping of degree 1 may read vertices from the mesh instead of the cache, so the degree is at least 2.
   auto conforming = std::make_unique<MappingQCache<3>>(std::max(degree, 2u));
   conforming->initialize(*smooth, dof_handler, positions, false);
   require_right_side_out(*conforming, dof_handler);

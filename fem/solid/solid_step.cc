@@ -75,8 +75,7 @@ struct StepNumbers
   /// few iterations cost less than another step.
   double nearly_last = 30;
 
-  /// Tolerances of W, the response to table motions: loose in the preconditioner, tight in
-  /// close_conditions().
+  /// Tolerances of W: loose in the preconditioner, tight in close_conditions().
   double loose_border = 0.02, tight_border = 1e-3;
   /// W is omitted if the V-cycle alone captures at least this fraction of the effect of the table motions.
   double small_border = 0.2;
@@ -302,7 +301,7 @@ SolidBody::Border SolidBody::make_border(const Eigen::MatrixX3d &modes, double t
   Vector column, image, residual, correction;
   for (Vector *vector : { &column, &image, &residual, &correction })
     stiffness->initialize(*vector);
-  std::array<FloatVector, 3> images; // A W
+  std::array<FloatVector, 3> images; // (K + B' T B) W
   Eigen::Matrix3d overlap;           // W' G
   for (unsigned int i = 0; i < 3; ++i)
   {

@@ -82,8 +82,7 @@ std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &quest
     return all_terminal_spins(torque, motion.yaw_inertia, unit, lower, upper,
                               static_cast<unsigned int>(n_intervals));
   };
-  // Contact solves are costly, so the zeros are found on a coarse interpolated curve and refined with the
-  // load.
+  // Contact solves are costly, so zeros are found on a coarse interpolated curve and refined with the load.
   double reach = 1e-4 * unit;
   const auto scan = [&, step = step]
   {

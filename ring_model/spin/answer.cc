@@ -36,8 +36,7 @@ std::optional<double> expected_spin(const Load &load, const Motion &motion)
   return find_or_nullopt([&] { return terminal_spin(load.at(0), motion).omega; });
 }
 
-/// Returns the terminal spin with the load at one phase, because the mean load needs contact solves at all
-/// phases.
+/// Returns the terminal spin with the load at one phase, because the mean load needs a solve at every phase.
 std::optional<double> spin_at_first_phase(const PhaseSampledLoad &phases, const Motion &motion,
                                           const SpinSearch &search)
 {
@@ -70,8 +69,7 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
       std::max(largest_torque, std::abs(yaw_torque(load, motion, spin.omega, phases.phases().phase(i))));
   const double slope = spin.held ? 0 : std::abs(spin.torque_slope),
                reach = slope > 0 ? 2 * largest_torque / slope : 0.01 * spin_scale;
-  // The accuracy is a tenth of the error between phases, but never coarser than 1e-3 or the error of the
-  // mean.
+  // The accuracy is a tenth of the error between phases, at most 1e-3 or the error of the mean.
   constexpr double coarsest = 1e-3;
   const SampleError known = phases.error(spin.omega - reach, spin.omega + reach);
   const double accuracy = std::clamp(0.1 * known.between, 1e-9, std::max(coarsest, known.mean));
