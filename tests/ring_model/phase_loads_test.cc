@@ -59,7 +59,7 @@ TEST(TabulatedTorque, InterpolatesBetweenPhasesAndSpins)
   expect_torques(0.4, 0.05, spins, 2e-9);
 }
 
-TEST(TabulatedTorque, UsesTheLoadItselfOutsideItsTable)
+TEST(TabulatedTorque, UsesTheExactLoadOutsideItsTable)
 {
   expect_torques(0.4, 0.01, { -0.7, 0., 0.2, 0.6 }, 1e-9);
 }

@@ -134,7 +134,7 @@ TEST(RingStack, ResultantsOfSeveralRingsAddUp)
   EXPECT_EQ(load.truncated(1).rings().size(), 3u);
 }
 
-TEST(Sample, RoundTripsThroughItsCoefficients)
+TEST(Sample, IsRestoredExactlyFromItsCoefficients)
 {
   const Sample load(three_rings(), { 0.01, -0.02 });
   const Eigen::VectorXd row = load.coefficients(2);

@@ -105,7 +105,7 @@ TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorque)
     }
 }
 
-TEST(SpinSearch, FindsRestUnderAStrongGrip)
+TEST(SpinSearch, ReturnsZeroSpinUnderAStrongGrip)
 {
   const SelfConsistentRing ring(Closure::full, Motion(), radius);
   const auto torque = [&](double omega) { return ring.torque(omega); };

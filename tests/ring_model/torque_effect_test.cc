@@ -82,7 +82,7 @@ TEST(TorqueEffect, HigherHarmonicsHaveNoEffectAtRest)
     EXPECT_NEAR(TorqueByHarmonics(Motion(), load_at(0.), 0.).rest(n), 0., ulps(5, 1e-3));
 }
 
-TEST(TorqueEffect, EndsAtTheTippingSpin)
+TEST(TorqueEffect, CurvesEndAtTheTippingSpin)
 {
   const Motion motion;
   const Load load(

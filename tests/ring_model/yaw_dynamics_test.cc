@@ -62,7 +62,7 @@ TEST(OrbitSpeedTable, InterpolatesMonotonicallyAndDoesNotExtrapolate)
   EXPECT_THROW(OrbitSpeedTable({ 0., 0. }, { 1., 1. }), std::invalid_argument);
 }
 
-TEST(OrbitSpeedTable, MayStartAtRest)
+TEST(OrbitSpeedTable, AllowsZeroSpeedAtTheStart)
 {
   const OrbitSpeedTable table({ 0., 0.5, 1., 2. }, { 0., 0., 0.3, 0.4 });
   EXPECT_TRUE(table.starts_from_rest());
@@ -221,7 +221,7 @@ TEST(HandDrive, TorqueOnARampAgreesWithTheMomentBalance)
                   1e-12, "formula");
 }
 
-TEST(HandDrive, IsAccurateAtAndBetweenTheRows)
+TEST(HandDrive, SpinIsAccurateAtAndBetweenTheRowsOfTheSpeeds)
 {
   const HandByRows braking{ { 0., 0.3, 0.55, 0.8, 1.1, 1.3 }, { 0.3, 0.35, 0.33, 0.15, 0.13, 0.2 } };
   EXPECT_LE(braking.largest_error(1e-6, 60), 1e-6 * 0.35 / 0.03);

@@ -59,7 +59,7 @@ TEST(Footprint, FindsTheEdgesBetweenGridPoints)
 
 /// 99 % of a Gaussian load lie within 2.5758 standard deviations of the middle. The mean pressure on this
 /// width is 0.99 sqrt(2 pi) / 5.1517 of the largest pressure.
-TEST(Footprint, ContainsNinetyNinePercentOfTheLoadIfThePressureHasNoEdge)
+TEST(Footprint, WidthContainsNinetyNinePercentOfALoadWithoutEdge)
 {
   const double deviation = 40e-6;
   for (const double reach : { 3.6, 6. })

@@ -189,7 +189,7 @@ TEST(DrawnProfile, MeshFillsThePolygon)
   EXPECT_NEAR(dealii::GridTools::volume(solid, dealii::MappingQ<3>(3)) / volume, 1, 5e-3);
 }
 
-TEST(DrawnProfile, SectionOfASolidMeshHasItsFullArea)
+TEST(DrawnProfile, SectionOfASolidMeshHasTheAreaOfTheProfile)
 {
   GlassProfile step;
   dealii::Triangulation<3> solid;

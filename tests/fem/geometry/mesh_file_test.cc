@@ -31,7 +31,7 @@ std::string message_of(const std::string &file_name)
 
 } // namespace
 
-TEST(MeshFile, SecondOrderElementsAreReadByTheirCorners)
+TEST(MeshFile, SecondOrderElementsAreReadAsFirstOrderElements)
 {
   dealii::Triangulation<3> drawn;
   make_foot_mesh(flat_profile(), { 24, 2, 1 }, drawn);

@@ -139,7 +139,7 @@ TEST(RimCircle, DependsContinuouslyOnItsPoints)
   EXPECT_LT(largest, 2e-6);
 }
 
-TEST(RimCircle, DuplicatePointsCountOnce)
+TEST(RimCircle, DuplicatePointsDoNotChangeTheFit)
 {
   const Polyline rim = scattered(rounded_rim(1.7e-3, 10, 3e-3), 0, 20e-6, 3);
   Polyline doubled;

@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(Review, DifficultContact, testing::ValuesIn(random_stud
 
 } // namespace
 
-TEST_P(DifficultContact, Converges)
+TEST_P(DifficultContact, ConvergesUnderEveryMoment)
 {
   const RandomStudy &study = GetParam();
   const double force = study.mass * 9.81;

@@ -244,7 +244,7 @@ TEST(Budget, ListsAVariantWithoutEachEffectOfTheStudy)
   EXPECT_TRUE(names_without(study).empty());
 }
 
-TEST(Budget, RequiresAtLeastOneCompliance)
+TEST(Budget, FindsWhetherAnyBodyOrInterfaceIsCompliant)
 {
   Study study = test::mat_study();
   study.table.interface = TableInterface::hard;

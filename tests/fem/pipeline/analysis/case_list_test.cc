@@ -20,7 +20,7 @@ Values values_of(const std::string &varied)
   return cases_of_grid({ varied }).entries.at(0).values;
 }
 
-TEST(CaseList, RangesHaveDecimalValues)
+TEST(CaseList, ValuesOfARangeAreShortDecimals)
 {
   EXPECT_EQ(values_of("Load/Moment ratio=0.1:1.9:7"),
             (Values{ "0.1", "0.4", "0.7", "1", "1.3", "1.6", "1.9" }));
@@ -36,7 +36,7 @@ TEST(CaseList, RangesHaveDecimalValues)
   EXPECT_EQ(std::stod(ends.back()), 0.98765432109876543);
 }
 
-TEST(CaseList, AGridIsTheProductOfItsEntries)
+TEST(CaseList, AGridContainsEveryCombinationOfItsValues)
 {
   CaseList list = cases_of_grid({ "Motion/Closure=paper, full", "Motion/Mass=200,300 g" });
   EXPECT_TRUE(list.is_grid());
@@ -106,7 +106,7 @@ TEST(CaseList, RefusesBadGridsInOneSentence)
     expect_refused([&, &varied = varied] { cases_of_grid(varied); }, words);
 }
 
-TEST(CaseList, RefusesBadTablesWithLineAndColumn)
+TEST(CaseList, RefusalOfABadTableNamesLineAndColumn)
 {
   const test::ScratchFolder scratch;
   for (const auto &[text, words] : std::vector<std::pair<std::string, std::string>>{

@@ -113,7 +113,7 @@ TEST(Fall, AgreesWithOtherCodeForARigidFoot)
 
 // Within 2e-7 m below the maximum z_CM with a terminal spin, a narrow range of spins has two balances. No
 // verb may jump from one balance to the other.
-TEST(Fall, IsFoundAtTheSameHeightsByEveryVerb)
+TEST(Fall, EveryVerbFindsTippingAtTheSameHeights)
 {
   Study study = mat_study();
   study.glass.material.young_modulus = 2e20;
@@ -139,7 +139,7 @@ TEST(Fall, IsFoundAtTheSameHeightsByEveryVerb)
   }
 }
 
-TEST(Fall, IsReportedAsAResult)
+TEST(Fall, TippingIsReportedAsAResultNotAnError)
 {
   Study study = quick_contact_study();
   study.motion.orbit.centre_of_mass_height = 0.138;

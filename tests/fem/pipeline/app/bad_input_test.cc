@@ -233,7 +233,7 @@ TEST(BadInput, ImplausibleValuesAreReportedBeforeTipping)
   EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
 }
 
-TEST(BadInput, QuietKeepsWarnings)
+TEST(BadInput, QuietOptionKeepsWarningsOnTheConsole)
 {
   const ScratchFolder scratch;
   const std::vector<std::string> run = { "run", "--quiet", "--set", "Load/Source=first harmonic" };

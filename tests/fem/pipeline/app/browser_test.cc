@@ -335,7 +335,7 @@ std::vector<Opened> hostile_reports(const std::string &place)
   return reports;
 }
 
-TEST(Reports, HostileTextExecutesNothing)
+TEST(Reports, HostileTextRunsNoScript)
 {
   const ScratchFolder scratch;
   const std::string place = hostile_text();

@@ -352,7 +352,7 @@ TEST(ExplorePage, LessonIsCorrectInEveryState)
   EXPECT_THAT(words, testing::Not(testing::HasSubstr("\u22120.0")));
 }
 
-TEST(ExplorePage, LessonFitsAPhoneBelowItsScene)
+TEST(ExplorePage, LessonFitsBelowItsSceneOnAPhone)
 {
   const ScratchFolder scratch;
   const nlohmann::json found = found_in_browser(
@@ -386,7 +386,7 @@ TEST(ExplorePage, LessonFitsAPhoneBelowItsScene)
   }
 }
 
-TEST(ExplorePage, HostileTextExecutesNothing)
+TEST(ExplorePage, HostileTextRunsNoScript)
 {
   const ScratchFolder scratch;
   const Ended made = stemware(scratch, { "explore", "--output", "page.html" });

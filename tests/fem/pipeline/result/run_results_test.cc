@@ -131,7 +131,7 @@ TEST(RunResults, TorqueAtRestAgreesWithTheClosedForm)
               run.study.motion.orbit.friction_coefficient * run.contact.load.moment.x(), 1e-12);
 }
 
-TEST(RunResults, LiftOffIsDecidedByContactFractionAndMinimum)
+TEST(RunResults, NoLiftOffRequiresFullContactAndANonnegativeMinimum)
 {
   StudyAnswer run = solved_run();
   run.bands = {};
@@ -237,7 +237,7 @@ TEST(BudgetTable, OmitsPercentagesForAGlassAtRest)
   EXPECT_FALSE(column->cells[2].is_null());
 }
 
-TEST(BudgetTable, NamedStepsCombineAllHarmonics)
+TEST(BudgetTable, CombinesAllHarmonicsInOneNamedStep)
 {
   const std::vector<BudgetRow> rows = named_steps(budget_rows);
   ASSERT_EQ(rows.size(), 3u);

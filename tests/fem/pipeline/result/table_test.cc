@@ -87,7 +87,7 @@ Table texts(const std::vector<std::pair<std::string, Json>> &cells)
   return table;
 }
 
-TEST(Table, ConsoleWidthCountsCharacters)
+TEST(Table, ColumnsOnTheConsoleAreAlignedByCharactersNotBytes)
 {
   EXPECT_EQ(console_table(texts({ { "τ", 1 }, { "ω", 10 } })), "  τ   ω\n  1  10\n");
 }
@@ -128,7 +128,7 @@ TEST(Quantities, AreWrittenToTheSummaryIfTheyHaveADescription)
   EXPECT_EQ(schema["required"].dump(), R"(["who","spin","half","at"])");
 }
 
-TEST(Quantities, AreNullIfTheirPartIsMissing)
+TEST(Quantities, AreNullIfTheResultTheyDescribeIsMissing)
 {
   using Row = std::optional<Everything>;
   const auto all_rows = [](const Row &row) { return row ? &rows : nullptr; };

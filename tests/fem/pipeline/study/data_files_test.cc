@@ -26,7 +26,7 @@ std::string column_refusal(const std::string &file)
   return test::sentence_of([&] { rows_of(file); });
 }
 
-TEST(ColumnFile, ReadsManyFormats)
+TEST(ColumnFile, ReadsAnySeparatorUnitHeadingAndOrderOfColumns)
 {
   const ScratchFolder scratch;
   for (const std::string text :
@@ -47,7 +47,7 @@ TEST(ColumnFile, ReadsManyFormats)
   EXPECT_EQ(rows_of(scratch.write("my.csv", "\n# one\n\n1 2\n")).front().line, 4u);
 }
 
-TEST(ColumnFile, RefusesBadTextWithTheLine)
+TEST(ColumnFile, RefusalOfBadTextNamesTheLine)
 {
   const ScratchFolder scratch;
   const std::string header = "t (s), v (m/s)\n";

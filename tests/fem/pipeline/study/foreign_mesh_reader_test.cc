@@ -186,7 +186,7 @@ TEST(GmshMesh, RefusesAMeshWithHangingNodes)
   expect_refused(fem_tests::gmsh_text(mesh), "nodes in the middle");
 }
 
-TEST(GmshMesh, RefusesCollapsedCellsWithARemedy)
+TEST(GmshMesh, RefusalOfCollapsedCellsNamesARemedy)
 {
   expect_refused(with_elements(written(), { "6 2 0 0 1 2 3 4 5 6" }), "has wedges; recombine");
   expect_refused(with_elements(written(), { "6 2 0 0 1 2 3 4 5 6" }), "O-grid");
@@ -217,7 +217,7 @@ TEST(GmshMesh, NamesUnexpectedIdsAndTheEntriesToSet)
   expect_refused(text, "Contact/Mesh stem id = 5");
 }
 
-TEST(GmshMesh, RefusesPartitionedAndBinaryFilesWithACommand)
+TEST(GmshMesh, RefusalOfPartitionedAndBinaryFilesNamesACommand)
 {
   Mesh mesh;
   make_small_foot(mesh);
@@ -230,7 +230,7 @@ TEST(GmshMesh, RefusesPartitionedAndBinaryFilesWithACommand)
   expect_refused(boost::replace_first_copy(text, "4.1 0", "5.0 0"), line);
 }
 
-TEST(AnyMesh, RefusesOtherFormatsWithACommand)
+TEST(AnyMesh, RefusalOfOtherFormatsNamesACommand)
 {
   for (const char *extension : { ".inp", ".vtu", ".unv", ".stl", "" })
   {

@@ -16,7 +16,7 @@ namespace
 using Settings = test::EntryTexts;
 using Names = std::vector<std::string>;
 
-TEST(IdleEntries, FollowFromTheOtherEntries)
+TEST(IdleEntries, AreEntriesWithoutEffectUnderTheOtherEntries)
 {
   const Settings table = { { "Table/Foundation modulus", "1e9" },
                            { "Table/Decay length", "2e-6" },
@@ -95,7 +95,7 @@ TEST(IdleEntries, AreReportedInCompleteFilesIfTheyDifferFromTheDefault)
     Names({ "Table/Foundation modulus" }));
 }
 
-TEST(IdleEntries, AreAbsentFromCookbooks)
+TEST(IdleEntries, AreNotGivenInAnyCookbook)
 {
   unsigned int n_studies = 0;
   for (const auto &item : std::filesystem::directory_iterator(STEMWARE_COOKBOOKS))

@@ -66,7 +66,7 @@ TEST(StudyFile, HandHeightIsKeptUnlessTheForceOffsetIsGiven)
   EXPECT_EQ(lower.motion.orbit.force_offset, -0.1875);
 }
 
-TEST(StudyFile, JsonAndPrmAgree)
+TEST(StudyFile, JsonAndPrmGiveTheSameStudy)
 {
   const ScratchFolder scratch;
   const Study prm = read_study(scratch.write("a.prm", "subsection Table\n  set Interface = hard\nend\n"
@@ -152,7 +152,7 @@ TEST(StudyFile, AcceptsAnEntryWithoutItsSection)
   EXPECT_THAT(study_refusal("", { "Mas=1" }), testing::HasSubstr("did you mean Motion/Mass?"));
 }
 
-TEST(StudyFile, RefusesQuotesWithAHint)
+TEST(StudyFile, RefusalOfQuotesGivesAHint)
 {
   for (const char *value : { "\"300 g\"", "'300 g'", "\u201c300 g\u201d" })
     EXPECT_THAT(study_refusal("", { "Motion/Mass=" + std::string(value) }), testing::HasSubstr("quotes"))

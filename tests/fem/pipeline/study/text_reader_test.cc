@@ -36,7 +36,7 @@ std::string repeated(const std::string &text, unsigned int n)
   return all;
 }
 
-TEST(TextReader, SkipsAByteOrderMarkAndRefusesUtf16)
+TEST(TextReader, ReadsUtf8WithAByteOrderMarkAndRefusesUtf16)
 {
   const std::string mark = "\xEF\xBB\xBF", study = "subsection Motion\n  set Mass = 0.3\nend\n";
   EXPECT_EQ(read_study(TemporaryFile(mark + study, ".prm").name).motion.orbit.mass, 0.3);
