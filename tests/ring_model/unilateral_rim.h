@@ -158,7 +158,7 @@ private:
   {
     if (p == 1. && s > 0.02)
     {
-      // Closed form; for smaller s both differences cancel.
+      // For smaller s, the differences of this closed form suffer from cancellation.
       const double edge_angle = 2. * std::asin(std::sqrt(s)), sine = std::sin(edge_angle), c = 1. - 2. * s;
       return (edge_angle - sine * c) / (sine - edge_angle * c);
     }

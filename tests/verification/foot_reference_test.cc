@@ -96,7 +96,7 @@ TEST(FootReference, FlatFootAgreesWithSpectralElements)
   compare_with_reference("flat, land width 0.002", flat_profile(), equal_cells(1), 2e-4);
 }
 
-// The second harmonic of this load is caused by friction only.
+// Only friction causes the second harmonic of the flat foot.
 TEST(FrictionCoupling, SecondHarmonicOfTheFlatFootAgreesWithCalculiX)
 {
   RevolutionCase foot(flat_profile(), foot_compliance(flat_profile(), equal_cells(1)));

@@ -1,4 +1,4 @@
-// Patch tests of the problem of a harmonic on the meridian. References: harmonic potentials and Code_Aster
+// Patch tests of the meridian problem of one harmonic. References: harmonic potentials and Code_Aster
 // SSLV109.
 #include "fem/revolution/block_inverse.h"
 #include "fem/revolution/meridian_stiffness.h"

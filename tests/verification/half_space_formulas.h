@@ -24,9 +24,9 @@ inline double plane_strain_modulus(const ElasticMaterial &material)
   return material.young_modulus / (1 - material.poisson_ratio * material.poisson_ratio);
 }
 
-/// Returns the surface displacement of a layer bonded to a rigid base, divided by that displacement of a
-/// half-space, under a frictionless pressure of wave number k. @p thickness: k h, infinite for a half-space.
-/// A thin layer gives k h (1 - 2 nu) / (2 (1 - nu)^2) (Johnson, Contact Mechanics, 1985, section 5.8).
+/// Returns the ratio of the surface displacements of a layer bonded to a rigid base and of a half-space under
+/// a frictionless pressure of wave number k. @p thickness: k h, infinite for a half-space. A thin layer gives
+/// k h (1 - 2 nu) / (2 (1 - nu)^2) (Johnson, Contact Mechanics, 1985, section 5.8).
 inline double layer_over_half_space(double thickness, double poisson_ratio)
 {
   if (thickness > 300)

@@ -23,8 +23,8 @@ struct Segment
   double area, first, second;
 };
 
-/// Contact edge c of an annulus under the pressure p ~ x - c for x > c with its centre at @p eccentricity,
-/// and the share of the area with x > c (1 in full contact).
+/// Contact edge c of an annulus under a force at @p eccentricity, with the pressure p ~ x - c for x > c, and
+/// the share of the area with x > c (1 in full contact).
 struct LiftedAnnulus
 {
   LiftedAnnulus(double inner, double outer, double eccentricity)

@@ -1,4 +1,5 @@
-// The solid foot lags the friction; the body of revolution has the friction in its matrix.
+// The solid foot uses the friction of the previous iteration; the body of revolution has the friction in its
+// matrix.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"

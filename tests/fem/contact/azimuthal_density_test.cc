@@ -51,8 +51,8 @@ TEST(AzimuthalDensity, EqualsTheDensityAtTheAzimuthsOfRadialLines)
 
 TEST(AzimuthalDensity, EqualsTheSectorMeanOnLinesThatAreNotRadial)
 {
-  // The mean of a first harmonic over a sector of 2 h is sin(h) / h times its value at the middle of the
-  // sector.
+  // The mean of a first harmonic over a sector of the angle 2 h is the value at the middle of the sector
+  // times sin(h) / h.
   ContactSurface surface = lines_round_the_rim(4000, pi / 4000);
   surface.n_sectors = 10;
   const std::vector<AzimuthLoad> density = density_of_lines(surface, forces_on(surface));

@@ -41,7 +41,7 @@ TEST(LineIntegral, FindsTheIntervalsOfAPositiveQuadratic)
   EXPECT_EQ(PositiveSegments(Eigen::Vector3d(-1, -1, -1)).n_segments, 0u);
   EXPECT_EQ(PositiveSegments(Eigen::Vector3d::Zero()).n_segments, 0u);
 
-  // A linear function, and a nearly linear function for which the textbook formula cancels.
+  // A linear function, and a nearly linear function for which the textbook formula suffers from cancellation.
   EXPECT_NEAR(PositiveSegments(Eigen::Vector3d(-1, 0.5, 2)).segments[0].begin, -1. / 3,
               stemware::ulps(14, 0.33));
   EXPECT_NEAR(PositiveSegments(Eigen::Vector3d(-1 + 1e-14, 0.5, 2 + 1e-14)).segments[0].begin, -1. / 3,

@@ -97,7 +97,7 @@ TEST_P(FootMeshOfShape, BoundaryIdsMarkLandAndCut)
 {
   GlassProfile profile;
   profile.shape = GetParam();
-  profile.underside_rise = 0; // the land cannot be recognised by the height 0
+  profile.underside_rise = 0; // the whole underside then has the height 0 of the land
   Triangulation<3> triangulation;
   make_foot_mesh(profile, { 16, 4, 1 }, triangulation);
   unsigned int n_land = 0;

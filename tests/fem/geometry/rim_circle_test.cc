@@ -135,7 +135,7 @@ TEST(RimCircle, DependsContinuouslyOnItsPoints)
       before = circle->contact_radius;
     }
   }
-  // A point that enters the fit by a jump would change the radius by at least 20 um.
+  // A jump of a single point into the fit would change the radius by at least 20 um.
   EXPECT_LT(largest, 2e-6);
 }
 

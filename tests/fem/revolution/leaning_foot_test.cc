@@ -34,7 +34,8 @@ TEST(Tilt, AmplificationUnderARigidAnnulusAgreesWithTheClosedForm)
 }
 
 // Reference: lean theta(M) under prescribed moments, without tilt moment. A leaning glass is in balance if M
-// - N z_CM theta(M) equals the prescribed moment, which has two solutions below the maximum.
+// - N z_CM theta(M) equals the prescribed moment. Below the maximum of M - N z_CM theta(M), two moments M
+// satisfy this equation.
 TEST(Tilt, ReturnsTheFirstOfTwoBalances)
 {
   struct Case

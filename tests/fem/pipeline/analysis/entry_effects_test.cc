@@ -1,5 +1,5 @@
-// Every entry of a study must be used: its change must change the terminal spin in the first base study to
-// which the entry applies. The list `effects` contains the exceptions.
+// If an entry of a study is changed, the terminal spin must change in the first base study to which the entry
+// applies. The list `effects` contains the exceptions.
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/base/numbers.h"

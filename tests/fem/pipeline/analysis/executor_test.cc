@@ -76,7 +76,8 @@ TEST(Executor, RunsTwoCallsSimultaneously)
   on_threads(2, 2,
              [&](std::size_t)
              {
-               // Each call waits for the start of the other call. A single thread would never return.
+               // Each of the two calls waits until both calls have started. A single thread would never
+               // return.
                ++n_begun;
                while (n_begun < 2)
                  std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -97,7 +97,7 @@ TEST(ErrorBands, ContainTheResultsOfAFourTimesFinerPaperStudy)
   }
   const BandedQuantity &spin = comparison.band("omega_terminal");
   EXPECT_GT(spin.band, std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value));
-  EXPECT_LT(spin.band, 1e-5); // not too wide [rad/s]
+  EXPECT_LT(spin.band, 1e-5); // the error band is not too wide [rad/s]
 
   // The order of `converge` is between 1 (re-entrant corners) and 4 (smooth section).
   std::vector<RefinementAxis> axes = refinement_axes(study, 3);

@@ -13,7 +13,7 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// Returns true if @p text equals @p pattern with a number for its *.
+/// Returns true if @p text equals @p pattern with a number in place of the asterisk.
 bool matches(const std::string &text, const std::string &pattern)
 {
   const auto star = pattern.find('*');

@@ -196,7 +196,8 @@ TEST(OrbitSpeed, BreakawayForceIsTheStaticFriction)
 
 TEST(OrbitSpeed, ReportsTheEffectOfInterpolatingTheSpeeds)
 {
-  // The table `dense` has many rows on the polygon through `rows`, so its cubic nearly equals the polygon.
+  // The table `dense` has many rows on the polygon through `rows`, so the cubic of `dense` nearly equals the
+  // polygon.
   const std::vector<std::pair<double, double>> rows = { { 0, 0.1 },  { 0.3, 0.18 }, { 0.6, 0.29 },
                                                         { 1, 0.35 }, { 1.4, 0.33 }, { 1.7, 0.24 },
                                                         { 2, 0.15 } };

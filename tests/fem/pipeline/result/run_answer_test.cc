@@ -77,7 +77,7 @@ TEST(RunAnswer, ContainsTheNumbersOfTheAnalysis)
 
 TEST(RunAnswer, SentenceAndTableShowTheEffectAtAnySpeed)
 {
-  // The slip ratio at 0.1 mm/s is only 8e-9, because it is proportional to v^2.
+  // The slip ratio is proportional to v^2 and only 8e-9 at 0.1 mm/s.
   Study study = quick_contact_study();
   std::optional<double> usual;
   for (const double speed : { 1e-2, 1e-4 })
