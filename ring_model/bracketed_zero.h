@@ -10,9 +10,8 @@
 
 namespace stemware::ring
 {
-/// Returns the zero of @p function between two arguments, in either order, at which it has the values @p
-/// at_one and @p at_other of opposite sign or 0; to rounding. Throws NoBalance that names @p what if 200
-/// steps do not suffice.
+/// Returns the zero of @p function between @p one and @p other, to rounding. The values @p at_one and @p
+/// at_other have opposite signs, or one is 0. Throws NoBalance naming @p what after 200 steps.
 template <typename Function>
 double bracketed_zero(const Function &function, double one, double other, double at_one, double at_other,
                       const char *what)

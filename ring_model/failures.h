@@ -6,8 +6,7 @@
 
 namespace stemware::ring
 {
-/// Failure of a balance of forces, moments or torques: the result does not exist. All other exceptions are
-/// bad input or program errors.
+/// Failure of a balance of forces, moments or torques; any other exception is bad input or a program error.
 class NoBalance : public std::runtime_error
 {
 public:
@@ -32,8 +31,7 @@ public:
   using NoBalance::NoBalance;
 };
 
-/// Spin-up that ends at a spin without a balance of moments. The original failure is nested
-/// (std::rethrow_if_nested).
+/// Exception for a spin-up that reaches a spin without a balance of moments; the failure is nested.
 class BalanceLost : public NoBalance
 {
 public:
@@ -45,14 +43,13 @@ public:
   }
   bool tips() const override { return is_tipping; }
 
-  const double last_spin; ///< the last one in balance [rad/s]
+  const double last_spin; ///< last spin in balance [rad/s]
 
 private:
   const bool is_tipping;
 };
 
-/// Returns the result of @p find, or std::nullopt if it throws NoBalance; then writes the reason to @p
-/// reason, if given. All other exceptions pass.
+/// Returns the result of @p find. If @p find throws NoBalance: std::nullopt, and its message in @p reason.
 template <typename Find>
 auto find_or_nullopt(const Find &find, std::string *reason = nullptr) -> std::optional<decltype(find())>
 {

@@ -22,20 +22,20 @@ struct FrictionFunctionals
   LoadFunctional side;   ///< T_y [N]
   LoadFunctional torque; ///< tau_z [N m]
 
-  /// Evaluates the functionals for @p load. Throws std::invalid_argument if it has another number of rings.
+  /// Evaluates the functionals for @p load. Throws std::invalid_argument unless the number of rings agrees.
   Wrench operator()(const RingStack &load) const;
 };
 
 /// Returns the friction under @p law on rings that slide with speed v along x and spin with omega about z.
-/// The friction on each point of a ring is mu lambda against the slip velocity of the point, (v - omega r sin
-/// theta, omega r cos theta):
+/// Friction acts with mu lambda against the slip velocity of each point, v_rel = (v - omega r sin theta,
+/// omega r cos theta):
 ///
 ///   tau_z = r int mu lambda (v sin theta - omega r) / |v_rel| dtheta
 ///
 /// and likewise T_x, T_y; a stack sums over its rings. (The paper prints tau_z with the opposite sign;
-/// docs/theory/model.md.) All three are linear in lambda, even if mu depends on |v_rel|. For a constant
-/// coefficient they are exact to rounding at every slip ratio eps_j = omega r_j / v: with the kernels P_n,
-/// K_n, U_n of FrictionKernels, c_n = cos(n pi / 2) and s_n = sin(n pi / 2):
+/// docs/theory/model.md.) All three are linear in lambda, even if mu depends on |v_rel|. If mu is constant,
+/// they are exact to rounding at every slip ratio eps_j = omega r_j / v, with the kernels P_n, K_n, U_n of
+/// FrictionKernels, c_n = cos(n pi / 2) and s_n = sin(n pi / 2):
 ///
 ///   T_x   = -mu sum_j     sum_n   (c_n a_{j,n} + s_n b_{j,n}) U_n(eps_j)
 ///   T_y   = -mu sum_j     sum_n n (c_n b_{j,n} - s_n a_{j,n}) P_n(eps_j)
@@ -68,7 +68,7 @@ Wrench coulomb_wrench(double mu, const RingStack &load, double omega, double spe
 ///     torque.change(2); // effect of the second harmonic on tau_z [N m]
 ///
 /// tau_z(n) = sum_{k <= n} tau_k, where tau_k is the share of harmonic k of all rings. No balance is solved
-/// again. An n above the highest harmonic of the load stands for the whole load.
+/// again. An n above the load's highest harmonic means the whole load.
 class TorqueByHarmonics
 {
 public:
@@ -79,9 +79,8 @@ public:
   double change(unsigned int n) const;
   /// Returns tau_z(all) - tau_z(n) [N m].
   double rest(unsigned int n) const;
-  /// Returns an a-priori bound on |rest(n)| [N m]: sum_j sum_{k > n} |lambda_{j,k}| |K_{j,k}|, where
-  /// |lambda_{j,k}| = sqrt(a_{j,k}^2 + b_{j,k}^2) and |K_{j,k}| is the torque functional's coefficient, mu
-  /// r_j |K_k(eps_j)| for Coulomb.
+  /// Returns an a-priori bound on |rest(n)| [N m]: sum_j sum_{k > n} |lambda_{j,k}| |K_{j,k}|, with
+  /// |lambda_{j,k}| = sqrt(a_{j,k}^2 + b_{j,k}^2) and the coefficients K_{j,k} of the torque functional.
   double bound(unsigned int n) const;
 
 private:

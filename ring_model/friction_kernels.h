@@ -11,20 +11,17 @@ namespace stemware::ring
 ///   U_n(eps) = P_n(eps) - eps P_n'(eps) (drag).
 ///
 /// eps = omega R / v is the rim speed over the sliding speed, any real number including |eps| = 1 and
-/// infinity (v = 0). All three are dimensionless. Every value comes from sums of positive terms, so that a
-/// kernel keeps its relative precision however small it is (except where K_n or U_n passes through zero, next
-/// to |eps| = 1). Derivation: docs/theory/kernels.md.
+/// infinity (v = 0). All three are dimensionless. All sums have positive terms, which keeps relative
+/// precision except next to the zeros of K_n and U_n at |eps| = 1. Derivation: docs/theory/kernels.md.
 ///
 ///     const FrictionKernels kernels(omega * radius, v, load.n_harmonics()); // [m/s]
 ///     kernels.K(1);                                                        // torque of the first harmonic
 class FrictionKernels
 {
 public:
-  /// Computes the kernels at eps = rim_speed / speed up to the harmonic @p n_max.
-  ///
-  /// @p rim_speed: omega R [m/s], positive for a counter-clockwise spin. @p speed: sliding speed v >= 0 of
-  /// the ring's centre [m/s]. Both must not be zero, because friction has no direction without slip. Throws
-  /// std::invalid_argument if a speed is not finite, v < 0, or both are zero.
+  /// Computes the kernels at eps = rim_speed / speed up to the harmonic @p n_max. @p rim_speed: omega R
+  /// [m/s], positive for a counter-clockwise spin. @p speed: sliding speed v >= 0 of the ring's centre [m/s].
+  /// Throws std::invalid_argument if a speed is not finite, v < 0, or both are zero (no slip direction).
   FrictionKernels(double rim_speed, double speed, unsigned int n_max);
 
   /// Returns the highest computed harmonic.
@@ -40,8 +37,8 @@ public:
   double U(unsigned int n) const { return values[3 * n + 2]; }
 
 private:
-  /// Fills `values` with the kernels for 0 <= eps <= 1; @p complement is 1 - eps^2 without cancellation. With
-  /// @p divided, P_n / eps replaces P_n for n >= 1: finite at eps = 0, as apply_duality() requires.
+  /// Fills `values` for 0 <= eps <= 1. @p complement: 1 - eps^2 without cancellation. @p divided: with P_n /
+  /// eps, finite at eps = 0, instead of P_n for n >= 1, for apply_duality().
   void evaluate_slow_spin(double eps, double complement, bool divided);
 
   /// Converts the kernels (divided) of 1/eps to the kernels of eps = 1 / @p inverse > 1.

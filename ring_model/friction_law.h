@@ -23,8 +23,7 @@ public:
   virtual bool is_constant() const { return false; }
 };
 
-/// Stribeck's law: mu = kinetic + (static - kinetic) exp(-(|v_rel| / decay_speed)^decay_exponent) + viscous
-/// |v_rel|. Exponent 1 is Tustin's form, 2 the usual one.
+/// Stribeck: mu = kinetic + (static - kinetic) exp(-(|v_rel| / decay_speed)^decay_exponent) + viscous |v_rel|
 class StribeckLaw : public FrictionLaw
 {
 public:
@@ -35,11 +34,10 @@ public:
     double kinetic_coefficient; ///< plateau at high slip speed
     double decay_speed;         ///< [m/s]
     double viscous = 0.;        ///< growth with the slip speed [s/m]
-    double decay_exponent = 2.; ///< 1: Tustin, 2: the usual one
+    double decay_exponent = 2.; ///< 1: Tustin's form, 2: the usual one
   };
 
-  /// Throws std::invalid_argument if a coefficient is negative or the decay speed or exponent is not
-  /// positive.
+  /// Throws std::invalid_argument if a coefficient is negative, or decay speed or exponent not positive.
   explicit StribeckLaw(const Parameters &parameters);
   double coefficient(double slip_speed) const override;
   bool is_constant() const override;
@@ -65,9 +63,7 @@ StribeckLaw friction_law_of(const Motion &motion);
 /// Returns the integrals of friction under @p law over a ring, per unit of load. The rim turns with @p
 /// rim_speed = omega r [m/s] and slides with @p speed [m/s]. Shape [n_max + 1, 3], the columns torque over r,
 /// drag and side: mu (K_n, U_n, -n P_n) by the exact FrictionKernels for a constant coefficient, else by
-/// quadrature of all harmonics at once, refined until the columns agree to 1e-12 of the largest value.
-/// docs/theory/friction_laws.md.
-///
+/// quadrature, refined until the columns agree to 1e-12 of the largest value (docs/theory/friction_laws.md).
 /// Throws std::invalid_argument as FrictionKernels, std::runtime_error if the refinement does not end.
 Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, double speed, unsigned int n_max);
 } // namespace stemware::ring

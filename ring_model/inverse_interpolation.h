@@ -11,8 +11,7 @@
 
 namespace stemware::ring
 {
-/// Torque that drives the glass at a spin, both positive in the direction in which the glass is driven at
-/// rest.
+/// Driving torque at a spin; both are positive in the direction of the torque at rest.
 struct DrivingTorque
 {
   double spin;   ///< > 0 [rad/s]
@@ -32,9 +31,9 @@ struct Estimate
   double error; ///< difference to the estimate without the farthest sample
 };
 
-/// Returns the estimate from at most four of @p samples, those with the smallest |torque| for which the
-/// torque decreases with the spin; a single sample has the error HUGE_VAL. More samples would add rounding,
-/// not accuracy. Precondition: @p samples is not empty.
+/// Returns the estimate from the one to four @p samples of smallest |torque| between which the torque
+/// decreases with the spin; more would add rounding only. One sample: error HUGE_VAL. @p samples must not be
+/// empty.
 inline Estimate inverse_interpolation(std::vector<DrivingTorque> samples)
 {
   std::sort(samples.begin(), samples.end(), has_smaller_torque);

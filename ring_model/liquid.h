@@ -4,7 +4,7 @@ namespace stemware::ring
 {
 /// Liquid at rest in a bowl, an upright circular cylinder that moves without turning. The surface of the
 /// liquid is a plane that rises opposite to the acceleration a, by tan(alpha) = |a| / g
-/// (docs/theory/liquid.md). SI units.
+/// (docs/theory/liquid.md).
 struct Liquid
 {
   double mass = 0.;           ///< [kg]; 0: the bowl is empty
@@ -17,16 +17,15 @@ struct Liquid
   /// Returns the depth h of the liquid under a level surface [m].
   double level() const;
 
-  /// Returns the height of the centre of mass above the table [m] if the surface leans by @p slope =
-  /// tan(alpha).
+  /// Returns the height of the centre of mass above the table [m] at the surface slope @p slope = tan(alpha).
   double centre_height(double slope) const;
 
-  /// Returns the distance R_b^2 / (4 h) [m] from the centre of mass up to the metacentre. Times tan(alpha) it
-  /// is the outward displacement of the centre of mass. 0 if the surface does not lean.
+  /// Returns the metacentric radius R_b^2 / (4 h) [m]; 0 if the surface does not lean. Its product with
+  /// tan(alpha) is the outward displacement of the centre of mass.
   double metacentric_radius() const;
 
-  /// Throws std::invalid_argument with one sentence for values that are not allowed, for liquid that leaves
-  /// the bowl, and for a surface that meets the bottom, at @p slope = tan(alpha).
+  /// Throws std::invalid_argument for inadmissible values, and if, at the surface slope @p slope =
+  /// tan(alpha), the liquid leaves the bowl or its surface meets the bottom.
   void validate(double slope) const;
 };
 } // namespace stemware::ring

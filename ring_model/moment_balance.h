@@ -19,17 +19,16 @@ enum class Closure
 /// Returns "paper", "hand" or "full".
 std::string to_string(Closure closure);
 
-/// Returns the arm h [m] at which the friction T enters M_N = moment without friction + h k x T: 0 for
-/// `paper`, Delta z for `hand` (over the centre of mass of glass and liquid), the height of the hand above
-/// the table z_CM + Delta z for `full`.
+/// Returns the lever arm h [m] of the friction T in M_N = moment without friction + h k x T: 0 for `paper`,
+/// Delta z for `hand` (from the centre of mass of glass and liquid), z_CM + Delta z for `full`.
 double friction_arm(Closure closure, const Motion &motion);
 
-/// Returns the moment M_N of the normal forces about the ring's centre [N m] in the slip frame that keeps the
-/// glass from tilting under the table's friction @p friction = (T_x, T_y) [N]: M_N = -Delta z k x F + z_CM k
-/// x T with F = m a - T, reduced to the terms of @p closure, plus the moment of a liquid whose surface leans.
-/// At omega = 0 the friction is exactly (-mu(v) N, 0).
+/// Returns the moment M_N of the normal forces about the ring's centre [N m], slip frame, that balances the
+/// glass under the table's @p friction = (T_x, T_y) [N]: M_N = -Delta z k x F + z_CM k x T with F = m a - T,
+/// reduced to the terms of @p closure, plus the moment of a liquid whose surface leans. At omega = 0 the
+/// friction is exactly (-mu(v) N, 0).
 Eigen::Vector2d required_moment(Closure closure, const Motion &motion, const Eigen::Vector2d &friction);
 
-/// Returns required_moment() at omega = 0, the moment of a load that stays constant over the spin (one-way).
+/// Returns required_moment() at omega = 0, for a load that does not depend on the spin.
 Eigen::Vector2d required_moment_at_rest(Closure closure, const Motion &motion);
 } // namespace stemware::ring

@@ -20,8 +20,8 @@ enum class FrictionLawKind
   stribeck ///< mu = mu_k + (mu_s - mu_k) exp(-(|v_rel| / v_s)^2) + c |v_rel|
 };
 
-/// Glass, orbit and friction; SI units. The defaults are the paper's values where the paper gives them. Mass,
-/// inertia and centre of mass belong to the glass without the liquid.
+/// Glass, orbit and friction. Defaults: the paper's values, unless marked. Mass, inertia and centre of mass
+/// exclude the liquid.
 struct Motion
 {
   double mass = 0.30;                  ///< m [kg]
@@ -52,9 +52,8 @@ struct Motion
   /// Returns the height of the centre of mass of glass and liquid above the table [m].
   double total_centre_height() const;
 
-  /// Returns the height [m] at which the whole mass, as a rigid body, would have the overturning moment of
-  /// glass and liquid, under an acceleration or a lean of the glass: the liquid acts at its metacentre.
-  /// Without liquid, centre_of_mass_height.
+  /// Returns the height [m] at which the total mass as a rigid body has the overturning moment of glass and
+  /// liquid (the liquid acts at its metacentre). Without liquid: centre_of_mass_height.
   double overturning_height() const;
 
   /// Returns mu at the slip speed |v_rel| >= 0 [m/s].

@@ -8,9 +8,8 @@
 namespace stemware::ring
 {
 /// Orbit speed v(t) from a table, interpolated by the monotone cubic of Fritsch and Carlson (SIAM J. Numer.
-/// Anal. 17 (1980) 238): values stay within the range of the two neighbouring entries, and the acceleration
-/// dv/dt is continuous. At the first and the last entry dv/dt is the slope of the straight line to the
-/// neighbour. Fewer than four entries are joined by straight lines.
+/// Anal. 17 (1980) 238): v stays between neighbouring entries and dv/dt is continuous; at either end dv/dt is
+/// the slope of the line to the neighbour. Fewer than four entries are joined by straight lines.
 class OrbitSpeedTable
 {
 public:
@@ -18,8 +17,7 @@ public:
   /// beginning only, while the hand rests. Throws std::invalid_argument naming the entry that is not allowed.
   OrbitSpeedTable(std::vector<double> times, std::vector<double> speeds);
 
-  /// Returns the table with its entries joined by straight lines, to measure the effect of the interpolation;
-  /// corners are rounded within a thousandth of an interval.
+  /// Returns the table with entries joined by straight lines, corners rounded within 1/1000 of an interval.
   OrbitSpeedTable joined_by_lines() const;
 
   /// Returns v(t) [m/s]. Throws std::out_of_range outside the table (no extrapolation).
@@ -28,19 +26,19 @@ public:
   /// Returns dv/dt [m/s^2]. Throws std::out_of_range outside the table.
   double acceleration(double time) const;
 
-  /// Returns @p motion with the orbit speed and acceleration at @p time. A hand at rest has a billionth of
-  /// its largest speed: friction then has the direction of the motion to come.
+  /// Returns @p motion with the orbit speed and acceleration at @p time. At rest, v is 1e-9 of the largest
+  /// speed: friction then has the direction of the motion to come.
   Motion motion_at(const Motion &motion, double time) const;
 
-  /// Returns the times between which dv/dt is smooth [s]; its slope jumps there.
+  /// Returns the times [s] at which the slope of dv/dt jumps.
   const std::vector<double> &knots() const { return knot_times; }
 
   bool starts_from_rest() const { return speeds.front() == 0.; }
 
   double max_speed() const;
 
-  /// Returns the first time [s] at which the hand is at least as fast as @p speed [m/s] and moves; for @p
-  /// speed = 0 the time at which the hand starts. Throws std::out_of_range for more than max_speed().
+  /// Returns the first time [s] at which v reaches @p speed [m/s]; for 0, the time at which the hand starts.
+  /// Throws std::out_of_range above max_speed().
   double time_of(double speed) const;
 
 private:

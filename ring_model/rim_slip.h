@@ -7,8 +7,7 @@
 
 namespace stemware::ring
 {
-/// Slip of a point of the rim over the table and the friction on the point: x along the direction of travel,
-/// y to the left.
+/// Slip of a rim point over the table, and the friction on the point: x along the travel, y to the left.
 struct RimSlip
 {
   double azimuth = 0;                    ///< theta [rad]

@@ -15,8 +15,8 @@ struct RingEquilibrium
 };
 
 /// Ring with a first-harmonic load whose load, friction and hand force satisfy all balances at once: T enters
-/// M_N, M_N enters lambda, lambda enters T. Exact for a linear support in full contact, formal (negative
-/// load) for m > 1. docs/theory/closures.md.
+/// M_N, M_N enters lambda, lambda enters T. Exact for a linear support in full contact; for m > 1 the load is
+/// tensile somewhere (docs/theory/closures.md).
 class SelfConsistentRing
 {
 public:

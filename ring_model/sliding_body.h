@@ -24,21 +24,20 @@ public:
   /// Returns one ring. Throws std::invalid_argument unless radius > 0 [m].
   static SlidingBody ring(double radius);
 
-  /// Returns a body with uniform pressure between two radii [m]. Throws std::invalid_argument unless 0 <=
-  /// inner < outer.
+  /// Returns an annulus of uniform pressure [m]. Throws std::invalid_argument unless 0 <= inner < outer.
   static SlidingBody annulus(double inner_radius, double outer_radius);
 
   /// Returns a body with uniform pressure on a disc [m].
   static SlidingBody disc(double radius) { return annulus(0., radius); }
 
-  /// Returns a body with the given pressure between two radii [m], smooth between them. It may vanish at
-  /// either radius like a square root, as Hertz's does. Throws std::invalid_argument unless 0 <= inner <
-  /// outer, the pressure is finite, non-negative and not zero everywhere.
+  /// Returns a body with @p pressure, smooth between two radii [m] at which it may vanish like a square root
+  /// (Hertz). Throws std::invalid_argument unless 0 <= inner < outer and the pressure is finite, >= 0 and not
+  /// zero everywhere.
   static SlidingBody with_pressure(Pressure pressure, double inner_radius, double outer_radius);
 
-  /// Returns the rings that represent the body if the radius @p still = v / |omega| [m] contains a point at
-  /// rest: Gauss nodes, clustered at the two radii of the body and on both sides of @p still, because
-  /// friction is singular there (like x ln x); integrals over an annulus are then exact to rounding.
+  /// Returns the rings at Gauss nodes that represent the body, clustered at its two radii and on both sides
+  /// of @p still = v / |omega| [m], the radius of a point at rest, where friction is singular (x ln x).
+  /// Integrals over an annulus are exact to rounding.
   std::vector<WeightedRing> rings(double still) const;
 
   /// Returns the outer radius [m].
@@ -47,13 +46,11 @@ public:
   /// Returns the mean of r^exponent over the weight [m^exponent].
   double mean_power(double exponent) const;
 
-  /// Returns the mean of r^2 over the weight [m^2]: the gyration radius squared of a body whose mass is
-  /// spread like its weight.
+  /// Returns the weight's mean of r^2 [m^2]: squared gyration radius if the mass is spread like the weight.
   double mean_square_radius() const { return mean_square; }
 
-  /// Returns the friction of the table in the slip frame at the speed v >= 0 [m/s] and the spin omega
-  /// [rad/s], for @p limit = mu N [N] of sliding without spin. Throws std::invalid_argument if the body
-  /// neither slides nor spins.
+  /// Returns the table's friction in the slip frame at the speed v >= 0 [m/s] and the spin omega [rad/s]. @p
+  /// limit: mu N [N]. Throws std::invalid_argument if the body neither slides nor spins.
   Wrench friction(double limit, double speed, double omega) const;
 
 private:

@@ -14,19 +14,16 @@ using TorqueFunction = std::function<double(double omega)>;
 struct SpinSearch
 {
   double spin_scale;                        ///< spin at which the torque varies, v / R [rad/s]
-  std::optional<double> initial_guess = {}; ///< initial guess of the zero [rad/s]
+  std::optional<double> initial_guess = {}; ///< of the zero [rad/s]
   double grip_torque = 0.;                  ///< tau_g >= 0 of the fingers [N m]
-  /// Tolerance of omega, relative to |omega| or, if larger, to 1e-3 spin_scale; limited by the noise of the
-  /// torque.
+  /// Tolerance of omega, relative to max(|omega|, 1e-3 spin_scale); limited by the torque's noise.
   double tolerance = 1e-12;
-  /// Noise of the torque at rest [N m]: a smaller torque counts as zero, and rest, stable or not, is the
-  /// answer.
+  /// Noise of the torque at rest [N m]: if a smaller torque is found there, rest is the answer.
   double torque_noise = 0.;
-  /// Stability margin at an evaluated spin: 1 for an upright glass, 0 where its balance ends, decreasing
-  /// towards that point like the square root of the distance. Empty: unknown.
+  /// Stability margin at an evaluated spin: 1 for an upright glass, falling to 0 at the end of its balance
+  /// like the square root of the distance. Empty: unknown.
   std::function<double(double omega)> stability_margin = {};
-  /// Returns the spin nearest to rest between 0 and @p omega that is known to have no balance. Empty:
-  /// unknown.
+  /// Returns the known spin without balance nearest to rest, between 0 and @p omega. Empty: unknown.
   std::function<std::optional<double>(double omega)> nearest_unbalanced_spin = {};
 };
 
@@ -34,10 +31,10 @@ struct SpinSearch
 struct SpinZero
 {
   double omega;               ///< [rad/s]
-  bool held;                  ///< |tau_z(0)| <= tau_g, tau_g > 0: the fingers keep the glass at rest
+  bool held;                  ///< the fingers keep the glass at rest: |tau_z(0)| <= tau_g, tau_g > 0
   unsigned int n_evaluations; ///< number of torques evaluated
   double asked;               ///< last evaluated spin, at the zero or within 1e-7 of it [rad/s]
-  double slope = 0.;          ///< d tau_z / d omega of find_terminal_spin_near(), by its last steps [N m s]
+  double slope = 0.;          ///< d tau_z / d omega [N m s]; of find_terminal_spin_near() only
 };
 
 /// Finds the terminal spin reached from rest: the first zero of torque(omega) - tau_g sgn(omega) in the
@@ -48,16 +45,15 @@ struct SpinZero
 /// interpolation (up to cubic) has converged. Proposals outside the bracket, and proposals after a step that
 /// did not halve the torque, are replaced by bisection. The search ends when the interpolations with and
 /// without the farthest sample agree to the tolerance. A pair of zeros between neighbouring samples is
-/// missed. To make this unlikely, a sample is taken about halfway; if the samples up to the zero do not
-/// decrease, or the slope at the zero differs from the mean slope by more than a factor of 16, the interval
-/// is scanned in steps of 1/16 spin_scale and the first zero is taken.
+/// missed; a sample about halfway makes this unlikely. If the samples up to the zero do not decrease, or the
+/// slopes at the zero and on average differ by more than a factor of 16, the interval is scanned in steps of
+/// 1/16 spin_scale for the first zero.
 ///
-/// If @p torque throws NoBalance, the search steps back towards rest. A range of spins without a balance may
-/// be narrower than the steps: if the stability margin is below 0.9, the interval up to the zero is searched
-/// more finely, with up to 100 torques, until the margin shows that the balance holds or has ended. Throws
-/// std::invalid_argument for values that are not allowed, NoTerminalSpin if the torque does not change sign
-/// within 64 spin scales, BalanceLost if the balance ends before a zero is found (known to 1/4096 spin
-/// scale), NoBalance if the search does not converge, what @p torque throws at rest.
+/// If @p torque throws NoBalance, the search steps back towards rest. Below a stability margin of 0.9, up to
+/// 100 further torques exclude a narrow range of spins without a balance before the zero. Throws
+/// std::invalid_argument for inadmissible values, NoTerminalSpin if the torque does not change sign within 64
+/// spin scales, BalanceLost if the balance ends before a zero (located to 1/4096 spin scale), NoBalance if
+/// the search does not converge, what @p torque throws at rest.
 SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &search);
 
 /// Initial guess: stable zero of a similar torque.
@@ -68,9 +64,8 @@ struct ZeroGuess
 };
 
 /// Finds the terminal spin near the zero of a similar torque by the secant method, with one to four
-/// evaluations. A last step that is known to the tolerance is not evaluated. The result equals
-/// find_terminal_spin() if the torques are so similar that no further zeros appear. Returns std::nullopt if
-/// the method leaves the neighbourhood (a tenth of spin_scale), does not converge in eight steps, or reaches
+/// evaluations. The result equals find_terminal_spin() if no further zeros have appeared. Returns
+/// std::nullopt if the method leaves the neighbourhood (a tenth of spin_scale), does not converge, or reaches
 /// a spin of small stability margin. Throws what @p torque throws.
 std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const TorqueFunction &torque,
                                                 const SpinSearch &search);

@@ -7,21 +7,20 @@
 
 namespace stemware::ring
 {
-/// Motion of a spin that follows its torque so fast that stability would limit an explicit method to steps of
-/// its time constant. Three-stage Radau IIA collocation: order 5, and without inertia each stage is the zero
-/// of the torque (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.5).
+/// Motion of a spin that follows its torque so fast that an explicit method needs steps below its time
+/// constant. Three-stage Radau IIA, order 5; without inertia each stage is a zero of the torque (Hairer &
+/// Wanner, Solving Ordinary Differential Equations II, IV.5).
 class StiffMotion
 {
 public:
   /// For the arguments see yaw_motion().
   StiffMotion(PhasedTorqueFunction torque, double yaw_inertia, double accuracy, double spin_scale);
 
-  /// Returns whether few steps between the @p n_times outputs until the time @p end [s] after @p start are
-  /// cheaper than explicit steps.
+  /// Returns whether few steps, between @p n_times outputs until @p end [s], cost less than explicit steps.
   bool is_stiff(const YawSample &start, double end, std::size_t n_times) const;
 
-  /// Returns the state after one step from @p state, at the time @p end [s] at the latest. @p step [s]: tried
-  /// first, replaced by the step to try next. Throws NoBalance if no step is small enough.
+  /// Returns the state after one step from @p state, not beyond the time @p end [s]. @p step [s]: first
+  /// trial, overwritten by the next trial. Throws NoBalance if no step is small enough.
   YawSample after_step(const YawSample &state, double end, double &step) const;
 
   /// Returns the state one step of @p step [s] after @p state, without an estimate of its error. Throws
@@ -39,8 +38,8 @@ private:
   Slopes slopes(const YawSample &at) const;
   /// Returns the difference of the ends of two steps relative to the requested accuracy.
   double relative_difference(const YawSample &a, const YawSample &b) const;
-  /// Returns the end of one step from @p start; std::nullopt if Newton's method does not converge with @p
-  /// slope.
+  /// Returns the end of one step from @p start; std::nullopt if Newton's method with @p slope does not
+  /// converge.
   std::optional<YawSample> collocated(const YawSample &start, const Slopes &slope, double step) const;
 
   const PhasedTorqueFunction torque;

@@ -13,14 +13,14 @@ struct TerminalSpin
 {
   double omega;         ///< [rad/s]
   double torque_slope;  ///< d tau_z / d omega there [N m s]
-  double time_constant; ///< I_z / |slope| [s]: of the approach if stable, of the escape if not
+  double time_constant; ///< I_z / |slope| of approach (stable) or escape [s]
   bool stable;          ///< slope < 0
-  bool held = false;    ///< the fingers hold the glass at rest (SpinZero::held): slope and time are NaN
+  bool held = false;    ///< SpinZero::held; slope and time constant are then NaN
 };
 
-/// Returns the step [rad/s] for differences of the torque at @p omega: 1/32 of the distance to |omega| = @p
-/// spin_scale, where the torque has a kink, limited to 1/4096 ... 1/64 of @p spin_scale. A step this wide
-/// averages over several azimuth lines while the edges of a contact with lift-off move across them.
+/// Returns the step [rad/s] for torque differences at @p omega: 1/32 of the distance to the kink at |omega| =
+/// @p spin_scale, within 1/4096 ... 1/64 of @p spin_scale. It averages over several azimuth lines that the
+/// edges of a contact with lift-off cross.
 double slope_step(double omega, double spin_scale);
 
 /// Returns the fourth-order slope [N m s] from the changes of the torque between -+@p step (@p change) and
@@ -30,19 +30,16 @@ double slope_of_differences(double change, double change_of_two_steps, double st
 /// Returns d tau_z / d omega [N m s] at @p omega by fourth-order differences: four torques within 2 @p step.
 double torque_slope(const TorqueFunction &torque, double omega, double step);
 
-/// Returns the terminal spin of find_terminal_spin() with its torque_slope() for slope_step(). If a torque of
-/// the difference fails, as near tipping, the step is 1/2048 spin_scale. Throws as find_terminal_spin(), and
-/// if @p yaw_inertia is not positive.
+/// Returns find_terminal_spin() with its torque_slope() by slope_step(); by 1/2048 spin_scale if a torque
+/// fails, as near tipping. Throws as find_terminal_spin(), and unless @p yaw_inertia is positive.
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, const SpinSearch &search);
 
 /// Returns terminal_spin() from rest under a load that does not depend on the spin, to rounding.
 TerminalSpin terminal_spin(const RingStack &load, const Motion &motion);
 
-/// Returns all zeros of @p torque in [@p lower, @p upper] in ascending order, each described as by
-/// terminal_spin(). Sign changes over @p n_intervals equal intervals are bracketed; intervals in which
-/// |torque| has a minimum are searched for pairs of zeros.
-///
-/// Throws std::invalid_argument for an empty range or no intervals.
+/// Returns all zeros of @p torque in [@p lower, @p upper] in ascending order, each as by terminal_spin().
+/// Sign changes over @p n_intervals equal intervals are bracketed; minima of |torque| are searched for pairs
+/// of zeros. Throws std::invalid_argument for an empty range or no intervals.
 std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, double yaw_inertia,
                                              double spin_scale, double lower, double upper,
                                              unsigned int n_intervals = 400);

@@ -5,8 +5,7 @@
 
 namespace stemware::ring
 {
-/// Yaw torque tau_z [N m] at time t [s], yaw angle psi [rad] (relevant for waviness) and spin omega
-/// [rad/s].
+/// Yaw torque tau_z [N m] at time t [s], yaw angle psi [rad] (for waviness) and spin omega [rad/s].
 using PhasedTorqueFunction = std::function<double(double time, double yaw_angle, double omega)>;
 
 /// Callback with each time [s] at which a motion evaluates its torque. An exception ends the motion.
@@ -23,32 +22,31 @@ struct YawSample
   double omega;     ///< d psi / dt [rad/s]
 };
 
-/// Returns the torque of fingers that resist @p torque or the spin @p omega [rad/s] with up to @p grip [N m];
-/// at rest it cancels @p torque up to that limit.
+/// Returns the torque [N m] of fingers that resist @p torque or the spin @p omega [rad/s] with up to @p grip
+/// [N m]; at rest it cancels @p torque up to that limit.
 double grip_torque(double torque, double omega, double grip);
 
 /// Returns @p torque plus grip_torque() at the spin @p omega [rad/s] [N m].
 double torque_with_grip(double torque, double omega, double grip);
 
 /// Integrates I_z d omega/dt = tau_z(t, psi, omega) - grip sgn(omega), d psi/dt = omega from psi = 0 at t = 0
-/// by the Dormand-Prince pair with step control and dense output (Boost.Odeint), sampled at @p times; by an
-/// implicit method (Radau IIA) if the time constant is far below the time between outputs. A spin that
-/// reaches 0 is exactly 0 until |tau_z| at rest exceeds the grip. The end of such a rest is sought between
-/// outputs, breaks and 64 parts of the time that is left.
+/// by the Dormand-Prince pair with step control and dense output (Boost.Odeint), sampled at @p times; by
+/// Radau IIA (StiffMotion) if the time constant is far below the time between outputs. A spin that reaches 0
+/// is exactly 0 until |tau_z| at rest exceeds the grip. The end of a rest is bracketed by outputs, breaks and
+/// 64 parts of the remaining time.
 ///
 /// @p times: increasing output times [s], the first one >= 0. @p accuracy: tolerance of psi relative to max(1
 /// rad, |psi|) and of omega relative to max(spin_scale, |omega|). @p spin_scale: typical spin, v / R [rad/s].
-/// @p grip: torque up to which the fingers brake or hold the glass [N m]. @p breaks: increasing times [s] at
-/// which a derivative of the torque jumps; a step ends at each. Throws std::invalid_argument for times out of
-/// order or values out of range, std::runtime_error if the step control gives up.
+/// @p grip: of grip_torque() [N m]. @p breaks: increasing times [s] at which a derivative of the torque
+/// jumps; a step ends at each. Throws std::invalid_argument for times out of order or values out of range,
+/// std::runtime_error if the step control gives up.
 std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
                                   const std::vector<double> &times, double accuracy, double spin_scale,
                                   double grip = 0., const std::vector<double> &breaks = {});
 
-/// Integrates the same equations by forward Euler, as in the paper, from t = 0 and psi = 0 in @p n_steps
-/// steps of @p time_step [s]. Returns n_steps + 1 samples. First order in @p time_step.
-///
-/// Throws std::invalid_argument if the inertia or the step is not positive.
+/// Integrates the equations of yaw_motion() by forward Euler, as in the paper, from t = 0 and psi = 0 in @p
+/// n_steps steps of @p time_step [s]. Returns n_steps + 1 samples. First order in @p time_step. Throws
+/// std::invalid_argument if the inertia or the step is not positive.
 std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, double yaw_inertia,
                                         double initial_spin, double time_step, unsigned int n_steps,
                                         double grip = 0.);
@@ -57,22 +55,19 @@ std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, doub
 struct LongTimeSpin
 {
   double mean;        ///< [rad/s]
-  double ripple;      ///< half of largest minus smallest spin [rad/s]
+  double ripple;      ///< half the largest minus the smallest spin [rad/s]
   double uncertainty; ///< change of the mean from one window to the next [rad/s]
 };
 
-/// Follows the motion from psi = 0 and @p initial_spin through windows of time until their means
-/// agree.
+/// Follows the motion from psi = 0 and @p initial_spin through windows of time until their means agree. The
+/// weight exp(-1 / (s (1 - s))), 0 < s < 1, over a window makes means of (quasi-)periodic motions converge
+/// faster than any power of the window's length (Das, Saiki, Sander & Yorke, Nonlinearity 30 (2017) 4111).
 ///
-/// The mean over a window is weighted with exp(-1 / (s (1 - s))), 0 < s < 1: for periodic and quasi-periodic
-/// motions that converges faster than any power of the window's length, whatever the periods (Das, Saiki,
-/// Sander & Yorke, Nonlinearity 30 (2017) 4111).
-///
-/// @p window: initial length of a window [s], about twelve of the motion's slowest periods; doubled at most
-/// twice if the means do not agree. @p accuracy: tolerance of the mean relative to @p spin_scale. If the
-/// longest windows differ by more, their difference is the uncertainty of the result. Throws
-/// std::invalid_argument for values out of range, std::runtime_error if the longest windows differ by more
-/// than 1e-5 of @p spin_scale, or as yaw_motion().
+/// @p window: initial length of a window [s], about twelve slowest periods of the motion; doubled at most
+/// twice. @p accuracy: tolerance of the mean relative to @p spin_scale. If the longest windows differ by
+/// more, their difference is the uncertainty of the result. Throws std::invalid_argument for values out of
+/// range, std::runtime_error if the longest windows differ by more than 1e-5 of @p spin_scale, or as
+/// yaw_motion().
 LongTimeSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
                             double window, double accuracy, double spin_scale, double grip = 0.);
 } // namespace stemware::ring

@@ -31,8 +31,7 @@ inline void require_finite(double value, const char *what)
   require(std::isfinite(value), what, " is ", value, ", but must be a finite number");
 }
 
-/// Throws std::invalid_argument unless @p value is finite and positive. The message has the name @p what and
-/// the @p unit.
+/// Throws std::invalid_argument unless @p value is finite and positive. The message has @p what and @p unit.
 inline void require_positive(double value, const char *what, const char *unit)
 {
   require(std::isfinite(value) && value > 0., what, " is ", value, " ", unit,

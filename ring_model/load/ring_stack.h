@@ -13,15 +13,14 @@ namespace stemware::ring
 ///
 /// with theta from the direction of sliding, counter-clockwise seen from above (slip frame: x along the
 /// motion, y to its left, z up). Their sum lambda(theta) is the load of the whole contact; "the load", a_n,
-/// b_n and values at theta refer to the sum. The load of one ring may be negative, even everywhere; a
-/// negative sum is tensile.
+/// b_n and values at theta refer to the sum. One ring's load may be negative; a negative sum is tensile.
 ///
 ///     const RingStack load({ a_0, a_1 }, { 0, b_1 }, radius);   // [N/rad], [m]
 ///     load.normal_force();                                      // 2 pi a_0 [N]
 ///     load.moment_ratio(radius);                                // |M_N| / (N R / 2)
 ///
-/// A RingStack passes the result of a contact calculation to the ring. It is a plain value in SI units. A
-/// load that depends on the spin is a function that returns a RingStack.
+/// Result of a contact and input of the ring. A load that depends on the spin is a function that returns a
+/// RingStack.
 class RingStack
 {
 public:
@@ -34,15 +33,15 @@ public:
   };
 
   /// @p rings: at least one, all with equally many coefficients; the sum of the a_{j,0} is N / 2 pi > 0.
-  /// Throws std::invalid_argument naming the value that is not allowed.
+  /// Throws std::invalid_argument naming the inadmissible value.
   explicit RingStack(std::vector<Ring> rings);
 
-  /// Creates one ring: a_0...a_{n_max}, b_0 = 0...b_{n_max} [N/rad] at @p radius R > 0 [m]. Throws as above.
+  /// Creates one ring: a_0...a_{n_max}, b_0 = 0...b_{n_max} [N/rad] at @p radius R > 0 [m]. Throws likewise.
   RingStack(std::vector<double> a, std::vector<double> b, double radius);
 
-  /// Returns one ring with a first harmonic of normal force @p normal_force N [N] and moment @p moment = M_N
-  /// [N m]: b_1 = M_{N,x} / (pi R), a_1 = -M_{N,y} / (pi R). Tensile at some azimuths if |M_N| > N R / 2.
-  /// Throws std::invalid_argument if a value is not finite or N, R are not positive.
+  /// Returns one ring of normal force N [N] and @p moment M_N [N m]: b_1 = M_{N,x} / (pi R), a_1 = -M_{N,y} /
+  /// (pi R). Tensile at some azimuths if |M_N| > N R / 2. Throws std::invalid_argument unless all is finite
+  /// and N, R > 0.
   static RingStack first_harmonic(double normal_force, const Eigen::Vector2d &moment, double radius);
 
   /// Returns the individual rings.
@@ -60,8 +59,8 @@ public:
   double b(unsigned int n) const { return n < sine.size() ? sine[n] : 0.; }
 
   /// Returns the radius of the single ring with the same N, M_N and first harmonic, |M_N| / (pi sqrt(a_1^2 +
-  /// b_1^2)) [m]; R itself for one ring. For several rings without a moment (below 1e-9 N R, rounding): the
-  /// mean radius weighted with |a_{j,0}|.
+  /// b_1^2)) [m]; R itself for one ring. For several rings without a moment (below 1e-9 N R): mean radius
+  /// weighted with |a_{j,0}|.
   double radius() const;
 
   /// Returns N = 2 pi a_0 [N].
@@ -70,8 +69,8 @@ public:
   /// Returns M_N = (sum y f, -sum x f) = sum_j pi r_j (b_{j,1}, -a_{j,1}) [N m], about the rings' centre.
   Eigen::Vector2d moment() const;
 
-  /// Returns m = |M_N| / (N R / 2) with the nominal contact radius R = @p contact_radius > 0 [m]. A single
-  /// ring of this radius without tension lifts off at m = 1 under a first harmonic, and tips at m = 2.
+  /// Returns m = |M_N| / (N R / 2) with R = @p contact_radius > 0 [m]. A single ring of this radius under a
+  /// first harmonic lifts off at m = 1, and tips at m = 2.
   double moment_ratio(double contact_radius) const;
 
   /// Returns lambda(theta) [N/rad], theta in rad.
@@ -80,13 +79,12 @@ public:
   /// Returns d lambda / d theta [N/rad^2].
   double derivative(double theta) const;
 
-  /// Returns the minimum of lambda over theta [N/rad]. Every local minimum among 32 samples per wave length
-  /// of the highest harmonic is polished to rounding.
+  /// Returns the minimum of lambda [N/rad]: local minima among 32 samples per shortest wave, polished to
+  /// rounding.
   double minimum() const;
 
-  /// Returns the tension that the table would have to exert, int max(0, -lambda) dtheta [N]; 0 unless
-  /// minimum() is negative. The integral is exact between the sign changes, which are polished like
-  /// minimum().
+  /// Returns the tension that the table would have to exert, int max(0, -lambda) dtheta [N], to rounding; 0
+  /// unless minimum() is negative.
   double pulling_force() const;
 
   /// Returns the load truncated to the harmonics up to @p n_max.
@@ -95,16 +93,16 @@ public:
   /// Returns the load rotated counter-clockwise by @p angle [rad]: lambda'(theta) = lambda(theta - angle).
   RingStack rotated(double angle) const;
 
-  /// Returns the largest relative difference to @p other: of the coefficients a_n, b_n of the sum over the
-  /// rings, divided by a_0 of @p other, and of radius(), divided by the radius of @p other.
+  /// Returns the largest relative difference to @p other: of the sum's a_n and b_n, over a_0 of @p other, and
+  /// of radius(), over the radius of @p other.
   double difference(const RingStack &other) const;
 
 private:
   /// Returns lambda at 32 n_max angles, evenly spaced from 0 [N/rad].
   std::vector<double> evenly_spaced_values() const;
 
-  /// Returns the local minima of lambda by their angle, polished to rounding, and the samples next to them.
-  /// Angles may lie slightly outside [0, 2 pi).
+  /// Returns the local minima of lambda by angle, polished to rounding, and the samples next to them. Angles
+  /// may lie slightly outside [0, 2 pi).
   std::map<double, double> local_minima() const;
 
   /// Returns the integral of lambda from one angle to another [N].

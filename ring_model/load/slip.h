@@ -2,16 +2,15 @@
 
 namespace stemware::ring
 {
-/// Azimuths of the marks of glass and table in the slip frame: a mark at azimuth chi of the glass is at
-/// theta = chi + glass, one of the table at theta = chi + table [rad].
+/// Azimuths [rad] of the marks of glass and table in the slip frame: azimuth chi of the glass is at theta =
+/// chi + glass, azimuth chi of the table at theta = chi + table.
 struct Orientation
 {
   double glass = 0;
   double table = 0;
 };
 
-/// Slip state that the normal load may depend on: friction that deforms the foot acts along the slip, and
-/// waviness of rim or table rotates under the load.
+/// Slip on which a load may depend, by friction that deforms the foot or by waviness that rotates.
 struct Slip
 {
   double spin_per_speed = 0; ///< omega / v [1/m], counter-clockwise > 0

@@ -9,7 +9,7 @@
 
 namespace stemware::ring
 {
-/// Costly function of one number x, such as the load against the spin, to be interpolated.
+/// Costly function of a number x to be interpolated, such as the load by spin.
 struct CurveSource
 {
   std::function<Eigen::VectorXd(double x)> value;
@@ -30,15 +30,14 @@ struct CurveTolerance
   std::size_t max_samples = 200;
 };
 
-/// Piecewise polynomial interpolation of a costly function, with its error. Pieces end at the kinks, and
-/// where one polynomial would need too many samples.
+/// Piecewise polynomial interpolation of a costly function, with its error. Pieces end at kinks, and wherever
+/// one polynomial would need too many samples.
 class AdaptiveCurve
 {
 public:
-  /// Samples @p source on [@p lower, @p upper]. On each piece, samples are added at Leja points (or nearby
-  /// points where the value is known); each new sample measures the error of the previous polynomial. A piece
-  /// that needs more than 17 samples is halved. The piece with the largest error is refined first, until @p
-  /// tolerance is reached or the samples are used up; error() gives the result. @p source is not kept.
+  /// Samples @p source on [@p lower, @p upper]. Samples are added at Leja points (or cached points nearby) of
+  /// the piece with the largest error, measured by the last sample, until @p tolerance is reached or the
+  /// samples are used up. A piece that needs more than 17 samples is halved. @p source is not kept.
   AdaptiveCurve(const CurveSource &source, double lower, double upper, const CurveTolerance &tolerance = {});
 
   /// Returns the interpolated value; exact at the nodes, constant beyond the ends.
@@ -49,14 +48,13 @@ public:
   double lower() const { return pieces.front().begin; }
   double upper() const { return pieces.back().end; }
   bool covers(double x) const { return lower() <= x && x <= upper(); }
-  /// Returns the number of samples that were not known beforehand.
+  /// Returns the number of samples without cached values.
   std::size_t n_samples() const { return n_new; }
   /// Returns a bound on the interpolation error, confirmed by the last samples.
   double error() const;
 
 private:
-  /// Polynomial in a coordinate in which the function is smooth: next to a kink, the square root of the
-  /// distance to the kink.
+  /// Polynomial in a smooth coordinate: next to a kink, the square root of the distance to it.
   struct Piece
   {
     /// Returns the smooth coordinate, from 0 to 1.
@@ -78,11 +76,10 @@ private:
   const Eigen::VectorXd &sample(const CurveSource &source, double x);
   Piece through_ends(const CurveSource &source, double begin, double end, bool kink_at_begin,
                      bool kink_at_end);
-  /// Adds a sample at the next Leja point. Its deviation from the previous polynomial measures that
-  /// polynomial's error and bounds the new one's.
+  /// Adds a sample at the next Leja point; it measures the error of the previous polynomial.
   void refine(const CurveSource &source, Piece &piece);
-  /// Returns the next Leja point (largest product of the distances to all nodes), or a known point whose
-  /// product is not much smaller.
+  /// Returns the next Leja point (largest product of distances to all nodes), or a cached point almost as
+  /// good.
   double next_place(const Piece &piece) const;
 
   std::map<double, Eigen::VectorXd> samples; ///< samples by x

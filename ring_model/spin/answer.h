@@ -29,14 +29,14 @@ struct Question
   /// Terminal spin of a similar load, for a local search; std::nullopt: search from rest.
   std::optional<ZeroGuess> zero_guess = {};
   bool with_slope = false;    ///< compute slope and time constant: four more loads
-  TimeObserver observer = {}; ///< observer of the spin in the long run and of spin-ups
+  TimeObserver observer = {}; ///< called during long runs and spin-ups
 };
 
 /// Status of an answer: state of the contact, or the kind of failure.
 enum class Status
 {
   full_contact,    ///< the whole land is under pressure
-  lift_off,        ///< a part of the land is not under pressure
+  lift_off,        ///< a part of the land is free of pressure
   formal,          ///< the load, or its truncation, is negative somewhere (tensile, not physical)
   tips,            ///< no compressive load has the required moment
   no_balance,      ///< no balance of moments was found
@@ -51,9 +51,9 @@ struct Torques
 {
   Wrench friction = {};    ///< T and tau_z
   double lean_torque = 0.; ///< torque of the normal forces, Sample::lean_torque() [N m]
-  double grip_torque = 0.; ///< torque of the fingers; at rest it cancels the others up to its limit [N m]
+  double grip_torque = 0.; ///< torque of the fingers, grip_torque() [N m]
 
-  /// Returns the friction, lean and grip torque together: I d omega / dt, zero at a terminal spin [N m].
+  /// Returns I d omega / dt: the sum of friction, lean and grip torque; zero at a terminal spin [N m].
   double torque() const { return friction.torque + lean_torque + grip_torque; }
 };
 
@@ -79,38 +79,35 @@ struct Fall
   RingState state; ///< state at `omega`
 };
 
-/// Answer to a Question about a load or its truncation. Quantities that do not exist are std::nullopt or
-/// empty; `status` and `reason` have the cause.
+/// Answer to a Question about a load or its truncation. Missing quantities are std::nullopt or empty;
+/// `status` and `reason` give the cause.
 struct Answer
 {
   unsigned int harmonics = 0; ///< harmonics that act on the ring
 
   std::optional<RingState> at_rest;
-  std::optional<TerminalSpin> terminal; ///< if the phase matters the mean spin after the transient
-  double ripple = 0.; ///< half of the largest minus the smallest spin after the transient [rad/s]; 0 without
-                      ///< phases
-  /// Uncertainty of the mean spin after the transient [rad/s]: error of the average, error of the mean of the
-  /// sampled loads, and error of the loads between samples, weighted by the ripple.
+  std::optional<TerminalSpin> terminal; ///< with phases: the mean spin after the transient
+  double ripple = 0.; ///< half the largest minus the smallest spin after the transient [rad/s]
+  /// Uncertainty of the mean spin after the transient [rad/s]: of the average, of the mean of the sampled
+  /// loads, and of the loads between samples weighted by the ripple.
   double spin_uncertainty = 0.;
-  double zero_of_mean_torque = 0.; ///< [rad/s]; the terminal spin itself if the phase does not matter
+  double zero_of_mean_torque = 0.; ///< [rad/s]; the terminal spin if phases do not matter
   std::optional<RingState> at_terminal;
-  std::optional<Fall> fall; ///< only if the glass stands at rest and tips before it reaches a terminal spin
+  std::optional<Fall> fall; ///< if the glass stands at rest, but tips before a terminal spin
   Status status = Status::no_balance;
   std::string reason = {};              ///< cause of missing quantities; empty if none is missing
   std::exception_ptr failure = nullptr; ///< exception behind the reason; nullptr if the glass tips on the way
 
   // Relative to the answer of all harmonics, compared_with_all():
-  std::optional<double> relative_change = {}; ///< change of the terminal spin; std::nullopt if the full
-                                              ///< load's spin is 0
+  std::optional<double>
+    relative_change = {}; ///< of the terminal spin; std::nullopt if the full load's spin is 0
 
   std::optional<double> omega_terminal() const; ///< [rad/s]
   /// Returns the terminal spin, or the spin at which the glass tips [rad/s]; std::nullopt without either.
   std::optional<double> last_spin() const;
-  /// Returns I_z / |d tau_z / d omega| at the terminal spin [s]; std::nullopt without one, or if the slope is
-  /// 0.
+  /// Returns I_z / |d tau_z / d omega| at the terminal spin [s]; std::nullopt without it or without a slope.
   std::optional<double> time_constant() const;
-  /// Returns the terminal spin as an initial guess for similar loads; std::nullopt without a terminal spin or
-  /// a slope.
+  /// Returns the terminal spin as an initial guess for similar loads; std::nullopt without it or its slope.
   std::optional<ZeroGuess> zero_guess() const;
   /// Returns whether the load is negative somewhere, at rest or at the terminal spin.
   bool pulls() const;
@@ -118,24 +115,22 @@ struct Answer
   const Answer &value() const;
 };
 
-/// Answers @p question about @p load. Does not throw NoBalance: a failed balance is reported in
-/// Answer::reason. A glass that stands at rest and tips during the spin-up has a `fall` instead of a terminal
-/// spin.
+/// Answers @p question about @p load. Does not throw NoBalance, but reports it in Answer::reason.
 Answer answer(const Load &load, const Question &question);
 
 /// Returns the incomplete @p answer with @p failure as the reason for its missing quantities.
 Answer failed_answer(const std::exception_ptr &failure, Answer answer = {});
 
-/// Returns @p answer, the answer of a truncation of @p load, with the change of the terminal spin relative to
-/// the full answer @p all. If the phase matters, the minimum is the least of all phases.
+/// Returns @p answer, of a truncation of @p load, with the change of the terminal spin relative to @p all,
+/// the answer of the full load. With phases, RingState::minimum is the minimum over all of them.
 Answer compared_with_all(Answer answer, const Answer &all, const Load &load, const Motion &motion);
 
 /// Returns whether the harmonics above @p n_harmonics are negligible at the terminal spin of @p all: the
-/// bound on their torque is below a tenth of the search's tolerance.
+/// bound on their torque is below 1/10 of the search's tolerance.
 bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Motion &motion);
 
-/// Returns tau_z of friction plus the lean torque with the marks at @p marks, or the mean over the phases
-/// without @p marks; the grip is not included [N m].
+/// Returns tau_z of friction plus lean torque [N m] with the marks at @p marks, else the mean over the
+/// phases.
 double yaw_torque(const Load &load, const Motion &motion, double omega,
                   const std::optional<Orientation> &marks = {});
 } // namespace stemware::ring

@@ -12,11 +12,10 @@ namespace stemware::ring
 std::vector<Torques> torque_curve(const Load &load, const Question &question,
                                   const std::vector<double> &spins, std::string *reason = nullptr);
 
-/// Returns all spins within 1.5 v / R of rest at which the torques balance, in ascending order, each with its
-/// stability; includes a glass held at rest and the terminal spin of @p found, the answer about @p load. Two
-/// spins closer together than v / (32 R) may be missed. The search ends where the load has no balance, and at
-/// 1.05 v / R if friction brakes under every load beyond. Empty without a terminal spin, or if the load
-/// depends on the phase. Throws as @p load.
+/// Returns all spins within 1.5 v / R at which the torques balance, ascending, with their stability; includes
+/// a glass held at rest and the terminal spin of @p found, the answer about @p load. Pairs closer than v /
+/// (32 R) may be missed. The search ends where the load has no balance, and at 1.05 v / R if friction brakes
+/// under every load beyond. Empty without a terminal spin, or if the phase matters. Throws as @p load.
 std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &question, const Answer &found);
 
 /// Returns the spin-up from rest at the equally spaced @p times [s] with error control; NaN after @p fall,
@@ -24,17 +23,16 @@ std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &quest
 std::vector<YawSample> spin_up(const Load &load, const Question &question, const std::vector<double> &times,
                                const std::optional<Fall> &fall = {});
 
-/// Returns the same by forward Euler in equal steps of at most @p longest [s], as in the paper.
+/// Returns spin_up() by forward Euler in equal steps of at most @p longest [s], as in the paper.
 std::vector<YawSample> euler_spin_up(const Load &load, const Question &question,
                                      const std::vector<double> &times, double longest,
                                      const std::optional<Fall> &fall = {});
 
-/// Returns the torque of friction and lean under @p load, which has phases(), tabulated for integrators,
-/// which evaluate it some hundred thousand times near one spin: for spins within @p reach [rad/s] of @p
-/// middle, limited to the load's PhaseSampledLoad::polynomial_range(), the torque at each sampled phase is an
-/// AdaptiveCurve accurate to @p tolerance [N m], interpolated between phases like the load. Elsewhere, and if
-/// the tolerance is not reached, it is the torque of the load itself. Keeps references to @p load and @p
-/// motion.
+/// Returns the torque of friction and lean under @p load, which has phases(), tabulated for 1e5 evaluations
+/// near one spin. For spins within @p reach [rad/s] of @p middle and the load's
+/// PhaseSampledLoad::polynomial_range(), the torque at each sampled phase is an AdaptiveCurve accurate to @p
+/// tolerance [N m], interpolated between phases like the load. Elsewhere, or if the tolerance is not reached,
+/// the load is evaluated. Keeps references to @p load and @p motion.
 PhasedTorqueFunction tabulated_torque(const Load &load, const Motion &motion, double middle, double reach,
                                       double tolerance);
 
@@ -44,18 +42,17 @@ struct Instant : YawSample
   RingState state;
 };
 
-/// Returns at most 25 instants of @p spin_up under @p load, from rest until the spin has come within 0.5 % of
-/// its last one before tipping.
+/// Returns at most 25 instants of @p spin_up under @p load, from rest until the spin is within 0.5 % of its
+/// last value before tipping.
 std::vector<Instant> instants_of(const std::vector<YawSample> &spin_up, const Load &load,
                                  const Question &question);
 
-/// Returns tau_z of friction at the spin @p omega [rad/s] at each of PhaseSampledLoad::phases(), in their
-/// order [N m].
+/// Returns tau_z of friction [N m] at the spin @p omega [rad/s] at each of PhaseSampledLoad::phases().
 std::vector<double> torques_by_phase(const PhaseSampledLoad &phases, const Motion &motion, double omega);
 
-/// Returns @p load, to which @p found is the answer, interpolated in the spin from @p lower to @p upper
-/// [rad/s], or to tipping, for curves of thousands of values. If some spins have no balance: from rest to the
-/// terminal spin; exact if that fails too. @p similar as in Load::interpolated().
+/// Returns @p load interpolated in the spin from @p lower to @p upper [rad/s], or to tipping, for curves of
+/// thousands of values. @p found: its answer. If some spins have no balance: interpolated from rest to the
+/// terminal spin, or, if that fails, exact. @p similar as in Load::interpolated().
 Load interpolated_for_curves(const Load &load, const Answer &found, double lower, double upper,
                              const Load *similar = nullptr);
 

@@ -15,36 +15,36 @@ namespace stemware::ring
 {
 class PhaseSampledLoad;
 
-/// Load on the rings as a function of the spin, and of the marks' azimuths if these matter.
+/// Load on the rings as a function of the spin and, with waviness, of the marks' azimuths.
 ///
 ///     const Load load([](double omega) -> Sample {
 ///       return RingStack({ 0.5, 0. }, { 0., 0.2 + 0.001 * omega }, 0.03); // [N/rad], [m]
 ///     });
 ///     answer(load, { Motion() }).omega_terminal(); // [rad/s]
 ///
-/// A value: copies share the samples that were solved.
+/// Copies share the solved samples.
 class Load
 {
 public:
   using Function = std::function<Sample(double omega)>;
 
-  /// Load that is cheap to evaluate. @p is_pressure: it comes from a contact and is nowhere negative.
+  /// Load that is cheap to evaluate. @p is_pressure: comes from a contact and is nowhere negative.
   explicit Load(Function load, bool is_pressure = false);
   /// Contact pressure that depends on the phase.
   explicit Load(std::shared_ptr<const PhaseSampledLoad> phases);
-  /// Returns the contact pressure that @p solve finds; each spin is solved once, successfully or not. @p
-  /// at_rest: its sample at rest.
+  /// Returns the contact pressure by @p solve, called once a spin, whether successful or not. @p at_rest:
+  /// sample at rest.
   static Load solved_once(Function solve, const Sample &at_rest);
 
-  /// Returns the load at the spin @p omega [rad/s] with the marks of glass and table at @p marks; the mean
-  /// over the phases if these matter and are not given. Throws NoBalance.
+  /// Returns the load at the spin @p omega [rad/s] with the marks at @p marks, else the mean over the phases.
+  /// Throws NoBalance.
   Sample at(double omega, const std::optional<Orientation> &marks = {}) const;
 
   /// Returns the highest harmonic of at().
   unsigned int n_harmonics() const;
   /// Returns the radius of friction [m]: the radius of the load at rest.
   double radius() const { return at(0.).radius(); }
-  /// Returns the spin v / R at which the rim speed equals the orbit speed, R the radius at rest [rad/s].
+  /// Returns v / R [rad/s] with the radius at rest: the spin at which the rim is as fast as the orbit.
   double spin_scale(const Motion &motion) const { return motion.orbit_speed / radius(); }
   /// Returns whether at() needs contact solutions.
   bool is_costly() const;
@@ -54,20 +54,19 @@ public:
   const PhaseSampledLoad *phases() const;
   /// Returns SpinSearch::stability_margin at @p omega, if solved; else 1.
   double stability_margin(double omega) const;
-  /// Returns SpinSearch::nearest_unbalanced_spin: of the solved spins at which the glass tips.
+  /// Returns SpinSearch::nearest_unbalanced_spin among the solved spins at which the glass tips.
   std::optional<double> nearest_unbalanced_spin(double omega) const;
-  /// Returns a bound on the interpolation error of at() over a_0; std::nullopt if the load is not
-  /// interpolated.
+  /// Returns a bound on the interpolation error of at() over a_0; std::nullopt for a load not interpolated.
   std::optional<double> interpolation_error() const;
 
   /// Returns the load truncated after @p n_harmonics; neither contact nor friction is solved again.
   Load truncated(unsigned int n_harmonics) const;
 
   /// Returns the load interpolated between the spins @p lower and @p upper [rad/s], for curves of thousands
-  /// of values: by an AdaptiveCurve whose pieces end where the rim lifts off, to @p tolerance of
-  /// RingStack::difference(), else exact; exact outside the interval. A load that is not costly is returned
-  /// unchanged. If @p similar, another interpolated load on the same rings, is one polynomial, the difference
-  /// to @p similar is interpolated.
+  /// of values: an AdaptiveCurve with pieces that end where the rim lifts off, accurate to @p tolerance of
+  /// RingStack::difference(). Exact outside the interval, and if the tolerance is not reached; a load that is
+  /// not costly is unchanged. If @p similar, interpolated on the same rings, is one polynomial, the
+  /// difference to @p similar is interpolated.
   Load interpolated(double lower, double upper, const CurveTolerance &tolerance = {},
                     const Load *similar = nullptr) const;
 
@@ -75,8 +74,8 @@ private:
   struct Source;
   struct Interpolant;
 
-  /// Returns the spins between the solved ones from @p lower to @p upper at which the rim lifts off or comes
-  /// back into contact.
+  /// Returns the spins in [@p lower, @p upper], between solved ones, at which the rim lifts off or touches
+  /// again.
   std::vector<double> lift_offs(double lower, double upper) const;
 
   std::shared_ptr<const Source> source;

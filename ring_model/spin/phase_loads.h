@@ -13,7 +13,7 @@
 namespace stemware::ring
 {
 
-/// Load at a spin [rad/s] with the marks at a phase; each call is one contact solution or several.
+/// Load at a spin [rad/s] and a phase; each call solves one contact or several.
 using LoadAtPhase = std::function<Sample(double omega, const Orientation &phase)>;
 
 /// Sampling of the phases at rest.
@@ -24,24 +24,22 @@ struct RestSampling
 };
 
 /// Samples the load at rest over the phases until the mean of half the samples agrees with the mean of all
-/// within 1e-5 (PhaseSamples::error()). Begins with 8 phases of one angle or 4 of each of two and doubles the
-/// angle with the larger error, up to 128 in each angle and RestSampling::max_samples in all. Throws
-/// NoBalance if the error of the mean stays above RestSampling::max_error or the error between phases above
-/// 0.3.
+/// within 1e-5 (PhaseSamples::error()). Begins with 8 phases of one angle, or 4 of each of two, and doubles
+/// the angle with the larger error, up to 128 in each and RestSampling::max_samples in all. Throws NoBalance
+/// if the error of the mean stays above RestSampling::max_error, or the error between phases above 0.3.
 PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, const RestSampling &asked);
 
 /// Sampling of a load that depends on the spin.
 struct SpinSampling
 {
-  double unit = 0; ///< length of the intervals of spins from 0 on [rad/s]; 0: the load does not depend on the
-                   ///< spin
+  double unit = 0; ///< length of the spin intervals from 0 on [rad/s]; 0: no dependence on the spin
   unsigned int max_samples = 17; ///< per interval
   std::size_t max_intervals = std::numeric_limits<std::size_t>::max();
 };
 
-/// Load that depends on the phases of glass and table, and possibly on the spin: sampled on one grid of
-/// phases, at rest and at some spins of each interval of spins that is requested. Interpolation is
-/// trigonometric in the phases and polynomial in the spin.
+/// Load that depends on the phases of glass and table, and possibly on the spin. Sampled on one grid of
+/// phases, at rest and at some spins of each requested interval; trigonometric in the phases, polynomial in
+/// the spin.
 class PhaseSampledLoad
 {
 public:
@@ -49,18 +47,17 @@ public:
   PhaseSampledLoad(LoadAtPhase load, const PhasePeriods &periods, const PhaseSamples &at_rest,
                    const SpinSampling &spins = {});
 
-  /// Returns the load at a spin and phase. Throws NoBalance, as sample_phases(), if the samples around @p
-  /// omega are not accurate enough, and if they would exceed SpinSampling::max_intervals.
+  /// Returns the load at a spin and phase. Throws NoBalance if the samples around @p omega are not accurate
+  /// enough (sample_phases()) or would exceed SpinSampling::max_intervals.
   Sample at(double omega, const Orientation &phase) const;
 
   /// Returns the mean over all phases, which has the mean moment.
   Sample mean(double omega) const { return at_spin(omega).mean(); }
 
-  /// Returns the load at the first of phases(), solved and not interpolated.
+  /// Returns the load at the first of phases(), solved, not interpolated.
   Sample at_first_phase(double omega) const { return load(omega, phases().phase(0)); }
 
-  /// Returns the interval of spins [rad/s] around @p omega on which at() is one polynomial; infinite if the
-  /// load does not depend on the spin.
+  /// Returns the interval of spins [rad/s] around @p omega on which at() is one polynomial; else infinite.
   std::pair<double, double> polynomial_range(double omega) const;
 
   /// Returns the loads at all sampled phases.
@@ -72,7 +69,7 @@ public:
   /// Returns the largest error so far of mean() and at(): PhaseSamples::error() at rest and at the far end of
   /// each interval, plus the interpolation error in the spin.
   const SampleError &error() const { return largest_error; }
-  /// Returns the same error of the spins from @p lower to @p upper [rad/s], as far as they are sampled.
+  /// Returns error() for the sampled spins from @p lower to @p upper [rad/s].
   SampleError error(double lower, double upper) const;
 
 private:
@@ -87,8 +84,7 @@ private:
   PhaseSamples at_spin(double omega) const;
   PhaseSamples samples_from(const Eigen::VectorXd &columns) const;
   const Interval &interval_around(double omega) const;
-  /// Samples an interval by the torque_difference() of mean(). For a load with kinks in the spin, an error of
-  /// 3e-2 is enough.
+  /// Samples an interval to a torque_difference() of mean(); for a load with kinks in the spin, to 3e-2.
   Interval sampled(long interval) const;
 
   const LoadAtPhase load;

@@ -11,9 +11,9 @@
 namespace stemware::ring
 {
 
-/// Returns the azimuths of the marks of glass and table in the slip frame at @p time, the glass having yawed
-/// by @p yaw_angle since t = 0: theta = chi + psi - phi -/+ pi/2 and theta = chi - phi -/+ pi/2 with the
-/// orbit angle phi = +/- v t / rho, upper signs for a counter-clockwise orbit.
+/// Returns the azimuths of the marks of glass and table in the slip frame at @p time t [s] and @p yaw_angle
+/// psi [rad]: theta = chi + psi - phi -/+ pi/2 and theta = chi - phi -/+ pi/2 with the orbit angle phi = +/-
+/// v t / rho; upper signs: counter-clockwise orbit.
 Orientation orientation_of_marks(const Motion &motion, double time, double yaw_angle);
 
 /// Periods [rad] of the load in the angles of glass and table; 0 for a perfect surface.
@@ -25,8 +25,7 @@ struct PhasePeriods
   bool any() const { return glass > 0 || table > 0; }
 };
 
-/// Equidistant nodes over one period of an angle, with trigonometric interpolation. A single node represents
-/// a function that does not depend on the angle.
+/// Trigonometric interpolation on equidistant nodes over one period of an angle; one node: a constant.
 class PeriodicGrid
 {
 public:
@@ -48,8 +47,7 @@ private:
   Eigen::ArrayXd cosine, sine;
 };
 
-/// Phases of glass and table at which a load is sampled: every node of one angle with every node of the
-/// other, the table's running fastest.
+/// Grid of phases at which a load is sampled: all pairs of nodes of both angles, the table's running fastest.
 struct PhaseGrids
 {
   using Angle = PeriodicGrid PhaseGrids::*;
@@ -70,9 +68,8 @@ struct PhaseGrids
                                const Orientation &phase) const;
 };
 
-/// Returns the distance of two loads: the largest difference of tau_z over mu N R among the slip ratios 0,
-/// +-1/4 ... +-1, R the ring radius of @p other. High harmonics of a load concentrated at crests count only
-/// as far as the kernels let them turn the glass.
+/// Returns the distance of two loads: largest difference of tau_z over mu N R (R: ring radius of @p other) at
+/// the slip ratios 0, +-1/4 ... +-1. High harmonics count only by their effect on the torque.
 double torque_difference(const Sample &one, const Sample &other);
 
 /// Errors of a sampled load, measured by torque_difference().
@@ -100,18 +97,17 @@ public:
   /// Returns the mean over all phases (trapezoidal rule), which has the mean moment.
   Sample mean() const;
 
-  /// Estimates the error in one angle. Mean: difference to the mean of half of the phases. Between phases:
-  /// interpolation error of a half and of a quarter of the phases at the others, extrapolated to all.
+  /// Estimates the error in one angle. Mean: difference to the mean of half the phases. Between phases: error
+  /// of interpolation from a half and a quarter of the phases, extrapolated to all.
   SampleError error(PhaseGrids::Angle angle) const;
-  /// Returns the error in both angles: the sum of the errors of the mean, the larger of the errors between
-  /// phases.
+  /// Returns the error in both angles: the sum of errors of the mean, the larger error between phases.
   SampleError error() const;
 
 private:
   Sample load_of(const Eigen::VectorXd &column) const;
   PhaseSamples halved(PhaseGrids::Angle angle) const;
-  /// Returns the largest torque_difference() between the loads at every other phase of an angle and their
-  /// interpolation from the remaining phases.
+  /// Returns the largest torque_difference() of the loads at every other phase of an angle to their
+  /// interpolation.
   double error_of_half(PhaseGrids::Angle angle) const;
 
   PhaseGrids grids;

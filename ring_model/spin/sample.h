@@ -11,7 +11,7 @@
 
 namespace stemware::ring
 {
-/// Load on the rings at one spin, the tilt of the glass under that load, and the margins of its balance.
+/// Load on the rings at one spin, the tilt of the glass, and the margins of the balance.
 struct Sample : RingStack
 {
   Sample(RingStack rings, const Eigen::Vector2d &tilt = Eigen::Vector2d::Zero()) // NOLINT
@@ -23,17 +23,17 @@ struct Sample : RingStack
   /// (q1, q2): tilts of the table in the frame of the glass, whose axis tilts by (-q1, -q2) [rad]; 0 if the
   /// moment balance neglects the tilt.
   Eigen::Vector2d tilt;
-  /// Margin to lift-off: the minimum of the pointwise load over a_0; negative after lift-off, estimated from
-  /// the free arc by continuing the first harmonic. 1 if unknown.
+  /// Margin to lift-off: minimum of the pointwise load over a_0; after lift-off negative, estimated from the
+  /// free arc by the first harmonic. 1 if unknown.
   double lift_off_margin = 1.;
   double stability_margin = 1.; ///< SpinSearch::stability_margin; 1 if unknown
 
-  /// Returns the moment of the normal forces about the tilted axis, -q1 M_Nx - q2 M_Ny [N m]; it turns the
-  /// glass like tau_z (docs/theory/closures.md).
+  /// Returns the moment of the normal forces about the tilted axis, -q1 M_Nx - q2 M_Ny [N m], which adds to
+  /// tau_z (docs/theory/closures.md).
   double lean_torque() const { return -tilt.dot(moment()); }
 
   /// Returns the tilt and, ring by ring, r_j, a_{j,0}...a_{j,n}, b_{j,0}...b_{j,n} with n = @p n_harmonics,
-  /// padded with zeros. Rows of equally many rings and harmonics may be added and interpolated.
+  /// padded with zeros. Rows of equal length may be added and interpolated.
   Eigen::VectorXd coefficients(unsigned int n_harmonics) const
   {
     const Eigen::Index n_a = n_harmonics + 1, n_kept = std::min<Eigen::Index>(n_a, this->n_harmonics() + 1),

@@ -7,9 +7,8 @@
 
 namespace stemware::ring
 {
-/// Effect of the harmonics 2 ... n of one load on tau_z of friction. At each spin, the complete load at
-/// that spin is truncated after n harmonics; neither contact nor balance of moments is solved again. With
-/// waviness all values are means over the phases. (docs/theory/budget.md)
+/// Effect of the harmonics 2 ... n of one load on tau_z of friction: at each spin, the full load is truncated
+/// after n harmonics, without another balance. With waviness, means over the phases (docs/theory/budget.md).
 struct TorqueEffect
 {
   /// Values at one spin [N m].
@@ -23,8 +22,8 @@ struct TorqueEffect
   unsigned int harmonics = 0;     ///< n
   std::optional<AtSpin> half;     ///< effect at half the terminal spin; std::nullopt without a terminal spin
   std::optional<AtSpin> terminal; ///< effect at the terminal spin; std::nullopt without a terminal spin
-  /// Delta tau_z(n) of largest absolute value between rest and the terminal spin, or tipping [N m], and its
-  /// spin [rad/s]; std::nullopt if no curve was requested.
+  /// Delta tau_z(n) of largest absolute value up to the terminal spin or tipping [N m], and its spin [rad/s];
+  /// std::nullopt without a curve.
   std::optional<double> largest, largest_at;
   std::vector<double> curve; ///< Delta tau_z(n) at TorqueEffects::spins [N m]; NaN without a balance
 };
@@ -37,9 +36,9 @@ struct TorqueEffects
   std::vector<TorqueEffect> rows = {};
 };
 
-/// Returns the effects of the harmonics up to each of @p orders under @p load, whose answer is @p all with
-/// its state at rest. @p curve is the same load, cheap to evaluate between rest and Answer::last_spin();
-/// nullptr leaves out the curves and their largest values. Throws as @p load, but for NoBalance.
+/// Returns the effects of the harmonics up to each of @p orders under @p load. @p all: its answer, with the
+/// state at rest. @p curve: the same load, cheap up to Answer::last_spin(); nullptr: no curves and largest
+/// values. Throws as @p load, except NoBalance.
 TorqueEffects torque_effects(const Load &load, const Motion &motion, const Answer &all,
                              const std::vector<unsigned int> &orders, const Load *curve = nullptr);
 } // namespace stemware::ring
