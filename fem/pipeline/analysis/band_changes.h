@@ -21,22 +21,22 @@ struct RingProjection
 /// Change of one numerical parameter.
 struct BandChange : Variant
 {
-  std::string part;  ///< part of the band (BandedQuantity::parts) to which it contributes, maybe with others
-  double factor = 1; ///< factor on the change; 0: no part, reference of other changes
-  std::string from = {}; ///< earlier part whose first change is the reference; empty: the study
+  std::string part;      ///< part of the band (BandedQuantity::parts) to which it contributes
+  double factor = 1;     ///< factor on the change; 0: only a reference of other changes
+  std::string from = {}; ///< part whose first change is the reference; empty: the study
   /// True if terminal spin and torques are compared by max_change_over_spins().
   bool compares_over_spins = false;
-  /// The part is the larger of this change and the sum of the earlier changes of the same part.
+  /// True if the part is the larger of this change and the sum of its earlier changes.
   bool is_alternative = false;
-  /// Rings of a change that keeps the study's contacts and their balance and recomputes only the torque;
-  /// std::nullopt: the change has its own contacts.
+  /// Rings of a change that keeps the study's contacts and recomputes only the torque; std::nullopt: the
+  /// change has its own contacts.
   std::optional<RingProjection> ring_projection = {};
 };
 
-/// Returns the changes for the band of @p study (estimate_bands()); @p foot: the study's foot with its rings
-/// chosen; @p at_rest: its load at rest; @p is_full: the whole rim is loaded. Throws BadInput, with the
-/// reason, if no other mesh would be informative: a solid foot whose contact on a hard table is narrower than
-/// its cells, or one of linear elements from a file if quadratic elements would exceed Contact/Memory limit.
+/// Returns the changes for the bands of @p study (estimate_bands()). @p foot: the study's foot with its
+/// rings; @p at_rest: load at rest; @p is_full: the whole rim is loaded. Throws BadInput, with the reason, if
+/// no other mesh would be informative: a solid foot whose contact on a hard table is narrower than its cells,
+/// or linear elements from a file if quadratic ones would exceed Contact/Memory limit.
 std::vector<BandChange> band_changes(const Study &study, const ElasticFoot &foot, const LoadReport &at_rest,
                                      bool is_full);
 

@@ -9,23 +9,23 @@
 namespace stemware::pipeline
 {
 
-/// Entry of a study that differs from case to case.
+/// Entry of a study that differs between cases.
 struct VariedEntry
 {
   std::string path;                     ///< Section/Entry
   std::string unit;                     ///< "1" for pure numbers, empty for words
-  std::vector<std::string> values = {}; ///< values of a grid, in order; empty for a list from a file
-  bool by_factors = false;              ///< true for a range with equal factors (logarithmic axis)
+  std::vector<std::string> values = {}; ///< values of a grid; empty for cases from a file
+  bool by_factors = false;              ///< true for a logarithmic range
 };
 
 /// Cases of a sweep: one study, and for each case the values of some of its entries.
 struct CaseList
 {
-  std::string origin;                               ///< "--vary" or "--cases my.csv", for error messages
-  Study base = {};                                  ///< study that provides all other entries
-  std::vector<VariedEntry> entries = {};            ///< one or two for a grid, any number from a file
-  std::vector<std::vector<std::string>> cases = {}; ///< values [case][entry] as a study file has them, in SI
-                                                    ///< units; the last entry of a grid changes fastest
+  std::string origin;                    ///< "--vary" or "--cases my.csv", for error messages
+  Study base = {};                       ///< study with all other entries
+  std::vector<VariedEntry> entries = {}; ///< one or two for a grid, any number from a file
+  /// Values [case][entry] in SI units, as in a study file; the last entry of a grid changes fastest.
+  std::vector<std::vector<std::string>> cases = {};
 
   bool is_grid() const { return !entries.front().values.empty(); }
 
@@ -40,16 +40,16 @@ struct CaseList
 ///
 ///   Load/Moment ratio=0.1:1.9:50                from 0.1 to 1.9 in equal steps, 50 values
 ///   Table/Foundation modulus=1e8:1e12:20:log    by equal factors
-///   Motion/Mass=200,250,300 g                   a list; a unit behind the last value only applies to all
+///   Motion/Mass=200,250,300 g                   a list; a unit after the last value applies to all
 ///   Motion/Closure=paper,hand,full              words
 ///
 /// Values of a range are rounded to 15 digits of its larger end, so that the middle of -0.3 to 0.3 is 0.
-/// Throws BadInput for other texts, unknown entries, inadmissible values and repeated values.
+/// Throws BadInput for other texts, unknown entries, inadmissible or repeated values.
 CaseList cases_of_grid(const std::vector<std::string> &varied);
 
-/// Reads cases from a table (parse_table()): one column per entry, "Motion/Mass" or "Motion/Mass (g)", one
-/// row per case. Cells may have their own units, and decimal commas unless commas separate them. Throws
-/// BadInput that names line and column.
+/// Reads cases from a table (parse_table()): one row per case, one column per entry, "Motion/Mass" or
+/// "Motion/Mass (g)". Cells may have units and, unless commas separate them, decimal commas. Throws BadInput
+/// with line and column.
 CaseList cases_from_file(const std::string &file);
 
 } // namespace stemware::pipeline

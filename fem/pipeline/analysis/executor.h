@@ -9,7 +9,7 @@
 namespace stemware::pipeline
 {
 
-/// Maker of the feet of variants, and threads for solving them. Answers do not depend on either. For one
+/// Maker of the feet of variants, and threads to solve them; results do not depend on the threads. For one
 /// caller at a time.
 struct Executor
 {
@@ -21,9 +21,9 @@ struct Executor
   {
   }
 
-  /// Calls @p work(i) for every i < @p n, in parallel unless @p sequential, started in order; returns when
-  /// all are done. After an exception no further call starts, and the exception (of the smallest i, if
-  /// several) is rethrown here. Parallel loops within @p work do not interfere and may use idle threads.
+  /// Calls @p work(i) for every i < @p n in order, in parallel unless @p sequential, and waits for all. After
+  /// an exception no further call starts, and the exception of the smallest i is rethrown. Parallel loops
+  /// within @p work may use idle threads.
   void for_each(std::size_t n, const Work &work, bool sequential = false) const
   {
     if (run_in_parallel && !sequential)
@@ -33,8 +33,8 @@ struct Executor
   }
 
   FootMaker make_foot;
-  /// True if every failure affects its own variant only. On several ranks only failures of
-  /// is_variant_failure(), which occur on all ranks, do; others end the work.
+  /// True if every failure affects its own variant only. On several ranks this holds for is_variant_failure()
+  /// only, which occurs on all ranks; other failures end the work.
   bool keeps_all_failures = true;
 
 protected:

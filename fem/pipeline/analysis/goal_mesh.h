@@ -10,11 +10,11 @@
 namespace stemware::pipeline
 {
 
-/// Discretisation error of one number of a study, due to the mesh of a solid foot.
+/// Discretisation error of one number of a study on the mesh of a solid foot.
 struct GoalError
 {
-  double value = 0;     ///< value of the number in the study
-  fem::MeshError error; ///< its correction in the unit of the value: rad/s, 1 or N m
+  double value = 0;     ///< number in the study
+  fem::MeshError error; ///< correction in the unit of the value: rad/s, 1 or N m
 };
 
 /// Estimates the discretisation error of @p goal on the mesh of the solid foot @p foot by finer elements
@@ -24,17 +24,17 @@ struct GoalError
 ///   a2              a_2 / a_0 of the load at rest
 ///   torque          tau_z at half the terminal spin [N m]
 ///
-/// @p load: find_load() of the study; @p omega_terminal: its terminal spin [rad/s]. Returns std::nullopt for
-/// a body of revolution, without a contact, for a foot whose load depends on the direction of the moment, for
-/// one ring, and for a load without a balance. @p with_cells: also the cells' shares. May solve a contact.
+/// @p load: find_load() of the study; @p omega_terminal: its terminal spin [rad/s]; @p with_cells: also the
+/// cells' shares. May solve a contact. Returns std::nullopt for a body of revolution, without a contact or a
+/// balance, for one ring, and for a foot whose load depends on the direction of the moment.
 std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot, const BalancedLoad &load,
                                     double omega_terminal, Goal goal, bool with_cells = false);
 
-/// Value of the goal of a mesh, with its remaining error.
+/// Value of the goal with its estimated remaining error.
 struct GoalOutcome
 {
-  double value = 0;           ///< value of the number [rad/s, 1 or N m]
-  double estimated_error = 0; ///< estimate of exact minus computed value
+  double value = 0;           ///< [rad/s, 1 or N m]
+  double estimated_error = 0; ///< exact minus computed value
   std::size_t n_meshes = 0;
   std::size_t n_cells = 0; ///< cells of the last mesh
 };
@@ -46,14 +46,14 @@ struct MeshForGoal
   std::optional<GoalOutcome> outcome; ///< std::nullopt if the study has no goal
 };
 
-/// Returns the discretisation of @p study with cells halved until the estimated error of its goal
-/// (Contact/Goal) is within its tolerance: on each mesh the cells with most of the error by goal_error(). The
-/// sum of the cells' shares, which may cancel, must not exceed five tolerances. Returns the default if it has
-/// no goal.
+/// Returns the discretisation of @p study, the default without a goal, with cells halved until the estimated
+/// error of Contact/Goal is within its tolerance: on each mesh the cells with most of the error by
+/// goal_error(). The sum of the cells' shares, which may cancel, must not exceed five tolerances. @p progress
+/// receives the meshes.
 ///
-/// @p progress receives the meshes. Throws BadInput for a mesh file whose load depends on the direction of
-/// the moment; std::runtime_error if twenty meshes or Contact/Memory limit are not enough, or the estimate
-/// fails; and as find_load() and terminal_spin(). Collective if the body is.
+/// Throws BadInput for a mesh file whose load depends on the direction of the moment; std::runtime_error if
+/// twenty meshes or Contact/Memory limit are not enough, or the estimate fails; and as find_load() and
+/// ring::terminal_spin(). Collective if the body is.
 MeshForGoal mesh_for_goal(const Study &study, const Executor &executor,
                           Progress &progress = silent_progress());
 

@@ -23,10 +23,10 @@ struct QuantityOfInterest
   std::string name; ///< displayed name: "terminal spin"; a * stands for `omega`
   std::string unit; ///< "1" for pure numbers
   double value = 0;
-  double rounding = 0;              ///< size of differences due to solver tolerances
+  double rounding = 0;              ///< differences due to solver tolerances
   std::optional<double> omega = {}; ///< spin of a torque [rad/s]
 
-  /// Returns the name with the spin in it.
+  /// Returns the name with `omega` in it.
   std::string title() const;
 };
 
@@ -34,11 +34,11 @@ struct QuantityOfInterest
 struct BandedQuantity
 {
   QuantityOfInterest quantity;
-  double band = 0;       ///< half-width: the exact value of the model lies within quantity.value -/+ band
-  double richardson = 0; ///< the value minus the estimated errors of all axes
+  double band = 0;                          ///< half-width: the exact value is within quantity.value -/+ band
+  double richardson = 0;                    ///< value minus the estimated errors of all axes
   std::map<std::string, double> parts = {}; ///< parts of the band by cause: "mesh", "degree", ...
 
-  /// Widens the band, and its part of the cause @p part, by @p half_width.
+  /// Widens the band and its part @p part by @p half_width.
   void add(const std::string &part, double half_width)
   {
     parts[part] += half_width;
@@ -59,47 +59,45 @@ constexpr double relative_noise = 1e-9;
 struct SpinNumbers
 {
   double torque_at_rest = 0;   ///< tau_z [N m]
-  std::vector<double> spins;   ///< spins at which the torque is a quantity too [rad/s]
-  std::vector<double> torques; ///< tau_z there [N m]
+  std::vector<double> spins;   ///< further spins of torques [rad/s]
+  std::vector<double> torques; ///< tau_z at `spins` [N m]
   double omega_terminal = 0;   ///< [rad/s]
   double time_constant = 0;    ///< [s]
 };
 
-/// Returns the quantities of a load: a_n/a_0 and b_n/a_0 (n = 1 ... 8), ring radius, contact fraction,
-/// minimum load. With lift-off the contact fraction is accurate to @p share_noise.
+/// Returns the quantities of a load: a_n/a_0 and b_n/a_0 (n = 1 ... 8), ring radius, contact fractions,
+/// minimum load, peak pressure, contact width. With lift-off, fractions are accurate to @p share_noise.
 std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double share_noise = relative_noise);
 
-/// Returns the quantities of interest: load_quantities() @p at_rest, torque at rest and at
-/// SpinNumbers::spins, terminal spin, time constant, and the motion of the table at rest, @p table_motion
-/// (q_0 [m], q_1 and q_2 [rad]). Always the same quantities in the same order for equally
+/// Returns load_quantities() @p at_rest, torques, terminal spin and time constant of @p spin, and the motion
+/// of the table at rest, @p table_motion (q_0 [m], q_1 and q_2 [rad]). Keys and order are equal for equally
 /// many spins.
 std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
                                                        const Eigen::Vector3d &table_motion,
                                                        const SpinNumbers &spin);
 
-/// Returns the quantities of interest of a study from its @p load, which comes from a contact, with the
-/// torque at @p spins [rad/s]; empty: spins_of_interest(). @p omega_guess: initial guess of the terminal
-/// spin. Throws as @p load and ring::terminal_spin(), and ring::NoBalance if the glass tips.
+/// Returns the quantities of interest of a study from its @p load, which has a contact, with the torque at
+/// @p spins [rad/s]; empty: spins_of_interest(). @p omega_guess: initial guess of the terminal spin. Throws
+/// as @p load and ring::terminal_spin(), and ring::NoBalance if the glass tips.
 std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
                                                    std::vector<double> spins = {},
                                                    const std::optional<double> &omega_guess = {});
 
-/// Returns the default spins at which the torque is evaluated: half and one and a half times the terminal
-/// spin @p omega_terminal.
+/// Returns half and one and a half times the terminal spin, where torques are evaluated by default.
 std::vector<double> spins_of_interest(double omega_terminal);
 
 /// Returns the quantity @p key. Throws std::out_of_range if there is none.
 const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities,
                                       const std::string &key);
 
-/// Returns the change of the quantity @p key from @p before to @p after. For terminal spin and torques it is
-/// the largest change of torque at half, one and one and a half times the terminal spin, because the errors
-/// of different harmonics may cancel at one spin; NaN if one of the three has no value. @p yaw_inertia [kg
-/// m^2]. Throws as quantity_of().
+/// Returns the change of the quantity @p key from @p before to @p after. For terminal spin and torques: the
+/// largest change of torque at half, one and one and a half times the terminal spin, because errors of
+/// harmonics may cancel at one spin; NaN if one of the three has no value. @p yaw_inertia [kg m^2]. Throws as
+/// quantity_of().
 double max_change_over_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
                              const std::vector<QuantityOfInterest> &after, double yaw_inertia);
 
-/// Returns the key of the goal of a mesh; empty for none.
+/// Returns the key of a goal; empty for none.
 std::string key_of(Goal goal);
 
 /// Returns the quantity @p key; end() if there is none.

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-/// Quantities of the results. Each is declared once, in a list of Fields: its key, unit, words, and the
-/// function that reads it from a row. The list gives the members of summary.json with their schema, the
-/// columns of data files, and tables for the page and the console.
+/// Quantities of the results. Each is declared once, in a list of Fields, with key, unit, words and the
+/// function that reads it from a row. The list gives members of summary.json and their schema, columns of
+/// data files, and tables for page and console.
 namespace stemware::pipeline
 {
 
@@ -26,7 +26,7 @@ enum class Face
   console ///< tables of the console
 };
 
-/// Key, unit and words of a quantity. A face for which the quantity has no word does not show it.
+/// Key, unit and words of a quantity. A face for which the word is empty does not show the quantity.
 struct Quantity
 {
   std::string key = "";         ///< key in summary.json, tables and the list of columns
@@ -35,15 +35,15 @@ struct Quantity
   std::string name = "";        ///< heading in data files, without its unit
   std::string column = "";      ///< description of that column
   std::string heading = "";     ///< heading on the page, without its unit
-  /// Label on the console, without its unit; maybe in lines: "change\nof spin".
+  /// Label on the console, without its unit; may have line ends: "change\nof spin".
   std::string label = "";
   std::string digits = ".6g";        ///< displayed digits, argument of format::number()
   Json type = {};                    ///< JSON Schema of the values
   bool may_be_absent = false;        ///< no key in summary.json instead of null
-  std::vector<Quantity> places = {}; ///< columns of a list of fixed length, instead of the list
+  std::vector<Quantity> places = {}; ///< columns of a list of fixed length
   std::string number = "";           ///< replaces a * in key and name, which stands for any number
 
-  /// Returns the word of a face; empty if it does not show the quantity.
+  /// Returns the word of a face; empty if the quantity is not shown.
   const std::string &word(Face face) const
   {
     return face == Face::file ? name : face == Face::page ? heading : label;
@@ -53,14 +53,14 @@ struct Quantity
 /// Returns "name (unit)", or the name only if the unit is empty, or 1 and @p shows_one is false.
 std::string with_unit(const std::string &name, const std::string &unit, bool shows_one = true);
 
-/// Quantity with its values; missing values are null: nan in data files, empty in CSV, a dash in reports.
+/// Quantity with its values; null (missing) is nan in data files, empty in CSV, a dash elsewhere.
 struct Column
 {
   Quantity quantity;
   std::vector<Json> cells = {};
 };
 
-/// Columns of equal length under a title. Renderers (table_renderers.h) show all columns in this order.
+/// Columns of equal length under a title, shown in this order by all renderers (table_renderers.h).
 struct Table
 {
   std::string title = {};
@@ -69,8 +69,8 @@ struct Table
   std::size_t n_rows() const { return columns.empty() ? 0 : columns.front().cells.size(); }
 };
 
-/// Returns a column of a data file: @p key, heading @p name, @p unit, and the description @p column; one cell
-/// from each of @p rows: @p value is a member, or is called with the row. @p number: Quantity::number.
+/// Returns a column of a data file with one cell from each of @p rows: @p value is a member of the row or a
+/// function of it. @p name: heading; @p column: description; @p number: Quantity::number.
 template <typename Rows, typename Value>
 Column column_of(const std::string &key, const std::string &name, const std::string &unit,
                  const std::string &column, const Rows &rows, Value value)
@@ -88,15 +88,15 @@ Column column_of(const std::string &key, const std::string &name, const std::str
 
 using Word = std::function<void(Quantity &)>;
 
-/// Declares the heading in data files and the description of the column.
+/// Declares heading and description of a column of data files.
 Word in_file(const std::string &name, const std::string &column);
-/// Declares the description of a column whose heading is the key.
+/// Declares a column of data files whose heading is the key.
 Word in_column(const std::string &column);
 /// Declares the heading on the page.
 Word on_page(const std::string &heading);
 /// Declares the label on the console.
 Word on_console(const std::string &label);
-/// Declares the heading on the page, which is also the label on the console.
+/// Declares heading on the page and label on the console, which are equal.
 Word shown_as(const std::string &word);
 /// Declares the format of digits on page and console.
 Word with_digits(const std::string &digits);
@@ -109,7 +109,7 @@ Word with_number(const std::string &number);
 /// Declares that a missing value has no key in summary.json, instead of null.
 Word or_absent();
 
-/// Function that returns the key of a row, for members by key.
+/// Function that returns the key of a row, for lists that become objects.
 template <typename Key>
 struct ByKey
 {
@@ -129,8 +129,8 @@ struct Type
 /// Returns the JSON Schema @p type with null as a further value.
 Json or_null(Json type);
 
-/// Returns the JSON Schema of a type: number, text, list, or the target of an optional or a pointer, or null.
-/// @p part: schema of any other type.
+/// Returns the JSON Schema of a type: number, text, list, or the target of an optional or a pointer with
+/// null; @p part for any other type.
 inline Json schema_of(Type<const char *>, const Json & /*part*/ = {})
 {
   return { { "type", "string" } };
@@ -173,7 +173,7 @@ Json schema_of(Type<std::array<Value, n>>, const Json &part = {})
 /// Returns the JSON Schema of an object with the members @p quantities.
 Json schema_of_object(const std::vector<Quantity> &quantities);
 
-/// Adds the columns of @p quantity to @p columns, one for each of its places.
+/// Adds the column of @p quantity to @p columns, or one for each of its places.
 void add_columns(const Quantity &quantity, const std::vector<Json> &cells, Face face,
                  std::vector<Column> &columns);
 
@@ -187,8 +187,8 @@ struct Field
   Quantity quantity;
   std::function<Json(const Row &)> value;
 
-  /// Creates a quantity with its words; @p read is a member of Row, or is called with a row. With an empty @p
-  /// description, the quantity is in tables only.
+  /// Creates a quantity; @p read is a member of Row or a function of a row. With an empty @p description, the
+  /// quantity is in tables only.
   template <typename Read, typename... Words,
             typename = std::enable_if_t<std::is_invocable_v<Read, const Row &>>>
   Field(const std::string &key, const std::string &unit, const std::string &description, Read read,
@@ -202,15 +202,15 @@ struct Field
     (words(quantity), ...);
   }
 
-  /// Creates an object with the members @p fields of the result of @p read: a row, or a list if it is a
-  /// vector; null for an optional or a pointer without value.
+  /// Creates an object with the members @p fields of the result of @p read, a list of objects if it is a
+  /// vector, null for an optional or a pointer without value.
   template <typename Part, typename Read, typename... Words>
   Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,
         Words... words)
       : Field(key, description, fields, read, ByKey{ nullptr }, words...)
   {
   }
-  /// Creates an object that has the rows of a vector as members under their keys.
+  /// Creates an object with the rows of a vector as members under their keys.
   template <typename Part, typename Read, typename Key, typename... Words>
   Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,
         ByKey<Key> by_key, Words... words);
@@ -227,7 +227,7 @@ public:
   {
   }
 
-  /// Returns @p fields, applied to the result of @p read, followed by this list.
+  /// Returns @p fields of the result of @p read, followed by this list.
   template <typename Part, typename Read>
   Fields include(const Fields<Part> &fields, Read read) const
   {

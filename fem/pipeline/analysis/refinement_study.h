@@ -10,52 +10,50 @@
 namespace stemware::pipeline
 {
 
-/// Kind of convergence along an axis, and the use of its band.
+/// Kind of convergence along an axis.
 enum class AxisKind
 {
-  cells,  ///< algebraic, like size^p with halved sizes; the bands of these axes are added
-  degree, ///< spectral; reduces the same errors as smaller cells: used if its band is wider
-  azimuth ///< spectral: harmonics and azimuth lines; their bands are added
+  cells,  ///< algebraic, like size^p with halved sizes; bands are added
+  degree, ///< spectral, same errors as `cells`: the wider of the two bands is used
+  azimuth ///< spectral, harmonics and azimuth lines; bands are added
 };
 
 /// Values on successively finer levels, with observed order, limit and error.
 struct RefinementSequence
 {
   std::vector<double> values;
-  std::optional<double> order; ///< observed order p of the last three values; std::nullopt if there is none
-  double limit = 0;            ///< Richardson value if an order was observed, else the finest value
-  std::vector<double> bands;   ///< half-widths: band of the finest value plus the distance from that value
+  std::optional<double> order; ///< observed order p of the last three values, if any
+  double limit = 0;            ///< Richardson value with an order, else the finest value
+  std::vector<double> bands;   ///< half-widths: band of the finest value plus distance to it
   std::string key = {};        ///< key of the quantity
 };
 
-/// One numerical parameter of a study on successively finer levels, all others unchanged.
+/// One numerical parameter of a study on successively finer levels.
 struct RefinementAxis
 {
   std::string key;  ///< key in summary.json and converge.csv: "meridional_mesh"
   std::string name; ///< displayed name: "meridional mesh"
   std::string size; ///< unit of the sizes: "halvings of every cell"
   AxisKind kind = AxisKind::cells;
-  std::vector<unsigned int> sizes = {}; ///< sizes of the levels, coarsest first
+  std::vector<unsigned int> sizes = {}; ///< coarsest first
   std::vector<Variant> levels = {};
-  std::size_t own = 0;                             ///< index of the study's own level
-  std::vector<RefinementSequence> quantities = {}; ///< one per quantity, once the levels are solved
+  std::size_t own = 0;                             ///< index of the study's level
+  std::vector<RefinementSequence> quantities = {}; ///< one per quantity, after refine()
 };
 
-/// Returns all axes of @p study with up to @p n_levels levels each; the study's own level is the first if the
-/// parameter cannot be reduced, else the second. Throws BadInput without a contact, with waviness, or with a
+/// Returns all axes of @p study with up to @p n_levels levels. The study's own level is the second, or the
+/// first if the parameter cannot be reduced. Throws BadInput without a contact, with waviness, or with a
 /// goal.
 std::vector<RefinementAxis> refinement_axes(Study study, unsigned int n_levels);
 
-/// Returns order, limit and bands of @p values, from the coarsest level to the finest
-/// (docs/method/error_bands.md): grid convergence index, and Richardson's limit if cells show an order. @p
-/// rounding: size of insignificant differences (solver tolerances). Throws std::invalid_argument unless there
-/// are finite values.
+/// Returns order, limit and bands of @p values, from the coarsest to the finest level (grid convergence
+/// index, docs/method/error_bands.md). @p rounding: size of insignificant differences (solver tolerances).
+/// Throws std::invalid_argument without values or for values that are not finite.
 RefinementSequence assess_convergence(const std::vector<double> &values, AxisKind kind, double rounding);
 
-/// Solves @p axes around the study with the quantities @p own, quantities_of_load(), and returns the bands of
-/// these quantities: the sum over the axes of cells (or the band of the degree, if it has finer
-/// levels and is wider) plus the bands of harmonics and lines. Throws the exception of the first level that
-/// fails, with the level's name.
+/// Solves the levels of @p axes and returns the bands of @p own, quantities_of_load() of the study: the sum
+/// over the axes of cells (or the band of the degree, if wider and with finer levels) plus the bands of
+/// harmonics and lines. Throws ring::NoBalance with the name of the first level that fails.
 ErrorBands refine(const std::vector<QuantityOfInterest> &own, std::vector<RefinementAxis> &axes,
                   const Executor &executor, Progress &progress = silent_progress());
 

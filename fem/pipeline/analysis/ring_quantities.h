@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-/// Quantities of the spin: of an answer, of the rows by harmonics, and of the budget.
+/// Quantities of an answer, of the rows by harmonics, and of the budget.
 namespace stemware::pipeline
 {
 
@@ -30,21 +30,21 @@ std::array<std::vector<double>, 2> series_of(const ring::RingStack &load);
 
 // ---- rows by harmonics
 
-/// Row of "truncation": the answer with a number of harmonics, and the effect on tau_z of friction.
+/// Row of "truncation": answer with a number of harmonics, and their effect on tau_z of friction.
 struct Truncation
 {
-  ring::Answer answer; ///< without a spin if not solved
+  ring::Answer answer; ///< without a spin if unsolved
   ring::TorqueEffect effect;
   double torque_at_rest = 0;         ///< TorqueEffects::torque_at_rest
-  std::optional<double> spin_change; ///< relative change of the terminal spin to the first harmonic only
+  std::optional<double> spin_change; ///< relative to the spin of the first harmonic only
 };
 
 /// Returns the rows of @p effects with the answers @p rows. @p scale: Study::spin_scale().
 std::vector<Truncation> truncations_of(const std::vector<ring::Answer> &rows,
                                        const ring::TorqueEffects &effects, double scale);
 
-/// Returns the @p rows whose rest of tau_z exceeds 1e-9 of the torque at rest, and the row of all harmonics;
-/// values below rounding become 0.
+/// Returns the @p rows whose neglected harmonics change tau_z by more than 1e-9 of the torque at rest, and
+/// the row of all harmonics; values below rounding become 0.
 std::vector<Truncation> shown_truncations(std::vector<Truncation> rows);
 
 /// Returns "truncation" of summary.json and its tables.
@@ -59,27 +59,26 @@ const Fields<Truncation> &torque_change_fields();
 std::string label_of(const ChainStep &step);
 
 /// Returns the title of a row of the budget: "the paper's model", "moment balance", "harmonics, n ≤ 2",
-/// "harmonics, all"; @p at_most replaces the sign "≤".
+/// "harmonics, all"; @p at_most replaces "≤".
 std::string title_of(const BudgetRow &row, const std::string &at_most = "≤");
 
-/// Returns the quantities of a row of the budget. Values below the rounding of @p scale, Study::spin_scale(),
-/// are 0. @p shown_spin: format of the terminal spin for display.
+/// Returns the quantities of a row of the budget. @p scale: Study::spin_scale(), whose rounding becomes 0.
+/// @p shown_spin: format of the terminal spin.
 Fields<BudgetRow> chain_fields(double scale = 1, const std::function<Json(double)> &shown_spin = {});
 
 /// Returns step, title and torques of a row of the budget, a table of the page.
 const Fields<BudgetRow> &chain_torque_fields();
 
-/// Returns the chain with its rows of harmonics merged into one, from the first harmonic to all.
+/// Returns the chain with one row for all its rows of harmonics.
 std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows);
 
-/// Returns the chain for display: rows without effect are omitted, @p rounding of spins and differences is 0.
+/// Returns the chain for display, without rows of no effect; spins and differences below @p rounding are 0.
 std::vector<BudgetRow> shown_chain(const std::vector<BudgetRow> &rows, double rounding);
 
 /// Returns the quantities of a changed input.
 const Fields<InputRow> &input_fields();
 
-/// Returns the quantities of a model without one effect; @p complete: terminal spin of the complete model
-/// [rad/s].
+/// Returns the quantities of a model without one effect; @p complete: the study's terminal spin [rad/s].
 Fields<WithoutRow> without_fields(const std::optional<double> &complete = {}, double scale = 1);
 
 /// Returns "harmonic_effect" of summary.json.

@@ -34,21 +34,19 @@ struct Solved
   }
 };
 
-/// Returns true if @p failure leaves the variant without a value: bad input, or a contact or a balance that
-/// does not exist.
+/// Returns true for bad input, and for a contact or a balance that does not exist: the variant has no value.
 bool is_variant_failure(const std::exception &failure);
 
 /// Returns the foot of @p variant: a clone of @p foot, the study's foot, if the variant uses it; else a new
-/// foot, whose initial guesses are predicted from @p foot, if given. Throws ring::Tipping for a variant that
-/// tips at rest, BadInput for a variant that is not to be solved, and if its mesh cannot be made or its
-/// stiffness factorised.
+/// foot, with initial guesses predicted from @p foot, if given. Throws ring::Tipping if the variant tips at
+/// rest, and BadInput if it is not to be solved or its foot cannot be made.
 std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
                                      const Executor &executor);
 
-/// Returns true if all ranks have to solve the foot of @p study together.
+/// Returns true if all ranks must solve the foot of @p study together.
 bool is_collective(const Study &study);
 
-/// Returns true if all ranks have to solve the foot of one of the variants together.
+/// Returns true if one of the variants is_collective().
 template <typename Variants>
 bool any_is_collective(const Variants & /*variants*/)
 {
@@ -61,8 +59,7 @@ bool any_is_collective(const std::vector<AnyVariant> &variants)
                      [](const AnyVariant &variant) { return is_collective(variant.study); });
 }
 
-/// Returns a relative cost estimate of a variant, used to start expensive ones first. Zero for lazily created
-/// variants.
+/// Returns a relative cost, used to start expensive variants first; zero for lazily created variants.
 template <typename Variants>
 std::pair<int, unsigned int> cost_of(const Variants & /*variants*/, std::size_t /*i*/)
 {
@@ -79,17 +76,17 @@ std::pair<int, unsigned int> cost_of(const std::vector<AnyVariant> &variants, st
 /// No progress callback.
 inline constexpr auto no_callback = [](std::size_t, const auto &) {};
 
-/// Returns a callback that reports to @p progress how many of @p n_all @p pieces are done.
+/// Returns a callback that reports the number of finished @p pieces of @p n_all to @p progress.
 inline auto counting_callback(Progress &progress, const std::string &pieces, std::size_t n_all)
 {
   return [&progress, pieces, n_all, n_done = std::size_t(0)](std::size_t, const auto &) mutable
   { progress.pieces_done(pieces, ++n_done, n_all); };
 }
 
-/// Calls @p question(variant, its foot) for each of @p variants, a vector of Variant or of a derived type, or
-/// anything with size() and operator[]; in any order or in parallel, collective feet one after another.
-/// Initial guesses come from @p foot in its present state, never from another variant: the answers depend on
-/// the list only. @p done(i, solved) is called after each, one at a time; its exceptions end the work.
+/// Calls @p question(variant, its foot) for each of @p variants (a vector of Variant or derived types, or any
+/// type with size() and operator[]), in any order or in parallel; collective feet one after another. Initial
+/// guesses come from @p foot, never from another variant, so that answers depend on the list only. @p done(i,
+/// solved) is called after each, one at a time; its exceptions end the work.
 template <typename Variants, typename Question, typename Done = decltype(no_callback)>
 auto solve(const Variants &variants, const std::shared_ptr<ElasticFoot> &foot, const Question &question,
            const Executor &executor, Done done = no_callback)

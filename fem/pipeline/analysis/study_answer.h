@@ -14,7 +14,7 @@
 namespace stemware::pipeline
 {
 
-/// Study and its answer; a verb fills in the parts that it computes.
+/// Study and its answer; each verb sets the members that it computes.
 struct StudyAnswer
 {
   Study study = {};
@@ -24,18 +24,17 @@ struct StudyAnswer
   ErrorBands bands = {}; ///< empty with Depth::answer
 };
 
-/// Answers @p study, a checked study. @p with_fields: also fields and stressed section of the foot. @p start
-/// as of case_result(). Collective if the body is. Throws BadInput, fem::ContactFailure, and ring::NoBalance
+/// Answers the checked @p study. @p with_fields: also fields and stressed section of the foot; @p start as in
+/// case_result(). Collective if the body is. Throws BadInput, fem::ContactFailure, and ring::NoBalance
 /// without a balance or a terminal spin.
 StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, Progress &progress,
                          bool with_fields, std::shared_ptr<ElasticFoot> *start = nullptr);
 
-/// Returns the quantities of a study. Each with a description is in "ring" of summary.json; each with a
-/// description of its column is a column of sweep.csv, in this order; each with a heading is in the table of
-/// ranges of a sweep.
+/// Returns the quantities of a study: with a description, in "ring" of summary.json; with a description of
+/// the column, columns of sweep.csv in this order; with a heading, in the table of ranges of a sweep.
 const Fields<StudyAnswer> &study_quantities();
 
-/// Solves @p study on the levels of @p axes, its refinement_axes(). Throws as answer_study() and refine().
+/// Solves @p study on the levels of @p axes, refinement_axes(). Throws as answer_study() and refine().
 ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor,
                           Progress &progress);
 

@@ -12,14 +12,15 @@
 namespace stemware::pipeline
 {
 
-/// A solved variant: the answer about its load.
+/// Solved variant.
 struct LoadedRow
 {
   Variant variant = {};
   ring::Answer row = {};
-  std::optional<ring::Load> load = {}; ///< std::nullopt if the load failed, see Answer::reason
+  std::optional<ring::Load> load = {}; ///< std::nullopt if the load failed (Answer::reason)
   std::vector<ring::Torques>
-    torques = {}; ///< torques at the spins of StudyRows::torque_spins; empty for rows outside the chain
+    /// At StudyRows::torque_spins; empty for rows outside the chain.
+    torques = {};
 };
 
 /// Answers of one study.
@@ -27,37 +28,35 @@ struct StudyRows
 {
   std::vector<LoadedRow> by_harmonics; ///< all harmonics last
   std::vector<LoadedRow> others;       ///< further variants
-  /// Spins of the rows' torques: 0, half and all of the terminal spin; only 0 if the glass tips on the way
-  /// [rad/s].
+  /// Spins of the torques: 0, half and all of the terminal spin; only 0 if the glass tips [rad/s].
   std::vector<double> torque_spins = {};
 };
 
-/// Returns the end of the plotted torque curve of @p row [rad/s]: @p fastest, or, for a glass that hardly
-/// spins up, a tenth of Study::spin_unit() in the direction of its torque.
+/// Returns the end of the plotted torque curve of @p row [rad/s]: @p fastest, or, if below 0.01
+/// Study::spin_unit(), a tenth of this unit in the direction of the torque.
 double shown_spin(const Study &study, const ring::Answer &row, double fastest);
 
 /// Returns a sentence if the fingers hold the glass of @p row at rest, else an empty string.
 std::string grip_holds_note(const Study &study, const ring::Answer &row);
 
-/// Depth of a study: results in addition to the answer and its curves.
+/// Results of a study in addition to the answer and its curves.
 enum class Depth
 {
-  answer, ///< all harmonics and the first harmonic only
+  answer, ///< rows of all harmonics and of the first only
   rows,   ///< rows by harmonics and other models
-  full    ///< the same with torques, one ring, budget, leave-one-out
+  full    ///< also torques, one ring, budget, leave-one-out
 };
 
-/// Returns an observer that reports the torques and the time of a motion to @p progress, at most ten times a
-/// second.
+/// Returns an observer that reports torque evaluations and time to @p progress, at most ten times a second.
 ring::TimeObserver motion_observer(Progress &progress);
 
 /// Returns @p asked with motion, grip and contact radius of @p study.
 ring::Question spin_question(const Study &study, ring::Question asked = {});
 
-/// Returns the rows of @p variants: the answers to @p asked with each variant's motion, grip and contact
-/// radius; @p foot as in solve(), @p of_study the load for variants on the study's load. Rows of the chain
-/// have the torques at @p torque_spins. Failures of meshes, contacts, balances and spins do not throw: the
-/// row has the available quantities and the reason. @p progress receives @p pieces.
+/// Returns the answers of @p variants to @p asked with their motion, grip and contact radius. @p foot as in
+/// solve(); @p of_study: load of variants with Shared::load. Rows of the chain have torques at
+/// @p torque_spins. Failures of meshes, contacts, balances and spins do not throw: the row has the reason.
+/// @p progress receives @p pieces.
 std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
                                   const std::shared_ptr<ElasticFoot> &foot, const ring::Question &asked,
                                   const Executor &executor, Progress &progress = silent_progress(),
@@ -75,13 +74,12 @@ ring::Answer failed_row(const std::exception_ptr &failure);
 /// n_all, then @p n_all.
 std::vector<unsigned int> truncation_orders(unsigned int n_all);
 
-/// Returns the answer for 1, 2, 3, 4, 6, 8, 12, ... and all harmonics, last row: @p load, find_load() of @p
-/// foot. The other rows have their own balance if the load is two-way, else the truncated load; each is
-/// compared with the last row. A solid body in balance, whose balances take minutes, and Depth::answer have
-/// the rows 1 and all only; Depth::full adds torques at 0, half and all of the terminal spin, or at 0 if the
-/// glass tips on the way. Throws as @p load, and if all harmonics have no answer; if the glass tips on the
-/// way, the last row has a `fall` and no row is compared with it. @p others are solved together with the
-/// rows, so that no thread waits for the slowest row.
+/// Returns the rows for truncation_orders() of @p load, find_load() of @p foot; all harmonics last. Fewer
+/// harmonics have their own balance if the load is two-way, else the truncated load; each row is compared
+/// with the last. Depth::answer, and balances of a solid body or with waviness, which are slow, have the rows
+/// 1 and all only. Depth::full adds torques at StudyRows::torque_spins. @p others are solved with the rows,
+/// so that no thread idles. Throws as @p load, and if all harmonics have no answer; if the glass tips during
+/// the spin-up, the last row has a `fall`, and no row is compared with it.
 StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                             const ring::Load &load, ring::Question question, const Executor &executor,
                             Progress &progress = silent_progress(), Depth depth = Depth::full,

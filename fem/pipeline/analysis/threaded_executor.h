@@ -6,7 +6,7 @@
 namespace stemware::pipeline
 {
 
-/// Executor with feet by make_foot(), which share a cache, and with threads.
+/// Executor with threads; feet come from make_foot() with a shared cache.
 class ThreadedExecutor : public Executor
 {
 public:

@@ -13,35 +13,34 @@ namespace stemware::pipeline
 enum class VariantKind
 {
   study,     ///< the study itself, or a case of a sweep
-  chain,     ///< model of the budget's chain before the study's own rows
-  harmonics, ///< the study with fewer harmonics, a row of the budget's chain too
+  chain,     ///< model of the budget's chain before the rows by harmonics
+  harmonics, ///< the study with fewer harmonics, in the budget's chain too
   without,   ///< the study without one of its effects
-  input,     ///< the first-harmonic model of the study, or the same with one input changed
+  input,     ///< first-harmonic model of the study, maybe with one input changed
   one_ring,  ///< the study on one ring
-  parameter  ///< numerical parameter changed: level of refinement, or part of a band
+  parameter  ///< one numerical parameter changed (refinement or error band)
 };
 
 /// Part of the study's solution that a variant uses again.
 enum class Shared
 {
-  nothing, ///< has a foot of its own
+  nothing, ///< own foot
   contact, ///< the study's foot with newly chosen rings
   foot,    ///< the study's foot and rings
   load     ///< the study's load, truncated to n_harmonics
 };
 
-/// Position of a model in the chain from the paper's model to the study's.
+/// Position of a model in the budget's chain.
 struct ChainStep
 {
-  unsigned int number = 1;  ///< 1 the paper, 2 the study's moment, 3 its contact, 4 ... more harmonics
-  bool is_addition = false; ///< addition to the model `number`: 1a, 2a, 3a
+  unsigned int number = 1;  ///< 1 paper, 2 study's moment, 3 study's contact, 4 ... more harmonics
+  bool is_addition = false; ///< 1a, 2a, 3a
 
-  /// Returns true if the terminal spin comes from the study's contact, not from a closed form.
+  /// Returns true if the terminal spin comes from the study's contact.
   bool is_of_contact() const { return number >= 3; }
 };
 
-/// Named change of a study, or the study itself, to be solved next to the study. Derived types add data for
-/// their evaluation.
+/// Named change of a study, or the study itself, to be solved. Derived types add data.
 struct Variant
 {
   VariantKind kind = VariantKind::study;
@@ -49,17 +48,16 @@ struct Variant
   Study study = {};
   Discretisation discretisation = {};
   Model model = {};
-  unsigned int n_harmonics = all_harmonics; ///< whose friction acts
+  unsigned int n_harmonics = all_harmonics; ///< harmonics whose friction acts
   Shared shared = Shared::nothing;
   ChainStep step = {};     ///< step of VariantKind::chain
-  std::string reason = {}; ///< reason for not being solved; empty if it is to be solved
+  std::string reason = {}; ///< why it is not to be solved; empty if it is
 
-  /// Returns whether it is a row of the budget's chain, with torques.
+  /// Returns true for rows of the budget's chain, which have torques.
   bool is_of_chain() const { return kind == VariantKind::chain || kind == VariantKind::harmonics; }
 };
 
-/// Returns the study itself on its foot @p foot; nullptr: without a contact. Other variants are changes of
-/// it.
+/// Returns the study itself on @p foot; nullptr: without a contact.
 inline Variant own_variant(const Study &study, const ElasticFoot *foot)
 {
   return foot ? Variant{ VariantKind::study, "", study, foot->discretisation(), foot->model() }

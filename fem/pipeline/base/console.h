@@ -8,24 +8,22 @@
 namespace stemware::pipeline
 {
 
-/// Opens missing standard streams to /dev/null, because the next opened file would otherwise take their
+/// Opens missing standard streams as /dev/null, because the next opened file would otherwise take their
 /// descriptors. Call first.
 void open_missing_streams();
 
-/// Directs the console's text to standard output, with @p json to standard error, with @p quiet nowhere.
-/// Throws OutputFailure if @p json is set and there is no standard output.
+/// Sends the console's text to standard output; with @p json to standard error, with @p quiet nowhere. Throws
+/// OutputFailure if @p json is set and standard output is closed.
 void direct_console(bool quiet, bool json);
 
-/// Returns the stream of the console's text; silent except on the first rank. Plain text without escape
-/// codes. For the main thread only.
+/// Returns the stream of the console's text, plain without escape codes; silent except on the first rank. For
+/// the main thread only.
 std::ostream &console();
 
-/// Throws OutputFailure if standard output was not written completely, for example because the disk is full.
-/// Call it at the end of the program.
+/// Throws OutputFailure if standard output was not written completely. Call at the end of the program.
 void require_printed();
 
-/// Progress of many cases on the console: on a terminal a bar, else a line for every tenth, at most every
-/// three seconds.
+/// Progress of many cases on the console: a bar on a terminal, else a line per tenth, at most every 3 s.
 class WorkProgress
 {
 public:
@@ -41,7 +39,7 @@ private:
   const std::string noun;
   std::chrono::steady_clock::time_point last_line = std::chrono::steady_clock::now();
   std::size_t tenths_shown = 0;
-  std::size_t bar_width = 0; ///< columns of the last line, to be overwritten
+  std::size_t bar_width = 0; ///< columns of the present bar, to be overwritten
 };
 
 } // namespace stemware::pipeline

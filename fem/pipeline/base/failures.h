@@ -35,10 +35,10 @@ void ensure(bool condition, const std::string &sentence);
 /// Returns @p text on one line: runs of white space and control characters become single blanks.
 std::string on_one_line(const std::string &text);
 
-/// Returns a given text for a message: on one line, at most @p longest characters, then "...".
+/// Returns @p text for a message: on one line; if longer than @p longest, cut and followed by "...".
 std::string shortened(const std::string &text, std::size_t longest = 80);
 
-/// Returns a given path for a message: on one line, at most its last 80 characters.
+/// Returns @p path for a message: on one line, at most its last 80 characters.
 std::string shortened_path(const std::string &path);
 
 } // namespace stemware::pipeline

@@ -11,32 +11,32 @@ namespace stemware::pipeline
 /// Returns the shortest decimal text that reads back as the same double: 0.03, 7e10, 3e-4; "nan" for any NaN.
 std::string to_text(double value);
 
-/// Returns at most six significant digits, for messages and files of pictures; "nan" as in to_text().
+/// Returns @p value with at most six significant digits, for messages; "nan" as in to_text().
 std::string to_short_text(double value);
 
-/// Returns two numbers as texts with the fewest significant digits, at least @p n_digits, that distinguish
-/// them: "2.0000004" and "2". Equal numbers give equal texts.
+/// Returns two numbers as texts with the fewest significant digits, at least @p n_digits, in which they
+/// differ: "2.0000004" and "2". Equal numbers give equal texts.
 std::pair<std::string, std::string> distinct_texts(double one, double other, int n_digits = 6);
 
 /// Returns the finite number @p value rounded to @p n_digits significant digits: 0.3 for 0.30000000000000004.
 double rounded(double value, int n_digits);
 
-/// Returns @p text with typographic characters replaced by blanks and hyphens of the keyboard: no-break,
-/// figure, thin and narrow no-break space; minus sign and en dash.
+/// Returns @p text with characters of a keyboard: a blank for no-break, figure, thin and narrow no-break
+/// spaces, a hyphen for minus sign and en dash.
 std::string as_typed(std::string text);
 
 /// Parses the whole of @p text as a finite number (as_typed(); leading + and surrounding blanks allowed);
 /// std::nullopt otherwise.
 std::optional<double> parse_number(const std::string &text);
 
-/// Number and its length in a text.
+/// Number at the beginning of a text.
 struct LeadingNumber
 {
   double value = 0;
-  std::size_t length = 0; ///< 0: no number
+  std::size_t length = 0; ///< length of the number [bytes]; 0: no number
 };
 
-/// Returns the leading number of @p text; no blanks and no leading + allowed.
+/// Returns the number at the beginning of @p text; leading blanks or + are not allowed.
 LeadingNumber leading_number(const std::string &text);
 
 /// Parses the whole of @p text as a non-negative integer; std::nullopt otherwise.

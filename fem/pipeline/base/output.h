@@ -6,16 +6,16 @@
 namespace stemware::pipeline
 {
 
-/// Mark in the first lines of a page or mesh that Stemware wrote: a later run may overwrite such a file.
+/// Text in the first lines of each page and mesh written by Stemware: a later run may overwrite the file.
 inline constexpr char written_by_stemware[] = "written by Stemware";
-/// Name of the file in a results folder that lists the files that Stemware wrote there.
+/// Name of the file in a results folder that lists the files written by Stemware.
 inline constexpr char stamp_name[] = ".stemware";
 
-/// Throws OutputFailure, which names the first of the user's files, unless @p folder is missing or has only
-/// files of its stamp, hidden files and files of the operating system.
+/// Throws OutputFailure unless @p folder is missing, or holds only files listed in its file stamp_name,
+/// hidden files and files of the operating system. Names the first other file.
 void require_replaceable(const std::filesystem::path &folder);
 
-/// Results folder that appears under its name when it is complete; until then it is "NAME.partial-PID".
+/// Results folder, written as "NAME.partial-PID" and renamed to NAME when it is complete.
 class ResultsFolder
 {
 public:
@@ -27,11 +27,11 @@ public:
 
   void open(); ///< creates the partial folder, the same on every rank; collective
   const std::filesystem::path &working_folder() const { return partial; } ///< after open()
-  bool made_parent = false; ///< the folder of `target` did not exist before
+  bool made_parent = false; ///< true if the parent of final_folder() was created
   const std::filesystem::path &final_folder() const { return target; }
 
   /// Renames the partial folder and removes older results but no hidden files; on the first rank only. Throws
-  /// OutputFailure, with older and new results kept, if the target is no longer replaceable.
+  /// OutputFailure, and keeps older and new results, if require_replaceable() rejects final_folder().
   void publish();
 
 private:
@@ -39,10 +39,10 @@ private:
   std::filesystem::path partial; ///< removed by the destructor; empty if there is none
 };
 
-/// Throws OutputFailure unless @p file is writable, and missing or a file marked @ref written_by_stemware.
+/// Throws OutputFailure unless @p file is writable, and missing or marked with written_by_stemware.
 void require_writable(const std::filesystem::path &file);
 
-/// Writes a single file, which appears when it is complete. Throws OutputFailure.
+/// Writes @p file under another name and renames it when it is complete. Throws OutputFailure.
 void write_output_file(const std::filesystem::path &file, const std::string &text);
 
 } // namespace stemware::pipeline

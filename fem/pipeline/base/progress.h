@@ -11,8 +11,7 @@ struct ContactIteration; // a step of Newton's method
 namespace stemware::pipeline
 {
 
-/// Observer of the progress of long work; by default no output. ConsoleProgress prints it. Not called from
-/// several threads simultaneously.
+/// Observer of long work, without output by default. Not called from several threads simultaneously.
 class Progress
 {
 public:

@@ -17,18 +17,18 @@ public:
   MpiSession &operator=(const MpiSession &) = delete;
 };
 
-/// Starts MPI unless it is running (a third of a second), for solid feet. Throws BadInput if mpirun has
+/// Starts MPI, which solid feet need, unless it is running; takes 0.3 s. Throws BadInput if mpirun has
 /// started several processes of a program without MPI.
 void start_mpi();
 
-/// Returns whether this process prints and writes tables; true without MPI.
+/// Returns true if this process prints and writes tables; true without MPI.
 bool is_first_rank();
 
 /// Returns the number of processes.
 unsigned int n_ranks();
 
-/// Runs @p work on every rank and waits for all. If it throws on some, every rank throws with the message of
-/// the first of them: OutputFailure for file errors, else std::runtime_error.
+/// Runs @p work on every rank and waits for all. If @p work throws on some ranks, every rank throws with the
+/// message of the first of them: OutputFailure for file errors, else std::runtime_error.
 void on_every_rank(const std::function<void()> &work);
 
 /// Runs @p work on the first rank; if it throws, every rank throws as in on_every_rank().

@@ -8,12 +8,11 @@
 namespace stemware::pipeline
 {
 
-/// Wall-clock time of the stages of a run, kept apart from other results because it differs between equal
-/// runs.
+/// Wall-clock times of the stages of a run, separate from its results, which are equal for equal runs.
 class Stopwatch
 {
 public:
-  /// Ends the present stage, which began at the end of the last one, under the name @p stage.
+  /// Ends the present stage, which began when the previous one ended, and names it @p stage.
   void finish(const std::string &stage)
   {
     const auto now = std::chrono::steady_clock::now();
@@ -21,7 +20,7 @@ public:
     last = now;
   }
 
-  /// Returns the seconds per stage, in order, and "total".
+  /// Returns the durations of the stages, in order, and "total" [s].
   std::vector<std::pair<std::string, double>> times() const
   {
     std::vector<std::pair<std::string, double>> all = seconds;

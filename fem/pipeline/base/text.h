@@ -10,8 +10,8 @@ namespace stemware::pipeline
 /// Width of the console's text [columns].
 constexpr std::size_t console_width = 100;
 
-/// Wraps a text between words. @p label precedes the first line, equally wide blanks the others; lines have
-/// at most @p width columns. A number is not separated from a following % or rad/s.
+/// Wraps a text into lines of at most @p width columns. @p label precedes the first line, equally many blanks
+/// the others. A number and a following % or rad/s are not separated.
 std::string wrapped(const std::string &text, const std::string &label = "",
                     std::size_t width = console_width);
 
@@ -24,12 +24,11 @@ std::string listed(const std::vector<std::string> &words, const std::string &las
 /// Returns @p pattern with each "{}" replaced by the next of @p words.
 std::string filled(const std::string &pattern, const std::vector<std::string> &words);
 
-/// Returns @p text as a field of a CSV file, quoted if it has a comma, a quotation mark, a line end or a #,
-/// which begins comments for many readers.
+/// Returns @p text as a CSV field, quoted if it has a comma, quotation mark, line end or # (often a comment).
 std::string csv_field(const std::string &text);
 
-/// Returns the closest of @p words to @p word by edit distance (insertions, deletions, changes; ignoring
-/// case) if it is at most 3.
+/// Returns the word closest to @p word (insertions, deletions and changes; ignoring case); std::nullopt if
+/// the edit distance exceeds 3.
 std::optional<std::string> closest_match(const std::string &word, const std::vector<std::string> &words);
 
 } // namespace stemware::pipeline

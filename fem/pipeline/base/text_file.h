@@ -13,20 +13,18 @@ void write_text_file(const std::filesystem::path &file, const std::string &text)
 /// Returns all bytes of a file; empty if it cannot be read.
 std::string read_text_file(const std::filesystem::path &file);
 
-/// Throws BadInput, beginning with @p setting ("Load/File = my.dat"), unless @p file exists and is no folder,
-/// pipe or device.
+/// Throws BadInput, beginning with @p setting ("Load/File = my.dat"), unless @p file is a regular file.
 void require_regular_file(const std::string &setting, const std::filesystem::path &file);
 
-/// Returns @p text without a UTF-8 byte order mark. Throws BadInput, beginning with @p origin, for a UTF-16
-/// mark.
+/// Returns @p text without a UTF-8 byte order mark. Throws BadInput, naming @p origin, for a UTF-16 mark.
 std::string without_byte_order_mark(const std::string &origin, std::string text);
 
-/// Reads the text of a file of at most 16 MB, without a byte order mark. Throws BadInput with one sentence,
-/// which begins with @p setting, for any other file.
+/// Reads a text file of at most 16 MB, without its byte order mark. Throws BadInput, beginning with
+/// @p setting, for any other file.
 std::string read_input_text(const std::string &setting, const std::filesystem::path &file);
 
-/// Returns the folders of installed files: ../share/stemware relative to the folder of the executable, and
-/// share/stemware in that folder (build tree). Empty if the folder of the executable is unknown.
+/// Returns the folders of installed files: ../share/stemware (installed program) and share/stemware (build
+/// tree), relative to the folder of the executable. Empty if that folder is unknown.
 std::vector<std::filesystem::path> shared_folders();
 
 /// Source file compiled into the program by stemware_compiled_in() of CMakeLists.txt.
@@ -36,7 +34,7 @@ struct CompiledText
   std::string text;
 };
 
-/// Compiled-in files, in the order in which CMake was given them.
+/// Compiled-in files, in the order given to stemware_compiled_in().
 using CompiledTexts = std::vector<CompiledText>;
 
 /// Returns the text of the file @p name. Throws std::logic_error if it is not compiled in.

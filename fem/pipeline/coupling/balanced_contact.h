@@ -16,41 +16,41 @@
 namespace stemware::pipeline
 {
 
-/// No truncation.
+/// Number of harmonics of a load without truncation.
 inline constexpr unsigned int all_harmonics = std::numeric_limits<unsigned int>::max();
 
-/// Moment balance required of an elastic foot.
+/// Moment balance of an elastic foot.
 struct ContactBalance
 {
   ring::Motion motion;
   ring::Closure closure = ring::Closure::full;
-  ring::Orientation orientation; ///< orientation of the marks of glass and table
+  ring::Orientation orientation; ///< azimuths of the marks of glass and table
   bool tilts = false;            ///< true if the weight of the tilted glass enters the balance
-  bool varies_with_spin = false; ///< true if the contact is solved again at every spin
-  /// Harmonics of the rings whose friction enters the moment balance.
+  bool varies_with_spin = false; ///< true if every spin has its own contact
+  /// Number of the rings' harmonics whose friction enters the moment balance.
   unsigned int n_harmonics = all_harmonics;
 };
 
-/// Elastic foot in balance at a sequence of spins, each solved from the one before: contact, friction and
-/// moment balance are one system, solved by the contact (fem::ContactDemand).
+/// Elastic foot in balance at a sequence of spins, each solved from the previous one. Contact, friction and
+/// moment balance are one system (fem::ContactDemand).
 class BalancedContact
 {
 public:
-  /// @p start: contact near the first requested one; std::nullopt: the last contact of the foot.
+  /// @p start: initial guess for the first requested contact; std::nullopt: the last contact of @p foot.
   BalancedContact(std::shared_ptr<ElasticFoot> foot, const ContactBalance &balance,
                   std::optional<fem::ContactState> start = {});
-  /// @p at_rest: the contact at rest, which is contact() of all spins unless the balance varies with them. @p
-  /// progress, which receives the spins in balance, must outlive the contacts.
+  /// @p at_rest: contact at rest, returned for all spins unless ContactBalance::varies_with_spin.
+  /// @p progress, which receives the spins in balance, must outlive the object.
   BalancedContact(std::shared_ptr<ElasticFoot> foot, const ContactBalance &balance,
                   const fem::ContactState &at_rest, Progress &progress);
 
   /// Returns the contact at the spin @p omega [rad/s]; the latest contacts are cached. Throws ring::Tipping
   /// and ring::NoBalance.
   fem::ContactState contact(double omega);
-  /// Returns the first ContactBalance::n_harmonics of the load of a contact(), with its tilt if
-  /// ContactBalance::tilts, and its margins.
+  /// Returns the load of a contact(), truncated to ContactBalance::n_harmonics, with its margins and, if
+  /// ContactBalance::tilts, its tilt.
   ring::Sample sample_of(const fem::ContactState &state) const;
-  /// Returns the load of the contact at the spin @p omega. Throws as contact().
+  /// Returns sample_of() contact() at the spin @p omega [rad/s].
   ring::Sample sample(double omega);
 
   /// Returns the statistics; std::nullopt if the contact does not depend on the spin.
@@ -58,16 +58,16 @@ public:
 
 private:
   fem::ContactDemand demand_at(double omega, const std::vector<double> &radii, double rotation) const;
-  /// Starts from the previous contact state, even if the foot has been solved again since.
+  /// Starts from the previous contact, even if the foot has been solved again since.
   fem::ContactState solve(const fem::ContactDemand &demand, double omega);
-  /// Solves with T of the single ring with the same moment and first harmonic, whose radius is part of the
-  /// solution.
+  /// Solves with the friction force of the single ring that has the contact's moment and first harmonic, and
+  /// iterates its radius.
   fem::ContactState contact_on_one_ring(double omega);
   fem::ContactState solve_at(double omega);
 
   const std::shared_ptr<ElasticFoot> foot;
   const ContactBalance balance;
-  double one_radius;       ///< radius of the single ring in the previous solution [m]
+  double one_radius;       ///< radius of the single ring, last solution [m]
   double one_rotation = 0; ///< [rad]
   CouplingStatistics counts;
   std::optional<fem::ContactState> before, at_rest;

@@ -12,11 +12,11 @@
 namespace stemware::pipeline
 {
 
-/// Load of a study as a function of the spin, with its contact beside it.
+/// Load of a study as a function of the spin, with its contacts.
 class BalancedLoad : public ring::Load
 {
 public:
-  /// @p at_rest: report on the whole load, not truncated. @p contacts: nullptr for a load without a contact.
+  /// @p at_rest: report on the untruncated load. @p contacts: nullptr for a load without a contact.
   BalancedLoad(const ring::Load &load, LoadReport at_rest,
                std::shared_ptr<BalancedContact> contacts = nullptr)
       : ring::Load(load)
@@ -25,20 +25,20 @@ public:
   {
   }
 
-  /// Returns the full load at rest.
+  /// Returns the report on the untruncated load at rest.
   const LoadReport &report() const { return at_rest; }
-  /// Returns the contact at the spin @p omega; std::nullopt for a load without a contact. Throws NoBalance.
+  /// Returns the contact at the spin @p omega [rad/s]; std::nullopt without a contact. Throws NoBalance.
   std::optional<fem::ContactState> contact(double omega) const
   {
     return contacts ? std::optional(contacts->contact(omega)) : std::nullopt;
   }
-  /// Returns the statistics of the solved loads; std::nullopt if the load does not depend on the spin.
+  /// Returns the statistics of the balances; std::nullopt if the load does not depend on the spin.
   std::optional<CouplingStatistics> statistics() const
   {
     return contacts ? contacts->statistics() : std::nullopt;
   }
 
-  /// Returns @p load with the report and the contacts of this one.
+  /// Returns @p load with the report and the contacts of this load.
   BalancedLoad with(const ring::Load &load) const { return { load, at_rest, contacts }; }
 
 private:
@@ -46,10 +46,10 @@ private:
   std::shared_ptr<BalancedContact> contacts;
 };
 
-/// Returns the constant load @p load, given by a formula, truncated to @p n_harmonics.
+/// Returns the load @p load, truncated to @p n_harmonics, at every spin.
 BalancedLoad given_load(const ring::RingStack &load, unsigned int n_harmonics = all_harmonics);
 
-/// Returns the report of a load given by a formula; pointwise quantities are evaluated from the series.
+/// Returns the report on a load without a contact; minimum and loaded azimuths come from its Fourier series.
 LoadReport report_of(const ring::RingStack &load);
 
 /// Returns the report on the load of a contact state, with the tilt if @p tilts.

@@ -5,16 +5,15 @@
 namespace stemware::pipeline
 {
 
-/// Numerical parameters of a foot beyond the entries of a study: changed by error bands, goals and the page.
+/// Numerical parameters of a foot that are no entries of a study; changed by error bands, goals and pages.
 struct Discretisation
 {
-  double fineness = 1;                   ///< refinement of the cells over the default
-  unsigned int halvings_beyond_zone = 0; ///< halvings of cells, see fem::RevolutionSetup
-  /// Penalty of a hard interface over the default; below 1 for a solid foot: of any interface over its own
-  /// stiffness.
+  double fineness = 1;                   ///< factor on the default fineness of the cells
+  unsigned int halvings_beyond_zone = 0; ///< halvings of fem::RevolutionSetup
+  /// Factor on the penalty of a hard interface; below 1, for a solid foot, on the stiffness of any interface.
   double hardness = 1;
-  unsigned int line_factor = 1; ///< contact lines of each face of a solid foot, over the default
-  std::vector<std::vector<unsigned int>> halved_cells = {}; ///< numbers of the halved cells, mesh after mesh
+  unsigned int line_factor = 1; ///< factor on the contact lines of each face of a solid foot
+  std::vector<std::vector<unsigned int>> halved_cells = {}; ///< indices of the halved cells, mesh after mesh
 };
 
 /// Parts of the model of a foot that a budget leaves out one at a time.
@@ -22,7 +21,7 @@ struct Model
 {
   bool foot_is_rigid = false;        ///< the foot has no compliance
   bool friction_in_foot = true;      ///< friction deforms the foot, if Study::friction_deforms()
-  bool friction_in_substrate = true; ///< and an elastic substrate
+  bool friction_in_substrate = true; ///< the same for an elastic substrate
 };
 
 } // namespace stemware::pipeline

@@ -9,17 +9,15 @@
 namespace stemware::pipeline
 {
 
-/// Returns tau_z(t, psi, omega) [N m], independent of the yaw angle psi, under the orbit speeds of a table:
-/// contact, friction and moments are in balance at every speed, acceleration and spin, including the hand's
-/// tangential force m dv/dt (moment balances hand and full). Each call solves the balance; nothing is
-/// interpolated. The grip is not included. @p foot: study_foot() with its rings. The torque throws as contact
-/// solves and balances.
+/// Returns tau_z(t, psi, omega) [N m] without the grip, independent of the yaw angle psi, at the orbit speeds
+/// of a table. Each call solves the balance of contact, friction and moments at the present speed,
+/// acceleration and spin; moment balances hand and full include the hand's tangential force m dv/dt. @p foot:
+/// study_foot() with its rings. The torque throws as contact solves and balances.
 ring::PhasedTorqueFunction driven_torque(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                          const ring::OrbitSpeedTable &speeds);
 
 /// Returns the breakaway of a study whose hand starts from rest, with Motion/Breakaway friction or the law's
-/// coefficient at rest: the load is in balance with the static friction. Throws BadInput if the glass tips
-/// before it slides.
+/// coefficient at rest. Throws BadInput if the glass tips before it slides.
 ring::Breakaway find_breakaway(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                const ring::OrbitSpeedTable &speeds);
 

@@ -12,18 +12,18 @@
 namespace stemware::pipeline
 {
 
-/// Elastic foot of a study for the ring: solves contacts for demands and slips and projects their loads onto
-/// the same rings and harmonics. Not thread-safe.
+/// Elastic foot of a study: solves contacts for demands and slips and projects their loads onto the same
+/// rings and harmonics. Not thread-safe.
 class ElasticFoot
 {
 public:
-  /// @p contact_radius R [m], which defines the moment ratio; @p discretisation, @p model: of @p foot.
+  /// @p contact_radius: R [m] of the moment ratio; @p discretisation, @p model: of @p foot.
   ElasticFoot(std::shared_ptr<const fem::Foot> foot, double contact_radius,
               Discretisation discretisation = {}, Model model = {});
 
   double radius() const { return contact_radius; }
 
-  /// Returns the radii of the rings [m]; empty: a single ring whose radius follows from the load.
+  /// Returns the radii of the rings [m]; empty: a single ring, whose radius follows from the load.
   const std::vector<double> &ring_radii() const { return radii; }
   /// Returns the highest harmonic of its loads.
   unsigned int n_harmonics() const { return highest; }
@@ -31,18 +31,18 @@ public:
   bool has_rings() const { return placed; }
   /// Undoes set_rings(), so that rings can be chosen anew.
   void reset_rings();
-  /// Returns a copy with its own body for another thread, which continues from this foot's path.
+  /// Returns a copy with its own body for another thread; its path starts as a copy of this foot's path.
   std::shared_ptr<ElasticFoot> clone() const;
 
-  /// Returns the contact under @p demand at @p slip, projected onto ring_radii(); initial guess @p before, or
-  /// the last contact if nullptr. @p progress receives Newton's steps. Throws fem::ContactFailure.
+  /// Returns the contact under @p demand at @p slip, projected onto ring_radii(). @p before: initial guess;
+  /// nullptr: last contact. @p progress receives the Newton steps. Throws fem::ContactFailure.
   fem::ContactState solve(fem::ContactDemand demand, const ring::Slip &slip = {},
                           Progress &progress = silent_progress(), const fem::ContactState *before = nullptr);
 
   /// Predicts initial guesses of contacts from the contacts of @p similar, the foot of a similar study.
   void predict_from_similar(const ElasticFoot &similar);
 
-  /// Returns solve() at rest; the last result is cached because it is requested often.
+  /// Returns solve() at rest; caches the last result.
   fem::ContactState solve_at_rest(const fem::ContactDemand &demand, const ring::Orientation &marks,
                                   Progress &progress);
 
@@ -63,7 +63,7 @@ private:
   Model own_model;
   std::vector<double> radii;
   unsigned int highest;
-  bool placed = false; ///< whether set_rings() has been called
+  bool placed = false; ///< true after set_rings()
   ContactPath path;
   std::optional<fem::ContactState> at_rest; ///< last result of solve_at_rest()
 };

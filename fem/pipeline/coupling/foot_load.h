@@ -11,8 +11,8 @@
 namespace stemware::pipeline
 {
 
-/// Number of phases at which a load that depends on the phase is sampled. Under a hard table each phase takes
-/// ten times as long; `coarse`, for results beside the answer, then has a quarter of the samples of `full`.
+/// Sampling of a load that depends on the phase. Under a hard table, where each phase takes ten times as
+/// long, `coarse` (for results other than the answer) has a quarter of the samples of `full`.
 enum class PhaseSampling
 {
   full,
@@ -23,8 +23,7 @@ enum class PhaseSampling
 BalancedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                           unsigned int n_harmonics, Progress &progress, PhaseSampling phases);
 
-/// Returns find_load() of a contact with the marks of glass and table at @p orientation, for a study with
-/// waviness.
+/// Returns find_load() with the marks of glass and table at @p orientation, for a study with waviness.
 BalancedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                 const ring::Orientation &orientation,
                                 unsigned int n_harmonics = all_harmonics);

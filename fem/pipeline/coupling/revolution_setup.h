@@ -10,12 +10,11 @@ namespace stemware::pipeline
 /// Returns the waviness of rim and table of a study.
 fem::RimImperfection imperfection_of(const Study &study);
 
-/// Returns foot of revolution, table and a mesh that resolves the contact under the weight of @p study.
+/// Returns foot of revolution, table, and a mesh that resolves the contact under the weight of @p study.
 fem::RevolutionSetup revolution_setup(const Study &study, const Discretisation &discretisation = {},
                                       const Model &model = {});
 
-/// Sets the friction that deforms the body in @p setup, a fem::RevolutionSetup or fem::SolidSetup, if
-/// friction does.
+/// Sets the friction of @p setup, a fem::RevolutionSetup or fem::SolidSetup, if Study::friction_deforms().
 template <typename Setup>
 void set_friction(const Study &study, Setup &setup)
 {

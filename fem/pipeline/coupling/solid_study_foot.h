@@ -9,9 +9,8 @@
 namespace stemware::pipeline
 {
 
-/// Makes the foot of a study with a solid body; only in builds with STEMWARE_SOLID. Collective. Shares mesh
-/// and elements with @p similar if both are equal and not used simultaneously. Throws BadInput for an
-/// unusable mesh file, std::invalid_argument for an inadmissible setup.
+/// Makes the foot of a study with a solid body, in builds with STEMWARE_SOLID. Collective. @p similar as in
+/// make_foot(). Throws BadInput for an unusable mesh file, std::invalid_argument for an invalid setup.
 std::shared_ptr<fem::Foot> make_solid_foot(const Study &study, const Discretisation &discretisation,
                                            const Model &model, const fem::Foot *similar);
 

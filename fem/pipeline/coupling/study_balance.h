@@ -8,20 +8,21 @@
 namespace stemware::pipeline
 {
 
-/// Returns the moment balance of a study with the marks of glass and table at their positions at t = 0; @p
-/// n_harmonics: ContactBalance::n_harmonics.
+/// Returns the moment balance of a study with the marks of glass and table as at t = 0; @p n_harmonics:
+/// ContactBalance::n_harmonics.
 ContactBalance moment_balance(const Study &study, unsigned int n_harmonics = all_harmonics);
 
-/// Returns whether find_load() gives a load that varies with the spin.
+/// Returns true if find_load() returns a load that varies with the spin.
 bool varies_with_spin(const Study &study);
 
-/// Returns whether the spin affects the contact: the friction's moment enters the moment balance, or friction
-/// deforms the foot.
+/// Returns true if the spin affects the contact through the moment of friction or the deformation by
+/// friction.
 bool depends_on_spin(const Study &study);
 
-/// Returns the periods of a load with this waviness: 2 pi over the greatest common divisor of the harmonics.
+/// Returns the periods of a load with @p imperfection: 2 pi over the greatest common divisor of its
+/// harmonics.
 ring::PhasePeriods phase_periods(const fem::RimImperfection &imperfection);
-/// Returns the periods of the study's waviness and of the mesh of @p foot, which may lack axial symmetry.
+/// Returns the periods of the study's waviness, and of the mesh of @p foot if it is not axisymmetric.
 ring::PhasePeriods phase_periods(const Study &study, const ElasticFoot &foot);
 
 } // namespace stemware::pipeline

@@ -15,40 +15,38 @@
 namespace stemware::pipeline
 {
 
-/// Makes the foot of a study on its table; results depend on the first three arguments only. It may share
-/// data with @p similar, nullptr or a foot that is not used while it solves.
+/// Makes the foot of a study on its table; results depend on the first three arguments only. The foot may
+/// share data with @p similar (or nullptr), which must not be used while the foot solves.
 using FootMaker = std::function<std::shared_ptr<fem::Foot>(const Study &, const Discretisation &,
                                                            const Model &, const fem::Foot *similar)>;
 
-/// Returns the foot of a study, by @p make_foot; nullptr for a load without a contact. Initial guesses are
-/// predicted from the contacts of @p similar, the foot of a similar study, if given. Throws as @p make_foot.
+/// Returns the foot of a study, made by @p make_foot; nullptr for a load without a contact. Initial guesses
+/// are predicted from the contacts of @p similar, if given. Throws as @p make_foot.
 std::shared_ptr<ElasticFoot> study_foot(const Study &study, const FootMaker &make_foot,
                                         Progress &progress = silent_progress(),
                                         const ElasticFoot *similar = nullptr,
                                         const Discretisation &discretisation = {}, const Model &model = {});
 
-/// Returns whether @p failure is a failed contact or balance.
+/// Returns true if @p failure is a failed contact or balance.
 bool is_balance_failure(const std::exception &failure);
 
 /// Throws ring::Tipping if the foot of a study tips at rest.
 void require_no_tipping(const Study &study);
 
-/// Returns the load of a study on the ring, by Load/Source and Load/Coupling. @p foot: study_foot().
+/// Returns the load of a study on the ring, by Load/Source and Load/Coupling. @p foot: study_foot(), kept by
+/// the load; its rings are chosen here if it has none. @p progress must outlive the load.
 ///
-/// A contact is solved at rest. `one-way`, and with a given moment: this load at every spin. `two-way`:
-/// balance at every spin; friction enters the required moment, the moment the contact, the contact's load the
-/// friction (docs/theory/closures.md). If the spin does not affect the load (moment balance without the
-/// moment of friction, no friction that deforms the foot), the load at rest is used. Loads with waviness are
-/// sampled over the phases.
+/// A contact is solved at rest. This load is used at every spin if the coupling is one-way, the moment is
+/// given, or the spin does not affect the load (depends_on_spin()). Else contact, friction and moments are in
+/// balance at every spin (docs/theory/closures.md). Loads with waviness are sampled over the phases.
 ///
-/// @p progress must outlive the load, which keeps @p foot; the rings of a foot without rings are chosen here.
 /// Throws BadInput and fem::ContactFailure; the load throws NoBalance.
 BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                        Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics,
                        PhaseSampling phases = PhaseSampling::full);
 
-/// Returns the paper's load: a first harmonic on a ring of the contact radius, in the moment balance @p
-/// closure at every spin.
+/// Returns the paper's load: a first harmonic on a ring of the contact radius, in the moment balance
+/// @p closure at every spin.
 BalancedLoad first_harmonic_load(const Study &study, ring::Closure closure);
 
 /// Returns a sentence if the load at rest is used although it depends on the spin, else an empty string.

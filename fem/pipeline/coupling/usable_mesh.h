@@ -9,23 +9,22 @@
 namespace stemware::pipeline
 {
 
-/// Reads a mesh file as fem::read_foot_mesh(). Throws BadInput, also if reading would exceed @p memory_limit
-/// [byte]; then nothing is read.
+/// Reads a mesh file by fem::read_foot_mesh(). Throws BadInput, before reading if the mesh would exceed
+/// @p memory_limit [byte].
 fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshFileOptions &marks,
                                dealii::Triangulation<3, 3> &mesh,
                                double memory_limit = ContactSection().memory_limit);
 
-/// Throws BadInput with one sentence about the first defect of a mesh: parts not connected to the stem cut,
-/// inverted cells, swapped ids, a contact zone that has several parts, faces up or sideways, or does not
-/// surround the z axis. @p origin: the mesh's file.
+/// Throws BadInput about the first defect of a mesh: parts not connected to the stem cut, inverted cells,
+/// swapped ids, a contact zone that has several parts, faces up or sideways, or does not surround the z axis.
+/// @p origin: mesh file.
 void require_usable(const std::string &origin, const fem::MeshCheck &check,
                     const fem::MeshFileOptions &marks = {});
 
-/// Throws BadInput if the mesh's rim differs from the study's contact radius, as for a mesh in another unit
-/// or of another glass.
+/// Throws BadInput if the rim of the mesh is not at the study's contact radius (wrong unit or glass).
 void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study);
 
-/// Makes all these checks for the mesh file of a study. Reads the whole mesh on every rank. Throws BadInput.
+/// Reads the mesh file of a study and makes all checks of this header, on every rank. Throws BadInput.
 void require_usable_mesh(const Study &study);
 
 } // namespace stemware::pipeline

@@ -9,7 +9,7 @@ namespace stemware::pipeline
 /// Column of a file of numbers.
 struct FileColumn
 {
-  std::vector<std::string> names; ///< names in a heading, in small letters; messages use the first
+  std::vector<std::string> names; ///< allowed headings in lower case; messages use the first
   std::string unit;               ///< SI unit
 };
 
@@ -20,11 +20,11 @@ struct FileRow
   unsigned int line = 0; ///< line of the file, counted from 1
 };
 
-/// Finds @p columns in the table @p text (parse_table()). A heading names them in any order, among other
-/// columns, with the unit in round or square brackets or after a comma, a slash or a blank. Without a heading
-/// the rows are the columns in their order, in SI units. Quoted numbers of a table that is separated by
-/// commas may have decimal commas. Throws BadInput with one sentence, which begins with @p setting and names
-/// line, column and remedy; also for commas that may stand for decimals or for thousands.
+/// Reads @p columns from the table @p text (parse_table()). A heading names them in any order, among other
+/// columns, with the unit in round or square brackets or after a comma, a slash or a blank. Without a
+/// heading, the columns are in the given order and in SI units. Quoted numbers may have decimal commas if
+/// commas separate the cells. Throws BadInput, beginning with @p setting, with line, column and remedy; also
+/// for commas that may mark decimals or thousands.
 std::vector<FileRow> parse_columns(const std::string &setting, const std::string &text,
                                    const std::vector<FileColumn> &columns);
 

@@ -18,11 +18,10 @@ enum class BodyKind
   revolution ///< displacement harmonics on a meridional mesh
 };
 
-/// Abilities that only one of the two bodies has.
+/// Abilities that only one of the two kinds of body has.
 struct BodyAbilities
 {
-  bool is_of_revolution; ///< axisymmetric: the same response for every direction of the moment; the gap may
-                         ///< rotate
+  bool is_of_revolution; ///< axisymmetric, and waviness is possible
   bool stands_on_elastic_disc = is_of_revolution;
   bool reads_meshes = !is_of_revolution;                  ///< takes its shape from Contact/Mesh file
   bool is_collective = !is_of_revolution;                 ///< all MPI ranks solve together
@@ -55,10 +54,9 @@ enum class Goal
   torque ///< tau_z at half the terminal spin
 };
 
-/// Upper bound of the number of rings. Forces also lie outside the band of the J Chebyshev points, where the
-/// Lagrange polynomials grow like cosh(J acosh x), x the distance from the band's middle over its half-width.
-/// Their signs alternate, so that the sum is accurate, but rounding, 1e-16, is amplified: at x = 1.5 to 1e-6
-/// of the load with 25 rings, 1e-3 with 32, and 1 with 40.
+/// Maximum number of rings. Outside the band of the J rings, at x half-widths from its middle, the Lagrange
+/// polynomials of the radii grow like cosh(J acosh x) and amplify rounding, 1e-16: at x = 1.5 to 1e-6 of the
+/// load with 25 rings, 1e-3 with 32, and 1 with 40.
 constexpr unsigned int max_rings = 25;
 
 /// Subsection Contact: the elastic body and its discretisation.
@@ -73,9 +71,9 @@ struct ContactSection
   unsigned int refinements = 0; ///< halvings of every cell
   double land_grading = 3;      ///< size ratio of neighbouring cells across the land of a body of revolution
   unsigned int harmonics = 16;  ///< elastic harmonics of a body of revolution
-  unsigned int azimuth_lines = 128; ///< lines on which the table law of a body of revolution is integrated
+  unsigned int azimuth_lines = 128; ///< lines on which a body of revolution integrates the table law
   unsigned int rings = 5;           ///< rings that represent the pressure
-  /// Number of load harmonics of each ring; 0: as many as the lines resolve and the kernels need.
+  /// Load harmonics of each ring; 0: as many as the lines resolve and the friction kernels need.
   unsigned int load_harmonics = 0;
   FrictionCoupling friction_coupling = FrictionCoupling::elastic;
   Goal goal = Goal::none;

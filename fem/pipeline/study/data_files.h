@@ -14,9 +14,8 @@ namespace stemware::pipeline
 std::vector<FileRow> read_column_file(const std::string &setting, const std::string &file,
                                       const std::vector<FileColumn> &columns);
 
-/// Reads the orbit speed v(t) from Motion/Orbit speed file: two columns, time and speed (read_column_file()),
-/// times increasing, speeds greater than 0 except at the beginning, where the hand may be at rest. Throws
-/// BadInput that names the line.
+/// Reads the orbit speed v(t) from Motion/Orbit speed file by read_column_file(): times increase, and speeds
+/// are positive except at the beginning, where the hand may be at rest. Throws BadInput that names the line.
 ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file);
 
 /// Reads lambda(theta) from Load/File, a table of Fourier coefficients:
@@ -25,9 +24,8 @@ ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file);
 ///   0  0.4684   0
 ///   1  0       -0.13
 ///
-/// with rows n a_n b_n [N/rad] for n = 0, 1, 2, ... without gaps. Further columns and other lines that start
-/// with # are ignored, so that harmonics.dat of a results folder can be read. Throws BadInput that names the
-/// line.
+/// with rows n a_n b_n [N/rad] for n = 0, 1, 2, ... without gaps. Further columns and lines that start with #
+/// are ignored, as in harmonics.dat of a results folder. Throws BadInput that names the line.
 ring::RingStack read_load_file(const std::string &file);
 
 } // namespace stemware::pipeline

@@ -16,9 +16,9 @@ constexpr Range not_negative = { "a number not less than 0", [](double value) { 
 constexpr Range poisson_range = { "a number greater than -1 and less than 0.5",
                                   [](double value) { return -1 < value && value < 0.5; } };
 
-// Further facts of a declaration: each sets the member of StudyEntry that has its name.
+// Further facts of a declaration: each function sets the member of StudyEntry that has its name.
 
-/// Declares that the entry has an effect if @p condition holds, independent of the rest of its subsection.
+/// Sets StudyEntry::has_effect to @p condition, independent of the rest of its subsection.
 constexpr auto used_if(bool condition)
 {
   return [=](auto &entry) { entry.has_effect = condition; };
@@ -33,7 +33,7 @@ constexpr auto plausible(double least, double most, const char *from_what_to_wha
   };
 }
 
-/// Returns bounds of a length over the contact radius; the defaults exclude only lengths in a wrong unit.
+/// Declares bounds of a length over the contact radius; the defaults exclude only lengths in a wrong unit.
 constexpr auto times_contact_radius(double least = 1e-5, double most = 300)
 {
   return [=](auto &entry) { entry.times_contact_radius = { least, most }; };

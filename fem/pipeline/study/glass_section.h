@@ -19,11 +19,11 @@ struct GlassSection
 
   fem::GlassProfile profile;
   std::string profile_file;          ///< points of the section, for the shape profile
-  unsigned int n_profile_points = 0; ///< number of points of the file
+  unsigned int n_profile_points = 0; ///< points in profile_file
   /// Circle fitted to the points of the land, if it gives contact or crown radius.
   std::optional<fem::RimCircle> rim_circle = {};
   fem::ElasticMaterial material;
-  Waviness waviness; ///< waviness of the rim, fixed to the glass: positive where it is higher above the table
+  Waviness waviness; ///< rim height, fixed to the glass: positive where the rim is higher above the table
 
   /// Declares the entries with their facts. A template, to be compiled in one file only.
   template <typename List>

@@ -18,8 +18,8 @@ enum class LoadSource
 
 enum class LoadCoupling
 {
-  two_way, ///< contact, friction and moments are in balance at every spin
-  one_way  ///< the load of omega = 0 is kept at every spin
+  two_way, ///< contact, friction and moments are balanced at every spin
+  one_way  ///< the load at omega = 0 is used at every spin
 };
 
 /// Subsection Load: source of lambda(theta).
@@ -33,19 +33,17 @@ struct LoadSection
   std::shared_ptr<const ring::RingStack> from_file = {}; ///< load read from `file`
 
   bool is_from_contact() const { return source == LoadSource::contact; }
-  /// Returns true if the moment is given and does not follow from the moment balance.
+  /// Returns true if the moment is given, not computed from the moment balance.
   bool is_static() const { return moment_ratio >= 0; }
   /// Returns true if the moment balance gives the moment (no given moment, no load file).
   bool has_closure() const { return !is_static() && source != LoadSource::file; }
-  /// Returns true if the load comes from a contact in balance with friction at every spin; false for a given
-  /// moment, whatever the coupling.
+  /// Returns true if contact and friction are in balance at every spin; false for a given moment.
   bool is_in_balance() const
   {
     return is_from_contact() && !is_static() && coupling == LoadCoupling::two_way;
   }
 
-  /// Returns true if the load at rest is kept at every spin: Coupling = one-way, a given moment, or a load
-  /// file.
+  /// Returns true if the load at rest is used at every spin: Coupling = one-way, given moment, or load file.
   bool is_one_way() const
   {
     return source == LoadSource::file || is_static() ||

@@ -17,21 +17,22 @@ namespace stemware::pipeline
 struct MotionSection
 {
   ring::Motion orbit;
-  /// Height of the hand's force above the table: its offset plus the centre of mass [m].
+  /// Height of the hand's force above the table: force offset plus height of the centre of mass [m].
   double hand_height = 0.03;
   ring::Closure closure = ring::Closure::full;
   bool tilt = true;             ///< include the tilt of the glass; see Study::tilts()
   double grip_torque = 0;       ///< maximum torque of the fingers, against the spin [N m]
   std::string orbit_speed_file; ///< v(t) of the spin-up; empty: Motion/Orbit speed throughout
   std::shared_ptr<const ring::OrbitSpeedTable> orbit_speeds = {}; ///< table of that file, if given
-  double breakaway_friction = 0; ///< friction coefficient at which a glass at rest starts to slide; 0: the
-                                 ///< sliding coefficient
-  double end_time = 2;           ///< duration of the spin-up [s]
-  double euler_step = 1e-3;      ///< largest step of the forward Euler method [s]
-  double step_limit = 1e6;       ///< estimated steps of the spin-up above which a study is refused
+  /// Friction coefficient at which a glass at rest starts to slide; 0: the sliding coefficient.
+  double breakaway_friction = 0;
+  double end_time = 2;      ///< duration of the spin-up [s]
+  double euler_step = 1e-3; ///< largest step of the forward Euler method [s]
+  double step_limit = 1e6;  ///< estimated steps of the spin-up above which a study is refused
 
-  /// Places the hand after the entry @p path was assigned: from Hand height or Force offset, whichever is in
-  /// @p given. An entry replaces the other one of an earlier source; @p here are the entries of this source.
+  /// Computes the force offset from hand_height, or hand_height if @p given has Force offset only, after the
+  /// entry @p path was assigned. Either entry of a later source (file, option) removes the other from
+  /// @p given; @p here: entries assigned by the present source.
   void place_hand(const std::string &path, std::map<std::string, std::string> &given,
                   std::set<std::string> &here)
   {

@@ -22,7 +22,7 @@ struct Study
   TableSection table;
   ContactSection contact;
   LoadSection load;
-  /// Entries set by a study file or an option, "Section/Entry", with their text.
+  /// Text of the entries set by a study file or an option, by "Section/Entry".
   std::map<std::string, std::string> given_entries;
   std::string name = "default"; ///< name of the study's file; not an entry
 
@@ -36,36 +36,34 @@ struct Study
   /// = full, and a contact whose moment is not given.
   bool tilts() const;
 
-  /// Returns the required resultants at omega = 0, where the friction is exactly (-mu N, 0): N = m g with the
-  /// moment of the moment balance, or with the given moment of a static study, M_N = m N R/2 (sin,
-  /// -cos)(direction of the load's maximum) [N, N m]. Throws ring::Tipping if the foot tips, m >=
-  /// tipping_ratio().
+  /// Returns the resultants required at omega = 0, where the friction is exactly (-mu N, 0): the weight N,
+  /// and the moment of the moment balance or, with Load/Moment ratio m, M_N = m N R/2 (sin, -cos)(direction
+  /// of the load's maximum) [N, N m]. Throws ring::Tipping if m >= tipping_ratio().
   fem::Resultants required_resultants() const;
 
-  /// Returns the moment ratio at which the glass tips: 2 r_o / R on a flat land of outer radius r_o, 2 on the
-  /// crest of a crowned rim and on a ring. Infinite for a mesh file, whose contact zone decides.
+  /// Returns the moment ratio at which the glass tips: 2 r_o / R on a flat land of outer radius r_o, 2 on a
+  /// crowned rim or a ring. Infinite for a mesh file, whose contact zone decides.
   double tipping_ratio() const;
 
   /// Returns v / R with the contact radius of the glass [rad/s].
   double spin_unit() const { return motion.orbit.orbit_speed / glass.profile.contact_radius; }
 
-  /// Returns the first-order estimate of the terminal spin from the moment M_Nx at rest, 2 |M_Nx| / (N R)
-  /// times spin_unit(), limited to 1e-6 ... 1 of spin_unit() [rad/s]; spin_unit() without such a moment or
-  /// for a load file.
+  /// Returns the first-order terminal spin 2 |M_Nx| / (N R) v/R, from the moment at rest, limited to 1e-6 ...
+  /// 1 of v/R [rad/s]; v/R without M_Nx or for a load file.
   double spin_scale() const;
 
   /// Returns the rounding error of spins and of their differences [rad/s].
   double rounding_of_spins() const { return 1e-9 * spin_scale(); }
 
-  /// Returns whether a spin exceeds its rounding.
+  /// Returns true if @p omega exceeds rounding_of_spins().
   bool is_spin(double omega) const { return std::abs(omega) >= rounding_of_spins(); }
 };
 
 /// Returns the moment ratio m = |M_N| / (N R / 2) of @p load, R = @p contact_radius [m].
 double moment_ratio(const fem::Resultants &load, double contact_radius);
 
-/// Returns a clause for the console: whether friction deforms the foot of a contact, and that this may matter
-/// for a stiff interface and table. Empty without a contact.
+/// Returns a clause for the console: whether friction deforms the foot, with a hint if this may matter (stiff
+/// interface and table). Empty without a contact.
 std::string friction_note(const Study &study);
 
 /// Throws BadInput for incompatible, unphysical or unsupported values.

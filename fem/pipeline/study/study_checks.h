@@ -8,23 +8,23 @@
 namespace stemware::pipeline
 {
 
-/// Returns "Section/Entry" of the given entries (Study::given_entries) that do not affect any result, in the
-/// order of a study file: the modulus of a disc on a rigid substrate, the tilt under a given moment.
+/// Returns "Section/Entry" of the given entries (Study::given_entries) that affect no result, in the order of
+/// a study file: for example the modulus of a disc on a rigid substrate.
 std::vector<std::string> unused_entries(const Study &study);
 
 /// Returns a sentence that names @p entries; empty without entries.
 std::string unused_entries_note(const std::vector<std::string> &entries);
 
 /// Returns a sentence if @p value, in SI units, is outside StudyEntry::plausible: "Motion/Mass = 300 kg is
-/// outside 0.02 to 2 kg for a glass; write 300 g if grams are meant." Empty otherwise, and for 0 of an
-/// optional entry.
+/// outside 0.02 to 2 kg for a glass; write 300 g if grams are meant." Empty otherwise, and for an optional
+/// entry of 0.
 std::string implausible_note(const std::string &path, double value);
 
-/// Returns the implausible_note() of each given entry with an effect.
+/// Returns the implausible_note() of each given entry that has an effect.
 std::vector<std::string> implausible_notes(const Study &study);
 
-/// Throws ring::Tipping for a glass that would tip at rest. Implausible values, the likelier cause, precede
-/// the reason: "Unusual values for a glass: Motion/Mass = 300 kg (0.02 to 2 kg). The glass would tip ...".
+/// Throws ring::Tipping if the glass would tip at rest. Implausible values, the likelier cause, begin the
+/// message: "Unusual values for a glass: Motion/Mass = 300 kg (0.02 to 2 kg). The glass would tip ...".
 void require_no_tipping_at_rest(const Study &study);
 
 } // namespace stemware::pipeline

@@ -32,20 +32,20 @@ struct StudyEntry
   std::string unit;                  ///< "1" for pure numbers, empty for words and paths
   double *quantity = nullptr;        ///< value of an entry of real numbers, else nullptr
   std::string *path_value = nullptr; ///< value of an entry of a path, else nullptr
-  /// True if the value follows from the points of a drawn section, if not given.
+  /// True if the value, unless given, follows from the points of a drawn section.
   bool follows_from_profile = false;
   // State of the study when its entries were requested:
   bool is_given = false;  ///< the study was given the entry (Study::given_entries)
-  bool has_effect = true; ///< a result of the study depends on the entry
+  bool has_effect = true; ///< some result depends on the entry
   /// Plausible values for a glass on a table; other values give a warning only. Listed in docs/values.md.
   std::optional<Interval> plausible;
   std::string plausible_reason; ///< description of the two bounds
-  /// Range of a length over the contact radius: a study outside it, most likely in another unit, is refused.
+  /// Allowed range of a length over the contact radius; a length outside it probably has another unit.
   std::optional<Interval> times_contact_radius;
   std::function<EntryValue()> value; ///< the present value
   /// Sets the value from a text; returns false if it is not allowed.
   std::function<bool(const std::string &)> assign;
-  std::shared_ptr<Study> study = {}; ///< owner of the study, if the entry keeps it alive
+  std::shared_ptr<Study> study = {}; ///< the study, if the entry keeps it alive
 
   /// Returns the present value as written in a study file.
   std::string text() const;
@@ -54,11 +54,11 @@ struct StudyEntry
   std::string path() const { return section + '/' + name; }
 };
 
-/// Returns all entries of @p study in the order of the study file. They refer to the study, which must
-/// outlive them and records which entries are assigned.
+/// Returns all entries of @p study in the order of the study file. They refer to @p study, which must outlive
+/// them and which records assigned entries (given_entries).
 std::vector<StudyEntry> study_entries(Study &study);
 
-/// Returns the entries of a copy of @p study, which lives as long as one of them.
+/// Returns the entries of a copy of @p study, which they keep alive.
 std::vector<StudyEntry> entries_of(const Study &study);
 
 /// Returns the entries of the default study, made once; not to be assigned.
@@ -67,8 +67,8 @@ const std::vector<StudyEntry> &default_entries();
 /// Returns the names of the sections of @p entries, in order.
 std::vector<std::string> sections_of(const std::vector<StudyEntry> &entries);
 
-/// Returns the path of the entry @p word, given with its section or, if unique, without. Returns any other @p
-/// word unchanged.
+/// Returns the path of the entry @p word, given with its section or, if unique, without; @p word if there is
+/// no such entry.
 std::string full_path(const std::vector<StudyEntry> &entries, const std::string &word);
 
 /// Returns the entry of @p path, or of that name if unique. Throws BadInput with a suggestion for unknown
@@ -76,19 +76,18 @@ std::string full_path(const std::vector<StudyEntry> &entries, const std::string 
 const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::string &origin,
                            const std::string &path);
 
-/// Sets an entry from a text. Throws BadInput if the text is not allowed; the message begins with @p origin.
+/// Sets an entry from a text. Throws BadInput, beginning with @p origin, if the text is not allowed.
 void assign(const StudyEntry &entry, const std::string &origin, const std::string &value);
 
-/// Sets the entry of @p path from a text. Throws BadInput if the entry is unknown or the text not allowed.
+/// Sets the entry_at() @p path from a text. Throws as entry_at() and for a text that is not allowed.
 void assign(const std::vector<StudyEntry> &entries, const std::string &origin, const std::string &path,
             const std::string &value);
 
-/// Returns the entry of @p path. Throws BadInput with a suggestion for unknown entries; @p option is named as
-/// the origin.
+/// Returns a copy of entry_at() @p path of the default study, with @p option as the origin.
 StudyEntry find_entry(const std::string &option, const std::string &path);
 
-/// Returns @p message of a library of fem/ with the entries that cure: names of several words of entries of
-/// glass, table and contact become paths ("Foot radius" or "foot radius" becomes "Glass/Foot radius").
+/// Returns @p message of a library of fem/ with paths for names of several words of entries of glass, table
+/// and contact: "Glass/Foot radius" for "Foot radius" or "foot radius".
 std::string with_entries(const std::string &message);
 
 } // namespace stemware::pipeline

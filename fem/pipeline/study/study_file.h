@@ -16,14 +16,14 @@ namespace stemware::pipeline
 void check_study(const Study &study);
 
 /// Reads a study file, applies @p overrides ("Section/Entry=value", each for another entry) and checks the
-/// result; values of the file that overrides replace are not judged. @p file: .prm or .json; empty: default
-/// study; "-": standard input of the first rank, JSON if it begins with a brace. Missing entries have their
-/// defaults. Paths in the file are relative to its folder, paths in overrides to the working directory.
-/// Throws BadInput with one sentence about the first error.
+/// result, but not overridden values of the file. @p file: .prm or .json; empty: default study; "-": standard
+/// input of the first rank, JSON if it begins with a brace. Missing entries have their defaults. Paths in the
+/// file are relative to its folder, paths in overrides to the working directory. Throws BadInput about the
+/// first error.
 Study read_study(const std::string &file, const std::vector<std::string> &overrides = {});
 
-/// Reads a study from @p text in .prm format, or .json format if it begins with a brace; @p origin names it
-/// in messages. Relative paths start at the working directory. Throws as read_study().
+/// Reads a study from @p text, .json if it begins with a brace, else .prm; @p origin names it in messages.
+/// Paths are relative to the working directory. Throws as read_study().
 Study read_study_text(const std::string &origin, const std::string &text);
 
 /// Sets @p entries from @p text, the content of the study file @p file in the format of deal.II's parameter
@@ -37,13 +37,12 @@ Study read_study_text(const std::string &origin, const std::string &text);
 /// it. Throws BadInput, with the line, about the first error.
 void read_prm(const std::string &file, const std::string &text, const std::vector<StudyEntry> &entries);
 
-/// Returns @p study with other @p values, each "Section/Entry" with its text, after all checks. Throws
-/// BadInput that names @p option as the origin.
+/// Returns @p study with other @p values ("Section/Entry" and text), after all checks. Throws BadInput with
+/// @p option as the origin.
 Study with_values(Study study, const std::string &option,
                   const std::vector<std::pair<std::string, std::string>> &values);
 
-/// Returns the unit of the entry of @p path: "1" for pure numbers; empty for words, paths, and unknown
-/// entries.
+/// Returns the unit of the entry of @p path: "1" for pure numbers; empty for words, paths, unknown entries.
 std::string unit_of(const std::string &path);
 
 /// Returns the files that the study reads.
@@ -58,11 +57,11 @@ Json study_as_json(const Study &study);
 /// Returns the study as a .prm file.
 std::string study_as_prm(const Study &study);
 
-/// Returns a text that is equal for equal studies, independent of the working directory and of stored states.
+/// Returns a text that is equal for equal studies, independent of the working directory.
 std::string study_identity(Study study);
 
-/// Returns a .prm file of all defaults, or of one @p section (ignoring case), with help, unit and allowed
-/// values of each entry as comments. Throws BadInput for an unknown section.
+/// Returns the defaults, or those of one @p section (ignoring case), as a .prm file with help, unit and
+/// allowed values as comments. Throws BadInput for an unknown section.
 std::string commented_defaults(const std::string &section = "");
 
 } // namespace stemware::pipeline

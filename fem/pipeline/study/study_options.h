@@ -10,13 +10,13 @@ namespace stemware::pipeline
 /// Options of every verb that works on a study.
 struct StudyOptions
 {
-  std::string verb;                   ///< its name, "run"
+  std::string verb;                   ///< name of the verb, "run"
   std::string study_file;             ///< empty: the default study; "-": standard input
   std::string output;                 ///< folder of --output; empty: the default folder
   std::vector<std::string> overrides; ///< "Section/Entry=value", of --set
   unsigned int n_threads = 0;         ///< threads that share the work; 0: number of cores
-  bool quiet = false;                 ///< nothing on the console but failures
-  bool json = false;                  ///< standard output holds one JSON object and nothing else
+  bool quiet = false;                 ///< console shows failures only
+  bool json = false;                  ///< standard output has one JSON object only
 
   /// Returns the stem of the study file, "default" without a file, "stdin" for standard input.
   std::string study_name() const
@@ -26,8 +26,8 @@ struct StudyOptions
                                : std::filesystem::path(study_file).stem().string();
   }
 
-  /// Returns the folder of the results: --output, else results/<name of the study> for `run` and
-  /// results/<name of the study>-<verb> for the other verbs.
+  /// Returns the folder of the results: --output, else results/NAME for `run` and results/NAME-VERB for other
+  /// verbs, with NAME = study_name().
   std::filesystem::path results_place() const
   {
     const std::string of_verb = verb == "run" ? "" : "-" + verb;

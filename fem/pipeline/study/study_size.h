@@ -10,8 +10,8 @@ namespace stemware::pipeline
 /// Memory of the program and its libraries, a part of StudySize::memory [byte].
 inline constexpr double memory_of_the_program = 1.6e8;
 
-/// Cost of a study, estimated before the work from its entries and the number of nodes of a mesh file, by
-/// measured factors; accurate to a factor of two or three.
+/// Cost of a study, estimated from its entries and the number of nodes of a mesh file by measured factors;
+/// accurate to a factor of two or three.
 struct StudySize
 {
   double unknowns = 0; ///< unknowns of the largest linear system
@@ -20,12 +20,12 @@ struct StudySize
 };
 
 /// Returns FootResolution::edge_halvings of a solid foot: fem::edge_halvings_for() for a generated mesh, but
-/// at most 2 with a goal, which refines further itself.
+/// at most 2 with a goal, whose mesh is refined further; 0 for a mesh file.
 unsigned int edge_halvings(const Study &study);
 
 StudySize size_of(const Study &study);
 
-/// Returns a sentence about the memory of a study that needs more than 1 GB, else an empty string.
+/// Returns a sentence about the memory of a study that needs more than 1 GB; empty otherwise.
 std::string memory_note(const Study &study);
 
 /// Throws BadInput that names the most expensive entry, if the estimate exceeds Contact/Memory limit or

@@ -37,9 +37,9 @@ struct TableSection
   fem::ElasticMaterial disc_material = { 10e9, 0.3 };
   Waviness waviness; ///< fixed to the ground: positive where the table is lower
 
-  /// Makes the table for the finite elements, to be queried instead of the enumerations.
+  /// Makes the table for the finite elements; query it instead of the enumerations.
   fem::Table make() const;
-  /// Returns whether the interface is rigid (Signorini's conditions).
+  /// Returns true if the interface is rigid (Signorini's conditions).
   bool is_hard() const;
 
   /// Declares the entries with their facts. A template, to be compiled in one file only.
