@@ -51,8 +51,7 @@ FrictionFunctionals friction_functionals(const FrictionLaw &law, const std::vect
 FrictionFunctionals friction_functionals(const Motion &motion, const std::vector<double> &radii,
                                          unsigned int n_max, double omega);
 
-/// Returns the friction on @p load under the law of @p motion, at its orbit speed. Throws as
-/// friction_functionals().
+/// Returns the friction on @p load under law and orbit speed of @p motion. Throws as friction_functionals().
 Wrench wrench(const Motion &motion, const RingStack &load, double omega);
 
 /// Returns the friction under @p law on @p load, whose centre has the @p velocity [m/s]; force and velocity

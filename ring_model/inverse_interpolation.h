@@ -31,9 +31,8 @@ struct Estimate
   double error; ///< difference to the estimate without the farthest sample
 };
 
-/// Returns the estimate from the one to four @p samples of smallest |torque| between which the torque
-/// decreases with the spin; more would add rounding only. One sample: error HUGE_VAL. @p samples must not be
-/// empty.
+/// Returns the estimate from the one to four @p samples (not empty) of smallest |torque| between which the
+/// torque decreases with the spin; more would add rounding only. The error from one sample is HUGE_VAL.
 inline Estimate inverse_interpolation(std::vector<DrivingTorque> samples)
 {
   std::sort(samples.begin(), samples.end(), has_smaller_torque);

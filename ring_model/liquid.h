@@ -2,9 +2,8 @@
 
 namespace stemware::ring
 {
-/// Liquid at rest in a bowl, an upright circular cylinder that moves without turning. The surface of the
-/// liquid is a plane that rises opposite to the acceleration a, by tan(alpha) = |a| / g
-/// (docs/theory/liquid.md).
+/// Liquid at rest in a bowl, an upright circular cylinder that moves without turning. The liquid's surface is
+/// a plane that rises opposite to the acceleration a, tan(alpha) = |a| / g (docs/theory/liquid.md).
 struct Liquid
 {
   double mass = 0.;           ///< [kg]; 0: the bowl is empty

@@ -15,7 +15,7 @@ struct RimSlip
   double friction_x = 0, friction_y = 0; ///< friction per angle, over the friction of the mean load at rest
 };
 
-/// Returns slip and friction at 24 points of a rim of @p radius [m] at the spin @p omega [rad/s]. Negative
-/// loads count as 0.
+/// Returns slip and friction at 24 points of a rim of @p radius [m], spin @p omega [rad/s]. Negative loads
+/// count as 0.
 std::vector<RimSlip> rim_slip(const Motion &motion, double radius, const RingStack &load, double omega);
 } // namespace stemware::ring

@@ -23,8 +23,7 @@ public:
   /// @p radius: R > 0 [m]. Throws std::invalid_argument if the radius or the motion is not allowed.
   SelfConsistentRing(Closure closure, const Motion &motion, double radius);
 
-  /// Returns the equilibrium at the spin @p omega [rad/s], to rounding. Throws NoBalance if the moments
-  /// cannot balance.
+  /// Returns the equilibrium at the spin @p omega [rad/s]. Throws NoBalance if the moments cannot balance.
   RingEquilibrium at(double omega) const;
 
   /// Returns the yaw torque [N m] at the spin @p omega [rad/s]; throws as at().

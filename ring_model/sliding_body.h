@@ -31,8 +31,8 @@ public:
   static SlidingBody disc(double radius) { return annulus(0., radius); }
 
   /// Returns a body with @p pressure, smooth between two radii [m] at which it may vanish like a square root
-  /// (Hertz). Throws std::invalid_argument unless 0 <= inner < outer and the pressure is finite, >= 0 and not
-  /// zero everywhere.
+  /// (Hertz). Throws std::invalid_argument unless 0 <= inner < outer and the pressure is finite, >= 0, and >
+  /// 0 somewhere.
   static SlidingBody with_pressure(Pressure pressure, double inner_radius, double outer_radius);
 
   /// Returns the rings at Gauss nodes that represent the body, clustered at its two radii and on both sides

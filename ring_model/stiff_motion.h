@@ -38,8 +38,7 @@ private:
   Slopes slopes(const YawSample &at) const;
   /// Returns the difference of the ends of two steps relative to the requested accuracy.
   double relative_difference(const YawSample &a, const YawSample &b) const;
-  /// Returns the end of one step from @p start; std::nullopt if Newton's method with @p slope does not
-  /// converge.
+  /// Returns one step from @p start; std::nullopt if Newton's method with @p slope does not converge.
   std::optional<YawSample> collocated(const YawSample &start, const Slopes &slope, double step) const;
 
   const PhasedTorqueFunction torque;

@@ -23,8 +23,8 @@ struct TerminalSpin
 /// edges of a contact with lift-off cross.
 double slope_step(double omega, double spin_scale);
 
-/// Returns the fourth-order slope [N m s] from the changes of the torque between -+@p step (@p change) and
-/// between -+2 @p step.
+/// Returns the fourth-order slope [N m s] from the torque's changes between -+@p step and between -+2 @p
+/// step.
 double slope_of_differences(double change, double change_of_two_steps, double step);
 
 /// Returns d tau_z / d omega [N m s] at @p omega by fourth-order differences: four torques within 2 @p step.

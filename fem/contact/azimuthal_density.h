@@ -16,8 +16,7 @@ struct AzimuthLoad
   double density = 0; ///< lambda [N/rad]
 };
 
-/// Returns the index of the sector that contains @p azimuth, out of @p n_sectors equal sectors; sector 0
-/// begins at @p begin.
+/// Returns the index of the sector at @p azimuth, of @p n_sectors equal sectors from @p begin on.
 unsigned int sector_of(double azimuth, double begin, unsigned int n_sectors);
 
 /// Value of one cut (contact lines of equal azimuth) of the whole surface.
@@ -27,18 +26,18 @@ struct CutValue
   double value = 0;
 };
 
-/// Returns one value per cut of the whole @p surface, sorted by azimuth, from one value per own line
-/// (radial); @p combine merges the values of two lines of a cut. Collective over all ranks.
+/// Returns one value per cut of the whole @p surface, sorted by azimuth, from one value per own (radial)
+/// line, merged in pairs by @p combine. Collective.
 std::vector<CutValue> values_of_cuts(const ContactSurface &surface, const std::vector<double> &line_values,
                                      double (*combine)(double, double));
 
-/// Returns the load per radian by azimuth from the force on each line of @p surface. Radial lines are
-/// summed by azimuth, others over ContactSurface::n_sectors equal sectors (given at their middle).
+/// Returns the load per radian by azimuth from the force on each line of @p surface: sums of radial lines by
+/// azimuth, of others over ContactSurface::n_sectors equal sectors, at their middle.
 std::vector<AzimuthLoad> density_of_lines(const ContactSurface &surface,
                                           const std::vector<double> &line_forces);
 
 /// Returns the load per radian by azimuth from nodal forces: sums over n_sectors equal sectors, at the mean
-/// azimuth of their nodes. The borders of the sectors avoid the nodes of a regular mesh.
+/// azimuth of their nodes. Sector borders avoid the nodes of a regular mesh.
 std::vector<AzimuthLoad> density_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &node_forces);
 
 } // namespace stemware::fem

@@ -12,8 +12,8 @@ namespace stemware::fem
 ///
 ///   M_N = moment + (friction_x, friction_y)(load) + tilt_moment (-q2, +q1),
 ///
-/// with the prescribed moment, the moment of the load's own friction, and the moment of the weight of a glass
-/// tilted by the table motions q1, q2 (docs/theory/closures.md). Plain resultants lack the last two terms.
+/// the prescribed moment, the moment of the load's own friction, and the moment of the weight of a glass
+/// tilted by q1, q2 (docs/theory/closures.md). Plain resultants have the first only.
 struct ContactDemand : Resultants
 {
   ContactDemand() = default;
@@ -26,11 +26,10 @@ struct ContactDemand : Resultants
   {
   }
 
-  /// Radii of the rings that represent the load, ascending [m]. Empty: a single ring with the load's moment
-  /// and first harmonic.
+  /// Radii of the load's rings, ascending [m]. Empty: one ring with the load's moment and first harmonic.
   std::vector<double> ring_radii;
   unsigned int n_harmonics = 0; ///< harmonics of the load; 0: as many as the contact resolves
-  /// Moment of the load's friction [N m] as functions of the load on `ring_radii`; empty: none.
+  /// Moment of the load's friction [N m], functionals of the load on `ring_radii`; empty: none.
   ring::LoadFunctional friction_x;
   ring::LoadFunctional friction_y;
   double tilt_moment = 0; ///< N z_CM [N m]; for a filled glass N times ring::Motion::overturning_height()
@@ -41,8 +40,7 @@ struct ContactDemand : Resultants
   ContactDemand in_rotated_axes(double angle) const;
 };
 
-/// Returns the value of @p function under a unit force on each contact node of @p surface, projected onto
-/// rings of @p ring_radii [m]; shape [n_nodes].
+/// Returns @p function of a unit force on each node, projected onto @p ring_radii [m]; shape [n_nodes].
 Eigen::VectorXd node_values(const ContactSurface &surface, const std::vector<double> &ring_radii,
                             const ring::LoadFunctional &function);
 

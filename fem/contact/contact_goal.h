@@ -16,7 +16,7 @@ struct ContactGoal
   std::vector<double> ring_radii;                      ///< radii of the projected load, ascending [m]
   ring::LoadFunctional of_load;                        ///< [J rad/N]
   Eigen::Vector2d of_moment = Eigen::Vector2d::Zero(); ///< [J/(N m)]
-  /// Derivative with respect to the table motions [J/m, J/rad, J/rad].
+  /// Derivative by the table motions [J/m, J/rad, J/rad].
   Eigen::Vector3d of_motion = Eigen::Vector3d::Zero();
 };
 
@@ -24,11 +24,10 @@ struct ContactGoal
 struct MeshError
 {
   double correction = 0; ///< estimate of exact minus computed value [J]
-  /// Shares of the mesh's active cells in the error, all >= 0: refinement indicators.
+  /// Shares of the active cells in the error, >= 0: refinement indicators.
   std::vector<double> cells;
 
-  /// Returns the smallest set of cells with @p share of the total error. Cells of equal share are all
-  /// included, so that refinement stays axisymmetric.
+  /// Returns the smallest set of cells with @p share of the total error, with all cells of equal share.
   std::vector<unsigned int> mark(double share) const;
 };
 

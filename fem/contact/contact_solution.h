@@ -8,12 +8,11 @@
 namespace stemware::fem
 {
 
-/// Outcome of a contact solve, in the order of to_string(). All but `converged` and `narrow_contact` are
-/// thrown as a ContactFailure.
+/// Outcome of a contact solve; all but `converged` and `narrow_contact` are thrown as a ContactFailure.
 enum class ContactOutcome
 {
   converged,
-  narrow_contact,       ///< converged, but fewer than four loaded nodes across the rim: pressure not resolved
+  narrow_contact,       ///< converged, but fewer than four loaded nodes across the rim
   tipping,              ///< no compressive forces on the contact zone have these resultants
   repeated_set,         ///< the active set recurred without a smaller residual
   singular_set,         ///< the loaded points no longer support the foot (fewer than three, or collinear)
@@ -40,7 +39,7 @@ inline std::string to_string(ContactOutcome outcome)
   return names[static_cast<std::size_t>(outcome)];
 }
 
-/// Exception of a contact solve without a solution; what() is one sentence with numbers and advice.
+/// Exception of a contact solve; what() has numbers and advice.
 class ContactFailure : public std::runtime_error
 {
 public:

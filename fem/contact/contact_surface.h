@@ -9,12 +9,10 @@
 namespace stemware::fem
 {
 
-/// Contact line along which the penetration is a quadratic polynomial and a table law is integrated.
-///
-/// The local coordinate runs over [-1, 1]. All data are given at the three samples -1, 0, 1 and are
-/// quadratic in between. A contact face of a solid body has several lines, roughly radial, at Gauss points
-/// of the other direction. In a body of revolution each azimuth line crosses one line per meridional
-/// element.
+/// Contact line along which the penetration is quadratic and a table law is integrated. Data at the samples
+/// -1, 0, 1 of the local coordinate are quadratic in between. A contact face of a solid body has several
+/// roughly radial lines, at Gauss points of the other direction; an azimuth line of a body of revolution has
+/// one contact line per meridional element.
 struct ContactLine
 {
   std::vector<unsigned int> nodes; ///< contact nodes whose displacement acts on this line
@@ -29,24 +27,24 @@ struct ContactLine
   double azimuth_width = 0; ///< breadth of the line as an angle [rad]
 };
 
-/// Contact zone of a body, or one rank's part of it: the lines of its own cells, and the nodes of these
-/// lines. Nodes of other parts come last; every node belongs to one part.
+/// Contact zone of a body, or one rank's part: the lines of its cells and their nodes, of which nodes of
+/// other parts (ghosts) come last.
 ///
-/// Nodal values come in two layouts. Functions of the position (displacements, gaps) are known on every
-/// part that has the node. Integrals (forces, tangents) are the contributions of the part's own lines;
-/// their sum over the parts is the total, and so is the product of the two layouts.
+/// Nodal values come in two layouts. Functions of position (displacements, gaps) are known on every part that
+/// has the node. Integrals (forces, tangents) have contributions of own lines only and are to be summed over
+/// the parts; so are products of both.
 struct ContactSurface
 {
   Eigen::MatrixX2d node_position; ///< (x, y) of the contact nodes [m]
   Eigen::VectorXd node_gap;       ///< distance of the undeformed nodes from the plane z = 0 [m]
   Eigen::VectorXd node_area;      ///< int N_i dA of the whole surface, projected on the table [m^2]
   std::vector<ContactLine> lines;
-  std::vector<std::size_t> mirrored_lines; ///< index of the mirror image of each line at y = 0, equal to the
-                                           ///< last bit, gap aside; empty: no symmetry
+  std::vector<std::size_t> mirrored_lines; ///< mirror image of each line at y = 0, equal to the last bit, gap
+                                           ///< aside; empty: no symmetry
   /// True if every line has one azimuth; lines of equal azimuth form a cut at theta = const.
   bool lines_are_radial = false;
   unsigned int n_sectors = 0; ///< number of cells round the rim (mean of an irregular mesh)
-  /// True if the land is rounded across the rim: the contact is a band whose width follows from the load.
+  /// True if the land is rounded across the rim, so that the contact is a band of load-dependent width.
   bool is_crowned = false;
   /// True if the land is a ring with a hole at the axis.
   bool is_ring = true;
@@ -60,11 +58,10 @@ struct ContactSurface
   unsigned int n_global_nodes() const { return parts.sum(std::size_t(n_owned_nodes())); }
   /// Returns the projected area of the whole contact zone [m^2].
   double area() const { return parts.sum(node_area.head(n_owned_nodes()).sum()); }
-  /// Returns the columns (1, x, y) at the nodes: effect of the table motions q0, q1, q2 on the gap. Shape
-  /// [n_nodes, 3].
+  /// Returns (1, x, y) at the nodes, the effect of the table motions on the gap; shape [n_nodes, 3].
   Eigen::MatrixX3d motion_modes() const;
-  /// Returns the largest number of neighbouring nodes across the rim that are under pressure, over the whole
-  /// zone. Nodes within an eighth of a sector count as one radial row. @p pressure has the shape [n_nodes].
+  /// Returns the largest number of neighbouring nodes across the rim under @p pressure, shape [n_nodes], in
+  /// the whole zone. Nodes within an eighth of a sector count as one radial row.
   unsigned int n_nodes_across(const Eigen::VectorXd &pressure) const;
 };
 

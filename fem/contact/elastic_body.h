@@ -12,21 +12,19 @@ struct NewtonIncrement
 {
   Eigen::VectorXd displacement; ///< change of u_z at the contact nodes [m]
   Eigen::Vector3d motion;       ///< change of the table motions q0 [m], q1, q2 [rad]
-  /// du . K u [J]; with `energy_curvature` the body's part of the energy along the step.
+  /// du . K u [J]
   double energy_slope = 0;
   double energy_curvature = 0; ///< du . K du [J]
   unsigned int linear_iterations = 0;
-  /// Stability margin of the balance: det(R - H) / det R, with the stiffness R = L'T(Q - B(K + B'TB)^-1 B'TQ)
-  /// of body and table against table motions and the weight's part H of the conditions. Negative: the tilted
-  /// glass is beyond its stable balance. 1 without tilt, or if the body does not compute it.
+  /// Stability margin det(R - H) / det R, with the stiffness R = L'T(Q - B(K + B'TB)^-1 B'TQ) of body and
+  /// table against table motions and the weight's H of LinearConditions. Negative: no stable balance. 1
+  /// without tilt, or if not computed.
   double stability_margin = 1;
 };
 
-/// Elastic foot with clamped stem cut, seen from its contact nodes (docs/method.md, "Newton's method").
-///
-/// Nodal values come in the two layouts of ContactSurface. The state is the displacement u with the elastic
-/// forces K u. The contact driver requests an increment and applies a part of it. B selects the vertical
-/// displacement of the contact nodes; Q = (1, x, y) there.
+/// Elastic foot with clamped stem cut, seen from its contact nodes (docs/method.md, "Newton's method"). Nodal
+/// values come in the two layouts of ContactSurface. The state is the displacement u with the elastic forces
+/// K u. B selects the vertical displacement of the contact nodes; Q = (1, x, y) there.
 class ElasticBody
 {
 public:
@@ -50,9 +48,8 @@ public:
   /// Resets the state: u = 0.
   virtual void reset() = 0;
 
-  /// Returns the nodal forces whose elastic response is the displacement, if the body stores them; these
-  /// fulfil the conditions to rounding after a full step. Otherwise returns the forces of the table law, @p
-  /// forces.
+  /// Returns the nodal forces whose response is the displacement, which fulfil the conditions to rounding
+  /// after a full step, if the body stores them; else the table law's @p forces.
   virtual Eigen::VectorXd elastic_forces(const Eigen::VectorXd &forces) const { return forces; }
 
   /// Returns |B' forces - K u| / |B' forces|.

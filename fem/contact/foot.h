@@ -19,25 +19,25 @@
 namespace stemware::fem
 {
 
-/// Solved contact with all data of its load, fields and estimates; initial guess of the next contact.
+/// Solved contact with all data of its load, fields and estimates.
 struct ContactState
 {
   ContactLoad load;                      ///< load in the slip frame
   ContactSolution solution;              ///< slip frame
   std::vector<ContactIteration> history; ///< Newton steps
-  ContactDemand demand;                  ///< required resultants that the contact has
-  ring::Slip slip;                       ///< slip of the contact
+  ContactDemand demand;                  ///< required resultants
+  ring::Slip slip;                       ///< slip
   /// Radii that enclose the load, up to rounding [m].
   double inner_radius = 0;
   double outer_radius = 0;
 
   // Internal data of the foot:
-  unsigned int zone = 0;                        ///< index of the foot's contact zone of the solution
-  bool start_rotated_with_waviness = false;     ///< true if the initial guess was rotated with the waviness
+  unsigned int zone = 0;                        ///< index of the foot's contact zone
+  bool start_rotated_with_waviness = false;     ///< the initial guess was rotated with the waviness
   std::shared_ptr<const std::string> body = {}; ///< state of a solid body, this rank's part
 };
 
-/// Initial guesses of a contact solve, in order of preference `predicted`, `previous`.
+/// Initial guesses of a contact solve; `predicted` is tried first.
 struct ContactGuess
 {
   const ContactState *previous = nullptr; ///< nearby contact of the same foot; nullptr: none
@@ -50,7 +50,7 @@ struct FootDescription
 {
   std::string body;                    ///< "revolution", "solid"
   std::optional<unsigned int> n_cells; ///< number of cells of a three-dimensional mesh
-  unsigned int n_unknowns = 0;         ///< unknowns; body of revolution: nodal forces and three motions
+  unsigned int n_unknowns = 0;         ///< body of revolution: nodal forces and three motions
   unsigned int n_contact_nodes = 0;
   std::optional<MeshReport> mesh_report; ///< report on a mesh file
   double contact_cell_size = 0; ///< smallest extent of a contact cell of a three-dimensional mesh [m]
@@ -61,8 +61,7 @@ struct FootCapabilities
 {
   /// True if friction tractions change the pressure, so that the load depends on the spin.
   bool friction_deforms = false;
-  /// Angle of rotation of the glass (Slip::orientation) that leaves the load unchanged, apart from the
-  /// study's waviness [rad]. 0: any angle.
+  /// Rotation of the glass that leaves the load unchanged, waviness aside [rad]. 0: any rotation.
   double glass_period = 0;
   /// True if all MPI ranks must solve together; two such feet cannot be solved in parallel.
   bool is_collective = false;
@@ -81,9 +80,8 @@ struct FieldFile
 ///     const ContactLoad load = foot.solve({ weight, 0, -moment }).load; // N, M_Nx, M_Ny
 ///     load.a(2);                                                        // harmonic of the load [N/rad]
 ///
-/// Results depend on the arguments only. If capabilities().is_collective, MPI must have been started and
-/// all ranks call every function together. A foot works on one call at a time; different feet may be solved
-/// by different threads unless they are collective.
+/// Results depend on the arguments only. A foot solves one call at a time. Different threads may solve
+/// different feet, unless capabilities().is_collective: then all MPI ranks call every function together.
 class Foot
 {
 public:
@@ -98,15 +96,13 @@ public:
   virtual FootDescription description() const = 0;
   virtual FootCapabilities capabilities() const = 0;
 
-  /// Solves the contact under @p demand at @p slip, starting from @p guess. @p progress, if not empty, is
-  /// called after each Newton step of a long solve (a solid foot), whose steps are then in the state's
-  /// history. Throws ContactFailure.
+  /// Solves the contact under @p demand at @p slip from @p guess. A solid foot calls @p progress, if not
+  /// empty, after each Newton step and records the steps in the history. Throws ContactFailure.
   virtual ContactState solve(const ContactDemand &demand, const ring::Slip &slip = {},
                              const ContactGuess &guess = {},
                              const std::function<void(const ContactIteration &)> &progress = {}) const = 0;
 
-  /// Predicts a contact of this foot from @p start, a contact of the slightly different foot @p similar in
-  /// its zone @p zone. Returns std::nullopt if @p start is not informative.
+  /// Predicts a contact from @p start, a contact of @p similar in its @p zone; std::nullopt if it cannot.
   virtual std::optional<ContactStart> predict_from(const ContactStart & /*start*/, unsigned int /*zone*/,
                                                    const Foot & /*similar*/) const
   {
@@ -116,31 +112,28 @@ public:
   /// Returns the highest harmonic that the contact resolves.
   virtual unsigned int n_resolved_harmonics() const = 0;
 
-  /// Projects the load of a state of this foot onto rings; radii and harmonics as in ContactDemand.
+  /// Projects the load of a state onto rings; radii and harmonics as in ContactDemand.
   virtual ContactLoad project_onto_rings(const ContactState &state, const std::vector<double> &ring_radii,
                                          unsigned int n_harmonics) const = 0;
 
-  /// Returns the pressure of a state as point forces in the slip frame. A collective foot returns them on
-  /// the first rank only.
+  /// Returns the pressure as point forces in the slip frame; of a collective foot on the first rank, else
+  /// empty.
   virtual std::vector<PointForce> point_forces(const ContactState &state) const = 0;
 
-  /// Returns the pressure p(r, theta) of a state in the slip frame. A collective foot returns it on the
-  /// first rank, and an empty map elsewhere.
+  /// Returns the pressure p(r, theta) in the slip frame; of a collective foot on the first rank, else empty.
   virtual PressureMap pressure_map(const ContactState &state) const = 0;
 
-  /// Returns displacement, stress and contact pressure of a state as VTU files of this rank. Empty for a
-  /// foot without a mesh.
+  /// Returns displacement, stress and contact pressure as VTU files of this rank; empty without a mesh.
   virtual std::vector<FieldFile> fields(const ContactState & /*state*/) const { return {}; }
 
   /// Returns the section of a state through the axis at azimuth @p theta [rad] of the slip frame (x > 0),
-  /// relative to the stem's cut. Empty if this foot has no section.
+  /// with displacements relative to the stem's cut; empty if not available.
   virtual std::vector<StressedPatch> section(const ContactState & /*state*/, double /*theta*/) const
   {
     return {};
   }
 
-  /// Estimates the discretisation error of @p goal in @p state; std::nullopt if the foot cannot. @p
-  /// with_cells: also the shares of the cells.
+  /// Estimates the mesh error of @p goal, @p with_cells with their shares; std::nullopt if the foot cannot.
   virtual std::optional<MeshError> mesh_error(const ContactState & /*state*/, const ContactGoal & /*goal*/,
                                               bool /*with_cells*/) const
   {

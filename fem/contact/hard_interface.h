@@ -7,8 +7,7 @@
 namespace stemware::fem
 {
 
-/// Signorini's conditions f_i >= 0, gap_i >= 0, f_i gap_i = 0 at the contact nodes, by an augmented
-/// Lagrangian whose multipliers are the nodal forces.
+/// Signorini's conditions f_i >= 0, gap_i >= 0, f_i gap_i = 0 at the nodes, by an augmented Lagrangian.
 struct HardInterface : InterfaceLaw
 {
   bool is_hard() const override { return true; }

@@ -7,8 +7,8 @@
 namespace stemware::fem
 {
 
-/// Returns the largest value between @p cuts, sorted by azimuth: the maximum of the polynomial through the
-/// largest one and three neighbours on either side, or one neighbour if the contact ends closer by.
+/// Returns the largest value between @p cuts (sorted by azimuth): maximum of the polynomial through the
+/// largest and three neighbours on either side, or one neighbour next to the contact's end.
 double largest_between(const std::vector<CutValue> &cuts);
 
 } // namespace stemware::fem

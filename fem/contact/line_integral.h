@@ -25,7 +25,7 @@ struct LineSegment
   double end = 0;
 };
 
-/// Segments (two at most) of [-1, 1] on which the quadratic through @p samples (at -1, 0, 1) is positive.
+/// Segments (at most two) of [-1, 1] on which the quadratic through @p samples (at -1, 0, 1) is positive.
 struct PositiveSegments
 {
   explicit PositiveSegments(const Eigen::Vector3d &samples);
@@ -52,8 +52,7 @@ struct LinePoint
   double area = 0; ///< weight: table area, > 0 [m^2]
 };
 
-/// Table area along a contact line per local coordinate and quadrature weight, d(x, y)/dxi times the
-/// transverse tangent: a cubic.
+/// Table area per local coordinate of a contact line, |d(x, y)/dxi x transverse tangent|: a cubic.
 class AreaElement
 {
 public:
@@ -80,8 +79,7 @@ private:
   Eigen::Vector4d cubic = Eigen::Vector4d::Zero();
 };
 
-/// Returns the part @p range of @p line and the @p depth at the samples of the part: positions, transverse
-/// tangents, gap and depth are quadratic along the line. The part has no nodes.
+/// Returns the part @p range of @p line, without nodes, and @p depth at the samples of the part.
 inline std::pair<ContactLine, Eigen::Vector3d> part_of(const ContactLine &line, const Eigen::Vector3d &depth,
                                                        const LineSegment &range)
 {
@@ -95,7 +93,7 @@ inline std::pair<ContactLine, Eigen::Vector3d> part_of(const ContactLine &line, 
   return { part, at_samples * depth };
 }
 
-/// Gauss quadrature on [-1, 1] with an even number of points: the positive abscissas and their weights.
+/// Gauss quadrature on [-1, 1] with an even number of points: positive abscissas and their weights.
 template <unsigned int n_points>
 struct GaussRule
 {
@@ -105,8 +103,8 @@ extern template struct GaussRule<2>;
 extern template struct GaussRule<4>;
 extern template struct GaussRule<6>;
 
-/// Calls visit(const LinePoint &) at the @p n_points Gauss points (an even number) of one segment of a line;
-/// exact for polynomials of degree 2 n_points - 1 in the local coordinate, area element included.
+/// Calls visit(const LinePoint &) at the @p n_points Gauss points (an even number) of a segment; exact for
+/// degree 2 n_points - 1 in the local coordinate, area element included.
 template <unsigned int n_points = 4, typename Visitor>
 void for_each_point(const AreaElement &area, const LineSegment &segment, const Visitor &visit)
 {
@@ -120,8 +118,8 @@ void for_each_point(const AreaElement &area, const LineSegment &segment, const V
     }
 }
 
-/// Calls visit(const LinePoint &) at the four Gauss points of every segment on which the quadratic through @p
-/// penetration is positive: exact for shape^2 times a penetration times a cubic area element.
+/// Calls visit(const LinePoint &) at the four Gauss points of every segment with positive @p penetration:
+/// exact for two quadratics times the cubic area element.
 template <typename Visitor>
 void for_each_loaded_point(const AreaElement &area, const Eigen::Vector3d &penetration, const Visitor &visit)
 {
@@ -130,8 +128,7 @@ void for_each_loaded_point(const AreaElement &area, const Eigen::Vector3d &penet
     for_each_point(area, loaded.segments[s], visit);
 }
 
-/// Returns the penetration at the samples of @p line [m], from the normal displacement of the contact nodes
-/// relative to the table, as in TableLaw.
+/// Returns the penetration at the samples of @p line [m]. @p normal_displacement: as in TableLaw.
 inline Eigen::Vector3d penetration(const ContactLine &line, const Eigen::VectorXd &normal_displacement)
 {
   Eigen::Vector3d depth = -line.gap;

@@ -9,20 +9,18 @@
 namespace stemware::fem
 {
 
-/// Positions of the 3 x 3 tangents of contact lines in the sparse tangent of a surface, computed once
-/// because laws assemble at every Newton step.
+/// Positions of the 3 x 3 tangents of contact lines in the sparse tangent of a surface, computed once.
 class LinePattern
 {
 public:
   /// Keeps a reference to @p surface, whose lines must keep their nodes and shapes.
   explicit LinePattern(const ContactSurface &surface);
 
-  /// Sets @p tangent to the sparsity pattern of nodes on common lines, with zero entries. @p tangent must be
-  /// empty or have been filled by this pattern.
+  /// Sets @p tangent, empty or filled by this pattern before, to zero entries for nodes on common lines.
   void set_zero(Eigen::SparseMatrix<double> &tangent) const;
 
-  /// Adds the forces [N] and the tangent [N/m] of @p line, given at its samples, to the nodes of @p line, and
-  /// to the nodes of its mirror @p image if that is another line. @p tangent must come from set_zero().
+  /// Adds forces [N] and tangent [N/m] at the samples of @p line to its nodes and, if @p image is another
+  /// line, to the nodes of this mirror image. @p tangent must come from set_zero().
   void add(std::size_t line, std::size_t image, const Eigen::Vector3d &sample_forces,
            const Eigen::Matrix3d &sample_tangent, Eigen::VectorXd &forces,
            Eigen::SparseMatrix<double> &tangent) const;

@@ -13,16 +13,15 @@ struct Resultants
   double moment_y = 0;     ///< M_Ny = -sum x f [N m]
 };
 
-/// Three linear conditions L'f + H q = t on the nodal forces f of a contact and the table motions q. The
-/// first column of L is 1, so that t_0 is the normal force N; the other columns are lengths. L = Q = (1, x,
-/// y) and H = 0 prescribe the resultants. A moment balance adds to x and y the lever arm of the friction; H
-/// is the moment of the weight of a tilted glass (docs/theory/closures.md).
+/// Three linear conditions L'f + H q = t on the nodal forces f of a contact and the table motions q. L = Q =
+/// (1, x, y) and H = 0 prescribe the resultants, t_0 the normal force. A moment balance adds the lever arm of
+/// the friction to x and y; H is the moment of the weight of a tilted glass (docs/theory/closures.md).
 class LinearConditions
 {
 public:
   /// @p weights L of shape [n_nodes, 3], columns in 1, m, m; @p target t in N, N m, N m; @p motion_weights H,
   /// columns per m, rad, rad. Throws std::invalid_argument unless the shape fits @p surface, the first column
-  /// is 1, everything is finite and t_0 > 0.
+  /// of L is 1, all is finite and t_0 > 0.
   LinearConditions(const ContactSurface &surface, Eigen::MatrixX3d weights, const Eigen::Vector3d &target,
                    const Eigen::Matrix3d &motion_weights = Eigen::Matrix3d::Zero());
 
@@ -31,23 +30,21 @@ public:
   const Eigen::Matrix3d &motion_weights() const { return H; }
   double normal_force() const { return t(0); }
 
-  /// Returns true if L = Q to the last bit and H = 0. Equilibrium then minimises an energy, and Newton's
-  /// matrix is symmetric.
+  /// Returns whether L = Q to the last bit and H = 0: then there is an energy, and a symmetric Newton matrix.
   bool are_resultants() const { return symmetric; }
 
-  /// Returns these conditions with moments, friction arm and weight of the tilted glass multiplied by @p
-  /// share (0: axisymmetric load), for continuation. @p surface: the surface of the conditions.
+  /// Returns these conditions on @p surface with moments, friction arm and tilted weight times @p share (0:
+  /// axisymmetric load), for continuation.
   LinearConditions with_scaled_moment(const ContactSurface &surface, double share) const;
 
-  /// Returns L'f + H q - t for nodal @p forces [N] and table motions @p motion [m, rad, rad], over the
-  /// whole surface [N, N m, N m].
+  /// Returns L'f + H q - t [N, N m, N m] of all parts for nodal @p forces f [N] and @p motion q [m, rad,
+  /// rad].
   Eigen::Vector3d residual(const Eigen::VectorXd &forces, const Eigen::Vector3d &motion) const
   {
     return parts.sum(L.transpose() * forces) + H * motion - t;
   }
 
-  /// Returns the largest component in @p direction of the second and third weights of a node, over the whole
-  /// surface [m].
+  /// Returns the largest component in @p direction of a node's second and third weight, over all parts [m].
   double reach(const Eigen::Vector2d &direction) const
   {
     return parts.max_entry(L.rightCols<2>() * direction);
@@ -61,8 +58,7 @@ private:
   SurfaceParts parts;
 };
 
-/// Returns the conditions (1, x, y)'f = (N, -M_Ny, M_Nx). Throws std::invalid_argument unless N > 0 and all
-/// numbers are finite.
+/// Returns (1, x, y)'f = (N, -M_Ny, M_Nx). Throws std::invalid_argument unless all is finite and N > 0.
 LinearConditions prescribed_resultants(const ContactSurface &surface, const Resultants &load);
 
 } // namespace stemware::fem

@@ -14,13 +14,11 @@
 namespace stemware::fem
 {
 
-/// Table whose pressure depends on the local penetration only, integrated along the contact lines.
-///
-/// @p Pressure has, for a penetration d [m], `pressure(d)` [Pa], not decreasing; `stiffness(d)` = dp/dd
-/// [Pa/m]; `has_edge()` as InterfaceLaw; `integrate(area, depth, visit)`, which calls visit(const LinePoint
-/// &) at the loaded quadrature points of a line, given its area element and the penetration at its samples;
-/// and `cutoff_depth(deepest)`, the depth below which the load is negligible if the largest penetration is
-/// `deepest` [m].
+/// Table whose pressure depends on the local penetration only, integrated along the contact lines. @p
+/// Pressure has, for a penetration d [m], non-decreasing `pressure(d)` [Pa]; `stiffness(d)` = dp/dd [Pa/m];
+/// `has_edge()` as InterfaceLaw; `integrate(area, depth, visit)`, which calls visit(const LinePoint &) at the
+/// loaded quadrature points of a line with this area element and penetration at the samples;
+/// `cutoff_depth(deepest)`, below which the load is negligible if `deepest` is the largest penetration [m].
 template <typename Pressure>
 class PressureLaw : public TableLaw
 {
@@ -125,7 +123,7 @@ private:
     return depths;
   }
 
-  /// Returns an upper bound of the penetration on a line: a quadratic lies below its control points.
+  /// Returns an upper bound of the penetration on a line, by its Bezier control points.
   static double greatest(const Eigen::Vector3d &depth)
   {
     return std::max({ depth(0), depth(2), 2 * depth(1) - (depth(0) + depth(2)) / 2 });
@@ -139,8 +137,7 @@ private:
     return law.cutoff_depth(surface.parts.max(deepest));
   }
 
-  /// Returns the mirror image of line @p l at y = 0 if geometry, gap and normal displacement are equal to the
-  /// last bit, else @p l.
+  /// Returns the mirror image of line @p l if gap and displacement are equal to the last bit, else @p l.
   std::size_t mirror_image(std::size_t l, const Eigen::VectorXd &normal_displacement) const
   {
     if (surface.mirrored_lines.empty())
@@ -154,8 +151,7 @@ private:
     return alike ? image : l;
   }
 
-  /// Adds the forces and the tangent of line @p l under @p depth to its nodes, and to the nodes of @p image
-  /// if that is another line.
+  /// Adds the forces and the tangent of line @p l under @p depth as LinePattern::add().
   void add_line(std::size_t l, std::size_t image, const Eigen::Vector3d &depth, ContactForces &contact) const
   {
     const Eigen::Vector3d along = quadratic_through(depth);
@@ -200,9 +196,8 @@ private:
   const Pressure law;
 };
 
-/// Interface whose pressure depends on the local penetration only. @p Law derives from
-/// PressureInterface<Law> and has the members that PressureLaw requires of a pressure, and `validate()`,
-/// which throws std::invalid_argument for inadmissible parameters.
+/// Interface whose pressure depends on the local penetration only. @p Law derives from PressureInterface<Law>
+/// and has the members of PressureLaw's `Pressure`, and `validate()`, which throws std::invalid_argument.
 template <typename Law>
 class PressureInterface : public InterfaceLaw
 {
@@ -214,7 +209,7 @@ public:
     return std::make_unique<PressureLaw<Law>>(surface, law);
   }
 
-  /// Returns p [Pa] and dp/dd [Pa/m] at a penetration, for laws that compute both together.
+  /// Returns p [Pa] and dp/dd [Pa/m] at a penetration [m]; laws may compute both together.
   std::pair<double, double> pressure_and_stiffness(double depth) const
   {
     const Law &law = static_cast<const Law &>(*this);

@@ -5,14 +5,13 @@
 namespace stemware::fem
 {
 
-/// Returns L'TQ, the derivative of the conditions L'f with respect to the motions of a table with @p
-/// tangent T under a rigid foot; for one part of a distributed surface, the contribution of the part. @p
-/// modes Q as ContactSurface::motion_modes(). With L = Q, the stiffness of the table against its three
-/// motions.
+/// Returns L'TQ, the derivative of the conditions L'f by the motions of a table with @p tangent T under a
+/// rigid foot; of a distributed surface this part's contribution. @p weights: L. @p modes: Q,
+/// ContactSurface::motion_modes().
 Eigen::Matrix3d motion_stiffness(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &weights,
                                  const Eigen::MatrixX3d &modes);
 
-/// Rigid foot on a moving table. Initial guess of every cold elastic solve, and reference in tests.
+/// Rigid foot on a moving table: initial guess of cold elastic solves.
 class RigidFoot : public ElasticBody
 {
 public:

@@ -11,12 +11,10 @@ namespace stemware::fem
 {
 
 /// Exponential pressure law of a nominally flat rough surface on a smooth one: p = p0 exp(d / s), -d the
-/// separation of the mean planes. For d > 0 the asperities are flattened, and the law continues as its
-/// tangent p0 (1 + d / s).
-///
+/// separation of the mean planes. For d > 0 (flattened asperities) the law continues as its tangent.
 /// Greenwood & Williamson, Proc. R. Soc. A 295 (1966) 300, for exponentially distributed summits; Persson,
-/// Phys. Rev. Lett. 99 (2007) 125502, for self-affine surfaces at low pressure. A factor in p0 is an offset
-/// of the table: for d < 0 everywhere the load depends on the decay length only.
+/// Phys. Rev. Lett. 99 (2007) 125502, for self-affine surfaces at low pressure. If d < 0 everywhere, p0 only
+/// shifts the table, and the load depends on s only.
 struct RoughInterface : PressureInterface<RoughInterface>, Roughness
 {
   RoughInterface() = default;
@@ -68,9 +66,9 @@ struct RoughInterface : PressureInterface<RoughInterface>, Roughness
   /// Returns the depth at which the pressure is 1e-20 of the largest.
   double cutoff_depth(double deepest) const { return std::min(deepest, 0.) - 46 * decay_length; }
 
-  /// Integrates by Gauss quadrature on panels along a line, on which the exponent d / s is quadratic. Panels
-  /// are short enough that the exponent changes little; they cover the range in which the pressure exceeds
-  /// rounding of the line's maximum, and end at d = 0, where the second derivative of the law jumps.
+  /// Integrates by Gauss quadrature on panels along a line. Panels are so short that d / s changes little;
+  /// they cover the range of pressures above rounding of the line's maximum, and end at d = 0, where the
+  /// second derivative of the law jumps.
   template <typename Visitor>
   void integrate(const AreaElement &area, const Eigen::Vector3d &depth, const Visitor &visit) const
   {

@@ -19,12 +19,11 @@ public:
   /// Replaces each of @p n @p values by its sum over the parts, identical on all ranks to the last bit.
   virtual void sum(double *values, std::size_t n) const = 0;
   virtual double max(double value) const = 0;
-  /// Concatenates the @p values of all parts, on all ranks if @p everywhere, else on the first rank only.
+  /// Concatenates the @p values of all parts, on all ranks if @p everywhere, else on the first rank.
   virtual std::vector<double> gather(const std::vector<double> &values, bool everywhere) const = 0;
 };
 
-/// Sums, extremes and lists over a whole contact surface that may be distributed over ranks. The default is
-/// one part, and all functions return their arguments.
+/// Sums, extremes and lists over a contact surface that may be distributed over ranks. Default: one part.
 class SurfaceParts
 {
 public:

@@ -18,8 +18,7 @@ public:
   {
   }
 
-  /// Returns true if @p set (this rank's part) is new, or recurs with less than half of the @p residual of
-  /// its last visit. Collective over the parts.
+  /// Returns whether @p set (this rank's part) is new or its @p residual has halved since its last visit.
   bool makes_progress(const ActiveSet &set, double residual);
 
 private:

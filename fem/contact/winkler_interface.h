@@ -7,8 +7,8 @@
 namespace stemware::fem
 {
 
-/// Winkler's interface: pressure p = k d for a penetration d > 0, no tension. Integrated along each contact
-/// line in closed form, split at the roots of the penetration.
+/// Winkler's interface: pressure p = k d for a penetration d > 0, else 0. Integrated along contact lines
+/// exactly, between the roots of the penetration.
 struct WinklerInterface : PressureInterface<WinklerInterface>
 {
   explicit WinklerInterface(double modulus = 1e10)
@@ -17,8 +17,7 @@ struct WinklerInterface : PressureInterface<WinklerInterface>
   }
 
   double stiffness_at(double) const override { return modulus; }
-  /// Returns the half-width b [m] of the pressure k (b^2 - x^2) / (2 rho), a parabola with the crown radius
-  /// rho.
+  /// Returns the half-width b [m] of the pressure k (b^2 - x^2) / (2 rho), crown radius rho.
   double half_width(double line_load, double crown_radius) const override
   {
     return std::cbrt(1.5 * line_load * crown_radius / modulus);

@@ -8,17 +8,16 @@
 namespace stemware::fem
 {
 
-/// Resolution of a meridional mesh. The contact cells depend on the glass only, so that a foot and a disc
-/// of equal resolution share them.
+/// Resolution of a meridional mesh. Foot and disc of equal resolution have the same contact cells.
 struct MeridianResolution
 {
-  unsigned int land_cells = 4;  ///< across the land, even; before any refinement
-  double land_grading = 3;      ///< size ratio of neighbouring cells on the land, which are smallest at the
-                                ///< contact radius; 1: equal cells. Ignored with a focus
+  unsigned int land_cells = 4; ///< across the land, even; before any refinement
+  double land_grading = 3; ///< size ratio of neighbouring cells on the land, smallest at the contact radius;
+                           ///< 1: equal. Ignored with a focus
   unsigned int refinements = 0; ///< halvings of every cell
 
-  /// Size of the contact cells in the focus, the band focus_radius -/+ focus_width [m]; 0: no focus. Outside
-  /// the band the cell size grows with the distance from the band, also above the land.
+  /// Size of the contact cells in the focus, the band focus_radius -/+ focus_width [m]; 0: no focus. Outside,
+  /// the cell size grows with the distance from the band, also above the land.
   double focus_size = 0;
   double focus_radius = 0;    ///< [m]; 0 means the contact radius
   double focus_width = 0;     ///< half the width of the band [m]; 0: the cells next to focus_radius
@@ -37,8 +36,7 @@ struct ContactCells
 {
   std::vector<double> coarse;           ///< borders of the cells of the unrefined mesh, ascending [m]
   std::vector<double> borders;          ///< after the halvings towards the focus; contains `coarse`
-  std::vector<unsigned int> n_halvings; ///< number of halvings from coarse cell to contact cell, for each
-                                        ///< contact cell
+  std::vector<unsigned int> n_halvings; ///< halvings of the coarse cell, for each contact cell
   double coarse_size = 0; ///< size of the smallest coarse cell; with a focus, of most coarse cells [m]
   bool has_focus = false;
   double focus_begin = 0; ///< band of the size MeridianResolution::focus_size [m]
@@ -46,17 +44,15 @@ struct ContactCells
 };
 
 /// Returns the contact cells of a land before MeridianResolution::refinements. Without a focus: land_cells
-/// cells, graded towards the contact radius. With a focus: nearly equal cells, halved until there are at
-/// least land_cells, the cells in the focus have its size, and neighbours differ by at most one halving.
-/// Throws std::invalid_argument as both validate() do, and for a focus outside the land.
+/// cells, graded towards the contact radius. With a focus: at least land_cells, nearly equal, halved to the
+/// size of the focus in the focus; neighbours differ by at most one halving. Throws std::invalid_argument as
+/// both validate(), and for a focus outside the land.
 ContactCells contact_cells(const GlassProfile &profile, const MeridianResolution &resolution);
 
-/// Height of the lowest row of cells relative to the thickness of the foot, without a focus
-/// (GlassShape::foot).
+/// Height of the lowest row of cells over the thickness of the foot, for GlassShape::foot without a focus.
 constexpr double lowest_level = 0.3;
 
-/// Returns the height of the lowest row of cells at the contact radius [m]; for a step the height of the
-/// land.
+/// Returns the height of the lowest row of cells at the contact radius [m]; for a step, the land's height.
 double lowest_cell_height(const GlassProfile &profile);
 
 } // namespace stemware::fem

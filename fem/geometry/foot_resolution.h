@@ -13,16 +13,15 @@ struct FootResolution
   unsigned int foot_layers = 2;      ///< through the thickness of the foot
   unsigned int refinements = 0;      ///< halvings of every cell of the mesh with these counts
   unsigned int land_refinements = 0; ///< further halvings of the cells at the land, with hanging nodes
-  /// Additional halvings of the cells at the land's inner side, where a flat land on a hard table has most
-  /// pressure. In a step they reach up to the re-entrant corner, otherwise one cell's width.
+  /// Further halvings at the land's inner side, where a flat land on a hard table has most pressure: in a
+  /// step up to the re-entrant corner, otherwise one cell wide.
   unsigned int edge_halvings = 0;
 
   /// Throws std::invalid_argument for inadmissible counts.
   void validate() const;
 };
 
-/// Returns the FootResolution::edge_halvings for a foot of @p profile: more than 0 for a flat land on a
-/// hard table, whose pressure concentrates at the inner side.
+/// Returns FootResolution::edge_halvings for @p profile: more than 0 for a flat land on a hard table.
 unsigned int edge_halvings_for(const GlassProfile &profile, bool table_is_hard);
 
 } // namespace stemware::fem

@@ -28,17 +28,16 @@ struct PiecewiseLinear
 /// Section of a foot between its axis and a polyline, as three curves: the underside over r, the top of
 /// the foot over r, the stem's surface over z. Heights count from the lowest point of the polyline.
 ///
-/// The polyline begins on the axis under the foot, runs outwards along the underside, round the edge, back
-/// over the top, up the stem, and ends on the axis with the horizontal cut; the reverse order is allowed too.
-/// Foot and stem meet at the innermost point up to which the top, seen from the edge, rises by less than 45
-/// degrees. The edge is cut off where the foot is thinner than a twentieth of its thickness above its lowest
-/// point.
+/// The polyline begins on the axis under the foot, runs along the underside, edge, top and stem, and ends on
+/// the axis with the horizontal cut; or in reverse. Foot and stem meet at the innermost point up to which the
+/// top, seen from the edge, rises by less than 45 degrees. The edge is cut off where the foot is thinner than
+/// a twentieth of its thickness above its lowest point.
 class MeridianSection
 {
 public:
-  /// Removes points closer than 1e-5 of the largest radius to the line between their neighbours. Throws
-  /// std::invalid_argument with one sentence that names the point and its line for a polyline that is
-  /// open, upside down, crosses itself, or whose underside or top has two heights at one radius.
+  /// Removes points within 1e-5 of the largest radius of the line between their neighbours. Throws
+  /// std::invalid_argument, naming point and line in the file, for a polyline that is open, upside down,
+  /// crosses itself, or has two heights of underside or top at one radius.
   explicit MeridianSection(std::vector<SectionVertex> polyline);
 
   /// Returns the height of the lower surface at @p radius [m].
@@ -57,8 +56,7 @@ public:
   /// Returns the radius and the height of the point between foot and stem [m].
   double middle_radius() const { return upper.x.front(); }
   double middle_height() const { return upper.y.front(); }
-  /// Returns the radius at which the fillet begins on the foot, and height at which it ends on the stem [m];
-  /// the meeting point if there is no fillet.
+  /// Returns the radius [m] of the fillet's end on the foot (stem_begin(): height of its end on the stem).
   double fillet_end_radius() const { return fillet_end; }
   double stem_begin() const { return stem_start; }
 

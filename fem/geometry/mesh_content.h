@@ -28,11 +28,11 @@ inline constexpr char wedge_advice[] =
   "recombine triangles (Mesh.RecombineAll); for a section revolved about the axis, put an O-grid under the "
   "stem or leave a hole there.";
 
-/// Corners of the faces of a hexahedron, by their places in MeshContent::hexahedra.
+/// Corners of the faces of a hexahedron, as indices in an entry of MeshContent::hexahedra.
 constexpr unsigned int faces_of_hexahedron[6][4] = { { 0, 1, 2, 3 }, { 4, 7, 6, 5 }, { 0, 4, 5, 1 },
                                                      { 1, 5, 6, 2 }, { 2, 6, 7, 3 }, { 3, 7, 4, 0 } };
 
-/// Face of the surface that the file marks.
+/// Surface face with an id in the file.
 struct MarkedFace
 {
   std::array<unsigned int, 4> corners = {}; ///< indices of points, one after the other round the face
@@ -46,19 +46,17 @@ using FaceNames = std::map<unsigned int, std::string>;
 struct MeshContent
 {
   std::vector<std::array<double, 3>> points;
-  /// Indices of points: round the bottom, then round the top above them, as Gmsh and VTK have it.
+  /// Indices of points: round the bottom, then round the top, as in Gmsh and VTK.
   std::vector<std::array<unsigned int, 8>> hexahedra;
   std::vector<MarkedFace> faces;
   bool is_second_order = false; ///< the file has more nodes than corners
   FaceNames names;
 };
 
-/// Returns at most @p max_length characters of a text of a file in UTF-8, with "?" for each that cannot be
-/// printed.
+/// Returns at most @p max_length characters of UTF-8 @p text, with "?" for unprintable ones.
 std::string printable(std::string_view text, std::size_t max_length = 30);
 
-/// Reads a file of read_hexahedra(). Time and memory are linear in the size of the text, whatever the
-/// numbers. Throws UnreadableMesh.
+/// Reads the @p text of a file for read_hexahedra() in linear time and memory. Throws UnreadableMesh.
 MeshContent read_gmsh(const std::string &text);
 
 /// Facts of a mesh file apart from its cells.
@@ -68,11 +66,9 @@ struct MeshFileFacts
   FaceNames names = {};
 };
 
-/// Reads the hexahedra of a file of Gmsh (.msh in format 2 or 4, ASCII) and the physical ids of their faces.
-/// Coordinates are multiplied by @p unit [m]. Time and memory grow with the size of the file. Throws
-/// std::invalid_argument with one sentence for any other or damaged file, for separate nodes at one position,
-/// and for hanging nodes (in the middle of an edge or face of another cell). Faces inside the body, unused
-/// nodes and other sections of the file are ignored.
+/// Reads the hexahedra of a Gmsh file (.msh, format 2 or 4, ASCII) and the physical ids of their faces.
+/// Coordinates are multiplied by @p unit [m]. Throws std::invalid_argument for any other or damaged file,
+/// separate nodes at one position, and hanging nodes. Ignores inner faces, unused nodes and other sections.
 MeshFileFacts read_hexahedra(const std::string &file_name, double unit,
                              dealii::Triangulation<3, 3> &triangulation);
 

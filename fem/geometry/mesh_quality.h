@@ -20,7 +20,7 @@ struct MeshCheck
   double inner_radius = 0, outer_radius = 0; ///< distances of the contact zone's vertices from the axis
   double lowest = 0, highest = 0;            ///< z of the contact zone's vertices
   double contact_area = 0;                   ///< area of the contact faces, edges taken as straight [m^2]
-  double upward_share = 0;                   ///< share of contact_area that faces up, away from the table
+  double upward_share = 0;                   ///< share of contact_area that faces up
   double sideways_share = 0;                 ///< share of contact_area that faces neither up nor down
   unsigned int n_zones = 0;                  ///< number of parts of the contact zone without a common edge
   std::array<double, 2> centre = {};         ///< centroid of the contact zone (x, y)
@@ -43,15 +43,13 @@ struct MeshCheck
 /// Evaluates a mesh with at least one cell and one face of the contact zone.
 MeshCheck check_mesh(const dealii::Triangulation<3, 3> &triangulation);
 
-/// Returns the scaled Jacobian of each active cell: the minimum over its eight corners of the triple
-/// product of edges over their lengths (Knupp, SIAM J. Sci. Comput. 23 (2001) 193). 1 for a brick, 0 or
-/// less for flat or inverted corners. Edges are straight.
+/// Returns the scaled Jacobian of each active cell: minimum over its corners of the edges' triple product
+/// over their lengths (Knupp, SIAM J. Sci. Comput. 23 (2001) 193); 1: brick, <= 0: flat or inverted.
 std::vector<double> scaled_jacobians(const dealii::Triangulation<3, 3> &triangulation);
 
-/// Returns the number of equal parts of the mesh round the z axis, from the inner radius of its contact
-/// zone outwards. It is the largest divisor n of the number of contact faces for which a rotation by 2 pi /
-/// n maps vertices to vertices, to 1e-7 of the mesh's radius; 1 without symmetry. The mesh inside that
-/// radius does not matter.
+/// Returns the largest divisor n of the number of contact faces for which a rotation by 2 pi / n about the z
+/// axis maps vertices to vertices, to 1e-7 of the mesh's radius; 1 without symmetry. Vertices inside the
+/// contact zone's inner radius are ignored.
 unsigned int n_symmetry_sectors(const dealii::Triangulation<3, 3> &triangulation);
 
 /// Closed polyline in (x, y) [m].

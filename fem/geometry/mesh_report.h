@@ -8,7 +8,7 @@ struct MeshReport
 {
   unsigned int n_cells = 0;
   unsigned int n_contact_faces = 0;
-  /// True if the rim vertices lie on circles to 1e-6 of the radius: the cylindrical manifold is attached.
+  /// True if the rim vertices lie on circles to 1e-6 of the radius; then a cylindrical manifold is attached.
   bool round_rim = false;
   double rim_radius = 0;               ///< (inner + outer)/2 of the contact zone [m]
   unsigned int n_symmetry_sectors = 1; ///< equal parts round the axis (mesh_quality.h)
@@ -22,7 +22,7 @@ struct MeshFileOptions
   unsigned int contact_id = 2; ///< id of the faces that may touch the table
   unsigned int stem_id = 1;    ///< id of the faces of the stem cut
   /// Height above the mesh's lowest point [m] below which downward faces are the contact zone, whatever their
-  /// ids; without faces of stem_id the top is the stem cut. 0: ids only.
+  /// ids, and without faces of stem_id the top is the stem cut. 0: ids only.
   double contact_height = 0;
   double unit = 1; ///< unit of the coordinates [m]
 };

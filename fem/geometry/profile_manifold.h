@@ -20,21 +20,19 @@ struct SectionPoint
   double height = 0; ///< above the land
 };
 
-/// Point in chart coordinates: radius [m] and level. The foot is the rectangle radius <= foot_radius, 0 <=
-/// level <= 1, the stem above it the rectangle radius <= Fillet::middle_radius, 1 <= level <= 2.
+/// Point in chart coordinates. Foot: radius <= foot_radius [m], 0 <= level <= 1. Stem: radius <=
+/// Fillet::middle_radius [m], 1 <= level <= 2.
 struct ChartPoint
 {
   double radius = 0;
   double level = 0;
 };
 
-/// Coordinates in which the section of a GlassShape::foot is rectangular, for making and refining meshes
-/// (docs/method/profile.md, "Mesh").
+/// Coordinates in which foot and stem of a GlassShape::foot are rectangles (docs/method/profile.md, "Mesh").
 ///
-/// In the foot level runs from the underside to the top; under the stem the top is the height of the fillet's
-/// middle. In the stem level runs from there to the cut, and radii stretch with the stem's surface. The
-/// coordinates are smooth except at radii where the section has a corner or a jump of curvature, and at
-/// level 1.
+/// In the foot, level rises from the underside to the top (under the stem: the height of the fillet's
+/// middle); in the stem, from there to the cut, and radii stretch with the stem's surface. The coordinates
+/// are smooth except at level 1 and at corners and jumps of curvature of the section.
 class ProfileChart
 {
 public:
@@ -52,16 +50,14 @@ private:
   Fillet fillet;
 };
 
-/// Returns the manifold of the section in (r, z) with chart coordinates radius and level: points lie on
-/// straight lines of the chart, boundary points on the profile.
+/// Returns the manifold of the section in (r, z): straight lines of the chart, the boundary on the profile.
 std::unique_ptr<dealii::ChartManifold<2, 2, 2>> make_section_manifold(const GlassProfile &profile);
 
-/// Returns the manifold of the foot in (x, y, z) for the rings of cells round the axis: straight lines in
-/// chart radius, azimuth and level.
+/// Returns the manifold of the foot for rings of cells: straight lines in chart radius, azimuth and level.
 std::unique_ptr<dealii::ChartManifold<3, 3, 3>> make_ring_manifold(const GlassProfile &profile);
 
-/// Returns the manifold of the foot in (x, y, z) for the Cartesian core at the axis: straight lines in level
-/// and in x and y stretched with the chart radius.
+/// Returns the manifold of the foot for the core at the axis: straight lines in level, and in x and y
+/// stretched with the chart radius.
 std::unique_ptr<dealii::ChartManifold<3, 3, 3>> make_core_manifold(const GlassProfile &profile);
 
 } // namespace stemware::fem

@@ -14,14 +14,14 @@ struct RimCircle
 {
   double contact_radius = 0; ///< distance of its lowest point from the axis
   double crown_radius = 0;
-  double rms_distance = 0;  ///< rms distance of the points from the circle, weighted
+  double rms_distance = 0;  ///< weighted rms distance of the points from the circle
   std::size_t n_points = 0; ///< points of the land, each counted once
 };
 
 /// Returns the least-squares circle through the points of the underside of @p polyline near its lowest point.
-/// Points have weight 1 up to 0.85 of @p land_width / 2 from the circle's lowest point and weight 0 from 1.15
-/// on, so that the result is continuous (docs/method/profile.md). Returns std::nullopt for fewer than three
-/// points, a bulge below a thousandth of its width, or if no circle that is open upwards fits.
+/// Weights fall from 1 to 0 between 0.85 and 1.15 of @p land_width / 2 from the circle's lowest point, for a
+/// continuous result (docs/method/profile.md). Returns std::nullopt for fewer than three points, a bulge
+/// below a thousandth of its width, or no fitting circle open upwards.
 std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyline, double land_width);
 
 } // namespace stemware::fem

@@ -21,8 +21,7 @@ struct SectionLengths
 /// Returns the lengths of a section of one or more cells, with the thickness at @p radius [m].
 SectionLengths lengths_of(const std::vector<SectionPolygon> &cells, double radius);
 
-/// Point of a loaded section: coordinate across the axis, height, displacement [m], and von Mises stress
-/// [Pa].
+/// Point of a loaded section: coordinate across the axis, height, displacement [m]; von Mises stress [Pa].
 struct StressedPoint
 {
   double x = 0, z = 0;

@@ -11,8 +11,7 @@ struct TableDisc
   double radius = 0.150;    ///< [m], larger than the land's outer radius
   double thickness = 0.050; ///< [m]
 
-  /// Throws std::invalid_argument if a length is not positive and finite, or the glass does not stand on
-  /// the disc.
+  /// Throws std::invalid_argument unless both lengths are positive and finite and the land is on the disc.
   void validate(const GlassProfile &profile) const;
 };
 

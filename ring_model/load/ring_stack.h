@@ -19,8 +19,7 @@ namespace stemware::ring
 ///     load.normal_force();                                      // 2 pi a_0 [N]
 ///     load.moment_ratio(radius);                                // |M_N| / (N R / 2)
 ///
-/// Result of a contact and input of the ring. A load that depends on the spin is a function that returns a
-/// RingStack.
+/// A load that depends on the spin is a function that returns a RingStack.
 class RingStack
 {
 public:
@@ -40,8 +39,8 @@ public:
   RingStack(std::vector<double> a, std::vector<double> b, double radius);
 
   /// Returns one ring of normal force N [N] and @p moment M_N [N m]: b_1 = M_{N,x} / (pi R), a_1 = -M_{N,y} /
-  /// (pi R). Tensile at some azimuths if |M_N| > N R / 2. Throws std::invalid_argument unless all is finite
-  /// and N, R > 0.
+  /// (pi R). Tensile at some azimuths if |M_N| > N R / 2. Throws std::invalid_argument unless finite and N, R
+  /// > 0.
   static RingStack first_harmonic(double normal_force, const Eigen::Vector2d &moment, double radius);
 
   /// Returns the individual rings.
@@ -59,8 +58,8 @@ public:
   double b(unsigned int n) const { return n < sine.size() ? sine[n] : 0.; }
 
   /// Returns the radius of the single ring with the same N, M_N and first harmonic, |M_N| / (pi sqrt(a_1^2 +
-  /// b_1^2)) [m]; R itself for one ring. For several rings without a moment (below 1e-9 N R): mean radius
-  /// weighted with |a_{j,0}|.
+  /// b_1^2)) [m]; R itself for one ring. Several rings without a moment (below 1e-9 N R): mean weighted with
+  /// |a_{j,0}|.
   double radius() const;
 
   /// Returns N = 2 pi a_0 [N].
@@ -79,12 +78,10 @@ public:
   /// Returns d lambda / d theta [N/rad^2].
   double derivative(double theta) const;
 
-  /// Returns the minimum of lambda [N/rad]: local minima among 32 samples per shortest wave, polished to
-  /// rounding.
+  /// Returns the minimum of lambda [N/rad]: minima among 32 samples per shortest wave, polished to rounding.
   double minimum() const;
 
-  /// Returns the tension that the table would have to exert, int max(0, -lambda) dtheta [N], to rounding; 0
-  /// unless minimum() is negative.
+  /// Returns the tension that the table would have to exert, int max(0, -lambda) dtheta [N], to rounding.
   double pulling_force() const;
 
   /// Returns the load truncated to the harmonics up to @p n_max.

@@ -78,8 +78,7 @@ private:
                      bool kink_at_end);
   /// Adds a sample at the next Leja point; it measures the error of the previous polynomial.
   void refine(const CurveSource &source, Piece &piece);
-  /// Returns the next Leja point (largest product of distances to all nodes), or a cached point almost as
-  /// good.
+  /// Returns the next Leja point (largest product of distances to all nodes), or a good cached point.
   double next_place(const Piece &piece) const;
 
   std::map<double, Eigen::VectorXd> samples; ///< samples by x

@@ -129,8 +129,7 @@ Answer compared_with_all(Answer answer, const Answer &all, const Load &load, con
 /// bound on their torque is below 1/10 of the search's tolerance.
 bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Motion &motion);
 
-/// Returns tau_z of friction plus lean torque [N m] with the marks at @p marks, else the mean over the
-/// phases.
+/// Returns tau_z of friction plus lean torque [N m] at @p marks; without @p marks, the mean over the phases.
 double yaw_torque(const Load &load, const Motion &motion, double omega,
                   const std::optional<Orientation> &marks = {});
 } // namespace stemware::ring

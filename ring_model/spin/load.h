@@ -32,12 +32,11 @@ public:
   explicit Load(Function load, bool is_pressure = false);
   /// Contact pressure that depends on the phase.
   explicit Load(std::shared_ptr<const PhaseSampledLoad> phases);
-  /// Returns the contact pressure by @p solve, called once a spin, whether successful or not. @p at_rest:
-  /// sample at rest.
+  /// Returns the contact pressure by @p solve, called once a spin, even if it fails. @p at_rest: sample at
+  /// rest.
   static Load solved_once(Function solve, const Sample &at_rest);
 
-  /// Returns the load at the spin @p omega [rad/s] with the marks at @p marks, else the mean over the phases.
-  /// Throws NoBalance.
+  /// Returns the load at @p omega [rad/s] and @p marks, else the mean over the phases. Throws NoBalance.
   Sample at(double omega, const std::optional<Orientation> &marks = {}) const;
 
   /// Returns the highest harmonic of at().
@@ -74,8 +73,7 @@ private:
   struct Source;
   struct Interpolant;
 
-  /// Returns the spins in [@p lower, @p upper], between solved ones, at which the rim lifts off or touches
-  /// again.
+  /// Returns the spins in [@p lower, @p upper], between solved ones, at which lift-off begins or ends.
   std::vector<double> lift_offs(double lower, double upper) const;
 
   std::shared_ptr<const Source> source;

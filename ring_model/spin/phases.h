@@ -106,8 +106,7 @@ public:
 private:
   Sample load_of(const Eigen::VectorXd &column) const;
   PhaseSamples halved(PhaseGrids::Angle angle) const;
-  /// Returns the largest torque_difference() of the loads at every other phase of an angle to their
-  /// interpolation.
+  /// Returns the largest torque_difference() of every other phase of an angle to its interpolation.
   double error_of_half(PhaseGrids::Angle angle) const;
 
   PhaseGrids grids;

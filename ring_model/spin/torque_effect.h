@@ -22,8 +22,7 @@ struct TorqueEffect
   unsigned int harmonics = 0;     ///< n
   std::optional<AtSpin> half;     ///< effect at half the terminal spin; std::nullopt without a terminal spin
   std::optional<AtSpin> terminal; ///< effect at the terminal spin; std::nullopt without a terminal spin
-  /// Delta tau_z(n) of largest absolute value up to the terminal spin or tipping [N m], and its spin [rad/s];
-  /// std::nullopt without a curve.
+  /// Largest |Delta tau_z(n)| up to terminal spin or tipping, signed [N m]; its spin [rad/s]. Needs a curve.
   std::optional<double> largest, largest_at;
   std::vector<double> curve; ///< Delta tau_z(n) at TorqueEffects::spins [N m]; NaN without a balance
 };
