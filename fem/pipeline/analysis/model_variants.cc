@@ -145,7 +145,8 @@ std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
   add_if(!study.table.is_hard(), "compliance of the interface",
          [](Variant &other)
          {
-           // With waviness, the error between the phases is larger than the error of elements of degree 2.
+           // With waviness, interpolation between the phases has a larger error than elements of degree 2, so
+           // a higher degree would be useless.
            constexpr unsigned int max_degree = 2;
            other.study.table.interface = TableInterface::hard;
            if (other.study.has_waviness())

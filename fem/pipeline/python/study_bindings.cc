@@ -126,7 +126,7 @@ struct Found
 
   std::string document() const { return dump_utf8(summary_of(verb, results)); }
 
-  /// Writes the same folder as the program.
+  /// Writes the results that `stemware` would write, to @p folder.
   void save(const std::string &folder) const
   {
     StudyOptions options;

@@ -39,11 +39,11 @@ void add_body_of_revolution(const Study &study, StudySize &size)
   size.memory += 3 * 800 * nodes + 52 * size.unknowns * size.unknowns + 4000 * across * contact.azimuth_lines;
 }
 
-/// Returns the number of nodes in a mesh file, from the section $Nodes or $ParametricNodes (in Gmsh's format
-/// 4, the second number). Estimates the number for other files from the file size, cells included.
+/// Returns the number of nodes in a mesh file, read from the section $Nodes or $ParametricNodes (in Gmsh's
+/// format 4, the second number). For other files, estimates the number from the file size.
 double n_nodes(const std::string &file)
 {
-  constexpr double bytes_per_node = 80;
+  constexpr double bytes_per_node = 80; // with the lines of the cells
   constexpr std::size_t head_size = 100000;
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))

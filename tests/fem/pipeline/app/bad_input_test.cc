@@ -42,7 +42,7 @@ std::string study_refusal(const std::string &file, const std::vector<std::string
   }
 }
 
-TEST(BadInput, RefusesStudyFilesInOneSentence)
+TEST(BadInput, NamesTheErrorOfAStudyFile)
 {
   for (const auto &[name, text, expected] : std::vector<std::tuple<std::string, std::string, std::string>>{
          { "empty.prm", "", "is empty" },

@@ -137,7 +137,7 @@ TEST_F(ForeignMesh, RefusesAnOffAxisMesh)
   EXPECT_EQ(sentence(text()), "");
 }
 
-TEST_F(ForeignMesh, RefusesUnsharedNodes)
+TEST_F(ForeignMesh, RefusesCoincidentNodes)
 {
   std::set<unsigned int> sides[2];
   for (const auto &cell : mesh.active_cell_iterators())
