@@ -17,7 +17,7 @@ const rise = 5; // mm per turn of a long arrow round the stem
 
 function make_parts() {
   const path = (colour, more) =>
-    s('path', { fill: 'none', stroke: `var(--${colour})`, 'stroke-linejoin': 'round', 'stroke-linecap': 'round', ...more }); // prettier-ignore
+    s('path', { fill: 'none', stroke: `var(--${colour})`, 'stroke-linejoin': 'round', 'stroke-linecap': 'round', ...more });
   const area = (colour, opacity, more) => path(colour, { fill: `var(--${colour})`, 'fill-opacity': opacity, ...more });
   return {
     dots: path('line', { 'stroke-width': 3 }),
@@ -40,7 +40,7 @@ function make_parts() {
 }
 const [letter, line] = [9, 20]; // estimated sizes of text, larger on a small screen
 const beside = ['hand', 'inwards', 'pressure', 'torque', 'inside', 'outside']; // labels placed beside the scene
-const label = (fill, anchor) => s('text', { fill: `var(--${fill})`, 'text-anchor': anchor, 'paint-order': 'stroke', stroke: 'var(--card)', 'stroke-width': 4, 'stroke-linejoin': 'round' }); // prettier-ignore
+const label = (fill, anchor) => s('text', { fill: `var(--${fill})`, 'text-anchor': anchor, 'paint-order': 'stroke', stroke: 'var(--card)', 'stroke-width': 4, 'stroke-linejoin': 'round' });
 
 /**
  * Drawing of rows { rows, radius, height, hand, orbit_radius, sense, falls, normal_force, tumbler }. Lengths in metres.
@@ -50,10 +50,10 @@ export class Drawing {
     this.camera = new Camera(0, 0.45);
     this.looked = 0; // rotation of the view by the user
     this.parts = make_parts();
-    this.words = { hand: label('c3'), inwards: label('c3'), centre: label('ink', 'start'), pressure: label('c1'), friction: label('soft', 'start'), torque: label('ink'), ...Object.fromEntries(['front', 'outside', 'inside'].map(place => [place, label('soft', 'middle')])) }; // prettier-ignore
+    this.words = { hand: label('c3'), inwards: label('c3'), centre: label('ink', 'start'), pressure: label('c1'), friction: label('soft', 'start'), torque: label('ink'), ...Object.fromEntries(['front', 'outside', 'inside'].map(place => [place, label('soft', 'middle')])) };
     this.grip = s('circle', { r: finger, fill: 'transparent' });
     this.number = h('p', { class: 'instant' });
-    this.svg = s('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img' }, Object.values(this.parts), Object.values(this.words), this.grip); // prettier-ignore
+    this.svg = s('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img' }, Object.values(this.parts), Object.values(this.words), this.grip);
     this.shows = () => true;
   }
 
@@ -76,7 +76,7 @@ export class Drawing {
     const z = 1e3 * given.hand;
     if (!given.falls) this.glass.cut = Math.min(this.glass.height, 1.12 * Math.max(1e3 * given.height, z));
     this.reach = given.falls ? 1.1 * this.glass.height : Math.max(1.9 * R, R + 0.8 * Math.max(...rubs));
-    this.circles = [[this.reach, 0], [this.glass.width_at(this.glass.cut), this.glass.cut], ...(given.falls ? [] : [[1.3 * R, Math.max(...tops)], [this.glass.width_at(z) + Math.max(...pulls), z]])]; // prettier-ignore
+    this.circles = [[this.reach, 0], [this.glass.width_at(this.glass.cut), this.glass.cut], ...(given.falls ? [] : [[1.3 * R, Math.max(...tops)], [this.glass.width_at(z) + Math.max(...pulls), z]])];
   }
 
   draw(row, time) {
@@ -103,7 +103,7 @@ export class Drawing {
     };
     this.draw_table(row, set);
     this.draw_wall(row, travel, set, write);
-    for (const [place, angle] of [['front', 0], ['inside', (given.sense * turn) / 4], ['outside', (-given.sense * turn) / 4]]) // prettier-ignore
+    for (const [place, angle] of [['front', 0], ['inside', (given.sense * turn) / 4], ['outside', (-given.sense * turn) / 4]])
       write(place, glass.lean ? null : circle(1.9 * glass.radius, 0, 1, travel + angle)[0], t.places[place], 5);
     for (const [name, d] of Object.entries(glass.paths(camera, row.yaw))) set(name, d);
     const centre = glass.at(0, 0, 1e3 * given.height);
@@ -115,7 +115,7 @@ export class Drawing {
     this.part_names();
     const share = Math.round((100 * Math.abs(row.torque)) / this.most);
     const instant = say(t.instant, shown(row.time, '.2f'), shown(row.omega, '.2f'));
-    this.number.textContent = shows('torque') && row.load.length ? `${instant}, ${this.most > 0 ? say(t.share, share) : t.no_torque}` : ''; // prettier-ignore
+    this.number.textContent = shows('torque') && row.load.length ? `${instant}, ${this.most > 0 ? say(t.share, share) : t.no_torque}` : '';
   }
 
   /** Returns the x nearest to `x` at which a label at the height `y` does not overlap the pressure wall. */
@@ -132,7 +132,7 @@ export class Drawing {
       const size = letter * word.textContent.length;
       const left = { end: size, middle: size / 2 }[word.getAttribute('text-anchor')] || 0;
       return { word, x: number(word, 'x') - left, y: number(word, 'y'), size };
-    }); // prettier-ignore
+    });
     boxes.sort((a, b) => a.y - b.y).forEach((box, i) => {
       for (const above of boxes.slice(0, i))
         if (box.x < above.x + above.size && above.x < box.x + box.size && box.y < above.y + line) box.y = above.y + line;
@@ -226,7 +226,7 @@ export class Drawing {
     const n = Math.ceil(Math.abs(reach) * 6) + 2;
     const arc = circle(r, z, n, from, from + reach).map(([x, y], k) => [x, y, z + (rise * reach * k) / n / turn]);
     set('torque', camera.path(arc) + camera.arrow(arc[n - 1], arc[n], 12, 12));
-    write('torque', circle(r, arc[n][2], 1, camera.azimuth - (given.sense * turn) / 4)[0], `\u2002${say(t.torque, shown(1e3 * Math.abs(torque), '#.4g'))}\u2002`, 5); // prettier-ignore
+    write('torque', circle(r, arc[n][2], 1, camera.azimuth - (given.sense * turn) / 4)[0], `\u2002${say(t.torque, shown(1e3 * Math.abs(torque), '#.4g'))}\u2002`, 5);
     return parts.torque.setAttribute('stroke', reach > 0 ? 'var(--c2)' : 'var(--c1)');
   }
 }

@@ -103,7 +103,7 @@ export class Figure {
     const clip = `clip-${this.picture.id}-${++clip_ids.last}`;
     const area = equal
       ? { x: 0, y: names.height, width, height: height - names.height }
-      : { x: box.left - 6, y: box.top - 6, width: Math.max(0, box.right - box.left + 12), height: box.bottom - box.top + 12 }; // prettier-ignore
+      : { x: box.left - 6, y: box.top - 6, width: Math.max(0, box.right - box.left + 12), height: box.bottom - box.top + 12 };
     return [
       s('clipPath', { id: clip }, s('rect', area)),
       equal ? [] : this.axes(width),

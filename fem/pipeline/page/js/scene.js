@@ -46,7 +46,7 @@ export class Scene {
     this.svg = this.drawing.svg;
     this.why = h('p', { class: 'why' });
     this.button = h('button', { hidden: true, onclick: () => this.play(!this.plays) });
-    this.slider = h('input', { hidden: true, type: 'range', min: 0, step: 'any', 'aria-label': t.time, oninput: () => this.go_to(Number(this.slider.value)) }); // prettier-ignore
+    this.slider = h('input', { hidden: true, type: 'range', min: 0, step: 'any', 'aria-label': t.time, oninput: () => this.go_to(Number(this.slider.value)) });
     this.caption = h('figcaption', {}, h('b', {}, `${t.title}. `), t.caption);
     this.id = 'scene';
     const controls = h('div', { class: 'controls' }, this.button, this.slider);

@@ -5,13 +5,13 @@ const turn = 2 * Math.PI;
 
 // Half of the outline of the glass: radius over the contact radius, and height over the total height, as in
 // docs/figures/draw_glass.py.
-// prettier-ignore
+
 const profile = [
   [1, 0], [1.1, 0.008], [1.18, 0.019], [1.1, 0.028], [0.67, 0.042], [0.3, 0.07], [0.17, 0.115],
   [0.13, 0.187], [0.13, 0.42], [0.23, 0.471], [0.45, 0.495], [0.67, 0.522], [0.9, 0.556], [1.07, 0.593],
   [1.2, 0.64], [1.27, 0.695], [1.27, 0.755], [1.25, 0.817], [1.19, 0.9], [1.1, 1]
 ];
-// prettier-ignore
+
 const tumbler = [[1, 0], [1.12, 0.03], [1.16, 0.3], [1.26, 1]];
 const height_of_glass = 2.46; // relative to the height of the centre of mass
 const height_of_tumbler = 1.9;

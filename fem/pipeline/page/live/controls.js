@@ -1,5 +1,5 @@
 // Controls of the study: glasses, tables, sliders and the number of harmonics.
-import { $, acts, all_harmonics, base_value, data, drop_changes, is_changed, load_entries, radius, remember, similar, state, value_of } from './state.js'; // prettier-ignore
+import { $, acts, all_harmonics, base_value, data, drop_changes, is_changed, load_entries, radius, remember, similar, state, value_of } from './state.js';
 import { h } from '../js/dom.js';
 import { say, shown } from '../js/words.js';
 import { texts } from './texts.js';
@@ -34,7 +34,7 @@ function slider([path, from, to, step, unit, factor, log], solve) {
     const value = value_of(path);
     output.textContent =
       (log ? shown(value, '.2e') : shown(Number((value * factor).toFixed(3)), '.9g')) + (unit && ` ${unit}`);
-    if (path === radius) output.textContent += say(texts.similar, shown(1e3 * similar(value_of('Glass/Foot thickness')), '.2g')); // prettier-ignore
+    if (path === radius) output.textContent += say(texts.similar, shown(1e3 * similar(value_of('Glass/Foot thickness')), '.2g'));
     input.setAttribute('aria-valuetext', output.textContent);
     node.classList.toggle('changed', is_changed(path));
   };

@@ -9,7 +9,7 @@ export function save_curves(drawn) {
   const rows = [...drawn].flatMap(({ id, x, y, marks }) =>
     marks.flatMap(mark => {
       const [heading, values] = Object.entries(extra_of(mark, { x, y }))[0] || ['', []];
-      return mark.rows().map(([curve, ...at], i) => [id, curve, label_of(x || {}), label_of(y || {}), ...at, heading, values[i]]); // prettier-ignore
+      return mark.rows().map(([curve, ...at], i) => [id, curve, label_of(x || {}), label_of(y || {}), ...at, heading, values[i]]);
     })
   );
   download(
@@ -22,7 +22,7 @@ export function save_curves(drawn) {
 /** Returns `page`, the original text of this page, with the current state, for download. */
 export const page_with_state = page =>
   '<!doctype html>\n' +
-  page.replace(/id="live"( data-state="[^"]*")?/, () => `id="live" data-state="${String(parts_of_state()).replace(/&/g, '&amp;')}"`); // prettier-ignore
+  page.replace(/id="live"( data-state="[^"]*")?/, () => `id="live" data-state="${String(parts_of_state()).replace(/&/g, '&amp;')}"`);
 
 export function study_text() {
   const values = { ...Object.fromEntries(pair().values), ...state.changes };

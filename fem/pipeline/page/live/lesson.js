@@ -1,6 +1,6 @@
 // Lesson in five steps, from the hand to the terminal spin. Each step asks for a prediction before its
 // answer.
-import { $, at_end, centre, digits, doc, fall, found, hand_offset, is_held, remember, sense, state, value_of } from './state.js'; // prettier-ignore
+import { $, at_end, centre, digits, doc, fall, found, hand_offset, is_held, remember, sense, state, value_of } from './state.js';
 import { h } from '../js/dom.js';
 import { pressing } from '../js/series.js';
 import { say, shown } from '../js/words.js';
@@ -98,7 +98,7 @@ export function write_lesson(changed) {
   else delete document.body.dataset.lesson;
   document.body.toggleAttribute('data-told', step === 5 && chosen[5] !== undefined);
   for (const place of document.querySelectorAll('[data-picture]'))
-    place.closest('.card').classList.toggle('taught', step > 0 && Boolean(doc.summary.ring) && at_step(pictures_before, pictures_after).includes(place.dataset.picture)); // prettier-ignore
+    place.closest('.card').classList.toggle('taught', step > 0 && Boolean(doc.summary.ring) && at_step(pictures_before, pictures_after).includes(place.dataset.picture));
   if (!step) return;
   const words = t.steps[step - 1];
   const { title, question, options } = words;
@@ -125,7 +125,7 @@ export function write_lesson(changed) {
     h('p', {}, say(question)),
     h('p', { class: 'row', role: 'group', 'aria-label': question }, predictions),
     ...said,
-    h('p', { class: 'row' }, step > 1 && h('button', { onclick: () => go(step - 1) }, t.back), step < 5 && h('button', { disabled: mine === undefined, onclick: () => go(step + 1) }, t.next)) // prettier-ignore
+    h('p', { class: 'row' }, step > 1 && h('button', { onclick: () => go(step - 1) }, t.back), step < 5 && h('button', { disabled: mine === undefined, onclick: () => go(step + 1) }, t.next))
   );
   buttons()[focused]?.focus();
 }

@@ -1,5 +1,5 @@
 // The live page: it solves the study again at every move of a slider.
-import { $, all_harmonics, data, digits, doc, errors, forget, found, learn, pair, recall, remember, state } from './state.js'; // prettier-ignore
+import { $, all_harmonics, data, digits, doc, errors, forget, found, learn, pair, recall, remember, state } from './state.js';
 import { Queue, start_solver } from './solver.js';
 import { calm, picture } from './pictures.js';
 import { chosen, make_choices, make_sliders, write_harmonics } from './controls.js';

@@ -32,7 +32,7 @@ const parts = [
     'Which measured quantity changes the result most if it is wrong by a little? What do fingers do that hold the stem?'
   ]
 ];
-const row = (tag, cells) => h('tr', {}, cells.map(text => h(tag, {}, text))); // prettier-ignore
+const row = (tag, cells) => h('tr', {}, cells.map(text => h(tag, {}, text)));
 
 export function print_sheet() {
   const filled = parts.flatMap((part, i) => {

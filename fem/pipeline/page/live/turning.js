@@ -12,7 +12,7 @@ let scene = null;
 let above = null;
 
 /** Row of a glass that tips and has no answer. */
-// prettier-ignore
+
 const fallen = { time: 0, omega: 0, yaw: 0, orbit: 0, torque: 0, hand: [0, 0], load: [], friction: [[], []], turns: [] };
 
 /** Makes the scene. `solve` solves after a move of the hand; `stand` restores the last study without tipping. */
@@ -30,7 +30,7 @@ export function make_scene(solve, stand) {
   scene.drawing.shows = shows;
   above = h('div');
   scene.add_tab(above);
-  scene.tabs.append(h('button', { id: 'sense', onclick: turned }, texts.other_sense), h('button', { id: 'stand', onclick: stand, hidden: true }, texts.back)); // prettier-ignore
+  scene.tabs.append(h('button', { id: 'sense', onclick: turned }, texts.other_sense), h('button', { id: 'stand', onclick: stand, hidden: true }, texts.back));
   $('scene').replaceChildren(scene.node);
 }
 

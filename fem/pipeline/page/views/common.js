@@ -64,7 +64,7 @@ export const beginning = (doc, glasses) => {
 
 export const study = ({ entries }) => {
   const changed = entries.filter(entry => entry.default !== undefined);
-  const columns = (list, ...keys) => [{ name: 'entries', given: table_of(keys, list.map(entry => keys.map(key => entry[key]))) }]; // prettier-ignore
+  const columns = (list, ...keys) => [{ name: 'entries', given: table_of(keys, list.map(entry => keys.map(key => entry[key]))) }];
   return [
     {
       title: 'The study',

@@ -27,7 +27,7 @@ function cells_of({ theta, distance, pressure, is_grid }, at) {
         const corners = [-half, half].flatMap(a => [at(t + a, d - a), at(t + a, d + a)]);
         add([corners[0], corners[1], corners[3], corners[2]], [pressure[j][k]], [t, d]);
       } else if (distance[j + 1][k + 1] !== undefined) {
-        const corners = [[j, k], [j, k + 1], [j + 1, k + 1], [j + 1, k]]; // prettier-ignore
+        const corners = [[j, k], [j, k + 1], [j + 1, k + 1], [j + 1, k]];
         add(
           corners.map(([a, b]) => at(theta[a], distance[a][b])),
           corners.map(([a, b]) => pressure[a][b]),
@@ -158,10 +158,10 @@ export function section({ foot }) {
     y: { range: [-2.9 * step, top + 1.5 * step] },
     marks: [
       ...cells(t),
-      strokes({ lines: [[-0.05 * edge, 0, 1.1 * edge, 0], [radius, 0, radius, -1.1 * step], [edge, 0, edge, -2.1 * step]] }), // prettier-ignore
+      strokes({ lines: [[-0.05 * edge, 0, 1.1 * edge, 0], [radius, 0, radius, -1.1 * step], [edge, 0, edge, -2.1 * step]] }),
       strokes({ lines: [[0, -2.4 * step, 0, top + step]], dash: '12 4 2 4' }),
       strokes({ lines: [[stem, top, 1.14 * edge, top]], dash: '2 4' }),
-      strokes({ lines: [[0, -step, radius, -step], [0, -2 * step, edge, -2 * step], [1.12 * edge, 0, 1.12 * edge, top], [radius, 0, radius, thickness]], colour: 'ink', heads: 2 }), // prettier-ignore
+      strokes({ lines: [[0, -step, radius, -step], [0, -2 * step, edge, -2 * step], [1.12 * edge, 0, 1.12 * edge, top], [radius, 0, radius, thickness]], colour: 'ink', heads: 2 }),
       strokes({ lines: [[0, top, stem, top]], colour: 'ink', width: 3 }),
       end(radius / 2, -step, { text: `R = ${length(radius)}`, dy: -4 }),
       end(radius / 2, -2 * step, { text: `foot ${length(edge)}`, dy: 15 }),

@@ -64,7 +64,7 @@ function map([x, y], shows, values) {
     const [i, j] = [k % x.values.length, Math.floor(k / x.values.length)];
     return [say(x, x.values[i]), say(y, y.values[j]), say(shows, rows[j][i])];
   };
-  const places = x.values.flatMap((at, i) => y.values.map((up, j) => [at, up, rows[j][i]])).filter(([, , v]) => !Number.isFinite(v)); // prettier-ignore
+  const places = x.values.flatMap((at, i) => y.values.map((up, j) => [at, up, rows[j][i]])).filter(([, , v]) => !Number.isFinite(v));
   const empty = { x: places.map(p => p[0]), y: places.map(p => p[1]) };
   return {
     x: { ...x, range: range(0) },
@@ -72,7 +72,7 @@ function map([x, y], shows, values) {
     height: 340,
     always_named: places.length > 0,
     colours: scale,
-    marks: [patches({ ...grid(...edges, rows), colours: scale, words }), dots({ ...empty, name: places.length ? 'no value: tips, undefined or failed' : '', colour: 'ink', size: 3 })] // prettier-ignore
+    marks: [patches({ ...grid(...edges, rows), colours: scale, words }), dots({ ...empty, name: places.length ? 'no value: tips, undefined or failed' : '', colour: 'ink', size: 3 })]
   };
 }
 
