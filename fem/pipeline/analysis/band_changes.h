@@ -28,8 +28,7 @@ struct BandChange : Variant
   bool compares_over_spins = false;
   /// True if the part is the larger of this change and the sum of its earlier changes.
   bool is_alternative = false;
-  /// Rings of a change that keeps the study's contacts and recomputes only the torque; std::nullopt: the
-  /// change has its own contacts.
+  /// Rings of a change that keeps the study's contacts and recomputes only the torque; empty for others.
   std::optional<RingProjection> ring_projection = {};
 };
 

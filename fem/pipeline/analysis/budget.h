@@ -51,11 +51,9 @@ struct HarmonicEffect
 };
 
 /// Effect on the terminal spin of each step from the paper's model to the study's (docs/theory/budget.md).
-///
 /// Rows 1, 1a, 2 and 2a: first harmonic on a ring of the contact radius. From row 3 on the contact is solved
-/// with its whole pressure, and friction uses the rings' harmonics up to BudgetRow::harmonics. Without a
-/// contact the chain is shorter: a first harmonic ends with row 2 or 2a; a load file has no row 2 and no
-/// "without" rows.
+/// with its whole pressure; friction uses the rings' harmonics up to BudgetRow::harmonics. Without a contact,
+/// a first harmonic ends with row 2 or 2a; a load file has no row 2 and no "without" rows.
 struct Budget
 {
   std::vector<BudgetRow> rows; ///< the last one is the study itself
@@ -68,8 +66,7 @@ struct Budget
 };
 
 /// Returns @p difference over @p reference; 0 if the difference is rounding, below 1e-9 @p spin_scale
-/// [rad/s]. Returns std::nullopt if one is missing, or if reference and sum of both have opposite signs or
-/// one of them is rounding.
+/// [rad/s]; std::nullopt if one is missing, or if reference or the sum is rounding or their signs differ.
 std::optional<double> relative_to(const std::optional<double> &reference,
                                   const std::optional<double> &difference, double spin_scale);
 
@@ -77,15 +74,14 @@ std::optional<double> relative_to(const std::optional<double> &reference,
 HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::optional<double> &all,
                                double spin_scale);
 
-/// Returns the variants for find_budget(): model_chain(), variants_without(), and input_variants() of @p own,
-/// the study itself. @p depends_on_phase: true if its load does.
+/// Returns model_chain(), variants_without() and input_variants() of @p own, the study itself, for
+/// find_budget(). @p depends_on_phase: whether the study's load does.
 std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase);
 
 /// Returns the chain: the rows of model_chain() among @p rows.others, then the rows by harmonics.
 std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &rows);
 
-/// Returns the budget from @p rows, rows_by_harmonics() with budget_variants(). Failed rows have their
-/// reason.
+/// Returns the budget from @p rows, rows_by_harmonics() with budget_variants(); failed rows have a reason.
 Budget find_budget(const Study &study, const StudyRows &rows);
 
 } // namespace stemware::pipeline

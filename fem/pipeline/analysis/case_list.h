@@ -47,9 +47,8 @@ struct CaseList
 /// Throws BadInput for other texts, unknown entries, inadmissible or repeated values.
 CaseList cases_of_grid(const std::vector<std::string> &varied);
 
-/// Reads cases from a table (parse_table()): one row per case, one column per entry, "Motion/Mass" or
-/// "Motion/Mass (g)". Cells may have units and, unless commas separate them, decimal commas. Throws BadInput
-/// with line and column.
+/// Reads cases from a table (parse_table()): one row per case, one column per entry, "Motion/Mass (g)". Cells
+/// may have units and, unless commas separate them, decimal commas. Throws BadInput with line and column.
 CaseList cases_from_file(const std::string &file);
 
 } // namespace stemware::pipeline

@@ -13,24 +13,22 @@ namespace stemware::pipeline
 {
 
 /// Returns the error bands of a study from a few additional contacts: each numerical parameter is changed by
-/// itself, and the change is one of the parts that the band sums (docs/method/error_bands.md).
-///
-/// Quantities: load and table motion at rest; torque at rest and at half and one and a half times the
-/// terminal spin; terminal spin and time constant; effect of the harmonics beyond the first. With waviness,
-/// and if the load depends on the direction of the moment, torques are means over four phases of the period.
+/// itself, and the change is one of the parts that the band sums (docs/method/error_bands.md). Quantities:
+/// load and table motion at rest; torque at rest and at half and one and a half times the terminal spin;
+/// terminal spin and time constant; effect of the harmonics beyond the first. With waviness, and if the load
+/// depends on the direction of the moment, torques are means over four phases of the period.
 ///
 /// @p all: row of all harmonics; @p first: terminal spin of the first harmonic only, if any; @p reported:
-/// known values, which replace computed values equal up to the solver's tolerance. A quantity without a value
+/// known values, which replace computed ones (equal up to the solver's tolerance). A quantity without a value
 /// after a change has no band. Returns an empty list for a load without a contact, if a changed contact
-/// fails, or if no other mesh is informative (band_changes()); @p progress receives the reason. Collective if
-/// the body is.
+/// fails, or if no other mesh is informative; @p progress receives the reason. Collective if the body is.
 ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                           const ring::Answer &all, const std::optional<double> &first,
                           const Executor &executor, Progress &progress = silent_progress(),
                           const std::vector<QuantityOfInterest> &reported = {});
 
-/// Returns the quantities stated in the results of a study: of the load @p at_rest, and the torque at half
-/// the terminal spin in the last row of @p budget.
+/// Returns the quantities in the results of a study that have bands: of the load @p at_rest, and the torque
+/// at half the terminal spin in the last row of @p budget.
 std::vector<QuantityOfInterest> reported_quantities(const LoadReport &at_rest, const Budget &budget);
 
 /// Sets the band of each row with a terminal spin from the contact, from the bands @p of_all harmonics (last

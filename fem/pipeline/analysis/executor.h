@@ -9,8 +9,7 @@
 namespace stemware::pipeline
 {
 
-/// Maker of the feet of variants, and threads to solve them; results do not depend on the threads. For one
-/// caller at a time.
+/// Maker of the feet of variants, and threads to solve them; both change no result. For one caller at a time.
 struct Executor
 {
   using Work = std::function<void(std::size_t)>;
@@ -21,9 +20,9 @@ struct Executor
   {
   }
 
-  /// Calls @p work(i) for every i < @p n in order, in parallel unless @p sequential, and waits for all. After
-  /// an exception no further call starts, and the exception of the smallest i is rethrown. Parallel loops
-  /// within @p work may use idle threads.
+  /// Calls @p work(i) for every i < @p n, in parallel unless @p sequential, started in order; waits for all.
+  /// After an exception no further call starts, and the exception of the smallest i is rethrown. Parallel
+  /// loops within @p work may use idle threads.
   void for_each(std::size_t n, const Work &work, bool sequential = false) const
   {
     if (run_in_parallel && !sequential)
@@ -33,8 +32,8 @@ struct Executor
   }
 
   FootMaker make_foot;
-  /// True if every failure affects its own variant only. On several ranks this holds for is_variant_failure()
-  /// only, which occurs on all ranks; other failures end the work.
+  /// True if every failure affects its own variant only. On several ranks this holds for
+  /// is_variant_failure(), which occurs on all ranks; other failures end the work.
   bool keeps_all_failures = true;
 
 protected:

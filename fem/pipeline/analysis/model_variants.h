@@ -7,8 +7,8 @@
 namespace stemware::pipeline
 {
 
-/// Returns the paper's model of a study's glass: the paper's moment balance, first harmonic on a ring of the
-/// contact radius, constant friction, no grip, level liquid.
+/// Returns the paper's model of a study's glass: its moment balance, first harmonic on a ring of the contact
+/// radius, constant friction, no grip, level liquid.
 Study paper_study(Study study);
 
 /// Returns the models before the rows by harmonics: steps 1, 1a, 2, 2a and 3, each named after its difference
@@ -16,14 +16,12 @@ Study paper_study(Study study);
 std::vector<Variant> model_chain(const Study &study);
 
 /// Returns the study @p own without one of its effects at a time, named "friction in the foot", "tilt",
-/// "grip", ... (docs/theory/budget.md); empty for a load without a contact. Variants without any compliance,
-/// which are undefined, and variants of a solid foot on a hard table whose load @p depends_on_phase, which
-/// take too long, have Variant::reason.
+/// "grip", ... (docs/theory/budget.md); empty without a contact. Not to be solved (Variant::reason): variants
+/// without compliance, and a solid foot on a hard table whose load @p depends_on_phase (too slow).
 std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase = false);
 
-/// Returns the first-harmonic model of a study, "unchanged" and with one input changed at a time: "1 cm more
-/// height of the centre of mass", "0.05 more friction", "1.4 mN m more grip". Empty for a load without a
-/// moment balance.
+/// Returns the first-harmonic model of a study, "unchanged" and with one input changed at a time: "0.05 more
+/// friction", ... (InputRow); empty for a load without a moment balance.
 std::vector<Variant> input_variants(const Study &study);
 
 /// Returns true if foot, substrate or interface is compliant; otherwise the pressure is undefined.

@@ -69,9 +69,8 @@ struct SpinNumbers
 /// minimum load, peak pressure, contact width. With lift-off, fractions are accurate to @p share_noise.
 std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double share_noise = relative_noise);
 
-/// Returns load_quantities() @p at_rest, torques, terminal spin and time constant of @p spin, and the motion
-/// of the table at rest, @p table_motion (q_0 [m], q_1 and q_2 [rad]). Keys and order are equal for equally
-/// many spins.
+/// Returns load_quantities() @p at_rest, the quantities of @p spin, and @p table_motion at rest (q_0 [m], q_1
+/// and q_2 [rad]). Keys and order are equal for equally many spins.
 std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
                                                        const Eigen::Vector3d &table_motion,
                                                        const SpinNumbers &spin);
@@ -90,10 +89,9 @@ std::vector<double> spins_of_interest(double omega_terminal);
 const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities,
                                       const std::string &key);
 
-/// Returns the change of the quantity @p key from @p before to @p after. For terminal spin and torques: the
+/// Returns the change of the quantity @p key from @p before to @p after; for terminal spin and torques the
 /// largest change of torque at half, one and one and a half times the terminal spin, because errors of
-/// harmonics may cancel at one spin; NaN if one of the three has no value. @p yaw_inertia [kg m^2]. Throws as
-/// quantity_of().
+/// harmonics may cancel at one spin; NaN if one is missing. @p yaw_inertia [kg m^2]. Throws as quantity_of().
 double max_change_over_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
                              const std::vector<QuantityOfInterest> &after, double yaw_inertia);
 

@@ -13,8 +13,7 @@
 #include <vector>
 
 /// Quantities of the results. Each is declared once, in a list of Fields, with key, unit, words and the
-/// function that reads it from a row. The list gives members of summary.json and their schema, columns of
-/// data files, and tables for page and console.
+/// function that reads it from a row. The list gives summary.json, its schema, data files and tables.
 namespace stemware::pipeline
 {
 
@@ -129,8 +128,7 @@ struct Type
 /// Returns the JSON Schema @p type with null as a further value.
 Json or_null(Json type);
 
-/// Returns the JSON Schema of a type: number, text, list, or the target of an optional or a pointer with
-/// null; @p part for any other type.
+/// Returns the JSON Schema of a number, text, list, optional or pointer (or null); @p part for other types.
 inline Json schema_of(Type<const char *>, const Json & /*part*/ = {})
 {
   return { { "type", "string" } };
@@ -187,8 +185,7 @@ struct Field
   Quantity quantity;
   std::function<Json(const Row &)> value;
 
-  /// Creates a quantity; @p read is a member of Row or a function of a row. With an empty @p description, the
-  /// quantity is in tables only.
+  /// Creates a quantity (for tables only if @p description is empty). @p read: member or function of a row.
   template <typename Read, typename... Words,
             typename = std::enable_if_t<std::is_invocable_v<Read, const Row &>>>
   Field(const std::string &key, const std::string &unit, const std::string &description, Read read,
@@ -202,8 +199,8 @@ struct Field
     (words(quantity), ...);
   }
 
-  /// Creates an object with the members @p fields of the result of @p read, a list of objects if it is a
-  /// vector, null for an optional or a pointer without value.
+  /// Creates an object with the members @p fields of the result of @p read; a list for a vector, null for an
+  /// optional or a pointer without value.
   template <typename Part, typename Read, typename... Words>
   Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,
         Words... words)

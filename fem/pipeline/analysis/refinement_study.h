@@ -41,9 +41,8 @@ struct RefinementAxis
   std::vector<RefinementSequence> quantities = {}; ///< one per quantity, after refine()
 };
 
-/// Returns all axes of @p study with up to @p n_levels levels. The study's own level is the second, or the
-/// first if the parameter cannot be reduced. Throws BadInput without a contact, with waviness, or with a
-/// goal.
+/// Returns all axes of @p study with up to @p n_levels levels. The study's own level is the second; the first
+/// if nothing coarser is allowed. Throws BadInput without a contact, with waviness, or with a goal.
 std::vector<RefinementAxis> refinement_axes(Study study, unsigned int n_levels);
 
 /// Returns order, limit and bands of @p values, from the coarsest to the finest level (grid convergence

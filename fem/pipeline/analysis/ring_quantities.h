@@ -44,7 +44,7 @@ std::vector<Truncation> truncations_of(const std::vector<ring::Answer> &rows,
                                        const ring::TorqueEffects &effects, double scale);
 
 /// Returns the @p rows whose neglected harmonics change tau_z by more than 1e-9 of the torque at rest, and
-/// the row of all harmonics; values below rounding become 0.
+/// the last row; values below rounding become 0.
 std::vector<Truncation> shown_truncations(std::vector<Truncation> rows);
 
 /// Returns "truncation" of summary.json and its tables.
@@ -58,11 +58,10 @@ const Fields<Truncation> &torque_change_fields();
 /// Returns the label of a step of the chain: "1", "1a", "2", "2a", "3", "3a", "4", ...
 std::string label_of(const ChainStep &step);
 
-/// Returns the title of a row of the budget: "the paper's model", "moment balance", "harmonics, n ≤ 2",
-/// "harmonics, all"; @p at_most replaces "≤".
+/// Returns the title of a row of the budget: "moment balance", "harmonics, n ≤ 2"; @p at_most replaces "≤".
 std::string title_of(const BudgetRow &row, const std::string &at_most = "≤");
 
-/// Returns the quantities of a row of the budget. @p scale: Study::spin_scale(), whose rounding becomes 0.
+/// Returns the quantities of a row of the budget. @p scale: Study::spin_scale(), for rounding to 0;
 /// @p shown_spin: format of the terminal spin.
 Fields<BudgetRow> chain_fields(double scale = 1, const std::function<Json(double)> &shown_spin = {});
 

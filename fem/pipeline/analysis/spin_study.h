@@ -32,8 +32,7 @@ struct DrivenSpinUp
   std::vector<double> speed;        ///< v(t) [m/s]
   std::vector<double> acceleration; ///< dv/dt [m/s^2]
   std::vector<double> omega;        ///< all harmonics, error control [rad/s]
-  /// Change of omega for linear instead of monotone cubic interpolation of the file, estimated with a first
-  /// harmonic on a rigid rim in balance [rad/s].
+  /// Change of omega for linear instead of monotone cubic interpolation of the file, on a rigid rim [rad/s].
   double interpolation_change = 0;               ///< maximum over the times
   double interpolation_change_at_end = 0;        ///< at the last time
   double integration_error = 0;                  ///< requested accuracy [rad/s]
@@ -61,7 +60,7 @@ struct PhaseStudy
   double spin_uncertainty = 0;
   double zero_of_mean_torque = 0;    ///< zero of the torque averaged over the phases [rad/s]
   double torque_ripple = 0;          ///< half the range over the phases, at the mean spin [N m]
-  double least_load = 0;             ///< pointwise minimum over all sampled phases [N/rad]
+  double least_load = 0;             ///< pointwise minimum over all phases, at rest and mean spin [N/rad]
   double least_contact_fraction = 0; ///< minimum at rest over all sampled phases
   unsigned int n_glass_phases = 1;   ///< sampled
   unsigned int n_table_phases = 1;
@@ -72,7 +71,7 @@ struct PhaseStudy
   std::vector<ring::Orientation> phases;
   std::vector<double> torque_at_rest;
   std::vector<double> torque_at_terminal;
-  bool least_load_is_at_rest = true; ///< false: at the terminal spin
+  bool least_load_is_at_rest = true; ///< false: at the mean spin
 };
 
 /// Curves of a study: torques over the spin and spin-ups.
@@ -88,13 +87,11 @@ struct StudyCurves
 struct SpinStudy : StudyCurves
 {
   std::vector<ring::Answer> rows = {}; ///< rows_by_harmonics(), all harmonics last
-  std::optional<ring::Answer>
-    /// All harmonics on one ring; std::nullopt if the study has one ring.
-    one_ring = {};
+  /// All harmonics on one ring; std::nullopt if the study has one ring.
+  std::optional<ring::Answer> one_ring = {};
   Budget budget = {};                      ///< without rows for Depth::answer
   ring::TorqueEffects torque_effects = {}; ///< for truncation_orders()
-  /// ring::terminal_spins() of the last row; empty with waviness, or for a solid body in balance at every
-  /// spin, whose torques take minutes.
+  /// ring::terminal_spins() of the last row; empty with waviness, or for a solid body balanced at every spin.
   std::vector<ring::TerminalSpin> terminal_spins = {};
   std::optional<PhaseStudy> phases = {}; ///< std::nullopt without waviness
   /// Interpolation error of the curves' load over a_0; std::nullopt if the load is exact.
@@ -113,8 +110,7 @@ std::optional<double> driven_band(const SpinStudy &spin, const std::optional<dou
 /// Load of all harmonics for curves.
 struct CurveLoad
 {
-  /// Ascending, from slightly before rest to one and a half times the fastest terminal spin, or to tipping
-  /// [rad/s].
+  /// Ascending, from slightly before rest to 1.5 times the fastest terminal spin, or to tipping [rad/s].
   std::vector<double> spins;
   ring::Load load; ///< ring::interpolated_for_curves() between the first and the last spin
 };
@@ -129,18 +125,16 @@ StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, 
                         const CurveLoad &of_all, const Executor &executor, double euler_step = 0,
                         const ring::TimeObserver &observer = {});
 
-/// Returns the spin-up with Motion/Orbit speed file at @p times, with the contact in balance at every
-/// instant; std::nullopt without such a file. @p foot: study_foot() with its rings. Throws as the torque and
-/// @p observer.
+/// Returns the spin-up with Motion/Orbit speed file, if given, at @p times, with the contact in balance at
+/// every instant. @p foot: study_foot() with its rings. Throws as the torque and @p observer.
 std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                            const std::vector<double> &times,
                                            const ring::TimeObserver &observer = {});
 
 /// Solves a study: all results, or with Depth::answer the answer, its curves and the effect of the harmonics.
-/// @p foot: study_foot(); @p load: find_load() of the foot; @p executor solves the other models of the
-/// budget. A glass that tips during the spin-up is an answer, whose last row has a `fall`. Throws
-/// ring::NoBalance if there is no terminal spin otherwise, or the spin does not settle under a load that
-/// depends on the phase; and as contact solves and balances.
+/// @p foot: study_foot(); @p load: find_load() of the foot; @p executor solves other models. If the glass
+/// tips during the spin-up, the last row has a `fall`. Throws ring::NoBalance if there is no terminal spin
+/// otherwise, or if the spin does not settle (waviness); and as contact solves and balances.
 SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                      const Executor &executor, Progress &progress = silent_progress(),
                      Depth depth = Depth::full);

@@ -24,9 +24,8 @@ struct StudyAnswer
   ErrorBands bands = {}; ///< empty with Depth::answer
 };
 
-/// Answers the checked @p study. @p with_fields: also fields and stressed section of the foot; @p start as in
-/// case_result(). Collective if the body is. Throws BadInput, fem::ContactFailure, and ring::NoBalance
-/// without a balance or a terminal spin.
+/// Answers the checked @p study. @p with_fields: also fields and stressed section; @p start as in
+/// case_result(). Collective if the body is. Throws BadInput, fem::ContactFailure, ring::NoBalance.
 StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, Progress &progress,
                          bool with_fields, std::shared_ptr<ElasticFoot> *start = nullptr);
 

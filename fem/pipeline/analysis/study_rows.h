@@ -17,10 +17,8 @@ struct LoadedRow
 {
   Variant variant = {};
   ring::Answer row = {};
-  std::optional<ring::Load> load = {}; ///< std::nullopt if the load failed (Answer::reason)
-  std::vector<ring::Torques>
-    /// At StudyRows::torque_spins; empty for rows outside the chain.
-    torques = {};
+  std::optional<ring::Load> load = {};     ///< std::nullopt if the load failed (Answer::reason)
+  std::vector<ring::Torques> torques = {}; ///< at StudyRows::torque_spins, for rows of the chain
 };
 
 /// Answers of one study.
@@ -53,10 +51,9 @@ ring::TimeObserver motion_observer(Progress &progress);
 /// Returns @p asked with motion, grip and contact radius of @p study.
 ring::Question spin_question(const Study &study, ring::Question asked = {});
 
-/// Returns the answers of @p variants to @p asked with their motion, grip and contact radius. @p foot as in
-/// solve(); @p of_study: load of variants with Shared::load. Rows of the chain have torques at
-/// @p torque_spins. Failures of meshes, contacts, balances and spins do not throw: the row has the reason.
-/// @p progress receives @p pieces.
+/// Returns the answers of @p variants to @p asked. @p foot as in solve(); @p of_study: load of variants with
+/// Shared::load. Rows of the chain have torques at @p torque_spins. Failures of meshes, contacts, balances
+/// and spins do not throw: the row has the reason. @p progress receives @p pieces.
 std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
                                   const std::shared_ptr<ElasticFoot> &foot, const ring::Question &asked,
                                   const Executor &executor, Progress &progress = silent_progress(),
@@ -70,8 +67,7 @@ std::vector<double> friction_torques(const std::vector<ring::Torques> &torques);
 /// Returns the row of a variant whose load failed with @p failure.
 ring::Answer failed_row(const std::exception_ptr &failure);
 
-/// Returns the numbers of harmonics at which loads are truncated: 1, 2, 3, 4, 6, 8, 12, 16, ... below @p
-/// n_all, then @p n_all.
+/// Returns the numbers of harmonics of the rows: 1, 2, 3, 4, 6, 8, 12, 16, ... below @p n_all, then @p n_all.
 std::vector<unsigned int> truncation_orders(unsigned int n_all);
 
 /// Returns the rows for truncation_orders() of @p load, find_load() of @p foot; all harmonics last. Fewer

@@ -21,8 +21,7 @@ const std::vector<Quantity> &sweep_columns();
 struct CaseResult
 {
   std::string outcome = {}; ///< outcome of the contact solve; empty without one
-  /// "ok"; "formal" if a load without a contact is negative somewhere; "tips" at rest or during the spin-up;
-  /// "failed".
+  /// "ok"; "formal" if a load without a contact is negative somewhere; "tips" (also at rest); "failed".
   std::string status = "ok";
   std::string message = {}; ///< reason for missing values, or empty
   /// Values by key of sweep_columns(), without missing ones.
@@ -31,14 +30,13 @@ struct CaseResult
   std::optional<double> value(const std::string &key) const;
 };
 
-/// Solves a study on its own @p foot as `run` does with Depth::answer. Equal studies have equal results.
+/// Solves a study on its own @p foot as `run` does with Depth::answer; equal studies have equal results.
 /// Throws as find_load() and rows_by_harmonics().
 CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor,
                        Progress &progress = silent_progress());
 
-/// Makes the foot, on mesh_for_goal(), and solves. @p start: foot of a similar study, whose contacts are
-/// initial guesses; replaced by the foot of @p study. The result depends on @p start within the contact's
-/// tolerance.
+/// Makes the foot, on mesh_for_goal(), and solves. @p start: foot of a similar study, for initial guesses
+/// within the contact's tolerance; replaced by the foot of @p study.
 CaseResult case_result(const Study &study, const Executor &executor, Progress &progress = silent_progress(),
                        std::shared_ptr<ElasticFoot> *start = nullptr);
 
@@ -47,8 +45,7 @@ using FinishedCases = std::map<std::size_t, CaseResult>;
 
 /// Solves the cases @p wanted, @p n_threads at a time (a solid body one after another with all threads).
 /// @p finish receives each result when it is available, in any order, one at a time; its exceptions end the
-/// work. A failed case has a message. Results do not depend on other cases. Throws std::bad_alloc and
-/// OutputFailure.
+/// work. Failed cases have a message and affect no others. Throws std::bad_alloc and OutputFailure.
 void solve_cases(const CaseList &list, const std::vector<std::size_t> &wanted, unsigned int n_threads,
                  const std::function<void(std::size_t, const CaseResult &)> &finish);
 

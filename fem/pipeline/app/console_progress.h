@@ -11,12 +11,11 @@
 namespace stemware::pipeline
 {
 
-/// Progress on the console: Newton steps as a table, work of known size as a bar, balances as a line every
-/// few seconds; stages end on a stopwatch.
+/// Progress on the console: Newton steps as a table, known work as a bar, balances every few seconds.
 class ConsoleProgress : public Progress
 {
 public:
-  /// Keeps @p stopwatch.
+  /// Keeps a reference to @p stopwatch, which receives the stages.
   explicit ConsoleProgress(Stopwatch &stopwatch);
 
   void stage_done(const std::string &stage) override;
@@ -27,11 +26,11 @@ public:
 private:
   Stopwatch &stopwatch;
   std::optional<WorkProgress> bar;
-  bool has_header = false; ///< true if the table of Newton steps has its header
+  bool has_header = false; ///< table of Newton steps has its header
   std::chrono::steady_clock::time_point last_line = std::chrono::steady_clock::now();
 };
 
-/// Reports the required resultants at rest and their origin to @p progress.
+/// Reports the required resultants at rest and their source to @p progress.
 void note_load_source(const Study &study, Progress &progress);
 
 } // namespace stemware::pipeline

@@ -11,14 +11,14 @@
 namespace stemware::pipeline
 {
 
-/// Declares the argument STUDY, stored in @p options; @p role: purpose of the study, for the help.
+/// Declares the argument STUDY, stored in @p options; @p role: purpose of the study in the help.
 void add_study_option(CLI::App &verb, StudyOptions &options, const std::string &role = "");
 
-/// Declares STUDY, --output, --set, --threads, --quiet and --json on @p verb, to be stored in @p options.
+/// Declares STUDY, --output, --set, --threads, --quiet and --json on @p verb, stored in @p options.
 void add_study_options(CLI::App &verb, StudyOptions &options);
 
-/// Adds a verb that works on studies: add_verb() and add_study_options(), stored in Options (derived from
-/// StudyOptions). Returns the verb and its options, for further options.
+/// Adds a verb with add_verb() and add_study_options(), stored in Options (derived from StudyOptions).
+/// Returns verb and options, for further options.
 template <typename Options>
 std::pair<CLI::App *, std::shared_ptr<Options>>
 add_study_verb(CLI::App &program, Verb &chosen, const std::string &name, const std::string &words,
@@ -34,8 +34,7 @@ add_study_verb(CLI::App &program, Verb &chosen, const std::string &name, const s
 void add_threads_option(CLI::App &verb, StudyOptions &options,
                         const std::string &help = "Threads that share the work");
 
-/// Returns the number of threads: option --threads, else variable OMP_NUM_THREADS, else number of cores, or 1
-/// with MPI.
+/// Returns the number of threads: --threads, else OMP_NUM_THREADS, else number of cores, or 1 with MPI.
 unsigned int n_threads_of(const StudyOptions &options);
 
 /// Declares --set.
@@ -44,14 +43,14 @@ void add_override_option(CLI::App &verb, StudyOptions &options);
 /// Declares --quiet and --json.
 void add_console_options(CLI::App &verb, StudyOptions &options);
 
-/// Prints @p note on the console after @p label; nothing if the note is empty.
+/// Prints @p note on the console after @p label, unless it is empty.
 void print_note(const std::string &label, const std::string &note);
 
 /// Prints a @p warning like print_note(), with --quiet on standard error.
 void print_warning(const std::string &label, const std::string &warning, const StudyOptions &options);
 
-/// Begins a verb: directs the console, reads and checks the study, loads the modules of its foot, and makes
-/// all checks that are possible before the work. Throws BadInput.
+/// Directs the console, reads the study, prepares its foot, and makes all checks that are possible before the
+/// work. Throws BadInput.
 Study begin_study(const StudyOptions &options);
 
 } // namespace stemware::pipeline

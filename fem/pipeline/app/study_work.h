@@ -9,12 +9,10 @@
 namespace stemware::pipeline
 {
 
-/// Common beginning of the verbs that solve one study, with the objects that their work needs. Collective
-/// over all ranks.
+/// Objects for the work of the verbs that solve one study. Collective over all ranks.
 struct StudyWork
 {
-  /// Makes all checks before the work: begin_study(), and the folder of the results. Then reports the
-  /// required resultants.
+  /// Checks study and results folder by begin_study() and ResultsFolder, and reports the required resultants.
   explicit StudyWork(const StudyOptions &options);
 
   Stopwatch stopwatch;

@@ -15,14 +15,14 @@ namespace stemware::pipeline
 /// Work of the verb chosen on the command line, bound to its options.
 using Verb = std::function<void()>;
 
-/// Returns the examples and explanations of help/@p name.txt, the end of a verb's help.
+/// Returns the text of help/@p name.txt, the end of a verb's help.
 std::string help_of(const std::string &name);
 
-/// Adds a verb with help_of() its name. If the verb is chosen, @p chosen becomes its @p work.
+/// Adds a verb with help_of() @p name. If the verb is chosen, @p chosen becomes @p work.
 CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, const std::string &words,
                    const Verb &work);
 
-/// The verbs in the order of --help. Each has a function add_NAME_verb(), which adds its options and work.
+/// Verbs in the order of --help. Each has a function add_NAME_verb(), which adds its options and work.
 #define STEMWARE_VERBS(VERB)                                                                                 \
   VERB(run)      /* a study from its file to its results */                                                  \
   VERB(new)      /* a study file of a glass on a table to start from */                                      \

@@ -21,12 +21,10 @@ std::pair<std::string, std::string> distinct_texts(double one, double other, int
 /// Returns the finite number @p value rounded to @p n_digits significant digits: 0.3 for 0.30000000000000004.
 double rounded(double value, int n_digits);
 
-/// Returns @p text with characters of a keyboard: a blank for no-break, figure, thin and narrow no-break
-/// spaces, a hyphen for minus sign and en dash.
+/// Returns @p text with typographic blanks, minus signs and en dashes as blanks and hyphens of a keyboard.
 std::string as_typed(std::string text);
 
-/// Parses the whole of @p text as a finite number (as_typed(); leading + and surrounding blanks allowed);
-/// std::nullopt otherwise.
+/// Parses all of @p text as a finite number (as_typed(); leading + and outer blanks allowed) or std::nullopt.
 std::optional<double> parse_number(const std::string &text);
 
 /// Number at the beginning of a text.
@@ -39,7 +37,7 @@ struct LeadingNumber
 /// Returns the number at the beginning of @p text; leading blanks or + are not allowed.
 LeadingNumber leading_number(const std::string &text);
 
-/// Parses the whole of @p text as a non-negative integer; std::nullopt otherwise.
+/// Parses all of @p text as a non-negative integer; std::nullopt otherwise.
 std::optional<unsigned int> parse_count(const std::string &text);
 
 } // namespace stemware::pipeline

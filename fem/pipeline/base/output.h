@@ -26,7 +26,7 @@ public:
   ResultsFolder &operator=(const ResultsFolder &) = delete;
 
   void open(); ///< creates the partial folder, the same on every rank; collective
-  const std::filesystem::path &working_folder() const { return partial; } ///< after open()
+  const std::filesystem::path &working_folder() const { return partial; } ///< valid after open()
   bool made_parent = false; ///< true if the parent of final_folder() was created
   const std::filesystem::path &final_folder() const { return target; }
 

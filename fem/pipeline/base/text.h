@@ -10,7 +10,7 @@ namespace stemware::pipeline
 /// Width of the console's text [columns].
 constexpr std::size_t console_width = 100;
 
-/// Wraps a text into lines of at most @p width columns. @p label precedes the first line, equally many blanks
+/// Wraps a text into lines of at most @p width columns; @p label precedes the first line, blanks of its width
 /// the others. A number and a following % or rad/s are not separated.
 std::string wrapped(const std::string &text, const std::string &label = "",
                     std::size_t width = console_width);
@@ -27,8 +27,7 @@ std::string filled(const std::string &pattern, const std::vector<std::string> &w
 /// Returns @p text as a CSV field, quoted if it has a comma, quotation mark, line end or # (often a comment).
 std::string csv_field(const std::string &text);
 
-/// Returns the word closest to @p word (insertions, deletions and changes; ignoring case); std::nullopt if
-/// the edit distance exceeds 3.
+/// Returns the word closest to @p word, ignoring case; std::nullopt if the edit distance exceeds 3.
 std::optional<std::string> closest_match(const std::string &word, const std::vector<std::string> &words);
 
 } // namespace stemware::pipeline

@@ -19,8 +19,7 @@ void require_regular_file(const std::string &setting, const std::filesystem::pat
 /// Returns @p text without a UTF-8 byte order mark. Throws BadInput, naming @p origin, for a UTF-16 mark.
 std::string without_byte_order_mark(const std::string &origin, std::string text);
 
-/// Reads a text file of at most 16 MB, without its byte order mark. Throws BadInput, beginning with
-/// @p setting, for any other file.
+/// Reads a text file of at most 16 MB without byte order mark. Throws BadInput, naming @p setting, otherwise.
 std::string read_input_text(const std::string &setting, const std::filesystem::path &file);
 
 /// Returns the folders of installed files: ../share/stemware (installed program) and share/stemware (build

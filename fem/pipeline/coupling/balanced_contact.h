@@ -31,8 +31,8 @@ struct ContactBalance
   unsigned int n_harmonics = all_harmonics;
 };
 
-/// Elastic foot in balance at a sequence of spins, each solved from the previous one. Contact, friction and
-/// moment balance are one system (fem::ContactDemand).
+/// Elastic foot at a sequence of spins, each solved from the previous one, with contact, friction and moment
+/// balance as one system (fem::ContactDemand).
 class BalancedContact
 {
 public:
@@ -44,11 +44,9 @@ public:
   BalancedContact(std::shared_ptr<ElasticFoot> foot, const ContactBalance &balance,
                   const fem::ContactState &at_rest, Progress &progress);
 
-  /// Returns the contact at the spin @p omega [rad/s]; the latest contacts are cached. Throws ring::Tipping
-  /// and ring::NoBalance.
+  /// Returns the contact at the spin @p omega [rad/s], cached. Throws ring::Tipping and ring::NoBalance.
   fem::ContactState contact(double omega);
-  /// Returns the load of a contact(), truncated to ContactBalance::n_harmonics, with its margins and, if
-  /// ContactBalance::tilts, its tilt.
+  /// Returns the load of a contact(), up to ContactBalance::n_harmonics, with margins and tilt (if included).
   ring::Sample sample_of(const fem::ContactState &state) const;
   /// Returns sample_of() contact() at the spin @p omega [rad/s].
   ring::Sample sample(double omega);
@@ -60,8 +58,7 @@ private:
   fem::ContactDemand demand_at(double omega, const std::vector<double> &radii, double rotation) const;
   /// Starts from the previous contact, even if the foot has been solved again since.
   fem::ContactState solve(const fem::ContactDemand &demand, double omega);
-  /// Solves with the friction force of the single ring that has the contact's moment and first harmonic, and
-  /// iterates its radius.
+  /// Solves with the friction force of the single ring that has the contact's moment and first harmonic.
   fem::ContactState contact_on_one_ring(double omega);
   fem::ContactState solve_at(double omega);
 

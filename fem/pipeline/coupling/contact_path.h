@@ -20,7 +20,7 @@ public:
                           const fem::ContactState *before = nullptr) const;
 
   /// Returns the contact nearest to @p slip between rest and its spin, with the same marks and in the first
-  /// zone, as an initial guess; std::nullopt if there is none.
+  /// zone; std::nullopt if there is none.
   std::optional<fem::ContactStart> nearest_towards_rest(const ring::Slip &slip) const;
 
   /// Appends a solved contact.
@@ -42,8 +42,7 @@ private:
     fem::ContactStart start;
   };
 
-  /// Returns the polynomial through the nearest of @p points at @p spin; std::nullopt if fewer than
-  /// @p n_least points can be used.
+  /// Returns the polynomial through the nearest of @p points at @p spin, if @p n_least or more can be used.
   static std::optional<fem::ContactStart> between(std::vector<const Found *> points, double spin,
                                                   std::size_t n_least);
 

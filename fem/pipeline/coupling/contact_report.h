@@ -18,8 +18,7 @@ struct FootReport
   fem::FootDescription foot;
   std::string friction_coupling; ///< "elastic" or "none"
   fem::ContactState at_rest;
-  /// Contact at the end of the spin-up; std::nullopt for a load independent of the spin and a collective
-  /// foot.
+  /// Contact at the end of the spin-up; none for a load independent of the spin and a collective foot.
   std::optional<fem::ContactState> at_end = {};
   fem::PressureMap footprint; ///< pressure at rest
   std::optional<fem::PressureMap> footprint_at_end = {};
@@ -42,14 +41,12 @@ struct ContactReport
 class BalancedLoad;
 class ElasticFoot;
 
-/// Returns the report on @p load, find_load() of @p foot, study_foot(), at rest and at @p last_spin, the end
-/// of the spin-up [rad/s]; without the results of add_fields(). May solve the contact at @p last_spin. Throws
-/// as @p load.
+/// Returns the report on @p load, find_load() of @p foot, at rest and at @p last_spin, the end of the spin-up
+/// [rad/s], without the results of add_fields(). May solve the contact at @p last_spin. Throws as @p load.
 ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                        double last_spin);
 
-/// Adds fields and stressed section of both states to @p report. @p foot may be a clone() of the foot of
-/// describe(), for another thread.
+/// Adds fields and stressed section of both states to @p report. @p foot may be a clone(), on another thread.
 void add_fields(const Study &study, const ElasticFoot &foot, FootReport &report);
 
 } // namespace stemware::pipeline

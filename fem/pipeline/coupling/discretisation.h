@@ -9,7 +9,7 @@ namespace stemware::pipeline
 struct Discretisation
 {
   double fineness = 1;                   ///< factor on the default fineness of the cells
-  unsigned int halvings_beyond_zone = 0; ///< halvings of fem::RevolutionSetup
+  unsigned int halvings_beyond_zone = 0; ///< RevolutionSetup::halvings_beyond_zone
   /// Factor on the penalty of a hard interface; below 1, for a solid foot, on the stiffness of any interface.
   double hardness = 1;
   unsigned int line_factor = 1; ///< factor on the contact lines of each face of a solid foot

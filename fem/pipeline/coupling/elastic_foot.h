@@ -12,8 +12,7 @@
 namespace stemware::pipeline
 {
 
-/// Elastic foot of a study: solves contacts for demands and slips and projects their loads onto the same
-/// rings and harmonics. Not thread-safe.
+/// Elastic foot of a study, whose contacts are projected onto the same rings and harmonics. Not thread-safe.
 class ElasticFoot
 {
 public:

@@ -27,8 +27,7 @@ struct LoadReport
   Eigen::Vector2d moment = Eigen::Vector2d::Zero(); ///< M_N = (sum y f, -sum x f) [N m]
   double moment_ratio = 0;                          ///< |M_N| / (N R / 2), R the contact radius
   double mean_radius = 0;                           ///< sum f r / sum f [m]
-  /// Share of the land's area under pressure (fem::ContactExtent); without a contact, share of the azimuths
-  /// with a positive load.
+  /// Share of the land's area under pressure; without a contact, of the azimuths with a positive load.
   double contact_fraction = 0;
   std::optional<double>
     azimuth_fraction = {}; ///< share of the azimuths under pressure; for ring-shaped lands
@@ -37,12 +36,11 @@ struct LoadReport
   double outer_radius = 0;
   double minimum = 0;                       ///< least pointwise load [N/rad]
   std::optional<double> peak_pressure = {}; ///< [Pa]; empty without a contact
-  /// Largest width of the contact across the rim, fem::contact_width() [m]; empty without a contact or if the
-  /// mesh does not resolve the width.
+  /// Largest width of the contact across the rim, fem::contact_width() [m]; empty unless resolved by the
+  /// mesh.
   std::optional<double> contact_width = {};
-  std::vector<fem::AzimuthLoad>
-    /// Load on the contact's lines, sorted by azimuth in [0, 2 pi); empty without a contact.
-    pointwise = {};
+  /// Load on the contact's lines, sorted by azimuth in [0, 2 pi); empty without a contact.
+  std::vector<fem::AzimuthLoad> pointwise = {};
   std::optional<PhaseExtremes> over_phases = {}; ///< for loads that depend on the phase
 
   /// Returns the half-width of the loaded range of radii [m].

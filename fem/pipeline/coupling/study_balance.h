@@ -8,19 +8,16 @@
 namespace stemware::pipeline
 {
 
-/// Returns the moment balance of a study with the marks of glass and table as at t = 0; @p n_harmonics:
-/// ContactBalance::n_harmonics.
+/// Returns the moment balance of a study with the marks of glass and table as at t = 0.
 ContactBalance moment_balance(const Study &study, unsigned int n_harmonics = all_harmonics);
 
 /// Returns true if find_load() returns a load that varies with the spin.
 bool varies_with_spin(const Study &study);
 
-/// Returns true if the spin affects the contact through the moment of friction or the deformation by
-/// friction.
+/// Returns true if the spin affects the contact: by the moment of friction, or as friction deforms the foot.
 bool depends_on_spin(const Study &study);
 
-/// Returns the periods of a load with @p imperfection: 2 pi over the greatest common divisor of its
-/// harmonics.
+/// Returns the periods of a load with @p imperfection, 2 pi over the common divisor of its harmonics [rad].
 ring::PhasePeriods phase_periods(const fem::RimImperfection &imperfection);
 /// Returns the periods of the study's waviness, and of the mesh of @p foot if it is not axisymmetric.
 ring::PhasePeriods phase_periods(const Study &study, const ElasticFoot &foot);

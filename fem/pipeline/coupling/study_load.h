@@ -45,8 +45,7 @@ BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &f
                        Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics,
                        PhaseSampling phases = PhaseSampling::full);
 
-/// Returns the paper's load: a first harmonic on a ring of the contact radius, in the moment balance
-/// @p closure at every spin.
+/// Returns a first-harmonic load on a ring of the contact radius, in the balance @p closure at every spin.
 BalancedLoad first_harmonic_load(const Study &study, ring::Closure closure);
 
 /// Returns a sentence if the load at rest is used although it depends on the spin, else an empty string.

@@ -9,15 +9,13 @@
 namespace stemware::pipeline
 {
 
-/// Reads a mesh file by fem::read_foot_mesh(). Throws BadInput, before reading if the mesh would exceed
-/// @p memory_limit [byte].
+/// Reads a mesh file by fem::read_foot_mesh(). Throws BadInput, also for more than @p memory_limit [byte].
 fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshFileOptions &marks,
                                dealii::Triangulation<3, 3> &mesh,
                                double memory_limit = ContactSection().memory_limit);
 
 /// Throws BadInput about the first defect of a mesh: parts not connected to the stem cut, inverted cells,
-/// swapped ids, a contact zone that has several parts, faces up or sideways, or does not surround the z axis.
-/// @p origin: mesh file.
+/// swapped ids, a contact zone in several parts, with faces up or sideways, or not round the z axis.
 void require_usable(const std::string &origin, const fem::MeshCheck &check,
                     const fem::MeshFileOptions &marks = {});
 

@@ -1,8 +1,7 @@
 #pragma once
 
-/// C interface of the live solver, one Explorer. Every function returns UTF-8 JSON, valid until the next
-/// call; failures are {"error": message}. Answers have a "document": "summary", "words" and "tables" with the
-/// keys of the page of `run`, as far as they are known.
+/// C interface of the live solver, one Explorer. Functions return UTF-8 JSON, valid until the next call;
+/// failures are {"error": message}, answers have the "document" of the page of `run` as far as it is known.
 extern "C"
 {
   /// Resets to the default study without compliances.
@@ -19,6 +18,6 @@ extern "C"
   const char *explore_pressure();
   /// Returns torques over the spin, the spin-up and its instants.
   const char *explore_curves();
-  /// Returns the steps from the paper's model to the last answer's.
+  /// Returns the budget of the last answer.
   const char *explore_budget();
 }

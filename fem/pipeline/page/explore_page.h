@@ -13,38 +13,39 @@
 namespace stemware::pipeline
 {
 
-/// Returns the installed solver as WebAssembly, gzip in base64: explore.wasm of share/stemware, else the
-/// solver of the page explore.html there. Throws BadInput if neither exists.
+/// Returns the installed solver as WebAssembly, gzip in base64: of explore.wasm in share/stemware, else of
+/// explore.html there. Throws BadInput if neither exists.
 std::string live_solver();
 
 /// Options of the live part of a page.
 struct PageOptions
 {
   Study study;                 ///< initial study of the page
-  std::vector<Preset> glasses; ///< selectable glasses; empty: the study's
-  std::vector<Preset> tables;  ///< likewise
+  std::vector<Preset> glasses; ///< selectable; empty: the study's glass
+  std::vector<Preset> tables;  ///< selectable; empty: the study's table
   unsigned int n_threads = 1;  ///< threads that share the pairs
-  unsigned int max_nodes = 0;  ///< nodes across the land of focused meshes; 0: as in `stemware run`
+  unsigned int max_nodes = 0;  ///< nodes across the land, if focused; 0: as in `stemware run`
 };
 
-/// One glass on one table of a page.
+/// Glass on a table of a page.
 struct PagePair
 {
   std::string glass, table;
   unsigned int n_nodes = 0;
-  std::optional<double> omega; ///< terminal spin by the program [rad/s]; std::nullopt if the glass tips
-  std::optional<double> band;  ///< twice |spin - spin on the page's mesh|, if that mesh is coarser [rad/s]
+  std::optional<double> omega; ///< terminal spin by `run` [rad/s]; std::nullopt if the glass tips
+  /// Twice the difference from the spin on the page's mesh, if that mesh is coarser [rad/s].
+  std::optional<double> band;
 };
 
-/// Makes the live part of a page; @p done is called for each pair, in order. Throws BadInput as
-/// live_bodies(), and for pairs that `stemware run` cannot solve.
+/// Makes the live part of a page; calls @p done for each pair, in order. Throws BadInput as live_bodies(),
+/// and for pairs that cannot be solved.
 LivePart live_part(const PageOptions &options, const std::string &solver, fem::ComplianceCache &cache,
                    const std::function<void(const PagePair &)> &done);
 
-/// Returns the terminal spin of a pair with its unit, or a text that the glass tips.
+/// Returns the terminal spin with its unit, or a text that the glass tips.
 std::string spin_text(const PagePair &pair);
 
-/// Returns the page of @p live, whose pairs are @p pairs.
+/// Returns the page of @p live with its @p pairs.
 std::string explore_page(const LivePart &live, const std::vector<PagePair> &pairs);
 
 } // namespace stemware::pipeline

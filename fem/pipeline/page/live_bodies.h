@@ -16,10 +16,9 @@ struct LiveBodies
   std::optional<fem::ContactCompliance> disc; ///< std::nullopt on a rigid substrate
 };
 
-/// Returns the compliances of foot and disc of @p study in the expected contact zone. For a similar foot, @p
-/// ratio times as large, the disc is smaller by this ratio relative to the foot, because Explorer scales
-/// both. Throws BadInput for studies that an Explorer does not support: solid body, drawn profile, waviness,
-/// files.
+/// Returns the compliances of foot and disc of @p study in the expected contact zone. For a similar foot,
+/// @p ratio times as large, the disc is made smaller by this ratio, because Explorer scales both. Throws
+/// BadInput for studies that an Explorer does not support: solid body, drawn profile, waviness, files.
 LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache,
                        const Discretisation &discretisation = {}, double ratio = 1);
 

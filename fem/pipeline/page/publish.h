@@ -8,20 +8,18 @@
 namespace stemware::pipeline
 {
 
-/// Returns summary.json of a verb without "files": "schema", "program", "verb", "parameters" of the study,
-/// and the summary of @p results. Throws std::runtime_error for a number that is not finite, which JSON
-/// cannot represent.
+/// Returns summary.json of a verb without "files": "schema", "program", "verb", "parameters" and the summary
+/// of @p results. Throws std::runtime_error for a number that is not finite, which JSON cannot represent.
 Json summary_of(const std::string &verb, const Results &results);
 
-/// Publishes the results of a verb; collective. Each rank writes its fields of @p results into the working
-/// folder, the first rank all other files: the files with content, report.html, and at the end
-/// parameters.prm, summary.json (summary_of() and "files") and timings.json. It then renames the folder and
-/// prints the console's text and the location. With --json the last line of standard output is {"verb",
-/// "results", "summary", "report", key figures}. Throws OutputFailure, and as summary_of().
+/// Publishes the results of a verb; collective. Each rank writes its fields into the working folder, the
+/// first rank all other files: the files with content, parameters.prm, report.html, summary.json
+/// (summary_of() and "files") and timings.json. The first rank then renames the folder and prints the
+/// console's text and the location; with --json the last line of standard output is {"verb", "results",
+/// "summary", "report", key figures}. Throws OutputFailure, and as summary_of().
 void publish(const StudyOptions &options, Results results, ResultsFolder &folder, Stopwatch &stopwatch);
 
-/// Writes the same files into the existing @p folder, on one rank: for a sweep, whose rows are already
-/// written.
+/// Writes the same files into the existing @p folder of a sweep, whose rows are written; on one rank.
 void publish_in(const std::filesystem::path &folder, const StudyOptions &options, Results results,
                 Stopwatch &stopwatch);
 

@@ -3,8 +3,7 @@
 #include <optional>
 #include <string>
 
-/// Number formats of the console and the reports: the digits of a quantity, and the text of a missing one.
-/// Files for programs have all digits.
+/// Number formats of console and reports. Files for programs have all digits.
 namespace stemware::pipeline::format
 {
 
@@ -17,21 +16,18 @@ inline constexpr char missing[] = "–";
 ///   .1f%      per cent: "25.0 %"
 ///   +.3g      a sign, but "0" for zero
 ///   .2e       a power of ten, but "0" for zero; #.2e also for zero
-///   band      the half-width of an error band by itself, rounded up to two digits: "4.9e-06"
-///   about     a count that is an estimate, to two digits: "about 4400"
-///   short     three digits, and no power of ten for large ones: "0.27", "2110"
+///   band      half-width of an error band, rounded up to two digits: "4.9e-06"
+///   about     an estimated count, to two digits: "about 4400"
+///   short     three digits, without power of ten for large numbers: "0.27", "2110"
 std::string number(double value, const std::string &digits);
 
-/// Returns @p value rounded to two digits of @p spread, its error or scatter: "-3.6489" for a spread of
-/// 0.0002.
+/// Returns @p value rounded to two digits of @p spread, its error: "-3.6489" for a spread of 0.0002.
 std::string rounded_to_error(double value, double spread);
 
-/// Returns a spin [rad/s] for sentences and tables: to the digits that its @p band allows, at most four
-/// significant ones.
+/// Returns a spin [rad/s] for texts: the digits that @p band allows, at most four significant ones.
 std::string spin(double omega, const std::optional<double> &band = {});
 
-/// Returns @p value with its @p band, rounded up so that the printed interval contains the exact one; six
-/// digits without a band.
+/// Returns @p value with its @p band, rounded up so that the interval is safe; six digits without a band.
 std::string with_band(double value, const std::optional<double> &band);
 
 } // namespace stemware::pipeline::format

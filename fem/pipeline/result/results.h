@@ -13,12 +13,13 @@
 namespace stemware::pipeline
 {
 
-/// A file of the results folder.
+/// File of the results folder.
 struct ResultFile
 {
-  std::string name; ///< relative to the results folder; .csv decides for CSV, anything else for a data table
+  /// Path relative to the results folder; .csv for a CSV file, any other extension for a data table.
+  std::string name;
   std::string description; ///< description in the page's list of files; empty: not listed
-  /// Table, text, or std::monostate for a file written elsewhere.
+  /// Table or text; std::monostate for a file written elsewhere.
   std::variant<std::monostate, Table, std::string> content = {};
 };
 
@@ -29,12 +30,11 @@ struct ConsoleBlock
   std::optional<Table> table = {};
 };
 
-/// Results of a verb, in SI units: content of summary.json and --json, the page with its words, tables and
-/// pictures, the console's texts, and files.
+/// Results of a verb in SI units, for summary.json, --json, page, console and files.
 struct Results
 {
   Study study = {};                  ///< study of the results
-  Json summary = Json::object();     ///< the verb's own parts of summary.json
+  Json summary = Json::object();     ///< parts of summary.json that depend on the verb
   Json key_figures = Json::object(); ///< key figures in the last line of --json
   Json words = Json::object();       ///< texts by name, among them "title", "inputs" and "answer"
   /// Columns of tables and pictures by name: {"keys": [...], "values": [[...] ...]}.
@@ -43,9 +43,9 @@ struct Results
   Json entries = Json::array();     ///< all entries of the study
   std::vector<ResultFile> files = {};
   std::vector<ConsoleBlock> console = {};
-  std::vector<fem::FieldFile> fields = {}; ///< files of fields/ to be written by this rank
+  std::vector<fem::FieldFile> fields = {}; ///< files of fields/ written by this rank
 
-  /// Adds a table of the page.
+  /// Adds a table to the page.
   void add_table(const std::string &name, const Table &table);
 
   /// Adds columns of numbers for a picture, with six digits.
@@ -57,7 +57,7 @@ struct Results
 Json rounded_number(double value, int n_digits = 6);
 Json rounded_number(const std::vector<double> &values, int n_digits = 6);
 
-/// Returns the blocks for the console, with an empty line before each and after the last.
+/// Returns the text of the console: all blocks, with an empty line before each and after the last.
 std::string console_text(const Results &results);
 
 } // namespace stemware::pipeline

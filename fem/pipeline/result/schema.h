@@ -7,13 +7,11 @@
 namespace stemware::pipeline
 {
 
-/// Returns the text of summary.schema.json: the JSON Schema of the summaries of all verbs, and under
-/// "definitions/files" the columns of the data files with key, heading without unit (name), unit, and
-/// description (label).
+/// Returns summary.schema.json: the JSON Schema of the summaries of all verbs, and under "definitions/files"
+/// key, heading without unit (name), unit and description (label) of the columns of data files.
 std::string summary_schema();
 
-/// Returns the unit of @p key, a member of the part @p part of the summary or of the entries of this list;
-/// empty for words.
+/// Returns the unit of @p key in @p part of the summary, or in its entries if it is a list; empty for words.
 std::string unit_in_summary(const std::string &part, const std::string &key);
 
 } // namespace stemware::pipeline

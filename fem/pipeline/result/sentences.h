@@ -14,24 +14,22 @@ namespace stemware::pipeline
 
 struct StudyEntry;
 
-/// Returns a number in the common unit of the dimension @p unit that gives the shortest text: "300 g".
+/// Returns a number with that common unit of the dimension @p unit that gives the shortest text: "300 g".
 std::string in_usual_unit(double value, const std::string &unit);
 
-/// Returns the value of an entry of @p study as the user wrote it, "300 g"; in the unit of the shortest text
-/// if it was not given, or given without a unit.
+/// Returns the value of an entry as given with a unit, "300 g", else in the unit of the shortest text.
 std::string in_usual_unit(const Study &study, const StudyEntry &entry);
 
-/// Returns results of a verb about @p study with its title (name of the study and @p what), inputs, sketch
-/// and entries.
+/// Returns results with title (name of the study and @p what), inputs, sketch and entries.
 Results begun_results(const Study &study, const std::string &what);
 
-/// Appends a sentence to @p text, with a blank between them. An empty sentence changes nothing.
+/// Appends a blank and @p sentence to @p text; nothing for an empty sentence.
 void append(std::string &text, const std::string &sentence);
 
-/// Returns "one-way " if the load at rest is kept at every spin, else an empty string.
+/// Returns "one-way " if the load at rest is used at every spin; empty otherwise.
 std::string one_way_word(const LoadSection &load);
 
-/// Returns @p sentence (first letter a capital), preceded by the name of a one-way load.
+/// Returns @p sentence, which begins with a capital; if the load is one-way, after a clause that says so.
 std::string under_its_load(const LoadSection &load, std::string sentence);
 
 /// Returns the sense of a spin seen from above: "clockwise, against its orbit".
@@ -41,18 +39,18 @@ std::string sense_of(const ring::Motion &motion, double omega);
 std::string faster_or_slower(double change);
 
 /// Returns a sentence on the effect of the harmonics beyond the first on tau_z of friction at half the
-/// terminal spin, where it is largest, and at rest; empty without a terminal spin or such harmonics.
+/// terminal spin, at its maximum, and at rest; empty without a terminal spin or further harmonics.
 std::string torque_effect_sentence(const ring::TorqueEffects &effects);
 
-/// Returns a sentence on the effect of the harmonics beyond the first on the terminal spin of @p study; empty
-/// without an effect. The @p band of the effect [rad/s] is added if it exceeds a tenth of it.
+/// Returns a sentence on the effect of the harmonics beyond the first on the terminal spin, with its @p band
+/// [rad/s] if above a tenth of the effect; empty without an effect.
 std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect,
                                      const std::optional<double> &band = {});
 
-/// Returns sentences on a glass that stands at rest and tips during the spin-up (@p all has a `fall`).
+/// Returns sentences on a glass that tips during the spin-up (@p all has a `fall`).
 std::string fall_sentences(const ring::Motion &motion, const ring::Answer &all);
 
-/// Returns the words of `run` by their names: its answer, and remarks that are empty if they do not apply.
+/// Returns the texts of `run` by name: its answer, and remarks that are empty if they do not apply.
 Json run_words(const StudyAnswer &run);
 
 } // namespace stemware::pipeline

@@ -10,17 +10,16 @@
 namespace stemware::pipeline
 {
 
-/// sweep.csv in the folder of a sweep: lines that begin with # (version, base study, size and time of the
-/// files that cases read), the headings (case, varied entries, sweep_columns(), contact_outcome, status,
-/// message with their units), and a row for each finished case, in the order in which cases finish. Each row
-/// is flushed: a killed program leaves at most an incomplete last line, which is dropped when the sweep goes
-/// on.
+/// sweep.csv in the folder of a sweep: lines that begin with # (version, base study, size and time of input
+/// files), headings with units (case, varied entries, sweep_columns(), contact_outcome, status, message), and
+/// a row per finished case, in the order of finishing. Rows are flushed: after a kill, at most the last line
+/// is incomplete and is dropped when the sweep is continued.
 class SweepFile
 {
 public:
-  /// Creates the file, or reads the finished cases of an earlier run of the same sweep. Throws OutputFailure,
-  /// with nothing changed, for a folder that require_replaceable() rejects, for another version, base study,
-  /// input file or column, and for a row that is no case of the list.
+  /// Creates the file, or reads the finished cases of an earlier run. Throws OutputFailure, with nothing
+  /// changed, if require_replaceable() rejects the folder, for another version, base study, input file or
+  /// column, and for a row that is no case of the list.
   SweepFile(const std::filesystem::path &wanted, const CaseList &list);
 
   const FinishedCases &finished() const { return cases; }

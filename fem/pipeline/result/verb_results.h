@@ -13,15 +13,14 @@
 namespace stemware::pipeline
 {
 
-/// Returns the results of `run`: load, contact, torque, spin-up, truncations and moment balances. The caller
-/// adds the fields, to avoid a copy.
+/// Returns the results of `run`, without the fields, which the caller adds to avoid a copy.
 Results run_results(const StudyAnswer &answer);
 Json run_schema();
 
-/// Returns the mesh's part of the band of the study's goal; std::nullopt without a goal or band.
+/// Returns the part "mesh" of the band of the study's goal; std::nullopt without a goal or band.
 std::optional<double> band_of_mesh(const StudyAnswer &answer);
 
-/// Returns the results of `truncate`, a view of what `run` finds, with Depth::rows.
+/// Returns the results of `truncate`: a part of those of `run`, with Depth::rows.
 Results truncation_results(const StudyAnswer &answer);
 Json truncate_schema();
 
@@ -30,11 +29,11 @@ Results convergence_results(const Study &study, const std::vector<RefinementAxis
                             const ErrorBands &bands);
 Json converge_schema();
 
-/// Returns the table of the quantities of @p bands on every level of the axes, converge.csv.
+/// Returns converge.csv: the quantities of @p bands on every level of the axes.
 Table level_table(const std::vector<RefinementAxis> &axes, const ErrorBands &bands);
 
-/// Returns the results of `sweep` beside sweep.csv: ranges of spin and harmonic effect, failures, and for a
-/// grid its curves or maps. Cases that are not @p finished are left out.
+/// Returns the results of `sweep` except sweep.csv: ranges of spin and harmonic effect, failures, and curves
+/// or maps of a grid. Cases that are not @p finished are left out.
 Results sweep_results(const CaseList &list, const FinishedCases &finished);
 Json sweep_schema();
 

@@ -20,11 +20,10 @@ struct FileRow
   unsigned int line = 0; ///< line of the file, counted from 1
 };
 
-/// Reads @p columns from the table @p text (parse_table()). A heading names them in any order, among other
-/// columns, with the unit in round or square brackets or after a comma, a slash or a blank. Without a
-/// heading, the columns are in the given order and in SI units. Quoted numbers may have decimal commas if
-/// commas separate the cells. Throws BadInput, beginning with @p setting, with line, column and remedy; also
-/// for commas that may mark decimals or thousands.
+/// Reads @p columns from the table @p text (parse_table()). A heading names them in any order, among others,
+/// with the unit in round or square brackets or after a comma, slash or blank; without a heading, the columns
+/// are as given and in SI units. Quoted numbers may have decimal commas if commas separate the cells. Throws
+/// BadInput, beginning with @p setting, with line, column and remedy; also for ambiguous commas.
 std::vector<FileRow> parse_columns(const std::string &setting, const std::string &text,
                                    const std::vector<FileColumn> &columns);
 

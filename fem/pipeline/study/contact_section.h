@@ -54,9 +54,8 @@ enum class Goal
   torque ///< tau_z at half the terminal spin
 };
 
-/// Maximum number of rings. Outside the band of the J rings, at x half-widths from its middle, the Lagrange
-/// polynomials of the radii grow like cosh(J acosh x) and amplify rounding, 1e-16: at x = 1.5 to 1e-6 of the
-/// load with 25 rings, 1e-3 with 32, and 1 with 40.
+/// Maximum number of rings J. At x half-widths from the middle of their band, Lagrange polynomials grow like
+/// cosh(J acosh x) and amplify rounding: at x = 1.5 to 1e-6 of the load for J = 25, 1e-3 for 32, 1 for 40.
 constexpr unsigned int max_rings = 25;
 
 /// Subsection Contact: the elastic body and its discretisation.

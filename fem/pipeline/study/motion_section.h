@@ -31,8 +31,8 @@ struct MotionSection
   double step_limit = 1e6;  ///< estimated steps of the spin-up above which a study is refused
 
   /// Computes the force offset from hand_height, or hand_height if @p given has Force offset only, after the
-  /// entry @p path was assigned. Either entry of a later source (file, option) removes the other from
-  /// @p given; @p here: entries assigned by the present source.
+  /// entry @p path was assigned. @p here: entries assigned by the present source (file, option); one of these
+  /// two entries from a later source removes the other from @p given.
   void place_hand(const std::string &path, std::map<std::string, std::string> &given,
                   std::set<std::string> &here)
   {

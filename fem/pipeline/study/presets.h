@@ -40,8 +40,7 @@ struct StudyPart
 };
 
 /// Returns the study of a cookbook as @p file, then the files it reads, in the folder of @p file. Throws
-/// BadInput with the available names for an unknown name, or with the searched folders if no cookbooks are
-/// installed.
+/// BadInput for an unknown name, with all names, or without installed cookbooks, with the searched folders.
 std::vector<StudyPart> cookbook_parts(const std::string &name, const std::filesystem::path &file);
 
 } // namespace stemware::pipeline

@@ -15,9 +15,9 @@ std::vector<std::string> unused_entries(const Study &study);
 /// Returns a sentence that names @p entries; empty without entries.
 std::string unused_entries_note(const std::vector<std::string> &entries);
 
-/// Returns a sentence if @p value, in SI units, is outside StudyEntry::plausible: "Motion/Mass = 300 kg is
-/// outside 0.02 to 2 kg for a glass; write 300 g if grams are meant." Empty otherwise, and for an optional
-/// entry of 0.
+/// Returns a sentence if @p value [SI] is outside StudyEntry::plausible: "Motion/Mass = 300 kg is outside
+/// 0.02 to 2 kg for a glass; write 300 g if grams are meant."; empty otherwise, and if an optional entry is
+/// 0.
 std::string implausible_note(const std::string &path, double value);
 
 /// Returns the implausible_note() of each given entry that has an effect.

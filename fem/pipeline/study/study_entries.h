@@ -54,8 +54,8 @@ struct StudyEntry
   std::string path() const { return section + '/' + name; }
 };
 
-/// Returns all entries of @p study in the order of the study file. They refer to @p study, which must outlive
-/// them and which records assigned entries (given_entries).
+/// Returns all entries of @p study in file order. @p study must outlive them; its given_entries record them
+/// when they are assigned.
 std::vector<StudyEntry> study_entries(Study &study);
 
 /// Returns the entries of a copy of @p study, which they keep alive.
@@ -67,8 +67,7 @@ const std::vector<StudyEntry> &default_entries();
 /// Returns the names of the sections of @p entries, in order.
 std::vector<std::string> sections_of(const std::vector<StudyEntry> &entries);
 
-/// Returns the path of the entry @p word, given with its section or, if unique, without; @p word if there is
-/// no such entry.
+/// Returns the path of the entry @p word, given with or, if unique, without its section; else @p word.
 std::string full_path(const std::vector<StudyEntry> &entries, const std::string &word);
 
 /// Returns the entry of @p path, or of that name if unique. Throws BadInput with a suggestion for unknown

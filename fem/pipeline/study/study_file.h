@@ -18,16 +18,14 @@ void check_study(const Study &study);
 /// Reads a study file, applies @p overrides ("Section/Entry=value", each for another entry) and checks the
 /// result, but not overridden values of the file. @p file: .prm or .json; empty: default study; "-": standard
 /// input of the first rank, JSON if it begins with a brace. Missing entries have their defaults. Paths in the
-/// file are relative to its folder, paths in overrides to the working directory. Throws BadInput about the
-/// first error.
+/// file are relative to its folder, in overrides to the working directory. Throws BadInput.
 Study read_study(const std::string &file, const std::vector<std::string> &overrides = {});
 
 /// Reads a study from @p text, .json if it begins with a brace, else .prm; @p origin names it in messages.
 /// Paths are relative to the working directory. Throws as read_study().
 Study read_study_text(const std::string &origin, const std::string &text);
 
-/// Sets @p entries from @p text, the content of the study file @p file in the format of deal.II's parameter
-/// files:
+/// Sets @p entries from @p text, the content of the study file @p file (deal.II's parameter format):
 ///
 ///   subsection Glass          # a comment
 ///     set Contact radius = 0.03
@@ -37,8 +35,8 @@ Study read_study_text(const std::string &origin, const std::string &text);
 /// it. Throws BadInput, with the line, about the first error.
 void read_prm(const std::string &file, const std::string &text, const std::vector<StudyEntry> &entries);
 
-/// Returns @p study with other @p values ("Section/Entry" and text), after all checks. Throws BadInput with
-/// @p option as the origin.
+/// Returns @p study with other @p values ("Section/Entry", text), checked. Throws BadInput that names
+/// @p option.
 Study with_values(Study study, const std::string &option,
                   const std::vector<std::pair<std::string, std::string>> &values);
 

@@ -26,8 +26,7 @@ struct StudyOptions
                                : std::filesystem::path(study_file).stem().string();
   }
 
-  /// Returns the folder of the results: --output, else results/NAME for `run` and results/NAME-VERB for other
-  /// verbs, with NAME = study_name().
+  /// Returns --output, else results/NAME for `run` and results/NAME-VERB for other verbs; NAME: study_name().
   std::filesystem::path results_place() const
   {
     const std::string of_verb = verb == "run" ? "" : "-" + verb;

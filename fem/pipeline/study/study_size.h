@@ -10,8 +10,7 @@ namespace stemware::pipeline
 /// Memory of the program and its libraries, a part of StudySize::memory [byte].
 inline constexpr double memory_of_the_program = 1.6e8;
 
-/// Cost of a study, estimated from its entries and the number of nodes of a mesh file by measured factors;
-/// accurate to a factor of two or three.
+/// Cost of a study, estimated to a factor of two or three from its entries and the nodes of a mesh file.
 struct StudySize
 {
   double unknowns = 0; ///< unknowns of the largest linear system
@@ -28,8 +27,7 @@ StudySize size_of(const Study &study);
 /// Returns a sentence about the memory of a study that needs more than 1 GB; empty otherwise.
 std::string memory_note(const Study &study);
 
-/// Throws BadInput that names the most expensive entry, if the estimate exceeds Contact/Memory limit or
-/// Motion/Step limit.
+/// Throws BadInput, naming the costliest entry, above Contact/Memory limit or Motion/Step limit.
 void require_affordable(const Study &study);
 
 } // namespace stemware::pipeline

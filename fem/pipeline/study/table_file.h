@@ -19,8 +19,7 @@ struct TextTable
   std::vector<TableRow> rows; ///< a heading, if there is one, comes first
   char separator = '\n';      ///< between the cells; line end: one cell per row
 
-  /// Returns @p cell with a decimal point for a decimal comma, "4.007 mm" for "4,007 mm", unless commas
-  /// separate the cells.
+  /// Returns @p cell with a decimal point for a decimal comma ("4,007 mm"), unless commas separate cells.
   std::string with_point(std::string cell) const;
 };
 
